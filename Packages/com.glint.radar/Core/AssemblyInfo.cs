@@ -1,0 +1,7 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("Glint")]
+[assembly: InternalsVisibleTo("Glint.Editor")]
+[assembly: InternalsVisibleTo("Glint.Tests.EditMode")]
+[assembly: InternalsVisibleTo("Glint.Tests.PlayMode")]
+[assembly: InternalsVisibleTo("Glint.Host.Tests")]

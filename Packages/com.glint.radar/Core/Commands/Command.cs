@@ -1,0 +1,44 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Glint.Core
+{
+    /// <summary>One command: its words for the user, the options it takes, and which of them it cannot do without.</summary>
+    public sealed class Command
+    {
+        internal Command(string name, string summary)
+        {
+            Name = name;
+            Summary = summary;
+        }
+
+        /// <summary>As written on the command line: "sweep".</summary>
+        public string Name { get; }
+
+        /// <summary>One sentence.</summary>
+        public string Summary { get; }
+
+        /// <summary>Further sentences for the help, one paragraph each.</summary>
+        public IReadOnlyList<string> Notes { get; internal set; } = new string[0];
+
+        /// <summary>What the command works on; none for a command without an argument.</summary>
+        public InputKind Inputs { get; internal set; } = InputKind.Any;
+
+        /// <summary>The options, in the order of the help.</summary>
+        public IReadOnlyList<Option> Options { get; internal set; }
+
+        /// <summary>The options that must be given, each for the inputs it goes with.</summary>
+        public IReadOnlyList<Option> Required { get; internal set; } = new Option[0];
+
+        /// <summary>Name of the method for Unity's -executeMethod; null when Unity has no such command.</summary>
+        public string UnityMethod { get; internal set; }
+
+        /// <summary>Examples: what follows "glint", and what it does.</summary>
+        public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }
+
+        /// <summary>How the command is called, in one line.</summary>
+        public string Usage => string.Join(" ", new[] { "glint", Name, Inputs == InputKind.None ? null : "INPUT" }
+            .Concat(Required.Select(option => option.Inputs == Inputs ? $"{option.Flag} {option.ValueName}" : $"[{option.Flag} {option.ValueName}]"))
+            .Append("[options]").Where(word => word != null));
+    }
+}

@@ -1,0 +1,152 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+
+namespace Glint.Core
+{
+    /// <summary>A checked command line: what is to be done, to what, with which options. Nothing of it has been opened yet.</summary>
+    public sealed class CommandLine
+    {
+        /// <summary>Marks, among Unity's own arguments, where those of the command begin.</summary>
+        public const string UnityMarker = "--glint";
+
+        readonly Dictionary<Option, object> _values = new Dictionary<Option, object>();
+
+        CommandLine(Command command) => Command = command;
+
+        /// <summary>The command.</summary>
+        public Command Command { get; }
+
+        /// <summary>The scene or mesh file as given; null for a command without one.</summary>
+        public string Input { get; private set; }
+
+        /// <summary>What <see cref="Input"/> is, by the end of its name.</summary>
+        public InputKind InputKind { get; private set; }
+
+        /// <summary>Value of an option: as given, else its default.</summary>
+        public T Get<T>(Option<T> option) => _values.TryGetValue(option, out var value) ? (T)value : option.Default;
+
+        /// <summary>Whether an option was given.</summary>
+        public bool IsGiven(Option option) => _values.ContainsKey(option);
+
+        /// <summary>Reads the arguments of a command in Unity's batch mode: all after <see cref="UnityMarker"/>.</summary>
+        /// <exception cref="UsageException">The first thing that is wrong.</exception>
+        public static CommandLine FromUnity(Command command, IReadOnlyList<string> processArguments)
+        {
+            var own = processArguments.SkipWhile(argument => argument != UnityMarker).ToArray();
+            if (own.Length == 0)
+                throw new UsageException($"{UnityMarker} is missing: put the arguments of {command.Name} after it, at the end of Unity's command line");
+            var line = Parse(command, own.Skip(1).ToArray());
+            foreach (var option in line.Command.Options)
+                if (option.UnityRemedy != null && line.IsGiven(option))
+                    throw new UsageException($"{option.Flag}: {option.UnityRemedy}");
+            return line;
+        }
+
+        /// <summary>
+        /// Reads the arguments of a command: INPUT and options in any order, <c>--name value</c> or <c>--name=value</c>, after <c>--</c> no options.
+        /// A value may begin with '-', as negative numbers do, but not with "--".
+        /// </summary>
+        /// <exception cref="UsageException">The first thing that is wrong.</exception>
+        public static CommandLine Parse(Command command, IReadOnlyList<string> arguments)
+        {
+            var inputs = new List<string>();
+            var options = new List<KeyValuePair<string, string>>();
+            for (int i = 0; i < arguments.Count; i++)
+            {
+                string argument = arguments[i];
+                if (argument == "--")
+                {
+                    inputs.AddRange(arguments.Skip(i + 1));
+                    break;
+                }
+                int equals = argument.IndexOf('=');
+                if (!LooksLikeOption(argument))
+                    inputs.Add(argument);
+                else if (equals >= 0)
+                    options.Add(Pair(argument.Substring(0, equals), argument.Substring(equals + 1)));
+                else if (i + 1 < arguments.Count && !arguments[i + 1].StartsWith("--", StringComparison.Ordinal) && Find(command, argument) != null)
+                    options.Add(Pair(argument, arguments[++i]));
+                else
+                    options.Add(Pair(argument, null));
+            }
+            return Create(command, inputs, options);
+        }
+
+        /// <summary>Checks what a parser found. Both hosts' command lines end here, so that both refuse the same things in the same words.</summary>
+        /// <param name="command">The command.</param>
+        /// <param name="inputs">The arguments that are no options.</param>
+        /// <param name="options">Options as written, with dashes, and their values; null for a missing value.</param>
+        /// <exception cref="UsageException">The first thing that is wrong.</exception>
+        public static CommandLine Create(Command command, IReadOnlyList<string> inputs, IReadOnlyList<KeyValuePair<string, string>> options)
+        {
+            var line = new CommandLine(command);
+            foreach (var given in options)
+                line.Add(given.Key, given.Value);
+            line.SetInput(inputs);
+            line.CheckOptionsAgainstInput();
+            return line;
+        }
+
+        /// <summary>Whether an argument is written as an option: a dash and a letter or dash after it. A negative number is not.</summary>
+        public static bool LooksLikeOption(string argument) =>
+            argument.Length > 1 && argument[0] == '-' && (argument[1] == '-' || char.IsLetter(argument[1]));
+
+        void Add(string flag, string text)
+        {
+            var option = Find(Command, flag);
+            if (option == null)
+                throw new UsageException($"{flag}: {Command.Name} has no such option{Suggest(flag, Command.Options.Select(known => known.Flag))}");
+            if (_values.ContainsKey(option))
+                throw new UsageException($"{flag}: given twice");
+            if (text == null)
+                throw new UsageException($"{flag}: needs a value: {flag} {option.ValueName}");
+            _values.Add(option, option.ParseValue(text));
+        }
+
+        void SetInput(IReadOnlyList<string> inputs)
+        {
+            int expected = Command.Inputs == InputKind.None ? 0 : 1;
+            if (inputs.Count > expected)
+                throw new UsageException($"{Values.Shown(inputs[expected])}: one argument too many: {(expected == 0 ? Command.Name + " takes none" : $"INPUT is {Values.Shown(inputs[0])} already")} (put names with blanks in quotes)");
+            if (expected == 0)
+                return;
+            if (inputs.Count == 0)
+                throw new UsageException($"{Command.Name}: INPUT is missing: give a scene (.unity) or a mesh file (.obj, .stl)");
+            Input = inputs[0];
+            InputKind = KindOf(Input);
+        }
+
+        void CheckOptionsAgainstInput()
+        {
+            foreach (var option in Command.Options)
+                if (IsGiven(option) && InputKind != InputKind.None && (option.Inputs & InputKind) == 0)
+                    throw new UsageException($"{option.Flag}: {option.Refusal}");
+            foreach (var option in Command.Required)
+                if (!IsGiven(option) && (option.Inputs & InputKind) != 0)
+                    throw new UsageException($"{option.Flag} is missing: {Command.Name} needs {option.Flag} {option.ValueName}");
+        }
+
+        static InputKind KindOf(string input)
+        {
+            switch (Path.GetExtension(input).ToLowerInvariant())
+            {
+                case ".unity": return InputKind.Scene;
+                case ".obj":
+                case ".stl": return InputKind.MeshFile;
+                default: throw new UsageException($"{Values.Shown(input)}: neither a scene (.unity) nor a mesh file (.obj, .stl)");
+            }
+        }
+
+        static Option Find(Command command, string flag) => command.Options.FirstOrDefault(option => option.Flag == flag);
+
+        static string Suggest(string word, IEnumerable<string> names)
+        {
+            var nearest = Spelling.Nearest(word, names);
+            return nearest == null ? "" : $"; did you mean {nearest}?";
+        }
+
+        static KeyValuePair<string, string> Pair(string flag, string text) => new KeyValuePair<string, string>(flag, text);
+    }
+}

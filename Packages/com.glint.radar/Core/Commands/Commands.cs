@@ -1,0 +1,71 @@
+using System.Collections.Generic;
+
+namespace Glint.Core
+{
+    /// <summary>The commands, for both hosts.</summary>
+    public static class Commands
+    {
+        /// <summary>What the commands are, in one line.</summary>
+        public const string Summary = "Glint, a radar for Unity: shoots rays from a radar, bounces them through the scene on the GPU and sums what returns.";
+
+        /// <summary>What INPUT is.</summary>
+        public const string InputHelp =
+            "A scene (.unity) or a mesh file (.obj, .stl). A scene is given by its path on disk or by its asset path: Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity.";
+
+        /// <summary>What the exit codes mean.</summary>
+        public const string ExitCodes = "0 done; 1 something is wrong with a file, the scene or the device; 2 the command line is wrong; 130 stopped by Ctrl-C.";
+
+        /// <summary>Turns a target through a list of angles and traces each pose.</summary>
+        public static readonly Command Sweep = new Command("sweep", "Turn a target step by step, trace every pose and write results.csv and results.json.")
+        {
+            Options = new Option[]
+            {
+                Options.Target, Options.Angles, Options.Out, Options.Size, Options.Frequency, Options.Bounces, Options.Receiver,
+                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Aim, Options.Device
+            },
+            Required = new Option[] { Options.Angles, Options.Target },
+            Notes = new[]
+            {
+                "The target turns about the vertical through its own position and is put back afterwards. The mesh of a file is turned as a whole, about the vertical through the origin of its coordinates.",
+                "Without --out the files go to Results/<name of the input> beside the project's Assets."
+            },
+            UnityMethod = "Glint.Editor.Batch.Sweep",
+            Examples = new[]
+            {
+                Example("sweep Scenes/CornerReflector.unity --target \"Corner Reflector\" --angles 0:45:1", "The published experiment, 46 poses."),
+                Example("sweep ship.stl --unit mm --up z --angles 0:345:15 --distance 500 --fov 20 --out ship", "A mesh in millimetres with z up, all round from 500 m."),
+                Example("sweep plate.obj --angles -10,-5,0,5,10 --size 640x360 --bounces 1", "Five angles of a flat plate, fewer rays.")
+            }
+        };
+
+        /// <summary>Traces one pose.</summary>
+        public static readonly Command Run = new Command("run", "Trace one pose: the scene as it stands, or a mesh file.")
+        {
+            Options = new Option[]
+            {
+                Options.Out, Options.Size, Options.Frequency, Options.Bounces, Options.Receiver,
+                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Aim, Options.Device
+            },
+            Notes = new[] { "Without --out the result is printed and no file is written." },
+            UnityMethod = "Glint.Editor.Batch.Run",
+            Examples = new[]
+            {
+                Example("run Scenes/CornerReflector.unity", "Print what the radar of the scene receives."),
+                Example("run boat.obj --distance 200 --grazing 5 --azimuth 90 --frequency 9.4e9 --out boat", "A boat seen from -X at 9.4 GHz; write the files to boat.")
+            }
+        };
+
+        /// <summary>Lists devices, limits and versions.</summary>
+        public static readonly Command Info = new Command("info", "List the GPUs, the limits of the one in use, and the versions.")
+        {
+            Inputs = InputKind.None,
+            Options = new Option[] { Options.Device },
+            Examples = new[] { Example("info", "What Glint would use."), Example("info --device llvmpipe", "The limits of Mesa's software device.") }
+        };
+
+        /// <summary>Every command.</summary>
+        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Run, Info };
+
+        static KeyValuePair<string, string> Example(string line, string meaning) => new KeyValuePair<string, string>(line, meaning);
+    }
+}

@@ -1,0 +1,21 @@
+using System;
+
+namespace Glint.Core
+{
+    /// <summary>What a command works on.</summary>
+    [Flags]
+    public enum InputKind
+    {
+        /// <summary>Nothing: the command takes no input.</summary>
+        None = 0,
+
+        /// <summary>A Unity scene: .unity.</summary>
+        Scene = 1,
+
+        /// <summary>A mesh file: .obj or .stl.</summary>
+        MeshFile = 2,
+
+        /// <summary>Either.</summary>
+        Any = Scene | MeshFile
+    }
+}

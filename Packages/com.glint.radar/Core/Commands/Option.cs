@@ -1,0 +1,88 @@
+using System;
+
+namespace Glint.Core
+{
+    /// <summary>One option of the commands: a row of the table <see cref="Options"/>.</summary>
+    public abstract class Option
+    {
+        private protected Option(string name, string valueName)
+        {
+            Name = name;
+            ValueName = valueName;
+        }
+
+        /// <summary>Name without the dashes: "target".</summary>
+        public string Name { get; }
+
+        /// <summary>Name as written on a command line: "--target".</summary>
+        public string Flag => "--" + Name;
+
+        /// <summary>What stands for the value in the help: "NAME".</summary>
+        public string ValueName { get; }
+
+        /// <summary>One or two sentences for the user, units included.</summary>
+        public string Help { get; internal set; }
+
+        /// <summary>Range of the value in words; null when any will do.</summary>
+        public string Range { get; internal set; }
+
+        /// <summary>The value when the option is not given, as it would be written; null when there is none.</summary>
+        public string DefaultText { get; internal set; }
+
+        /// <summary>Heading of the help under which the option stands.</summary>
+        public string Group { get; internal set; }
+
+        /// <summary>The inputs that the option goes with.</summary>
+        public InputKind Inputs { get; internal set; } = InputKind.Any;
+
+        /// <summary>Why the option is refused with the other inputs, and what to do instead.</summary>
+        public string Refusal { get; internal set; }
+
+        /// <summary>What to use in Unity, which has a way of its own; null for options that both hosts take.</summary>
+        public string UnityRemedy { get; internal set; }
+
+        /// <summary>The value of the option when it is not given.</summary>
+        public abstract object DefaultValue { get; }
+
+        /// <summary>Reads a value.</summary>
+        /// <exception cref="UsageException">Malformed or out of range; the message names the option and the text.</exception>
+        public abstract object ParseValue(string text);
+
+        /// <summary>The option as written.</summary>
+        public override string ToString() => Flag;
+    }
+
+    /// <summary>An option with values of type <typeparamref name="T"/>.</summary>
+    public sealed class Option<T> : Option
+    {
+        readonly Func<string, T> _read;
+
+        /// <param name="name">Without dashes.</param>
+        /// <param name="valueName">Placeholder of the value in the help.</param>
+        /// <param name="read">Reads the value; throws <see cref="FormatException"/> that says what it must be.</param>
+        internal Option(string name, string valueName, Func<string, T> read) : base(name, valueName) => _read = read;
+
+        /// <summary>The value when the option is not given; the type's default when the table has none.</summary>
+        public T Default => DefaultText == null ? default : Parse(DefaultText);
+
+        /// <inheritdoc/>
+        public override object DefaultValue => Default;
+
+        /// <summary>Reads a value.</summary>
+        /// <exception cref="UsageException">Malformed or out of range; the message names the option and the text.</exception>
+        public T Parse(string text)
+        {
+            try
+            {
+                return _read(text);
+            }
+            catch (FormatException error)
+            {
+                throw new UsageException($"{Flag} {Values.Shown(text)}: {error.Message}");
+            }
+        }
+
+        /// <inheritdoc/>
+        public override object ParseValue(string text) => Parse(text);
+    }
+}

@@ -1,0 +1,145 @@
+using System;
+using System.Linq;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>Every option of every command. Both hosts parse, check and explain by this table; nothing of it is repeated elsewhere.</summary>
+    public static class Options
+    {
+        const string SweepGroup = "Sweep";
+        const string ResultGroup = "Results";
+        const string RadarGroup = "Radar (a scene has its own settings, which these replace; the defaults are for mesh files)";
+        const string MeshGroup = "Mesh files (refused with a scene, which has its own camera and objects)";
+        const string DeviceGroup = "Device";
+
+        const string InSceneInstead = "only for mesh files: a scene has its own camera and objects, change it there";
+
+        static readonly Interval Length = Interval.Positive(1e6);
+        static readonly Interval Coordinate = Interval.Closed(-1e6, 1e6);
+        static readonly Interval Rays = Interval.Closed(1, RadarSettings.RaysPerAxisLimit);
+
+        /// <summary>The object that a sweep turns, by its name in the scene.</summary>
+        public static readonly Option<string> Target = new Option<string>("target", "NAME", Values.Words)
+        {
+            Group = SweepGroup,
+            Inputs = InputKind.Scene,
+            Refusal = "only for scenes: the mesh of a file is turned as a whole",
+            Help = "The object of the scene to turn, by its name or its path from the root (Fleet/Ship). Required with a scene."
+        };
+
+        /// <summary>Angles of a sweep, degrees.</summary>
+        public static readonly Option<double[]> Angles = new Option<double[]>("angles", "ANGLES", Glint.Core.Angles.Read)
+        {
+            Group = SweepGroup,
+            Help = "Turn angles in degrees, positive as Unity's rotation about Y: FROM:TO:STEP, all three, FROM and TO included, or a list with commas. Required."
+        };
+
+        /// <summary>Folder for the result files; null when not given.</summary>
+        public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.Words)
+        {
+            Group = ResultGroup,
+            Help = "Folder for results.csv and results.json, made when it is not there."
+        };
+
+        /// <summary>Rays across and down.</summary>
+        public static readonly Option<int2> Size = new Option<int2>("size", "WxH", text => Values.Size(text, Rays))
+        {
+            Group = RadarGroup,
+            Range = "each " + Rays,
+            DefaultText = "1920x1080",
+            Help = "Rays across and down, one through the centre of each pixel."
+        };
+
+        /// <summary>Carrier frequency, hertz.</summary>
+        public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", Interval.Closed(1, 1e12), RadarGroup, InputKind.Any, "Carrier frequency in hertz.");
+
+        /// <summary>Most reflections a ray may make.</summary>
+        public static readonly Option<int> Bounces = Whole("bounces", "N", "4", Interval.Closed(1, RadarSettings.BounceLimit), RadarGroup, "Most reflections a ray may make.");
+
+        /// <summary>Width and height of the receiver, metres.</summary>
+        public static readonly Option<double2> Receiver = new Option<double2>("receiver", "M|WxH", text => Values.Area(text, Length))
+        {
+            Group = RadarGroup,
+            Range = "each " + Length,
+            DefaultText = "3",
+            Help = "Side of the square receiver in metres, or its width and height. With a mesh file it stands 0.2 m behind the radar."
+        };
+
+        /// <summary>Unit of the mesh file's coordinates.</summary>
+        public static readonly Option<LengthUnit> Unit = new Option<LengthUnit>("unit", "UNIT", LengthUnit.Parse)
+        {
+            Group = MeshGroup,
+            Inputs = InputKind.MeshFile,
+            Refusal = InSceneInstead,
+            Range = "one of " + string.Join(", ", LengthUnit.All.Select(unit => unit.Name)),
+            DefaultText = "m",
+            Help = "Unit of the file's coordinates."
+        };
+
+        /// <summary>Which axis of the mesh file points up.</summary>
+        public static readonly Option<UpAxis> Up = new Option<UpAxis>("up", "AXIS", Values.Up)
+        {
+            Group = MeshGroup,
+            Inputs = InputKind.MeshFile,
+            Refusal = InSceneInstead,
+            Range = "y or z",
+            DefaultText = "y",
+            Help = "Axis of the file that points up. y takes the coordinates as Unity's (x right, y up, z forward); z maps (x, y, z) to (x, z, y)."
+        };
+
+        /// <summary>Distance from the radar to the point it is aimed at, metres.</summary>
+        public static readonly Option<double> Distance = Number("distance", "M", "50", Length, MeshGroup, InputKind.MeshFile, "From the radar to the point it is aimed at, in metres.");
+
+        /// <summary>Elevation of the radar above the horizontal through the point it is aimed at, degrees.</summary>
+        public static readonly Option<double> Grazing = Number("grazing", "DEG", "10", Interval.Closed(-90, 90), MeshGroup, InputKind.MeshFile,
+            "Grazing angle in degrees: how far the radar looks down. Below 0 it looks up.");
+
+        /// <summary>Compass direction in which the radar stands, degrees.</summary>
+        public static readonly Option<double> Azimuth = Number("azimuth", "DEG", "0", Interval.Closed(-360, 360), MeshGroup, InputKind.MeshFile,
+            "Where the radar stands, in degrees about the vertical, positive as Unity's rotation about Y. At 0 it stands on the -Z side and looks along +Z.");
+
+        /// <summary>Vertical field of view, degrees.</summary>
+        public static readonly Option<double> Fov = Number("fov", "DEG", "60", Interval.Open(0, 180), MeshGroup, InputKind.MeshFile,
+            "Vertical field of view in degrees.");
+
+        /// <summary>The point that the radar is aimed at, metres, Unity's axes.</summary>
+        public static readonly Option<double3> Aim = new Option<double3>("aim", "X,Y,Z", text => Values.Point(text, Coordinate))
+        {
+            Group = MeshGroup,
+            Inputs = InputKind.MeshFile,
+            Refusal = InSceneInstead,
+            Range = "each " + Coordinate,
+            DefaultText = "0,0,0",
+            Help = "The point that the radar is aimed at, in metres, Unity's axes (after --unit and --up)."
+        };
+
+        /// <summary>The GPU to work on: index or part of the name; null when not given.</summary>
+        public static readonly Option<string> Device = new Option<string>("device", "DEVICE", Values.Words)
+        {
+            Group = DeviceGroup,
+            UnityRemedy = "in Unity use Unity's own -force-device-index",
+            Help = "The GPU to work on: its index or part of its name, as glint info lists them. Without it a discrete GPU, then an integrated or virtual one, then the CPU."
+        };
+
+        static Option<double> Number(string name, string valueName, string standard, Interval range, string group, InputKind inputs, string help) =>
+            new Option<double>(name, valueName, text => Values.Real(text, range))
+            {
+                Group = group,
+                Inputs = inputs,
+                Refusal = inputs == InputKind.MeshFile ? InSceneInstead : null,
+                Range = range.ToString(),
+                DefaultText = standard,
+                Help = help
+            };
+
+        static Option<int> Whole(string name, string valueName, string standard, Interval range, string group, string help) =>
+            new Option<int>(name, valueName, text => Values.Whole(text, range))
+            {
+                Group = group,
+                Range = range.ToString(),
+                DefaultText = standard,
+                Help = help
+            };
+    }
+}

@@ -1,0 +1,22 @@
+using System.Globalization;
+
+namespace Glint.Core
+{
+    /// <summary>The lines that a command prints, one a pose, in columns.</summary>
+    public static class PoseTable
+    {
+        /// <summary>Heading of the columns.</summary>
+        public const string Header = "  angle      amplitude         dB   received        hit";
+
+        /// <summary>The line of one pose.</summary>
+        /// <param name="angle">Degrees; null for a command without angles.</param>
+        /// <param name="result">What the radar received.</param>
+        public static string Row(double? angle, RadarResult result) => string.Format(CultureInfo.InvariantCulture,
+            "{0,7}  {1,13:0.000}  {2,9}  {3,9}  {4,9}",
+            angle.HasValue ? angle.Value.ToString("0.###", CultureInfo.InvariantCulture) : "-",
+            result.Amplitude,
+            result.AmplitudeDb.HasValue ? result.AmplitudeDb.Value.ToString("0.00", CultureInfo.InvariantCulture) : "-",
+            result.RaysReceived,
+            result.RaysHit);
+    }
+}

@@ -1,0 +1,81 @@
+using System;
+using System.Globalization;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// Reads the values of options: invariant culture, finite, in range.
+    /// A <see cref="FormatException"/> says what the value must be; the caller puts the option's name and the text before it.
+    /// </summary>
+    static class Values
+    {
+        const NumberStyles RealStyle = NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent;
+        const int LongestShown = 60;
+
+        public static double Real(string text, Interval range) =>
+            Checked(TryReal(text, out double value) ? value : throw new FormatException("must be a number, such as 0.5 or 10e9"), range, "must be ");
+
+        public static int Whole(string text, Interval range) =>
+            (int)Checked(TryWhole(text, out double value) ? value : throw new FormatException($"must be a whole number {range}"), range, "must be ");
+
+        /// <summary>ACROSSxDOWN.</summary>
+        public static int2 Size(string text, Interval range)
+        {
+            var parts = text.Split('x', 'X');
+            if (parts.Length != 2 || !TryWhole(parts[0], out double across) || !TryWhole(parts[1], out double down))
+                throw new FormatException("must be ACROSSxDOWN, two whole numbers, such as 1920x1080");
+            return new int2((int)Each(across, range), (int)Each(down, range));
+        }
+
+        /// <summary>SIDE of a square, or WIDTHxHEIGHT.</summary>
+        public static double2 Area(string text, Interval range)
+        {
+            var parts = text.Split('x', 'X');
+            if (parts.Length > 2 || !TryReal(parts[0], out double width) || !TryReal(parts[parts.Length - 1], out double height))
+                throw new FormatException("must be SIDE or WIDTHxHEIGHT in metres, such as 3 or 4x2.5");
+            return new double2(Each(width, range), Each(height, range));
+        }
+
+        /// <summary>X,Y,Z.</summary>
+        public static double3 Point(string text, Interval range)
+        {
+            var parts = text.Split(',');
+            if (parts.Length != 3 || !TryReal(parts[0], out double x) || !TryReal(parts[1], out double y) || !TryReal(parts[2], out double z))
+                throw new FormatException("must be X,Y,Z, three numbers, such as 0,1.5,-2");
+            return new double3(Each(x, range), Each(y, range), Each(z, range));
+        }
+
+        public static UpAxis Up(string text)
+        {
+            switch (text)
+            {
+                case "y": return UpAxis.Y;
+                case "z": return UpAxis.Z;
+                default: throw new FormatException("must be y or z");
+            }
+        }
+
+        public static string Words(string text) => string.IsNullOrWhiteSpace(text) ? throw new FormatException("must not be empty") : text;
+
+        /// <summary>A finite number, blanks around it allowed.</summary>
+        public static bool TryReal(string text, out double value) =>
+            double.TryParse(text.Trim(), RealStyle, CultureInfo.InvariantCulture, out value) && !double.IsNaN(value) && !double.IsInfinity(value);
+
+        /// <summary>A given text as messages show it: in quotes where its ends could not be seen, cut where it is long.</summary>
+        public static string Shown(string text)
+        {
+            if (text.Length > LongestShown)
+                text = text.Substring(0, LongestShown) + "...";
+            return text.Length == 0 || text.IndexOfAny(new[] { ' ', '\t', '\r', '\n' }) >= 0 ? "\"" + text.Replace('\r', ' ').Replace('\n', ' ') + "\"" : text;
+        }
+
+        // As double: ranges are, and a number too long for an int is out of range, not malformed.
+        static bool TryWhole(string text, out double value) =>
+            double.TryParse(text.Trim(), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value);
+
+        static double Each(double value, Interval range) => Checked(value, range, "each number must be ");
+
+        static double Checked(double value, Interval range, string must) => range.Contains(value) ? value : throw new FormatException(must + range);
+    }
+}

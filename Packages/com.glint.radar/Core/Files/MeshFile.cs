@@ -1,0 +1,45 @@
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>The triangles of a mesh file in Unity's axes and metres.</summary>
+    public sealed class MeshFile
+    {
+        internal MeshFile(string name, float3[] vertices, int[] indices)
+        {
+            Name = name;
+            Vertices = vertices;
+            Indices = indices;
+        }
+
+        /// <summary>Name of the file without folder and extension.</summary>
+        public string Name { get; }
+
+        /// <summary>Positions in metres; every component finite.</summary>
+        public float3[] Vertices { get; }
+
+        /// <summary>Vertex numbers, three a triangle, each below the number of vertices.</summary>
+        public int[] Indices { get; }
+
+        /// <summary>Triangles, those without area included.</summary>
+        public int TriangleCount => Indices.Length / 3;
+
+        /// <summary>Triangles without area: corners coincide or lie on one line. They are kept, and no ray hits them.</summary>
+        public int CountDegenerate()
+        {
+            int count = 0;
+            for (int i = 0; i < Indices.Length; i += 3)
+                if (IsDegenerate(Vertices[Indices[i]], Vertices[Indices[i + 1]], Vertices[Indices[i + 2]]))
+                    count++;
+            return count;
+        }
+
+        // In double: the products of two float edges neither overflow nor vanish.
+        static bool IsDegenerate(float3 a, float3 b, float3 c)
+        {
+            double ux = (double)b.x - a.x, uy = (double)b.y - a.y, uz = (double)b.z - a.z;
+            double vx = (double)c.x - a.x, vy = (double)c.y - a.y, vz = (double)c.z - a.z;
+            return uy * vz == uz * vy && uz * vx == ux * vz && ux * vy == uy * vx;
+        }
+    }
+}

@@ -1,0 +1,34 @@
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>Turns a file's coordinates into Unity's axes and metres.</summary>
+    sealed class MeshFilePlacement
+    {
+        readonly double _meters;
+        readonly UpAxis _up;
+
+        public MeshFilePlacement(LengthUnit unit, UpAxis up)
+        {
+            _meters = unit.Meters;
+            _up = up;
+            Unit = unit;
+        }
+
+        public LengthUnit Unit { get; }
+
+        /// <summary>One coordinate in metres; infinite when no float holds it.</summary>
+        public float Scale(double coordinate) => (float)(coordinate * _meters);
+
+        public float3 Turn(float x, float y, float z) => _up == UpAxis.Z ? new float3(x, z, y) : new float3(x, y, z);
+
+        /// <summary>Puts the corners in the order that keeps each face's outer side: swapping two axes mirrors.</summary>
+        public int[] Turn(int[] indices)
+        {
+            if (_up == UpAxis.Z)
+                for (int i = 0; i < indices.Length; i += 3)
+                    (indices[i + 1], indices[i + 2]) = (indices[i + 2], indices[i + 1]);
+            return indices;
+        }
+    }
+}

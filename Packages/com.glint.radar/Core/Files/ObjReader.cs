@@ -1,0 +1,151 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// Reads a Wavefront OBJ: v and f statements. Polygons are cut into a fan about their first corner, which is right for convex ones only.
+    /// Colours, texture coordinates, normals, groups, materials, points, lines and free-form curves and surfaces are passed over.
+    /// </summary>
+    sealed class ObjReader
+    {
+        // Above every vertex count, and ten times it still is a long.
+        const long ReferenceCap = 100_000_000_000_000_000;
+
+        static readonly HashSet<string> PassedOver = new HashSet<string>(StringComparer.Ordinal)
+        {
+            "g", "o", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech", "stech",
+            "p", "l", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con"
+        };
+
+        readonly string _path;
+        readonly MeshFilePlacement _placement;
+        readonly LineReader _lines;
+        readonly List<float3> _vertices = new List<float3>();
+        readonly List<int> _indices = new List<int>();
+
+        // A face may stand before its vertices, so the largest reference is compared at the end.
+        long _largestReference;
+        int _largestReferenceLine;
+
+        public ObjReader(Stream stream, string path, MeshFilePlacement placement)
+        {
+            _path = path;
+            _placement = placement;
+            _lines = new LineReader(stream, path, joinsContinued: true);
+        }
+
+        public MeshFile Read()
+        {
+            while (_lines.Read())
+                ReadStatement(new Words(_lines.Line));
+            if (_largestReference > _vertices.Count)
+                throw new GlintException($"{_path}:{_largestReferenceLine}: the face refers to vertex {_largestReference}, but the file has {_vertices.Count}: it is truncated or damaged; export it again");
+            if (_indices.Count == 0)
+                throw new GlintException($"{_path}: has no triangles ({_vertices.Count} vertices, no f line); export it as a polygon mesh");
+            return new MeshFile(Path.GetFileNameWithoutExtension(_path), _vertices.ToArray(), _placement.Turn(_indices.ToArray()));
+        }
+
+        void ReadStatement(Words words)
+        {
+            if (words.IsComment || !words.Next())
+                return;
+            var keyword = words.Current;
+            if (keyword.Length == 1 && keyword[0] == 'v')
+                ReadVertex(words);
+            else if (keyword.Length == 1 && keyword[0] == 'f')
+                ReadFace(words);
+            else if (keyword.Length != 2 || keyword[0] != 'v' || keyword[1] != 't' && keyword[1] != 'n' && keyword[1] != 'p')
+                PassOver(keyword);
+        }
+
+        void PassOver(ReadOnlySpan<byte> keyword)
+        {
+            if (!PassedOver.Contains(Encoding.ASCII.GetString(keyword)))
+                throw _lines.Error($"{Bytes.Quote(keyword)} is no OBJ statement: the file is damaged or no OBJ; export it again or remove the line");
+        }
+
+        void ReadVertex(Words words)
+        {
+            float x = Coordinate(ref words, "x"), y = Coordinate(ref words, "y"), z = Coordinate(ref words, "z");
+            _vertices.Add(_placement.Turn(x, y, z));
+
+            // A weight or a colour may follow, or both: up to four numbers, not used.
+            for (int i = 0; !words.IsComment && words.Next(); i++)
+                if (i == 4 || !NumberParser.TryParse(words.Current, out _))
+                    throw _lines.Error($"{Bytes.Quote(words.Current)} does not belong into a vertex: the line is damaged; export the file again");
+        }
+
+        float Coordinate(ref Words words, string axis)
+        {
+            if (words.IsComment || !words.Next())
+                throw _lines.Error($"the vertex has no {axis}: the line is truncated; export the file again");
+            if (!NumberParser.TryParse(words.Current, out double value))
+                throw _lines.Error($"{axis} is {Bytes.Quote(words.Current)}, not a finite number; mend the vertex or export the file again");
+            float meters = _placement.Scale(value);
+            if (float.IsInfinity(meters))
+                throw _lines.Error($"{axis} is {Bytes.Quote(words.Current)} {_placement.Unit}, more than a float holds (3.4e38 m); mend the vertex or choose another unit");
+            return meters;
+        }
+
+        void ReadFace(Words words)
+        {
+            int first = 0, previous = 0, corners = 0;
+            for (; !words.IsComment && words.Next(); corners++)
+            {
+                int corner = Corner(words.Current);
+                if (corners == 0)
+                    first = corner;
+                else if (corners > 1)
+                {
+                    _indices.Add(first);
+                    _indices.Add(previous);
+                    _indices.Add(corner);
+                }
+                previous = corner;
+            }
+            if (corners < 3)
+                throw _lines.Error($"the face has {corners} corners, but needs at least 3: the line is truncated; export the file again");
+        }
+
+        // v, v/vt, v//vn or v/vt/vn: counted from 1, or backwards from the latest as -1.
+        int Corner(ReadOnlySpan<byte> word)
+        {
+            int at = 0;
+            bool negative = word[0] == '-';
+            if (negative)
+                at++;
+            int start = at;
+            long number = 0;
+            for (; at < word.Length && word[at] >= '0' && word[at] <= '9'; at++)
+                number = Math.Min(ReferenceCap, 10 * number + (word[at] - '0'));
+            if (at == start || !IsReferenceEnd(word.Slice(at)))
+                throw _lines.Error($"{Bytes.Quote(word)} is no corner of a face: give v, v/vt, v//vn or v/vt/vn in whole numbers");
+            if (number == 0)
+                throw _lines.Error($"{Bytes.Quote(word)} refers to vertex 0, but OBJ counts from 1; export the file again");
+
+            if (negative && number > _vertices.Count)
+                throw _lines.Error($"{Bytes.Quote(word)} counts back over {number} vertices, but the file has {_vertices.Count} up to here; export it again");
+            if (!negative && number > _largestReference)
+            {
+                _largestReference = number;
+                _largestReferenceLine = _lines.Number;
+            }
+            return (int)(negative ? _vertices.Count - number : number - 1);
+        }
+
+        static bool IsReferenceEnd(ReadOnlySpan<byte> text)
+        {
+            int slashes = 0;
+            foreach (byte letter in text)
+                if (letter == '/')
+                    slashes++;
+                else if (letter != '-' && (letter < '0' || letter > '9'))
+                    return false;
+            return slashes <= 2;
+        }
+    }
+}

@@ -1,0 +1,33 @@
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>What the radar sees: triangles in Unity's axes (left-handed, y up), metres. Both sides of a triangle reflect.</summary>
+    public sealed class TriangleScene
+    {
+        /// <summary>A scene over the given arrays, which are kept, not copied.</summary>
+        /// <param name="vertices">Positions in metres; every component finite.</param>
+        /// <param name="indices">Three a triangle, each below the number of vertices.</param>
+        public TriangleScene(float3[] vertices, int[] indices)
+        {
+            Vertices = vertices;
+            Indices = indices;
+        }
+
+        /// <summary>Positions in metres.</summary>
+        public float3[] Vertices { get; }
+
+        /// <summary>Vertex numbers, three a triangle.</summary>
+        public int[] Indices { get; }
+
+        public int TriangleCount => Indices.Length / 3;
+
+        /// <summary>The corners of triangle <paramref name="triangle"/> in metres.</summary>
+        public void GetTriangle(int triangle, out float3 a, out float3 b, out float3 c)
+        {
+            a = Vertices[Indices[3 * triangle]];
+            b = Vertices[Indices[3 * triangle + 1]];
+            c = Vertices[Indices[3 * triangle + 2]];
+        }
+    }
+}

@@ -1,0 +1,12 @@
+namespace Glint.Core
+{
+    /// <summary>Which rays a result carries one by one.</summary>
+    public enum KeptRays
+    {
+        /// <summary>Rays that reached the receiver.</summary>
+        Received,
+
+        /// <summary>Every ray emitted: 48 bytes each on the device.</summary>
+        All,
+    }
+}

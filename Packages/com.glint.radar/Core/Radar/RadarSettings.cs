@@ -1,0 +1,57 @@
+namespace Glint.Core
+{
+    /// <summary>What the radar is, wherever it stands.</summary>
+    public struct RadarSettings
+    {
+        /// <summary>Most bounces a ray may be given: each costs a search of the whole scene.</summary>
+        public const int BounceLimit = 16;
+
+        /// <summary>Most rays across or down: 65,535 groups of 8 a dispatch.</summary>
+        public const int RaysPerAxisLimit = 65535 * 8;
+
+        /// <summary>Carrier frequency in hertz.</summary>
+        public double FrequencyHz;
+
+        /// <summary>Rays across the view; with <see cref="RaysDown"/> they set the aspect ratio.</summary>
+        public int RaysAcross;
+
+        /// <summary>Rays down the view.</summary>
+        public int RaysDown;
+
+        /// <summary>Most specular reflections a ray may make, 1 to 16.</summary>
+        public int MaxBounces;
+
+        /// <summary>The published experiment: 10 GHz, 1920 x 1080 rays, 4 bounces.</summary>
+        public static RadarSettings Default => new RadarSettings { FrequencyHz = 10e9, RaysAcross = 1920, RaysDown = 1080, MaxBounces = 4 };
+
+        /// <summary>Wavelength in metres.</summary>
+        public double Wavelength => Signal.Wavelength(FrequencyHz);
+
+        /// <summary>Rays emitted a pose.</summary>
+        public long RayCount => (long)RaysAcross * RaysDown;
+
+        /// <summary>Width of the view over its height.</summary>
+        public double Aspect => (double)RaysAcross / RaysDown;
+
+        /// <summary>Refuses values that no radar has.</summary>
+        /// <param name="owner">Who holds the settings, for the message.</param>
+        /// <exception cref="GlintException">A value is out of its range.</exception>
+        public void Validate(string owner)
+        {
+            if (!(FrequencyHz > 0) || double.IsInfinity(FrequencyHz))
+                throw new GlintException($"{owner}: frequency {Text(FrequencyHz)} Hz must be positive and finite");
+            ValidateRays(owner, "across", RaysAcross);
+            ValidateRays(owner, "down", RaysDown);
+            if (MaxBounces < 1 || MaxBounces > BounceLimit)
+                throw new GlintException($"{owner}: maximum bounces {MaxBounces} must be from 1 to {BounceLimit}");
+        }
+
+        static void ValidateRays(string owner, string axis, int rays)
+        {
+            if (rays < 1 || rays > RaysPerAxisLimit)
+                throw new GlintException($"{owner}: rays {axis} {rays} must be from 1 to {RaysPerAxisLimit}");
+        }
+
+        internal static string Text(double value) => value.ToString(System.Globalization.CultureInfo.InvariantCulture);
+    }
+}

@@ -1,0 +1,34 @@
+using System;
+using System.Globalization;
+
+namespace Glint.Core
+{
+    /// <summary>Numbers as text in result files.</summary>
+    public static class Numbers
+    {
+        // .NET's R gives the shortest digits; Mono's gives 15 or 17, so 16 and the rest are tried too and both write the same.
+        static readonly string[] Formats = { "R", "G15", "G16", "G17" };
+
+        /// <summary>The shortest text that reads back as the same double: '.' for the point, "1E+20" for large powers, "0" for both zeros.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">The number is NaN or infinite.</exception>
+        public static string Format(double value)
+        {
+            if (double.IsNaN(value) || double.IsInfinity(value))
+                throw new ArgumentOutOfRangeException(nameof(value), value, "a result must be finite");
+            if (value == 0)
+                return "0";
+            string shortest = null;
+            foreach (string format in Formats)
+            {
+                string text = value.ToString(format, CultureInfo.InvariantCulture);
+                if ((shortest == null || text.Length < shortest.Length) && ReadsBack(text, value))
+                    shortest = text;
+            }
+            return shortest;
+        }
+
+        // G15 rounds the largest doubles up beyond what a double holds.
+        static bool ReadsBack(string text, double value) =>
+            double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double read) && read == value;
+    }
+}

@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+
+namespace Glint.Core
+{
+    /// <summary>One column of result files. The table <see cref="All"/> is the only place that knows them; CSV and JSON follow it.</summary>
+    public sealed class ResultColumn
+    {
+        static readonly ResultColumn[] Table =
+        {
+            new ResultColumn("angle_deg", "deg", row => row.AngleDegrees),
+            new ResultColumn("amplitude", "1", row => row.Result.Amplitude),
+            new ResultColumn("amplitude_db", "dB", row => row.Result.AmplitudeDb),
+            new ResultColumn("in_phase", "1", row => row.Result.InPhase),
+            new ResultColumn("quadrature", "1", row => row.Result.Quadrature),
+            new ResultColumn("rays_emitted", "1", row => row.Result.RaysEmitted),
+            new ResultColumn("rays_hit", "1", row => row.Result.RaysHit),
+            new ResultColumn("rays_received", "1", row => row.Result.RaysReceived),
+            new ResultColumn("ratio", "1", row => row.Result.Ratio),
+            new ResultColumn("bounces", "1", row => row.Result.Bounces),
+            new ResultColumn("segments", "1", row => row.Result.Segments),
+            new ResultColumn("path_length_m", "m", row => row.Result.PathLengthMeters),
+            new ResultColumn("trace_ms", "ms", row => row.Result.Timings.TraceMs)
+        };
+
+        readonly Func<SweepRow, double?> _value;
+
+        ResultColumn(string name, string unit, Func<SweepRow, double?> value)
+        {
+            Name = name;
+            Unit = unit;
+            _value = value;
+        }
+
+        /// <summary>Every column, in the order of the files.</summary>
+        public static IReadOnlyList<ResultColumn> All => Table;
+
+        /// <summary>Name in the CSV's first line and in the JSON's rows.</summary>
+        public string Name { get; }
+
+        /// <summary>Unit; "1" for a plain number.</summary>
+        public string Unit { get; }
+
+        /// <summary>The value as text; null when the row has none, as an amplitude of 0 has no decibels.</summary>
+        /// <exception cref="GlintException">The value is NaN or infinite.</exception>
+        public string Text(SweepRow row)
+        {
+            double? value = _value(row);
+            if (value == null)
+                return null;
+            if (double.IsNaN(value.Value) || double.IsInfinity(value.Value))
+                throw new GlintException($"{Name} is not finite at {Table[0].Name} {row.AngleDegrees.ToString(CultureInfo.InvariantCulture)}: check the scene for huge coordinates, and report it if there are none");
+            return Numbers.Format(value.Value);
+        }
+    }
+}

@@ -1,0 +1,160 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using Newtonsoft.Json;
+
+namespace Glint.Core
+{
+    /// <summary>Writes results.json. Numbers have the same digits as in results.csv.</summary>
+    sealed class ResultsJson
+    {
+        readonly JsonTextWriter _json;
+
+        ResultsJson(JsonTextWriter json) => _json = json;
+
+        public static void Write(TextWriter output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        {
+            using (var json = new JsonTextWriter(output) { Formatting = Formatting.Indented, CloseOutput = false })
+                new ResultsJson(json).Write(info, rows);
+            output.Write('\n');
+        }
+
+        void Write(RunInfo info, IReadOnlyList<StoredRow> rows)
+        {
+            _json.WriteStartObject();
+            Text("started_utc", info.StartedUtc.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture));
+            Number("elapsed_ms", info.ElapsedMs);
+            WriteScene(info);
+            WriteSettings(info.Settings);
+            WriteMachine(info);
+            WriteTimings(Sum(rows));
+            WriteUnits();
+            Open("rows", array: true);
+            foreach (var row in rows)
+                WriteRow(row);
+            _json.WriteEndArray();
+            _json.WriteEndObject();
+        }
+
+        void WriteScene(RunInfo info)
+        {
+            Open("scene");
+            Text("path", info.ScenePath);
+            Text("target", info.TargetName);
+            Number("objects", info.Objects);
+            Number("triangles", info.Triangles);
+            _json.WriteEndObject();
+        }
+
+        void WriteSettings(IReadOnlyList<RunSetting> settings)
+        {
+            Open("settings");
+            foreach (var setting in settings)
+            {
+                if (setting.Unit == null)
+                {
+                    Text(setting.Name, setting.Text);
+                    continue;
+                }
+                Open(setting.Name);
+                Number("value", setting.Number);
+                Text("unit", setting.Unit);
+                _json.WriteEndObject();
+            }
+            _json.WriteEndObject();
+        }
+
+        void WriteMachine(RunInfo info)
+        {
+            Open("device");
+            Text("name", info.DeviceName);
+            Text("graphics_api", info.GraphicsApi);
+            _json.WriteEndObject();
+            Open("versions");
+            Text("glint", info.GlintVersion);
+            Text("unity", info.UnityVersion);
+            Text("host", info.Host);
+            Text("operating_system", info.OperatingSystem);
+            _json.WriteEndObject();
+        }
+
+        void WriteUnits()
+        {
+            Open("units");
+            foreach (var column in ResultColumn.All)
+                Text(column.Name, column.Unit);
+            _json.WriteEndObject();
+        }
+
+        void WriteRow(StoredRow row)
+        {
+            _json.WriteStartObject();
+            for (int i = 0; i < row.Cells.Length; i++)
+                Raw(ResultColumn.All[i].Name, row.Cells[i]);
+            WriteTimings(row.Timings);
+            if (row.PhaseHistogram != null)
+                WriteHistogram(row.PhaseHistogram);
+            _json.WriteEndObject();
+        }
+
+        // On one line: a bin a line would bury the rows.
+        void WriteHistogram(int[] bins)
+        {
+            Open("phase_histogram", array: true);
+            _json.Formatting = Formatting.None;
+            foreach (int bin in bins)
+                _json.WriteValue(bin);
+            _json.WriteEndArray();
+            _json.Formatting = Formatting.Indented;
+        }
+
+        void WriteTimings(Timings timings)
+        {
+            Open("timings");
+            Number("gather_ms", timings.GatherMs);
+            Number("build_ms", timings.BuildMs);
+            Number("upload_ms", timings.UploadMs);
+            Number("trace_ms", timings.TraceMs);
+            Number("read_back_ms", timings.ReadBackMs);
+            _json.WriteEndObject();
+        }
+
+        static Timings Sum(IReadOnlyList<StoredRow> rows)
+        {
+            var sum = new Timings();
+            foreach (var row in rows)
+            {
+                sum.GatherMs += row.Timings.GatherMs;
+                sum.BuildMs += row.Timings.BuildMs;
+                sum.UploadMs += row.Timings.UploadMs;
+                sum.TraceMs += row.Timings.TraceMs;
+                sum.ReadBackMs += row.Timings.ReadBackMs;
+            }
+            return sum;
+        }
+
+        void Open(string name, bool array = false)
+        {
+            _json.WritePropertyName(name);
+            if (array)
+                _json.WriteStartArray();
+            else
+                _json.WriteStartObject();
+        }
+
+        void Text(string name, string text)
+        {
+            _json.WritePropertyName(name);
+            _json.WriteValue(text);
+        }
+
+        void Number(string name, double number) => Raw(name, Numbers.Format(number));
+
+        void Raw(string name, string number)
+        {
+            _json.WritePropertyName(name);
+            _json.WriteRawValue(number ?? "null");
+        }
+    }
+}

@@ -1,0 +1,96 @@
+using System;
+using System.IO;
+using Glint.Core;
+using UnityEditor;
+using UnityEngine;
+
+namespace Glint.Editor
+{
+    /// <summary>
+    /// The commands without a window: <c>Unity -batchmode -executeMethod Glint.Editor.Batch.Sweep --glint Scenes/X.unity --target NAME --angles 0:45:1</c>.
+    /// The headless command calls <see cref="Execute"/> with the same command line.
+    /// </summary>
+    public static class Batch
+    {
+        const int Done = 0, Failed = 1, Cancelled = 130;
+
+        /// <summary>Entry of Unity's -executeMethod: <c>glint sweep</c>.</summary>
+        public static void Sweep() => ExecuteAndExit(Commands.Sweep);
+
+        /// <summary>Entry of Unity's -executeMethod: <c>glint run</c>.</summary>
+        public static void Run() => ExecuteAndExit(Commands.Run);
+
+        /// <summary>Does what a command line says, without leaving edit mode; the scene is not saved.</summary>
+        /// <returns>The exit code: 0 done, 130 cancelled.</returns>
+        /// <exception cref="GlintException">Something is wrong with a file, the scene or the device.</exception>
+        public static int Execute(CommandLine line, IProgressSink progress)
+        {
+            var subjects = SceneSubjects.Open(line);
+            bool isSweep = line.Command == Commands.Sweep;
+            var angles = isSweep ? line.Get(Options.Angles) : new double[] { 0 };
+            var folder = OpenFolder(line, subjects.Name);
+            using (var run = new SweepRun(subjects.Radar, isSweep ? subjects.Target : null, angles, subjects.Scene, folder))
+            {
+                try
+                {
+                    return Trace(run, subjects, folder, isSweep, progress);
+                }
+                finally
+                {
+                    subjects.Radar.Release();
+                }
+            }
+        }
+
+        static int Trace(SweepRun run, SceneSubjects subjects, ResultsFolder folder, bool isSweep, IProgressSink progress)
+        {
+            progress.Start(subjects.Name, run.Count);
+            try
+            {
+                progress.Print(PoseTable.Header);
+                while (!run.IsComplete && !progress.IsCancelled)
+                {
+                    var row = run.Step();
+                    progress.Print(PoseTable.Row(isSweep ? row.AngleDegrees : (double?)null, row.Result));
+                    progress.Advance(run.Done, isSweep ? $"{row.AngleDegrees:0.###} deg" : null);
+                }
+            }
+            finally
+            {
+                progress.Finish();
+            }
+            if (!run.IsComplete)
+                return Cancelled;
+            if (folder != null)
+                progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
+            return Done;
+        }
+
+        // A sweep always keeps its results; a single pose when told where.
+        static ResultsFolder OpenFolder(CommandLine line, string name)
+        {
+            if (line.IsGiven(Options.Out))
+                return ResultsFolder.Open(Path.GetFullPath(line.Get(Options.Out)));
+            return line.Command == Commands.Sweep ? ResultsFolder.Open(RunDescription.DefaultFolder(name)) : null;
+        }
+
+        static void ExecuteAndExit(Command command)
+        {
+            int code = Failed;
+            try
+            {
+                code = Execute(CommandLine.FromUnity(command, Environment.GetCommandLineArgs()), new LogProgress());
+            }
+            catch (GlintException problem)
+            {
+                Debug.LogError($"glint {command.Name}: {problem.Message}");
+                code = problem.ExitCode;
+            }
+            catch (Exception fault)
+            {
+                Debug.LogException(fault);
+            }
+            EditorApplication.Exit(code);
+        }
+    }
+}

@@ -1,0 +1,115 @@
+using System.IO;
+using System.Linq;
+using Glint.Core;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace Glint.Editor
+{
+    /// <summary>The radar that a command traces with and what it turns, from a scene of the project or from a mesh file.</summary>
+    sealed class SceneSubjects
+    {
+        const string KernelPath = "Packages/com.glint.radar/Shaders/Trace.compute";
+
+        SceneSubjects(string name, string scene, RadarController radar, Transform target)
+        {
+            Name = name;
+            Scene = scene;
+            Radar = radar;
+            Target = target;
+        }
+
+        /// <summary>Name of the scene or mesh file without folder and extension.</summary>
+        public string Name { get; }
+
+        /// <summary>Asset path of the scene, or path of the mesh file as given.</summary>
+        public string Scene { get; }
+
+        public RadarController Radar { get; }
+
+        /// <summary>What a sweep turns; null when the command names none.</summary>
+        public Transform Target { get; }
+
+        /// <summary>Opens what the command line names.</summary>
+        /// <exception cref="GlintException">It is not there, or holds no radar or no such target.</exception>
+        public static SceneSubjects Open(CommandLine line) => line.InputKind == InputKind.Scene ? OpenScene(line) : OpenMeshFile(line);
+
+        static SceneSubjects OpenScene(CommandLine line)
+        {
+            var paths = new ProjectPaths(Path.GetDirectoryName(Application.dataPath));
+            string scene = paths.ToAssetPath(line.Input, Directory.GetCurrentDirectory());
+            if (!File.Exists(paths.ToPhysicalPath(scene)))
+                throw new GlintException($"{line.Input}: there is no such scene; check the path");
+            EditorSceneManager.OpenScene(scene, OpenSceneMode.Single);
+
+            var radar = FindRadar(line.Input);
+            var settings = radar.Settings;
+            if (line.IsGiven(Options.Size))
+                (settings.RaysAcross, settings.RaysDown) = (line.Get(Options.Size).x, line.Get(Options.Size).y);
+            if (line.IsGiven(Options.Frequency))
+                settings.FrequencyHz = line.Get(Options.Frequency);
+            if (line.IsGiven(Options.Bounces))
+                settings.MaxBounces = line.Get(Options.Bounces);
+            radar.Settings = settings;
+            if (line.IsGiven(Options.Receiver))
+                radar.ReceiverSize = ReceiverSize(line);
+            var target = line.IsGiven(Options.Target) ? FindTarget(line.Input, line.Get(Options.Target)) : null;
+            return new SceneSubjects(Path.GetFileNameWithoutExtension(scene), scene, radar, target);
+        }
+
+        static SceneSubjects OpenMeshFile(CommandLine line)
+        {
+            var file = MeshFileReader.Read(line.Input, line.Get(Options.Unit), line.Get(Options.Up));
+            EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
+            var stand = new RadarStand
+            {
+                Aim = line.Get(Options.Aim),
+                Distance = line.Get(Options.Distance),
+                GrazingDegrees = line.Get(Options.Grazing),
+                AzimuthDegrees = line.Get(Options.Azimuth),
+                VerticalFovDegrees = line.Get(Options.Fov),
+            };
+            var size = line.Get(Options.Size);
+            var settings = new RadarSettings { FrequencyHz = line.Get(Options.Frequency), RaysAcross = size.x, RaysDown = size.y, MaxBounces = line.Get(Options.Bounces) };
+            var scene = MeshFileScene.Create(file, stand, settings, ReceiverSize(line), AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath));
+            return new SceneSubjects(file.Name, line.Input, scene.Radar, scene.Target);
+        }
+
+        static Vector2 ReceiverSize(CommandLine line)
+        {
+            var size = line.Get(Options.Receiver);
+            return new Vector2((float)size.x, (float)size.y);
+        }
+
+        static RadarController FindRadar(string scene)
+        {
+            var radars = Object.FindObjectsByType<RadarController>(FindObjectsInactive.Exclude, FindObjectsSortMode.None).Where(radar => radar.enabled).ToArray();
+            if (radars.Length == 0)
+                throw new GlintException($"{scene}: has no radar; add a RadarController (Glint > Radar Controller) to an active camera of the scene");
+            if (radars.Length > 1)
+                throw new GlintException($"{scene}: has {radars.Length} radars, {Quoted(radars)}; disable all but one");
+            return radars[0];
+        }
+
+        static Transform FindTarget(string scene, string name)
+        {
+            var all = Object.FindObjectsByType<Transform>(FindObjectsInactive.Exclude, FindObjectsSortMode.None);
+            var named = all.Where(candidate => candidate.name == name || PathOf(candidate) == name).ToArray();
+            if (named.Length == 1)
+                return named[0];
+            if (named.Length > 1)
+                throw new GlintException($"{scene}: --target \"{name}\" fits {named.Length} objects, {Quoted(named)}; give the path of one, or rename them");
+            throw new GlintException($"{scene}: has no active object \"{name}\" for --target; at its root are {Quoted(all.Where(candidate => candidate.parent == null).ToArray())}");
+        }
+
+        static string Quoted(Component[] components)
+        {
+            const int shown = 8;
+            string names = string.Join(", ", components.Select(component => $"'{PathOf(component.transform)}'").OrderBy(path => path, System.StringComparer.Ordinal).Take(shown));
+            return components.Length > shown ? $"{names} and {components.Length - shown} more" : names;
+        }
+
+        static string PathOf(Transform transform) => transform.parent == null ? transform.name : $"{PathOf(transform.parent)}/{transform.name}";
+    }
+}

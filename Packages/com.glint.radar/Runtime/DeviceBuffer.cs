@@ -1,0 +1,60 @@
+using System;
+using System.Runtime.InteropServices;
+using Glint.Core;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>A structured buffer that grows when it must and refuses what the device cannot hold.</summary>
+    sealed class DeviceBuffer<T> : IDisposable where T : struct
+    {
+        static readonly int s_stride = Marshal.SizeOf<T>();
+
+        readonly string _content;
+        GraphicsBuffer _buffer;
+
+        /// <param name="content">What one element is, in the plural, for messages: "triangles".</param>
+        public DeviceBuffer(string content) => _content = content;
+
+        /// <summary>The buffer; null before the first <see cref="Reserve"/>.</summary>
+        public GraphicsBuffer Buffer => _buffer;
+
+        public int Capacity => _buffer == null ? 0 : _buffer.count;
+
+        /// <summary>Makes room for a number of elements; what the buffer held is lost when it grows.</summary>
+        /// <exception cref="GlintException">The device holds fewer in one buffer.</exception>
+        public void Reserve(long count)
+        {
+            long most = SystemInfo.maxGraphicsBufferSize / s_stride;
+            if (count > most)
+                throw new GlintException($"{count} {_content} take {count * s_stride} bytes, and {SystemInfo.graphicsDeviceName} holds at most {SystemInfo.maxGraphicsBufferSize} bytes in one buffer: use at most {most} {_content}");
+            if (count <= Capacity)
+                return;
+            Dispose();
+            _buffer = new GraphicsBuffer(GraphicsBuffer.Target.Structured, (int)count, s_stride);
+        }
+
+        /// <summary>Makes room for the elements and writes them.</summary>
+        public void Upload(T[] elements)
+        {
+            // A binding must not be empty, even when the kernel reads none of it.
+            Reserve(Math.Max(1, elements.Length));
+            _buffer.SetData(elements);
+        }
+
+        /// <summary>The first elements, waiting for the work before.</summary>
+        public T[] ReadBack(int count)
+        {
+            var elements = new T[count];
+            if (count > 0)
+                _buffer.GetData(elements, 0, 0, count);
+            return elements;
+        }
+
+        public void Dispose()
+        {
+            _buffer?.Dispose();
+            _buffer = null;
+        }
+    }
+}

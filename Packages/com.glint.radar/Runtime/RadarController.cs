@@ -1,0 +1,161 @@
+using System.Collections.Generic;
+using System.Diagnostics;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+using Debug = UnityEngine.Debug;
+
+namespace Glint
+{
+    /// <summary>
+    /// A radar at a camera: one ray a pixel, bounced through the scene on the GPU, and what returns to the receiver summed coherently.
+    /// Position, rotation and vertical field of view are the Camera's; rays across and down set the aspect ratio.
+    /// It traces one pose when the scene starts and whenever <see cref="Trace"/> is called.
+    /// </summary>
+    [AddComponentMenu("Glint/Radar Controller")]
+    [RequireComponent(typeof(Camera))]
+    [DisallowMultipleComponent]
+    public sealed class RadarController : MonoBehaviour
+    {
+        [SerializeField, Tooltip("Carrier frequency in hertz.")]
+        double _frequencyHz = 10e9;
+
+        [SerializeField, Min(1), Tooltip("Rays across the view. With Rays Down it sets the aspect ratio.")]
+        int _raysAcross = 1920;
+
+        [SerializeField, Min(1), Tooltip("Rays down the view, over the Camera's field of view.")]
+        int _raysDown = 1080;
+
+        [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Most specular reflections a ray may make.")]
+        int _maxBounces = 4;
+
+        [SerializeField, Tooltip("Middle of the receiver, which faces along this transform's forward axis. It is neither target nor obstacle.")]
+        Transform _receiver;
+
+        [SerializeField, Tooltip("Width and height of the receiver in metres.")]
+        Vector2 _receiverSize = new Vector2(3, 3);
+
+        [SerializeField, Tooltip("Layers to trace.")]
+        LayerMask _layers = ~0;
+
+        [SerializeField, Tooltip("Objects to trace, with all below them. Empty: everything in the loaded scenes.")]
+        List<Transform> _roots = new List<Transform>();
+
+        [SerializeField, Tooltip("Which rays a result carries one by one. All takes 48 bytes a ray.")]
+        KeptRays _keptRays = KeptRays.Received;
+
+        [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Trace.compute")]
+        ComputeShader _kernel;
+
+        readonly SceneGatherer _gatherer = new SceneGatherer();
+        readonly HashSet<string> _warned = new HashSet<string>();
+        RayTracer _tracer;
+
+        /// <summary>Frequency, rays and bounces. Checked when a pose is traced.</summary>
+        public RadarSettings Settings
+        {
+            get => new RadarSettings { FrequencyHz = _frequencyHz, RaysAcross = _raysAcross, RaysDown = _raysDown, MaxBounces = _maxBounces };
+            set => (_frequencyHz, _raysAcross, _raysDown, _maxBounces) = (value.FrequencyHz, value.RaysAcross, value.RaysDown, value.MaxBounces);
+        }
+
+        /// <summary>Middle of the receiver; it faces along the transform's forward axis.</summary>
+        public Transform Receiver { get => _receiver; set => _receiver = value; }
+
+        /// <summary>Width and height of the receiver, metres.</summary>
+        public Vector2 ReceiverSize { get => _receiverSize; set => _receiverSize = value; }
+
+        /// <summary>Layers to trace.</summary>
+        public LayerMask Layers { get => _layers; set => _layers = value; }
+
+        /// <summary>Objects to trace, with all below them; empty: everything in the loaded scenes.</summary>
+        public List<Transform> Roots => _roots;
+
+        /// <summary>Which rays a result carries one by one.</summary>
+        public KeptRays KeptRays { get => _keptRays; set => _keptRays = value; }
+
+        /// <summary>Packages/com.glint.radar/Shaders/Trace.compute.</summary>
+        public ComputeShader Kernel { get => _kernel; set => _kernel = value; }
+
+        /// <summary>The last pose traced; null before the first.</summary>
+        public RadarResult Result { get; private set; }
+
+        /// <summary>Traces the scene as it stands now; returns when the sums are there.</summary>
+        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced, or the device cannot hold the work.</exception>
+        public RadarResult Trace()
+        {
+            var settings = Settings;
+            var view = View();
+            settings.Validate(Subject);
+            view.Validate(Subject);
+            _tracer ??= new RayTracer(_kernel);
+
+            var watch = Stopwatch.StartNew();
+            var scene = GatherScene();
+            double gatherMs = watch.Elapsed.TotalMilliseconds;
+            _tracer.SetScene(scene);
+            Result = _tracer.Trace(settings, view, _keptRays);
+            Result.Objects = _gatherer.ObjectCount;
+            Result.Timings.GatherMs = gatherMs;
+            return Result;
+        }
+
+        /// <summary>The triangles that a pose would trace, in world space, metres.</summary>
+        /// <exception cref="GlintException">A mesh is not fit to be traced.</exception>
+        public TriangleScene GatherScene()
+        {
+            var scene = _gatherer.Gather(_layers, _roots.FindAll(root => root != null), _receiver);
+            foreach (string warning in _gatherer.Warnings)
+                if (_warned.Add(warning))
+                    Debug.LogWarning($"{Subject}: {warning}", this);
+            return scene;
+        }
+
+        /// <summary>Where the radar stands and looks, and where it receives; axes and metres of the world.</summary>
+        /// <exception cref="GlintException">There is no receiver, or the camera is orthographic.</exception>
+        public RadarView View()
+        {
+            if (_receiver == null)
+                throw new GlintException($"{Subject} has no receiver: assign a Transform behind the camera to its field Receiver");
+            var camera = GetComponent<Camera>();
+            if (camera.orthographic)
+                throw new GlintException($"the Camera of '{name}' is orthographic: set its Projection to Perspective");
+            return new RadarView
+            {
+                Position = (float3)transform.position,
+                Right = (float3)transform.right,
+                Up = (float3)transform.up,
+                Forward = (float3)transform.forward,
+                VerticalFovDegrees = camera.fieldOfView,
+                ReceiverCentre = (float3)_receiver.position,
+                ReceiverRight = (float3)_receiver.right,
+                ReceiverUp = (float3)_receiver.up,
+                ReceiverForward = (float3)_receiver.forward,
+                ReceiverSize = (float2)_receiverSize,
+            };
+        }
+
+        /// <summary>Lets go of the GPU's buffers; the next pose makes them anew.</summary>
+        public void Release()
+        {
+            _tracer?.Dispose();
+            _tracer = null;
+        }
+
+        string Subject => $"RadarController of '{name}'";
+
+        void Start()
+        {
+            try
+            {
+                var result = Trace();
+                Debug.Log($"{Subject}: amplitude {result.Amplitude:g7}, {result.RaysReceived} of {result.RaysHit} rays that hit were received", this);
+            }
+            catch (GlintException problem)
+            {
+                Debug.LogError(problem.Message, this);
+            }
+        }
+
+        void OnDisable() => Release();
+    }
+}

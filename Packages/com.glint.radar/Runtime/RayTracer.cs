@@ -1,0 +1,164 @@
+using System;
+using System.Diagnostics;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Glint
+{
+    /// <summary>
+    /// Traces a radar's rays through triangles on the GPU. It owns the buffers and knows no scene: a test can make one from a kernel and an array of triangles.
+    /// </summary>
+    public sealed class RayTracer : IDisposable
+    {
+        // As many received rays as most scenes return; a scene that returns more is traced once again with room for all.
+        const int FirstRayCapacity = 65536;
+
+        readonly ComputeShader _shader;
+        readonly int _kernel;
+        readonly int _groupWidth, _groupHeight;
+        readonly DeviceBuffer<BvhNode> _nodes = new DeviceBuffer<BvhNode>("tree nodes");
+        readonly DeviceBuffer<TriangleRecord> _triangles = new DeviceBuffer<TriangleRecord>("triangles");
+        readonly DeviceBuffer<RayData> _rays = new DeviceBuffer<RayData>("rays kept one by one");
+        readonly DeviceBuffer<uint> _rayCounter = new DeviceBuffer<uint>("counters");
+        readonly DeviceBuffer<GroupSum> _groupSums = new DeviceBuffer<GroupSum>("groups of 64 rays");
+        readonly uint[] _zero = new uint[1];
+        int _triangleCount;
+        double _buildMs, _uploadMs;
+
+        /// <param name="shader">Shaders/Trace.compute.</param>
+        /// <exception cref="GlintException">There is no graphics device, or it cannot run the kernel.</exception>
+        public RayTracer(ComputeShader shader)
+        {
+            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
+                throw new GlintException("there is no graphics device (graphics device type Null): start Unity without -nographics");
+            if (!SystemInfo.supportsComputeShaders)
+                throw new GlintException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) runs no compute shaders: use Direct3D 11 or 12, Vulkan or Metal");
+            if (shader == null)
+                throw new GlintException("the radar has no kernel: assign Packages/com.glint.radar/Shaders/Trace.compute");
+            if (!shader.HasKernel("Trace"))
+                throw new GlintException($"compute shader '{shader.name}' has no kernel 'Trace': assign Packages/com.glint.radar/Shaders/Trace.compute");
+            _shader = shader;
+            _kernel = shader.FindKernel("Trace");
+            if (!shader.IsSupported(_kernel))
+                throw new GlintException($"kernel 'Trace' of compute shader '{shader.name}' does not run on {SystemInfo.graphicsDeviceName}: see the shader's import messages");
+            shader.GetKernelThreadGroupSizes(_kernel, out uint width, out uint height, out _);
+            _groupWidth = (int)width;
+            _groupHeight = (int)height;
+            _rayCounter.Reserve(1);
+            _rays.Reserve(FirstRayCapacity);
+        }
+
+        /// <summary>Takes the triangles to trace from now on: builds the tree and fills the buffers.</summary>
+        /// <exception cref="GlintException">The device cannot hold them.</exception>
+        public void SetScene(TriangleScene scene)
+        {
+            var watch = Stopwatch.StartNew();
+            var bvh = BvhBuilder.Build(scene);
+            var records = bvh.Records(scene);
+            _buildMs = watch.Elapsed.TotalMilliseconds;
+
+            watch.Restart();
+            _nodes.Upload(bvh.Nodes);
+            _triangles.Upload(records);
+            _triangleCount = records.Length;
+            _uploadMs = watch.Elapsed.TotalMilliseconds;
+        }
+
+        /// <summary>One pose: dispatches the kernel and sums what comes back.</summary>
+        /// <exception cref="GlintException">The device cannot hold as many rays as are to be kept.</exception>
+        public RadarResult Trace(in RadarSettings settings, in RadarView view, KeptRays keep)
+        {
+            bool keepAll = keep == KeptRays.All;
+            int groupsAcross = DivideUp(settings.RaysAcross, _groupWidth);
+            int groupsDown = DivideUp(settings.RaysDown, _groupHeight);
+            if (keepAll)
+                _rays.Reserve(settings.RayCount);
+            _groupSums.Reserve((long)groupsAcross * groupsDown);
+            Bind(settings, view, keepAll);
+
+            var watch = Stopwatch.StartNew();
+            uint written = Dispatch(groupsAcross, groupsDown);
+            if (written > _rays.Capacity)
+            {
+                _rays.Reserve(written);
+                Bind(settings, view, keepAll);
+                written = Dispatch(groupsAcross, groupsDown);
+            }
+            double dispatchMs = watch.Elapsed.TotalMilliseconds;
+
+            var result = new RadarResult { RaysEmitted = settings.RayCount, Triangles = _triangleCount };
+            AddTotals(result, _groupSums.ReadBack(groupsAcross * groupsDown));
+            result.Rays = _rays.ReadBack(keepAll ? (int)settings.RayCount : (int)written);
+            // Received rays come in the order the GPU finished them: by pixel the sum is always the same.
+            if (!keepAll)
+                Array.Sort(result.Rays, (a, b) => a.Pixel.CompareTo(b.Pixel));
+            result.AddReceived(result.Rays);
+            result.Timings = new Timings
+            {
+                BuildMs = _buildMs,
+                UploadMs = _uploadMs,
+                TraceMs = watch.Elapsed.TotalMilliseconds,
+                ReadBackMs = watch.Elapsed.TotalMilliseconds - dispatchMs,
+            };
+            return result;
+        }
+
+        public void Dispose()
+        {
+            _groupSums.Dispose();
+            _rayCounter.Dispose();
+            _rays.Dispose();
+            _triangles.Dispose();
+            _nodes.Dispose();
+        }
+
+        void Bind(in RadarSettings settings, in RadarView view, bool keepAll)
+        {
+            double halfHeight = view.TanHalfFov;
+            SetVector(ShaderIDs._CameraPosition, view.Position);
+            SetVector(ShaderIDs._CameraRight, view.Right * halfHeight * settings.Aspect);
+            SetVector(ShaderIDs._CameraUp, view.Up * halfHeight);
+            SetVector(ShaderIDs._CameraForward, view.Forward);
+            SetVector(ShaderIDs._ReceiverCentre, view.ReceiverCentre);
+            SetVector(ShaderIDs._ReceiverRight, view.ReceiverRight / (view.ReceiverSize.x / 2));
+            SetVector(ShaderIDs._ReceiverUp, view.ReceiverUp / (view.ReceiverSize.y / 2));
+            SetVector(ShaderIDs._ReceiverForward, view.ReceiverForward);
+            _shader.SetInt(ShaderIDs._RaysAcross, settings.RaysAcross);
+            _shader.SetInt(ShaderIDs._RaysDown, settings.RaysDown);
+            _shader.SetInt(ShaderIDs._MaxBounces, settings.MaxBounces);
+            _shader.SetFloat(ShaderIDs._WaveNumberTurns, (float)(1 / settings.Wavelength));
+            _shader.SetInt(ShaderIDs._KeepAll, keepAll ? 1 : 0);
+            _shader.SetInt(ShaderIDs._RayCapacity, _rays.Capacity);
+            _shader.SetInt(ShaderIDs._TriangleCount, _triangleCount);
+            _shader.SetBuffer(_kernel, ShaderIDs._Nodes, _nodes.Buffer);
+            _shader.SetBuffer(_kernel, ShaderIDs._Triangles, _triangles.Buffer);
+            _shader.SetBuffer(_kernel, ShaderIDs._Rays, _rays.Buffer);
+            _shader.SetBuffer(_kernel, ShaderIDs._RayCounter, _rayCounter.Buffer);
+            _shader.SetBuffer(_kernel, ShaderIDs._GroupSums, _groupSums.Buffer);
+        }
+
+        void SetVector(int id, double3 v) => _shader.SetVector(id, new Vector4((float)v.x, (float)v.y, (float)v.z, 0));
+
+        // Returns how many rays the kernel wrote, or would have with room enough.
+        uint Dispatch(int groupsAcross, int groupsDown)
+        {
+            _rayCounter.Buffer.SetData(_zero);
+            _shader.Dispatch(_kernel, groupsAcross, groupsDown, 1);
+            return _rayCounter.ReadBack(1)[0];
+        }
+
+        static void AddTotals(RadarResult result, GroupSum[] sums)
+        {
+            foreach (var sum in sums)
+            {
+                result.RaysHit += sum.Hits;
+                result.Bounces += sum.Bounces;
+                result.PathLengthMeters += sum.PathLength;
+            }
+        }
+
+        static int DivideUp(int value, int divisor) => (value + divisor - 1) / divisor;
+    }
+}

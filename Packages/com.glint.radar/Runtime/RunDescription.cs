@@ -1,0 +1,54 @@
+using System.IO;
+using System.Runtime.InteropServices;
+using Glint.Core;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>What results.json says about a run besides its rows, and where results go.</summary>
+    static class RunDescription
+    {
+        /// <summary>Results/<paramref name="name"/> beside the project's Assets.</summary>
+        public static string DefaultFolder(string name) => InProject(Path.Combine("Results", name));
+
+        /// <summary>A path relative to the folder that holds Assets; an absolute path stays.</summary>
+        public static string InProject(string path) => Path.Combine(Path.GetDirectoryName(Application.dataPath), path);
+
+        public static RunInfo Of(RadarController radar, string scene, Transform target)
+        {
+            var info = new RunInfo
+            {
+                ScenePath = scene,
+                TargetName = target == null ? null : target.name,
+                Objects = radar.Result.Objects,
+                Triangles = radar.Result.Triangles,
+                DeviceName = SystemInfo.graphicsDeviceName,
+                GraphicsApi = SystemInfo.graphicsDeviceVersion,
+                GlintVersion = GlintVersion.Text,
+                UnityVersion = Application.unityVersion,
+                Host = RuntimeInformation.FrameworkDescription,
+                OperatingSystem = SystemInfo.operatingSystem,
+            };
+            var settings = radar.Settings;
+            var view = radar.View();
+            info.Settings.Add(new RunSetting("frequency", settings.FrequencyHz, "Hz"));
+            info.Settings.Add(new RunSetting("wavelength", settings.Wavelength, "m"));
+            info.Settings.Add(new RunSetting("rays_across", settings.RaysAcross, "1"));
+            info.Settings.Add(new RunSetting("rays_down", settings.RaysDown, "1"));
+            info.Settings.Add(new RunSetting("max_bounces", settings.MaxBounces, "1"));
+            info.Settings.Add(new RunSetting("vertical_fov", view.VerticalFovDegrees, "deg"));
+            info.Settings.Add(new RunSetting("receiver_width", view.ReceiverSize.x, "m"));
+            info.Settings.Add(new RunSetting("receiver_height", view.ReceiverSize.y, "m"));
+            AddPosition(info, "radar", radar.transform.position);
+            AddPosition(info, "receiver", radar.Receiver.position);
+            return info;
+        }
+
+        static void AddPosition(RunInfo info, string what, Vector3 position)
+        {
+            info.Settings.Add(new RunSetting($"{what}_x", position.x, "m"));
+            info.Settings.Add(new RunSetting($"{what}_y", position.y, "m"));
+            info.Settings.Add(new RunSetting($"{what}_z", position.z, "m"));
+        }
+    }
+}

@@ -1,0 +1,104 @@
+using System;
+using Glint.Core;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>
+    /// Sweeps when the scene is played: turns the target from angle to angle, one pose a frame, and writes the same files as the command.
+    /// When done it stops and puts the target's rotation back.
+    /// </summary>
+    [AddComponentMenu("Glint/Sweep")]
+    [DisallowMultipleComponent]
+    public sealed class Sweep : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The radar that traces. Empty: the one of the scene.")]
+        RadarController _radar;
+
+        [SerializeField, Tooltip("What is turned about the vertical through its own position.")]
+        Transform _target;
+
+        [SerializeField, Tooltip("Degrees, positive as Unity's rotation about Y: FROM:TO:STEP, both ends included, or a list with commas.")]
+        string _angles = "0:45:1";
+
+        [SerializeField, Tooltip("Folder for results.csv and results.json, relative to the project. Empty: Results/<scene> beside Assets.")]
+        string _outputFolder = "";
+
+        readonly LogProgress _progress = new LogProgress();
+        SweepRun _run;
+
+        /// <summary>The radar that traces; null: the one of the scene.</summary>
+        public RadarController Radar { get => _radar; set => _radar = value; }
+
+        /// <summary>What is turned.</summary>
+        public Transform Target { get => _target; set => _target = value; }
+
+        /// <summary>Degrees: FROM:TO:STEP or a list with commas.</summary>
+        public string Angles { get => _angles; set => _angles = value; }
+
+        /// <summary>Folder for the result files, relative to the project; empty: Results/&lt;scene&gt; beside Assets.</summary>
+        public string OutputFolder { get => _outputFolder; set => _outputFolder = value; }
+
+        /// <summary>True from the first pose until all are traced and written.</summary>
+        public bool IsRunning => _run != null;
+
+        void Start() => Attempt(Begin);
+
+        void Update()
+        {
+            if (_run != null)
+                Attempt(Continue);
+        }
+
+        void OnDisable() => End();
+
+        void Begin()
+        {
+            if (_target == null)
+                throw new GlintException($"Sweep of '{name}' has no target: assign the object to turn to its field Target");
+            if (_radar == null)
+                _radar = FindRadar();
+            var angles = Glint.Core.Angles.Parse(_angles);
+            string scene = gameObject.scene.name;
+            var folder = ResultsFolder.Open(string.IsNullOrEmpty(_outputFolder) ? RunDescription.DefaultFolder(scene) : RunDescription.InProject(_outputFolder));
+            _run = new SweepRun(_radar, _target, angles, gameObject.scene.path, folder);
+            _progress.Start(scene, angles.Length);
+        }
+
+        void Continue()
+        {
+            var row = _run.Step();
+            _progress.Advance(_run.Done, $"{row.AngleDegrees:0.###} deg, amplitude {row.Result.Amplitude:g6}");
+            if (_run.IsComplete)
+                End();
+        }
+
+        void End()
+        {
+            _run?.Dispose();
+            _run = null;
+        }
+
+        // A sweep that cannot go on says why, once, and stops; the rows written are kept.
+        void Attempt(Action step)
+        {
+            try
+            {
+                step();
+            }
+            catch (GlintException problem)
+            {
+                End();
+                Debug.LogError(problem.Message, this);
+            }
+        }
+
+        RadarController FindRadar()
+        {
+            var radars = FindObjectsByType<RadarController>(FindObjectsInactive.Exclude, FindObjectsSortMode.None);
+            if (radars.Length == 1)
+                return radars[0];
+            throw new GlintException($"Sweep of '{name}' found {radars.Length} radars: assign one to its field Radar");
+        }
+    }
+}

@@ -1,0 +1,113 @@
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Glint.Tests
+{
+    public sealed class CommandLineTests
+    {
+        [Test]
+        public void Sweep_OfAScene_HasItsValues()
+        {
+            var line = Parse(Commands.Sweep, "Scenes/X.unity", "--target", "Corner Reflector", "--angles", "0:45:1", "--out", "results");
+
+            Assert.That(line.Input, Is.EqualTo("Scenes/X.unity"));
+            Assert.That(line.InputKind, Is.EqualTo(InputKind.Scene));
+            Assert.That(line.Get(Options.Target), Is.EqualTo("Corner Reflector"));
+            Assert.That(line.Get(Options.Angles).Length, Is.EqualTo(46));
+            Assert.That(line.Get(Options.Out), Is.EqualTo("results"));
+        }
+
+        [Test]
+        public void Option_NotGiven_HasItsDefault()
+        {
+            var line = Parse(Commands.Run, "plate.stl");
+
+            Assert.That(line.InputKind, Is.EqualTo(InputKind.MeshFile));
+            Assert.That(line.IsGiven(Options.Size), Is.False);
+            Assert.That(line.Get(Options.Size), Is.EqualTo(new int2(1920, 1080)));
+            Assert.That(line.Get(Options.Out), Is.Null);
+        }
+
+        [TestCase("--grazing", "-10")]
+        [TestCase("--grazing=-10")]
+        public void Value_Negative_IsNoOption(params string[] option) =>
+            Assert.That(Parse(Commands.Run, option.Concat(new[] { "plate.obj" }).ToArray()).Get(Options.Grazing), Is.EqualTo(-10));
+
+        [Test]
+        public void Value_AfterEquals_MayHoldAnything() =>
+            Assert.That(Parse(Commands.Sweep, "x.unity", "--target=--a=b", "--angles=-1,1").Get(Options.Target), Is.EqualTo("--a=b"));
+
+        [Test]
+        public void Input_AfterTwoDashes_MayBeginWithADash() => Assert.That(Parse(Commands.Run, "--bounces", "2", "--", "--odd.obj").Input, Is.EqualTo("--odd.obj"));
+
+        [TestCase("a/B.UNITY", InputKind.Scene)]
+        [TestCase("Packages/com.glint.scenes/X.unity", InputKind.Scene)]
+        [TestCase("a b.OBJ", InputKind.MeshFile)]
+        [TestCase("/parts/x.stl", InputKind.MeshFile)]
+        public void Input_ByItsEnding_IsSceneOrMeshFile(string input, InputKind kind) => Assert.That(Parse(Commands.Run, input).InputKind, Is.EqualTo(kind));
+
+        [TestCase(InputKind.Scene, "--size", "--frequency", "--bounces", "--receiver")]
+        [TestCase(InputKind.MeshFile, "--size", "--frequency", "--bounces", "--receiver", "--unit", "--up", "--distance", "--grazing", "--azimuth", "--fov", "--aim")]
+        public void RadarOptions_WithTheInputTheyGoWith_AreTaken(InputKind kind, params string[] flags)
+        {
+            string input = kind == InputKind.Scene ? "x.unity" : "x.obj";
+            foreach (var option in Commands.Run.Options.Where(option => flags.Contains(option.Flag)))
+                Assert.That(Parse(Commands.Run, input, option.Flag, option.DefaultText).IsGiven(option), Is.True, option.Flag);
+        }
+
+        [TestCase("--unit", "m")]
+        [TestCase("--up", "y")]
+        [TestCase("--distance", "50")]
+        [TestCase("--grazing", "10")]
+        [TestCase("--azimuth", "0")]
+        [TestCase("--fov", "60")]
+        [TestCase("--aim", "0,0,0")]
+        public void MeshOption_WithAScene_IsRefusedByName(string flag, string value) =>
+            AssertRefused(Commands.Run, flag + ": only for mesh files: a scene has its own camera and objects, change it there", "x.unity", flag, value);
+
+        [Test]
+        public void Arguments_Wrong_AreRefusedInOneLine()
+        {
+            AssertRefused(Commands.Run, "run: INPUT is missing: give a scene (.unity) or a mesh file (.obj, .stl)");
+            AssertRefused(Commands.Run, "x.fbx: neither a scene (.unity) nor a mesh file (.obj, .stl)", "x.fbx");
+            AssertRefused(Commands.Run, "\"\": neither a scene (.unity) nor a mesh file (.obj, .stl)", "");
+            AssertRefused(Commands.Run, "--angles: run has no such option", "x.obj", "--angles", "0:1:1");
+            AssertRefused(Commands.Run, "--bonces: run has no such option; did you mean --bounces?", "x.obj", "--bonces", "3");
+            AssertRefused(Commands.Run, "--freq: run has no such option; did you mean --frequency?", "x.obj", "--freq=1e9");
+            AssertRefused(Commands.Run, "-out: run has no such option; did you mean --out?", "x.obj", "-out", "here");
+            AssertRefused(Commands.Run, "--out: needs a value: --out DIR", "x.obj", "--out");
+            AssertRefused(Commands.Run, "--out: needs a value: --out DIR", "x.obj", "--out", "--bounces", "3");
+            AssertRefused(Commands.Run, "--out \"\": must not be empty", "x.obj", "--out=");
+            AssertRefused(Commands.Run, "--fov: given twice", "x.obj", "--fov", "50", "--fov", "50");
+            AssertRefused(Commands.Run, "b.obj: one argument too many: INPUT is a.obj already (put names with blanks in quotes)", "a.obj", "b.obj");
+            AssertRefused(Commands.Info, "x.obj: one argument too many: info takes none (put names with blanks in quotes)", "x.obj");
+            AssertRefused(Commands.Sweep, "--angles is missing: sweep needs --angles ANGLES", "x.unity", "--target", "Ship");
+            AssertRefused(Commands.Sweep, "--target is missing: sweep needs --target NAME", "x.unity", "--angles", "0:45:1");
+            AssertRefused(Commands.Sweep, "--target: only for scenes: the mesh of a file is turned as a whole", "x.obj", "--angles", "0:45:1", "--target", "x");
+        }
+
+        [Test]
+        public void UnityArguments_AfterTheMarker_AreTheCommands()
+        {
+            var line = CommandLine.FromUnity(Commands.Sweep, new[] { "Unity", "-batchmode", "-executeMethod", "Glint.Editor.Batch.Sweep", "--glint", "x.obj", "--angles", "0:1:1" });
+
+            Assert.That(line.Get(Options.Angles), Is.EqualTo(new[] { 0.0, 1 }));
+        }
+
+        [Test]
+        public void UnityArguments_WithoutTheMarker_AreRefused() =>
+            Assert.That(Assert.Throws<UsageException>(() => CommandLine.FromUnity(Commands.Sweep, new[] { "Unity", "-batchmode" })).Message, Does.StartWith("--glint is missing"));
+
+        [Test]
+        public void UnityArguments_WithADevice_NameUnitysOwnWay() =>
+            Assert.That(Assert.Throws<UsageException>(() => CommandLine.FromUnity(Commands.Run, new[] { "Unity", "--glint", "x.obj", "--device", "0" })).Message,
+                Is.EqualTo("--device: in Unity use Unity's own -force-device-index"));
+
+        static CommandLine Parse(Command command, params string[] arguments) => CommandLine.Parse(command, arguments);
+
+        static void AssertRefused(Command command, string message, params string[] arguments) =>
+            Assert.That(Assert.Throws<UsageException>(() => CommandLine.Parse(command, arguments)).Message, Is.EqualTo(message));
+    }
+}

@@ -1,0 +1,130 @@
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using static Unity.Mathematics.math;
+
+namespace Glint.Tests
+{
+    /// <summary>The judge against answers on paper and against a search of every triangle.</summary>
+    public sealed class JudgeTests
+    {
+        const double Nanometre = 1e-9;
+
+        [Test]
+        public void Trace_FacingPlate_PathLengthIsThatFromTheMirrorImageOfTheCamera()
+        {
+            const float distance = 20;
+            var settings = TestRadar.Settings();
+            var view = TestRadar.LookAt(0, double3(0, 0, 1));
+            var rays = new Judge(TestRadar.FacingPlate(4, distance), settings, view).TraceAll();
+
+            int expected = 0;
+            for (int pixel = 0; pixel < rays.Length; pixel++)
+            {
+                double3 d = TestRadar.Direction(settings, view, pixel);
+                double2 onPlate = distance * d.xy / d.z;
+                // The mirror image stands at 2 x 20 m; the receiver plane 0.2 m behind the camera.
+                double2 onReceiver = (2 * distance + TestRadar.ReceiverBehindCamera) * d.xy / d.z;
+                bool hits = all(abs(onPlate) <= 2), returns = hits && all(abs(onReceiver) <= 1.5);
+                Assert.That(rays[pixel].Bounces, Is.EqualTo(hits ? 1 : 0), $"pixel {pixel}");
+                Assert.That(rays[pixel].Received, Is.EqualTo(returns), $"pixel {pixel}");
+                if (!returns)
+                    continue;
+                expected++;
+                Assert.That(rays[pixel].PathLength, Is.EqualTo((2 * distance + TestRadar.ReceiverBehindCamera) / d.z).Within(Nanometre), $"pixel {pixel}");
+            }
+            Assert.That(expected, Is.GreaterThan(10));
+        }
+
+        [Test]
+        public void Trace_Trihedral_RayReturnsAlongItselfFromThePointMirroredInTheVertex()
+        {
+            double3 vertex = double3(1, -2, 3);
+            var settings = TestRadar.Settings();
+            var view = TestRadar.LookAt(vertex + double3(9, 10, 11), vertex, fov: 20);
+            var rays = new Judge(TestRadar.Trihedral((float3)vertex, 4), settings, view).TraceAll();
+
+            double3 image = 2 * vertex - view.Position;
+            var triple = Enumerable.Range(0, rays.Length).Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 3).ToArray();
+            Assert.That(triple, Is.Not.Empty);
+            foreach (int pixel in triple)
+            {
+                double3 back = -TestRadar.Direction(settings, view, pixel);
+                double length = dot(view.ReceiverCentre - image, view.Forward) / dot(back, view.Forward);
+                Assert.That(rays[pixel].PathLength, Is.EqualTo(length).Within(Nanometre), $"pixel {pixel}");
+            }
+        }
+
+        [Test]
+        public void Trace_DihedralWithLevelEdge_RayReturnsAtTheElevationItCame()
+        {
+            // Floor and wall meet in the x axis; seen from straight ahead, 30 degrees up.
+            var scene = TestRadar.Join(
+                TestRadar.Plate(float3(-5, 0, 0), float3(10, 0, 0), float3(0, 0, -5)),
+                TestRadar.Plate(float3(-5, 0, 0), float3(10, 0, 0), float3(0, 5, 0)));
+            var settings = TestRadar.Settings();
+            var view = TestRadar.LookAt(20 * double3(0, 0.5, -sqrt(0.75)), 0, fov: 20);
+            var rays = new Judge(scene, settings, view).TraceAll();
+
+            // Mirrored in floor and wall, the camera stands at (x, -y, -z).
+            double3 image = view.Position * double3(1, -1, -1);
+            var twice = Enumerable.Range(0, rays.Length).Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 2).ToArray();
+            Assert.That(twice, Is.Not.Empty);
+            foreach (int pixel in twice)
+            {
+                double3 back = TestRadar.Direction(settings, view, pixel) * double3(1, -1, -1);
+                double length = dot(view.ReceiverCentre - image, view.Forward) / dot(back, view.Forward);
+                Assert.That(rays[pixel].PathLength, Is.EqualTo(length).Within(Nanometre), $"pixel {pixel}");
+            }
+        }
+
+        [Test]
+        public void FindNearest_RandomTriangles_IsTheNearestOfAll()
+        {
+            var scene = TestRadar.Clutter(500, seed: 3);
+            var tree = new JudgeTree(scene, double3(20, 0, 0));
+            var random = new System.Random(5);
+            int hits = 0;
+            for (int i = 0; i < 2000; i++)
+            {
+                double3 origin = 12 * double3(random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1);
+                double3 direction = i % 10 == 0 ? double3(0, 0, 1) : normalize(double3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5));
+                int expected = Nearest(scene, origin, direction, out double distance);
+                Assert.That(tree.FindNearest(origin, direction, -1, out double found), Is.EqualTo(expected), $"ray {i}");
+                if (expected < 0)
+                    continue;
+                hits++;
+                Assert.That(found, Is.EqualTo(distance).Within(Nanometre), $"ray {i}");
+            }
+            Assert.That(hits, Is.GreaterThan(200));
+        }
+
+        [Test]
+        public void Sum_EmptyScene_EmitsEveryRayAndHitsNothing()
+        {
+            var judge = new Judge(TestRadar.Empty, TestRadar.Settings(), TestRadar.LookAt(0, double3(0, 0, 1)));
+            var result = judge.Sum(judge.TraceAll());
+            Assert.That(result.RaysEmitted, Is.EqualTo(160 * 90));
+            Assert.That(result.Segments, Is.EqualTo(160 * 90));
+            Assert.That(result.RaysHit, Is.Zero);
+            Assert.That(result.Ratio, Is.Zero);
+        }
+
+        // Moeller and Trumbore's test of every triangle.
+        static int Nearest(TriangleScene scene, double3 origin, double3 direction, out double nearest)
+        {
+            int hit = -1;
+            nearest = double.PositiveInfinity;
+            for (int t = 0; t < scene.TriangleCount; t++)
+            {
+                scene.GetTriangle(t, out var a, out var b, out var c);
+                double3 e1 = (double3)b - a, e2 = (double3)c - a, p = cross(direction, e2), s = origin - a, q = cross(s, e1);
+                double determinant = dot(e1, p), u = dot(s, p) / determinant, v = dot(direction, q) / determinant, distance = dot(e2, q) / determinant;
+                if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && distance < nearest)
+                    (hit, nearest) = (t, distance);
+            }
+            return hit;
+        }
+    }
+}

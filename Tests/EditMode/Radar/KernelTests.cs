@@ -1,0 +1,173 @@
+using System;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using static Unity.Mathematics.math;
+
+namespace Glint.Tests
+{
+    /// <summary>The kernel on scenes whose answer is known, and against the judge.</summary>
+    public sealed class KernelTests
+    {
+        // Float32 lengths of some 50 m: a few steps of 4 micrometres a segment.
+        const double LengthTolerance = 5e-5;
+
+        static readonly double3 Ahead = double3(0, 0, 1);
+
+        [Test]
+        public void Trace_EmptyScene_HitsNothing()
+        {
+            var result = TestKernels.TraceOnce(TestRadar.Empty, TestRadar.Settings(), TestRadar.LookAt(0, Ahead));
+            Assert.That(result.RaysEmitted, Is.EqualTo(160 * 90));
+            Assert.That(result.RaysHit, Is.Zero);
+            Assert.That(result.RaysReceived, Is.Zero);
+            Assert.That(result.Amplitude, Is.Zero);
+            Assert.That(result.Segments, Is.EqualTo(160 * 90));
+        }
+
+        [Test]
+        public void Trace_TargetBehindTheCamera_HitsNothing()
+        {
+            var result = TestKernels.TraceOnce(TestRadar.FacingPlate(4, -10), TestRadar.Settings(), TestRadar.LookAt(0, Ahead));
+            Assert.That(result.RaysHit, Is.Zero);
+        }
+
+        [Test]
+        public void Trace_FacingPlate_HitsItsShareOfThePictureAndReceivesWhatMirrorsIntoTheReceiver()
+        {
+            // Pixels on a plate of 4 m at 20 m, and those of them whose reflection meets the 3 m receiver 40.2 m behind the image.
+            var settings = TestRadar.Settings();
+            var view = TestRadar.LookAt(0, Ahead);
+            var slopes = Enumerable.Range(0, 160 * 90).Select(pixel => TestRadar.Direction(settings, view, pixel)).Select(d => cmax(abs(d.xy / d.z))).ToArray();
+            var result = TestKernels.TraceOnce(TestRadar.FacingPlate(4, 20), settings, view);
+            Assert.That(result.RaysHit, Is.EqualTo(slopes.Count(slope => slope * 20 <= 2)));
+            Assert.That(result.RaysReceived, Is.EqualTo(slopes.Count(slope => slope * 40.2 <= 1.5)));
+            Assert.That(result.Bounces, Is.EqualTo(result.RaysHit));
+        }
+
+        [Test]
+        public void Trace_PlateBetweenTargetAndReceiver_BlocksWhatWouldReturn()
+        {
+            // A plate right behind the camera, before the receiver: it is in nobody's way but the returning rays'.
+            var scene = TestRadar.Join(TestRadar.FacingPlate(4, 20), TestRadar.FacingPlate(4, -0.1f));
+            var open = TestKernels.TraceOnce(TestRadar.FacingPlate(4, 20), TestRadar.Settings(bounces: 1), TestRadar.LookAt(0, Ahead));
+            var blocked = TestKernels.TraceOnce(scene, TestRadar.Settings(bounces: 1), TestRadar.LookAt(0, Ahead));
+            Assert.That(open.RaysReceived, Is.GreaterThan(0));
+            Assert.That(blocked.RaysHit, Is.EqualTo(open.RaysHit));
+            Assert.That(blocked.RaysReceived, Is.Zero);
+        }
+
+        [Test]
+        public void Trace_ReceiverFacingAway_ReceivesNothing()
+        {
+            var view = TestRadar.LookAt(0, Ahead);
+            view.ReceiverForward = -view.ReceiverForward;
+            Assert.That(TestKernels.TraceOnce(TestRadar.FacingPlate(4, 20), TestRadar.Settings(), view).RaysReceived, Is.Zero);
+        }
+
+        [TestCase(1)]
+        [TestCase(2)]
+        [TestCase(7)]
+        [TestCase(16)]
+        public void Trace_RayBetweenTwoFacingMirrors_StopsAtTheMostBounces(int most)
+        {
+            // Camera between two large plates that face each other, the receiver behind one of them: no ray ever leaves.
+            var scene = TestRadar.Join(TestRadar.FacingPlate(1e4f, 5), TestRadar.FacingPlate(1e4f, -0.15f));
+            var result = TestKernels.TraceOnce(scene, TestRadar.Settings(8, 8, most), TestRadar.LookAt(0, Ahead, fov: 1));
+            Assert.That(result.Bounces, Is.EqualTo(64 * most));
+            Assert.That(result.RaysReceived, Is.Zero);
+        }
+
+        [Test]
+        public void Trace_Trihedral_PathLengthsAreThoseFromThePointMirroredInTheVertex()
+        {
+            double3 vertex = double3(1, -2, 3);
+            var settings = TestRadar.Settings();
+            var view = TestRadar.LookAt(vertex + double3(9, 10, 11), vertex, fov: 20);
+            var result = TestKernels.TraceOnce(TestRadar.Trihedral((float3)vertex, 4), settings, view);
+            double3 image = 2 * vertex - view.Position;
+            var triple = result.Rays.Where(ray => ray.Bounces == 3).ToArray();
+            Assert.That(triple, Is.Not.Empty);
+            foreach (var ray in triple)
+            {
+                double3 back = -TestRadar.Direction(settings, view, (int)ray.Pixel);
+                double length = dot(view.ReceiverCentre - image, view.Forward) / dot(back, view.Forward);
+                Assert.That((double)ray.PathLength, Is.EqualTo(length).Within(LengthTolerance), $"pixel {ray.Pixel}");
+                Assert.That(distance((float3)back, ray.Direction), Is.LessThan(1e-5f), $"pixel {ray.Pixel}");
+            }
+        }
+
+        [TestCase(1u, 30)]
+        [TestCase(2u, 400)]
+        [TestCase(3u, 5000)]
+        public void Trace_RandomTriangles_EqualsTheJudgeRayByRay(uint seed, int triangles)
+        {
+            var scene = TestRadar.Clutter(triangles, seed);
+            // Prime sizes: no group of 8 x 8 is full at the edges.
+            var settings = TestRadar.Settings(211, 127, 3);
+            var view = TestRadar.LookAt(double3(3, 14, -25), 0);
+            var rays = TestKernels.TraceOnce(scene, settings, view, KeptRays.All).Rays;
+            var expected = new Judge(scene, settings, view).TraceAll();
+
+            // Rays that meet an edge within rounding may go either way.
+            int others = Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces || rays[i].IsReceived != expected[i].Received
+                || abs(rays[i].PathLength - (expected[i].Received ? expected[i].PathLength : expected[i].LengthToLastHit)) > 1e-3);
+            Assert.That(others, Is.LessThan(rays.Length / 1000), "rays that took another way");
+            Assert.That(expected.Count(ray => ray.Bounces > 1), Is.GreaterThan(100), "the scene asks for more than one bounce");
+        }
+
+        [Test]
+        public void Trace_Twice_SumsAreTheSameBitForBit()
+        {
+            var scene = TestRadar.Trihedral(0, 4);
+            var view = TestRadar.LookAt(double3(9, 10, 11), 0, fov: 30);
+            var results = Enumerable.Range(0, 3).Select(_ => TestKernels.TraceOnce(scene, TestRadar.Settings(640, 360), view)).ToArray();
+            Assert.That(results[0].RaysReceived, Is.GreaterThan(100));
+            foreach (var again in results.Skip(1))
+            {
+                Assert.That(BitConverter.DoubleToInt64Bits(again.InPhase), Is.EqualTo(BitConverter.DoubleToInt64Bits(results[0].InPhase)));
+                Assert.That(BitConverter.DoubleToInt64Bits(again.Quadrature), Is.EqualTo(BitConverter.DoubleToInt64Bits(results[0].Quadrature)));
+                Assert.That(BitConverter.DoubleToInt64Bits(again.PathLengthMeters), Is.EqualTo(BitConverter.DoubleToInt64Bits(results[0].PathLengthMeters)));
+            }
+        }
+
+        [Test]
+        public void Trace_KeepingAllOrReceivedRays_GivesTheSameSums()
+        {
+            var view = TestRadar.LookAt(double3(9, 10, 11), 0, fov: 30);
+            var received = TestKernels.TraceOnce(TestRadar.Trihedral(0, 4), TestRadar.Settings(), view);
+            var all = TestKernels.TraceOnce(TestRadar.Trihedral(0, 4), TestRadar.Settings(), view, KeptRays.All);
+            Assert.That(all.Rays.Length, Is.EqualTo(160 * 90));
+            Assert.That(all.Rays.Where(ray => ray.IsReceived), Is.EqualTo(received.Rays));
+            Assert.That(all.InPhase, Is.EqualTo(received.InPhase));
+            Assert.That(all.PathLengthMeters, Is.EqualTo(received.PathLengthMeters));
+        }
+
+        [Test]
+        public void Trace_MoreReceivedRaysThanFirstRoomWasMadeFor_AreAllThere()
+        {
+            // A plate that fills the view of a camera with a receiver as large: every ray returns.
+            var view = TestRadar.LookAt(0, Ahead);
+            view.ReceiverSize = 1000;
+            var result = TestKernels.TraceOnce(TestRadar.FacingPlate(1000, 5), TestRadar.Settings(400, 300), view);
+            Assert.That(result.RaysReceived, Is.EqualTo(120000));
+            Assert.That(result.Rays.Select(ray => ray.Pixel), Is.EqualTo(Enumerable.Range(0, 120000).Select(i => (uint)i)));
+            Assert.That(result.PhaseHistogram.Sum(), Is.EqualTo(120000));
+        }
+
+        [Test]
+        public void Trace_MoreKeptRaysThanOneBufferHolds_SaysHowManyFit()
+        {
+            const int rays = RadarSettings.RaysPerAxisLimit;
+            var problem = Assert.Throws<GlintException>(() => TestKernels.TraceOnce(TestRadar.Empty, TestRadar.Settings(rays, rays), TestRadar.LookAt(0, Ahead), KeptRays.All));
+            long most = SystemInfo.maxGraphicsBufferSize / 48;
+            Assert.That(problem.Message, Does.Contain("rays kept one by one").And.Contain(most.ToString()));
+        }
+
+        [Test]
+        public void RayTracer_WithoutKernel_SaysWhichToAssign() =>
+            Assert.That(Assert.Throws<GlintException>(() => new RayTracer(null)).Message, Does.Contain("Shaders/Trace.compute"));
+    }
+}

@@ -1,0 +1,30 @@
+using System;
+using Glint.Core;
+using UnityEditor;
+using UnityEngine;
+
+namespace Glint.Tests
+{
+    static class TestKernels
+    {
+        public static ComputeShader Trace => Load("Packages/com.glint.radar/Shaders/Trace.compute");
+
+        public static ComputeShader Layout => Load("Packages/com.glint.tests/EditMode/Shaders/Layout.compute");
+
+        /// <summary>One pose of a scene through the product's kernel.</summary>
+        public static RadarResult TraceOnce(TriangleScene scene, in RadarSettings settings, in RadarView view, KeptRays keep = KeptRays.Received)
+        {
+            using (var tracer = new RayTracer(Trace))
+            {
+                tracer.SetScene(scene);
+                return tracer.Trace(settings, view, keep);
+            }
+        }
+
+        static ComputeShader Load(string path)
+        {
+            var shader = AssetDatabase.LoadAssetAtPath<ComputeShader>(path);
+            return shader != null ? shader : throw new InvalidOperationException($"{path} is missing");
+        }
+    }
+}

@@ -1,0 +1,117 @@
+using System.Collections;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.SceneManagement;
+using UnityEngine.TestTools;
+
+namespace Glint.Tests
+{
+    /// <summary>Scenes/CornerReflector.unity against the published table and the double-precision references.</summary>
+    public sealed class CornerReflectorTests
+    {
+        RadarController _radar;
+        Transform _target;
+
+        [UnitySetUp]
+        public IEnumerator LoadScene()
+        {
+            yield return PlayScene.Load("CornerReflector");
+            _radar = Object.FindFirstObjectByType<RadarController>();
+            _target = GameObject.Find("Corner Reflector").transform;
+        }
+
+        [Test]
+        public void Scene_OnLoad_HasTracedOnePoseByItself()
+        {
+            Assert.That(_radar.Result, Is.Not.Null);
+            Assert.That(_radar.Result.RaysEmitted, Is.EqualTo(2073600));
+            Assert.That(_radar.Result.Triangles, Is.EqualTo(36), "three cubes");
+            Assert.That(_radar.Result.RaysReceived, Is.EqualTo(676), "26 x 26 at 0 to 4 deg");
+        }
+
+        [Test]
+        public void Scene_ItsGeometry_IsTheRecoveredOne()
+        {
+            // The vertex where the inner faces meet, worked out on paper from the recovered frame.
+            var plates = _target.GetComponentsInChildren<MeshFilter>().Select(filter => filter.transform).ToArray();
+            Assert.That(plates.Length, Is.EqualTo(3));
+            foreach (var plate in plates)
+            {
+                Assert.That(plate.lossyScale.x * plate.lossyScale.y * plate.lossyScale.z, Is.EqualTo(16 * 16 * 0.2f).Within(1e-3f), plate.name);
+                var vertex = plate.parent.TransformPoint(new Vector3(-8, -8, -8));
+                Assert.That(Vector3.Distance(vertex, new Vector3(0, 3.349f, 13.446f)), Is.LessThan(1e-3f));
+            }
+            Assert.That(_radar.transform.position.magnitude, Is.EqualTo(41.08f).Within(1e-4f));
+        }
+
+        [Test]
+        public void Sweep_AllAngles_AgreesWithTheRecoveredAndWithThePublishedTable()
+        {
+            var recovered = ReferenceTable.Load("corner_reflector_recovered");
+            var published = ReferenceTable.Load("table_a2_corner_reflector");
+            Assert.That(recovered.Count, Is.EqualTo(46));
+            for (int row = 0; row < recovered.Count; row++)
+            {
+                _target.rotation = Quaternion.AngleAxis((float)recovered.Angle(row), Vector3.up);
+                var result = _radar.Trace();
+                string at = $"{recovered.Angle(row)} deg";
+                Assert.That(result.RaysHit, Is.EqualTo(recovered.Hit(row)).Within(0.02).Percent, $"hits at {at}");
+                Assert.That(result.RaysReceived, Is.EqualTo(recovered.Received(row)).Within(3), $"received at {at}");
+                double moreOrFewer = System.Math.Abs(result.RaysReceived - recovered.Received(row));
+                Assert.That(result.Amplitude, Is.EqualTo(recovered.Amplitude(row)).Within(0.02 * recovered.Amplitude(row) + 0.5 + moreOrFewer), $"amplitude at {at}");
+
+                Assert.That(result.RaysHit, Is.EqualTo(published.Hit(row)).Within(0.2).Percent, $"published hits at {at}");
+                if (row <= 40)
+                    Assert.That(result.RaysReceived, Is.EqualTo(published.Received(row)).Within(6).Percent, $"published rays received at {at}");
+                else
+                    Assert.That(result.RaysReceived, Is.LessThanOrEqualTo(row == 41 ? 10 : 0), $"rays received at {at}");
+            }
+        }
+
+        [TestCase(0)]
+        [TestCase(23)]
+        [TestCase(28)]
+        public void Trace_AtAnAngle_EqualsTheJudgeWithTheSameTriangles(float angle)
+        {
+            _target.rotation = Quaternion.AngleAxis(angle, Vector3.up);
+            var result = _radar.Trace();
+            var judge = new Judge(_radar.GatherScene(), _radar.Settings, _radar.View());
+            var expected = judge.Sum(judge.TraceAll());
+            Assert.That(result.RaysHit, Is.EqualTo(expected.RaysHit).Within(0.01).Percent);
+            Assert.That(result.RaysReceived, Is.EqualTo(expected.RaysReceived).Within(2));
+            Assert.That(result.Bounces, Is.EqualTo(expected.Bounces).Within(0.01).Percent);
+            Assert.That(result.PathLengthMeters, Is.EqualTo(expected.PathLengthMeters).Within(0.01).Percent);
+            // Each phase is off by some 0.005 rad at most: float32 lengths of 100 m have steps of 8 micrometres.
+            double tolerance = 0.005 * expected.RaysReceived + System.Math.Abs(result.RaysReceived - expected.RaysReceived);
+            Assert.That(result.InPhase, Is.EqualTo(expected.InPhase).Within(tolerance));
+            Assert.That(result.Quadrature, Is.EqualTo(expected.Quadrature).Within(tolerance));
+        }
+
+        [Test]
+        public void Trace_Twice_SumsAreTheSameBitForBit()
+        {
+            var first = _radar.Trace();
+            var again = _radar.Trace();
+            Assert.That(again.InPhase, Is.EqualTo(first.InPhase));
+            Assert.That(again.Quadrature, Is.EqualTo(first.Quadrature));
+            Assert.That(again.PathLengthMeters, Is.EqualTo(first.PathLengthMeters));
+        }
+
+        [Test]
+        public void PhaseHistogram_AtZeroAndAt23Degrees_IsUnevenAndFlat()
+        {
+            // At 0 deg returns add up, at 23 deg they cancel: the thesis shows both histograms.
+            var atZero = _radar.Trace().PhaseHistogram;
+            _target.rotation = Quaternion.AngleAxis(23, Vector3.up);
+            var at23 = _radar.Trace().PhaseHistogram;
+            Assert.That(atZero.Sum(), Is.EqualTo(676));
+            Assert.That(Spread(atZero), Is.GreaterThan(Spread(at23)));
+        }
+
+        // Largest bin over the mean bin.
+        static double Spread(int[] histogram) => histogram.Max() / histogram.Average();
+    }
+}

@@ -1,0 +1,101 @@
+using System.Collections;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Glint.Tests
+{
+    /// <summary>The component that sweeps on play.</summary>
+    public sealed class SweepTests
+    {
+        string _folder;
+        Sweep _sweep;
+        Transform _target;
+
+        [UnitySetUp]
+        public IEnumerator LoadScene()
+        {
+            _folder = Path.Combine(Path.GetTempPath(), Path.GetRandomFileName());
+            yield return PlayScene.Load("CornerReflector");
+            _target = GameObject.Find("Corner Reflector").transform;
+            Object.Destroy(Object.FindFirstObjectByType<Sweep>().gameObject);
+
+            var holder = new GameObject("Test sweep");
+            holder.SetActive(false);
+            _sweep = holder.AddComponent<Sweep>();
+            _sweep.Target = _target;
+            _sweep.OutputFolder = _folder;
+            yield return null;
+        }
+
+        [TearDown]
+        public void RemoveFolder()
+        {
+            if (Directory.Exists(_folder))
+                Directory.Delete(_folder, true);
+        }
+
+        [UnityTest]
+        public IEnumerator Play_ThreeAngles_TracesOneAFrameWritesTheFilesAndPutsTheTargetBack()
+        {
+            _target.rotation = Quaternion.Euler(0, 5, 0);
+            var initial = _target.rotation;
+            _sweep.Angles = "0,20,40";
+            _sweep.gameObject.SetActive(true);
+            int frames = 0;
+            do
+            {
+                yield return null;
+                frames++;
+            }
+            while (_sweep.IsRunning && frames < 20);
+
+            Assert.That(frames, Is.InRange(3, 5), "one pose a frame");
+            Assert.That(_target.rotation, Is.EqualTo(initial));
+            var lines = File.ReadAllLines(Path.Combine(_folder, "results.csv"));
+            Assert.That(lines.Length, Is.EqualTo(4));
+            Assert.That(lines.Skip(1).Select(line => line.Split(',')[0]), Is.EqualTo(new[] { "0", "20", "40" }));
+            Assert.That(File.ReadAllText(Path.Combine(_folder, "results.json")), Does.Contain("Corner Reflector"));
+        }
+
+        [UnityTest]
+        public IEnumerator Play_WithoutTarget_SaysSoAndWritesNothing()
+        {
+            _sweep.Target = null;
+            LogAssert.Expect(LogType.Error, new Regex("'Test sweep' has no target"));
+            _sweep.gameObject.SetActive(true);
+            yield return null;
+            yield return null;
+            Assert.That(_sweep.IsRunning, Is.False);
+            Assert.That(Directory.Exists(_folder), Is.False);
+        }
+
+        [UnityTest]
+        public IEnumerator Play_MalformedAngles_SaysSoAndWritesNothing()
+        {
+            _sweep.Angles = "0:45";
+            LogAssert.Expect(LogType.Error, new Regex("0:45.*FROM:TO:STEP"));
+            _sweep.gameObject.SetActive(true);
+            yield return null;
+            Assert.That(_sweep.IsRunning, Is.False);
+            Assert.That(Directory.Exists(_folder), Is.False);
+        }
+
+        [UnityTest]
+        public IEnumerator Disable_DuringASweep_PutsTheTargetBackAndKeepsTheRows()
+        {
+            var initial = _target.rotation;
+            _sweep.Angles = "10:40:10";
+            _sweep.gameObject.SetActive(true);
+            yield return null;
+            yield return null;
+            _sweep.gameObject.SetActive(false);
+            Assert.That(_target.rotation, Is.EqualTo(initial));
+            Assert.That(_sweep.IsRunning, Is.False);
+            Assert.That(File.ReadAllLines(Path.Combine(_folder, "results.csv")).Length, Is.GreaterThanOrEqualTo(2));
+        }
+    }
+}

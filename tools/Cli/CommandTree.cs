@@ -1,0 +1,103 @@
+using System;
+using System.Collections.Generic;
+using System.CommandLine;
+using System.CommandLine.Help;
+using System.CommandLine.Invocation;
+using System.CommandLine.Parsing;
+using System.Linq;
+
+namespace Glint.Cli;
+
+/// <summary>The parser: a System.CommandLine tree made from the tables of Glint.Core, which also judge what it finds.</summary>
+sealed class CommandTree
+{
+    // The tables' parser sees every value, also surplus ones, so that both hosts refuse them in the same words.
+    static readonly ArgumentArity Any = ArgumentArity.ZeroOrMore;
+
+    readonly Terminal _terminal;
+    readonly Func<Core.CommandLine, int> _execute;
+    readonly RootCommand _root = new(Core.Commands.Summary);
+    readonly Dictionary<Command, Core.Command> _commands = [];
+
+    public CommandTree(Terminal terminal, Func<Core.CommandLine, int> execute)
+    {
+        _terminal = terminal;
+        _execute = execute;
+        foreach (var command in Core.Commands.All)
+            _root.Add(Build(command));
+        _root.Options.OfType<HelpOption>().Single().Action = new HelpWriter(this);
+    }
+
+    /// <summary>Parses and runs.</summary>
+    /// <param name="arguments">As the process got them.</param>
+    /// <param name="onCommand">Told which command it is before anything of it is checked.</param>
+    /// <returns>The exit code.</returns>
+    /// <exception cref="Core.UsageException">The first thing that is wrong.</exception>
+    public int Invoke(string[] arguments, Action<Core.Command> onCommand)
+    {
+        var parsed = _root.Parse(arguments, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
+        if (parsed.Action is not (null or ParseErrorAction))
+            return parsed.Invoke(new InvocationConfiguration { Output = _terminal.Out, Error = _terminal.Error, EnableDefaultExceptionHandler = false });
+        if (!_commands.TryGetValue(parsed.CommandResult.Command, out var command))
+            throw NoCommand(parsed);
+        onCommand(command);
+        return _execute(Read(command, parsed, arguments));
+    }
+
+    Command Build(Core.Command command)
+    {
+        var built = new Command(command.Name, command.Summary);
+        if (command.Inputs != Core.InputKind.None)
+            built.Add(new Argument<string[]>("INPUT") { Description = Core.Commands.InputHelp, Arity = Any });
+        foreach (var option in command.Options)
+            built.Add(new Option<string[]>(option.Flag) { Description = option.Help, HelpName = option.ValueName, Arity = Any });
+        _commands.Add(built, command);
+        return built;
+    }
+
+    static Core.CommandLine Read(Core.Command command, ParseResult parsed, string[] raw)
+    {
+        var options = new List<KeyValuePair<string, string>>();
+        foreach (var result in parsed.CommandResult.Children.OfType<OptionResult>().Where(result => !result.Implicit))
+        {
+            // A value of its own that begins with "--" is a misspelt option; --name=--value is not.
+            options.AddRange(result.Tokens.Select(token => Pair(result.Option.Name, token.Value.StartsWith("--") && raw.Contains(token.Value) ? null : token.Value)));
+            if (result.Tokens.Count < result.IdentifierTokenCount)
+                options.Add(Pair(result.Option.Name, null));
+        }
+
+        // What the tree has no option for arrives as argument; after "--" it is meant as one.
+        var words = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(result => result.Tokens).Select(token => token.Value)
+            .Concat(parsed.UnmatchedTokens).ToArray();
+        int literal = raw.Reverse().TakeWhile(word => word != "--").Count();
+        var free = words.SkipLast(literal < raw.Length ? literal : 0).ToArray();
+        options.AddRange(free.Where(Core.CommandLine.LooksLikeOption).Select(word => Pair(word.Split('=')[0], null)));
+        return Core.CommandLine.Create(command, [.. free.Where(word => !Core.CommandLine.LooksLikeOption(word)), .. words.Skip(free.Length)], options);
+    }
+
+    static KeyValuePair<string, string> Pair(string flag, string value) => KeyValuePair.Create(flag, value);
+
+    static Core.UsageException NoCommand(ParseResult parsed)
+    {
+        var names = Core.Commands.All.Select(command => command.Name).ToArray();
+        string list = string.Join(", ", names);
+        if (parsed.UnmatchedTokens.Count == 0)
+            return new Core.UsageException($"a command is missing: {list}");
+        string word = parsed.UnmatchedTokens[0];
+        string nearest = Core.Spelling.Nearest(word, names);
+        return new Core.UsageException($"\"{word}\": no such command: {(nearest == null ? "the commands are " + list : $"did you mean {nearest}?")}");
+    }
+
+    /// <summary>Writes the tables' help, with groups and examples, in place of the library's.</summary>
+    sealed class HelpWriter(CommandTree tree) : SynchronousCommandLineAction
+    {
+        public override bool ClearsParseErrors => true;
+
+        public override int Invoke(ParseResult parsed)
+        {
+            int width = tree._terminal.Width;
+            tree._terminal.Out.Write(tree._commands.TryGetValue(parsed.CommandResult.Command, out var command) ? Core.HelpText.Of(command, width) : Core.HelpText.Overview(width));
+            return 0;
+        }
+    }
+}

@@ -1,0 +1,51 @@
+using System;
+using System.IO;
+using Glint.Core;
+using Spectre.Console;
+
+namespace Glint.Cli;
+
+/// <summary>Progress for a terminal: a bar with the time left, redrawn below the lines of the result.</summary>
+sealed class ProgressBar : IProgressSink
+{
+    readonly ProgressContext _bars;
+    readonly Action<string> _print;
+    readonly Cancellation _cancellation;
+    ProgressTask _bar;
+    string _what;
+
+    ProgressBar(ProgressContext bars, Action<string> print, Cancellation cancellation)
+    {
+        _bars = bars;
+        _print = print;
+        _cancellation = cancellation;
+    }
+
+    public bool IsCancelled => _cancellation.IsRequested;
+
+    /// <summary>Does the work with a bar on the screen, which goes when it is done.</summary>
+    public static int During(Terminal terminal, Cancellation cancellation, Func<IProgressSink, int> work)
+    {
+        // On a shared screen a line must move the bar out of its way; a file wants the bare line.
+        Action<string> print = terminal.SharesScreen ? line => terminal.Live.WriteLine(line) : terminal.Out.WriteLine;
+        return terminal.Live.Progress().AutoClear(true)
+            .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new ElapsedTimeColumn(), new RemainingTimeColumn())
+            .Start(bars => work(new ProgressBar(bars, print, cancellation)));
+    }
+
+    public void Start(string what, int total)
+    {
+        _what = what;
+        _bar = _bars.AddTask(Markup.Escape(what), maxValue: total);
+    }
+
+    public void Advance(int done, string note)
+    {
+        _bar.Value = done;
+        _bar.Description = Markup.Escape(note == null ? _what : $"{_what}: {note}");
+    }
+
+    public void Finish() => _bar?.StopTask();
+
+    public void Print(string line) => _print(line);
+}

@@ -1,0 +1,56 @@
+using System;
+using Glint.Core;
+using Glint.Vulkan;
+
+namespace Glint.Cli;
+
+/// <summary>The command as a process: parses, runs, and turns every failure into one line and an exit code.</summary>
+sealed class Shell(Terminal terminal)
+{
+    const int Failure = 1, Cancelled = 130;
+    const string TraceVariable = "GLINT_TRACE";
+
+    public int Run(string[] arguments)
+    {
+        var tree = new CommandTree(terminal, Execute);
+        string help = "glint --help";
+        try
+        {
+            return tree.Invoke(arguments, command => help = $"glint {command.Name} --help");
+        }
+        catch (UsageException error)
+        {
+            return Fail($"{error.Message} (see {help})", error, error.ExitCode);
+        }
+        catch (GlintException error)
+        {
+            return Fail(error.Message, error, error.ExitCode);
+        }
+        catch (VulkanException error)
+        {
+            return Fail(error.Message, error, Failure);
+        }
+        catch (OperationCanceledException error)
+        {
+            return Fail("stopped", error, Cancelled);
+        }
+        catch (Exception error)
+        {
+            string trace = IsTracing ? "" : $" (set {TraceVariable}=1 to see where)";
+            return Fail($"internal error: {error.GetType().Name}: {error.Message}{trace}", error, Failure);
+        }
+    }
+
+    int Execute(CommandLine line) => line.Command == Commands.Info ? new InfoReport(terminal).Write(line) : Product.Execute(line, terminal);
+
+    int Fail(string message, Exception error, int exitCode)
+    {
+        // One line, whatever a library put into its message.
+        terminal.Error.WriteLine("glint: " + string.Join(" ", message.Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)));
+        if (IsTracing)
+            terminal.Error.WriteLine(error);
+        return exitCode;
+    }
+
+    static bool IsTracing => Environment.GetEnvironmentVariable(TraceVariable) == "1";
+}

@@ -1,0 +1,43 @@
+using System;
+using System.IO;
+using Spectre.Console;
+
+namespace Glint.Cli;
+
+/// <summary>Where the command writes: results to standard output, everything else to the error stream.</summary>
+sealed class Terminal
+{
+    const int StandardWidth = 100, WidestText = 120;
+
+    public TextWriter Out { get; init; } = Console.Out;
+
+    public TextWriter Error { get; init; } = Console.Error;
+
+    /// <summary>Columns for texts.</summary>
+    public int Width { get; init; } = WidthOfOutput();
+
+    /// <summary>The error stream as a terminal that can redraw a line; null when it is a file, a pipe or a plain terminal.</summary>
+    public IAnsiConsole Live { get; init; } = LiveError();
+
+    /// <summary>Whether results go to the same screen as messages.</summary>
+    public bool SharesScreen { get; init; } = !Console.IsOutputRedirected;
+
+    /// <summary>Writes a message, above the progress bar when there is one.</summary>
+    public void Tell(string message)
+    {
+        if (Live == null)
+            Error.WriteLine(message);
+        else
+            Live.WriteLine(message);
+    }
+
+    static int WidthOfOutput() => Console.IsOutputRedirected || Console.WindowWidth <= 0 ? StandardWidth : Math.Min(Console.WindowWidth, WidestText);
+
+    static IAnsiConsole LiveError()
+    {
+        if (Console.IsErrorRedirected)
+            return null;
+        var console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Error) });
+        return console.Profile.Capabilities is { Ansi: true, Interactive: true } ? console : null;
+    }
+}

@@ -1,0 +1,50 @@
+using System;
+using System.IO;
+using System.Text;
+using Glint.Core;
+
+namespace Glint.Host;
+
+/// <summary>Reads the text of a project file and refuses, by name, what is no text of Unity's.</summary>
+internal static class AssetText
+{
+    const int ProbeBytes = 4096;
+
+    internal static string Read(string physicalPath, string shownPath)
+    {
+        byte[] bytes = ReadBytes(physicalPath, shownPath);
+        if (bytes.AsSpan().StartsWith("version https://git-lfs"u8))
+            throw new GlintException($"{shownPath}: is a git-lfs pointer, not the file's content: run 'git lfs pull'");
+        return Encoding.UTF8.GetString(bytes.AsSpan().StartsWith(Encoding.UTF8.Preamble) ? bytes.AsSpan(3) : bytes);
+    }
+
+    /// <summary>The text of a scene, prefab or asset: one that begins as Unity's YAML does.</summary>
+    internal static string ReadYaml(string physicalPath, string shownPath)
+    {
+        string text = Read(physicalPath, shownPath);
+        if (text.Length == 0)
+            throw new GlintException($"{shownPath}: is empty: restore the file");
+        if (text.AsSpan(0, Math.Min(text.Length, ProbeBytes)).Contains('\0'))
+            throw new GlintException(
+                $"{shownPath}: is serialized as binary: set Asset Serialization to Force Text (Edit, Project Settings, Editor) and save it again");
+        if (!text.StartsWith("%YAML ", StringComparison.Ordinal))
+            throw new GlintException($"{shownPath}: is no Unity YAML file, it does not begin with '%YAML 1.1': restore the file");
+        return text;
+    }
+
+    static byte[] ReadBytes(string physicalPath, string shownPath)
+    {
+        try
+        {
+            return File.ReadAllBytes(physicalPath);
+        }
+        catch (Exception error) when (error is FileNotFoundException or DirectoryNotFoundException)
+        {
+            throw new GlintException($"{shownPath}: no such file", error);
+        }
+        catch (Exception error) when (error is IOException or UnauthorizedAccessException)
+        {
+            throw new GlintException($"{shownPath}: cannot be read: {error.Message}", error);
+        }
+    }
+}

@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using Glint.Core;
+
+namespace Glint.Host;
+
+/// <summary>
+/// Which file has which guid: every .meta under Assets and the packages, read once when the first guid is asked for.
+/// Folders and files that Unity does not import are left out.
+/// </summary>
+internal sealed class GuidIndex
+{
+    readonly ProjectPaths _paths;
+    readonly Lazy<Dictionary<string, List<string>>> _pathsByGuid;
+
+    internal GuidIndex(ProjectPaths paths)
+    {
+        _paths = paths;
+        _pathsByGuid = new Lazy<Dictionary<string, List<string>>>(Scan);
+    }
+
+    /// <summary>Asset path of the file with this guid; null when no .meta has it.</summary>
+    /// <exception cref="GlintException">Two files have it.</exception>
+    internal string PathOf(string guid)
+    {
+        if (!_pathsByGuid.Value.TryGetValue(guid, out List<string> found))
+            return null;
+        if (found.Count > 1)
+            throw new GlintException($"{found[0]} and {found[1]} have the same guid {guid}: delete the .meta of the copy, and Unity gives it a new one");
+        return found[0];
+    }
+
+    /// <summary>Guid of an asset; null when it has no .meta.</summary>
+    internal string GuidOf(string assetPath) => MetaFile.ReadGuid(_paths.ToPhysicalPath(assetPath) + MetaFile.Extension);
+
+    Dictionary<string, List<string>> Scan()
+    {
+        Dictionary<string, List<string>> result = new();
+        HashSet<string> linked = new();
+        Scan(_paths.ToPhysicalPath("Assets"), "Assets", result, linked);
+        foreach ((string name, string folder) in _paths.Packages)
+            Scan(folder, "Packages/" + name, result, linked);
+        return result;
+    }
+
+    static void Scan(string folder, string assetPath, Dictionary<string, List<string>> result, HashSet<string> linked)
+    {
+        DirectoryInfo directory = new(folder);
+        if (!directory.Exists)
+            return;
+        foreach (FileSystemInfo entry in directory.EnumerateFileSystemInfos())
+        {
+            if (IsIgnored(entry.Name))
+                continue;
+            if (entry is DirectoryInfo child)
+            {
+                // A link may lead back to a folder above it.
+                if (child.LinkTarget is null || linked.Add(child.ResolveLinkTarget(true).FullName))
+                    Scan(child.FullName, assetPath + "/" + child.Name, result, linked);
+            }
+            else if (entry.Name.EndsWith(MetaFile.Extension, StringComparison.Ordinal) && MetaFile.ReadGuid(entry.FullName) is string guid)
+            {
+                if (!result.TryGetValue(guid, out List<string> found))
+                    result.Add(guid, found = new List<string>(1));
+                found.Add(assetPath + "/" + entry.Name[..^MetaFile.Extension.Length]);
+            }
+        }
+    }
+
+    static bool IsIgnored(string name) =>
+        name[0] == '.' || name[^1] == '~' || name.Equals("cvs", StringComparison.OrdinalIgnoreCase)
+        || name.EndsWith(".tmp", StringComparison.OrdinalIgnoreCase);
+}

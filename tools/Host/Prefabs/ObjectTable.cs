@@ -1,0 +1,68 @@
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+
+namespace Glint.Host;
+
+/// <summary>The objects of one file by id, those of its prefab instances among them.</summary>
+internal sealed class ObjectTable
+{
+    readonly Dictionary<long, ObjectRecord> _byId = new();
+    readonly List<ObjectRecord> _records = new();
+    long _lastFreeId;
+
+    internal ObjectTable(string shownPath, string guid)
+    {
+        ShownPath = shownPath;
+        Guid = guid;
+    }
+
+    /// <summary>Path for messages, relative to the project.</summary>
+    internal string ShownPath { get; }
+
+    /// <summary>Null where the file has no .meta.</summary>
+    internal string Guid { get; }
+
+    /// <summary>In the order of the file, objects of prefab instances last.</summary>
+    internal IReadOnlyList<ObjectRecord> Records => _records;
+
+    internal ObjectRecord Find(long id) => _byId.GetValueOrDefault(id);
+
+    internal bool IsFree(long id) => id != 0 && !_byId.ContainsKey(id);
+
+    /// <summary>An id that no object has, for one that nothing refers to by its id.</summary>
+    internal long FreeId()
+    {
+        do
+            _lastFreeId--;
+        while (!IsFree(_lastFreeId));
+        return _lastFreeId;
+    }
+
+    internal void Add(ObjectRecord record)
+    {
+        if (!_byId.TryAdd(record.Id, record))
+            throw new GlintException($"{ShownPath}: a second object &{record.Id}: restore the file");
+        _records.Add(record);
+    }
+
+    /// <summary>A further id of an object, where no other has it.</summary>
+    internal void AddAlias(long id, ObjectRecord record) => _byId.TryAdd(id, record);
+
+    internal void Remove(IReadOnlySet<ObjectRecord> removed)
+    {
+        if (removed.Count == 0)
+            return;
+        _records.RemoveAll(removed.Contains);
+        foreach (long id in _byId.Where(entry => removed.Contains(entry.Value)).Select(entry => entry.Key).ToList())
+            _byId.Remove(id);
+    }
+
+    /// <summary>What a reference from outside names: an object by its id here, or by its id in a prefab nested in this one.</summary>
+    internal ObjectRecord Resolve(ObjectReference reference)
+    {
+        if (reference.IsLocal || reference.Guid == Guid)
+            return Find(reference.FileId);
+        return _records.FirstOrDefault(record => record.Origins.Contains(reference));
+    }
+}

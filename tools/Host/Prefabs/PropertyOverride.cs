@@ -1,0 +1,93 @@
+using System.Collections.Generic;
+using YamlDotNet.RepresentationModel;
+
+namespace Glint.Host;
+
+/// <summary>One line of a prefab instance's m_Modifications: a value, or a reference, put at a property path of an object.</summary>
+internal sealed class PropertyOverride
+{
+    // Far beyond what anybody overrides by hand; a damaged file must not fill the memory.
+    const int LargestArray = 1_000_000;
+
+    readonly FieldMap _source;
+    readonly string _value;
+    readonly ObjectReference _reference;
+    readonly IReadOnlyList<PropertyStep> _steps;
+
+    internal PropertyOverride(FieldMap source)
+    {
+        _source = source;
+        Target = source.Reference("target");
+        _value = source.Text("value");
+        _reference = source.Reference("objectReference");
+        string path = source.Text("propertyPath");
+        _steps = PropertyStep.Parse(path) ?? throw source.Wrong("propertyPath", "a path such as 'list.Array.data[0].x'", path);
+    }
+
+    /// <summary>The object, as the prefab names it.</summary>
+    internal ObjectReference Target { get; }
+
+    internal void ApplyTo(ObjectRecord record) => Apply(record.Fields.Node, 0);
+
+    // Returns what takes the node's place. Where the node is of a kind that the path does not fit it stays, as Unity drops such overrides.
+    YamlNode Apply(YamlNode node, int at)
+    {
+        if (at == _steps.Count)
+            return NewValue(node);
+        PropertyStep step = _steps[at];
+        if (step.IsName)
+            return ApplyToField(node, step.Name, at);
+        if (node is YamlScalarNode { Value.Length: > 0 } or YamlMappingNode)
+            return ApplyToPacked(node, step);
+        YamlSequenceNode list = node as YamlSequenceNode ?? new YamlSequenceNode();
+        if (step.IsSize)
+            Resize(list, Size());
+        else if (step.Index < list.Children.Count)
+            list.Children[step.Index] = Apply(list.Children[step.Index], at + 1);
+        return list;
+    }
+
+    YamlNode ApplyToField(YamlNode node, string name, int at)
+    {
+        YamlMappingNode map = node as YamlMappingNode;
+        if (map is null && !node.IsEmpty())
+            return node;
+        map ??= new YamlMappingNode();
+        map.Set(name, Apply(map.Child(name), at + 1));
+        return map;
+    }
+
+    // An array of int, byte or bool is one text; how wide an element is only its field knows.
+    YamlNode ApplyToPacked(YamlNode node, PropertyStep step)
+    {
+        YamlMappingNode packed = node as YamlMappingNode ?? PackedOverrides.Begin(((YamlScalarNode)node).Value);
+        if (!PackedOverrides.IsOne(packed))
+            return node;
+        if (step.IsSize)
+            PackedOverrides.AddSize(packed, Size());
+        else
+            PackedOverrides.AddElement(packed, step.Index, _value);
+        return packed;
+    }
+
+    YamlNode NewValue(YamlNode old)
+    {
+        bool isReference = !_reference.IsNone || (_value.Length == 0 && ObjectReference.TryRead(old, out _));
+        return isReference ? _reference.ToNode() : new YamlScalarNode(_value);
+    }
+
+    int Size()
+    {
+        int size = _source.Count("value");
+        return size <= LargestArray ? size : throw _source.Wrong("value", $"an array size of at most {LargestArray}", _value);
+    }
+
+    // Unity fills a grown array with copies of its last element.
+    static void Resize(YamlSequenceNode list, int size)
+    {
+        while (list.Children.Count > size)
+            list.Children.RemoveAt(list.Children.Count - 1);
+        while (list.Children.Count < size)
+            list.Children.Add(list.Children.Count == 0 ? new YamlScalarNode("") : list.Children[^1].Clone(id => id));
+    }
+}

@@ -1,0 +1,86 @@
+using System;
+using System.IO;
+using System.Linq;
+using Glint.Core;
+using YamlDotNet.Core;
+using YamlDotNet.RepresentationModel;
+
+namespace Glint.Host;
+
+/// <summary>
+/// One object of a Unity file, <c>--- !u!CLASS &amp;ID</c> and what follows. Its body is read when it is asked for, so that
+/// objects of no interest cost nothing.
+/// </summary>
+internal sealed class UnityDocument
+{
+    readonly string _file;
+    readonly string _text;
+    readonly Range _body;
+    readonly int _bodyLine;
+    string _typeName;
+    YamlMappingNode _fields;
+
+    internal UnityDocument(string file, int classId, long id, bool isStripped, string text, Range body, int bodyLine)
+    {
+        _file = file;
+        ClassId = classId;
+        Id = id;
+        IsStripped = isStripped;
+        _text = text;
+        _body = body;
+        _bodyLine = bodyLine;
+    }
+
+    internal int ClassId { get; }
+
+    internal long Id { get; }
+
+    /// <summary>A stand-in for an object of a prefab instance.</summary>
+    internal bool IsStripped { get; }
+
+    /// <summary>Name of the class, as the body begins.</summary>
+    internal string TypeName
+    {
+        get
+        {
+            Read();
+            return _typeName;
+        }
+    }
+
+    internal YamlMappingNode Fields
+    {
+        get
+        {
+            Read();
+            return _fields;
+        }
+    }
+
+    void Read()
+    {
+        if (_fields is not null)
+            return;
+        YamlStream stream = new();
+        try
+        {
+            stream.Load(new DepthGuard(new Parser(new StringReader(_text[_body]))));
+        }
+        catch (YamlException error)
+        {
+            throw Damaged(error.Start.Line, error.Message, error);
+        }
+
+        if (stream.Documents.Count != 1 || stream.Documents[0].RootNode is not YamlMappingNode { Children.Count: 1 } root
+            || root.Children.First() is not { Key: YamlScalarNode name, Value: YamlNode value })
+            throw Damaged(1, "not one object with a class name", null);
+        _typeName = name.Value;
+        _fields = value as YamlMappingNode ?? (value.IsEmpty() ? new YamlMappingNode() : throw Damaged(1, $"{name.Value} has no fields", null));
+    }
+
+    GlintException Damaged(long line, string what, Exception cause)
+    {
+        string oneLine = string.Join(' ', what.Split('\r', '\n'));
+        return new GlintException($"{_file}:{_bodyLine + line - 1}: damaged YAML in object &{Id}: {oneLine}: restore the file, or save it again in Unity", cause);
+    }
+}

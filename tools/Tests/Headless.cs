@@ -1,0 +1,31 @@
+using System.IO;
+using System.Runtime.CompilerServices;
+using Glint.Host;
+using NUnit.Framework;
+
+[assembly: UnityTestAction]
+
+/// <summary>
+/// Compiled into every test assembly, so that the tests need not know where they run: opens the project that this file belongs to,
+/// in play mode for an assembly named so, with an empty scene.
+/// </summary>
+[SetUpFixture]
+public sealed class Headless
+{
+    [OneTimeSetUp]
+    public void Open()
+    {
+        Project.Open(Path.GetFullPath(Path.Combine(ThisFolder(), "..", "..")));
+        if (typeof(Headless).Assembly.GetName().Name.EndsWith(".PlayMode"))
+            Engine.EnterPlayMode();
+    }
+
+    [OneTimeTearDown]
+    public void Close()
+    {
+        if (Engine.IsPlaying)
+            Engine.ExitPlayMode();
+    }
+
+    static string ThisFolder([CallerFilePath] string file = null) => Path.GetDirectoryName(file);
+}

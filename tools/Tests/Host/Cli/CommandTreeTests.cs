@@ -1,0 +1,122 @@
+using System.IO;
+using System.Linq;
+using FsCheck;
+using FsCheck.Fluent;
+using Glint.Cli;
+using Glint.Core;
+using NUnit.Framework;
+
+namespace Glint.Host.Tests;
+
+/// <summary>The System.CommandLine tree and the tables' own parser are one grammar: the two hosts take and refuse the same.</summary>
+public sealed class CommandTreeTests
+{
+    static readonly string[] Vocabulary =
+    [
+        "sweep.unity", "plate.obj", "part.STL", "x.fbx", "-", "--", "", "@file", "[suggest]", "/?x", "-5", "-10:10:5", "0:45:1", "0,1", "17", "4", "3x3", "mm", "z", "1,2,3",
+        "--target", "--angles", "--out", "--size", "--frequency", "--bounces", "--receiver", "--unit", "--up", "--distance", "--grazing", "--aim", "--device",
+        "--target=Ship", "--target=--Ship", "--target=", "--angles=0:2:1", "--bounces=2", "--bounces=x=y", "--fov=60", "--unknown", "--unknown=3", "-out", "-b"
+    ];
+
+    [TestCase("run")]
+    [TestCase("run x.fbx")]
+    [TestCase("run x.obj --bounces 17")]
+    [TestCase("run x.obj --bounces=17")]
+    [TestCase("run x.obj --bounces")]
+    [TestCase("run x.obj --out --bounces 3")]
+    [TestCase("run x.obj --out --bonces 3")]
+    [TestCase("run x.obj --bonces 3")]
+    [TestCase("run x.obj --freq=3")]
+    [TestCase("run x.obj -out 3")]
+    [TestCase("run x.obj --fov 3 --fov 3")]
+    [TestCase("run x.obj x.obj")]
+    [TestCase("run -- x.obj --fov")]
+    [TestCase("run x.unity --aim -1,2,3")]
+    [TestCase("run x.obj --target Ship")]
+    [TestCase("run x.obj @file")]
+    [TestCase("sweep x.unity --target Ship")]
+    [TestCase("sweep x.unity --angles 0:45:1")]
+    [TestCase("sweep x.unity --angles 0:45:1 --target Corner Reflector")]
+    [TestCase("sweep x.obj --angles 0:45:1 --target Ship")]
+    [TestCase("sweep x.obj --angles -1:-2:1")]
+    [TestCase("info x.obj")]
+    [TestCase("info --size 3x3")]
+    public void Tree_OfAWrongLine_RefusesItInTheWordsOfTheTable(string line)
+    {
+        var words = line.Split(' ');
+        var expected = Assert.Throws<UsageException>(() => CommandLine.Parse(Find(words[0]), words[1..]));
+
+        Assert.That(Assert.Throws<UsageException>(() => ParseByTree(words)).Message, Is.EqualTo(expected.Message));
+    }
+
+    [Test]
+    public void Tree_OfAnyWords_ReadsWhatTheTablesParserReads()
+    {
+        var lines = Gen.Elements(Vocabulary).ArrayOf().SelectMany(words => Gen.Elements("sweep", "run", "info").Select(name => words.Prepend(name).ToArray()));
+        Prop.ForAll(lines.ToArbitrary(), words => Describe(() => ParseByTree(words)) == Describe(() => CommandLine.Parse(Find(words[0]), words[1..])))
+            .Check(Config.QuickThrowOnFailure.WithMaxTest(3000));
+    }
+
+    [Test]
+    public void Parser_OfAnyText_RefusesOnlyByUsageException()
+    {
+        var options = Commands.All.SelectMany(command => command.Options).Distinct().ToArray();
+        Prop.ForAll(ArbMap.Default.ArbFor<string>().Filter(text => text != null), text => options.All(option => Refuses(option, text)))
+            .Check(Config.QuickThrowOnFailure.WithMaxTest(500));
+    }
+
+    [TestCase("sweep")]
+    [TestCase("run")]
+    [TestCase("info")]
+    public void Help_OfACommand_IsThatOfTheTable(string name)
+    {
+        var output = new StringWriter();
+        var tree = new CommandTree(Quiet(output), _ => throw new AssertionException("ran"));
+
+        Assert.That(tree.Invoke([name, "--nonsense", "--help"], _ => { }), Is.EqualTo(0));
+        Assert.That(output.ToString(), Is.EqualTo(HelpText.Of(Find(name), 100)));
+    }
+
+    static bool Refuses(Option option, string text)
+    {
+        try
+        {
+            option.ParseValue(text);
+        }
+        catch (UsageException error)
+        {
+            return error.Message.StartsWith(option.Flag + " ") && !error.Message.Contains('\n');
+        }
+        return true;
+    }
+
+    // Which of several mistakes is told first may differ.
+    static string Describe(System.Func<CommandLine> parse)
+    {
+        try
+        {
+            var line = parse();
+            var given = line.Command.Options.Where(line.IsGiven).Select(option => option.Flag);
+            return $"{line.Command.Name} {line.Input} {line.Get(Options.Target)} {line.Get(Options.Out)} {line.Get(Options.Bounces)} {string.Join(" ", given)}";
+        }
+        catch (UsageException)
+        {
+            return "refused";
+        }
+    }
+
+    static CommandLine ParseByTree(string[] words)
+    {
+        CommandLine parsed = null;
+        new CommandTree(Quiet(TextWriter.Null), line =>
+        {
+            parsed = line;
+            return 0;
+        }).Invoke(words, _ => { });
+        return parsed;
+    }
+
+    static Terminal Quiet(TextWriter output) => new() { Out = output, Error = TextWriter.Null, Live = null, Width = 100 };
+
+    static Command Find(string name) => Commands.All.Single(command => command.Name == name);
+}

@@ -1,0 +1,91 @@
+using System;
+using System.IO;
+using System.Linq;
+using Glint.Cli;
+using NUnit.Framework;
+using Spectre.Console;
+
+namespace Glint.Host.Tests;
+
+public sealed class ProgressTests
+{
+    [Test]
+    public void Lines_OfQuickSteps_ComeEveryFewSecondsAndAtTheEnd()
+    {
+        var (output, messages, clock) = (new StringWriter(), new StringWriter(), new StoppedClock());
+        using var cancellation = new Cancellation(Quiet(messages));
+        var progress = new ProgressLines(output, messages, cancellation, clock);
+
+        progress.Start("sweep", 100);
+        for (int done = 1; done <= 100; done++)
+        {
+            clock.Seconds += 0.25;
+            progress.Print($"row {done}");
+            progress.Advance(done, $"{done} deg");
+        }
+        progress.Finish();
+
+        Assert.That(Lines(messages), Is.EqualTo(new[]
+        {
+            "sweep: 20 of 100, about 20 s left (20 deg)",
+            "sweep: 40 of 100, about 15 s left (40 deg)",
+            "sweep: 60 of 100, about 10 s left (60 deg)",
+            "sweep: 80 of 100, about 5 s left (80 deg)",
+            "sweep: 100 of 100 in 25 s (100 deg)"
+        }));
+        Assert.That(Lines(output).Length, Is.EqualTo(100));
+    }
+
+    [Test]
+    public void Bar_OnATerminalOfItsOwn_LeavesResultsBare()
+    {
+        var (output, screen) = (new StringWriter(), new StringWriter());
+        var terminal = new Terminal { Out = output, Error = screen, Live = Ansi(screen), SharesScreen = false, Width = 100 };
+        using var cancellation = new Cancellation(terminal);
+
+        int code = ProgressBar.During(terminal, cancellation, progress =>
+        {
+            progress.Start("[sweep]", 2);
+            progress.Print("row 1");
+            progress.Advance(1, "0 deg");
+            progress.Print("row 2");
+            progress.Advance(2, null);
+            progress.Finish();
+            return 7;
+        });
+
+        Assert.That(code, Is.EqualTo(7));
+        Assert.That(Lines(output), Is.EqualTo(new[] { "row 1", "row 2" }));
+        Assert.That(screen.ToString(), Does.Contain("[sweep]").And.Contain("100%"));
+    }
+
+    [Test]
+    public void Bar_WhenTheWorkFails_PassesTheFailureOn()
+    {
+        var screen = new StringWriter();
+        var terminal = new Terminal { Out = TextWriter.Null, Error = screen, Live = Ansi(screen), SharesScreen = false, Width = 100 };
+        using var cancellation = new Cancellation(terminal);
+
+        Assert.Throws<InvalidDataException>(() => ProgressBar.During(terminal, cancellation, _ => throw new InvalidDataException()));
+    }
+
+    static IAnsiConsole Ansi(TextWriter screen)
+    {
+        var console = AnsiConsole.Create(new AnsiConsoleSettings { Ansi = AnsiSupport.Yes, Interactive = InteractionSupport.Yes, Out = new AnsiConsoleOutput(screen) });
+        console.Profile.Width = 100;
+        return console;
+    }
+
+    static Terminal Quiet(TextWriter messages) => new() { Out = TextWriter.Null, Error = messages, Live = null, Width = 100 };
+
+    static string[] Lines(StringWriter text) => text.ToString().Split(Environment.NewLine, StringSplitOptions.RemoveEmptyEntries).ToArray();
+
+    sealed class StoppedClock : TimeProvider
+    {
+        public double Seconds { get; set; }
+
+        public override long TimestampFrequency => 1000;
+
+        public override long GetTimestamp() => (long)Math.Round(Seconds * 1000);
+    }
+}

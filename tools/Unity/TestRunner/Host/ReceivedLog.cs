@@ -1,0 +1,23 @@
+using UnityEngine;
+
+namespace Glint.Host;
+
+/// <summary>A message that was logged during a test, and whether it met an expectation.</summary>
+internal sealed class ReceivedLog
+{
+    internal ReceivedLog(LogType type, string message)
+    {
+        Type = type;
+        Message = message;
+    }
+
+    internal LogType Type { get; }
+
+    internal string Message { get; }
+
+    internal bool IsExpected { get; set; }
+
+    internal bool Fails => Type is LogType.Error or LogType.Assert or LogType.Exception;
+
+    public override string ToString() => $"[{Type}] {Message}";
+}

@@ -1,0 +1,27 @@
+using System;
+using NUnit.Framework.Internal;
+
+namespace Glint.Host;
+
+/// <summary>How long a routine may take.</summary>
+internal static class TimeLimit
+{
+    internal static readonly TimeSpan Default = TimeSpan.FromSeconds(180);
+
+    /// <summary>
+    /// The limit that [Timeout] sets on the test, its fixture or its assembly. NUnit keeps such a limit by leaving the test behind on
+    /// another thread, where it would go on stepping frames into the next test; so it is taken away here, and kept between the frames.
+    /// </summary>
+    internal static TimeSpan TakeFrom(Test test)
+    {
+        var context = TestExecutionContext.CurrentContext;
+        var milliseconds = context.TestCaseTimeout;
+        context.TestCaseTimeout = 0;
+        if (test.Properties.ContainsKey(PropertyNames.Timeout))
+        {
+            milliseconds = (int)test.Properties.Get(PropertyNames.Timeout);
+            test.Properties.Set(PropertyNames.Timeout, 0);
+        }
+        return milliseconds > 0 ? TimeSpan.FromMilliseconds(milliseconds) : Default;
+    }
+}

@@ -1,0 +1,94 @@
+using System;
+using System.Collections;
+using UnityEngine;
+
+namespace Glint.Host;
+
+/// <summary>The engine as the host drives it: which project, play mode or not, and one frame at a time.</summary>
+public static class Engine
+{
+    /// <summary>The open project; null while none is.</summary>
+    public static IAssetSource Assets { get; set; }
+
+    /// <summary>Which Vulkan device to open: null for the best one, else its index or a part of its name.</summary>
+    public static string DeviceSelector { get; set; }
+
+    public static bool IsPlaying { get; private set; }
+
+    /// <summary>The code given to Application.Quit in play mode; null as long as nobody called it.</summary>
+    public static int? QuitCode { get; internal set; }
+
+    /// <summary>Raised first thing in every frame.</summary>
+    internal static event Action FrameBegins;
+
+    internal static event Action<PlayModeStep> PlayModeChanged;
+
+    /// <summary>Reloads the open scenes as play mode does and wakes them.</summary>
+    public static void EnterPlayMode()
+    {
+        if (IsPlaying)
+            return;
+        PlayModeChanged?.Invoke(PlayModeStep.ExitingEditMode);
+        IsPlaying = true;
+        QuitCode = null;
+        Clock.Restart();
+        RuntimeInitializers.Run(RuntimeInitializeLoadType.SubsystemRegistration);
+        RuntimeInitializers.Run(RuntimeInitializeLoadType.AfterAssembliesLoaded);
+        RuntimeInitializers.Run(RuntimeInitializeLoadType.BeforeSplashScreen);
+        RuntimeInitializers.Run(RuntimeInitializeLoadType.BeforeSceneLoad);
+        SceneRegistry.Reload();
+        RuntimeInitializers.Run(RuntimeInitializeLoadType.AfterSceneLoad);
+        PlayModeChanged?.Invoke(PlayModeStep.EnteredPlayMode);
+    }
+
+    /// <summary>Sends OnApplicationQuit, takes everything down and restores the scenes of edit mode.</summary>
+    public static void ExitPlayMode()
+    {
+        if (!IsPlaying)
+            return;
+        PlayModeChanged?.Invoke(PlayModeStep.ExitingPlayMode);
+        PlayerLoop.Send("OnApplicationQuit");
+        Application.RaiseQuitting();
+        SceneRegistry.DestroyAll();
+        Coroutines.Clear();
+        Destruction.Clear();
+        SceneLoads.Clear();
+        IsPlaying = false;
+        SceneRegistry.RestoreEditMode();
+        PlayModeChanged?.Invoke(PlayModeStep.EnteredEditMode);
+    }
+
+    /// <summary>Runs one frame, in Unity's order.</summary>
+    public static void Step()
+    {
+        Clock.Advance();
+        FrameBegins?.Invoke();
+        SceneLoads.Complete();
+        Destruction.Flush();
+        PlayerLoop.StartPending();
+        while (Clock.NextFixedStep())
+        {
+            PlayerLoop.Send("FixedUpdate");
+            Coroutines.Resume(ResumePoint.FixedUpdate);
+        }
+        PlayerLoop.Send("Update");
+        Coroutines.Resume(ResumePoint.Update);
+        PlayerLoop.Send("LateUpdate");
+        Destruction.Flush();
+        Coroutines.Resume(ResumePoint.EndOfFrame);
+    }
+
+    /// <summary>Leaves play mode, drops all scenes, and begins with one untitled scene. The open project stays.</summary>
+    public static void Reset()
+    {
+        ExitPlayMode();
+        SceneRegistry.Clear();
+        QuitCode = null;
+    }
+
+    /// <summary>
+    /// Runs a routine beside those of the behaviours, such as a play-mode test: it goes on after Update like any
+    /// other. Call Step until it is done; its exception is kept instead of logged.
+    /// </summary>
+    internal static Coroutine StartCoroutine(IEnumerator routine) => Coroutines.Start(null, routine, null);
+}

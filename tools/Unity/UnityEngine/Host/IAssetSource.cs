@@ -1,0 +1,26 @@
+using System;
+using UnityEngine.SceneManagement;
+using Object = UnityEngine.Object;
+
+namespace Glint.Host;
+
+/// <summary>The project on disk, as the stand-ins need it. Paths are asset paths: Assets/... or Packages/name/...</summary>
+public interface IAssetSource
+{
+    string ProjectRoot { get; }
+
+    bool Exists(string assetPath);
+
+    /// <summary>Fills the scene with the file's objects and awakens them.</summary>
+    void LoadScene(string assetPath, Scene scene);
+
+    /// <summary>The asset's main object of that type; null when there is none.</summary>
+    Object LoadAsset(string assetPath, Type type);
+
+    string GuidToPath(string guid);
+
+    string PathToGuid(string assetPath);
+
+    /// <summary>Where the file lies: an embedded or local package's folder need not be under Packages.</summary>
+    string ToPhysicalPath(string assetPath);
+}

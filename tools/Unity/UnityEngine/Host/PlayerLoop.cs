@@ -1,0 +1,43 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Glint.Host;
+
+/// <summary>The enabled behaviours in execution order, those of the same order as they were enabled.</summary>
+internal static class PlayerLoop
+{
+    static readonly List<MonoBehaviour> _running = new();
+
+    internal static void Add(MonoBehaviour behaviour)
+    {
+        int order = Messages.Of(behaviour.GetType()).Order;
+        int index = _running.Count;
+        while (index > 0 && Messages.Of(_running[index - 1].GetType()).Order > order)
+            index--;
+        _running.Insert(index, behaviour);
+    }
+
+    internal static void Remove(MonoBehaviour behaviour) => _running.Remove(behaviour);
+
+    internal static void StartPending()
+    {
+        foreach (MonoBehaviour behaviour in _running.ToArray())
+            behaviour.StartOnce();
+    }
+
+    /// <summary>
+    /// Sends a message of the frame. A behaviour enabled meanwhile waits for the next phase; one that has not been
+    /// started yet is started first.
+    /// </summary>
+    internal static void Send(string message)
+    {
+        foreach (MonoBehaviour behaviour in _running.ToArray())
+        {
+            if (!behaviour.IsRunning || !Messages.Of(behaviour.GetType()).Has(message))
+                continue;
+            behaviour.StartOnce();
+            if (behaviour.IsRunning)
+                Messages.Call(behaviour, message);
+        }
+    }
+}

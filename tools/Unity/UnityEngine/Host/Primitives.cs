@@ -1,0 +1,15 @@
+using UnityEngine;
+
+namespace Glint.Host;
+
+/// <summary>CreatePrimitive, without colliders: there is no physics here.</summary>
+internal static class Primitives
+{
+    internal static GameObject Create(PrimitiveType type)
+    {
+        var item = new GameObject(type.ToString());
+        item.AddComponent<MeshFilter>().sharedMesh = BuiltinMeshes.Get(type);
+        item.AddComponent<MeshRenderer>();
+        return item;
+    }
+}

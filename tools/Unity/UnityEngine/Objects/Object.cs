@@ -1,0 +1,108 @@
+using System;
+using Glint.Host;
+
+namespace UnityEngine;
+
+/// <summary>Base of everything with an instance id: it outlives nothing, a destroyed one equals null.</summary>
+public partial class Object
+{
+    readonly int _instanceId;
+    string _name = "";
+    HideFlags _hideFlags;
+
+    public Object() => _instanceId = ObjectRegistry.Add(this);
+
+    public string name
+    {
+        get
+        {
+            EnsureAlive();
+            return Name;
+        }
+        set
+        {
+            EnsureAlive();
+            Name = value ?? "";
+        }
+    }
+
+    public HideFlags hideFlags
+    {
+        get
+        {
+            EnsureAlive();
+            return _hideFlags;
+        }
+        set
+        {
+            EnsureAlive();
+            _hideFlags = value;
+        }
+    }
+
+    internal bool IsDestroyed { get; private set; }
+
+    /// <summary>Asset path of an object that a project file holds; null for those made at run time.</summary>
+    internal string AssetPath { get; set; }
+
+    internal virtual string Name
+    {
+        get => _name;
+        set => _name = value;
+    }
+
+    internal HideFlags Flags => _hideFlags;
+
+    public static implicit operator bool(Object exists) => !IsNull(exists);
+
+    public static bool operator ==(Object x, Object y) => Same(x, y);
+
+    public static bool operator !=(Object x, Object y) => !Same(x, y);
+
+    public int GetInstanceID() => _instanceId;
+
+    public override int GetHashCode() => _instanceId;
+
+    public override bool Equals(object other) => other is null or Object && Same(this, other as Object);
+
+    public override string ToString() => IsDestroyed ? "null" : $"{Name} ({GetType()})";
+
+    internal static bool IsNull(Object item) => item is null || item.IsDestroyed;
+
+    /// <summary>Every member that Unity implements natively calls this first.</summary>
+    internal void EnsureAlive()
+    {
+        if (IsDestroyed)
+            throw new MissingReferenceException(
+                $"The object of type '{GetType().FullName}' has been destroyed but you are still trying to access it.\n"
+                + "Your script should either check if it is null or you should not destroy the object.");
+    }
+
+    /// <summary>Copies what Unity would serialize of a built-in type; a clone starts from the defaults.</summary>
+    internal virtual void CopyFrom(Object source, CloneMap map)
+    {
+        _name = source._name;
+        _hideFlags = source._hideFlags;
+    }
+
+    /// <summary>Releases what the object holds outside managed memory.</summary>
+    internal virtual void OnDestroyed()
+    {
+    }
+
+    internal void MarkDestroyed()
+    {
+        if (IsDestroyed)
+            return;
+        OnDestroyed();
+        IsDestroyed = true;
+        ObjectRegistry.Remove(this);
+    }
+
+    static bool Same(Object x, Object y)
+    {
+        if (IsNull(x))
+            return IsNull(y);
+        return ReferenceEquals(x, y);
+    }
+}

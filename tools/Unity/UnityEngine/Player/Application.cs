@@ -1,0 +1,80 @@
+using System;
+using System.IO;
+using System.Linq;
+using Glint.Host;
+
+namespace UnityEngine;
+
+/// <summary>The host presents itself as the editor in batch mode: it compiles the product with the editor's symbols.</summary>
+public class Application
+{
+    public delegate void LogCallback(string condition, string stackTrace, LogType type);
+
+    public static event LogCallback logMessageReceived;
+
+    public static event LogCallback logMessageReceivedThreaded;
+
+    public static event Func<bool> wantsToQuit;
+
+    public static event Action quitting;
+
+    public static bool isPlaying => Engine.IsPlaying;
+
+    public static bool isEditor => true;
+
+    public static bool isBatchMode => true;
+
+    public static bool isFocused => true;
+
+    public static bool runInBackground { get; set; } = true;
+
+    public static int targetFrameRate { get; set; } = -1;
+
+    public static string unityVersion => ProjectVersion.Unity;
+
+    public static string productName => ProjectVersion.Product;
+
+    public static string companyName => ProjectVersion.Company;
+
+    public static string version => ProjectVersion.Version;
+
+    public static string dataPath => Path.Combine(ProjectVersion.Root, "Assets");
+
+    public static string streamingAssetsPath => Path.Combine(dataPath, "StreamingAssets");
+
+    public static string persistentDataPath => Folder(
+        Environment.GetFolderPath(Environment.SpecialFolder.ApplicationData, Environment.SpecialFolderOption.Create));
+
+    public static string temporaryCachePath => Folder(Path.GetTempPath());
+
+    public static RuntimePlatform platform =>
+        OperatingSystem.IsWindows() ? RuntimePlatform.WindowsEditor
+        : OperatingSystem.IsMacOS() ? RuntimePlatform.OSXEditor
+        : RuntimePlatform.LinuxEditor;
+
+    public static void Quit() => Quit(0);
+
+    /// <summary>Takes effect in play mode only, and leaves it to the host to end the loop.</summary>
+    public static void Quit(int exitCode)
+    {
+        if (!isPlaying)
+            return;
+        bool willing = wantsToQuit is null
+            || wantsToQuit.GetInvocationList().Cast<Func<bool>>().All(question => question());
+        if (willing)
+            Engine.QuitCode = exitCode;
+    }
+
+    public static bool IsPlaying(Object obj) =>
+        isPlaying && !Object.IsNull(obj) && (obj as GameObject ?? (obj as Component)?.Owner) is not { SceneData: null };
+
+    internal static void RaiseQuitting() => quitting?.Invoke();
+
+    internal static void RaiseLog(string message, string stackTrace, LogType type)
+    {
+        logMessageReceived?.Invoke(message, stackTrace, type);
+        logMessageReceivedThreaded?.Invoke(message, stackTrace, type);
+    }
+
+    static string Folder(string parent) => Path.Combine(parent, companyName, productName);
+}

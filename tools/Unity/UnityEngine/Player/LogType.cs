@@ -1,0 +1,16 @@
+namespace UnityEngine;
+
+public enum LogType
+{
+    Error,
+    Assert,
+    Warning,
+    Log,
+    Exception,
+}
+
+public enum LogOption
+{
+    None,
+    NoStacktrace,
+}

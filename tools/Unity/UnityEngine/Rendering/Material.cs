@@ -1,0 +1,44 @@
+using Glint.Host;
+
+namespace UnityEngine;
+
+/// <summary>A name and a shader: nothing is shaded here.</summary>
+public class Material : Object
+{
+    Shader _shader;
+
+    public Material(Shader shader)
+    {
+        _shader = shader;
+        Name = shader == null ? "" : shader.name;
+    }
+
+    public Material(Material source) => CopyFrom(source, null);
+
+    internal Material()
+    {
+    }
+
+    public Shader shader
+    {
+        get
+        {
+            EnsureAlive();
+            return _shader;
+        }
+        set
+        {
+            EnsureAlive();
+            _shader = value;
+        }
+    }
+
+    /// <summary>The renderer whose material property made this copy.</summary>
+    internal Renderer InstanceOf { get; init; }
+
+    internal override void CopyFrom(Object source, CloneMap map)
+    {
+        base.CopyFrom(source, map);
+        _shader = ((Material)source)._shader;
+    }
+}

@@ -1,0 +1,138 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+namespace Glint.Vulkan;
+
+/// <summary>A kernel, compiled for one device, and what it wants to be given.</summary>
+public sealed unsafe class ComputeProgram : IDisposable
+{
+    readonly VulkanDevice _device;
+    readonly Reflection _reflection;
+    ulong _module, _setLayout, _layout, _pipeline;
+
+    internal ComputeProgram(VulkanDevice device, ReadOnlySpan<byte> spirv)
+    {
+        _device = device;
+        _reflection = new Reflection(spirv);
+        Buffers = Slots.Select(slot => slot.Name).ToArray();
+        CheckLimits(device.Limits);
+        try
+        {
+            CreateModule(spirv);
+            CreateLayout();
+            CreatePipeline();
+        }
+        catch
+        {
+            Destroy();
+            throw;
+        }
+    }
+
+    /// <summary>The kernel's name.</summary>
+    public string Name => _reflection.EntryPoint;
+
+    /// <summary>Names of the buffers it uses, as in the HLSL source. What is declared and not used is left out.</summary>
+    public IReadOnlyList<string> Buffers { get; }
+
+    /// <summary>The buffers with their element types and strides, in the order of <see cref="Buffers"/>.</summary>
+    public IReadOnlyList<BufferSlot> Slots => _reflection.Buffers;
+
+    /// <summary>Bytes of uniforms that a dispatch needs.</summary>
+    public int UniformBytes => _reflection.UniformBytes;
+
+    /// <summary>Globals and members of constant buffers by name.</summary>
+    public IReadOnlyDictionary<string, UniformField> Uniforms => _reflection.Uniforms;
+
+    /// <summary>Threads of a group: the kernel's numthreads.</summary>
+    public (uint X, uint Y, uint Z) GroupSize => _reflection.GroupSize;
+
+    internal VulkanDevice Device => _device;
+    internal IReadOnlyList<UniformBlock> Blocks => _reflection.Blocks;
+    internal ulong SetLayout => _setLayout;
+    internal ulong Layout => _layout;
+    internal ulong Pipeline => _pipeline != 0 ? _pipeline : throw new ObjectDisposedException(nameof(ComputeProgram), $"kernel {Name} was disposed");
+
+    /// <summary>Batch of the last recorded dispatch of this kernel.</summary>
+    internal long LastBatch { get; set; }
+
+    public void Dispose()
+    {
+        if (_pipeline == 0)
+            return;
+        try
+        {
+            if (LastBatch == _device.Recorder.Batch)
+                _device.Recorder.Flush();
+        }
+        finally
+        {
+            _device.Forget(this);
+            Destroy();
+        }
+    }
+
+    internal void Destroy()
+    {
+        Native.vkDestroyPipeline(_device.Handle, _pipeline, null);
+        Native.vkDestroyPipelineLayout(_device.Handle, _layout, null);
+        Native.vkDestroyDescriptorSetLayout(_device.Handle, _setLayout, null);
+        Native.vkDestroyShaderModule(_device.Handle, _module, null);
+        _pipeline = _layout = _setLayout = _module = 0;
+    }
+
+    void CheckLimits(DeviceLimits limits)
+    {
+        if (Slots.Count > limits.MaxStorageBuffersPerStage)
+            throw new VulkanException($"kernel {Name} uses {Slots.Count} buffers, {_device.Info.Name} takes {limits.MaxStorageBuffersPerStage}");
+        if (Blocks.FirstOrDefault(block => block.Bytes > limits.MaxUniformBufferRange) is { Bytes: > 0 } large)
+            throw new VulkanException($"kernel {Name} has {large.Bytes:N0} bytes of uniforms in one block, {_device.Info.Name} takes {limits.MaxUniformBufferRange:N0}");
+        var (x, y, z) = GroupSize;
+        if (x > limits.MaxGroupSizeX || y > limits.MaxGroupSizeY || z > limits.MaxGroupSizeZ || (ulong)x * y * z > limits.MaxGroupInvocations)
+            throw new VulkanException($"kernel {Name} has groups of {x} x {y} x {z} threads, {_device.Info.Name} takes {limits.MaxGroupInvocations} in all");
+    }
+
+    void CreateModule(ReadOnlySpan<byte> spirv)
+    {
+        fixed (byte* code = spirv)
+        {
+            var info = new ShaderModuleCreateInfo { SType = StructureType.ShaderModuleCreateInfo, CodeBytes = (nuint)spirv.Length, Code = (uint*)code };
+            VulkanException.Check(Native.vkCreateShaderModule(_device.Handle, &info, null, out _module), $"load kernel {Name}");
+        }
+    }
+
+    void CreateLayout()
+    {
+        var bindings = Slots.Select(slot => (slot.Binding, Type: Native.StorageBuffer))
+            .Concat(Blocks.Select(block => (block.Binding, Type: Native.UniformBuffer)))
+            .Select(binding => new DescriptorSetLayoutBinding { Binding = binding.Binding, Type = binding.Type, Count = 1, Stages = Native.ComputeShader })
+            .ToArray();
+        fixed (DescriptorSetLayoutBinding* data = bindings)
+        {
+            var info = new DescriptorSetLayoutCreateInfo { SType = StructureType.DescriptorSetLayoutCreateInfo, BindingCount = (uint)bindings.Length, Bindings = data };
+            VulkanException.Check(Native.vkCreateDescriptorSetLayout(_device.Handle, &info, null, out _setLayout), $"lay out the buffers of kernel {Name}");
+        }
+        ulong set = _setLayout;
+        var layout = new PipelineLayoutCreateInfo { SType = StructureType.PipelineLayoutCreateInfo, SetLayoutCount = 1, SetLayouts = &set };
+        VulkanException.Check(Native.vkCreatePipelineLayout(_device.Handle, &layout, null, out _layout), $"lay out the buffers of kernel {Name}");
+    }
+
+    void CreatePipeline()
+    {
+        fixed (byte* name = Encoding.UTF8.GetBytes(Name + '\0'))
+        {
+            var info = new ComputePipelineCreateInfo
+            {
+                SType = StructureType.ComputePipelineCreateInfo,
+                Stage = new PipelineShaderStageCreateInfo
+                {
+                    SType = StructureType.PipelineShaderStageCreateInfo, Stage = Native.ComputeShader, Module = _module, Name = name,
+                },
+                Layout = _layout,
+            };
+            VulkanException.Check(Native.vkCreateComputePipelines(_device.Handle, 0, 1, &info, null, out _pipeline), $"compile kernel {Name} on {_device.Info.Name}");
+        }
+    }
+}

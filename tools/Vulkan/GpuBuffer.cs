@@ -1,0 +1,96 @@
+using System;
+using System.Runtime.InteropServices;
+
+namespace Glint.Vulkan;
+
+/// <summary>Bytes on the device that kernels read and write; zero when new.</summary>
+public sealed unsafe class GpuBuffer : IDisposable
+{
+    Allocation _allocation;
+
+    internal GpuBuffer(VulkanDevice device, long bytes, bool map)
+    {
+        Device = device;
+        Bytes = bytes;
+        _allocation = Allocation.ForKernels(device, bytes, map);
+        if (_allocation.Mapped != null)
+        {
+            NativeMemory.Clear(_allocation.Mapped, (nuint)bytes);
+        }
+        else
+        {
+            device.Recorder.Fill(Handle);
+            LastBatch = device.Recorder.Batch;
+        }
+    }
+
+    public long Bytes { get; }
+
+    internal VulkanDevice Device { get; }
+    internal ulong Handle => Live.Buffer;
+    internal bool IsDisposed => _allocation == null;
+
+    /// <summary>Batch of the last recorded command that uses this buffer.</summary>
+    internal long LastBatch { get; set; }
+
+    Allocation Live => _allocation ?? throw new ObjectDisposedException(nameof(GpuBuffer), $"this buffer of {Bytes:N0} bytes was disposed");
+
+    /// <summary>Puts bytes in, after what was dispatched before and ahead of what will be dispatched.</summary>
+    public void Write(ReadOnlySpan<byte> data, long offset = 0)
+    {
+        CheckRange(data.Length, offset);
+        if (Live.Mapped == null)
+        {
+            Device.Recorder.Upload(data, this, offset);
+            return;
+        }
+        Settle();
+        data.CopyTo(new Span<byte>(_allocation.Mapped + offset, data.Length));
+    }
+
+    /// <summary>Takes bytes out, after waiting for what was dispatched before.</summary>
+    public void Read(Span<byte> data, long offset = 0)
+    {
+        CheckRange(data.Length, offset);
+        if (Live.Mapped == null)
+        {
+            Device.Recorder.Download(this, offset, data);
+            return;
+        }
+        Settle();
+        new ReadOnlySpan<byte>(_allocation.Mapped + offset, data.Length).CopyTo(data);
+    }
+
+    public void Dispose()
+    {
+        if (_allocation == null)
+            return;
+        try
+        {
+            Settle();
+        }
+        finally
+        {
+            Device.Forget(this);
+            Destroy();
+        }
+    }
+
+    internal void Destroy()
+    {
+        _allocation?.Dispose();
+        _allocation = null;
+    }
+
+    void Settle()
+    {
+        if (LastBatch == Device.Recorder.Batch)
+            Device.Recorder.Flush();
+    }
+
+    void CheckRange(int bytes, long offset)
+    {
+        if (offset < 0 || bytes > Bytes - offset)
+            throw new ArgumentOutOfRangeException(nameof(offset), $"bytes {offset:N0} to {offset + bytes:N0} lie outside this buffer of {Bytes:N0} bytes");
+    }
+}

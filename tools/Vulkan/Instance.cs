@@ -1,0 +1,71 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Glint.Vulkan;
+
+/// <summary>The connection to the Vulkan loader, and the devices that it knows.</summary>
+sealed unsafe class Instance : IDisposable
+{
+    const string NoDriver = "no Vulkan driver; install Mesa's, which also has a software device: apt-get install mesa-vulkan-drivers";
+    const uint Vulkan11 = 1u << 22 | 1u << 12, Vulkan12 = 1u << 22 | 2u << 12;
+    const int IncompatibleDriver = -9;
+
+    nint _handle;
+
+    internal IReadOnlyList<PhysicalDevice> Devices { get; private set; } = [];
+
+    internal Instance()
+    {
+        var application = new ApplicationInfo { SType = StructureType.ApplicationInfo, ApiVersion = Vulkan12 };
+        var info = new InstanceCreateInfo { SType = StructureType.InstanceCreateInfo, Application = &application };
+        int result;
+        try
+        {
+            result = Native.vkCreateInstance(&info, null, out _handle);
+        }
+        catch (DllNotFoundException exception)
+        {
+            throw new VulkanException(
+                "the Vulkan loader libvulkan.so.1 is missing; install it and a driver: apt-get install libvulkan1 mesa-vulkan-drivers", exception);
+        }
+
+        if (result == IncompatibleDriver)
+            return; // a loader without any driver: a machine without devices
+        VulkanException.Check(result, "start Vulkan");
+
+        uint count = 0;
+        VulkanException.Check(Native.vkEnumeratePhysicalDevices(_handle, ref count, null), "list the Vulkan devices");
+        var handles = new nint[count];
+        fixed (nint* data = handles)
+            VulkanException.Check(Native.vkEnumeratePhysicalDevices(_handle, ref count, data), "list the Vulkan devices");
+        Devices = handles.Take((int)count)
+            .Select(handle => new PhysicalDevice(handle))
+            .Where(device => device.ApiVersion >= Vulkan11 && device.QueueFamily >= 0)
+            .Select((device, index) => device.At(index))
+            .ToList();
+    }
+
+    /// <summary>The best device when <paramref name="selector"/> is null or empty, else the one with that index or that part of a name.</summary>
+    internal PhysicalDevice Select(string selector)
+    {
+        if (Devices.Count == 0)
+            throw new VulkanException(NoDriver);
+        var ranked = Devices.OrderBy(device => device.Rank);
+        if (string.IsNullOrEmpty(selector))
+            return ranked.First();
+
+        if (int.TryParse(selector, out int index) && index >= 0 && index < Devices.Count)
+            return Devices[index];
+        return ranked.FirstOrDefault(device => device.Info.Name.Contains(selector, StringComparison.OrdinalIgnoreCase))
+            ?? throw new VulkanException($"no Vulkan device \"{selector}\"; choose an index or a part of a name of: "
+                + string.Join(", ", Devices.Select(device => $"{device.Info.Index} {device.Info.Name} ({device.Info.Type})")));
+    }
+
+    public void Dispose()
+    {
+        if (_handle != 0)
+            Native.vkDestroyInstance(_handle, null);
+        _handle = 0;
+    }
+}

@@ -1,0 +1,155 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Glint.Vulkan;
+
+/// <summary>An opened device: it makes buffers and programs and runs dispatches one after the other. For one thread at a time.</summary>
+public sealed unsafe class VulkanDevice : IDisposable
+{
+    readonly Instance _instance;
+    readonly HashSet<GpuBuffer> _buffers = [];
+    readonly HashSet<ComputeProgram> _programs = [];
+    readonly bool _mapBuffers;
+    CommandRecorder _recorder;
+    nint _handle;
+    bool _abandoned;
+
+    VulkanDevice(Instance instance, PhysicalDevice physical, bool mapBuffers)
+    {
+        _instance = instance;
+        _mapBuffers = mapBuffers;
+        Physical = physical;
+        string open = $"open {Info.Name}";
+        float priority = 1;
+        var queueInfo = new DeviceQueueCreateInfo
+        {
+            SType = StructureType.DeviceQueueCreateInfo, QueueFamily = (uint)physical.QueueFamily, QueueCount = 1, Priorities = &priority,
+        };
+        Native.vkGetPhysicalDeviceFeatures(physical.Handle, out var offered);
+        var features = new PhysicalDeviceFeatures { RobustBufferAccess = offered.RobustBufferAccess };
+        var info = new DeviceCreateInfo { SType = StructureType.DeviceCreateInfo, QueueInfoCount = 1, QueueInfos = &queueInfo, Features = &features };
+        VulkanException.Check(Native.vkCreateDevice(physical.Handle, &info, null, out _handle), open);
+        Native.vkGetDeviceQueue(_handle, (uint)physical.QueueFamily, 0, out nint queue);
+        _recorder = new CommandRecorder(this, queue, (uint)physical.QueueFamily);
+    }
+
+    public DeviceInfo Info => Physical.Info;
+
+    public DeviceLimits Limits => Physical.Limits;
+
+    internal PhysicalDevice Physical { get; }
+    internal nint Handle => _handle;
+    internal CommandRecorder Recorder => _recorder ?? throw new ObjectDisposedException(nameof(VulkanDevice), $"{Info.Name} was closed");
+
+    /// <summary>The Vulkan devices of this machine, in the loader's order; none when there is a loader but no driver.</summary>
+    public static IReadOnlyList<DeviceInfo> List()
+    {
+        using var instance = new Instance();
+        return instance.Devices.Select(device => device.Info).ToArray();
+    }
+
+    /// <summary>
+    /// Opens a device: by index or part of its name in any case, or when <paramref name="selector"/> is null the first discrete GPU,
+    /// else integrated, virtual, CPU.
+    /// </summary>
+    public static VulkanDevice Open(string selector = null) => Open(selector, true);
+
+    /// <summary>With <paramref name="mapBuffers"/> false even a device that shares the host's memory is filled through staging buffers.</summary>
+    internal static VulkanDevice Open(string selector, bool mapBuffers)
+    {
+        var instance = new Instance();
+        try
+        {
+            return new VulkanDevice(instance, instance.Select(selector), mapBuffers);
+        }
+        catch
+        {
+            instance.Dispose();
+            throw;
+        }
+    }
+
+    /// <summary>A buffer of zeros.</summary>
+    public GpuBuffer CreateBuffer(long bytes)
+    {
+        if (bytes <= 0)
+            throw new ArgumentOutOfRangeException(nameof(bytes), $"a buffer of {bytes:N0} bytes; it needs at least one");
+        _ = Recorder;
+        if (bytes > Limits.MaxStorageBufferRange)
+            throw new VulkanException($"a buffer of {bytes:N0} bytes is too large for {Info.Name}, which takes {Limits.MaxStorageBufferRange:N0}; use fewer rays or a smaller scene, or choose another device with --device");
+        var buffer = new GpuBuffer(this, bytes, _mapBuffers);
+        _buffers.Add(buffer);
+        return buffer;
+    }
+
+    public ComputeProgram CreateProgram(ReadOnlySpan<byte> spirv)
+    {
+        _ = Recorder;
+        var program = new ComputeProgram(this, spirv);
+        _programs.Add(program);
+        return program;
+    }
+
+    /// <summary>Records a dispatch, to run after all that was recorded before it. It runs at the latest when somebody reads or waits.</summary>
+    /// <param name="uniforms">The program's <see cref="ComputeProgram.UniformBytes"/> bytes; copied.</param>
+    /// <param name="buffers">By name; more than the program uses are allowed.</param>
+    public void Dispatch(
+        ComputeProgram program, ReadOnlySpan<byte> uniforms, IReadOnlyDictionary<string, GpuBuffer> buffers, uint groupsX, uint groupsY, uint groupsZ)
+    {
+        var recorder = Recorder;
+        if (program.Device != this)
+            throw new VulkanException($"kernel {program.Name} was made for another device");
+        if (uniforms.Length != program.UniformBytes)
+            throw new VulkanException($"kernel {program.Name} takes {program.UniformBytes} bytes of uniforms, {uniforms.Length} are given");
+        if (groupsX > Limits.MaxGroupsX || groupsY > Limits.MaxGroupsY || groupsZ > Limits.MaxGroupsZ)
+            throw new VulkanException($"kernel {program.Name}: {groupsX} x {groupsY} x {groupsZ} groups, {Info.Name} takes {Limits.MaxGroupsX} x {Limits.MaxGroupsY} x {Limits.MaxGroupsZ}; use several dispatches");
+
+        var bound = new GpuBuffer[program.Slots.Count];
+        for (int i = 0; i < bound.Length; i++)
+        {
+            string name = program.Slots[i].Name;
+            if (!buffers.TryGetValue(name, out bound[i]) || bound[i] == null)
+                throw new VulkanException($"kernel {program.Name}: buffer {name} is not set");
+            if (bound[i].IsDisposed)
+                throw new VulkanException($"kernel {program.Name}: buffer {name} was disposed");
+            if (bound[i].Device != this)
+                throw new VulkanException($"kernel {program.Name}: buffer {name} lies on another device");
+        }
+        _ = program.Pipeline;
+        if (groupsX > 0 && groupsY > 0 && groupsZ > 0)
+            recorder.Dispatch(program, uniforms, bound, groupsX, groupsY, groupsZ);
+    }
+
+    /// <summary>Runs what is recorded and waits for its end.</summary>
+    public void Wait() => Recorder.Flush();
+
+    /// <summary>Closes the device; buffers and programs that still live go with it.</summary>
+    public void Dispose()
+    {
+        if (_recorder == null)
+            return;
+        if (!_abandoned)
+        {
+            Native.vkDeviceWaitIdle(_handle); // a lost device answers with an error and can be destroyed all the same
+            foreach (var program in _programs)
+                program.Destroy();
+            foreach (var buffer in _buffers)
+                buffer.Destroy();
+            _recorder.Dispose();
+            Native.vkDestroyDevice(_handle, null);
+            _instance.Dispose();
+        }
+        _programs.Clear();
+        _buffers.Clear();
+        _recorder = null;
+        _handle = 0;
+    }
+
+    /// <summary>The device does not answer: its objects may be in use for ever and are never destroyed.</summary>
+    internal void Abandon() => _abandoned = true;
+
+    internal void Forget(GpuBuffer buffer) => _buffers.Remove(buffer);
+
+    internal void Forget(ComputeProgram program) => _programs.Remove(program);
+}

@@ -1,0 +1,28 @@
+using System;
+
+namespace Glint.Vulkan;
+
+/// <summary>Something about the device, its driver, a buffer or a compiled kernel; the message is one line and says what to do.</summary>
+public sealed class VulkanException : Exception
+{
+    public VulkanException(string message, Exception inner = null) : base(message, inner) { }
+
+    /// <summary>Throws when a Vulkan call failed; <paramref name="what"/> names the operation and its figure, as in "reserve 12 bytes".</summary>
+    internal static void Check(int result, string what)
+    {
+        if (result < 0)
+            throw new VulkanException($"could not {what}: {Explain(result)}");
+    }
+
+    static string Explain(int result) => result switch
+    {
+        -1 => "out of host memory",
+        -2 => "out of device memory; use fewer rays or a smaller scene, or choose another device with --device",
+        -3 => "the driver could not initialise the device",
+        -4 => "the device was lost (the driver reset it, often because one dispatch ran too long); start again with smaller dispatches or another device",
+        -5 => "the driver could not map the memory",
+        -9 => "no Vulkan driver answers; install one: apt-get install mesa-vulkan-drivers",
+        -10 => "too many objects of this kind, release buffers that are no longer used",
+        _ => $"Vulkan error {result}",
+    };
+}
