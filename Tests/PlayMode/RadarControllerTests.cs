@@ -28,12 +28,14 @@ namespace Glint.Tests
             _radar.Receiver = new GameObject("Receiver").transform;
             _radar.Receiver.SetParent(camera.transform);
             _radar.Receiver.localPosition = new Vector3(0, 0, -0.2f);
+            _radar.Roots.Add(_plate.transform); // whatever scene an earlier test left
             _radar.Kernel = PlayAsset.Load<ComputeShader>("Packages/com.glint.radar/Shaders/Trace.compute");
         }
 
         [TearDown]
         public void RemoveScene()
         {
+            _radar.Release(); // an object that was never active gets no OnDisable
             Object.DestroyImmediate(_radar.gameObject);
             Object.DestroyImmediate(_plate);
         }

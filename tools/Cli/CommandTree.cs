@@ -25,7 +25,8 @@ sealed class CommandTree
         _execute = execute;
         foreach (var command in Core.Commands.All)
             _root.Add(Build(command));
-        _root.Options.OfType<HelpOption>().Single().Action = new HelpWriter(this);
+        _root.Options.OfType<HelpOption>().Single().Action = new Print(Help);
+        _root.Options.OfType<VersionOption>().Single().Action = new Print(_ => Core.GlintVersion.Text + "\n");
     }
 
     /// <summary>Parses and runs.</summary>
@@ -60,7 +61,10 @@ sealed class CommandTree
         var options = new List<KeyValuePair<string, string>>();
         foreach (var result in parsed.CommandResult.Children.OfType<OptionResult>().Where(result => !result.Implicit))
         {
-            // A value of its own that begins with "--" is a misspelt option; --name=--value is not.
+            // The library takes the next word for the value of "--name=".
+            if (raw.Contains(result.Option.Name + "="))
+                options.Add(Pair(result.Option.Name, ""));
+            // A word that begins with "--" is a misspelt option and no value; --name=--value is one.
             options.AddRange(result.Tokens.Select(token => Pair(result.Option.Name, token.Value.StartsWith("--") && raw.Contains(token.Value) ? null : token.Value)));
             if (result.Tokens.Count < result.IdentifierTokenCount)
                 options.Add(Pair(result.Option.Name, null));
@@ -88,15 +92,19 @@ sealed class CommandTree
         return new Core.UsageException($"\"{word}\": no such command: {(nearest == null ? "the commands are " + list : $"did you mean {nearest}?")}");
     }
 
-    /// <summary>Writes the tables' help, with groups and examples, in place of the library's.</summary>
-    sealed class HelpWriter(CommandTree tree) : SynchronousCommandLineAction
+    // With groups and examples, which the library's own help has not.
+    string Help(ParseResult parsed) => _commands.TryGetValue(parsed.CommandResult.Command, out var command)
+        ? Core.HelpText.Of(command, _terminal.Width)
+        : Core.HelpText.Overview(_terminal.Width);
+
+    /// <summary>Writes a text, whatever else is on the command line.</summary>
+    sealed class Print(Func<ParseResult, string> text) : SynchronousCommandLineAction
     {
         public override bool ClearsParseErrors => true;
 
         public override int Invoke(ParseResult parsed)
         {
-            int width = tree._terminal.Width;
-            tree._terminal.Out.Write(tree._commands.TryGetValue(parsed.CommandResult.Command, out var command) ? Core.HelpText.Of(command, width) : Core.HelpText.Overview(width));
+            parsed.InvocationConfiguration.Output.Write(text(parsed));
             return 0;
         }
     }

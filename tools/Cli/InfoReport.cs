@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Reflection;
 using System.Runtime.InteropServices;
 using Glint.Core;
 using Glint.Vulkan;
@@ -16,10 +15,10 @@ sealed class InfoReport(Terminal terminal)
     public int Write(CommandLine line)
     {
         Columns("", [
-            ("Glint", typeof(InfoReport).Assembly.GetCustomAttribute<AssemblyInformationalVersionAttribute>().InformationalVersion),
+            ("Glint", GlintVersion.Text),
             ("Unity", UnityEngine.Application.unityVersion + " (headless stand-in)"),
             (".NET", $"{Environment.Version} on {RuntimeInformation.OSDescription} ({RuntimeInformation.ProcessArchitecture}), {Environment.ProcessorCount} processors"),
-            ("Project", ProjectPaths.FindRoot(Environment.CurrentDirectory) ?? ProjectPaths.FindRoot(AppContext.BaseDirectory) ?? "none here")
+            ("Project", ProjectFolder.Current ?? "none here")
         ]);
 
         // Both throw when there is nothing to list; the versions above are then out already.

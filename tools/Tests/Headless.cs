@@ -3,7 +3,10 @@ using System.Runtime.CompilerServices;
 using Glint.Host;
 using NUnit.Framework;
 
+// Tests that Unity's runner runs too get its set-ups and its rules on logging; the host's own tests are plain NUnit.
+#if UNITY_INCLUDE_TESTS
 [assembly: UnityTestAction]
+#endif
 
 /// <summary>
 /// Compiled into every test assembly, so that the tests need not know where they run: opens the project that this file belongs to,

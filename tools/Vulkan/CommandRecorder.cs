@@ -10,8 +10,8 @@ namespace Glint.Vulkan;
 sealed unsafe class CommandRecorder : IDisposable
 {
     internal const int MaxDispatches = 16;
+    internal const int UniformRingBytes = 256 << 10;
     const long StagingBytes = 16 << 20;
-    const long UniformRingBytes = 256 << 10;
     const uint PoolStorageBuffers = 1024, PoolUniformBuffers = 64;
     const int ComputeBindPoint = 1;
 
@@ -212,8 +212,7 @@ sealed unsafe class CommandRecorder : IDisposable
         _uniformRing ??= Allocation.ForHost(_device, UniformRingBytes, Native.UniformUsage);
         long at = _uniformsUsed;
         uniforms.Slice(block.Start, block.Bytes).CopyTo(new Span<byte>(_uniformRing.Mapped + at, block.Bytes));
-        long alignment = Math.Max(Reflection.BlockAlignment, (long)_device.Physical.UniformAlignment);
-        _uniformsUsed = (at + block.Bytes + alignment - 1) / alignment * alignment;
+        _uniformsUsed = (at + block.Bytes + Reflection.BlockAlignment - 1) / Reflection.BlockAlignment * Reflection.BlockAlignment;
         return new DescriptorBufferInfo { Buffer = _uniformRing.Buffer, Offset = (ulong)at, Range = (ulong)block.Bytes };
     }
 

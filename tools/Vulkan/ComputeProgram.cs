@@ -64,8 +64,7 @@ public sealed unsafe class ComputeProgram : IDisposable
             return;
         try
         {
-            if (LastBatch == _device.Recorder.Batch)
-                _device.Recorder.Flush();
+            _device.Settle(LastBatch);
         }
         finally
         {
@@ -76,6 +75,8 @@ public sealed unsafe class ComputeProgram : IDisposable
 
     internal void Destroy()
     {
+        if (_device.IsAbandoned)
+            return;
         Native.vkDestroyPipeline(_device.Handle, _pipeline, null);
         Native.vkDestroyPipelineLayout(_device.Handle, _layout, null);
         Native.vkDestroyDescriptorSetLayout(_device.Handle, _setLayout, null);
@@ -89,6 +90,8 @@ public sealed unsafe class ComputeProgram : IDisposable
             throw new VulkanException($"kernel {Name} uses {Slots.Count} buffers, {_device.Info.Name} takes {limits.MaxStorageBuffersPerStage}");
         if (Blocks.FirstOrDefault(block => block.Bytes > limits.MaxUniformBufferRange) is { Bytes: > 0 } large)
             throw new VulkanException($"kernel {Name} has {large.Bytes:N0} bytes of uniforms in one block, {_device.Info.Name} takes {limits.MaxUniformBufferRange:N0}");
+        if (UniformBytes > CommandRecorder.UniformRingBytes)
+            throw new VulkanException($"kernel {Name} has {UniformBytes:N0} bytes of uniforms in all, at most {CommandRecorder.UniformRingBytes:N0} are supported");
         var (x, y, z) = GroupSize;
         if (x > limits.MaxGroupSizeX || y > limits.MaxGroupSizeY || z > limits.MaxGroupSizeZ || (ulong)x * y * z > limits.MaxGroupInvocations)
             throw new VulkanException($"kernel {Name} has groups of {x} x {y} x {z} threads, {_device.Info.Name} takes {limits.MaxGroupInvocations} in all");

@@ -26,9 +26,11 @@ public sealed unsafe class GpuBuffer : IDisposable
 
     public long Bytes { get; }
 
+    /// <summary>Disposed, or gone with its device.</summary>
+    public bool IsDisposed => _allocation == null;
+
     internal VulkanDevice Device { get; }
     internal ulong Handle => Live.Buffer;
-    internal bool IsDisposed => _allocation == null;
 
     /// <summary>Batch of the last recorded command that uses this buffer.</summary>
     internal long LastBatch { get; set; }
@@ -44,7 +46,7 @@ public sealed unsafe class GpuBuffer : IDisposable
             Device.Recorder.Upload(data, this, offset);
             return;
         }
-        Settle();
+        Device.Settle(LastBatch);
         data.CopyTo(new Span<byte>(_allocation.Mapped + offset, data.Length));
     }
 
@@ -57,7 +59,7 @@ public sealed unsafe class GpuBuffer : IDisposable
             Device.Recorder.Download(this, offset, data);
             return;
         }
-        Settle();
+        Device.Settle(LastBatch);
         new ReadOnlySpan<byte>(_allocation.Mapped + offset, data.Length).CopyTo(data);
     }
 
@@ -67,7 +69,7 @@ public sealed unsafe class GpuBuffer : IDisposable
             return;
         try
         {
-            Settle();
+            Device.Settle(LastBatch);
         }
         finally
         {
@@ -78,14 +80,9 @@ public sealed unsafe class GpuBuffer : IDisposable
 
     internal void Destroy()
     {
-        _allocation?.Dispose();
+        if (!Device.IsAbandoned)
+            _allocation?.Dispose();
         _allocation = null;
-    }
-
-    void Settle()
-    {
-        if (LastBatch == Device.Recorder.Batch)
-            Device.Recorder.Flush();
     }
 
     void CheckRange(int bytes, long offset)

@@ -2,6 +2,8 @@ using System.Runtime.InteropServices;
 
 namespace Glint.Vulkan;
 
+#pragma warning disable CS0649 // fields that only Vulkan reads, and only as zero
+
 // Vulkan's own structures, in its field order, for 64-bit processes. Handles: nint where Vulkan has a pointer, ulong where it has a number.
 // SType, first in most of them, holds one of the numbers in StructureType.
 
@@ -63,7 +65,6 @@ unsafe struct PhysicalDeviceProperties2
     [FieldOffset(532)] internal fixed uint MaxGroupCount[3];
     [FieldOffset(544)] internal uint MaxGroupInvocations;
     [FieldOffset(548)] internal fixed uint MaxGroupSize[3];
-    [FieldOffset(632)] internal ulong UniformOffsetAlignment;
     [FieldOffset(736)] internal float TimestampPeriod;
 }
 

@@ -16,7 +16,6 @@ sealed unsafe class PhysicalDevice
     internal DeviceLimits Limits { get; }
     internal MemoryProperties Memory { get; }
     internal uint ApiVersion { get; }
-    internal ulong UniformAlignment { get; }
 
     /// <summary>First queue family that runs kernels, -1 when there is none.</summary>
     internal int QueueFamily { get; }
@@ -45,7 +44,6 @@ sealed unsafe class PhysicalDevice
                 memoryBytes = Math.Max(memoryBytes, (long)memory.HeapSize(heap));
 
         _type = properties.DeviceType >= 0 && properties.DeviceType < TypeNames.Length ? properties.DeviceType : 0;
-        UniformAlignment = Math.Max(1, properties.UniformOffsetAlignment);
         QueueFamily = FindQueueFamily(handle);
         string driverText = ApiVersion >= Vulkan12
             ? $"{Native.Text(driver.Name)} {Native.Text(driver.Info)}".Trim()

@@ -27,16 +27,18 @@ sealed class SpirvModule
         if (code.Length < HeaderWords * 4 || code.Length % 4 != 0 || MemoryMarshal.Read<uint>(code) != Magic)
             throw new VulkanException($"a compiled kernel of {code.Length} bytes is no SPIR-V; build the tools again");
         var words = MemoryMarshal.Cast<byte, uint>(code);
+        var last = Op.None;
         for (int at = HeaderWords; at < words.Length;)
         {
             int length = (int)(words[at] >> 16);
             if (length == 0 || at + length > words.Length)
-                throw new VulkanException($"a compiled kernel of {code.Length} bytes is cut off; build the tools again");
-            Read((Op)(words[at] & 0xffff), words.Slice(at + 1, length - 1));
+                throw CutOff(code.Length);
+            last = (Op)(words[at] & 0xffff);
+            Read(last, words.Slice(at + 1, length - 1));
             at += length;
         }
-        if (EntryPoint == null)
-            throw new VulkanException("a compiled kernel has no entry point; build the tools again");
+        if (EntryPoint == null || last != Op.FunctionEnd)
+            throw CutOff(code.Length);
     }
 
     internal string Name(uint id) => _names.GetValueOrDefault(id, "");
@@ -62,6 +64,8 @@ sealed class SpirvModule
         }
     }
 
+    static VulkanException CutOff(int bytes) => new($"a compiled kernel of {bytes} bytes is cut off; build the tools again");
+
     static string Text(ReadOnlySpan<uint> words)
     {
         var bytes = MemoryMarshal.AsBytes(words);
@@ -76,9 +80,9 @@ readonly record struct SpirvVariable(uint Id, uint PointerType, StorageClass Sto
 
 enum Op
 {
-    Name = 5, MemberName = 6, EntryPoint = 15, ExecutionMode = 16,
+    None = 0, Name = 5, MemberName = 6, EntryPoint = 15, ExecutionMode = 16,
     TypeVoid = 19, TypeBool = 20, TypeInt = 21, TypeFloat = 22, TypeVector = 23, TypeMatrix = 24, TypeImage = 25, TypeArray = 28, TypeRuntimeArray = 29,
-    TypeStruct = 30, TypePointer = 32, Constant = 43, Variable = 59, Decorate = 71, MemberDecorate = 72,
+    TypeStruct = 30, TypePointer = 32, Constant = 43, FunctionEnd = 56, Variable = 59, Decorate = 71, MemberDecorate = 72,
 }
 
 enum Decoration

@@ -13,7 +13,6 @@ public sealed unsafe class VulkanDevice : IDisposable
     readonly bool _mapBuffers;
     CommandRecorder _recorder;
     nint _handle;
-    bool _abandoned;
 
     VulkanDevice(Instance instance, PhysicalDevice physical, bool mapBuffers)
     {
@@ -31,7 +30,15 @@ public sealed unsafe class VulkanDevice : IDisposable
         var info = new DeviceCreateInfo { SType = StructureType.DeviceCreateInfo, QueueInfoCount = 1, QueueInfos = &queueInfo, Features = &features };
         VulkanException.Check(Native.vkCreateDevice(physical.Handle, &info, null, out _handle), open);
         Native.vkGetDeviceQueue(_handle, (uint)physical.QueueFamily, 0, out nint queue);
-        _recorder = new CommandRecorder(this, queue, (uint)physical.QueueFamily);
+        try
+        {
+            _recorder = new CommandRecorder(this, queue, (uint)physical.QueueFamily);
+        }
+        catch
+        {
+            Native.vkDestroyDevice(_handle, null);
+            throw;
+        }
     }
 
     public DeviceInfo Info => Physical.Info;
@@ -40,7 +47,16 @@ public sealed unsafe class VulkanDevice : IDisposable
 
     internal PhysicalDevice Physical { get; }
     internal nint Handle => _handle;
-    internal CommandRecorder Recorder => _recorder ?? throw new ObjectDisposedException(nameof(VulkanDevice), $"{Info.Name} was closed");
+    internal bool IsAbandoned { get; private set; }
+
+    internal CommandRecorder Recorder
+    {
+        get
+        {
+            ObjectDisposedException.ThrowIf(_recorder == null, this);
+            return !IsAbandoned ? _recorder : throw new VulkanException($"{Info.Name} does not answer any more; start again");
+        }
+    }
 
     /// <summary>The Vulkan devices of this machine, in the loader's order; none when there is a loader but no driver.</summary>
     public static IReadOnlyList<DeviceInfo> List()
@@ -129,7 +145,7 @@ public sealed unsafe class VulkanDevice : IDisposable
     {
         if (_recorder == null)
             return;
-        if (!_abandoned)
+        if (!IsAbandoned)
         {
             Native.vkDeviceWaitIdle(_handle); // a lost device answers with an error and can be destroyed all the same
             foreach (var program in _programs)
@@ -147,7 +163,14 @@ public sealed unsafe class VulkanDevice : IDisposable
     }
 
     /// <summary>The device does not answer: its objects may be in use for ever and are never destroyed.</summary>
-    internal void Abandon() => _abandoned = true;
+    internal void Abandon() => IsAbandoned = true;
+
+    /// <summary>Waits when <paramref name="batch"/>, the last that uses something, has not run yet.</summary>
+    internal void Settle(long batch)
+    {
+        if (!IsAbandoned && batch == Recorder.Batch)
+            Recorder.Flush();
+    }
 
     internal void Forget(GpuBuffer buffer) => _buffers.Remove(buffer);
 

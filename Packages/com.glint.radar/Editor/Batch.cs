@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using Glint.Core;
 using UnityEditor;
@@ -15,10 +16,10 @@ namespace Glint.Editor
         const int Done = 0, Failed = 1, Cancelled = 130;
 
         /// <summary>Entry of Unity's -executeMethod: <c>glint sweep</c>.</summary>
-        public static void Sweep() => ExecuteAndExit(Commands.Sweep);
+        public static void Sweep() => ExecuteAndExit(Commands.Sweep, Environment.GetCommandLineArgs());
 
         /// <summary>Entry of Unity's -executeMethod: <c>glint run</c>.</summary>
-        public static void Run() => ExecuteAndExit(Commands.Run);
+        public static void Run() => ExecuteAndExit(Commands.Run, Environment.GetCommandLineArgs());
 
         /// <summary>Does what a command line says, without leaving edit mode; the scene is not saved.</summary>
         /// <returns>The exit code: 0 done, 130 cancelled.</returns>
@@ -74,12 +75,12 @@ namespace Glint.Editor
             return line.Command == Commands.Sweep ? ResultsFolder.Open(RunDescription.DefaultFolder(name)) : null;
         }
 
-        static void ExecuteAndExit(Command command)
+        internal static void ExecuteAndExit(Command command, IReadOnlyList<string> processArguments)
         {
             int code = Failed;
             try
             {
-                code = Execute(CommandLine.FromUnity(command, Environment.GetCommandLineArgs()), new LogProgress());
+                code = Execute(CommandLine.FromUnity(command, processArguments), new LogProgress());
             }
             catch (GlintException problem)
             {

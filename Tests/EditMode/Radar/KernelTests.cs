@@ -99,7 +99,7 @@ namespace Glint.Tests
             }
         }
 
-        [TestCase(1u, 30)]
+        [TestCase(1u, 100)]
         [TestCase(2u, 400)]
         [TestCase(3u, 5000)]
         public void Trace_RandomTriangles_EqualsTheJudgeRayByRay(uint seed, int triangles)

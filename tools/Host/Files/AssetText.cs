@@ -5,7 +5,7 @@ using Glint.Core;
 
 namespace Glint.Host;
 
-/// <summary>Reads the text of a project file and refuses, by name, what is no text of Unity's.</summary>
+/// <summary>Reads the content of a project file and refuses, by name, what is not what it should be.</summary>
 internal static class AssetText
 {
     const int ProbeBytes = 4096;
@@ -13,8 +13,6 @@ internal static class AssetText
     internal static string Read(string physicalPath, string shownPath)
     {
         byte[] bytes = ReadBytes(physicalPath, shownPath);
-        if (bytes.AsSpan().StartsWith("version https://git-lfs"u8))
-            throw new GlintException($"{shownPath}: is a git-lfs pointer, not the file's content: run 'git lfs pull'");
         return Encoding.UTF8.GetString(bytes.AsSpan().StartsWith(Encoding.UTF8.Preamble) ? bytes.AsSpan(3) : bytes);
     }
 
@@ -32,11 +30,14 @@ internal static class AssetText
         return text;
     }
 
-    static byte[] ReadBytes(string physicalPath, string shownPath)
+    internal static byte[] ReadBytes(string physicalPath, string shownPath)
     {
         try
         {
-            return File.ReadAllBytes(physicalPath);
+            byte[] bytes = File.ReadAllBytes(physicalPath);
+            if (bytes.AsSpan().StartsWith("version https://git-lfs"u8))
+                throw new GlintException($"{shownPath}: is a git-lfs pointer, not the file's content: run 'git lfs pull'");
+            return bytes;
         }
         catch (Exception error) when (error is FileNotFoundException or DirectoryNotFoundException)
         {

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using Glint.Core;
 
 namespace Glint.Host;
@@ -11,6 +12,8 @@ namespace Glint.Host;
 /// </summary>
 internal sealed class GuidIndex
 {
+    static readonly EnumerationOptions _all = new() { IgnoreInaccessible = true, AttributesToSkip = FileAttributes.None };
+
     readonly ProjectPaths _paths;
     readonly Lazy<Dictionary<string, List<string>>> _pathsByGuid;
 
@@ -19,6 +22,9 @@ internal sealed class GuidIndex
         _paths = paths;
         _pathsByGuid = new Lazy<Dictionary<string, List<string>>>(Scan);
     }
+
+    /// <summary>Asset paths of all files and folders with a .meta.</summary>
+    internal IEnumerable<string> Paths => _pathsByGuid.Value.Values.SelectMany(paths => paths);
 
     /// <summary>Asset path of the file with this guid; null when no .meta has it.</summary>
     /// <exception cref="GlintException">Two files have it.</exception>
@@ -49,7 +55,7 @@ internal sealed class GuidIndex
         DirectoryInfo directory = new(folder);
         if (!directory.Exists)
             return;
-        foreach (FileSystemInfo entry in directory.EnumerateFileSystemInfos())
+        foreach (FileSystemInfo entry in directory.EnumerateFileSystemInfos("*", _all))
         {
             if (IsIgnored(entry.Name))
                 continue;

@@ -27,7 +27,7 @@ internal sealed class ObjectRecord
 
     internal FieldMap Fields { get; }
 
-    /// <summary>The objects of prefabs that this one came from, innermost prefab last.</summary>
+    /// <summary>The objects of prefabs that this one came from, that of the innermost prefab first.</summary>
     internal IReadOnlyList<ObjectReference> Origins { get; init; } = [];
 
     /// <summary>Path of GameObjects from the root, for messages; null where there is none.</summary>
@@ -46,6 +46,9 @@ internal sealed class ObjectRecord
         }
     }
 
-    /// <param name="what">Predicate: what is wrong and what to do.</param>
-    internal GlintException Error(string what) => new($"{File}: {Subject}: {what}");
+    /// <param name="predicate">What the object does or lacks, and what to do: "has two Transforms: restore the file".</param>
+    internal GlintException Error(string predicate) => new($"{File}: {Subject} {predicate}");
+
+    /// <param name="clause">What is wrong within the object, and what to do: "m_Layer must be a number".</param>
+    internal GlintException Flaw(string clause) => new($"{File}: {Subject}: {clause}");
 }

@@ -9,6 +9,8 @@ internal sealed class ObjectTable
 {
     readonly Dictionary<long, ObjectRecord> _byId = new();
     readonly List<ObjectRecord> _records = new();
+    readonly Dictionary<long, ObjectRecord> _instanceRoots = new();
+    readonly HashSet<long> _skipped = new();
     long _lastFreeId;
 
     internal ObjectTable(string shownPath, string guid)
@@ -26,6 +28,9 @@ internal sealed class ObjectTable
     /// <summary>In the order of the file, objects of prefab instances last.</summary>
     internal IReadOnlyList<ObjectRecord> Records => _records;
 
+    /// <summary>Ids of the objects of classes that the loader does not know.</summary>
+    internal IReadOnlyCollection<long> Skipped => _skipped;
+
     internal ObjectRecord Find(long id) => _byId.GetValueOrDefault(id);
 
     internal bool IsFree(long id) => id != 0 && !_byId.ContainsKey(id);
@@ -38,6 +43,15 @@ internal sealed class ObjectTable
         while (!IsFree(_lastFreeId));
         return _lastFreeId;
     }
+
+    internal bool IsSkipped(long id) => _skipped.Contains(id);
+
+    internal void AddSkipped(long id) => _skipped.Add(id);
+
+    /// <summary>A scene lists the root of a prefab instance by the id of the instance.</summary>
+    internal void AddInstanceRoot(long instanceId, ObjectRecord root) => _instanceRoots[instanceId] = root;
+
+    internal ObjectRecord FindRoot(long id) => Find(id) ?? _instanceRoots.GetValueOrDefault(id);
 
     internal void Add(ObjectRecord record)
     {

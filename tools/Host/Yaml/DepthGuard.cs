@@ -1,3 +1,4 @@
+using System;
 using YamlDotNet.Core;
 using YamlDotNet.Core.Events;
 
@@ -20,7 +21,7 @@ internal sealed class DepthGuard : IParser
 
     public bool MoveNext()
     {
-        if (!_parser.MoveNext())
+        if (!MoveParser())
             return false;
         ParsingEvent current = _parser.Current;
         _depth += current.NestingIncrease;
@@ -29,5 +30,19 @@ internal sealed class DepthGuard : IParser
         if (current is AnchorAlias or NodeEvent { Anchor.IsEmpty: false })
             throw new YamlException(current.Start, current.End, "an anchor or alias, which Unity does not write");
         return true;
+    }
+
+    // The parser stumbles over some unfinished structures with an exception that says nothing of them.
+    bool MoveParser()
+    {
+        try
+        {
+            return _parser.MoveNext();
+        }
+        catch (InvalidOperationException error)
+        {
+            Mark place = _parser.Current?.End ?? Mark.Empty;
+            throw new YamlException(place, place, "a structure without its end", error);
+        }
     }
 }

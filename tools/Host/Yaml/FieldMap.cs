@@ -84,11 +84,17 @@ internal readonly struct FieldMap
             ? reference : throw self.Wrong($"{key}[{index}]", "a reference {fileID: ...}", node.ToString())).ToList();
     }
 
+    internal IReadOnlyList<string> Texts(string key)
+    {
+        FieldMap self = this;
+        return List(key).Select((node, index) => node is YamlScalarNode scalar ? scalar.Value ?? "" : throw self.Wrong($"{key}[{index}]", "text", node.ToString())).ToList();
+    }
+
     internal GlintException Wrong(string key, string expected, string found)
     {
         string line = string.Join(' ', found.Split('\r', '\n'));
         string shown = line.Length > ShownCharacters ? line[..ShownCharacters] + "..." : line;
-        return _record.Error($"{PathOf(key)} must be {expected}, and is '{shown}': restore the file, or save it again in Unity");
+        return _record.Flaw($"{PathOf(key)} must be {expected}, and is '{shown}': restore the file, or save it again in Unity");
     }
 
     IList<YamlNode> List(string key) => Node.Child(key) switch

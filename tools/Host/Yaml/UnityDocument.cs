@@ -70,6 +70,11 @@ internal sealed class UnityDocument
         {
             throw Damaged(error.Start.Line, error.Message, error);
         }
+        catch (ArgumentException error)
+        {
+            // The node model's answer to a document that ends where it expects a value.
+            throw Damaged(1, "ends too early", error);
+        }
 
         if (stream.Documents.Count != 1 || stream.Documents[0].RootNode is not YamlMappingNode { Children.Count: 1 } root
             || root.Children.First() is not { Key: YamlScalarNode name, Value: YamlNode value })
@@ -80,7 +85,7 @@ internal sealed class UnityDocument
 
     GlintException Damaged(long line, string what, Exception cause)
     {
-        string oneLine = string.Join(' ', what.Split('\r', '\n'));
+        string oneLine = string.Join(' ', what.Split('\r', '\n')).TrimEnd('.');
         return new GlintException($"{_file}:{_bodyLine + line - 1}: damaged YAML in object &{Id}: {oneLine}: restore the file, or save it again in Unity", cause);
     }
 }

@@ -8,34 +8,31 @@ import pathlib
 FOLDER = pathlib.Path(__file__).parent / "Generated"
 AXES = "xyzw"
 INLINE = "[MethodImpl(AggressiveInlining)] "
-SUFFIX = {"bool": "", "int": "", "uint": "u", "float": "f", "double": ""}
+SUFFIX = {"int": "", "uint": "", "float": "f", "double": ""}
 # Element types that convert to the key: without a cast, with one.
 IMPLICIT = {"float": ["int", "uint"], "double": ["int", "uint", "float"], "int": [], "uint": [], "bool": []}
 EXPLICIT = {"float": ["bool", "double"], "double": ["bool"], "int": ["bool", "uint", "float", "double"],
             "uint": ["bool", "int", "float", "double"], "bool": []}
-HEADER = """// Written by generate.py.
-using System;
-using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
-using static System.Runtime.CompilerServices.MethodImplOptions;
-
-namespace Unity.Mathematics;
-"""
+# What a file needs of the framework, by the words that need it.
+USINGS = {"System": ("Serializable", "Exception"), "System.Runtime.CompilerServices": ("MethodImpl(",), "System.Runtime.InteropServices": ("MarshalAs",),
+          "static System.Runtime.CompilerServices.MethodImplOptions": ("MethodImpl(",)}
 
 
 def write(name, kind, lines):
-    text = HEADER.replace("using System.Runtime.InteropServices;\n", "") if "MarshalAs" not in "\n".join(lines) else HEADER
-    body = "\n".join("    " + line if line else "" for line in lines)
-    if "MethodImpl(" not in body:
-        text = "\n".join(l for l in text.splitlines() if "CompilerServices" not in l) + "\n"
-    if not any(word in body for word in ("IEquatable", "IFormattable", "BitConverter", "[Serializable]", "Exception")):
-        text = text.replace("using System;\n", "")
-    FOLDER.joinpath(name + ".cs").write_text(f"{text}\n{kind}\n{{\n{body}\n}}\n")
+    body = kind + "\n{\n" + "\n".join("    " + line if line else "" for line in lines) + "\n}\n"
+    usings = "".join(f"using {u};\n" for u, words in USINGS.items() if any(word in body for word in words))
+    head = "// Written by generate.py.\n" + usings + ("\n" if usings else "")
+    FOLDER.joinpath(name + ".cs").write_text(f"{head}namespace Unity.Mathematics;\n\n{body}")
 
 
 def each(n, pattern, separator=", "):
     """The pattern once per component: @ stands for its name."""
     return separator.join(pattern.replace("@", a) for a in AXES[:n])
+
+
+def fold(names):
+    """A hash that is the same in every process, unlike HashCode's."""
+    return " ^ ".join(f"({name}.GetHashCode() * {factor})" for name, factor in zip(names, (73856093, 19349663, 83492791, 49979687)))
 
 
 def cast(to, source, value):
@@ -101,13 +98,13 @@ def operators(t, v, n):
 
 
 def vector(t, n):
-    v, suffix = f"{t}{n}", SUFFIX[t] if t == "float" else ""
+    v = f"{t}{n}"
     field = "[MarshalAs(UnmanagedType.U1)] public" if t == "bool" else "public"
     lines = [f"{field} {t} {a};" for a in AXES[:n]]
-    lines += [f"public static readonly {v} zero;"] if t != "bool" else []
+    lines += [f"public static readonly {v} zero;", ""] if t != "bool" else [""]
     for parameters, values in constructors(t, n):
-        lines += ["", INLINE.strip(), f"public {v}({parameters})", "{"]
-        lines += [f"    this.{a} = {value};" for a, value in zip(AXES, values)] + ["}"]
+        body = " ".join(f"this.{a} = {value};" for a, value in zip(AXES, values))
+        lines.append(f"{INLINE}public {v}({parameters}) {{ {body} }}")
     lines += ["", f"public unsafe {t} this[int index]", "{",
               f"    {INLINE}get {{ fixed ({v}* p = &this) return (({t}*)p)[Checked(index)]; }}",
               f"    {INLINE}set {{ fixed ({v}* p = &this) (({t}*)p)[Checked(index)] = value; }}", "}", ""]
@@ -119,12 +116,13 @@ def vector(t, n):
     lines += list(operators(t, v, n)) + [""]
     lines.append(f"{INLINE}public bool Equals({v} rhs) => {each(n, '@ == rhs.@', ' && ')};")
     lines.append(f"public override bool Equals(object o) => o is {v} other && Equals(other);")
-    lines.append(f"public override int GetHashCode() => System.ValueTuple.Create({each(n, '@')}).GetHashCode();".replace("System.", ""))
-    text = each(n, "{@}" + suffix)
-    lines.append(f'public override string ToString() => $"{v}({text})";' if t == "bool" else "public override string ToString() => ToString(null, null);")
-    if t != "bool":
-        text = each(n, "{@.ToString(format, formatProvider)}" + suffix)
-        lines.append(f'public string ToString(string format, IFormatProvider formatProvider) => $"{v}({text})";')
+    lines.append(f"public override int GetHashCode() => {fold(AXES[:n])};")
+    if t == "bool":
+        lines.append(f'public override string ToString() => $"{v}({each(n, "{@}")})";')
+    else:
+        text = each(n, "{@.ToString(format, formatProvider)}" + SUFFIX[t])
+        lines += ["public override string ToString() => ToString(null, null);",
+                  f'public string ToString(string format, IFormatProvider formatProvider) => $"{v}({text})";']
     lines += ["", INLINE.strip(), "static int Checked(int index)", "{", f"    if ((uint)index >= {n})",
               f'        throw new ArgumentException("index must be between[0...{n - 1}]");', "    return index;", "}"]
     interfaces = f"IEquatable<{v}>" + ("" if t == "bool" else ", IFormattable")
@@ -258,7 +256,7 @@ def matrix(t, n):
     lines += [f"public static {m} operator -({m} val) => new({per('-val.@')});", "",
               f"public bool Equals({m} rhs) => {' && '.join(f'{c}.Equals(rhs.{c})' for c in columns)};",
               f"public override bool Equals(object o) => o is {m} other && Equals(other);",
-              f"public override int GetHashCode() => ({', '.join(columns)}).GetHashCode();",
+              f"public override int GetHashCode() => {fold(columns)};",
               "public override string ToString() => ToString(null, null);", "",
               "public string ToString(string format, IFormatProvider formatProvider)", "{", f'    return $"{m}({rows})";', "}"]
     write(m, f"[Serializable]\npublic partial struct {m} : IEquatable<{m}>, IFormattable", lines)
@@ -288,8 +286,8 @@ def inverse3(t, m, v):
 
 def inverse4(t, m, v):
     """By the 2x2 minors of the upper and the lower two rows."""
-    lines = [f"public static {v[:-1]}3 rotate({m} a, {t}3 b) => (a.c0 * b.x + a.c1 * b.y + a.c2 * b.z).xyz;",
-             f"public static {v[:-1]}3 transform({m} a, {t}3 b) => (a.c0 * b.x + a.c1 * b.y + a.c2 * b.z + a.c3).xyz;", "",
+    lines = [f"public static {t}3 rotate({m} a, {t}3 b) => (a.c0 * b.x + a.c1 * b.y + a.c2 * b.z).xyz;",
+             f"public static {t}3 transform({m} a, {t}3 b) => (a.c0 * b.x + a.c1 * b.y + a.c2 * b.z + a.c3).xyz;", "",
              f"public static {t} determinant({m} m)", "{", "    Minors(m, out var s, out var t, out var c, out var d);",
              "    return dot(s, new " + t + "3(d.z, -d.y, d.x)) + dot(t, new " + t + "3(c.z, -c.y, c.x));", "}", "",
              f"public static {m} inverse({m} m)", "{", "    Minors(m, out var s, out var t, out var c, out var d);",

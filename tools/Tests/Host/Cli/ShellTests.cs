@@ -34,6 +34,10 @@ public sealed class ShellTests
         Assert.That(error, Is.Empty);
     }
 
+    [Test]
+    public void Version_OfTheCommand_IsThatOfThePackageAndOfResultFiles() =>
+        Assert.That(Run(["--version"]).output.Trim(), Is.EqualTo(Core.GlintVersion.Text));
+
     static (int code, string output, string error) Run(string[] arguments)
     {
         var (output, error) = (new StringWriter(), new StringWriter());

@@ -10,7 +10,7 @@ using NUnit.Framework.Internal.Builders;
 
 namespace Glint.Host.Tests.TestRunner;
 
-/// <summary>Runs one fixture by NUnit's own runner within a running test, under this assembly's attributes, and gives its outcomes.</summary>
+/// <summary>Runs one fixture by NUnit's own runner within a running test, and gives its outcomes.</summary>
 internal sealed class FixtureRun : ITestAssemblyBuilder, IPreFilter
 {
     readonly Type _fixture;

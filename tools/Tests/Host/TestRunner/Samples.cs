@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Glint.Host.Tests.TestRunner;
 
-/// <summary>Fixtures to be run by tests. They are generic, so that NUnit does not find them: half of them fail, as they should.</summary>
+/// <summary>Fixtures to be run by tests, as in Unity. They are generic, so that NUnit does not find them: half of them fail, as they should.</summary>
 internal static class Samples<T>
 {
     internal static readonly List<string> Trace = new();
@@ -22,7 +22,12 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class CountsFrames
+    [UnityTestAction]
+    public abstract class Sample
+    {
+    }
+
+    public sealed class CountsFrames : Sample
     {
         [UnityTest]
         public IEnumerator EachNull()
@@ -35,7 +40,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class Nests
+    public sealed class Nests : Sample
     {
         [UnityTest]
         public IEnumerator Routines()
@@ -45,7 +50,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class Waits
+    public sealed class Waits : Sample
     {
         [UnityTest]
         public IEnumerator HalfASecond()
@@ -56,7 +61,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class WaitsForFive
+    public sealed class WaitsForFive : Sample
     {
         [UnityTest]
         public IEnumerator Calls()
@@ -67,7 +72,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class Throws
+    public sealed class Throws : Sample
     {
         [UnityTest]
         public IEnumerator AfterAFrame()
@@ -77,7 +82,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class ThrowsInside
+    public sealed class ThrowsInside : Sample
     {
         [UnityTest]
         public IEnumerator Nested()
@@ -93,7 +98,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class NeverEnds
+    public sealed class NeverEnds : Sample
     {
         [UnityTest, Timeout(200)]
         public IEnumerator Alone()
@@ -111,7 +116,7 @@ internal static class Samples<T>
     }
 
     [Timeout(200)]
-    public sealed class FixtureNeverEnds
+    public sealed class FixtureNeverEnds : Sample
     {
         [UnityTest]
         public IEnumerator Inherited()
@@ -121,7 +126,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class ReturnsNothing
+    public sealed class ReturnsNothing : Sample
     {
         [UnityTest]
         public void NoRoutine()
@@ -129,7 +134,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class TakesParameters
+    public sealed class TakesParameters : Sample
     {
         static readonly int[] _numbers = { 3, 4 };
 
@@ -141,7 +146,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class TakesCases
+    public sealed class TakesCases : Sample
     {
         [UnityTest]
         [TestCase(1, ExpectedResult = null)]
@@ -153,7 +158,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class IsIgnored
+    public sealed class IsIgnored : Sample
     {
         [UnityTest]
         public IEnumerator Later()
@@ -163,7 +168,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class YieldsAWait
+    public sealed class YieldsAWait : Sample
     {
         [UnityTest]
         public IEnumerator InEditMode()
@@ -172,7 +177,7 @@ internal static class Samples<T>
         }
     }
 
-    public class OrderBase
+    public class OrderBase : Sample
     {
         [UnitySetUp]
         public IEnumerator BaseUnitySetUp() => Says("base unity set-up 1", "base unity set-up 2");
@@ -227,7 +232,7 @@ internal static class Samples<T>
         public void NotReached() => Trace.Add("test");
     }
 
-    public sealed class TearDownThrows
+    public sealed class TearDownThrows : Sample
     {
         [UnityTearDown]
         public IEnumerator Broken()
@@ -245,7 +250,7 @@ internal static class Samples<T>
         public void Wrong() => Assert.Fail("the claim");
     }
 
-    public sealed class Logs
+    public sealed class Logs : Sample
     {
         [Test]
         public void A_Error() => Debug.LogError("boom");
@@ -268,7 +273,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class Expects
+    public sealed class Expects : Sample
     {
         [Test]
         public void Before()
@@ -323,7 +328,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class ExpectsInVain
+    public sealed class ExpectsInVain : Sample
     {
         [Test]
         public void A_NotLogged() => LogAssert.Expect(LogType.Error, "boom");
@@ -360,7 +365,7 @@ internal static class Samples<T>
         }
     }
 
-    public sealed class LeavesAnErrorBehind
+    public sealed class LeavesAnErrorBehind : Sample
     {
         [Test]
         public void A_Ignores() => LogAssert.ignoreFailingMessages = true;

@@ -12,26 +12,9 @@ public partial struct bool2 : IEquatable<bool2>
     [MarshalAs(UnmanagedType.U1)] public bool x;
     [MarshalAs(UnmanagedType.U1)] public bool y;
 
-    [MethodImpl(AggressiveInlining)]
-    public bool2(bool x, bool y)
-    {
-        this.x = x;
-        this.y = y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool2(bool2 xy)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool2(bool v)
-    {
-        this.x = v;
-        this.y = v;
-    }
+    [MethodImpl(AggressiveInlining)] public bool2(bool x, bool y) { this.x = x; this.y = y; }
+    [MethodImpl(AggressiveInlining)] public bool2(bool2 xy) { this.x = xy.x; this.y = xy.y; }
+    [MethodImpl(AggressiveInlining)] public bool2(bool v) { this.x = v; this.y = v; }
 
     public unsafe bool this[int index]
     {
@@ -59,7 +42,7 @@ public partial struct bool2 : IEquatable<bool2>
 
     [MethodImpl(AggressiveInlining)] public bool Equals(bool2 rhs) => x == rhs.x && y == rhs.y;
     public override bool Equals(object o) => o is bool2 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663);
     public override string ToString() => $"bool2({x}, {y})";
 
     [MethodImpl(AggressiveInlining)]

@@ -13,45 +13,11 @@ public partial struct bool3 : IEquatable<bool3>
     [MarshalAs(UnmanagedType.U1)] public bool y;
     [MarshalAs(UnmanagedType.U1)] public bool z;
 
-    [MethodImpl(AggressiveInlining)]
-    public bool3(bool x, bool y, bool z)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool3(bool x, bool2 yz)
-    {
-        this.x = x;
-        this.y = yz.x;
-        this.z = yz.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool3(bool2 xy, bool z)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool3(bool3 xyz)
-    {
-        this.x = xyz.x;
-        this.y = xyz.y;
-        this.z = xyz.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool3(bool v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-    }
+    [MethodImpl(AggressiveInlining)] public bool3(bool x, bool y, bool z) { this.x = x; this.y = y; this.z = z; }
+    [MethodImpl(AggressiveInlining)] public bool3(bool x, bool2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
+    [MethodImpl(AggressiveInlining)] public bool3(bool2 xy, bool z) { this.x = xy.x; this.y = xy.y; this.z = z; }
+    [MethodImpl(AggressiveInlining)] public bool3(bool3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
+    [MethodImpl(AggressiveInlining)] public bool3(bool v) { this.x = v; this.y = v; this.z = v; }
 
     public unsafe bool this[int index]
     {
@@ -79,7 +45,7 @@ public partial struct bool3 : IEquatable<bool3>
 
     [MethodImpl(AggressiveInlining)] public bool Equals(bool3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
     public override bool Equals(object o) => o is bool3 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y, z).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663) ^ (z.GetHashCode() * 83492791);
     public override string ToString() => $"bool3({x}, {y}, {z})";
 
     [MethodImpl(AggressiveInlining)]

@@ -14,86 +14,15 @@ public partial struct bool4 : IEquatable<bool4>
     [MarshalAs(UnmanagedType.U1)] public bool z;
     [MarshalAs(UnmanagedType.U1)] public bool w;
 
-    [MethodImpl(AggressiveInlining)]
-    public bool4(bool x, bool y, bool z, bool w)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool4(bool x, bool y, bool2 zw)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = zw.x;
-        this.w = zw.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool4(bool x, bool2 yz, bool w)
-    {
-        this.x = x;
-        this.y = yz.x;
-        this.z = yz.y;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool4(bool x, bool3 yzw)
-    {
-        this.x = x;
-        this.y = yzw.x;
-        this.z = yzw.y;
-        this.w = yzw.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool4(bool2 xy, bool z, bool w)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool4(bool2 xy, bool2 zw)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = zw.x;
-        this.w = zw.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool4(bool3 xyz, bool w)
-    {
-        this.x = xyz.x;
-        this.y = xyz.y;
-        this.z = xyz.z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool4(bool4 xyzw)
-    {
-        this.x = xyzw.x;
-        this.y = xyzw.y;
-        this.z = xyzw.z;
-        this.w = xyzw.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public bool4(bool v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-        this.w = v;
-    }
+    [MethodImpl(AggressiveInlining)] public bool4(bool x, bool y, bool z, bool w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public bool4(bool x, bool y, bool2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
+    [MethodImpl(AggressiveInlining)] public bool4(bool x, bool2 yz, bool w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public bool4(bool x, bool3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
+    [MethodImpl(AggressiveInlining)] public bool4(bool2 xy, bool z, bool w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public bool4(bool2 xy, bool2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
+    [MethodImpl(AggressiveInlining)] public bool4(bool3 xyz, bool w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public bool4(bool4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
+    [MethodImpl(AggressiveInlining)] public bool4(bool v) { this.x = v; this.y = v; this.z = v; this.w = v; }
 
     public unsafe bool this[int index]
     {
@@ -121,7 +50,7 @@ public partial struct bool4 : IEquatable<bool4>
 
     [MethodImpl(AggressiveInlining)] public bool Equals(bool4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
     public override bool Equals(object o) => o is bool4 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y, z, w).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663) ^ (z.GetHashCode() * 83492791) ^ (w.GetHashCode() * 49979687);
     public override string ToString() => $"bool4({x}, {y}, {z}, {w})";
 
     [MethodImpl(AggressiveInlining)]

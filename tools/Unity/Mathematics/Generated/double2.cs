@@ -12,82 +12,17 @@ public partial struct double2 : IEquatable<double2>, IFormattable
     public double y;
     public static readonly double2 zero;
 
-    [MethodImpl(AggressiveInlining)]
-    public double2(double x, double y)
-    {
-        this.x = x;
-        this.y = y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double2(double2 xy)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double2(double v)
-    {
-        this.x = v;
-        this.y = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double2(bool v)
-    {
-        this.x = v ? 1.0 : 0.0;
-        this.y = v ? 1.0 : 0.0;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double2(bool2 v)
-    {
-        this.x = v.x ? 1.0 : 0.0;
-        this.y = v.y ? 1.0 : 0.0;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double2(int v)
-    {
-        this.x = v;
-        this.y = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double2(int2 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double2(uint v)
-    {
-        this.x = v;
-        this.y = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double2(uint2 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double2(float v)
-    {
-        this.x = v;
-        this.y = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double2(float2 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-    }
+    [MethodImpl(AggressiveInlining)] public double2(double x, double y) { this.x = x; this.y = y; }
+    [MethodImpl(AggressiveInlining)] public double2(double2 xy) { this.x = xy.x; this.y = xy.y; }
+    [MethodImpl(AggressiveInlining)] public double2(double v) { this.x = v; this.y = v; }
+    [MethodImpl(AggressiveInlining)] public double2(bool v) { this.x = v ? 1.0 : 0.0; this.y = v ? 1.0 : 0.0; }
+    [MethodImpl(AggressiveInlining)] public double2(bool2 v) { this.x = v.x ? 1.0 : 0.0; this.y = v.y ? 1.0 : 0.0; }
+    [MethodImpl(AggressiveInlining)] public double2(int v) { this.x = v; this.y = v; }
+    [MethodImpl(AggressiveInlining)] public double2(int2 v) { this.x = v.x; this.y = v.y; }
+    [MethodImpl(AggressiveInlining)] public double2(uint v) { this.x = v; this.y = v; }
+    [MethodImpl(AggressiveInlining)] public double2(uint2 v) { this.x = v.x; this.y = v.y; }
+    [MethodImpl(AggressiveInlining)] public double2(float v) { this.x = v; this.y = v; }
+    [MethodImpl(AggressiveInlining)] public double2(float2 v) { this.x = v.x; this.y = v.y; }
 
     public unsafe double this[int index]
     {
@@ -144,7 +79,7 @@ public partial struct double2 : IEquatable<double2>, IFormattable
 
     [MethodImpl(AggressiveInlining)] public bool Equals(double2 rhs) => x == rhs.x && y == rhs.y;
     public override bool Equals(object o) => o is double2 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663);
     public override string ToString() => ToString(null, null);
     public string ToString(string format, IFormatProvider formatProvider) => $"double2({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)})";
 

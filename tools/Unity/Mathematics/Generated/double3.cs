@@ -13,109 +13,19 @@ public partial struct double3 : IEquatable<double3>, IFormattable
     public double z;
     public static readonly double3 zero;
 
-    [MethodImpl(AggressiveInlining)]
-    public double3(double x, double y, double z)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(double x, double2 yz)
-    {
-        this.x = x;
-        this.y = yz.x;
-        this.z = yz.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(double2 xy, double z)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(double3 xyz)
-    {
-        this.x = xyz.x;
-        this.y = xyz.y;
-        this.z = xyz.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(double v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(bool v)
-    {
-        this.x = v ? 1.0 : 0.0;
-        this.y = v ? 1.0 : 0.0;
-        this.z = v ? 1.0 : 0.0;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(bool3 v)
-    {
-        this.x = v.x ? 1.0 : 0.0;
-        this.y = v.y ? 1.0 : 0.0;
-        this.z = v.z ? 1.0 : 0.0;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(int v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(int3 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-        this.z = v.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(uint v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(uint3 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-        this.z = v.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(float v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double3(float3 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-        this.z = v.z;
-    }
+    [MethodImpl(AggressiveInlining)] public double3(double x, double y, double z) { this.x = x; this.y = y; this.z = z; }
+    [MethodImpl(AggressiveInlining)] public double3(double x, double2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
+    [MethodImpl(AggressiveInlining)] public double3(double2 xy, double z) { this.x = xy.x; this.y = xy.y; this.z = z; }
+    [MethodImpl(AggressiveInlining)] public double3(double3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
+    [MethodImpl(AggressiveInlining)] public double3(double v) { this.x = v; this.y = v; this.z = v; }
+    [MethodImpl(AggressiveInlining)] public double3(bool v) { this.x = v ? 1.0 : 0.0; this.y = v ? 1.0 : 0.0; this.z = v ? 1.0 : 0.0; }
+    [MethodImpl(AggressiveInlining)] public double3(bool3 v) { this.x = v.x ? 1.0 : 0.0; this.y = v.y ? 1.0 : 0.0; this.z = v.z ? 1.0 : 0.0; }
+    [MethodImpl(AggressiveInlining)] public double3(int v) { this.x = v; this.y = v; this.z = v; }
+    [MethodImpl(AggressiveInlining)] public double3(int3 v) { this.x = v.x; this.y = v.y; this.z = v.z; }
+    [MethodImpl(AggressiveInlining)] public double3(uint v) { this.x = v; this.y = v; this.z = v; }
+    [MethodImpl(AggressiveInlining)] public double3(uint3 v) { this.x = v.x; this.y = v.y; this.z = v.z; }
+    [MethodImpl(AggressiveInlining)] public double3(float v) { this.x = v; this.y = v; this.z = v; }
+    [MethodImpl(AggressiveInlining)] public double3(float3 v) { this.x = v.x; this.y = v.y; this.z = v.z; }
 
     public unsafe double this[int index]
     {
@@ -172,7 +82,7 @@ public partial struct double3 : IEquatable<double3>, IFormattable
 
     [MethodImpl(AggressiveInlining)] public bool Equals(double3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
     public override bool Equals(object o) => o is double3 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y, z).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663) ^ (z.GetHashCode() * 83492791);
     public override string ToString() => ToString(null, null);
     public string ToString(string format, IFormatProvider formatProvider) => $"double3({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)})";
 

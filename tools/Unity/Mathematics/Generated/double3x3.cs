@@ -45,7 +45,7 @@ public partial struct double3x3 : IEquatable<double3x3>, IFormattable
 
     public bool Equals(double3x3 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1) && c2.Equals(rhs.c2);
     public override bool Equals(object o) => o is double3x3 other && Equals(other);
-    public override int GetHashCode() => (c0, c1, c2).GetHashCode();
+    public override int GetHashCode() => (c0.GetHashCode() * 73856093) ^ (c1.GetHashCode() * 19349663) ^ (c2.GetHashCode() * 83492791);
     public override string ToString() => ToString(null, null);
 
     public string ToString(string format, IFormatProvider formatProvider)

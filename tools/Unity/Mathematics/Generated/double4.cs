@@ -14,158 +14,23 @@ public partial struct double4 : IEquatable<double4>, IFormattable
     public double w;
     public static readonly double4 zero;
 
-    [MethodImpl(AggressiveInlining)]
-    public double4(double x, double y, double z, double w)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(double x, double y, double2 zw)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = zw.x;
-        this.w = zw.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(double x, double2 yz, double w)
-    {
-        this.x = x;
-        this.y = yz.x;
-        this.z = yz.y;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(double x, double3 yzw)
-    {
-        this.x = x;
-        this.y = yzw.x;
-        this.z = yzw.y;
-        this.w = yzw.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(double2 xy, double z, double w)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(double2 xy, double2 zw)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = zw.x;
-        this.w = zw.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(double3 xyz, double w)
-    {
-        this.x = xyz.x;
-        this.y = xyz.y;
-        this.z = xyz.z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(double4 xyzw)
-    {
-        this.x = xyzw.x;
-        this.y = xyzw.y;
-        this.z = xyzw.z;
-        this.w = xyzw.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(double v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-        this.w = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(bool v)
-    {
-        this.x = v ? 1.0 : 0.0;
-        this.y = v ? 1.0 : 0.0;
-        this.z = v ? 1.0 : 0.0;
-        this.w = v ? 1.0 : 0.0;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(bool4 v)
-    {
-        this.x = v.x ? 1.0 : 0.0;
-        this.y = v.y ? 1.0 : 0.0;
-        this.z = v.z ? 1.0 : 0.0;
-        this.w = v.w ? 1.0 : 0.0;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(int v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-        this.w = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(int4 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-        this.z = v.z;
-        this.w = v.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(uint v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-        this.w = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(uint4 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-        this.z = v.z;
-        this.w = v.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(float v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-        this.w = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public double4(float4 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-        this.z = v.z;
-        this.w = v.w;
-    }
+    [MethodImpl(AggressiveInlining)] public double4(double x, double y, double z, double w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public double4(double x, double y, double2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
+    [MethodImpl(AggressiveInlining)] public double4(double x, double2 yz, double w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public double4(double x, double3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
+    [MethodImpl(AggressiveInlining)] public double4(double2 xy, double z, double w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public double4(double2 xy, double2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
+    [MethodImpl(AggressiveInlining)] public double4(double3 xyz, double w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public double4(double4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
+    [MethodImpl(AggressiveInlining)] public double4(double v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+    [MethodImpl(AggressiveInlining)] public double4(bool v) { this.x = v ? 1.0 : 0.0; this.y = v ? 1.0 : 0.0; this.z = v ? 1.0 : 0.0; this.w = v ? 1.0 : 0.0; }
+    [MethodImpl(AggressiveInlining)] public double4(bool4 v) { this.x = v.x ? 1.0 : 0.0; this.y = v.y ? 1.0 : 0.0; this.z = v.z ? 1.0 : 0.0; this.w = v.w ? 1.0 : 0.0; }
+    [MethodImpl(AggressiveInlining)] public double4(int v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+    [MethodImpl(AggressiveInlining)] public double4(int4 v) { this.x = v.x; this.y = v.y; this.z = v.z; this.w = v.w; }
+    [MethodImpl(AggressiveInlining)] public double4(uint v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+    [MethodImpl(AggressiveInlining)] public double4(uint4 v) { this.x = v.x; this.y = v.y; this.z = v.z; this.w = v.w; }
+    [MethodImpl(AggressiveInlining)] public double4(float v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+    [MethodImpl(AggressiveInlining)] public double4(float4 v) { this.x = v.x; this.y = v.y; this.z = v.z; this.w = v.w; }
 
     public unsafe double this[int index]
     {
@@ -222,7 +87,7 @@ public partial struct double4 : IEquatable<double4>, IFormattable
 
     [MethodImpl(AggressiveInlining)] public bool Equals(double4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
     public override bool Equals(object o) => o is double4 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y, z, w).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663) ^ (z.GetHashCode() * 83492791) ^ (w.GetHashCode() * 49979687);
     public override string ToString() => ToString(null, null);
     public string ToString(string format, IFormatProvider formatProvider) => $"double4({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
 

@@ -46,7 +46,7 @@ public partial struct double4x4 : IEquatable<double4x4>, IFormattable
 
     public bool Equals(double4x4 rhs) => c0.Equals(rhs.c0) && c1.Equals(rhs.c1) && c2.Equals(rhs.c2) && c3.Equals(rhs.c3);
     public override bool Equals(object o) => o is double4x4 other && Equals(other);
-    public override int GetHashCode() => (c0, c1, c2, c3).GetHashCode();
+    public override int GetHashCode() => (c0.GetHashCode() * 73856093) ^ (c1.GetHashCode() * 19349663) ^ (c2.GetHashCode() * 83492791) ^ (c3.GetHashCode() * 49979687);
     public override string ToString() => ToString(null, null);
 
     public string ToString(string format, IFormatProvider formatProvider)

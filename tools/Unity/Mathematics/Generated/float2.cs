@@ -12,82 +12,17 @@ public partial struct float2 : IEquatable<float2>, IFormattable
     public float y;
     public static readonly float2 zero;
 
-    [MethodImpl(AggressiveInlining)]
-    public float2(float x, float y)
-    {
-        this.x = x;
-        this.y = y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float2(float2 xy)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float2(float v)
-    {
-        this.x = v;
-        this.y = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float2(bool v)
-    {
-        this.x = v ? 1f : 0f;
-        this.y = v ? 1f : 0f;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float2(bool2 v)
-    {
-        this.x = v.x ? 1f : 0f;
-        this.y = v.y ? 1f : 0f;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float2(int v)
-    {
-        this.x = v;
-        this.y = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float2(int2 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float2(uint v)
-    {
-        this.x = v;
-        this.y = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float2(uint2 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float2(double v)
-    {
-        this.x = (float)v;
-        this.y = (float)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float2(double2 v)
-    {
-        this.x = (float)v.x;
-        this.y = (float)v.y;
-    }
+    [MethodImpl(AggressiveInlining)] public float2(float x, float y) { this.x = x; this.y = y; }
+    [MethodImpl(AggressiveInlining)] public float2(float2 xy) { this.x = xy.x; this.y = xy.y; }
+    [MethodImpl(AggressiveInlining)] public float2(float v) { this.x = v; this.y = v; }
+    [MethodImpl(AggressiveInlining)] public float2(bool v) { this.x = v ? 1f : 0f; this.y = v ? 1f : 0f; }
+    [MethodImpl(AggressiveInlining)] public float2(bool2 v) { this.x = v.x ? 1f : 0f; this.y = v.y ? 1f : 0f; }
+    [MethodImpl(AggressiveInlining)] public float2(int v) { this.x = v; this.y = v; }
+    [MethodImpl(AggressiveInlining)] public float2(int2 v) { this.x = v.x; this.y = v.y; }
+    [MethodImpl(AggressiveInlining)] public float2(uint v) { this.x = v; this.y = v; }
+    [MethodImpl(AggressiveInlining)] public float2(uint2 v) { this.x = v.x; this.y = v.y; }
+    [MethodImpl(AggressiveInlining)] public float2(double v) { this.x = (float)v; this.y = (float)v; }
+    [MethodImpl(AggressiveInlining)] public float2(double2 v) { this.x = (float)v.x; this.y = (float)v.y; }
 
     public unsafe float this[int index]
     {
@@ -144,7 +79,7 @@ public partial struct float2 : IEquatable<float2>, IFormattable
 
     [MethodImpl(AggressiveInlining)] public bool Equals(float2 rhs) => x == rhs.x && y == rhs.y;
     public override bool Equals(object o) => o is float2 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663);
     public override string ToString() => ToString(null, null);
     public string ToString(string format, IFormatProvider formatProvider) => $"float2({x.ToString(format, formatProvider)}f, {y.ToString(format, formatProvider)}f)";
 

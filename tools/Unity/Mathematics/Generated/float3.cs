@@ -13,109 +13,19 @@ public partial struct float3 : IEquatable<float3>, IFormattable
     public float z;
     public static readonly float3 zero;
 
-    [MethodImpl(AggressiveInlining)]
-    public float3(float x, float y, float z)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(float x, float2 yz)
-    {
-        this.x = x;
-        this.y = yz.x;
-        this.z = yz.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(float2 xy, float z)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(float3 xyz)
-    {
-        this.x = xyz.x;
-        this.y = xyz.y;
-        this.z = xyz.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(float v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(bool v)
-    {
-        this.x = v ? 1f : 0f;
-        this.y = v ? 1f : 0f;
-        this.z = v ? 1f : 0f;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(bool3 v)
-    {
-        this.x = v.x ? 1f : 0f;
-        this.y = v.y ? 1f : 0f;
-        this.z = v.z ? 1f : 0f;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(int v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(int3 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-        this.z = v.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(uint v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(uint3 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-        this.z = v.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(double v)
-    {
-        this.x = (float)v;
-        this.y = (float)v;
-        this.z = (float)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float3(double3 v)
-    {
-        this.x = (float)v.x;
-        this.y = (float)v.y;
-        this.z = (float)v.z;
-    }
+    [MethodImpl(AggressiveInlining)] public float3(float x, float y, float z) { this.x = x; this.y = y; this.z = z; }
+    [MethodImpl(AggressiveInlining)] public float3(float x, float2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
+    [MethodImpl(AggressiveInlining)] public float3(float2 xy, float z) { this.x = xy.x; this.y = xy.y; this.z = z; }
+    [MethodImpl(AggressiveInlining)] public float3(float3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
+    [MethodImpl(AggressiveInlining)] public float3(float v) { this.x = v; this.y = v; this.z = v; }
+    [MethodImpl(AggressiveInlining)] public float3(bool v) { this.x = v ? 1f : 0f; this.y = v ? 1f : 0f; this.z = v ? 1f : 0f; }
+    [MethodImpl(AggressiveInlining)] public float3(bool3 v) { this.x = v.x ? 1f : 0f; this.y = v.y ? 1f : 0f; this.z = v.z ? 1f : 0f; }
+    [MethodImpl(AggressiveInlining)] public float3(int v) { this.x = v; this.y = v; this.z = v; }
+    [MethodImpl(AggressiveInlining)] public float3(int3 v) { this.x = v.x; this.y = v.y; this.z = v.z; }
+    [MethodImpl(AggressiveInlining)] public float3(uint v) { this.x = v; this.y = v; this.z = v; }
+    [MethodImpl(AggressiveInlining)] public float3(uint3 v) { this.x = v.x; this.y = v.y; this.z = v.z; }
+    [MethodImpl(AggressiveInlining)] public float3(double v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; }
+    [MethodImpl(AggressiveInlining)] public float3(double3 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; }
 
     public unsafe float this[int index]
     {
@@ -172,7 +82,7 @@ public partial struct float3 : IEquatable<float3>, IFormattable
 
     [MethodImpl(AggressiveInlining)] public bool Equals(float3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
     public override bool Equals(object o) => o is float3 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y, z).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663) ^ (z.GetHashCode() * 83492791);
     public override string ToString() => ToString(null, null);
     public string ToString(string format, IFormatProvider formatProvider) => $"float3({x.ToString(format, formatProvider)}f, {y.ToString(format, formatProvider)}f, {z.ToString(format, formatProvider)}f)";
 

@@ -14,158 +14,23 @@ public partial struct float4 : IEquatable<float4>, IFormattable
     public float w;
     public static readonly float4 zero;
 
-    [MethodImpl(AggressiveInlining)]
-    public float4(float x, float y, float z, float w)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(float x, float y, float2 zw)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = zw.x;
-        this.w = zw.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(float x, float2 yz, float w)
-    {
-        this.x = x;
-        this.y = yz.x;
-        this.z = yz.y;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(float x, float3 yzw)
-    {
-        this.x = x;
-        this.y = yzw.x;
-        this.z = yzw.y;
-        this.w = yzw.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(float2 xy, float z, float w)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(float2 xy, float2 zw)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = zw.x;
-        this.w = zw.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(float3 xyz, float w)
-    {
-        this.x = xyz.x;
-        this.y = xyz.y;
-        this.z = xyz.z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(float4 xyzw)
-    {
-        this.x = xyzw.x;
-        this.y = xyzw.y;
-        this.z = xyzw.z;
-        this.w = xyzw.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(float v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-        this.w = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(bool v)
-    {
-        this.x = v ? 1f : 0f;
-        this.y = v ? 1f : 0f;
-        this.z = v ? 1f : 0f;
-        this.w = v ? 1f : 0f;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(bool4 v)
-    {
-        this.x = v.x ? 1f : 0f;
-        this.y = v.y ? 1f : 0f;
-        this.z = v.z ? 1f : 0f;
-        this.w = v.w ? 1f : 0f;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(int v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-        this.w = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(int4 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-        this.z = v.z;
-        this.w = v.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(uint v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-        this.w = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(uint4 v)
-    {
-        this.x = v.x;
-        this.y = v.y;
-        this.z = v.z;
-        this.w = v.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(double v)
-    {
-        this.x = (float)v;
-        this.y = (float)v;
-        this.z = (float)v;
-        this.w = (float)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public float4(double4 v)
-    {
-        this.x = (float)v.x;
-        this.y = (float)v.y;
-        this.z = (float)v.z;
-        this.w = (float)v.w;
-    }
+    [MethodImpl(AggressiveInlining)] public float4(float x, float y, float z, float w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public float4(float x, float y, float2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
+    [MethodImpl(AggressiveInlining)] public float4(float x, float2 yz, float w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public float4(float x, float3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
+    [MethodImpl(AggressiveInlining)] public float4(float2 xy, float z, float w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public float4(float2 xy, float2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
+    [MethodImpl(AggressiveInlining)] public float4(float3 xyz, float w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public float4(float4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
+    [MethodImpl(AggressiveInlining)] public float4(float v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+    [MethodImpl(AggressiveInlining)] public float4(bool v) { this.x = v ? 1f : 0f; this.y = v ? 1f : 0f; this.z = v ? 1f : 0f; this.w = v ? 1f : 0f; }
+    [MethodImpl(AggressiveInlining)] public float4(bool4 v) { this.x = v.x ? 1f : 0f; this.y = v.y ? 1f : 0f; this.z = v.z ? 1f : 0f; this.w = v.w ? 1f : 0f; }
+    [MethodImpl(AggressiveInlining)] public float4(int v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+    [MethodImpl(AggressiveInlining)] public float4(int4 v) { this.x = v.x; this.y = v.y; this.z = v.z; this.w = v.w; }
+    [MethodImpl(AggressiveInlining)] public float4(uint v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+    [MethodImpl(AggressiveInlining)] public float4(uint4 v) { this.x = v.x; this.y = v.y; this.z = v.z; this.w = v.w; }
+    [MethodImpl(AggressiveInlining)] public float4(double v) { this.x = (float)v; this.y = (float)v; this.z = (float)v; this.w = (float)v; }
+    [MethodImpl(AggressiveInlining)] public float4(double4 v) { this.x = (float)v.x; this.y = (float)v.y; this.z = (float)v.z; this.w = (float)v.w; }
 
     public unsafe float this[int index]
     {
@@ -222,7 +87,7 @@ public partial struct float4 : IEquatable<float4>, IFormattable
 
     [MethodImpl(AggressiveInlining)] public bool Equals(float4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
     public override bool Equals(object o) => o is float4 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y, z, w).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663) ^ (z.GetHashCode() * 83492791) ^ (w.GetHashCode() * 49979687);
     public override string ToString() => ToString(null, null);
     public string ToString(string format, IFormatProvider formatProvider) => $"float4({x.ToString(format, formatProvider)}f, {y.ToString(format, formatProvider)}f, {z.ToString(format, formatProvider)}f, {w.ToString(format, formatProvider)}f)";
 

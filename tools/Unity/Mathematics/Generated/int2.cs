@@ -12,82 +12,17 @@ public partial struct int2 : IEquatable<int2>, IFormattable
     public int y;
     public static readonly int2 zero;
 
-    [MethodImpl(AggressiveInlining)]
-    public int2(int x, int y)
-    {
-        this.x = x;
-        this.y = y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int2(int2 xy)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int2(int v)
-    {
-        this.x = v;
-        this.y = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int2(bool v)
-    {
-        this.x = v ? 1 : 0;
-        this.y = v ? 1 : 0;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int2(bool2 v)
-    {
-        this.x = v.x ? 1 : 0;
-        this.y = v.y ? 1 : 0;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int2(uint v)
-    {
-        this.x = (int)v;
-        this.y = (int)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int2(uint2 v)
-    {
-        this.x = (int)v.x;
-        this.y = (int)v.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int2(float v)
-    {
-        this.x = (int)v;
-        this.y = (int)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int2(float2 v)
-    {
-        this.x = (int)v.x;
-        this.y = (int)v.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int2(double v)
-    {
-        this.x = (int)v;
-        this.y = (int)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int2(double2 v)
-    {
-        this.x = (int)v.x;
-        this.y = (int)v.y;
-    }
+    [MethodImpl(AggressiveInlining)] public int2(int x, int y) { this.x = x; this.y = y; }
+    [MethodImpl(AggressiveInlining)] public int2(int2 xy) { this.x = xy.x; this.y = xy.y; }
+    [MethodImpl(AggressiveInlining)] public int2(int v) { this.x = v; this.y = v; }
+    [MethodImpl(AggressiveInlining)] public int2(bool v) { this.x = v ? 1 : 0; this.y = v ? 1 : 0; }
+    [MethodImpl(AggressiveInlining)] public int2(bool2 v) { this.x = v.x ? 1 : 0; this.y = v.y ? 1 : 0; }
+    [MethodImpl(AggressiveInlining)] public int2(uint v) { this.x = (int)v; this.y = (int)v; }
+    [MethodImpl(AggressiveInlining)] public int2(uint2 v) { this.x = (int)v.x; this.y = (int)v.y; }
+    [MethodImpl(AggressiveInlining)] public int2(float v) { this.x = (int)v; this.y = (int)v; }
+    [MethodImpl(AggressiveInlining)] public int2(float2 v) { this.x = (int)v.x; this.y = (int)v.y; }
+    [MethodImpl(AggressiveInlining)] public int2(double v) { this.x = (int)v; this.y = (int)v; }
+    [MethodImpl(AggressiveInlining)] public int2(double2 v) { this.x = (int)v.x; this.y = (int)v.y; }
 
     public unsafe int this[int index]
     {
@@ -156,7 +91,7 @@ public partial struct int2 : IEquatable<int2>, IFormattable
 
     [MethodImpl(AggressiveInlining)] public bool Equals(int2 rhs) => x == rhs.x && y == rhs.y;
     public override bool Equals(object o) => o is int2 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663);
     public override string ToString() => ToString(null, null);
     public string ToString(string format, IFormatProvider formatProvider) => $"int2({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)})";
 

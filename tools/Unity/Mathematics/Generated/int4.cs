@@ -14,158 +14,23 @@ public partial struct int4 : IEquatable<int4>, IFormattable
     public int w;
     public static readonly int4 zero;
 
-    [MethodImpl(AggressiveInlining)]
-    public int4(int x, int y, int z, int w)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(int x, int y, int2 zw)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = zw.x;
-        this.w = zw.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(int x, int2 yz, int w)
-    {
-        this.x = x;
-        this.y = yz.x;
-        this.z = yz.y;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(int x, int3 yzw)
-    {
-        this.x = x;
-        this.y = yzw.x;
-        this.z = yzw.y;
-        this.w = yzw.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(int2 xy, int z, int w)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(int2 xy, int2 zw)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = zw.x;
-        this.w = zw.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(int3 xyz, int w)
-    {
-        this.x = xyz.x;
-        this.y = xyz.y;
-        this.z = xyz.z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(int4 xyzw)
-    {
-        this.x = xyzw.x;
-        this.y = xyzw.y;
-        this.z = xyzw.z;
-        this.w = xyzw.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(int v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-        this.w = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(bool v)
-    {
-        this.x = v ? 1 : 0;
-        this.y = v ? 1 : 0;
-        this.z = v ? 1 : 0;
-        this.w = v ? 1 : 0;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(bool4 v)
-    {
-        this.x = v.x ? 1 : 0;
-        this.y = v.y ? 1 : 0;
-        this.z = v.z ? 1 : 0;
-        this.w = v.w ? 1 : 0;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(uint v)
-    {
-        this.x = (int)v;
-        this.y = (int)v;
-        this.z = (int)v;
-        this.w = (int)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(uint4 v)
-    {
-        this.x = (int)v.x;
-        this.y = (int)v.y;
-        this.z = (int)v.z;
-        this.w = (int)v.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(float v)
-    {
-        this.x = (int)v;
-        this.y = (int)v;
-        this.z = (int)v;
-        this.w = (int)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(float4 v)
-    {
-        this.x = (int)v.x;
-        this.y = (int)v.y;
-        this.z = (int)v.z;
-        this.w = (int)v.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(double v)
-    {
-        this.x = (int)v;
-        this.y = (int)v;
-        this.z = (int)v;
-        this.w = (int)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public int4(double4 v)
-    {
-        this.x = (int)v.x;
-        this.y = (int)v.y;
-        this.z = (int)v.z;
-        this.w = (int)v.w;
-    }
+    [MethodImpl(AggressiveInlining)] public int4(int x, int y, int z, int w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public int4(int x, int y, int2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
+    [MethodImpl(AggressiveInlining)] public int4(int x, int2 yz, int w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public int4(int x, int3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
+    [MethodImpl(AggressiveInlining)] public int4(int2 xy, int z, int w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public int4(int2 xy, int2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
+    [MethodImpl(AggressiveInlining)] public int4(int3 xyz, int w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public int4(int4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
+    [MethodImpl(AggressiveInlining)] public int4(int v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+    [MethodImpl(AggressiveInlining)] public int4(bool v) { this.x = v ? 1 : 0; this.y = v ? 1 : 0; this.z = v ? 1 : 0; this.w = v ? 1 : 0; }
+    [MethodImpl(AggressiveInlining)] public int4(bool4 v) { this.x = v.x ? 1 : 0; this.y = v.y ? 1 : 0; this.z = v.z ? 1 : 0; this.w = v.w ? 1 : 0; }
+    [MethodImpl(AggressiveInlining)] public int4(uint v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; this.w = (int)v; }
+    [MethodImpl(AggressiveInlining)] public int4(uint4 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; this.w = (int)v.w; }
+    [MethodImpl(AggressiveInlining)] public int4(float v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; this.w = (int)v; }
+    [MethodImpl(AggressiveInlining)] public int4(float4 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; this.w = (int)v.w; }
+    [MethodImpl(AggressiveInlining)] public int4(double v) { this.x = (int)v; this.y = (int)v; this.z = (int)v; this.w = (int)v; }
+    [MethodImpl(AggressiveInlining)] public int4(double4 v) { this.x = (int)v.x; this.y = (int)v.y; this.z = (int)v.z; this.w = (int)v.w; }
 
     public unsafe int this[int index]
     {
@@ -234,7 +99,7 @@ public partial struct int4 : IEquatable<int4>, IFormattable
 
     [MethodImpl(AggressiveInlining)] public bool Equals(int4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
     public override bool Equals(object o) => o is int4 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y, z, w).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663) ^ (z.GetHashCode() * 83492791) ^ (w.GetHashCode() * 49979687);
     public override string ToString() => ToString(null, null);
     public string ToString(string format, IFormatProvider formatProvider) => $"int4({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
 

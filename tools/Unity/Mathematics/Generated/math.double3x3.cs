@@ -1,5 +1,4 @@
 // Written by generate.py.
-
 namespace Unity.Mathematics;
 
 public static partial class math

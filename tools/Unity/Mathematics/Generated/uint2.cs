@@ -12,82 +12,17 @@ public partial struct uint2 : IEquatable<uint2>, IFormattable
     public uint y;
     public static readonly uint2 zero;
 
-    [MethodImpl(AggressiveInlining)]
-    public uint2(uint x, uint y)
-    {
-        this.x = x;
-        this.y = y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint2(uint2 xy)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint2(uint v)
-    {
-        this.x = v;
-        this.y = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint2(bool v)
-    {
-        this.x = v ? 1u : 0u;
-        this.y = v ? 1u : 0u;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint2(bool2 v)
-    {
-        this.x = v.x ? 1u : 0u;
-        this.y = v.y ? 1u : 0u;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint2(int v)
-    {
-        this.x = (uint)v;
-        this.y = (uint)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint2(int2 v)
-    {
-        this.x = (uint)v.x;
-        this.y = (uint)v.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint2(float v)
-    {
-        this.x = (uint)v;
-        this.y = (uint)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint2(float2 v)
-    {
-        this.x = (uint)v.x;
-        this.y = (uint)v.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint2(double v)
-    {
-        this.x = (uint)v;
-        this.y = (uint)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint2(double2 v)
-    {
-        this.x = (uint)v.x;
-        this.y = (uint)v.y;
-    }
+    [MethodImpl(AggressiveInlining)] public uint2(uint x, uint y) { this.x = x; this.y = y; }
+    [MethodImpl(AggressiveInlining)] public uint2(uint2 xy) { this.x = xy.x; this.y = xy.y; }
+    [MethodImpl(AggressiveInlining)] public uint2(uint v) { this.x = v; this.y = v; }
+    [MethodImpl(AggressiveInlining)] public uint2(bool v) { this.x = v ? 1u : 0u; this.y = v ? 1u : 0u; }
+    [MethodImpl(AggressiveInlining)] public uint2(bool2 v) { this.x = v.x ? 1u : 0u; this.y = v.y ? 1u : 0u; }
+    [MethodImpl(AggressiveInlining)] public uint2(int v) { this.x = (uint)v; this.y = (uint)v; }
+    [MethodImpl(AggressiveInlining)] public uint2(int2 v) { this.x = (uint)v.x; this.y = (uint)v.y; }
+    [MethodImpl(AggressiveInlining)] public uint2(float v) { this.x = (uint)v; this.y = (uint)v; }
+    [MethodImpl(AggressiveInlining)] public uint2(float2 v) { this.x = (uint)v.x; this.y = (uint)v.y; }
+    [MethodImpl(AggressiveInlining)] public uint2(double v) { this.x = (uint)v; this.y = (uint)v; }
+    [MethodImpl(AggressiveInlining)] public uint2(double2 v) { this.x = (uint)v.x; this.y = (uint)v.y; }
 
     public unsafe uint this[int index]
     {
@@ -156,7 +91,7 @@ public partial struct uint2 : IEquatable<uint2>, IFormattable
 
     [MethodImpl(AggressiveInlining)] public bool Equals(uint2 rhs) => x == rhs.x && y == rhs.y;
     public override bool Equals(object o) => o is uint2 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663);
     public override string ToString() => ToString(null, null);
     public string ToString(string format, IFormatProvider formatProvider) => $"uint2({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)})";
 

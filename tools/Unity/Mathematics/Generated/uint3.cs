@@ -13,109 +13,19 @@ public partial struct uint3 : IEquatable<uint3>, IFormattable
     public uint z;
     public static readonly uint3 zero;
 
-    [MethodImpl(AggressiveInlining)]
-    public uint3(uint x, uint y, uint z)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(uint x, uint2 yz)
-    {
-        this.x = x;
-        this.y = yz.x;
-        this.z = yz.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(uint2 xy, uint z)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(uint3 xyz)
-    {
-        this.x = xyz.x;
-        this.y = xyz.y;
-        this.z = xyz.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(uint v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(bool v)
-    {
-        this.x = v ? 1u : 0u;
-        this.y = v ? 1u : 0u;
-        this.z = v ? 1u : 0u;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(bool3 v)
-    {
-        this.x = v.x ? 1u : 0u;
-        this.y = v.y ? 1u : 0u;
-        this.z = v.z ? 1u : 0u;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(int v)
-    {
-        this.x = (uint)v;
-        this.y = (uint)v;
-        this.z = (uint)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(int3 v)
-    {
-        this.x = (uint)v.x;
-        this.y = (uint)v.y;
-        this.z = (uint)v.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(float v)
-    {
-        this.x = (uint)v;
-        this.y = (uint)v;
-        this.z = (uint)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(float3 v)
-    {
-        this.x = (uint)v.x;
-        this.y = (uint)v.y;
-        this.z = (uint)v.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(double v)
-    {
-        this.x = (uint)v;
-        this.y = (uint)v;
-        this.z = (uint)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint3(double3 v)
-    {
-        this.x = (uint)v.x;
-        this.y = (uint)v.y;
-        this.z = (uint)v.z;
-    }
+    [MethodImpl(AggressiveInlining)] public uint3(uint x, uint y, uint z) { this.x = x; this.y = y; this.z = z; }
+    [MethodImpl(AggressiveInlining)] public uint3(uint x, uint2 yz) { this.x = x; this.y = yz.x; this.z = yz.y; }
+    [MethodImpl(AggressiveInlining)] public uint3(uint2 xy, uint z) { this.x = xy.x; this.y = xy.y; this.z = z; }
+    [MethodImpl(AggressiveInlining)] public uint3(uint3 xyz) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; }
+    [MethodImpl(AggressiveInlining)] public uint3(uint v) { this.x = v; this.y = v; this.z = v; }
+    [MethodImpl(AggressiveInlining)] public uint3(bool v) { this.x = v ? 1u : 0u; this.y = v ? 1u : 0u; this.z = v ? 1u : 0u; }
+    [MethodImpl(AggressiveInlining)] public uint3(bool3 v) { this.x = v.x ? 1u : 0u; this.y = v.y ? 1u : 0u; this.z = v.z ? 1u : 0u; }
+    [MethodImpl(AggressiveInlining)] public uint3(int v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; }
+    [MethodImpl(AggressiveInlining)] public uint3(int3 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; }
+    [MethodImpl(AggressiveInlining)] public uint3(float v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; }
+    [MethodImpl(AggressiveInlining)] public uint3(float3 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; }
+    [MethodImpl(AggressiveInlining)] public uint3(double v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; }
+    [MethodImpl(AggressiveInlining)] public uint3(double3 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; }
 
     public unsafe uint this[int index]
     {
@@ -184,7 +94,7 @@ public partial struct uint3 : IEquatable<uint3>, IFormattable
 
     [MethodImpl(AggressiveInlining)] public bool Equals(uint3 rhs) => x == rhs.x && y == rhs.y && z == rhs.z;
     public override bool Equals(object o) => o is uint3 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y, z).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663) ^ (z.GetHashCode() * 83492791);
     public override string ToString() => ToString(null, null);
     public string ToString(string format, IFormatProvider formatProvider) => $"uint3({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)})";
 

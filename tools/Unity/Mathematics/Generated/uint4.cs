@@ -14,158 +14,23 @@ public partial struct uint4 : IEquatable<uint4>, IFormattable
     public uint w;
     public static readonly uint4 zero;
 
-    [MethodImpl(AggressiveInlining)]
-    public uint4(uint x, uint y, uint z, uint w)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(uint x, uint y, uint2 zw)
-    {
-        this.x = x;
-        this.y = y;
-        this.z = zw.x;
-        this.w = zw.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(uint x, uint2 yz, uint w)
-    {
-        this.x = x;
-        this.y = yz.x;
-        this.z = yz.y;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(uint x, uint3 yzw)
-    {
-        this.x = x;
-        this.y = yzw.x;
-        this.z = yzw.y;
-        this.w = yzw.z;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(uint2 xy, uint z, uint w)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(uint2 xy, uint2 zw)
-    {
-        this.x = xy.x;
-        this.y = xy.y;
-        this.z = zw.x;
-        this.w = zw.y;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(uint3 xyz, uint w)
-    {
-        this.x = xyz.x;
-        this.y = xyz.y;
-        this.z = xyz.z;
-        this.w = w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(uint4 xyzw)
-    {
-        this.x = xyzw.x;
-        this.y = xyzw.y;
-        this.z = xyzw.z;
-        this.w = xyzw.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(uint v)
-    {
-        this.x = v;
-        this.y = v;
-        this.z = v;
-        this.w = v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(bool v)
-    {
-        this.x = v ? 1u : 0u;
-        this.y = v ? 1u : 0u;
-        this.z = v ? 1u : 0u;
-        this.w = v ? 1u : 0u;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(bool4 v)
-    {
-        this.x = v.x ? 1u : 0u;
-        this.y = v.y ? 1u : 0u;
-        this.z = v.z ? 1u : 0u;
-        this.w = v.w ? 1u : 0u;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(int v)
-    {
-        this.x = (uint)v;
-        this.y = (uint)v;
-        this.z = (uint)v;
-        this.w = (uint)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(int4 v)
-    {
-        this.x = (uint)v.x;
-        this.y = (uint)v.y;
-        this.z = (uint)v.z;
-        this.w = (uint)v.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(float v)
-    {
-        this.x = (uint)v;
-        this.y = (uint)v;
-        this.z = (uint)v;
-        this.w = (uint)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(float4 v)
-    {
-        this.x = (uint)v.x;
-        this.y = (uint)v.y;
-        this.z = (uint)v.z;
-        this.w = (uint)v.w;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(double v)
-    {
-        this.x = (uint)v;
-        this.y = (uint)v;
-        this.z = (uint)v;
-        this.w = (uint)v;
-    }
-
-    [MethodImpl(AggressiveInlining)]
-    public uint4(double4 v)
-    {
-        this.x = (uint)v.x;
-        this.y = (uint)v.y;
-        this.z = (uint)v.z;
-        this.w = (uint)v.w;
-    }
+    [MethodImpl(AggressiveInlining)] public uint4(uint x, uint y, uint z, uint w) { this.x = x; this.y = y; this.z = z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public uint4(uint x, uint y, uint2 zw) { this.x = x; this.y = y; this.z = zw.x; this.w = zw.y; }
+    [MethodImpl(AggressiveInlining)] public uint4(uint x, uint2 yz, uint w) { this.x = x; this.y = yz.x; this.z = yz.y; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public uint4(uint x, uint3 yzw) { this.x = x; this.y = yzw.x; this.z = yzw.y; this.w = yzw.z; }
+    [MethodImpl(AggressiveInlining)] public uint4(uint2 xy, uint z, uint w) { this.x = xy.x; this.y = xy.y; this.z = z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public uint4(uint2 xy, uint2 zw) { this.x = xy.x; this.y = xy.y; this.z = zw.x; this.w = zw.y; }
+    [MethodImpl(AggressiveInlining)] public uint4(uint3 xyz, uint w) { this.x = xyz.x; this.y = xyz.y; this.z = xyz.z; this.w = w; }
+    [MethodImpl(AggressiveInlining)] public uint4(uint4 xyzw) { this.x = xyzw.x; this.y = xyzw.y; this.z = xyzw.z; this.w = xyzw.w; }
+    [MethodImpl(AggressiveInlining)] public uint4(uint v) { this.x = v; this.y = v; this.z = v; this.w = v; }
+    [MethodImpl(AggressiveInlining)] public uint4(bool v) { this.x = v ? 1u : 0u; this.y = v ? 1u : 0u; this.z = v ? 1u : 0u; this.w = v ? 1u : 0u; }
+    [MethodImpl(AggressiveInlining)] public uint4(bool4 v) { this.x = v.x ? 1u : 0u; this.y = v.y ? 1u : 0u; this.z = v.z ? 1u : 0u; this.w = v.w ? 1u : 0u; }
+    [MethodImpl(AggressiveInlining)] public uint4(int v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; this.w = (uint)v; }
+    [MethodImpl(AggressiveInlining)] public uint4(int4 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; this.w = (uint)v.w; }
+    [MethodImpl(AggressiveInlining)] public uint4(float v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; this.w = (uint)v; }
+    [MethodImpl(AggressiveInlining)] public uint4(float4 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; this.w = (uint)v.w; }
+    [MethodImpl(AggressiveInlining)] public uint4(double v) { this.x = (uint)v; this.y = (uint)v; this.z = (uint)v; this.w = (uint)v; }
+    [MethodImpl(AggressiveInlining)] public uint4(double4 v) { this.x = (uint)v.x; this.y = (uint)v.y; this.z = (uint)v.z; this.w = (uint)v.w; }
 
     public unsafe uint this[int index]
     {
@@ -234,7 +99,7 @@ public partial struct uint4 : IEquatable<uint4>, IFormattable
 
     [MethodImpl(AggressiveInlining)] public bool Equals(uint4 rhs) => x == rhs.x && y == rhs.y && z == rhs.z && w == rhs.w;
     public override bool Equals(object o) => o is uint4 other && Equals(other);
-    public override int GetHashCode() => ValueTuple.Create(x, y, z, w).GetHashCode();
+    public override int GetHashCode() => (x.GetHashCode() * 73856093) ^ (y.GetHashCode() * 19349663) ^ (z.GetHashCode() * 83492791) ^ (w.GetHashCode() * 49979687);
     public override string ToString() => ToString(null, null);
     public string ToString(string format, IFormatProvider formatProvider) => $"uint4({x.ToString(format, formatProvider)}, {y.ToString(format, formatProvider)}, {z.ToString(format, formatProvider)}, {w.ToString(format, formatProvider)})";
 

@@ -11,10 +11,10 @@ using UnityEngine.TestTools;
 namespace Glint.Host;
 
 /// <summary>
-/// Put on a test assembly: around every test of it, [Test] or [UnityTest], runs [UnitySetUp] before [SetUp] (base class first) and
+/// Put on a test assembly or a fixture: around every test of it, [Test] or [UnityTest], runs [UnitySetUp] before [SetUp] (base class first) and
 /// [UnityTearDown] after [TearDown] (base class last), and holds what was logged from the first to the last against LogAssert.
 /// </summary>
-[AttributeUsage(AttributeTargets.Assembly)]
+[AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class)]
 public sealed class UnityTestActionAttribute : Attribute, ITestAction
 {
     const BindingFlags AnyMethod = BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.FlattenHierarchy;

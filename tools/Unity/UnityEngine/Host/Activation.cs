@@ -53,18 +53,19 @@ internal static class Activation
         Awaken(roots);
     }
 
+    /// <summary>OnDisable comes to children before their parents, OnEnable the other way round.</summary>
     internal static void Deactivate(GameObject item)
     {
         item.ActiveCached = false;
-        foreach (MonoBehaviour behaviour in Behaviours(item.Node).ToArray())
-        {
-            behaviour.Disable();
-            behaviour.StopAllCoroutines();
-        }
         foreach (Transform child in item.Node.Children.ToArray())
         {
             if (child.Owner.ActiveCached)
                 Deactivate(child.Owner);
+        }
+        foreach (MonoBehaviour behaviour in Behaviours(item.Node).ToArray())
+        {
+            behaviour.Disable();
+            behaviour.StopAllCoroutines();
         }
     }
 

@@ -18,6 +18,9 @@ public static class Engine
     /// <summary>The code given to Application.Quit in play mode; null as long as nobody called it.</summary>
     public static int? QuitCode { get; internal set; }
 
+    /// <summary>Play mode asked for or to be left, which happens between two frames.</summary>
+    internal static bool? PlayModeRequest { get; set; }
+
     /// <summary>Raised first thing in every frame.</summary>
     internal static event Action FrameBegins;
 
@@ -61,6 +64,7 @@ public static class Engine
     /// <summary>Runs one frame, in Unity's order.</summary>
     public static void Step()
     {
+        FollowRequest();
         Clock.Advance();
         FrameBegins?.Invoke();
         SceneLoads.Complete();
@@ -69,13 +73,16 @@ public static class Engine
         while (Clock.NextFixedStep())
         {
             PlayerLoop.Send("FixedUpdate");
+            PlayerLoop.StartPending();
             Coroutines.Resume(ResumePoint.FixedUpdate);
         }
         PlayerLoop.Send("Update");
+        PlayerLoop.StartPending();
         Coroutines.Resume(ResumePoint.Update);
         PlayerLoop.Send("LateUpdate");
         Destruction.Flush();
         Coroutines.Resume(ResumePoint.EndOfFrame);
+        FollowRequest();
     }
 
     /// <summary>Leaves play mode, drops all scenes, and begins with one untitled scene. The open project stays.</summary>
@@ -84,6 +91,7 @@ public static class Engine
         ExitPlayMode();
         SceneRegistry.Clear();
         QuitCode = null;
+        PlayModeRequest = null;
     }
 
     /// <summary>
@@ -91,4 +99,14 @@ public static class Engine
     /// other. Call Step until it is done; its exception is kept instead of logged.
     /// </summary>
     internal static Coroutine StartCoroutine(IEnumerator routine) => Coroutines.Start(null, routine, null);
+
+    static void FollowRequest()
+    {
+        bool? play = PlayModeRequest;
+        PlayModeRequest = null;
+        if (play == true)
+            EnterPlayMode();
+        else if (play == false)
+            ExitPlayMode();
+    }
 }

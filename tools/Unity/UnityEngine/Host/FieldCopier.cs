@@ -2,6 +2,7 @@ using System;
 using System.Collections;
 using System.Collections.Generic;
 using System.Reflection;
+using System.Runtime.CompilerServices;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -16,6 +17,8 @@ internal sealed class FieldCopier
     // Unity cuts nested serializable classes off at this depth, where a self-containing class would never end.
     const int MaxDepth = 10;
 
+    const BindingFlags AnyInstance = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
+
     readonly CloneMap _map;
     readonly Dictionary<object, object> _references = new(ReferenceEqualityComparer.Instance);
 
@@ -26,7 +29,8 @@ internal sealed class FieldCopier
 
     void CopyFields(object source, object target, int depth)
     {
-        (source as ISerializationCallbackReceiver)?.OnBeforeSerialize();
+        if (source is ISerializationCallbackReceiver sender)
+            Call(sender.OnBeforeSerialize, source);
         foreach (FieldInfo field in SerializedFields.Of(source.GetType()))
         {
             object value = field.GetValue(source);
@@ -34,8 +38,28 @@ internal sealed class FieldCopier
                 ? Referenced(value, field.FieldType, depth)
                 : Value(value, field.FieldType, depth));
         }
-        (target as ISerializationCallbackReceiver)?.OnAfterDeserialize();
+        if (target is ISerializationCallbackReceiver receiver)
+            Call(receiver.OnAfterDeserialize, target);
     }
+
+    // A script's own code: what it throws is logged, and copying goes on.
+    static void Call(Action callback, object script)
+    {
+        try
+        {
+            callback();
+        }
+        catch (Exception exception)
+        {
+            Debug.LogException(exception, script as Object);
+        }
+    }
+
+    // Unity needs no constructor without parameters; where there is one, its field values are the defaults.
+    static object Make(Type type) =>
+        type.IsValueType || type.GetConstructor(AnyInstance, Type.EmptyTypes) is not null
+            ? Activator.CreateInstance(type, true)
+            : RuntimeHelpers.GetUninitializedObject(type);
 
     object Value(object value, Type type, int depth)
     {
@@ -47,12 +71,12 @@ internal sealed class FieldCopier
             return List(value as IList, type, element, item => Value(item, element, depth));
         if (depth >= MaxDepth)
             return null;
-        return Contents(value ?? Activator.CreateInstance(type, true), type, depth);
+        return Contents(value ?? Make(type), type, depth);
     }
 
     object Contents(object source, Type type, int depth)
     {
-        object copy = Activator.CreateInstance(type, true);
+        object copy = Make(type);
         CopyFields(source, copy, depth + 1);
         return copy;
     }
@@ -65,7 +89,7 @@ internal sealed class FieldCopier
             return null;
         if (_references.TryGetValue(value, out object known))
             return known;
-        object copy = Activator.CreateInstance(value.GetType(), true);
+        object copy = Make(value.GetType());
         _references.Add(value, copy);
         CopyFields(value, copy, depth + 1);
         return copy;

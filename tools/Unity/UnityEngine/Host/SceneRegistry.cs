@@ -61,6 +61,18 @@ internal static class SceneRegistry
             Activate(_scenes[0]);
     }
 
+    /// <summary>Destroys the scene's objects; it may stay in the list, unloaded.</summary>
+    internal static void Close(SceneData scene, bool remove)
+    {
+        if (remove)
+        {
+            Remove(scene);
+            return;
+        }
+        DestroyRoots(scene);
+        scene.IsLoaded = false;
+    }
+
     /// <summary>Makes this the only scene, and the active one.</summary>
     internal static void Isolate(SceneData scene)
     {

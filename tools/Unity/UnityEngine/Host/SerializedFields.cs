@@ -62,7 +62,7 @@ internal static class SerializedFields
     static bool IsSerializable(Type type) =>
         IsPlain(type)
         || typeof(Object).IsAssignableFrom(type)
-        || (!type.IsAbstract && !type.IsInterface && ElementType(type) is null && !IsSystemType(type)
+        || (!type.IsAbstract && !type.IsInterface && !type.IsArray && ElementType(type) is null && !IsSystemType(type)
             && !typeof(Delegate).IsAssignableFrom(type) && type.IsDefined(typeof(SerializableAttribute), false));
 
     static bool IsFoundation(Type type) => type.Assembly == typeof(Object).Assembly || type == typeof(object);

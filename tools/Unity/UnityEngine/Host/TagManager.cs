@@ -20,6 +20,8 @@ public static class TagManager
     static HashSet<string> _tags = new(_builtInTags);
     static string[] _layers = Layers(Array.Empty<string>());
 
+    internal static IReadOnlyCollection<string> Tags => _tags;
+
     /// <summary>Takes over a project's own tags and its layer names by index; an empty name is no layer.</summary>
     public static void Set(IEnumerable<string> tags, IReadOnlyList<string> layers)
     {

@@ -69,7 +69,7 @@ public struct Vector3Int : IEquatable<Vector3Int>, IFormattable
 
     public static implicit operator Vector3(Vector3Int v) => new(v.x, v.y, v.z);
     public static explicit operator Vector2Int(Vector3Int v) => new(v.x, v.y);
-    public static Vector3Int operator -(Vector3Int v) => new(-v.x, -v.y, -v.z);
+    public static Vector3Int operator -(Vector3Int a) => new(-a.x, -a.y, -a.z);
     public static Vector3Int operator +(Vector3Int a, Vector3Int b) => new(a.x + b.x, a.y + b.y, a.z + b.z);
     public static Vector3Int operator -(Vector3Int a, Vector3Int b) => new(a.x - b.x, a.y - b.y, a.z - b.z);
     public static Vector3Int operator *(Vector3Int a, Vector3Int b) => new(a.x * b.x, a.y * b.y, a.z * b.z);

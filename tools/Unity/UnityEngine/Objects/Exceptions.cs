@@ -37,21 +37,3 @@ public class MissingReferenceException : SystemException
     {
     }
 }
-
-public class MissingComponentException : SystemException
-{
-    public MissingComponentException()
-        : this("A Unity Runtime error occurred!")
-    {
-    }
-
-    public MissingComponentException(string message)
-        : base(message)
-    {
-    }
-
-    public MissingComponentException(string message, Exception innerException)
-        : base(message, innerException)
-    {
-    }
-}

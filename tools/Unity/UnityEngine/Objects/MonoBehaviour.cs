@@ -27,6 +27,7 @@ public class MonoBehaviour : Behaviour
 
     public Coroutine StartCoroutine(string methodName, object value)
     {
+        EnsureAlive();
         IEnumerator routine = Messages.Routine(this, methodName, value);
         return routine is null ? null : StartCoroutine(routine, methodName);
     }

@@ -73,8 +73,9 @@ public class LODGroup : Component
         _levels = original._levels.Select(level => Copy(level, level.renderers?.Select(map.Of).ToArray())).ToArray();
     }
 
-    static LOD Copy(LOD level, Renderer[] renderers) => new(level.screenRelativeTransitionHeight, renderers?.ToArray())
-    {
-        fadeTransitionWidth = level.fadeTransitionWidth,
-    };
+    static LOD Copy(LOD level, Renderer[] renderers) =>
+        new(level.screenRelativeTransitionHeight, renderers?.ToArray() ?? Array.Empty<Renderer>())
+        {
+            fadeTransitionWidth = level.fadeTransitionWidth,
+        };
 }

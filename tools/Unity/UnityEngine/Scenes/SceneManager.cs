@@ -97,9 +97,18 @@ public class SceneManager
 
     public static AsyncOperation UnloadSceneAsync(Scene scene, UnloadSceneOptions options) => UnloadSceneAsync(scene);
 
-    internal static void RaiseLoaded(SceneData scene, LoadSceneMode mode) => sceneLoaded?.Invoke(new Scene(scene), mode);
+    // Edit mode has events of its own.
+    internal static void RaiseLoaded(SceneData scene, LoadSceneMode mode)
+    {
+        if (Engine.IsPlaying)
+            sceneLoaded?.Invoke(new Scene(scene), mode);
+    }
 
-    internal static void RaiseUnloaded(SceneData scene) => sceneUnloaded?.Invoke(new Scene(scene));
+    internal static void RaiseUnloaded(SceneData scene)
+    {
+        if (Engine.IsPlaying)
+            sceneUnloaded?.Invoke(new Scene(scene));
+    }
 
     internal static void RaiseActiveChanged(SceneData previous, SceneData next)
     {

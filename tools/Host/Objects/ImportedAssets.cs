@@ -1,0 +1,41 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using Glint.Core;
+using Glint.Vulkan;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Glint.Host;
+
+/// <summary>Assets that an importer makes of a file in a format of its own: compute shaders and text.</summary>
+internal static class ImportedAssets
+{
+    /// <summary>Null for kinds that the host leaves out, such as textures.</summary>
+    internal static Object Make(ProjectFiles files, string path)
+    {
+        string shown = files.Shown(path);
+        switch (Path.GetExtension(path).ToLowerInvariant())
+        {
+            case ".compute":
+                return ObjectRegistry.Make(true, () => new ComputeShader(Path.GetFileNameWithoutExtension(path), files.Paths.Root, shown, Kernels(shown)));
+            case ".txt" or ".json" or ".csv" or ".xml" or ".md" or ".bytes" or ".html" or ".htm" or ".yaml" or ".fnt":
+                byte[] bytes = AssetText.ReadBytes(files.Physical(path), shown);
+                return ObjectRegistry.Make(true, () => new TextAsset(bytes.AsSpan()));
+            default:
+                return null;
+        }
+    }
+
+    static IReadOnlyList<string> Kernels(string computePath)
+    {
+        try
+        {
+            return ShaderLibrary.Kernels(computePath);
+        }
+        catch (VulkanException error)
+        {
+            throw new GlintException(error.Message, error);
+        }
+    }
+}

@@ -1,0 +1,59 @@
+using System;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Glint.Host;
+
+/// <summary>References as one file sees them: its own objects by id, others through the assets of the project.</summary>
+internal sealed class Links : ILinks
+{
+    readonly LoadedFile _file;
+    readonly AssetLibrary _assets;
+    readonly LoadWarnings _warnings;
+
+    internal Links(LoadedFile file, AssetLibrary assets, LoadWarnings warnings)
+    {
+        _file = file;
+        _assets = assets;
+        _warnings = warnings;
+    }
+
+    public Object Resolve(ObjectReference reference, Type type, ObjectRecord holder, string path)
+    {
+        Object found = Find(reference, out string problem);
+        if (problem is null && found is not null && !type.IsInstanceOfType(found))
+            problem = $"a {found.GetType().Name}, where a {type.Name} is needed";
+        if (problem is null)
+            return found;
+        _warnings.Add(holder, $"{path} refers to {problem}: it is left empty, assign it again");
+        return null;
+    }
+
+    /// <summary>The mesh of a MeshFilter or SkinnedMeshRenderer; null when none is assigned.</summary>
+    /// <param name="isTraced">A mesh that is traced must not be lacking: the result would be another.</param>
+    /// <exception cref="Core.GlintException">A traced mesh cannot be had.</exception>
+    internal Mesh Mesh(ObjectRecord holder, bool isTraced)
+    {
+        ObjectReference reference = holder.Fields.Reference("m_Mesh");
+        if (!isTraced)
+            return (Mesh)Resolve(reference, typeof(Mesh), holder, "m_Mesh");
+        if (reference.IsNone)
+            return null;
+        Object found = Find(reference, out string problem);
+        problem ??= found is null ? $"{reference}, which is no mesh" : found is not UnityEngine.Mesh ? $"a {found.GetType().Name}, which is no mesh" : null;
+        return problem is null ? (Mesh)found : throw holder.Error($"refers to {problem}: restore the file, or assign another mesh (an .asset or a built-in one)");
+    }
+
+    Object Find(ObjectReference reference, out string problem)
+    {
+        problem = null;
+        if (reference.IsNone)
+            return null;
+        if (!reference.IsLocal)
+            return _assets.Find(reference, out problem);
+        ObjectRecord record = _file.Table.Find(reference.FileId);
+        if (record is null && !_file.Table.IsSkipped(reference.FileId))
+            problem = $"object &{reference.FileId}, which is not in the file";
+        return record is null ? null : _file.Find(record);
+    }
+}

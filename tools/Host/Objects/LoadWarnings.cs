@@ -1,0 +1,39 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Glint.Host;
+
+/// <summary>What was wrong without changing what is simulated: told once for all objects that have it, when loading is done.</summary>
+internal sealed class LoadWarnings
+{
+    readonly Dictionary<(string File, string What), List<string>> _subjects = new();
+    readonly List<(string File, string What)> _order = new();
+
+    internal void Add(ObjectRecord record, string what)
+    {
+        (string, string) key = (record.File, what);
+        if (!_subjects.TryGetValue(key, out List<string> subjects))
+        {
+            _subjects.Add(key, subjects = new List<string>());
+            _order.Add(key);
+        }
+        subjects.Add(record.Subject);
+    }
+
+    internal void Clear()
+    {
+        _subjects.Clear();
+        _order.Clear();
+    }
+
+    internal void Tell()
+    {
+        foreach ((string file, string what) in _order)
+        {
+            List<string> subjects = _subjects[(file, what)];
+            string more = subjects.Count > 1 ? $" and {subjects.Count - 1} more" : "";
+            Debug.LogWarning($"{file}: {subjects[0]}{more}: {what}");
+        }
+        Clear();
+    }
+}

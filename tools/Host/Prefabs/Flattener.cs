@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+
+namespace Glint.Host;
+
+/// <summary>Turns a file with prefab instances into one table of objects, as if everything had been written out in it.</summary>
+internal sealed class Flattener
+{
+    readonly ProjectFiles _files;
+    readonly Dictionary<string, ObjectTable> _prefabs = new();
+    readonly List<string> _open = new();
+
+    internal Flattener(ProjectFiles files) => _files = files;
+
+    /// <summary>A scene or an asset, read anew each time.</summary>
+    internal ObjectTable Read(string assetPath)
+    {
+        if (_open.Contains(assetPath))
+        {
+            string chain = string.Join(" -> ", _open.SkipWhile(path => path != assetPath).Append(assetPath).Select(_files.Shown));
+            throw new GlintException($"{_files.Shown(assetPath)}: the prefab holds itself: {chain}: remove one of these instances");
+        }
+        _open.Add(assetPath);
+        try
+        {
+            return Flatten(_files.ReadObjects(assetPath), _files.Guids.GuidOf(assetPath));
+        }
+        finally
+        {
+            _open.RemoveAt(_open.Count - 1);
+        }
+    }
+
+    /// <summary>A prefab, which is kept: its table must not be changed.</summary>
+    internal ObjectTable Prefab(string assetPath)
+    {
+        if (_prefabs.TryGetValue(assetPath, out ObjectTable table))
+            return table;
+        table = Read(assetPath);
+        // Looked through here, where objects still have the ids of their own file, for messages to name.
+        int roots = Hierarchy.Read(table, isScene: false).Count;
+        if (roots != 1)
+            throw new GlintException($"{table.ShownPath}: has {roots} root objects, and a prefab has one: restore the file");
+        _prefabs.Add(assetPath, table);
+        return table;
+    }
+
+    ObjectTable Flatten(UnityFile file, string guid)
+    {
+        ObjectTable table = new(file.ShownPath, guid);
+        foreach (UnityDocument document in file.Documents)
+        {
+            if (document.IsStripped || document.ClassId == ClassId.PrefabInstance)
+                continue;
+            if (!ClassId.IsKnown(document.ClassId))
+                table.AddSkipped(document.Id);
+            else
+                table.Add(new ObjectRecord(file.ShownPath, document.ClassId, document.TypeName, document.Id, document.Fields));
+        }
+
+        // Overrides may name objects of other instances, so all are there before the first is applied.
+        List<PrefabInstance> instances = Instances(file).ToList();
+        foreach (PrefabInstance instance in instances)
+            instance.AddObjects(table);
+        foreach (PrefabInstance instance in instances)
+            instance.Change(table);
+        return table;
+    }
+
+    IEnumerable<PrefabInstance> Instances(UnityFile file)
+    {
+        ILookup<long, UnityDocument> standIns = file.Documents.Where(document => document.IsStripped)
+            .ToLookup(document => FieldsOf(file, document).Reference("m_PrefabInstance").FileId);
+        foreach (UnityDocument document in file.Documents)
+        {
+            if (document.ClassId != ClassId.PrefabInstance || document.IsStripped)
+                continue;
+            FieldMap fields = FieldsOf(file, document);
+            yield return new PrefabInstance(document.Id, fields, Source(file, document, fields), standIns[document.Id]
+                .Select(standIn => (standIn.Id, FieldsOf(file, standIn).Reference("m_CorrespondingSourceObject"))));
+        }
+    }
+
+    ObjectTable Source(UnityFile file, UnityDocument document, FieldMap fields)
+    {
+        ObjectRecord Record() => new(file.ShownPath, document.ClassId, document.TypeName, document.Id, document.Fields);
+        ObjectReference source = fields.Reference("m_SourcePrefab");
+        if (source.IsNone || source.IsLocal)
+            throw Record().Error("has no m_SourcePrefab: restore the file, or delete the instance");
+        string path = _files.PathOf(source.Guid)
+            ?? throw Record().Error($"refers to the prefab with guid {source.Guid}, which no .meta in the project has: restore the prefab, or delete the instance");
+        if (!path.EndsWith(".prefab", StringComparison.OrdinalIgnoreCase))
+            throw Record().Error($"is an instance of {_files.Shown(path)}, a model, which only Unity reads: make it a prefab with Mesh assets");
+        return Prefab(path);
+    }
+
+    static FieldMap FieldsOf(UnityFile file, UnityDocument document) =>
+        new ObjectRecord(file.ShownPath, document.ClassId, document.TypeName, document.Id, document.Fields).Fields;
+}

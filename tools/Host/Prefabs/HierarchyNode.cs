@@ -1,0 +1,18 @@
+using System.Collections.Generic;
+
+namespace Glint.Host;
+
+/// <summary>A GameObject with its components and children, still as text.</summary>
+internal sealed class HierarchyNode(ObjectRecord gameObject)
+{
+    internal ObjectRecord GameObject { get; } = gameObject;
+
+    internal ObjectRecord Transform { get; set; }
+
+    /// <summary>Those besides the Transform, in order; classes that the loader does not know are left out.</summary>
+    internal List<ObjectRecord> Components { get; } = new();
+
+    internal HierarchyNode Parent { get; set; }
+
+    internal List<HierarchyNode> Children { get; } = new();
+}

@@ -1,0 +1,91 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using UnityEngine.SceneManagement;
+using Object = UnityEngine.Object;
+
+namespace Glint.Host;
+
+/// <summary>A Unity project on disk, as the stand-ins ask for its scenes and assets.</summary>
+public sealed class Project : IAssetSource
+{
+    const string SceneExtension = ".unity";
+    const int ShownScenes = 5;
+
+    readonly ProjectFiles _files;
+    readonly Flattener _flattener;
+    readonly ScriptCatalog _scripts;
+    readonly LoadWarnings _warnings = new();
+    readonly AssetLibrary _assets;
+
+    Project(string root)
+    {
+        _files = new ProjectFiles(root);
+        _flattener = new Flattener(_files);
+        _scripts = new ScriptCatalog(_files);
+        _assets = new AssetLibrary(_files, _flattener, _scripts, _warnings);
+    }
+
+    public string ProjectRoot => _files.Paths.Root;
+
+    /// <summary>Paths on disk to asset paths and back, as Unity's batch mode maps them too.</summary>
+    public ProjectPaths Paths => _files.Paths;
+
+    /// <summary>Opens the project in a folder; from now on the stand-ins load from it.</summary>
+    /// <exception cref="GlintException">The folder holds no Unity project, or its settings are damaged.</exception>
+    public static Project Open(string root)
+    {
+        Project project = new(root);
+        ProjectSettings settings = new(project._files);
+        TagManager.Set(settings.Tags, settings.Layers);
+        SceneLoads.BuildScenes.Clear();
+        SceneLoads.BuildScenes.AddRange(settings.BuildScenes);
+        Engine.Assets = project;
+        return project;
+    }
+
+    /// <summary>The project that a folder lies in; null when it lies in none.</summary>
+    public static string FindRoot(string startFolder) => ProjectPaths.FindRoot(startFolder);
+
+    public bool Exists(string assetPath) => _files.Exists(assetPath);
+
+    public void LoadScene(string assetPath, Scene scene)
+    {
+        RequireScene(assetPath);
+        _warnings.Clear();
+        LoadedFile file = new(_flattener.Read(assetPath));
+        IReadOnlyList<HierarchyNode> roots = Hierarchy.Read(file.Table, isScene: true);
+        IReadOnlyList<UnityEngine.GameObject> made =
+            new ObjectBuilder(file, scene, _scripts, _warnings).Build(roots, new Links(file, _assets, _warnings));
+        _warnings.Tell();
+        ObjectFactory.Awaken(made);
+    }
+
+    public Object LoadAsset(string assetPath, Type type)
+    {
+        _warnings.Clear();
+        Object asset = _assets.Load(assetPath, type);
+        _warnings.Tell();
+        return asset;
+    }
+
+    public string GuidToPath(string guid) => _files.Guids.PathOf(guid.ToLowerInvariant());
+
+    public string PathToGuid(string assetPath) => _files.Guids.GuidOf(assetPath);
+
+    public string ToPhysicalPath(string assetPath) => _files.Physical(assetPath);
+
+    void RequireScene(string assetPath)
+    {
+        string shown = _files.Shown(assetPath);
+        if (!assetPath.EndsWith(SceneExtension, StringComparison.OrdinalIgnoreCase))
+            throw new GlintException($"{shown}: is no scene: give the path of a {SceneExtension} file");
+        if (Exists(assetPath))
+            return;
+        List<string> scenes = _files.Guids.Paths.Where(path => path.EndsWith(SceneExtension, StringComparison.OrdinalIgnoreCase))
+            .Select(_files.Shown).Order(StringComparer.Ordinal).ToList();
+        string there = string.Join(", ", scenes.Take(ShownScenes)) + (scenes.Count > ShownScenes ? ", ..." : "");
+        throw new GlintException($"{shown}: no such scene: {(scenes.Count > 0 ? $"the project has {there}" : "the project has none")}");
+    }
+}

@@ -1,0 +1,173 @@
+using System;
+using System.Collections;
+using System.Collections.Generic;
+using System.Linq;
+using System.Reflection;
+using Glint.Core;
+using UnityEngine.Serialization;
+using YamlDotNet.RepresentationModel;
+using Object = UnityEngine.Object;
+
+namespace Glint.Host;
+
+/// <summary>
+/// Fills the serialized fields of a script from its text, by Unity's rules: an absent key leaves the initialiser's value, and no
+/// text, list or serializable class stays null.
+/// </summary>
+internal sealed class FieldReader
+{
+    // Unity cuts nested serializable classes off at this depth.
+    const int MaxDepth = 10;
+
+    readonly ObjectRecord _record;
+    readonly ILinks _links;
+
+    FieldReader(ObjectRecord record, ILinks links)
+    {
+        _record = record;
+        _links = links;
+    }
+
+    internal static void Fill(Object target, ObjectRecord record, ILinks links) =>
+        new FieldReader(record, links).Fields(target, record.Fields, "", 0);
+
+    void Fields(object target, FieldMap source, string path, int depth)
+    {
+        foreach (FieldInfo field in SerializedFields.Of(target.GetType()))
+        {
+            string key = Key(field, source);
+            if (SerializedFields.IsByReference(field))
+            {
+                if (key is not null)
+                    throw _record.Flaw($"{path}{key} is a [SerializeReference] field, which is not read outside of Unity: give it a serializable class by value");
+                continue;
+            }
+            object current = field.GetValue(target);
+            field.SetValue(target, key is null
+                ? NeverNull(current, field.FieldType, depth)
+                : Value(source.Node.Child(key), field.FieldType, current, path + key, depth));
+        }
+        // The script itself is called back when all objects are filled.
+        if (depth > 0)
+            Callbacks.AfterDeserialize(target);
+    }
+
+    static string Key(FieldInfo field, FieldMap source) => field.GetCustomAttributes<FormerlySerializedAsAttribute>()
+        .Select(former => former.oldName).Prepend(field.Name).FirstOrDefault(source.Has);
+
+    object Value(YamlNode node, Type type, object current, string path, int depth)
+    {
+        if (typeof(Object).IsAssignableFrom(type))
+            return Link(node, type, path);
+        if (SerializedFields.ElementType(type) is Type element)
+            return List(Elements(node, element, path, depth), type, element);
+        if (type.IsPrimitive || type.IsEnum || type == typeof(string))
+            return Scalar(node, type, path);
+        if (node is not YamlMappingNode map)
+            return node.IsEmpty() ? NeverNull(current, type, depth) : throw Wrong(path, "a mapping", node);
+        FieldMap fields = new(_record, map, path + ".");
+        if (SerializedFields.IsPlain(type))
+            return EngineValues.Read(fields, type, (child, childType, key) => Value(child, childType, null, $"{path}.{key}", depth));
+        if (depth >= MaxDepth)
+            return current;
+        object value = current ?? Activator.CreateInstance(type, true);
+        Fields(value, fields, path + ".", depth + 1);
+        return value;
+    }
+
+    Object Link(YamlNode node, Type type, string path)
+    {
+        if (node.IsEmpty())
+            return null;
+        return ObjectReference.TryRead(node, out ObjectReference reference)
+            ? _links.Resolve(reference, type, _record, path) : throw Wrong(path, "a reference {fileID: ...}", node);
+    }
+
+    IReadOnlyList<object> Elements(YamlNode node, Type element, string path, int depth)
+    {
+        if (node is YamlSequenceNode list)
+            return list.Children.Select((item, index) => Value(item, element, null, $"{path}[{index}]", depth)
+                ?? NeverNull(null, element, depth)).ToList();
+        if (node.IsEmpty())
+            return [];
+        int width = PackedArray.Width(element);
+        if (width == 0 || !(node is YamlScalarNode || PackedOverrides.IsOne(node)))
+            throw Wrong(path, "a list", node);
+        List<long> values = PackedArray.Decode(node, width) ?? throw Wrong(path, $"a text of {width}-byte hexadecimal numbers", node);
+        return values.Select(value => Whole(value, element)).ToList();
+    }
+
+    static object List(IReadOnlyList<object> items, Type type, Type element)
+    {
+        if (type.IsArray)
+        {
+            Array array = Array.CreateInstance(element, items.Count);
+            for (int i = 0; i < items.Count; i++)
+                array.SetValue(items[i], i);
+            return array;
+        }
+        IList list = (IList)Activator.CreateInstance(type);
+        foreach (object item in items)
+            list.Add(item);
+        return list;
+    }
+
+    object Scalar(YamlNode node, Type type, string path)
+    {
+        if (node is not YamlScalarNode { Value: var text })
+            throw Wrong(path, type == typeof(string) ? "text" : "a number", node);
+        if (type == typeof(string))
+            return text ?? "";
+        // What an override of an array's size adds has no value yet.
+        if (string.IsNullOrEmpty(text))
+            return Activator.CreateInstance(type);
+        if (type == typeof(float) || type == typeof(double))
+        {
+            if (!Scalars.TryNumber(text, out double number))
+                throw Wrong(path, "a number", node);
+            return type == typeof(float) ? (float)number : (object)number;
+        }
+        return Scalars.TryInteger(text, out long value) ? Whole(value, type) : throw Wrong(path, "a whole number", node);
+    }
+
+    // Values beyond the type wrap around: Unity writes masks as unsigned numbers.
+    static object Whole(long value, Type type)
+    {
+        if (type.IsEnum)
+            return Enum.ToObject(type, value);
+        unchecked
+        {
+            return Type.GetTypeCode(type) switch
+            {
+                TypeCode.Boolean => value != 0,
+                TypeCode.Byte => (byte)value,
+                TypeCode.SByte => (sbyte)value,
+                TypeCode.Int16 => (short)value,
+                TypeCode.UInt16 => (ushort)value,
+                TypeCode.Char => (char)value,
+                TypeCode.Int32 => (int)value,
+                TypeCode.UInt32 => (uint)value,
+                TypeCode.UInt64 => (ulong)value,
+                _ => (object)value,
+            };
+        }
+    }
+
+    object NeverNull(object current, Type type, int depth)
+    {
+        if (typeof(Object).IsAssignableFrom(type))
+            return current;
+        if (type == typeof(string))
+            return current ?? "";
+        if (SerializedFields.ElementType(type) is Type element)
+            return current ?? List([], type, element);
+        if (SerializedFields.IsPlain(type) || depth >= MaxDepth)
+            return current ?? (type.IsValueType ? Activator.CreateInstance(type) : null);
+        object value = current ?? Activator.CreateInstance(type, true);
+        Fields(value, new FieldMap(_record, new YamlMappingNode()), "", depth + 1);
+        return value;
+    }
+
+    GlintException Wrong(string path, string expected, YamlNode node) =>
+        new FieldMap(_record, new YamlMappingNode()).Wrong(path, expected, node is YamlScalarNode scalar ? scalar.Value : node.ToString());
+}

@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Reflection;
+using System.Text.RegularExpressions;
+using UnityEngine;
+
+namespace Glint.Host;
+
+/// <summary>Finds the class of a script by the guid of its .cs file: named as the file, in the assembly of the nearest .asmdef.</summary>
+internal sealed partial class ScriptCatalog
+{
+    readonly ProjectFiles _files;
+    readonly AssemblyDefinitions _assemblies;
+    readonly Dictionary<string, (Type Type, string Problem)> _byGuid = new();
+
+    internal ScriptCatalog(ProjectFiles files)
+    {
+        _files = files;
+        _assemblies = new AssemblyDefinitions(files);
+    }
+
+    /// <summary>The class of a script's object, by whose name messages then call it; null, with a warning, when it cannot be had.</summary>
+    internal Type Find(ObjectRecord record, Type kind, LoadWarnings warnings)
+    {
+        ObjectReference script = record.Fields.Reference("m_Script");
+        (Type type, string problem) = script.IsLocal ? (null, "it has no script") : Find(script.Guid);
+        if (type is not null && !kind.IsAssignableFrom(type))
+            (type, problem) = (null, $"its script {type.Name} is no {kind.Name}");
+        if (type is null)
+            warnings.Add(record, $"{problem}: it is left out, restore its script or remove it");
+        else
+            record.TypeName = type.Name;
+        return type;
+    }
+
+    (Type Type, string Problem) Find(string guid)
+    {
+        if (!_byGuid.TryGetValue(guid, out (Type Type, string Problem) found))
+            _byGuid.Add(guid, found = Search(guid));
+        return found;
+    }
+
+    (Type Type, string Problem) Search(string guid)
+    {
+        if (_files.PathOf(guid) is not string path)
+            return (null, $"its script has guid {guid}, which no .meta in the project has");
+        string shown = _files.Shown(path), assemblyName = _assemblies.NameFor(path);
+        if (Load(assemblyName) is not Assembly assembly)
+            return (null, $"{shown} belongs to {assemblyName}, an assembly that is not built here");
+        string name = Path.GetFileNameWithoutExtension(path);
+        List<Type> types = assembly.GetTypes().Where(type => type.Name == name && IsScript(type)).ToList();
+        if (types.Count > 1)
+        {
+            string source = AssetText.Read(_files.Physical(path), shown);
+            types.RemoveAll(type => !source.Contains($"namespace {type.Namespace}", StringComparison.Ordinal));
+        }
+        if (types.Count == 0)
+            return (null, $"{shown} has no class {name} that {assemblyName} holds as a MonoBehaviour or ScriptableObject");
+        SetOrder(types[0], path);
+        return (types[0], null);
+    }
+
+    static bool IsScript(Type type) => !type.IsAbstract && !type.ContainsGenericParameters
+        && (typeof(MonoBehaviour).IsAssignableFrom(type) || typeof(ScriptableObject).IsAssignableFrom(type));
+
+    static Assembly Load(string name)
+    {
+        Assembly loaded = AppDomain.CurrentDomain.GetAssemblies().FirstOrDefault(assembly => assembly.GetName().Name == name);
+        if (loaded is not null)
+            return loaded;
+        try
+        {
+            return Assembly.Load(new AssemblyName(name));
+        }
+        catch (Exception error) when (error is IOException or BadImageFormatException)
+        {
+            return null;
+        }
+    }
+
+    // The order set in the project's settings wins over the attribute.
+    void SetOrder(Type type, string path)
+    {
+        string meta = _files.Physical(path) + MetaFile.Extension;
+        Match match = ExecutionOrder().Match(File.ReadAllText(meta));
+        if (match.Success && int.TryParse(match.Groups[1].Value, out int order) && order != 0)
+            Messages.Of(type).Order = order;
+    }
+
+    [GeneratedRegex(@"^\s*executionOrder:\s*(-?\d+)\s*$", RegexOptions.Multiline)]
+    private static partial Regex ExecutionOrder();
+}

@@ -1,0 +1,86 @@
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Glint.Cli;
+using NUnit.Framework;
+
+namespace Glint.Host.Tests;
+
+/// <summary>The commands from the arguments to the printed table, on a plate of 1 x 1 m that faces the radar.</summary>
+public sealed class CommandRunTests
+{
+    string _folder;
+
+    [SetUp]
+    public void MakePlate()
+    {
+        _folder = Path.Combine(Path.GetTempPath(), "glint-command-" + System.Guid.NewGuid().ToString("N"));
+        Directory.CreateDirectory(_folder);
+        File.WriteAllText(Plate, "v -0.5 -0.5 0\nv 0.5 -0.5 0\nv 0.5 0.5 0\nv -0.5 0.5 0\nf 1 2 3 4\n");
+    }
+
+    [TearDown]
+    public void RemovePlate() => Directory.Delete(_folder, true);
+
+    // The view is 2 m high and wide at the plate, which covers the middle of it: 32 x 32 of 64 x 64 rays.
+    // A ray comes back at twice its offset on the plate (the receiver stands 0.2 m further off), so within 1.01 m of the axis.
+    [Test]
+    public void Run_OfAPlateAcrossTheView_ReceivesEveryRayThatHits()
+    {
+        var (code, output, _) = Run("run", Plate, "--grazing", "0", "--distance", "50", "--fov", "2.29153", "--size", "64x64");
+
+        Assert.That(code, Is.EqualTo(0));
+        var row = Rows(output).Single();
+        Assert.That(row[^1], Is.EqualTo("1024"), "hit");
+        Assert.That(row[^2], Is.EqualTo("1024"), "received");
+    }
+
+    [Test]
+    public void Run_InMillimetres_IsAThousandthOfTheSize()
+    {
+        var (code, output, _) = Run("run", Plate, "--unit", "mm", "--grazing", "0", "--distance", "0.05", "--fov", "2.29153", "--size", "64x64");
+
+        Assert.That(code, Is.EqualTo(0));
+        Assert.That(Rows(output).Single()[^1], Is.EqualTo("1024"));
+    }
+
+    [Test]
+    public void Sweep_OfAPlate_LosesTheReturnAsItTurnsAway()
+    {
+        string results = Path.Combine(_folder, "results");
+        var (code, output, _) = Run("sweep", Plate, "--angles", "-10,0,10", "--grazing", "0", "--fov", "2.29153", "--size", "64x64", "--out", results);
+
+        Assert.That(code, Is.EqualTo(0));
+        Assert.That(Rows(output).Select(row => row[0]), Is.EqualTo(new[] { "-10", "0", "10" }));
+        Assert.That(Rows(output).Select(row => row[^2]), Is.EqualTo(new[] { "0", "1024", "0" }));
+        Assert.That(File.ReadLines(Path.Combine(results, "results.csv")).Count(), Is.EqualTo(4));
+        Assert.That(File.Exists(Path.Combine(results, "results.json")));
+    }
+
+    [TestCase("run", "Scenes/None.unity")]
+    [TestCase("run", "none.obj")]
+    [TestCase("sweep", "Scenes/CornerReflector.unity", "--target", "Nobody", "--angles", "0:1:1")]
+    [TestCase("info", "--device", "no such device")]
+    public void Command_OfWhatIsNotThere_FailsInOneLineThatNamesIt(params string[] arguments)
+    {
+        var (code, _, error) = Run(arguments);
+
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(error.Split('\n', System.StringSplitOptions.RemoveEmptyEntries).Length, Is.EqualTo(1), error);
+        Assert.That(error, Does.StartWith("glint: ").And.Not.Contain("internal error"));
+        Assert.That(error, Does.Contain(arguments.First(argument => argument.StartsWith("N") || argument.Contains("one") || argument.Contains("no such"))));
+    }
+
+    string Plate => Path.Combine(_folder, "plate.obj");
+
+    // Lines of the table begin with a number or, for a single pose, with '-'.
+    static string[][] Rows(string output) => output.Split('\n').Select(line => line.Split(' ', System.StringSplitOptions.RemoveEmptyEntries))
+        .Where(words => words.Length == 5 && (words[0] == "-" || double.TryParse(words[0], NumberStyles.Float, CultureInfo.InvariantCulture, out _))).ToArray();
+
+    static (int code, string output, string error) Run(params string[] arguments)
+    {
+        var (output, error) = (new StringWriter(), new StringWriter());
+        int code = new Shell(new Terminal { Out = output, Error = error, Live = null, Width = 100 }).Run(arguments);
+        return (code, output.ToString(), error.ToString());
+    }
+}

@@ -1,0 +1,85 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using UnityEngine;
+using UnityEngine.SceneManagement;
+
+namespace Glint.Host.Tests;
+
+/// <summary>A small Unity project in a folder of its own, and what loading from it logs. Closing it opens again what was open before.</summary>
+public sealed class TemporaryProject : IDisposable
+{
+    readonly IAssetSource _before = Engine.Assets;
+    readonly List<string> _warnings = new();
+    Project _project;
+
+    public TemporaryProject()
+    {
+        Root = Directory.CreateTempSubdirectory("glint-loader-").FullName;
+        Directory.CreateDirectory(Path.Combine(Root, "Assets"));
+        Directory.CreateDirectory(Path.Combine(Root, "ProjectSettings"));
+        Write("Packages/manifest.json", """{ "dependencies": {} }""");
+        Application.logMessageReceived += Listen;
+    }
+
+    public string Root { get; }
+
+    public IReadOnlyList<string> Warnings => _warnings;
+
+    /// <summary>Opened when it is first asked for, so files written before are seen.</summary>
+    public Project Project => _project ??= Project.Open(Root);
+
+    public static string Guid(int number) => number.ToString("x32");
+
+    public void Write(string path, string text)
+    {
+        string physical = Path.Combine(Root, path);
+        Directory.CreateDirectory(Path.GetDirectoryName(physical));
+        File.WriteAllText(physical, text);
+    }
+
+    /// <summary>A file with its .meta.</summary>
+    public void Write(string path, string text, int guid)
+    {
+        Write(path, text);
+        Write(path + ".meta", $"fileFormatVersion: 2\nguid: {Guid(guid)}\n");
+    }
+
+    /// <summary>A script whose class is in this assembly; the first also brings the .asmdef.</summary>
+    public void WriteScript(Type type, int guid)
+    {
+        Write("Assets/Scripts/Scripts.asmdef", $$"""{ "name": "{{type.Assembly.GetName().Name}}" }""");
+        Write($"Assets/Scripts/{type.Name}.cs", $"namespace {type.Namespace}; class {type.Name} {{ }}", guid);
+    }
+
+    /// <summary>The roots of the loaded scene.</summary>
+    public GameObject[] Load(string assetPath = "Assets/Scene.unity")
+    {
+        _ = Project;
+        SceneData scene = SceneRegistry.AddFile(assetPath);
+        SceneRegistry.Fill(scene);
+        return new Scene(scene).GetRootGameObjects();
+    }
+
+    public GameObject[] LoadScene(string text)
+    {
+        Write("Assets/Scene.unity", text);
+        return Load();
+    }
+
+    public void Dispose()
+    {
+        Application.logMessageReceived -= Listen;
+        Engine.Reset();
+        Engine.Assets = null;
+        if (_before is not null)
+            Project.Open(_before.ProjectRoot);
+        Directory.Delete(Root, true);
+    }
+
+    void Listen(string message, string stackTrace, LogType type)
+    {
+        if (type == LogType.Warning)
+            _warnings.Add(message);
+    }
+}

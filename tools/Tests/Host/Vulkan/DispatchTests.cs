@@ -1,0 +1,182 @@
+using System;
+using System.Linq;
+using System.Runtime.InteropServices;
+using Glint.Vulkan;
+using NUnit.Framework;
+
+namespace Glint.Host.Tests.Vulkan;
+
+/// <summary>Every test twice: on memory that the host sees (as a CPU device has), and through staging buffers (as a discrete GPU needs).</summary>
+[TestFixture(true)]
+[TestFixture(false)]
+public sealed class DispatchTests
+{
+    readonly bool _mapBuffers;
+    VulkanDevice _device;
+
+    public DispatchTests(bool mapBuffers) => _mapBuffers = mapBuffers;
+
+    [SetUp] public void OpenDevice() => _device = VulkanDevice.Open(null, _mapBuffers);
+
+    [TearDown] public void CloseDevice() => _device.Dispose();
+
+    [TestCase(1)]
+    [TestCase(64)]
+    [TestCase(1_000_003)] // prime: the last group is not full
+    public void VectorAdd_OfAnyLength_IsTheSum(int count)
+    {
+        float[] left = Enumerable.Range(0, count).Select(i => 0.5f * i).ToArray();
+        float[] right = Enumerable.Range(0, count).Select(i => 7f - i).ToArray();
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Add");
+        using var a = Kernels.Buffer(_device, left);
+        using var b = Kernels.Buffer(_device, right);
+        using var sum = _device.CreateBuffer(4L * count);
+
+        _device.Dispatch(program, Kernels.Pack(program, ("Count", (uint)count)), Kernels.Bind(("Left", a), ("Right", b), ("Sum", sum)), (uint)(count + 63) / 64, 1, 1);
+
+        Assert.That(Kernels.Read<float>(sum).SequenceEqual(left.Zip(right, (x, y) => x + y)), Is.True);
+    }
+
+    [Test]
+    public void NewBuffer_ReadAtOnce_IsZero()
+    {
+        for (int i = 0; i < 4; i++) // memory that was in use before comes back
+        {
+            using var buffer = _device.CreateBuffer(3_000_001);
+            var data = new byte[buffer.Bytes];
+            buffer.Read(data);
+            Assert.That(data.All(value => value == 0), Is.True, $"buffer {i}");
+            Array.Fill(data, (byte)0xee);
+            buffer.Write(data);
+        }
+    }
+
+    [Test]
+    public void ManyDispatches_WithUniformsOfTheirOwn_RunInOrder()
+    {
+        const int Count = 100, Steps = 1000;
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
+        using var state = _device.CreateBuffer(4 * Count);
+        for (uint step = 0; step < Steps; step++)
+            _device.Dispatch(program, Kernels.Pack(program, ("Count", (uint)Count), ("Increment", step)), Kernels.Bind(("State", state)), 4, 1, 1);
+
+        var expected = new uint[Count];
+        for (uint step = 0; step < Steps; step++)
+            for (uint i = 0; i < Count; i++)
+                expected[i] = expected[i] * 1664525u + step + i;
+        Assert.That(Kernels.Read<uint>(state), Is.EqualTo(expected));
+    }
+
+    [Test]
+    public void WritesAndReads_BetweenDispatches_KeepTheirOrder()
+    {
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
+        using var state = _device.CreateBuffer(4);
+        var bound = Kernels.Bind(("State", state));
+        byte[] uniforms = Kernels.Pack(program, ("Count", 1u), ("Increment", 1u));
+
+        _device.Dispatch(program, uniforms, bound, 1, 1, 1);
+        state.Write(BitConverter.GetBytes(10u));
+        _device.Dispatch(program, uniforms, bound, 1, 1, 1);
+        uint once = Kernels.Read<uint>(state)[0];
+        _device.Dispatch(program, uniforms, bound, 1, 1, 1);
+
+        Assert.That(once, Is.EqualTo(10u * 1664525u + 1));
+        Assert.That(Kernels.Read<uint>(state)[0], Is.EqualTo(once * 1664525u + 1));
+    }
+
+    [Test]
+    public void WriteAndRead_LargerThanTheStagingBuffer_AreWhole()
+    {
+        var data = new byte[20_000_003];
+        new Random(1).NextBytes(data);
+        using var buffer = _device.CreateBuffer(data.Length);
+        buffer.Write(data);
+        var back = new byte[data.Length];
+        buffer.Read(back);
+        Assert.That(back.AsSpan().SequenceEqual(data), Is.True);
+    }
+
+    [Test]
+    public void WriteAndRead_OfAPart_LeaveTheRest()
+    {
+        using var buffer = _device.CreateBuffer(16);
+        buffer.Write([1, 2, 3, 4], 4);
+        var part = new byte[8];
+        buffer.Read(part, 2);
+        Assert.That(part, Is.EqualTo(new byte[] { 0, 0, 1, 2, 3, 4, 0, 0 }));
+    }
+
+    [Test]
+    public void Buffers_DisposedRightAfterTheDispatch_WereUsedBefore()
+    {
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Add");
+        using var sum = _device.CreateBuffer(4);
+        for (int i = 0; i < 100; i++)
+        {
+            using var a = Kernels.Buffer(_device, new float[] { i });
+            using var b = Kernels.Buffer(_device, new float[] { 1 });
+            _device.Dispatch(program, Kernels.Pack(program, ("Count", 1u)), Kernels.Bind(("Left", a), ("Right", b), ("Sum", sum)), 1, 1, 1);
+        }
+        Assert.That(Kernels.Read<float>(sum), Is.EqualTo(new[] { 100f }));
+    }
+
+    [Test]
+    public void Structs_OfSixteenByteRows_AgreeWithCSharp()
+    {
+        var records = Enumerable.Range(0, 37).Select(i => new Record { X = i, Y = 2 * i, Z = 3 * i, Id = (uint)i, W0 = 1, W1 = 2, W2 = 3, W3 = i, CellX = i, CellY = -i, SpareX = 5, SpareY = 6 }).ToArray();
+        using var program = Kernels.Create(_device, Kernels.Structs, "Shift");
+        using var input = Kernels.Buffer(_device, records);
+        using var output = _device.CreateBuffer(input.Bytes);
+
+        _device.Dispatch(program, [], Kernels.Bind(("Records", input), ("Shifted", output)), 3, 1, 1);
+
+        Assert.That(program.Slots.Select(slot => slot.Stride), Is.All.EqualTo(Marshal.SizeOf<Record>()));
+        var expected = records.Select(r => new Record
+        {
+            X = r.X + 1, Y = r.Y + 2, Z = r.Z + 3, Id = r.Id + 100, W0 = 2, W1 = 4, W2 = 6, W3 = 2 * r.W3, CellX = r.CellY, CellY = r.CellX, SpareX = 5, SpareY = 6,
+        });
+        Assert.That(Kernels.Read<Record>(output), Is.EqualTo(expected));
+    }
+
+    [Test]
+    public void ByteAddressBuffers_Work()
+    {
+        using var program = Kernels.Create(_device, Kernels.Structs, "Bytes");
+        using var words = Kernels.Buffer(_device, new uint[] { 1, 20, 300, 4000 });
+        using var total = _device.CreateBuffer(4);
+        _device.Dispatch(program, [], Kernels.Bind(("Words", words), ("Total", total)), 1, 1, 1);
+        Assert.That(Kernels.Read<uint>(total), Is.EqualTo(new[] { 4321u }));
+    }
+
+    [Test]
+    public void ZeroGroups_RunNothing()
+    {
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
+        using var state = _device.CreateBuffer(4);
+        _device.Dispatch(program, Kernels.Pack(program, ("Count", 1u), ("Increment", 5u)), Kernels.Bind(("State", state)), 0, 1, 1);
+        Assert.That(Kernels.Read<uint>(state), Is.EqualTo(new[] { 0u }));
+    }
+
+    [Test]
+    public void Device_ClosedFirst_LeavesBuffersAndProgramsHarmless()
+    {
+        var device = VulkanDevice.Open(null, _mapBuffers);
+        var buffer = device.CreateBuffer(16);
+        var program = Kernels.Create(device, Kernels.Arithmetic, "Step");
+        device.Dispatch(program, Kernels.Pack(program, ("Count", 4u), ("Increment", 5u)), Kernels.Bind(("State", buffer)), 1, 1, 1);
+        device.Dispose();
+        device.Dispose();
+        Assert.DoesNotThrow(buffer.Dispose);
+        Assert.DoesNotThrow(program.Dispose);
+        Assert.Throws<ObjectDisposedException>(() => buffer.Write(new byte[4]));
+        Assert.Throws<ObjectDisposedException>(() => device.CreateBuffer(4));
+    }
+
+    struct Record
+    {
+        public float X, Y, Z; public uint Id;
+        public float W0, W1, W2, W3;
+        public int CellX, CellY; public float SpareX, SpareY;
+    }
+}

@@ -1,0 +1,135 @@
+using System;
+using System.IO;
+using Glint.Vulkan;
+using NUnit.Framework;
+
+namespace Glint.Host.Tests.Vulkan;
+
+public sealed class RefusalTests
+{
+    VulkanDevice _device;
+
+    [OneTimeSetUp] public void OpenDevice() => _device = VulkanDevice.Open();
+
+    [OneTimeTearDown] public void CloseDevice() => _device.Dispose();
+
+    [Test]
+    public void Selector_IndexOrPartOfName_OpensThatDevice()
+    {
+        var info = VulkanDevice.List()[0];
+        foreach (string selector in new[] { "0", info.Name[1..4].ToUpperInvariant(), info.Name.ToLowerInvariant() })
+        {
+            using var device = VulkanDevice.Open(selector);
+            Assert.That(device.Info.Name, Does.Contain(info.Name).IgnoreCase, selector);
+        }
+    }
+
+    [Test]
+    public void Selector_OfNoDevice_ListsThoseThereAre()
+    {
+        var error = Assert.Throws<VulkanException>(() => VulkanDevice.Open("Voodoo 2"));
+        Assert.That(error.Message, Does.StartWith("no Vulkan device \"Voodoo 2\"").And.Contain(_device.Info.Name));
+    }
+
+    [Test]
+    public void Buffer_BeyondTheDevicesRange_NamesBothFigures()
+    {
+        long bytes = _device.Limits.MaxStorageBufferRange + 4;
+        var error = Assert.Throws<VulkanException>(() => _device.CreateBuffer(bytes));
+        Assert.That(error.Message, Does.Contain($"{bytes:N0}").And.Contain($"{_device.Limits.MaxStorageBufferRange:N0}"));
+    }
+
+    [TestCase(0)]
+    [TestCase(-1)]
+    public void Buffer_OfNoBytes_IsRefused(long bytes) => Assert.Throws<ArgumentOutOfRangeException>(() => _device.CreateBuffer(bytes));
+
+    [TestCase(13, 0)]
+    [TestCase(1, 16)]
+    [TestCase(4, -1)]
+    public void Access_OutsideTheBuffer_IsRefused(int bytes, long offset)
+    {
+        using var buffer = _device.CreateBuffer(12);
+        Assert.Throws<ArgumentOutOfRangeException>(() => buffer.Read(new byte[bytes], offset));
+        Assert.Throws<ArgumentOutOfRangeException>(() => buffer.Write(new byte[bytes], offset));
+    }
+
+    [Test]
+    public void Dispatch_WithoutABuffer_NamesIt()
+    {
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Add");
+        using var buffer = _device.CreateBuffer(4);
+        var error = Assert.Throws<VulkanException>(() => _device.Dispatch(
+            program, new byte[program.UniformBytes], Kernels.Bind(("Left", buffer), ("Sum", buffer)), 1, 1, 1));
+        Assert.That(error.Message, Is.EqualTo("kernel Add: buffer Right is not set"));
+    }
+
+    [Test]
+    public void Dispatch_WithADisposedBuffer_NamesIt()
+    {
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
+        var buffer = _device.CreateBuffer(4);
+        buffer.Dispose();
+        var error = Assert.Throws<VulkanException>(() => _device.Dispatch(program, new byte[program.UniformBytes], Kernels.Bind(("State", buffer)), 1, 1, 1));
+        Assert.That(error.Message, Does.Contain("State").And.Contain("disposed"));
+    }
+
+    [Test]
+    public void Dispatch_OfTooManyGroups_NamesTheLimit()
+    {
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
+        using var buffer = _device.CreateBuffer(4);
+        var error = Assert.Throws<VulkanException>(() => _device.Dispatch(
+            program, new byte[program.UniformBytes], Kernels.Bind(("State", buffer)), 1, _device.Limits.MaxGroupsY + 1, 1));
+        Assert.That(error.Message, Does.Contain(_device.Limits.MaxGroupsY.ToString()));
+    }
+
+    [Test]
+    public void Dispatch_WithUniformsOfTheWrongSize_IsRefused()
+    {
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
+        using var buffer = _device.CreateBuffer(4);
+        Assert.Throws<VulkanException>(() => _device.Dispatch(program, new byte[3], Kernels.Bind(("State", buffer)), 1, 1, 1));
+    }
+
+    [Test]
+    public void Program_OfBytesThatAreNoSpirv_IsRefused()
+    {
+        byte[] good = ShaderLibrary.Load(Kernels.Arithmetic, "Add");
+        foreach (byte[] bad in new[] { [], new byte[64], good[..^5], good[..^4], good[..24] })
+            Assert.Throws<VulkanException>(() => _device.CreateProgram(bad), $"{bad.Length} bytes");
+    }
+
+    [Test]
+    public void Kernel_ThatTheFileLacks_NamesThoseItHas()
+    {
+        var error = Assert.Throws<VulkanException>(() => ShaderLibrary.Load(Kernels.Arithmetic, "Subtract"));
+        Assert.That(error.Message, Does.Contain("Subtract").And.Contain("Add, Step, Scale"));
+        Assert.That(Assert.Throws<VulkanException>(() => ShaderLibrary.Load("Assets/None.compute", "Main")).Message, Does.Contain("Assets/None.compute"));
+    }
+
+    [Test]
+    public void Kernel_OfChangedSources_IsStale()
+    {
+        string root = Directory.CreateTempSubdirectory("glint-stale").FullName;
+        try
+        {
+            string include = Path.Combine(root, "tools/Tests/Host/Shaders/Bounds.hlsl");
+            string shader = Path.Combine(root, Kernels.Arithmetic);
+            Directory.CreateDirectory(Path.GetDirectoryName(shader));
+            File.Copy(Path.Combine(Sources.Root, Kernels.Arithmetic), shader);
+            File.Copy(Path.Combine(Sources.Root, "tools/Tests/Host/Shaders/Bounds.hlsl"), include);
+            Assert.That(ShaderLibrary.Load(root, Kernels.Arithmetic, "Add"), Is.EqualTo(ShaderLibrary.Load(Kernels.Arithmetic, "Add")));
+
+            File.AppendAllText(include, "// changed\n");
+            var error = Assert.Throws<VulkanException>(() => ShaderLibrary.Load(root, Kernels.Arithmetic, "Add"));
+            Assert.That(error.Message, Does.Contain("Bounds.hlsl changed").And.Contain("tools/glint"));
+
+            File.Delete(include);
+            Assert.That(Assert.Throws<VulkanException>(() => ShaderLibrary.Load(root, Kernels.Arithmetic, "Add")).Message, Does.Contain("Bounds.hlsl"));
+        }
+        finally
+        {
+            Directory.Delete(root, true);
+        }
+    }
+}

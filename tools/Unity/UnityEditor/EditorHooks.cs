@@ -1,0 +1,10 @@
+using System;
+
+namespace Glint.Host;
+
+/// <summary>What the host may replace of the editor's doings.</summary>
+public static class EditorHooks
+{
+    /// <summary>Called by EditorApplication.Exit with the exit code; returns when the process is to live on.</summary>
+    public static Action<int> Exit { get; set; } = Environment.Exit;
+}

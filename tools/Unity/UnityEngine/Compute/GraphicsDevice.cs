@@ -1,0 +1,55 @@
+using System.Collections.Concurrent;
+using Glint.Vulkan;
+using UnityEngine;
+
+namespace Glint.Host;
+
+/// <summary>The device that compute shaders run on, opened when it is first needed.</summary>
+public static class GraphicsDevice
+{
+    static readonly ConcurrentQueue<(string Kind, GpuBuffer Buffer)> _leaked = new();
+    static VulkanDevice _device;
+    static string _selector;
+
+    /// <summary>As with Unity's -nographics: there is no device, SystemInfo says so, and nothing can be created.</summary>
+    public static bool IsNull { get; set; }
+
+    /// <summary>The device that <see cref="Engine.DeviceSelector"/> names; another selector closes it and opens another.</summary>
+    public static VulkanDevice Current
+    {
+        get
+        {
+            if (IsNull)
+                throw new UnityException("there is no graphics device");
+            if (_device != null && _selector != Engine.DeviceSelector)
+                Close();
+            if (_device == null)
+            {
+                _device = VulkanDevice.Open(Engine.DeviceSelector);
+                _selector = Engine.DeviceSelector;
+            }
+            return _device;
+        }
+    }
+
+    /// <summary>Closes the device and with it all buffers and programs.</summary>
+    public static void Close()
+    {
+        _leaked.Clear();
+        _device?.Dispose();
+        _device = null;
+    }
+
+    /// <summary>Keeps a buffer that the garbage collector found, on its own thread, for <see cref="CollectLeaks"/> on the main one.</summary>
+    internal static void Leak(string kind, GpuBuffer buffer) => _leaked.Enqueue((kind, buffer));
+
+    /// <summary>Warns of buffers that nobody released, as Unity does, and releases them.</summary>
+    internal static void CollectLeaks()
+    {
+        while (_leaked.TryDequeue(out var leak))
+        {
+            leak.Buffer.Dispose();
+            Debug.LogWarning($"GarbageCollector disposing of {leak.Kind}. Please use {leak.Kind}.Release() or .Dispose() to manually release the buffer.");
+        }
+    }
+}

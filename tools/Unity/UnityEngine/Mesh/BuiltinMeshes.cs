@@ -1,0 +1,51 @@
+using System.Collections.Generic;
+using UnityEngine;
+
+namespace Glint.Host;
+
+/// <summary>
+/// Unity's primitive meshes, without texture coordinates. Cube, Plane and Quad have its vertices; of the round ones the
+/// size and the triangle count are Unity's, the places of the vertices are not known: they lie on the true surface.
+/// </summary>
+internal static class BuiltinMeshes
+{
+    internal const string AssetPath = "Library/unity default resources";
+
+    static readonly Dictionary<PrimitiveType, Mesh> _meshes = new();
+
+    internal static Mesh Get(PrimitiveType type)
+    {
+        if (!_meshes.TryGetValue(type, out Mesh mesh) || mesh.IsDestroyed)
+            _meshes[type] = mesh = Make(type);
+        return mesh;
+    }
+
+    /// <summary>By the fileID that scenes refer to; null for one that is no mesh.</summary>
+    internal static Mesh ByFileId(long fileId) => fileId switch
+    {
+        10202 => Get(PrimitiveType.Cube),
+        10206 => Get(PrimitiveType.Cylinder),
+        10207 => Get(PrimitiveType.Sphere),
+        10208 => Get(PrimitiveType.Capsule),
+        10209 => Get(PrimitiveType.Plane),
+        10210 => Get(PrimitiveType.Quad),
+        _ => null,
+    };
+
+    static Mesh Make(PrimitiveType type)
+    {
+        var mesh = ObjectRegistry.Make(true, () => new Mesh { name = type.ToString() });
+        MeshBuilder builder = type switch
+        {
+            PrimitiveType.Cube => FlatMeshes.Cube(),
+            PrimitiveType.Plane => FlatMeshes.Plane(),
+            PrimitiveType.Quad => FlatMeshes.Quad(),
+            PrimitiveType.Sphere => RoundMeshes.Sphere(),
+            PrimitiveType.Capsule => RoundMeshes.Capsule(),
+            _ => RoundMeshes.Cylinder(),
+        };
+        builder.Fill(mesh);
+        mesh.AssetPath = AssetPath;
+        return mesh;
+    }
+}

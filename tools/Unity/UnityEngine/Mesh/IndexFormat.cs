@@ -1,0 +1,7 @@
+namespace UnityEngine.Rendering;
+
+public enum IndexFormat
+{
+    UInt16,
+    UInt32,
+}

@@ -1,0 +1,59 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Security.Cryptography;
+using System.Text.Json;
+
+namespace Glint.Vulkan;
+
+/// <summary>
+/// The kernels compiled when this program was built: shaders/COMPUTE/KERNEL.spv beside it, COMPUTE being the .compute file's path from the
+/// project's root, and in the same folder sources.json with the kernels' names and the SHA-256 of every file they were made of.
+/// </summary>
+public static class ShaderLibrary
+{
+    const string Remedy = "build the tools again, tools/glint does so";
+
+    /// <summary>Names of the kernels of a .compute file, in its order.</summary>
+    public static IReadOnlyList<string> Kernels(string computePath) => Manifest.Read(computePath).Kernels;
+
+    /// <summary>SPIR-V of a kernel, after making sure that it was made of the files that the project at <paramref name="projectRoot"/> has now.</summary>
+    /// <param name="computePath">From the project's root, as in "Packages/com.glint.radar/Shaders/Trace.compute".</param>
+    public static byte[] Load(string projectRoot, string computePath, string kernel)
+    {
+        var manifest = Manifest.Read(computePath);
+        foreach (var (path, hash) in manifest.Sources)
+        {
+            string file = Path.Combine(projectRoot, path);
+            if (!File.Exists(file))
+                throw new VulkanException($"{computePath} was compiled with {path}, which {projectRoot} lacks; {Remedy}");
+            if (Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(file))) != hash)
+                throw new VulkanException($"{path} changed since {computePath} was compiled; {Remedy}");
+        }
+        return Load(computePath, kernel);
+    }
+
+    /// <summary>SPIR-V of a kernel as it was compiled, whatever the project's files are now.</summary>
+    public static byte[] Load(string computePath, string kernel)
+    {
+        var kernels = Kernels(computePath);
+        if (!((ICollection<string>)kernels).Contains(kernel))
+            throw new VulkanException($"{computePath} has no kernel {kernel}; it has {string.Join(", ", kernels)}");
+        return File.ReadAllBytes(Path.Combine(Folder(computePath), kernel + ".spv"));
+    }
+
+    static string Folder(string computePath) => Path.Combine(AppContext.BaseDirectory, "shaders", computePath);
+
+    sealed record Manifest(string[] Kernels, Dictionary<string, string> Sources)
+    {
+        static readonly JsonSerializerOptions Options = new() { PropertyNameCaseInsensitive = true };
+
+        internal static Manifest Read(string computePath)
+        {
+            string path = Path.Combine(Folder(computePath), "sources.json");
+            if (!File.Exists(path))
+                throw new VulkanException($"{computePath} was not compiled; {Remedy}");
+            return JsonSerializer.Deserialize<Manifest>(File.ReadAllText(path), Options);
+        }
+    }
+}
