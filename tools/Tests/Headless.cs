@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using System.Runtime.CompilerServices;
 using Glint.Host;
@@ -18,6 +19,8 @@ public sealed class Headless
     [OneTimeSetUp]
     public void Open()
     {
+        // With the test's own output, which is shown for those that fail.
+        LogSink.Writer = (type, message) => Console.Out.WriteLine($"[{type}] {message}");
         Project.Open(Path.GetFullPath(Path.Combine(ThisFolder(), "..", "..")));
         if (typeof(Headless).Assembly.GetName().Name.EndsWith(".PlayMode"))
             Engine.EnterPlayMode();

@@ -48,12 +48,13 @@ namespace Glint.Editor
             progress.Start(subjects.Name, run.Count);
             try
             {
-                progress.Print(PoseTable.Header);
                 while (!run.IsComplete && !progress.IsCancelled)
                 {
                     var row = run.Step();
+                    if (run.Done == 1)
+                        progress.Print(PoseTable.Header);
                     progress.Print(PoseTable.Row(isSweep ? row.AngleDegrees : (double?)null, row.Result));
-                    progress.Advance(run.Done, isSweep ? $"{row.AngleDegrees:0.###} deg" : null);
+                    progress.Advance(run.Done, isSweep ? FormattableString.Invariant($"{row.AngleDegrees:0.###} deg") : null);
                 }
             }
             finally

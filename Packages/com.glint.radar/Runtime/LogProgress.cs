@@ -1,3 +1,4 @@
+using System;
 using System.Diagnostics;
 using Glint.Core;
 using UnityEngine;
@@ -31,7 +32,7 @@ namespace Glint
                 return;
             _lastLine = now;
             double left = now / done * (_total - done);
-            string rest = done < _total ? $", {left:0} s left" : $" in {now:0.0} s";
+            string rest = done < _total ? FormattableString.Invariant($", {left:0} s left") : FormattableString.Invariant($" in {now:0.0} s");
             Debug.Log($"Glint {_what}: {done} of {_total}{(note == null ? "" : $" ({note})")}{rest}");
         }
 

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using Glint.Core;
@@ -148,7 +149,7 @@ namespace Glint
             try
             {
                 var result = Trace();
-                Debug.Log($"{Subject}: amplitude {result.Amplitude:g7}, {result.RaysReceived} of {result.RaysHit} rays that hit were received", this);
+                Debug.Log(FormattableString.Invariant($"{Subject}: amplitude {result.Amplitude:g7}, {result.RaysReceived} of {result.RaysHit} rays that hit were received"), this);
             }
             catch (GlintException problem)
             {

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
@@ -51,14 +52,14 @@ namespace Glint
         static IEnumerable<T> Find<T>(IReadOnlyList<Transform> roots) where T : Component
         {
             if (roots.Count == 0)
-                return Object.FindObjectsByType<T>(FindObjectsInactive.Exclude, FindObjectsSortMode.None).OrderBy(c => c.transform, HierarchyOrder.Instance);
+                return UnityEngine.Object.FindObjectsByType<T>(FindObjectsInactive.Exclude, FindObjectsSortMode.None).OrderBy(c => c.transform, HierarchyOrder.Instance);
             return roots.SelectMany(root => root.GetComponentsInChildren<T>()).Distinct();
         }
 
         static HashSet<Renderer> LowerDetail()
         {
             var lower = new HashSet<Renderer>();
-            foreach (var group in Object.FindObjectsByType<LODGroup>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
+            foreach (var group in UnityEngine.Object.FindObjectsByType<LODGroup>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
             {
                 var lods = group.GetLODs();
                 lower.UnionWith(lods.Skip(1).SelectMany(lod => lod.renderers));
@@ -97,7 +98,7 @@ namespace Glint
             {
                 float3 position = toWorld.MultiplyPoint3x4(vertices[i]);
                 if (!math.all(math.isfinite(position)))
-                    throw new GlintException($"{subject}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) in the world: mend the mesh, or the scale of the object and its parents");
+                    throw new GlintException(FormattableString.Invariant($"{subject}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) in the world: mend the mesh, or the scale of the object and its parents"));
                 _vertices.Add(position);
             }
         }

@@ -68,7 +68,7 @@ namespace Glint
         void Continue()
         {
             var row = _run.Step();
-            _progress.Advance(_run.Done, $"{row.AngleDegrees:0.###} deg, amplitude {row.Result.Amplitude:g6}");
+            _progress.Advance(_run.Done, FormattableString.Invariant($"{row.AngleDegrees:0.###} deg, amplitude {row.Result.Amplitude:g6}"));
             if (_run.IsComplete)
                 End();
         }

@@ -23,10 +23,10 @@ float EnterBox(BvhNode box, float3 origin, float3 inverse, float reach)
 {
     float3 a = (box.Min - origin) * inverse;
     float3 b = (box.Max - origin) * inverse;
-    float3 near = min(a, b);
-    float3 far = max(a, b);
-    float enter = max(max(near.x, near.y), max(near.z, 0.0));
-    float leave = min(min(far.x, far.y), min(far.z, reach));
+    float3 first = min(a, b);
+    float3 last = max(a, b);
+    float enter = max(max(first.x, first.y), max(first.z, 0.0));
+    float leave = min(min(last.x, last.y), min(last.z, reach));
     // Rounding must not lose a ray that grazes the box: 4 float32 steps.
     return enter <= leave * 1.0000005 ? enter : MISS;
 }
@@ -43,8 +43,8 @@ float HitTriangle(TriangleRecord t, float3 origin, float3 direction)
     float u = dot(s, p) * inverse;
     float3 q = cross(s, t.Edge1);
     float v = dot(direction, q) * inverse;
-    float distance = dot(t.Edge2, q) * inverse;
-    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && distance > 0.0 ? distance : MISS;
+    float toHit = dot(t.Edge2, q) * inverse;
+    return u >= 0.0 && v >= 0.0 && u + v <= 1.0 && toHit > 0.0 ? toHit : MISS;
 }
 
 // Distance along the ray to a plane through point, m.

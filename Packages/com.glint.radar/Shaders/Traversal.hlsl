@@ -24,12 +24,13 @@ uint FindNearest(float3 origin, float3 direction, out float nearest)
     [loop]
     while (true)
     {
+        [loop]
         for (uint i = node.First; i < node.First + node.Count; i++)
         {
-            float distance = HitTriangle(_Triangles[i], origin, direction);
-            if (distance < nearest)
+            float toHit = HitTriangle(_Triangles[i], origin, direction);
+            if (toHit < nearest)
             {
-                nearest = distance;
+                nearest = toHit;
                 hit = i;
             }
         }

@@ -40,9 +40,10 @@ internal sealed class Flattener
             return table;
         table = Read(assetPath);
         // Looked through here, where objects still have the ids of their own file, for messages to name.
-        int roots = Hierarchy.Read(table, isScene: false).Count;
-        if (roots != 1)
-            throw new GlintException($"{table.ShownPath}: has {roots} root objects, and a prefab has one: restore the file");
+        IReadOnlyList<HierarchyNode> roots = Hierarchy.Read(table, isScene: false);
+        if (roots.Count != 1)
+            throw new GlintException($"{table.ShownPath}: has {roots.Count} root objects, and a prefab has one: restore the file");
+        table.Root = roots[0].Transform;
         _prefabs.Add(assetPath, table);
         return table;
     }

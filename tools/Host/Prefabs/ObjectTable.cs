@@ -25,6 +25,9 @@ internal sealed class ObjectTable
     /// <summary>Null where the file has no .meta.</summary>
     internal string Guid { get; }
 
+    /// <summary>The Transform of a prefab's root; null for other files.</summary>
+    internal ObjectRecord Root { get; set; }
+
     /// <summary>In the order of the file, objects of prefab instances last.</summary>
     internal IReadOnlyList<ObjectRecord> Records => _records;
 

@@ -98,7 +98,7 @@ internal sealed class PrefabInstance
 
     void SetParent(ObjectTable table)
     {
-        ObjectRecord root = _copies[_source.Records.First(record => record.IsTransform && record.Fields.Reference("m_Father").IsNone)];
+        ObjectRecord root = _copies[_source.Root];
         ObjectReference parent = _modification.Reference("m_TransformParent");
         root.Fields.Node.Set("m_Father", parent.ToNode());
         if (parent.IsNone)

@@ -77,7 +77,7 @@ public sealed class CompileShaders : Task
             return false;
         }
         // "OUTPUT: FILE FILE ...", blanks within a name escaped
-        string list = File.ReadAllText(dependencies).Trim().Substring(output.Length + 1);
+        string list = File.ReadAllText(dependencies).Trim().Substring(output.Replace(" ", "\\ ").Length + 1);
         foreach (Match file in Regex.Matches(list, @"(?:\\ |\S)+"))
             read.Add(Relative(Path.Combine(Root, file.Value.Replace("\\ ", " "))));
         File.Delete(dependencies);

@@ -7,32 +7,26 @@ namespace Glint.Core
     readonly struct Interval
     {
         readonly double _from, _to;
-        readonly bool _withFrom, _withTo;
+        readonly bool _withFrom;
 
-        Interval(double from, double to, bool withFrom, bool withTo)
+        Interval(double from, double to, bool withFrom)
         {
             _from = from;
             _to = to;
             _withFrom = withFrom;
-            _withTo = withTo;
         }
 
         /// <summary>Both ends allowed.</summary>
-        public static Interval Closed(double from, double to) => new Interval(from, to, true, true);
-
-        /// <summary>Neither end allowed.</summary>
-        public static Interval Open(double from, double to) => new Interval(from, to, false, false);
+        public static Interval Closed(double from, double to) => new Interval(from, to, true);
 
         /// <summary>More than nothing, at most <paramref name="to"/>.</summary>
-        public static Interval Positive(double to) => new Interval(0, to, false, true);
+        public static Interval Positive(double to) => new Interval(0, to, false);
 
         /// <summary>False for NaN.</summary>
-        public bool Contains(double value) => (_withFrom ? value >= _from : value > _from) && (_withTo ? value <= _to : value < _to);
+        public bool Contains(double value) => (_withFrom ? value >= _from : value > _from) && value <= _to;
 
-        /// <summary>"from 1 to 16", "above 0 and below 180".</summary>
-        public override string ToString() => _withFrom && _withTo
-            ? $"from {Text(_from)} to {Text(_to)}"
-            : $"above {Text(_from)} and {(_withTo ? "at most" : "below")} {Text(_to)}";
+        /// <summary>"from 1 to 16", "above 0 and at most 179".</summary>
+        public override string ToString() => _withFrom ? $"from {Text(_from)} to {Text(_to)}" : $"above {Text(_from)} and at most {Text(_to)}";
 
         static string Text(double value) => value.ToString(Math.Abs(value) < 1e6 ? "R" : "0.###e0", CultureInfo.InvariantCulture);
     }

@@ -100,8 +100,8 @@ namespace Glint.Core
             "Where the radar stands, in degrees about the vertical, positive as Unity's rotation about Y. At 0 it stands on the -Z side and looks along +Z.");
 
         /// <summary>Vertical field of view, degrees.</summary>
-        public static readonly Option<double> Fov = Number("fov", "DEG", "60", Interval.Open(0, 180), MeshGroup, InputKind.MeshFile,
-            "Vertical field of view in degrees.");
+        public static readonly Option<double> Fov = Number("fov", "DEG", "60", Interval.Positive(179), MeshGroup, InputKind.MeshFile,
+            "Vertical field of view in degrees; Unity's cameras end at 179.");
 
         /// <summary>The point that the radar is aimed at, metres, Unity's axes.</summary>
         public static readonly Option<double3> Aim = new Option<double3>("aim", "X,Y,Z", text => Values.Point(text, Coordinate))

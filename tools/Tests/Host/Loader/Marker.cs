@@ -12,16 +12,16 @@ public sealed class Marker : MarkerBase, ISerializationCallbackReceiver
     public Marker Other;
     public GameObject Model;
     public Mesh Shape;
-    public Options Settings;
+    public MarkerOptions Settings;
     public TextAsset Notes;
     public float[] Numbers;
     public List<int> Packed;
     public bool[] Switches;
     public List<string> Words;
     public List<Transform> Targets;
-    public Part[] Parts;
-    public Part Main = new() { Length = 3f };
-    public Kind Kind = Kind.Second;
+    public MarkerPart[] Parts;
+    public MarkerPart Main = new() { Length = 3f };
+    public MarkerKind Kind = MarkerKind.Second;
     public LayerMask Layers;
     public Vector3 Vector;
     public Vector2Int Cell;
@@ -36,6 +36,7 @@ public sealed class Marker : MarkerBase, ISerializationCallbackReceiver
     public string Text;
     public int Kept = 42;
     public static int Shared = 1;
+    [SerializeReference] public MarkerPart Polymorphic;
     [NonSerialized] public int Skipped = 5;
     [FormerlySerializedAs("oldName")] public int Renamed;
     [field: SerializeField] public float Automatic { get; private set; }
@@ -70,14 +71,14 @@ public abstract class MarkerBase : MonoBehaviour
 }
 
 [Serializable]
-public sealed class Part
+public sealed class MarkerPart
 {
     public float Length;
     public string Label;
     public Vector3 Offset;
 }
 
-public enum Kind
+public enum MarkerKind
 {
     First,
     Second,

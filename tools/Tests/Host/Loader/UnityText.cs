@@ -38,7 +38,7 @@ public static class UnityText
           m_Children: {(children is null ? "[]" : "\n  - " + string.Join("\n  - ", children.Select(Reference)))}
           m_Father: {Reference(father)}
 
-        """.Replace("m_Children: \n", "m_Children:\n");
+        """;
 
     public static string Component(params long[] ids) => string.Concat(ids.Select(id => $"  - component: {Reference(id)}\n"));
 

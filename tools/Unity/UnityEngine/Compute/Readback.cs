@@ -1,6 +1,5 @@
 using System;
 using System.Runtime.CompilerServices;
-using System.Runtime.InteropServices;
 using Unity.Collections;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -41,10 +40,10 @@ internal sealed class Readback
         {
             _store?.Invoke(_data);
         }
-        catch (Exception exception) when (exception is ObjectDisposedException or ArgumentException)
+        catch (ObjectDisposedException)
         {
-            HasError = true; // the array that was to take the data is gone
-            Debug.LogError($"AsyncGPUReadback: {exception.Message}");
+            HasError = true;
+            Debug.LogError("AsyncGPUReadback: the NativeArray that was to take the data was disposed before it came");
         }
         try
         {

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-public sealed class MeshTests
+public sealed class MeshFileTests
 {
     const int Guid = 3;
     const string Path = "Assets/Hull.asset";

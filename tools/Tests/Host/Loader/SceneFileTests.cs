@@ -6,7 +6,7 @@ using static Glint.Host.Tests.UnityText;
 
 namespace Glint.Host.Tests;
 
-public sealed class SceneTests
+public sealed class SceneFileTests
 {
     TemporaryProject _project;
 
@@ -71,6 +71,13 @@ public sealed class SceneTests
         Assert.That(item.GetComponent<MeshRenderer>().sharedMaterial.name, Is.EqualTo("Default-Material"));
         Assert.That(item.GetComponent<MeshFilter>().sharedMesh.name, Is.EqualTo("Cube"));
         Assert.That(_project.Warnings, Is.Empty);
+    }
+
+    [Test]
+    public void Renderer_PartOfAStaticBatch_SaysSo()
+    {
+        string renderer = MeshRenderer(13, 10, "  m_Enabled: 1\n  m_StaticBatchInfo:\n    firstSubMesh: 0\n    subMeshCount: 1\n");
+        Assert.That(_project.LoadScene(Scene(Object(10, "Box", components: Component(13)) + renderer, 11)).Single().GetComponent<MeshRenderer>().isPartOfStaticBatch);
     }
 
     [Test]

@@ -2,8 +2,8 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-public sealed class Options : ScriptableObject
+public sealed class MarkerOptions : ScriptableObject
 {
     public float Frequency = 1f;
-    public Options Next;
+    public MarkerOptions Next;
 }

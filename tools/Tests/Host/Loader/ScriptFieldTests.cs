@@ -6,7 +6,7 @@ using static Glint.Host.Tests.UnityText;
 
 namespace Glint.Host.Tests;
 
-public sealed class FieldTests
+public sealed class ScriptFieldTests
 {
     const int MarkerScript = 9, OptionsScript = 8, OptionsAsset = 7, Notes = 6, Prefab = 5, OtherAsset = 4;
 
@@ -17,7 +17,7 @@ public sealed class FieldTests
     {
         _project = new TemporaryProject();
         _project.WriteScript(typeof(Marker), MarkerScript);
-        _project.WriteScript(typeof(Options), OptionsScript);
+        _project.WriteScript(typeof(MarkerOptions), OptionsScript);
     }
 
     [TearDown]
@@ -35,7 +35,7 @@ public sealed class FieldTests
     public void AbsentKeys_KeepTheInitialiserAndAreNeverNull()
     {
         Marker marker = Load("  unknown: 3\n  Skipped: 9\n  _private: 9\n");
-        Assert.That((marker.Kept, marker.Kind, marker.Main.Length, marker.Skipped, marker.Private), Is.EqualTo((42, Kind.Second, 3f, 5, 1f)));
+        Assert.That((marker.Kept, marker.Kind, marker.Main.Length, marker.Skipped, marker.Private), Is.EqualTo((42, MarkerKind.Second, 3f, 5, 1f)));
         Assert.That((marker.Text, marker.Words.Count, marker.Numbers.Length, marker.Main.Label), Is.EqualTo(("", 0, 0, "")));
         Assert.That(marker.Target, Is.Null);
     }
@@ -78,7 +78,7 @@ public sealed class FieldTests
     public void NestedClasses_AndListsOfThem_AreFilled()
     {
         Marker marker = Load("  Main:\n    Length: 8\n    Label: keel\n    Offset: {x: 1, y: 2, z: 3}\n  Parts:\n  - Length: 1\n    Label: a\n  - Length: 2\n    Label: b\n  Kind: 4\n");
-        Assert.That((marker.Main.Length, marker.Main.Label, marker.Main.Offset.z, marker.Kind), Is.EqualTo((8f, "keel", 3f, Kind.Fourth)));
+        Assert.That((marker.Main.Length, marker.Main.Label, marker.Main.Offset.z, marker.Kind), Is.EqualTo((8f, "keel", 3f, MarkerKind.Fourth)));
         Assert.That(marker.Parts.Select(part => part.Label), Is.EqualTo(new[] { "a", "b" }));
     }
 
@@ -107,7 +107,7 @@ public sealed class FieldTests
         Assert.That(marker.Target, Is.SameAs(marker.Model.transform));
         Assert.That((marker.Settings.Frequency, marker.Settings.Next.Frequency), Is.EqualTo((9e9f, 2e9f)));
         Assert.That(marker.Settings.Next.Next, Is.SameAs(marker.Settings));
-        Assert.That(_project.Project.LoadAsset("Assets/A.asset", typeof(Options)), Is.SameAs(marker.Settings));
+        Assert.That(_project.Project.LoadAsset("Assets/A.asset", typeof(MarkerOptions)), Is.SameAs(marker.Settings));
     }
 
     [Test]
@@ -133,6 +133,20 @@ public sealed class FieldTests
         Assert.Throws<GlintException>(() => Load("  Packed: 01000\n"));
         Assert.Throws<GlintException>(() => Load("  Numbers: {x: 1}\n"));
         Assert.Throws<GlintException>(() => Load("  Target: 7\n"));
+    }
+
+    [Test]
+    public void SerializeReference_InTheFile_IsRefusedInsteadOfLost() => Assert.That(
+        Assert.Throws<GlintException>(() => Load("  Polymorphic:\n    rid: 1\n")).Message, Does.StartWith("Assets/Scene.unity: Marker of 'A': Polymorphic is a [SerializeReference] field"));
+
+    [Test]
+    public void ExecutionOrder_OfTheMetaFile_Counts()
+    {
+        _project.Write("Assets/Scripts/Marker.cs.meta", $"fileFormatVersion: 2\nguid: {TemporaryProject.Guid(MarkerScript)}\nMonoImporter:\n  serializedVersion: 2\n  executionOrder: -50\n");
+        Load("");
+        int order = Messages.Of(typeof(Marker)).Order;
+        Messages.Of(typeof(Marker)).Order = 0;
+        Assert.That(order, Is.EqualTo(-50));
     }
 
     [Test]

@@ -8,7 +8,7 @@ using UnityEngine.Rendering;
 
 namespace Glint.Host.Tests;
 
-public class MeshTests
+public class MeshApiTests
 {
     static readonly Vector3[] _square = { new(0, 0, 0), new(0, 0, 2), new(2, 0, 2), new(2, 0, 0) };
 

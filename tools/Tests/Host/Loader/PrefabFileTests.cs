@@ -6,7 +6,7 @@ using static Glint.Host.Tests.UnityText;
 
 namespace Glint.Host.Tests;
 
-public sealed class PrefabTests
+public sealed class PrefabFileTests
 {
     const int Mast = 1, Ship = 2, Variant = 3, MarkerScript = 9;
 
@@ -150,6 +150,14 @@ public sealed class PrefabTests
         _project.Write("Assets/B.prefab", Prefab(Object(10, "B") + Instance(700, 4, father: 11)), 5);
         GlintException error = Assert.Throws<GlintException>(() => _project.LoadScene(Scene(Instance(500, 4), 500)));
         Assert.That(error.Message, Is.EqualTo("Assets/A.prefab: the prefab holds itself: Assets/A.prefab -> Assets/B.prefab -> Assets/A.prefab: remove one of these instances"));
+    }
+
+    [Test]
+    public void Prefab_Damaged_IsRefusedByItsOwnFileAndIds()
+    {
+        _project.Write("Assets/Bad.prefab", Prefab(Object(10, "Bad", components: Component(99))), 4);
+        Assert.That(Assert.Throws<GlintException>(() => _project.LoadScene(Scene(Instance(500, 4), 500))).Message,
+            Is.EqualTo("Assets/Bad.prefab: GameObject 'Bad' has a component &99, which is not in the file: restore the file"));
     }
 
     [Test]
