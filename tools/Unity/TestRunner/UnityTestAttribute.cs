@@ -19,7 +19,7 @@ public class UnityTestAttribute : CombiningStrategyAttribute, ISimpleTestBuilder
     }
 
     TestMethod ISimpleTestBuilder.BuildFrom(IMethodInfo method, Test suite)
-        => _builder.BuildTestMethod(method, suite, RoutineCases.Expecting(new TestCaseParameters()));
+        => _builder.BuildTestMethod(method, suite, RoutineCases.Expecting(new TestCaseParameters { TestName = method.Name }));
 
     public new void ApplyToTest(Test test)
     {

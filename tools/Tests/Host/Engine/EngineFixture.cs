@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
@@ -9,6 +10,7 @@ namespace Glint.Host.Tests;
 public abstract class EngineFixture
 {
     IAssetSource _openProject;
+    Action<LogType, string> _logWriter;
 
     protected List<(LogType Type, string Message)> Log { get; } = new();
 
@@ -22,6 +24,7 @@ public abstract class EngineFixture
         Engine.Assets = null;
         Engine.Reset();
         Log.Clear();
+        _logWriter = LogSink.Writer;
         LogSink.Writer = (type, message) => Log.Add((type, message));
         Diary.Entries.Clear();
     }
@@ -34,7 +37,7 @@ public abstract class EngineFixture
         Time.captureDeltaTime = 0f;
         Time.timeScale = 1f;
         Time.fixedDeltaTime = 0.02f;
-        LogSink.Writer = LogSink.ToConsole;
+        LogSink.Writer = _logWriter;
     }
 
     /// <summary>Frames of exactly the given length, so that times can be counted.</summary>

@@ -89,6 +89,17 @@ public sealed class UnityTestTests
     }
 
     [Test]
+    public void Name_WithoutParameters_IsTheMethods()
+        => Assert.That(FixtureRun.OfOne(typeof(Samples<int>.Throws)).FullName, Does.EndWith("Throws.AfterAFrame"));
+
+    [Test]
+    public void Platform_OfAnotherMachine_IsSkipped()
+    {
+        var results = FixtureRun.Of(typeof(Samples<int>.DependsOnPlatform));
+        Assert.That(results.Select(result => result.ResultState.Status), Is.EqualTo(new[] { TestStatus.Skipped, TestStatus.Passed }));
+    }
+
+    [Test]
     public void Ignore_InALaterFrame_IsIgnored()
         => Assert.That(FixtureRun.OfOne(typeof(Samples<int>.IsIgnored)).ResultState.Status, Is.EqualTo(TestStatus.Skipped));
 

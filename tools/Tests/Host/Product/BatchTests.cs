@@ -1,0 +1,98 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Glint.Core;
+using Glint.Editor;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Glint.Host.Tests;
+
+/// <summary>The entries of Unity's -executeMethod, called with Unity's command line: what they write, log and end Unity with.</summary>
+public sealed class BatchTests
+{
+    readonly List<(LogType type, string text)> _log = new();
+    string _folder;
+    int? _exitCode;
+
+    [SetUp]
+    public void Listen()
+    {
+        _folder = Directory.CreateTempSubdirectory("glint-batch-").FullName;
+        _exitCode = null;
+        _log.Clear();
+        EditorHooks.Exit = code => _exitCode = code;
+        Application.logMessageReceived += Hear;
+    }
+
+    [TearDown]
+    public void Restore()
+    {
+        Application.logMessageReceived -= Hear;
+        EditorHooks.Exit = System.Environment.Exit;
+        GraphicsDevice.IsNull = false;
+        Directory.Delete(_folder, true);
+    }
+
+    [Test]
+    public void Sweep_OfTheCornerReflector_WritesTheFilesAndEndsUnityWithZero()
+    {
+        string results = Path.Combine(_folder, "results");
+        Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0,45", "--size", "192x108", "--out", results);
+
+        Assert.That(_exitCode, Is.EqualTo(0), string.Join("\n", _log));
+        Assert.That(File.ReadAllLines(Path.Combine(results, "results.csv")).Skip(1).Select(line => line.Split(',')[0]), Is.EqualTo(new[] { "0", "45" }));
+        Assert.That(File.Exists(Path.Combine(results, "results.json")));
+        Assert.That(_log.Select(line => line.text), Has.Some.Contains("2 of 2"));
+    }
+
+    [Test]
+    public void Run_ByAssetPath_FindsTheSameScene()
+    {
+        Call(Commands.Run, "Packages/com.glint.scenes/CornerReflector.unity", "--size", "64x36");
+        Assert.That(_exitCode, Is.EqualTo(0), string.Join("\n", _log));
+    }
+
+    [Test]
+    public void Sweep_WithoutGraphicsDevice_SaysToLeaveOutNographicsAndWritesNothing()
+    {
+        GraphicsDevice.IsNull = true;
+        string results = Path.Combine(_folder, "results");
+        Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0,45", "--out", results);
+
+        Assert.That(_exitCode, Is.EqualTo(1));
+        Assert.That(Errors.Single(), Does.Contain("start Unity without -nographics"));
+        Assert.That(Directory.Exists(results), Is.False);
+    }
+
+    [Test]
+    public void Sweep_WithABadOption_EndsUnityWithTwo()
+    {
+        Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0:45");
+        Assert.That(_exitCode, Is.EqualTo(2));
+        Assert.That(Errors.Single(), Does.Contain("--angles 0:45"));
+    }
+
+    [Test]
+    public void Sweep_WithDevice_PointsToUnitysOwnOption()
+    {
+        Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0", "--device", "1");
+        Assert.That(_exitCode, Is.EqualTo(2));
+        Assert.That(Errors.Single(), Does.Contain("-force-device-index"));
+    }
+
+    [Test]
+    public void Sweep_WithoutTheMarker_SaysWhereTheArgumentsGo()
+    {
+        Batch.ExecuteAndExit(Commands.Sweep, new[] { "Unity", "-batchmode", "Scenes/CornerReflector.unity" });
+        Assert.That(_exitCode, Is.EqualTo(2));
+        Assert.That(Errors.Single(), Does.Contain("--glint is missing"));
+    }
+
+    IEnumerable<string> Errors => _log.Where(line => line.type is LogType.Error or LogType.Exception).Select(line => line.text);
+
+    static void Call(Command command, params string[] arguments) =>
+        Batch.ExecuteAndExit(command, new[] { "Unity", "-batchmode", "-executeMethod", command.UnityMethod ?? "", "--glint" }.Concat(arguments).ToArray());
+
+    void Hear(string text, string stack, LogType type) => _log.Add((type, text));
+}

@@ -1,0 +1,64 @@
+using System.IO;
+using Glint.Core;
+using Glint.Editor;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Glint.Host.Tests;
+
+/// <summary>What the commands refuse to work with: the message names the scene, the object and the way out.</summary>
+public sealed class SubjectsTests
+{
+    [Test]
+    public void Gather_StaticBatch_IsRefusedByNameWithTheRemedy()
+    {
+        var wall = GameObject.CreatePrimitive(PrimitiveType.Cube);
+        wall.name = "Wall";
+        wall.GetComponent<MeshRenderer>().StaticBatched = true;
+        try
+        {
+            var problem = Assert.Throws<GlintException>(() => new SceneGatherer().Gather(~0, new[] { wall.transform }, null));
+            Assert.That(problem.Message, Does.Contain("'Wall'").And.Contain("static batch").And.Contain("Batching Static"));
+        }
+        finally
+        {
+            Object.DestroyImmediate(wall);
+        }
+    }
+
+    [TestCase("RadarController of 'Radar Camera' has no receiver", "_receiver: {fileID: 111}", "_receiver: {fileID: 0}")]
+    [TestCase("has no radar", "m_Name: Radar Camera", "m_Name: Radar Camera", "m_IsActive: 1", "m_IsActive: 0")]
+    [TestCase("field of view 0 deg", "field of view: 60", "field of view: 0")]
+    [TestCase("field of view 180 deg", "field of view: 60", "field of view: 180")]
+    [TestCase("orthographic", "orthographic: 0", "orthographic: 1")]
+    [TestCase("frequency 0 Hz", "_frequencyHz: 10000000000", "_frequencyHz: 0")]
+    [TestCase("rays across -5", "_raysAcross: 1920", "_raysAcross: -5")]
+    [TestCase("maximum bounces 17", "_maxBounces: 4", "_maxBounces: 17")]
+    [TestCase("receiver size -3 x 3 m", "_receiverSize: {x: 3, y: 3}", "_receiverSize: {x: -3, y: 3}")]
+    [TestCase("has no kernel", "_kernel: {fileID: 7200000", "_kernel: {fileID: 0} # {fileID: 7200000")]
+    public void Run_OfASceneWithABadRadar_IsRefusedByName(string message, params string[] replacements)
+    {
+        string scene = File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "Scenes/CornerReflector.unity"));
+        for (int i = 0; i < replacements.Length; i += 2)
+        {
+            Assert.That(scene, Does.Contain(replacements[i]));
+            scene = scene.Replace(replacements[i], replacements[i + 1]);
+        }
+        string root = Engine.Assets.ProjectRoot;
+        using var project = new TemporaryProject();
+        Directory.CreateSymbolicLink(Path.Combine(project.Root, "Packages/com.glint.radar"), Path.Combine(root, "Packages/com.glint.radar"));
+        Directory.CreateSymbolicLink(Path.Combine(project.Root, "Assets/Meshes"), Path.Combine(root, "Meshes"));
+        project.Write("Assets/Bad.unity", scene);
+        _ = project.Project;
+
+        var problem = Assert.Throws<GlintException>(() => Batch.Execute(CommandLine.Parse(Commands.Run, new[] { Path.Combine(project.Root, "Assets/Bad.unity") }), new LogProgress()));
+        Assert.That(problem.Message, Does.Contain(message));
+    }
+
+    [Test]
+    public void Version_InResults_IsThatOfThePackage()
+    {
+        string package = File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "Packages/com.glint.radar/package.json"));
+        Assert.That(package, Does.Contain($"\"version\": \"{GlintVersion.Text}\""));
+    }
+}
