@@ -37,9 +37,9 @@ internal static partial class Samples<T>
         [UnityTest]
         public IEnumerator HalfASecond()
         {
-            var start = Time.time;
+            var start = Time.frameCount;
             yield return new WaitForSeconds(0.5f);
-            Assert.That(Time.time - start, Is.InRange(0.5f, 0.9f));
+            Assert.That(Time.frameCount - start, Is.EqualTo(2));
         }
     }
 

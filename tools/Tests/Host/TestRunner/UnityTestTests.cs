@@ -1,6 +1,7 @@
 using System.Linq;
 using NUnit.Framework;
 using NUnit.Framework.Interfaces;
+using UnityEngine;
 
 namespace Glint.Host.Tests.TestRunner;
 
@@ -17,6 +18,7 @@ public sealed class UnityTestTests
     [TearDown]
     public void Stop()
     {
+        Time.captureDeltaTime = 0f;
         if (Engine.IsPlaying)
             Engine.ExitPlayMode();
     }
@@ -54,7 +56,11 @@ public sealed class UnityTestTests
     }
 
     [Test]
-    public void WaitForSeconds_Yielded_WaitsInGameTime() => Passes(FixtureRun.OfOne(typeof(Samples<int>.Waits)));
+    public void WaitForSeconds_Yielded_WaitsInGameTime()
+    {
+        Time.captureDeltaTime = 0.25f; // two frames make the half second
+        Passes(FixtureRun.OfOne(typeof(Samples<int>.Waits)));
+    }
 
     [Test]
     public void WaitUntil_Yielded_WaitsForItsCondition() => Passes(FixtureRun.OfOne(typeof(Samples<int>.WaitsForFive)));
