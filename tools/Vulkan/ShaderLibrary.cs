@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Security.Cryptography;
 using System.Text.Json;
 
@@ -46,14 +47,16 @@ public static class ShaderLibrary
 
     sealed record Manifest(string[] Kernels, Dictionary<string, string> Sources)
     {
-        static readonly JsonSerializerOptions Options = new() { PropertyNameCaseInsensitive = true };
-
+        // By hand, not by reflection: a trimmed publish has none of it.
         internal static Manifest Read(string computePath)
         {
             string path = Path.Combine(Folder(computePath), "sources.json");
             if (!File.Exists(path))
                 throw new VulkanException($"{computePath} was not compiled; {Remedy}");
-            return JsonSerializer.Deserialize<Manifest>(File.ReadAllText(path), Options);
+            using var json = JsonDocument.Parse(File.ReadAllBytes(path));
+            return new Manifest(
+                json.RootElement.GetProperty("kernels").EnumerateArray().Select(kernel => kernel.GetString()).ToArray(),
+                json.RootElement.GetProperty("sources").EnumerateObject().ToDictionary(source => source.Name, source => source.Value.GetString()));
         }
     }
 }
