@@ -90,7 +90,7 @@ namespace Glint.Tests
             {
                 double3 origin = 12 * double3(random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1);
                 double3 direction = i % 10 == 0 ? double3(0, 0, 1) : normalize(double3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5));
-                int expected = Nearest(scene, origin, direction, out double distance);
+                int expected = BruteForce.Nearest(scene, origin, direction, out double distance);
                 Assert.That(tree.FindNearest(origin, direction, -1, out double found), Is.EqualTo(expected), $"ray {i}");
                 if (expected < 0)
                     continue;
@@ -109,22 +109,6 @@ namespace Glint.Tests
             Assert.That(result.Segments, Is.EqualTo(160 * 90));
             Assert.That(result.RaysHit, Is.Zero);
             Assert.That(result.Ratio, Is.Zero);
-        }
-
-        // Moeller and Trumbore's test of every triangle.
-        static int Nearest(TriangleScene scene, double3 origin, double3 direction, out double nearest)
-        {
-            int hit = -1;
-            nearest = double.PositiveInfinity;
-            for (int t = 0; t < scene.TriangleCount; t++)
-            {
-                scene.GetTriangle(t, out var a, out var b, out var c);
-                double3 e1 = (double3)b - a, e2 = (double3)c - a, p = cross(direction, e2), s = origin - a, q = cross(s, e1);
-                double determinant = dot(e1, p), u = dot(s, p) / determinant, v = dot(direction, q) / determinant, distance = dot(e2, q) / determinant;
-                if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && distance < nearest)
-                    (hit, nearest) = (t, distance);
-            }
-            return hit;
         }
     }
 }

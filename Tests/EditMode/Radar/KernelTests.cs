@@ -99,6 +99,28 @@ namespace Glint.Tests
             }
         }
 
+        [TestCase(1)]
+        [TestCase(3)]
+        [TestCase(997)]
+        public void Trace_OneBounce_MeetsTheNearestOfAllTriangles(int triangles)
+        {
+            // One triangle: the root is a leaf. The search here is a loop over all, in double.
+            var scene = TestRadar.Clutter(triangles, seed: 11, halfSide: 6, largest: 3);
+            var settings = TestRadar.Settings(61, 47, 1);
+            var view = TestRadar.LookAt(double3(-4, 6, -20), 0);
+            var rays = TestKernels.TraceOnce(scene, settings, view, KeptRays.All).Rays;
+            int hits = 0, others = 0;
+            for (int pixel = 0; pixel < rays.Length; pixel++)
+            {
+                int hit = BruteForce.Nearest(scene, view.Position, TestRadar.Direction(settings, view, pixel), out double there);
+                hits += hit >= 0 ? 1 : 0;
+                double length = BruteForce.ToLastHit(view.Position, rays[pixel]);
+                others += rays[pixel].Bounces == (hit >= 0 ? 1 : 0) && (hit < 0 || abs(length - there) < LengthTolerance) ? 0 : 1;
+            }
+            Assert.That(hits, Is.GreaterThan(20));
+            Assert.That(others, Is.LessThanOrEqualTo(3), "rays at edges may go either way");
+        }
+
         [TestCase(1u, 100)]
         [TestCase(2u, 400)]
         [TestCase(3u, 5000)]

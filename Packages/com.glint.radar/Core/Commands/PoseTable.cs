@@ -1,3 +1,4 @@
+using System;
 using System.Globalization;
 
 namespace Glint.Core
@@ -15,8 +16,11 @@ namespace Glint.Core
             "{0,7}  {1,13:0.000}  {2,9}  {3,9}  {4,9}",
             angle.HasValue ? angle.Value.ToString("0.###", CultureInfo.InvariantCulture) : "-",
             result.Amplitude,
-            result.AmplitudeDb.HasValue ? result.AmplitudeDb.Value.ToString("0.00", CultureInfo.InvariantCulture) : "-",
+            result.AmplitudeDb.HasValue ? Decibels(result.AmplitudeDb.Value) : "-",
             result.RaysReceived,
             result.RaysHit);
+
+        // + 0 makes the -0 of a hair below 0 dB a plain 0.
+        static string Decibels(double value) => (Math.Round(value, 2) + 0.0).ToString("0.00", CultureInfo.InvariantCulture);
     }
 }
