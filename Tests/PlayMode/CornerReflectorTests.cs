@@ -87,6 +87,8 @@ namespace Glint.Tests
             // Each phase is off by some 0.005 rad at most: float32 lengths of 100 m have steps of 8 micrometres.
             double tolerance = 0.005 * expected.RaysReceived + System.Math.Abs(result.RaysReceived - expected.RaysReceived);
             Assert.That(result.InPhase, Is.EqualTo(expected.InPhase).Within(tolerance));
+            int inOtherBins = result.PhaseHistogram.Zip(expected.PhaseHistogram, (ours, theirs) => System.Math.Abs(ours - theirs)).Sum() / 2;
+            Assert.That(inOtherBins, Is.LessThanOrEqualTo(expected.RaysReceived / 50), "rays in another bin of 10 deg");
             Assert.That(result.Quadrature, Is.EqualTo(expected.Quadrature).Within(tolerance));
         }
 

@@ -83,6 +83,13 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Trace_RootThatWasDestroyed_IsRefusedInsteadOfTracingEverything()
+        {
+            Object.DestroyImmediate(_plate);
+            Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message, Does.Contain("'Radar'").And.Contain("Roots"));
+        }
+
+        [Test]
         public void Trace_OrthographicCamera_IsRefusedByName()
         {
             _radar.GetComponent<Camera>().orthographic = true;

@@ -54,7 +54,7 @@ namespace Glint.Tests
             while (_sweep.IsRunning && frames < 20);
 
             Assert.That(frames, Is.InRange(3, 5), "one pose a frame");
-            Assert.That(_target.rotation, Is.EqualTo(initial));
+            Assert.That(Quaternion.Angle(_target.rotation, initial), Is.LessThan(1e-3f));
             var lines = File.ReadAllLines(Path.Combine(_folder, "results.csv"));
             Assert.That(lines.Length, Is.EqualTo(4));
             Assert.That(lines.Skip(1).Select(line => line.Split(',')[0]), Is.EqualTo(new[] { "0", "20", "40" }));
@@ -85,6 +85,21 @@ namespace Glint.Tests
         }
 
         [UnityTest]
+        public IEnumerator Destroy_OfTheTargetDuringASweep_EndsItWithAnErrorAndKeepsTheRows()
+        {
+            _sweep.Angles = "10:40:10";
+            _sweep.gameObject.SetActive(true);
+            yield return null;
+            yield return null;
+            LogAssert.Expect(LogType.Error, new Regex("target of the sweep was destroyed"));
+            Object.Destroy(_target.gameObject);
+            yield return null;
+            yield return null;
+            Assert.That(_sweep.IsRunning, Is.False);
+            Assert.That(File.ReadAllLines(Path.Combine(_folder, "results.csv")).Length, Is.InRange(2, 4));
+        }
+
+        [UnityTest]
         public IEnumerator Disable_DuringASweep_PutsTheTargetBackAndKeepsTheRows()
         {
             var initial = _target.rotation;
@@ -93,7 +108,7 @@ namespace Glint.Tests
             yield return null;
             yield return null;
             _sweep.gameObject.SetActive(false);
-            Assert.That(_target.rotation, Is.EqualTo(initial));
+            Assert.That(Quaternion.Angle(_target.rotation, initial), Is.LessThan(1e-3f));
             Assert.That(_sweep.IsRunning, Is.False);
             Assert.That(File.ReadAllLines(Path.Combine(_folder, "results.csv")).Length, Is.GreaterThanOrEqualTo(2));
         }

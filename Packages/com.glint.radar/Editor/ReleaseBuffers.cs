@@ -14,6 +14,7 @@ namespace Glint.Editor
         static ReleaseBuffers()
         {
             AssemblyReloadEvents.beforeAssemblyReload += ReleaseAll;
+            EditorApplication.playModeStateChanged += change => ReleaseAll();
             EditorSceneManager.sceneClosing += (scene, removing) => ReleaseAll();
         }
 

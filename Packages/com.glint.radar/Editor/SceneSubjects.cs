@@ -43,7 +43,7 @@ namespace Glint.Editor
                 throw new GlintException($"{line.Input}: there is no such scene; check the path");
             EditorSceneManager.OpenScene(scene, OpenSceneMode.Single);
 
-            var radar = FindRadar(line.Input);
+            var radar = RadarController.FindOnly(line.Input);
             var settings = radar.Settings;
             if (line.IsGiven(Options.Size))
                 (settings.RaysAcross, settings.RaysDown) = (line.Get(Options.Size).x, line.Get(Options.Size).y);
@@ -82,25 +82,18 @@ namespace Glint.Editor
             return new Vector2((float)size.x, (float)size.y);
         }
 
-        static RadarController FindRadar(string scene)
-        {
-            var radars = Object.FindObjectsByType<RadarController>(FindObjectsInactive.Exclude, FindObjectsSortMode.None).Where(radar => radar.enabled).ToArray();
-            if (radars.Length == 0)
-                throw new GlintException($"{scene}: has no radar; add a RadarController (Glint > Radar Controller) to an active camera of the scene");
-            if (radars.Length > 1)
-                throw new GlintException($"{scene}: has {radars.Length} radars, {Quoted(radars)}; disable all but one");
-            return radars[0];
-        }
-
         static Transform FindTarget(string scene, string name)
         {
-            var all = Object.FindObjectsByType<Transform>(FindObjectsInactive.Exclude, FindObjectsSortMode.None);
-            var named = all.Where(candidate => candidate.name == name || PathOf(candidate) == name).ToArray();
+            var all = Object.FindObjectsByType<Transform>(FindObjectsInactive.Include, FindObjectsSortMode.None);
+            var fitting = all.Where(candidate => candidate.name == name || PathOf(candidate) == name).ToArray();
+            var named = fitting.Where(candidate => candidate.gameObject.activeInHierarchy).ToArray();
             if (named.Length == 1)
                 return named[0];
             if (named.Length > 1)
                 throw new GlintException($"{scene}: --target \"{name}\" fits {named.Length} objects, {Quoted(named)}; give the path of one, or rename them");
-            throw new GlintException($"{scene}: has no active object \"{name}\" for --target; at its root are {Quoted(all.Where(candidate => candidate.parent == null).ToArray())}");
+            if (fitting.Length > 0)
+                throw new GlintException($"{scene}: the object \"{name}\" for --target is inactive; activate it");
+            throw new GlintException($"{scene}: has no object \"{name}\" for --target; at its root are {Quoted(all.Where(candidate => candidate.parent == null).ToArray())}");
         }
 
         static string Quoted(Component[] components)

@@ -21,13 +21,15 @@ namespace Glint
 
         public int Capacity => _buffer == null ? 0 : _buffer.count;
 
+        /// <summary>Most elements that the device holds in one buffer.</summary>
+        public static long Most => Math.Min(int.MaxValue, SystemInfo.maxGraphicsBufferSize / s_stride);
+
         /// <summary>Makes room for a number of elements; what the buffer held is lost when it grows.</summary>
         /// <exception cref="GlintException">The device holds fewer in one buffer.</exception>
         public void Reserve(long count)
         {
-            long most = SystemInfo.maxGraphicsBufferSize / s_stride;
-            if (count > most)
-                throw new GlintException($"{count} {_content} take {count * s_stride} bytes, and {SystemInfo.graphicsDeviceName} holds at most {SystemInfo.maxGraphicsBufferSize} bytes in one buffer: use at most {most} {_content}");
+            if (count > Most)
+                throw new GlintException($"{count} {_content} take {count * s_stride} bytes, and {SystemInfo.graphicsDeviceName} holds at most {SystemInfo.maxGraphicsBufferSize} bytes in one buffer: use at most {Most} {_content}");
             if (count <= Capacity)
                 return;
             Dispose();
@@ -39,7 +41,8 @@ namespace Glint
         {
             // A binding must not be empty, even when the kernel reads none of it.
             Reserve(Math.Max(1, elements.Length));
-            _buffer.SetData(elements);
+            if (elements.Length > 0)
+                _buffer.SetData(elements);
         }
 
         /// <summary>The first elements, waiting for the work before.</summary>

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 
 namespace Glint
 {
@@ -12,7 +13,7 @@ namespace Glint
         {
             if (a == b)
                 return 0;
-            int byScene = a.gameObject.scene.handle.CompareTo(b.gameObject.scene.handle);
+            int byScene = SceneIndex(a).CompareTo(SceneIndex(b));
             if (byScene != 0)
                 return byScene;
             int depthA = Depth(a), depthB = Depth(b);
@@ -22,6 +23,15 @@ namespace Glint
             while (atA.parent != atB.parent)
                 (atA, atB) = (atA.parent, atB.parent);
             return atA.GetSiblingIndex().CompareTo(atB.GetSiblingIndex());
+        }
+
+        // Objects that survive loading are in a scene of their own, which is not among the others: they come last.
+        static int SceneIndex(Transform t)
+        {
+            int index = 0;
+            while (index < SceneManager.sceneCount && SceneManager.GetSceneAt(index) != t.gameObject.scene)
+                index++;
+            return index;
         }
 
         static int Depth(Transform t)

@@ -104,7 +104,9 @@ namespace Glint
         /// <exception cref="GlintException">A mesh is not fit to be traced.</exception>
         public TriangleScene GatherScene()
         {
-            var scene = _gatherer.Gather(_layers, _roots.FindAll(root => root != null), _receiver);
+            if (_roots.Exists(root => root == null))
+                throw new GlintException($"{Subject}: an entry of Roots is empty: assign an object or remove the entry");
+            var scene = _gatherer.Gather(_layers, _roots, _receiver);
             foreach (string warning in _gatherer.Warnings)
                 if (_warned.Add(warning))
                     Debug.LogWarning($"{Subject}: {warning}", this);
@@ -117,7 +119,8 @@ namespace Glint
         {
             if (_receiver == null)
                 throw new GlintException($"{Subject} has no receiver: assign a Transform behind the camera to its field Receiver");
-            var camera = GetComponent<Camera>();
+            if (!TryGetComponent<Camera>(out var camera))
+                throw new GlintException($"'{name}' has a RadarController and no Camera: add one, its position, rotation and field of view are the radar's");
             if (camera.orthographic)
                 throw new GlintException($"the Camera of '{name}' is orthographic: set its Projection to Perspective");
             return new RadarView
@@ -158,5 +161,24 @@ namespace Glint
         }
 
         void OnDisable() => Release();
+
+        // A radar that was traced while disabled gets no OnDisable.
+        void OnDestroy() => Release();
+
+        /// <summary>The one enabled radar of the loaded scenes.</summary>
+        /// <param name="searcher">Who looks for it, for the message.</param>
+        /// <exception cref="GlintException">There is none, or more than one.</exception>
+        internal static RadarController FindOnly(string searcher)
+        {
+            var all = FindObjectsByType<RadarController>(FindObjectsInactive.Include, FindObjectsSortMode.None);
+            var radars = Array.FindAll(all, radar => radar.isActiveAndEnabled);
+            if (all.Length == 0)
+                throw new GlintException($"{searcher}: has no radar; add a RadarController (Glint > Radar Controller) to a camera of the scene");
+            if (radars.Length == 0)
+                throw new GlintException($"{searcher}: its RadarController of '{all[0].name}' is disabled or inactive; enable it");
+            if (radars.Length > 1)
+                throw new GlintException($"{searcher}: has {radars.Length} radars, '{string.Join("', '", Array.ConvertAll(radars, radar => radar.name))}'; disable all but one");
+            return radars[0];
+        }
     }
 }

@@ -24,7 +24,7 @@ namespace Glint
         readonly DeviceBuffer<uint> _rayCounter = new DeviceBuffer<uint>("counters");
         readonly DeviceBuffer<GroupSum> _groupSums = new DeviceBuffer<GroupSum>("groups of 64 rays");
         readonly uint[] _zero = new uint[1];
-        int _triangleCount;
+        int _triangleCount = -1;
         double _buildMs, _uploadMs;
 
         /// <param name="shader">Shaders/Trace.compute.</param>
@@ -60,6 +60,7 @@ namespace Glint
             _buildMs = watch.Elapsed.TotalMilliseconds;
 
             watch.Restart();
+            _triangleCount = -1; // until both are there
             _nodes.Upload(bvh.Nodes);
             _triangles.Upload(records);
             _triangleCount = records.Length;
@@ -67,15 +68,21 @@ namespace Glint
         }
 
         /// <summary>One pose: dispatches the kernel and sums what comes back.</summary>
-        /// <exception cref="GlintException">The device cannot hold as many rays as are to be kept.</exception>
+        /// <exception cref="GlintException">A setting is out of its range, or the device cannot hold as many rays as are to be kept.</exception>
         public RadarResult Trace(in RadarSettings settings, in RadarView view, KeptRays keep)
         {
+            if (_triangleCount < 0)
+                throw new InvalidOperationException("RayTracer.Trace without a scene: call SetScene first");
+            settings.Validate(nameof(RayTracer));
+            view.Validate(nameof(RayTracer));
             bool keepAll = keep == KeptRays.All;
             int groupsAcross = DivideUp(settings.RaysAcross, _groupWidth);
             int groupsDown = DivideUp(settings.RaysDown, _groupHeight);
             if (keepAll)
                 _rays.Reserve(settings.RayCount);
-            _groupSums.Reserve((long)groupsAcross * groupsDown);
+            if ((long)groupsAcross * groupsDown > DeviceBuffer<GroupSum>.Most)
+                throw new GlintException($"{settings.RaysAcross} x {settings.RaysDown} rays are too many for {SystemInfo.graphicsDeviceName}, which holds the sums of {DeviceBuffer<GroupSum>.Most * _groupWidth * _groupHeight}: use fewer rays across or down");
+            _groupSums.Reserve(groupsAcross * groupsDown);
             Bind(settings, view, keepAll);
 
             var watch = Stopwatch.StartNew();

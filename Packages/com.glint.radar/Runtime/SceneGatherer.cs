@@ -58,14 +58,15 @@ namespace Glint
 
         static HashSet<Renderer> LowerDetail()
         {
+            var first = new HashSet<Renderer>();
             var lower = new HashSet<Renderer>();
             foreach (var group in UnityEngine.Object.FindObjectsByType<LODGroup>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
             {
                 var lods = group.GetLODs();
                 lower.UnionWith(lods.Skip(1).SelectMany(lod => lod.renderers));
-                if (lods.Length > 0)
-                    lower.ExceptWith(lods[0].renderers);
+                first.UnionWith(lods.Take(1).SelectMany(lod => lod.renderers));
             }
+            lower.ExceptWith(first);
             return lower;
         }
 
@@ -97,8 +98,8 @@ namespace Glint
             for (int i = 0; i < vertices.Length; i++)
             {
                 float3 position = toWorld.MultiplyPoint3x4(vertices[i]);
-                if (!math.all(math.isfinite(position)))
-                    throw new GlintException(FormattableString.Invariant($"{subject}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) in the world: mend the mesh, or the scale of the object and its parents"));
+                if (!math.all(math.abs(position) <= TriangleScene.LargestCoordinate))
+                    throw new GlintException(FormattableString.Invariant($"{subject}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the world, where every coordinate must be within {TriangleScene.LargestCoordinate} m: mend the mesh, or the scale of the object and its parents"));
                 _vertices.Add(position);
             }
         }

@@ -57,7 +57,7 @@ namespace Glint
             if (_target == null)
                 throw new GlintException($"Sweep of '{name}' has no target: assign the object to turn to its field Target");
             if (_radar == null)
-                _radar = FindRadar();
+                _radar = RadarController.FindOnly($"scene of Sweep '{name}'");
             var angles = Glint.Core.Angles.Parse(_angles);
             string scene = gameObject.scene.name;
             var folder = ResultsFolder.Open(string.IsNullOrEmpty(_outputFolder) ? RunDescription.DefaultFolder(scene) : RunDescription.InProject(_outputFolder));
@@ -91,14 +91,11 @@ namespace Glint
                 End();
                 Debug.LogError(problem.Message, this);
             }
-        }
-
-        RadarController FindRadar()
-        {
-            var radars = FindObjectsByType<RadarController>(FindObjectsInactive.Exclude, FindObjectsSortMode.None);
-            if (radars.Length == 1)
-                return radars[0];
-            throw new GlintException($"Sweep of '{name}' found {radars.Length} radars: assign one to its field Radar");
+            catch (Exception fault)
+            {
+                End();
+                Debug.LogException(fault, this);
+            }
         }
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Globalization;
 using Glint.Core;
 using UnityEngine;
 
@@ -14,6 +15,7 @@ namespace Glint
     {
         readonly RadarController _radar;
         readonly Transform _target;
+        readonly bool _turns;
         readonly Quaternion _initialRotation, _initialLocalRotation;
         readonly IReadOnlyList<double> _angles;
         readonly string _scene;
@@ -30,10 +32,11 @@ namespace Glint
         {
             _radar = radar;
             _target = target;
+            _turns = target != null;
             _angles = angles;
             _scene = scene;
             _folder = folder;
-            if (target != null)
+            if (_turns)
                 (_initialRotation, _initialLocalRotation) = (target.rotation, target.localRotation);
         }
 
@@ -51,7 +54,9 @@ namespace Glint
         public SweepRow Step()
         {
             double angle = _angles[Done];
-            if (_target != null)
+            if (_turns && _target == null)
+                throw new GlintException($"the target of the sweep was destroyed before {angle.ToString(CultureInfo.InvariantCulture)} deg: it must stay until the last angle");
+            if (_turns)
                 _target.rotation = Quaternion.AngleAxis((float)angle, Vector3.up) * _initialRotation;
             var row = new SweepRow(angle, _radar.Trace());
             _folder?.Append(row);

@@ -9,7 +9,7 @@ static const float MISS = 3.0e38;
 // Least size of a direction's component, so that its inverse stays finite and an axis-parallel ray on a box's face is no 0 * infinity.
 static const float LEAST_COMPONENT = 1.0e-20;
 
-// A ray starts this fraction of the larger of its distance and position off the surface it leaves, on the side it came from: 64 float32 steps.
+// A ray starts off the surface it leaves, on the side it came from, by this fraction (64 float32 steps) of the largest length that went into the hit.
 static const float ORIGIN_OFFSET = 4.0e-6;
 
 float3 SafeInverse(float3 d)

@@ -30,11 +30,7 @@ namespace Glint.Tests
         public void Build_SizesGrowingByPowersOfTwo_StaysWithinTheDepthOfTheKernelsStack()
         {
             // Each triangle is as large as all before it: a plain surface area heuristic would cut off one at a time.
-            var random = new System.Random(7);
-            var corners = new float3[3 * 2000];
-            for (int i = 0; i < corners.Length; i++)
-                corners[i] = pow(2f, i / 3 % 120 - 60) * float3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble());
-            Check(new TriangleScene(corners, Enumerable.Range(0, corners.Length).ToArray()));
+            Check(TestRadar.PowersOfTwo(2000, sizes: 120));
         }
 
         [Test]
@@ -42,6 +38,13 @@ namespace Glint.Tests
         {
             var corners = Enumerable.Range(0, 99).Select(i => (i % 2 == 0 ? 1 : -1) * float3(3e38f, i, 1e30f * i)).ToArray();
             Check(new TriangleScene(corners, Enumerable.Range(0, 99).ToArray()));
+        }
+
+        [Test]
+        public void Records_TriangleTooLargeForAFiniteArea_HasEdgesOfLengthZero()
+        {
+            var scene = new TriangleScene(new[] { float3(0, 0, 0), float3(2e10f, 0, 0), float3(0, 2e10f, 0) }, new[] { 0, 1, 2 });
+            Assert.That(BvhBuilder.Build(scene).Records(scene).Single().Edge1, Is.EqualTo(default(float3)));
         }
 
         [Test]

@@ -48,6 +48,61 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Trace_PlateAtTheUpperRight_IsMetByPixelsOfHighColumnsAndRows()
+        {
+            // The picture as Unity's cameras have it: x to the right, y up.
+            var scene = TestRadar.Plate(float3(1, 1, 20), float3(4, 0, 0), float3(0, 4, 0));
+            var rays = TestKernels.TraceOnce(scene, TestRadar.Settings(), TestRadar.LookAt(0, Ahead), KeptRays.All).Rays;
+            var pixels = rays.Where(ray => ray.Bounces == 1).Select(ray => (int)ray.Pixel).ToArray();
+            Assert.That(pixels, Is.Not.Empty);
+            Assert.That(pixels.Select(pixel => pixel % 160), Is.All.GreaterThan(80), "columns");
+            Assert.That(pixels.Select(pixel => pixel / 160), Is.All.GreaterThan(45), "rows");
+        }
+
+        [Test]
+        public void Trace_TiltedPlatesOfTenKilometres_AreLeftWithoutMeetingThemAgain()
+        {
+            // Floor and wall, tilted so that no normal is exact in float32; the radar stands 10 m from their edge.
+            double c = cos(0.3), s = sin(0.3);
+            float3 Turned(double x, double y, double z) => (float3)double3(c * x - s * y, c * (s * x + c * y) - s * z, s * (s * x + c * y) + c * z);
+            var scene = TestRadar.Join(
+                TestRadar.Plate(Turned(-5000, 0, 0), Turned(10000, 0, 0), Turned(0, 0, -10000)),
+                TestRadar.Plate(Turned(-5000, 0, 0), Turned(10000, 0, 0), Turned(0, 10000, 0)));
+            var settings = TestRadar.Settings(320, 180);
+            var view = TestRadar.LookAt(Turned(0, 5, -8.7), 0);
+            var rays = TestKernels.TraceOnce(scene, settings, view, KeptRays.All).Rays;
+            var expected = new Judge(scene, settings, view).TraceAll();
+            Assert.That(Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces), Is.LessThanOrEqualTo(rays.Length / 4000));
+        }
+
+        [Test]
+        public void Trace_SizesGrowingByPowersOfTwo_FindsWhatALoopOverAllFinds()
+        {
+            var scene = TestRadar.PowersOfTwo(600, sizes: 30);
+            var settings = TestRadar.Settings(61, 47, 1);
+            var view = TestRadar.LookAt(double3(0.5, 0.5, -3), double3(0.5, 0.5, 0));
+            var rays = TestKernels.TraceOnce(scene, settings, view, KeptRays.All).Rays;
+            int others = Enumerable.Range(0, rays.Length).Count(pixel =>
+                rays[pixel].Bounces != (BruteForce.Nearest(scene, view.Position, TestRadar.Direction(settings, view, pixel), out _) >= 0 ? 1 : 0));
+            Assert.That(rays.Count(ray => ray.Bounces == 1), Is.GreaterThan(20));
+            Assert.That(others, Is.LessThanOrEqualTo(3), "rays at edges may go either way");
+        }
+
+        [Test]
+        public void StackOfTheKernel_HoldsAsManyLevelsAsATreeMayHave()
+        {
+            string source = System.IO.File.ReadAllText(System.IO.Path.Combine(Application.dataPath, "../Packages/com.glint.radar/Shaders/Traversal.hlsl"));
+            Assert.That(source, Does.Contain($"STACK_DEPTH = {Bvh.MaxDepth};"));
+        }
+
+        [Test]
+        public void Trace_BeforeAScene_SaysToCallSetScene()
+        {
+            using (var tracer = new RayTracer(TestKernels.Trace))
+                Assert.That(Assert.Throws<InvalidOperationException>(() => tracer.Trace(TestRadar.Settings(), TestRadar.LookAt(0, Ahead), KeptRays.Received)).Message, Does.Contain("SetScene"));
+        }
+
+        [Test]
         public void Trace_PlateBetweenTargetAndReceiver_BlocksWhatWouldReturn()
         {
             // A plate right behind the camera, before the receiver: it is in nobody's way but the returning rays'.
@@ -136,7 +191,7 @@ namespace Glint.Tests
             // Rays that meet an edge within rounding may go either way.
             int others = Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces || rays[i].IsReceived != expected[i].Received
                 || abs(rays[i].PathLength - (expected[i].Received ? expected[i].PathLength : expected[i].LengthToLastHit)) > 1e-3);
-            Assert.That(others, Is.LessThan(rays.Length / 1000), "rays that took another way");
+            Assert.That(others, Is.LessThan(rays.Length / 4000), "rays that took another way");
             Assert.That(expected.Count(ray => ray.Bounces > 1), Is.GreaterThan(100), "the scene asks for more than one bounce");
         }
 
@@ -182,8 +237,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_MoreKeptRaysThanOneBufferHolds_SaysHowManyFit()
         {
-            const int rays = RadarSettings.RaysPerAxisLimit;
-            var problem = Assert.Throws<GlintException>(() => TestKernels.TraceOnce(TestRadar.Empty, TestRadar.Settings(rays, rays), TestRadar.LookAt(0, Ahead), KeptRays.All));
+            var problem = Assert.Throws<GlintException>(() => TestKernels.TraceOnce(TestRadar.Empty, TestRadar.Settings(65536, 65535), TestRadar.LookAt(0, Ahead), KeptRays.All));
             long most = SystemInfo.maxGraphicsBufferSize / 48;
             Assert.That(problem.Message, Does.Contain("rays kept one by one").And.Contain(most.ToString()));
         }

@@ -20,6 +20,7 @@ namespace Glint.Tests
         [TestCase(-1e9)]
         [TestCase(double.NaN)]
         [TestCase(double.PositiveInfinity)]
+        [TestCase(1e300)]
         public void Validate_FrequencyThatNoRadarHas_IsRefusedByName(double frequency)
         {
             var settings = RadarSettings.Default;
@@ -63,6 +64,15 @@ namespace Glint.Tests
             var view = TestRadar.LookAt(0, new double3(0, 0, 1));
             view.ReceiverSize = new double2(width, height);
             AssertRefused(() => view.Validate("radar 'X'"), "receiver size");
+        }
+
+        [TestCase(1e30)]
+        [TestCase(double.NaN)]
+        public void Validate_CameraBeyondWhatFloatsCanPlace_IsRefused(double x)
+        {
+            var view = TestRadar.LookAt(0, new double3(0, 0, 1));
+            view.Position.x = x;
+            AssertRefused(() => view.Validate("radar 'X'"), "camera", "10000000 m");
         }
 
         static void AssertRefused(Action validate, params string[] words)

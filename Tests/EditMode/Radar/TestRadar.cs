@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
 using static Unity.Mathematics.math;
@@ -67,6 +68,16 @@ namespace Glint.Tests
             for (int i = 0; i < indices.Length; i++)
                 indices[i] = i;
             return new TriangleScene(vertices, indices);
+        }
+
+        /// <summary>Triangles of so many sizes, each twice the one before, about 1 m in the middle, in turn; all near the origin: no plane parts them evenly.</summary>
+        public static TriangleScene PowersOfTwo(int triangles, int sizes)
+        {
+            var random = new System.Random(7);
+            var corners = new float3[3 * triangles];
+            for (int i = 0; i < corners.Length; i++)
+                corners[i] = pow(2f, i / 3 % sizes - sizes / 2) * float3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble());
+            return new TriangleScene(corners, Enumerable.Range(0, corners.Length).ToArray());
         }
 
         public static TriangleScene Join(params TriangleScene[] parts)

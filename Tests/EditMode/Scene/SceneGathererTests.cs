@@ -158,10 +158,10 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Gather_ScaleThatIsNotFinite_IsRefusedByName()
+        public void Gather_ScaleBeyondWhatFloatsCanPlace_IsRefusedByName()
         {
-            AddMesh(SingleTriangle("Plate")).localScale = new Vector3(float.PositiveInfinity, 1, 1);
-            AssertRefused("mesh 'Plate' of 'Object'", "scale");
+            AddMesh(SingleTriangle("Plate")).localScale = new Vector3(1e8f, 1, 1);
+            AssertRefused("mesh 'Plate' of 'Object'", "scale", "vertex 2");
         }
 
         [Test]

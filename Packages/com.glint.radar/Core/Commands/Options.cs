@@ -52,7 +52,7 @@ namespace Glint.Core
         };
 
         /// <summary>Carrier frequency, hertz.</summary>
-        public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", Interval.Closed(1, 1e12), RadarGroup, InputKind.Any, "Carrier frequency in hertz.");
+        public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", Interval.Closed(RadarSettings.LowestFrequencyHz, RadarSettings.HighestFrequencyHz), RadarGroup, InputKind.Any, "Carrier frequency in hertz.");
 
         /// <summary>Most reflections a ray may make.</summary>
         public static readonly Option<int> Bounces = Whole("bounces", "N", "4", Interval.Closed(1, RadarSettings.BounceLimit), RadarGroup, "Most reflections a ray may make.");

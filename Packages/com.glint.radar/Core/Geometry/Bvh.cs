@@ -37,7 +37,8 @@ namespace Glint.Core
                 scene.GetTriangle(TriangleOrder[i], out var a, out var b, out var c);
                 var record = new TriangleRecord { Corner = a, Triangle = (uint)TriangleOrder[i], Edge1 = b - a, Edge2 = c - a };
                 // Edges of zero length are never hit.
-                if (!(lengthsq(cross(record.Edge1, record.Edge2)) >= LeastNormalSquared))
+                float normalSquared = lengthsq(cross(record.Edge1, record.Edge2));
+                if (!(normalSquared >= LeastNormalSquared && normalSquared <= float.MaxValue))
                     record.Edge1 = record.Edge2 = 0;
                 records[i] = record;
             }

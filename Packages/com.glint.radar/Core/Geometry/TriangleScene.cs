@@ -5,6 +5,9 @@ namespace Glint.Core
     /// <summary>What the radar sees: triangles in Unity's axes (left-handed, y up), metres. Both sides of a triangle reflect.</summary>
     public sealed class TriangleScene
     {
+        /// <summary>Metres. Beyond it float32 places are a metre apart, and lengths are no longer right.</summary>
+        public const float LargestCoordinate = 1e7f;
+
         /// <summary>A scene over the given arrays, which are kept, not copied.</summary>
         /// <param name="vertices">Positions in metres; every component finite.</param>
         /// <param name="indices">Three a triangle, each below the number of vertices.</param>

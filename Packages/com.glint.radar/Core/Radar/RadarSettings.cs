@@ -9,6 +9,9 @@ namespace Glint.Core
         /// <summary>Most rays across or down: 65,535 groups of 8 a dispatch.</summary>
         public const int RaysPerAxisLimit = 65535 * 8;
 
+        /// <summary>Least and greatest carrier frequency, hertz: wavelengths from 0.3 mm to 300,000 km.</summary>
+        public const double LowestFrequencyHz = 1, HighestFrequencyHz = 1e12;
+
         /// <summary>Carrier frequency in hertz.</summary>
         public double FrequencyHz;
 
@@ -38,10 +41,12 @@ namespace Glint.Core
         /// <exception cref="GlintException">A value is out of its range.</exception>
         public void Validate(string owner)
         {
-            if (!(FrequencyHz > 0) || double.IsInfinity(FrequencyHz))
-                throw new GlintException($"{owner}: frequency {Text(FrequencyHz)} Hz must be positive and finite");
+            if (!(FrequencyHz >= LowestFrequencyHz && FrequencyHz <= HighestFrequencyHz))
+                throw new GlintException($"{owner}: frequency {Text(FrequencyHz)} Hz must be from {Text(LowestFrequencyHz)} to {Text(HighestFrequencyHz)}");
             ValidateRays(owner, "across", RaysAcross);
             ValidateRays(owner, "down", RaysDown);
+            if (RayCount > uint.MaxValue)
+                throw new GlintException($"{owner}: {RaysAcross} x {RaysDown} are {RayCount} rays, and a ray's number has 32 bits: use at most {uint.MaxValue}");
             if (MaxBounces < 1 || MaxBounces > BounceLimit)
                 throw new GlintException($"{owner}: maximum bounces {MaxBounces} must be from 1 to {BounceLimit}");
         }

@@ -38,8 +38,14 @@ namespace Glint.Core
                 throw new GlintException($"{owner}: field of view {RadarSettings.Text(VerticalFovDegrees)} deg must be above 0 and below 180");
             if (!(ReceiverSize.x > 0 && ReceiverSize.y > 0) || !math.all(math.isfinite(ReceiverSize)))
                 throw new GlintException($"{owner}: receiver size {RadarSettings.Text(ReceiverSize.x)} x {RadarSettings.Text(ReceiverSize.y)} m must be positive and finite");
-            if (!math.all(math.isfinite(Position)) || !math.all(math.isfinite(ReceiverCentre)))
-                throw new GlintException($"{owner}: the position of the camera or of its receiver is not finite");
+            ValidatePlace(owner, "camera", Position);
+            ValidatePlace(owner, "receiver", ReceiverCentre);
+        }
+
+        static void ValidatePlace(string owner, string what, double3 place)
+        {
+            if (!math.all(math.abs(place) <= TriangleScene.LargestCoordinate))
+                throw new GlintException($"{owner}: its {what} stands at ({RadarSettings.Text(place.x)}, {RadarSettings.Text(place.y)}, {RadarSettings.Text(place.z)}) m, and every coordinate must be within {RadarSettings.Text(TriangleScene.LargestCoordinate)} m: bring the scene nearer to the world's origin");
         }
     }
 }
