@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using Glint.Core;
 using Unity.Mathematics;
+using Unity.Profiling;
 using UnityEngine;
 using Debug = UnityEngine.Debug;
 
@@ -48,6 +49,8 @@ namespace Glint
         [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Trace.compute")]
         ComputeShader _kernel;
 
+        static readonly ProfilerMarker s_gather = new ProfilerMarker("Glint.Gather");
+
         readonly SceneGatherer _gatherer = new SceneGatherer();
         readonly HashSet<string> _warned = new HashSet<string>();
         RayTracer _tracer;
@@ -91,7 +94,9 @@ namespace Glint
             _tracer ??= new RayTracer(_kernel);
 
             var watch = Stopwatch.StartNew();
-            var scene = GatherScene();
+            TriangleScene scene;
+            using (s_gather.Auto())
+                scene = GatherScene();
             double gatherMs = watch.Elapsed.TotalMilliseconds;
             _tracer.SetScene(scene);
             Result = _tracer.Trace(settings, view, _keptRays);

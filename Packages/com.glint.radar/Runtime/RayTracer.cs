@@ -2,6 +2,7 @@ using System;
 using System.Diagnostics;
 using Glint.Core;
 using Unity.Mathematics;
+using Unity.Profiling;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -14,6 +15,10 @@ namespace Glint
     {
         // As many received rays as most scenes return; a scene that returns more is traced once again with room for all.
         const int FirstRayCapacity = 65536;
+
+        static readonly ProfilerMarker s_build = new ProfilerMarker("Glint.Build");
+        static readonly ProfilerMarker s_trace = new ProfilerMarker("Glint.Trace");
+        static readonly ProfilerMarker s_sum = new ProfilerMarker("Glint.Sum");
 
         readonly ComputeShader _shader;
         readonly int _kernel;
@@ -55,8 +60,13 @@ namespace Glint
         public void SetScene(TriangleScene scene)
         {
             var watch = Stopwatch.StartNew();
-            var bvh = BvhBuilder.Build(scene);
-            var records = bvh.Records(scene);
+            Bvh bvh;
+            TriangleRecord[] records;
+            using (s_build.Auto())
+            {
+                bvh = BvhBuilder.Build(scene);
+                records = bvh.Records(scene);
+            }
             _buildMs = watch.Elapsed.TotalMilliseconds;
 
             watch.Restart();
@@ -76,38 +86,23 @@ namespace Glint
             settings.Validate(nameof(RayTracer));
             view.Validate(nameof(RayTracer));
             bool keepAll = keep == KeptRays.All;
-            int groupsAcross = DivideUp(settings.RaysAcross, _groupWidth);
-            int groupsDown = DivideUp(settings.RaysDown, _groupHeight);
-            if (keepAll)
-                _rays.Reserve(settings.RayCount);
-            if ((long)groupsAcross * groupsDown > DeviceBuffer<GroupSum>.Most)
-                throw new GlintException($"{settings.RaysAcross} x {settings.RaysDown} rays are too many for {SystemInfo.graphicsDeviceName}, which holds the sums of {DeviceBuffer<GroupSum>.Most * _groupWidth * _groupHeight}: use fewer rays across or down");
-            _groupSums.Reserve(groupsAcross * groupsDown);
-            Bind(settings, view, keepAll);
+            var groups = new int2(DivideUp(settings.RaysAcross, _groupWidth), DivideUp(settings.RaysDown, _groupHeight));
+            MakeRoom(settings, groups, keepAll);
 
             var watch = Stopwatch.StartNew();
-            uint written = Dispatch(groupsAcross, groupsDown);
-            if (written > _rays.Capacity)
-            {
-                _rays.Reserve(written);
-                Bind(settings, view, keepAll);
-                written = Dispatch(groupsAcross, groupsDown);
-            }
-            double dispatchMs = watch.Elapsed.TotalMilliseconds;
-
-            var result = new RadarResult { RaysEmitted = settings.RayCount, Triangles = _triangleCount };
-            AddTotals(result, _groupSums.ReadBack(groupsAcross * groupsDown));
-            result.Rays = _rays.ReadBack(keepAll ? (int)settings.RayCount : (int)written);
-            // Received rays come in the order the GPU finished them: by pixel the sum is always the same.
-            if (!keepAll)
-                Array.Sort(result.Rays, (a, b) => a.Pixel.CompareTo(b.Pixel));
-            result.AddReceived(result.Rays);
+            int written;
+            using (s_trace.Auto())
+                written = TraceRays(settings, view, groups, keepAll);
+            double rayMs = watch.Elapsed.TotalMilliseconds;
+            RadarResult result;
+            using (s_sum.Auto())
+                result = Sum(settings, groups, written, keepAll);
             result.Timings = new Timings
             {
                 BuildMs = _buildMs,
                 UploadMs = _uploadMs,
                 TraceMs = watch.Elapsed.TotalMilliseconds,
-                ReadBackMs = watch.Elapsed.TotalMilliseconds - dispatchMs,
+                ReadBackMs = watch.Elapsed.TotalMilliseconds - rayMs,
             };
             return result;
         }
@@ -148,22 +143,51 @@ namespace Glint
 
         void SetVector(int id, double3 v) => _shader.SetVector(id, new Vector4((float)v.x, (float)v.y, (float)v.z, 0));
 
-        // Returns how many rays the kernel wrote, or would have with room enough.
-        uint Dispatch(int groupsAcross, int groupsDown)
+        void MakeRoom(in RadarSettings settings, int2 groups, bool keepAll)
         {
+            if (keepAll)
+                _rays.Reserve(settings.RayCount);
+            long most = DeviceBuffer<GroupSum>.Most;
+            if ((long)groups.x * groups.y > most)
+                throw new GlintException($"{settings.RaysAcross} x {settings.RaysDown} rays are too many for {SystemInfo.graphicsDeviceName}, which holds the sums of {most * _groupWidth * _groupHeight}: use fewer rays across or down");
+            _groupSums.Reserve(groups.x * groups.y);
+        }
+
+        // Returns how many rays were written. When more are received than there is room for, they are traced once again with room for all.
+        int TraceRays(in RadarSettings settings, in RadarView view, int2 groups, bool keepAll)
+        {
+            long written = Dispatch(settings, view, groups, keepAll);
+            if (written > _rays.Capacity)
+            {
+                _rays.Reserve(written);
+                written = Dispatch(settings, view, groups, keepAll);
+            }
+            return keepAll ? (int)settings.RayCount : (int)written;
+        }
+
+        // Returns how many received rays the kernel wrote, or would have with room enough.
+        uint Dispatch(in RadarSettings settings, in RadarView view, int2 groups, bool keepAll)
+        {
+            Bind(settings, view, keepAll);
             _rayCounter.Buffer.SetData(_zero);
-            _shader.Dispatch(_kernel, groupsAcross, groupsDown, 1);
+            _shader.Dispatch(_kernel, groups.x, groups.y, 1);
             return _rayCounter.ReadBack(1)[0];
         }
 
-        static void AddTotals(RadarResult result, GroupSum[] sums)
+        RadarResult Sum(in RadarSettings settings, int2 groups, int written, bool keepAll)
         {
-            foreach (var sum in sums)
+            var result = new RadarResult { RaysEmitted = settings.RayCount, Triangles = _triangleCount, Rays = _rays.ReadBack(written) };
+            foreach (var sum in _groupSums.ReadBack(groups.x * groups.y))
             {
                 result.RaysHit += sum.Hits;
                 result.Bounces += sum.Bounces;
                 result.PathLengthMeters += sum.PathLength;
             }
+            // Received rays come in the order the GPU finished them: by pixel the sum is always the same.
+            if (!keepAll)
+                Array.Sort(result.Rays, (a, b) => a.Pixel.CompareTo(b.Pixel));
+            result.AddReceived(result.Rays);
+            return result;
         }
 
         static int DivideUp(int value, int divisor) => (value + divisor - 1) / divisor;
