@@ -18,15 +18,19 @@ sealed class Cancellation : IDisposable
 
     public void Dispose() => Console.CancelKeyPress -= OnCancel;
 
-    void OnCancel(object sender, ConsoleCancelEventArgs press)
+    void OnCancel(object sender, ConsoleCancelEventArgs press) => press.Cancel = Press();
+
+    /// <summary>Ctrl-C was pressed; returns whether the process goes on.</summary>
+    internal bool Press()
     {
         if (_isRequested)
         {
+            // The bar hid it and will not come to its end.
             _terminal.Live?.Cursor.Show(true);
-            return;
+            return false;
         }
-        press.Cancel = true;
         _isRequested = true;
         _terminal.Tell("stopping after the pose in hand; Ctrl-C again ends at once");
+        return true;
     }
 }

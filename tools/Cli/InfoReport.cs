@@ -14,6 +14,8 @@ sealed class InfoReport(Terminal terminal)
 {
     public int Write(CommandLine line)
     {
+        // Before anything is written: there may be no device, or not the one asked for.
+        using var used = VulkanDevice.Open(line.Get(Options.Device));
         Columns("", [
             ("Glint", GlintVersion.Text),
             ("Unity", UnityEngine.Application.unityVersion + " (headless stand-in)"),
@@ -21,12 +23,9 @@ sealed class InfoReport(Terminal terminal)
             ("Project", ProjectFolder.Current ?? "none here")
         ]);
 
-        // Both throw when there is nothing to list; the versions above are then out already.
-        var devices = VulkanDevice.List();
-        using var used = VulkanDevice.Open(line.Get(Options.Device));
         terminal.Out.WriteLine();
         terminal.Out.WriteLine("Devices (* in use):");
-        Columns("  ", devices.Select(device => (
+        Columns("  ", VulkanDevice.List().Select(device => (
             $"{(device.Index == used.Info.Index ? '*' : ' ')} {device.Index}  {device.Name}",
             $"{device.Type}, Vulkan {device.ApiVersion}, driver {device.Driver}")));
 

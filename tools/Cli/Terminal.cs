@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using Glint.Core;
 using Spectre.Console;
 
 namespace Glint.Cli;
@@ -9,9 +10,11 @@ sealed class Terminal
 {
     const int StandardWidth = 100, WidestText = 120;
 
-    public TextWriter Out { get; init; } = Console.Out;
+    /// <summary>Throws a <see cref="GlintException"/> when standard output takes nothing; a reader that went away is no failure.</summary>
+    public TextWriter Out { get; init; } = Results(Console.Out);
 
-    public TextWriter Error { get; init; } = Console.Error;
+    /// <summary>Never throws: there is no place left to tell of it.</summary>
+    public TextWriter Error { get; init; } = Messages(Console.Error);
 
     /// <summary>Columns for texts.</summary>
     public int Width { get; init; } = WidthOfOutput();
@@ -31,13 +34,18 @@ sealed class Terminal
             Live.WriteLine(message);
     }
 
+    internal static TextWriter Results(TextWriter stream) => new GuardedWriter(stream, error => throw new GlintException(
+        $"standard output cannot be written: {(error is IOException ? error.Message : "it is closed")}", error));
+
+    internal static TextWriter Messages(TextWriter stream) => new GuardedWriter(stream, _ => { });
+
     static int WidthOfOutput() => Console.IsOutputRedirected || Console.WindowWidth <= 0 ? StandardWidth : Math.Min(Console.WindowWidth, WidestText);
 
     static IAnsiConsole LiveError()
     {
         if (Console.IsErrorRedirected)
             return null;
-        var console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Console.Error) });
+        var console = AnsiConsole.Create(new AnsiConsoleSettings { Out = new AnsiConsoleOutput(Messages(Console.Error)) });
         return console.Profile.Capabilities is { Ansi: true, Interactive: true } ? console : null;
     }
 }

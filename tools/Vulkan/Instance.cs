@@ -50,7 +50,7 @@ sealed unsafe class Instance : IDisposable
     internal PhysicalDevice Select(string selector)
     {
         if (Devices.Count == 0)
-            throw new VulkanException(NoDriver);
+            throw new VulkanException(DriverVariable.Blame(Environment.GetEnvironmentVariable) ?? NoDriver);
         var ranked = Devices.OrderBy(device => device.Rank);
         if (string.IsNullOrEmpty(selector))
             return ranked.First();

@@ -53,20 +53,26 @@ namespace Glint.Core
         /// <exception cref="GlintException">The path is empty or lies outside of the project.</exception>
         public string ToAssetPath(string path, string currentDirectory)
         {
+            var readings = Readings(path, currentDirectory);
+            var existing = readings.FirstOrDefault(reading => File.Exists(reading) || Directory.Exists(reading));
+            var inside = readings.FirstOrDefault(reading => TryFromPhysical(reading) != null);
+            return FromPhysical(path, existing ?? inside ?? readings[0]);
+        }
+
+        /// <summary>The absolute paths on disk, with '/', that <see cref="ToAssetPath"/> takes a path for, the first that exists counting.</summary>
+        /// <exception cref="GlintException">The path is empty.</exception>
+        public IReadOnlyList<string> Readings(string path, string currentDirectory)
+        {
             if (string.IsNullOrWhiteSpace(path))
                 throw new GlintException("the path is empty: give an asset path or a path on disk");
             if (Path.IsPathRooted(path))
-                return FromPhysical(path, Normalize(path));
-
+                return new[] { Normalize(path) };
             var readings = new List<string>(3);
             if (IsAssetPath(path))
                 readings.Add(Normalize(ToPhysicalPath(path)));
             readings.Add(Normalize(Path.Combine(currentDirectory, path)));
             readings.Add(Normalize(Path.Combine(Root, path)));
-
-            var existing = readings.FirstOrDefault(reading => File.Exists(reading) || Directory.Exists(reading));
-            var inside = readings.FirstOrDefault(reading => TryFromPhysical(reading) != null);
-            return FromPhysical(path, existing ?? inside ?? readings[0]);
+            return readings.Distinct().ToArray();
         }
 
         /// <summary>Absolute path on disk, with '/', of an asset path; other paths (ProjectSettings/...) are taken from the project's folder.</summary>

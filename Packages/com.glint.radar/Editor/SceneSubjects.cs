@@ -38,9 +38,10 @@ namespace Glint.Editor
         static SceneSubjects OpenScene(CommandLine line)
         {
             var paths = new ProjectPaths(Path.GetDirectoryName(Application.dataPath));
+            var readings = paths.Readings(line.Input, Directory.GetCurrentDirectory());
+            if (!readings.Any(File.Exists))
+                throw new GlintException($"{line.Input}: there is no such scene; it was looked for at {string.Join(" and ", readings)}");
             string scene = paths.ToAssetPath(line.Input, Directory.GetCurrentDirectory());
-            if (!File.Exists(paths.ToPhysicalPath(scene)))
-                throw new GlintException($"{line.Input}: there is no such scene; check the path");
             EditorSceneManager.OpenScene(scene, OpenSceneMode.Single);
 
             var radar = RadarController.FindOnly(line.Input);

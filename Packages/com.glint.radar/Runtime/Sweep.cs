@@ -18,7 +18,7 @@ namespace Glint
         [SerializeField, Tooltip("What is turned about the vertical through its own position.")]
         Transform _target;
 
-        [SerializeField, Tooltip("Degrees, positive as Unity's rotation about Y: FROM:TO:STEP, both ends included, or a list with commas.")]
+        [SerializeField, Tooltip("Degrees, positive as Unity's rotation about Y: FROM:TO:STEP, FROM and (when whole steps reach it) TO included, or a list with commas.")]
         string _angles = "0:45:1";
 
         [SerializeField, Tooltip("Folder for results.csv and results.json, relative to the project. Empty: Results/<scene> beside Assets.")]

@@ -60,6 +60,14 @@ namespace Glint.Tests
         public void Path_OutsideOfTheProject_IsRefused(string path) =>
             Assert.That(Assert.Throws<GlintException>(() => Open().ToAssetPath(path, Project)).Message, Does.StartWith(path + ": outside of the Unity project " + Project));
 
+        [TestCase("Scenes/Corner.unity", "elsewhere/Scenes/Corner.unity", "project/Scenes/Corner.unity")]
+        [TestCase("Packages/com.a.scenes/X.unity", "project/Scenes/X.unity", "elsewhere/Packages/com.a.scenes/X.unity", "project/Packages/com.a.scenes/X.unity")]
+        [TestCase("../project/X.unity", "project/X.unity")]
+        public void Readings_OfAPath_AreWhereItIsLookedFor(string path, params string[] places)
+        {
+            Assert.That(Open().Readings(path, _root + "/elsewhere"), Is.EqualTo(System.Array.ConvertAll(places, place => Path.GetFullPath(_root + "/" + place).Replace('\\', '/'))));
+        }
+
         [TestCase("")]
         [TestCase(null)]
         public void Path_Empty_IsRefused(string path) => Assert.Throws<GlintException>(() => Open().ToAssetPath(path, Project));

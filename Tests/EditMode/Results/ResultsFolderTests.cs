@@ -38,10 +38,11 @@ namespace Glint.Tests
             Sweep(SampleRun.Row(0));
             using (var results = ResultsFolder.Open(_path))
             {
-                Assert.That(Entries(), Is.EqualTo(new[] { "results.csv", "results.json" }));
+                Assert.That(Entries(), Is.EqualTo(new[] { "results.csv", "results.json", "results.lock" }));
                 results.Append(SampleRun.Row(7));
-                Assert.That(Entries(), Is.EqualTo(new[] { "results.csv" }), "the old JSON would not belong to these rows");
+                Assert.That(Entries(), Is.EqualTo(new[] { "results.csv", "results.lock" }), "the old JSON would not belong to these rows");
             }
+            Assert.That(Entries(), Is.EqualTo(new[] { "results.csv" }));
             Assert.That(Csv().Split('\n')[1], Does.StartWith("7,"));
         }
 
@@ -157,17 +158,51 @@ namespace Glint.Tests
         public void Open_BelowAFile_IsRefusedByName()
         {
             _folder.Write("a", new byte[1]);
-            AssertRefused(_path, _path);
-            AssertRefused(_folder.PathOf("a"), _folder.PathOf("a"));
+            AssertRefused(_path, $"{_path}: {_folder.PathOf("a")} is a file, not a folder");
+            AssertRefused(_folder.PathOf("a"), $"{_folder.PathOf("a")} is a file, not a folder");
             Assert.That(File.ReadAllBytes(_folder.PathOf("a")), Is.EqualTo(new byte[1]));
         }
 
         [TestCase("results.csv")]
         [TestCase("results.json")]
+        [TestCase("results.lock")]
         public void Open_FolderInPlaceOfAFile_IsRefusedByName(string name)
         {
             Directory.CreateDirectory(Path.Combine(_path, name));
-            AssertRefused(_path, Path.Combine(_path, name), "is a folder");
+            AssertRefused(_path, _path, name, "is a folder");
+        }
+
+        [Test]
+        public void Open_WhileAnotherRunHasTheFolder_IsRefusedAndHarmsNothing()
+        {
+            using (var results = ResultsFolder.Open(_path))
+            {
+                AssertRefused(_path, _path, "another run");
+                results.Append(SampleRun.Row(0));
+                AssertRefused(_path, _path, "another run");
+                results.Append(SampleRun.Row(1));
+                Assert.That(Csv().Split('\n').Length, Is.EqualTo(4));
+                results.Finish(SampleRun.Info());
+                ResultsFolder.Open(_path).Dispose();
+            }
+            Assert.That(Entries(), Is.EqualTo(new[] { "results.csv", "results.json" }));
+        }
+
+        [Test]
+        public void Open_LockFileOfAKilledRun_IsTakenOver()
+        {
+            Directory.CreateDirectory(_path);
+            File.WriteAllText(Path.Combine(_path, "results.lock"), "");
+            Sweep(SampleRun.Row(0));
+            Assert.That(Entries(), Is.EqualTo(new[] { "results.csv", "results.json" }));
+        }
+
+        [Test]
+        public void Open_InAFolderThatIsThere_LeavesIt()
+        {
+            Directory.CreateDirectory(_path);
+            ResultsFolder.Open(_path).Dispose();
+            Assert.That(Entries(), Is.Empty);
         }
 
         [Test]

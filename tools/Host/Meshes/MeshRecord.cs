@@ -11,6 +11,7 @@ internal sealed class MeshRecord
 {
     const int ChannelCount = 14, StreamAlignment = 16, StrideAlignment = 4;
     const int Triangles = 0, Quads = 2, Points = 5;
+    static readonly string[] _vertexKeys = ["m_VertexCount", "m_Channels", "m_DataSize", "_typelessdata"];
 
     readonly ObjectRecord _record;
     readonly float[][] _channels = new float[ChannelCount][];
@@ -56,6 +57,11 @@ internal sealed class MeshRecord
 
     void ReadVertices(FieldMap data)
     {
+        foreach (string key in _vertexKeys)
+        {
+            if (!data.Has(key))
+                throw _record.Flaw($"its m_VertexData has no {key}, the file has been cut short: restore the file");
+        }
         VertexCount = data.Count("m_VertexCount");
         byte[] bytes = Hex(data, "_typelessdata");
         int stated = data.Count("m_DataSize");
@@ -111,7 +117,7 @@ internal sealed class MeshRecord
     SubMeshRecord ReadSubMesh(FieldMap fields, int number)
     {
         SubMeshRecord subMesh = new(
-            fields.Count("topology"), fields.Count("firstByte") / IndexBytes, fields.Count("indexCount"), (int)fields.Integer("baseVertex"),
+            fields.Count("topology"), fields.Count("firstByte") / IndexBytes, fields.Count("indexCount"), fields.Count("baseVertex"),
             fields.Count("firstVertex"), fields.Count("vertexCount"), fields.Map("localAABB"));
         if ((long)subMesh.FirstIndex + subMesh.IndexCount > Indices.Length)
             throw _record.Flaw($"submesh {number} has {subMesh.IndexCount} indices from number {subMesh.FirstIndex} on, and m_IndexBuffer holds {Indices.Length}: restore the file");

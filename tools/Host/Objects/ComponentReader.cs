@@ -36,9 +36,9 @@ internal static class ComponentReader
 
     internal static void Fill(Transform target, FieldMap fields)
     {
-        target.localPosition = EngineValues.Vector(fields.Map("m_LocalPosition"));
-        target.localRotation = EngineValues.Rotation(fields.Map("m_LocalRotation"));
-        target.localScale = EngineValues.Vector(fields.Map("m_LocalScale"), 1f);
+        target.Load(
+            EngineValues.Vector(fields.Map("m_LocalPosition")), EngineValues.Rotation(fields.Map("m_LocalRotation")),
+            EngineValues.Vector(fields.Map("m_LocalScale"), Vector3.one));
     }
 
     static void Fill(Camera camera, FieldMap fields)
@@ -50,9 +50,8 @@ internal static class ComponentReader
         camera.orthographic = fields.Flag("orthographic", false);
         camera.orthographicSize = fields.Number("orthographic size", camera.orthographicSize);
         camera.depth = fields.Number("m_Depth");
-        camera.cullingMask = unchecked((int)fields.Map("m_CullingMask").Integer("m_Bits", -1));
-        if (fields.Has("m_NormalizedViewPortRect"))
-            camera.rect = EngineValues.Rect(fields.Map("m_NormalizedViewPortRect"));
+        camera.cullingMask = fields.Map("m_CullingMask").Bits("m_Bits", -1);
+        camera.rect = EngineValues.Rect(fields.Map("m_NormalizedViewPortRect"), camera.rect);
     }
 
     static void Fill(Renderer renderer, ObjectRecord record, Links links)

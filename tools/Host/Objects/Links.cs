@@ -25,7 +25,7 @@ internal sealed class Links : ILinks
             problem = $"a {found.GetType().Name}, where a {type.Name} is needed";
         if (problem is null)
             return found;
-        _warnings.Add(holder, $"{path} refers to {problem}: it is left empty, assign it again");
+        _warnings.Add(holder, $"{path} refers to {problem}: the field is left empty, and what needs it may fail: assign it again");
         return null;
     }
 

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Glint.Core;
 using UnityEngine;
 using UnityEngine.SceneManagement;
 using Object = UnityEngine.Object;
@@ -65,7 +66,17 @@ internal sealed class ObjectBuilder
             if (TypeOf(record) is Type type)
                 Attach(item, type, record);
         }
+        foreach (ObjectRecord record in node.Components)
+            RequireOthers(item, record);
         return item;
+    }
+
+    // The editor adds what a script requires together with the script, so only a damaged or hand-written file lacks it.
+    void RequireOthers(GameObject item, ObjectRecord record)
+    {
+        if (_file.Find(record) is MonoBehaviour script
+            && ComponentAdder.Requirements(script.GetType()).FirstOrDefault(type => !type.IsAbstract && item.GetComponent(type) is null) is Type lacking)
+            throw new GlintException($"{record.File}: '{record.Owner}': {script.GetType().Name} needs a {lacking.Name} on the same object: add one");
     }
 
     void Attach(GameObject item, Type type, ObjectRecord record) => _file.Add(record, ObjectFactory.Attach(item, type));

@@ -56,9 +56,13 @@ internal sealed class Flattener
             if (document.IsStripped || document.ClassId == ClassId.PrefabInstance)
                 continue;
             if (!ClassId.IsKnown(document.ClassId))
+            {
                 table.AddSkipped(document.Id);
-            else
-                table.Add(new ObjectRecord(file.ShownPath, document.ClassId, document.TypeName, document.Id, document.Fields));
+                continue;
+            }
+            ObjectRecord record = new(file.ShownPath, document.ClassId, document.TypeName, document.Id, document.Fields);
+            RequiredKeys.Check(record);
+            table.Add(record);
         }
 
         // Overrides may name objects of other instances, so all are there before the first is applied.

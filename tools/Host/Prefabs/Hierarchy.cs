@@ -23,6 +23,8 @@ internal sealed class Hierarchy
         Hierarchy hierarchy = new(table);
         foreach (ObjectRecord record in table.Records.Where(record => record.ClassId == ClassId.GameObject))
             hierarchy._nodes.Add(hierarchy.ReadNode(record));
+        if (table.Records.FirstOrDefault(record => record.IsTransform && !hierarchy._owners.ContainsKey(record)) is ObjectRecord loose)
+            throw loose.Error("belongs to no GameObject: restore the file");
         foreach (HierarchyNode node in hierarchy._nodes)
             node.Parent = hierarchy.ParentOf(node);
         foreach (HierarchyNode node in hierarchy._nodes)

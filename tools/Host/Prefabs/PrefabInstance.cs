@@ -128,11 +128,11 @@ internal sealed class PrefabInstance
         }
         if (list.Children.Contains(node))
             return;
-        int index = (int)added.Integer("insertIndex", -1);
+        long index = added.Integer("insertIndex", -1);
         if (index < 0 || index > list.Children.Count)
             list.Children.Add(node);
         else
-            list.Children.Insert(index, node);
+            list.Children.Insert((int)index, node);
     }
 
     void Remove(ObjectTable table)

@@ -10,40 +10,38 @@ internal static class EngineValues
 {
     const BindingFlags AnyInstance = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
 
-    internal static object Read(FieldMap fields, Type type, Func<YamlNode, Type, string, object> readMember)
+    /// <param name="current">What the field holds so far, of its type; keys that are absent leave their part of it.</param>
+    internal static object Read(FieldMap fields, object current, Func<YamlNode, Type, object, string, object> readMember) => current switch
     {
-        if (type == typeof(LayerMask))
-            return (LayerMask)unchecked((int)fields.Integer("m_Bits"));
-        if (type == typeof(Rect))
-            return Rect(fields);
-        if (type == typeof(Bounds))
-            return new Bounds(Vector(fields.Map("m_Center")), Vector(fields.Map("m_Extent")) * 2f);
-        if (type == typeof(Color32))
-            return Color32(fields.Integer("rgba"));
-        return ByName(fields, type, readMember);
-    }
+        LayerMask mask => (LayerMask)fields.Bits("m_Bits", mask),
+        Rect rect => Rect(fields, rect),
+        Bounds box => new Bounds(Vector(fields.Map("m_Center"), box.center), Vector(fields.Map("m_Extent"), box.extents) * 2f),
+        Color32 colour => fields.Has("rgba") ? Color32(fields.Bits("rgba", 0)) : colour,
+        _ => ByName(fields, current, readMember),
+    };
 
-    internal static Vector3 Vector(FieldMap fields, float absent = 0f) =>
-        new(fields.Number("x", absent), fields.Number("y", absent), fields.Number("z", absent));
+    internal static Vector3 Vector(FieldMap fields, Vector3 absent = default) =>
+        new(fields.Number("x", absent.x), fields.Number("y", absent.y), fields.Number("z", absent.z));
 
     internal static Quaternion Rotation(FieldMap fields) =>
         new(fields.Number("x"), fields.Number("y"), fields.Number("z"), fields.Number("w", 1f));
 
-    internal static Rect Rect(FieldMap fields) => new(fields.Number("x"), fields.Number("y"), fields.Number("width"), fields.Number("height"));
+    internal static Rect Rect(FieldMap fields, Rect absent) =>
+        new(fields.Number("x", absent.x), fields.Number("y", absent.y), fields.Number("width", absent.width), fields.Number("height", absent.height));
 
-    static Color32 Color32(long rgba) => new((byte)rgba, (byte)(rgba >> 8), (byte)(rgba >> 16), (byte)(rgba >> 24));
+    static Color32 Color32(int rgba) => new((byte)rgba, (byte)(rgba >> 8), (byte)(rgba >> 16), (byte)(rgba >> 24));
 
-    static object ByName(FieldMap fields, Type type, Func<YamlNode, Type, string, object> readMember)
+    static object ByName(FieldMap fields, object value, Func<YamlNode, Type, object, string, object> readMember)
     {
-        object value = Activator.CreateInstance(type);
+        Type type = value.GetType();
         foreach ((YamlNode keyNode, YamlNode node) in fields.Node.Children)
         {
             if (keyNode is not YamlScalarNode { Value: { Length: > 0 } key })
                 continue;
             if (type.GetField(MemberName(type, key), AnyInstance) is FieldInfo { IsInitOnly: false } field)
-                field.SetValue(value, readMember(node, field.FieldType, key));
-            else if (type.GetProperty(key, AnyInstance, null, null, Type.EmptyTypes, null) is { CanWrite: true } property)
-                property.SetValue(value, readMember(node, property.PropertyType, key));
+                field.SetValue(value, readMember(node, field.FieldType, field.GetValue(value), key));
+            else if (type.GetProperty(key, AnyInstance, null, null, Type.EmptyTypes, null) is { CanRead: true, CanWrite: true } property)
+                property.SetValue(value, readMember(node, property.PropertyType, property.GetValue(value), key));
         }
         return value;
     }

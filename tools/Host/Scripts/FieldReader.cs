@@ -67,7 +67,7 @@ internal sealed class FieldReader
             return node.IsEmpty() ? NeverNull(current, type, depth) : throw Wrong(path, "a mapping", node);
         FieldMap fields = new(_record, map, path + ".");
         if (SerializedFields.IsPlain(type))
-            return EngineValues.Read(fields, type, (child, childType, key) => Value(child, childType, null, $"{path}.{key}", depth));
+            return EngineValues.Read(fields, current ?? Activator.CreateInstance(type), (child, childType, old, key) => Value(child, childType, old, $"{path}.{key}", depth));
         if (depth >= MaxDepth)
             return current;
         object value = current ?? Activator.CreateInstance(type, true);
@@ -93,8 +93,8 @@ internal sealed class FieldReader
         int width = PackedArray.Width(element);
         if (width == 0 || !(node is YamlScalarNode || PackedOverrides.IsOne(node)))
             throw Wrong(path, "a list", node);
-        List<long> values = PackedArray.Decode(node, width) ?? throw Wrong(path, $"a text of {width}-byte hexadecimal numbers", node);
-        return values.Select(value => Whole(value, element)).ToList();
+        List<Int128> values = PackedArray.Decode(node, element) ?? throw Wrong(path, $"a text of {width}-byte hexadecimal numbers", node);
+        return values.Select((value, index) => Whole(value, element, $"{path}[{index}]")).ToList();
     }
 
     static object List(IReadOnlyList<object> items, Type type, Type element)
@@ -121,36 +121,18 @@ internal sealed class FieldReader
         // What an override of an array's size adds has no value yet.
         if (string.IsNullOrEmpty(text))
             return Activator.CreateInstance(type);
-        if (type == typeof(float) || type == typeof(double))
-        {
-            if (!Scalars.TryNumber(text, out double number))
-                throw Wrong(path, "a number", node);
-            return type == typeof(float) ? (float)number : (object)number;
-        }
-        return Scalars.TryInteger(text, out long value) ? Whole(value, type) : throw Wrong(path, "a whole number", node);
+        if (type == typeof(float))
+            return Scalars.TryNumber(text, out float single) ? single : throw Wrong(path, "a number", node);
+        if (type == typeof(double))
+            return Scalars.TryNumber(text, out double number) ? number : throw Wrong(path, "a number", node);
+        return Scalars.TryInteger(text, out Int128 value) ? Whole(value, type, path) : throw Wrong(path, "a whole number", node);
     }
 
-    // Values beyond the type wrap around: Unity writes masks as unsigned numbers.
-    static object Whole(long value, Type type)
+    object Whole(Int128 value, Type type, string path)
     {
-        if (type.IsEnum)
-            return Enum.ToObject(type, value);
-        unchecked
-        {
-            return Type.GetTypeCode(type) switch
-            {
-                TypeCode.Boolean => value != 0,
-                TypeCode.Byte => (byte)value,
-                TypeCode.SByte => (sbyte)value,
-                TypeCode.Int16 => (short)value,
-                TypeCode.UInt16 => (ushort)value,
-                TypeCode.Char => (char)value,
-                TypeCode.Int32 => (int)value,
-                TypeCode.UInt32 => (uint)value,
-                TypeCode.UInt64 => (ulong)value,
-                _ => (object)value,
-            };
-        }
+        (Int128 least, Int128 most) = WholeNumbers.Range(type);
+        return value >= least && value <= most
+            ? WholeNumbers.Make(value, type) : throw Wrong(path, $"a whole number from {least} to {most}", new YamlScalarNode(value.ToString()));
     }
 
     object NeverNull(object current, Type type, int depth)

@@ -23,32 +23,37 @@ internal static class PackedArray
         };
     }
 
-    /// <summary>Null when the text is none of such bytes, or holds no whole number of elements.</summary>
-    internal static List<long> Decode(YamlNode node, int width)
+    /// <summary>Null when the text is none of such bytes, or holds no whole number of elements. What overrides put in is as it was written.</summary>
+    internal static List<Int128> Decode(YamlNode node, Type element)
     {
+        int width = Width(element);
         string hex = PackedOverrides.IsOne(node) ? PackedOverrides.Hex((YamlMappingNode)node) : ((YamlScalarNode)node).Value ?? "";
         if (hex.Length % (2 * width) != 0 || !hex.All(char.IsAsciiHexDigit))
             return null;
         byte[] bytes = Convert.FromHexString(hex);
-        List<long> values = new(bytes.Length / width);
+        List<Int128> values = new(bytes.Length / width);
         for (int start = 0; start < bytes.Length; start += width)
-            values.Add(Element(bytes.AsSpan(start, width)));
+            values.Add(Element(bytes.AsSpan(start, width), Type.GetTypeCode(element)));
         return !PackedOverrides.IsOne(node) || Apply(PackedOverrides.Edits((YamlMappingNode)node), values) ? values : null;
     }
 
-    static long Element(ReadOnlySpan<byte> bytes) => bytes.Length switch
+    static Int128 Element(ReadOnlySpan<byte> bytes, TypeCode type) => type switch
     {
-        1 => bytes[0],
-        2 => BitConverter.ToInt16(bytes),
-        4 => BitConverter.ToInt32(bytes),
-        _ => BitConverter.ToInt64(bytes),
+        TypeCode.SByte => (sbyte)bytes[0],
+        TypeCode.Int16 => BitConverter.ToInt16(bytes),
+        TypeCode.UInt16 or TypeCode.Char => BitConverter.ToUInt16(bytes),
+        TypeCode.Int32 => BitConverter.ToInt32(bytes),
+        TypeCode.UInt32 => BitConverter.ToUInt32(bytes),
+        TypeCode.Int64 => BitConverter.ToInt64(bytes),
+        TypeCode.UInt64 => BitConverter.ToUInt64(bytes),
+        _ => bytes[0],
     };
 
-    static bool Apply(IEnumerable<(int Index, string Value)> edits, List<long> values)
+    static bool Apply(IEnumerable<(int Index, string Value)> edits, List<Int128> values)
     {
         foreach ((int index, string text) in edits)
         {
-            if (!Scalars.TryInteger(text, out long value))
+            if (!Scalars.TryInteger(text, out Int128 value))
                 return false;
             if (index < 0)
                 Resize(values, (int)value);
@@ -58,9 +63,9 @@ internal static class PackedArray
         return true;
     }
 
-    static void Resize(List<long> values, int size)
+    static void Resize(List<Int128> values, int size)
     {
-        long last = values.Count > 0 ? values[^1] : 0;
+        Int128 last = values.Count > 0 ? values[^1] : 0;
         if (size < values.Count)
             values.RemoveRange(size, values.Count - size);
         values.AddRange(Enumerable.Repeat(last, size - values.Count));

@@ -29,7 +29,7 @@ internal sealed partial class ScriptCatalog
         if (type is not null && !kind.IsAssignableFrom(type))
             (type, problem) = (null, $"its script {type.Name} is no {kind.Name}");
         if (type is null)
-            warnings.Add(record, $"{problem}: it is left out, restore its script or remove it");
+            warnings.Add(record, $"{problem}: it is left out, and anything it did is missing: restore its script or remove it");
         else
             record.TypeName = type.Name;
         return type;

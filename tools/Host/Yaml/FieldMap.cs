@@ -34,7 +34,15 @@ internal readonly struct FieldMap
     {
         if (Scalar(key, "a number") is not string text)
             return absent;
-        return Scalars.TryInteger(text, out long value) ? value : throw Wrong(key, "a whole number", text);
+        return Scalars.TryInteger(text, out Int128 value) && value >= long.MinValue && value <= long.MaxValue
+            ? (long)value : throw Wrong(key, "a whole number of 64 bits", text);
+    }
+
+    /// <summary>A mask of 32 bits, as a signed or an unsigned number.</summary>
+    internal int Bits(string key, int absent)
+    {
+        long value = Integer(key, absent);
+        return value is >= int.MinValue and <= uint.MaxValue ? unchecked((int)value) : throw Wrong(key, "a mask of 32 bits", value.ToString());
     }
 
     /// <summary>An integer that takes part in sizes and offsets.</summary>
@@ -48,7 +56,7 @@ internal readonly struct FieldMap
     {
         if (Scalar(key, "a number") is not string text)
             return absent;
-        return Scalars.TryNumber(text, out double value) ? (float)value : throw Wrong(key, "a number", text);
+        return Scalars.TryNumber(text, out float value) ? value : throw Wrong(key, "a number", text);
     }
 
     internal bool Flag(string key, bool absent) => Integer(key, absent ? 1 : 0) != 0;

@@ -19,7 +19,7 @@ internal readonly record struct ObjectReference(long FileId, string Guid = null)
         reference = default;
         if (node is not YamlMappingNode map)
             return false;
-        if (map.Child("fileID") is not YamlScalarNode id || !Scalars.TryInteger(id.Value, out long fileId))
+        if (map.Child("fileID") is not YamlScalarNode id || !long.TryParse(id.Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long fileId))
             return map.Child("instanceID") is YamlScalarNode && map.Children.Count == 1;
         reference = new ObjectReference(fileId, (map.Child("guid") as YamlScalarNode)?.Value?.ToLowerInvariant());
         return true;

@@ -6,25 +6,33 @@ namespace Glint.Host;
 /// <summary>Numbers as Unity writes them.</summary>
 internal static class Scalars
 {
-    /// <summary>Signed, or unsigned of 64 bits, whose pattern is kept.</summary>
-    internal static bool TryInteger(string text, out long value)
+    /// <summary>As large as it may be: what fits is for the field to say.</summary>
+    internal static bool TryInteger(string text, out Int128 value) =>
+        Int128.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value);
+
+    internal static bool TryNumber(string text, out double value) =>
+        double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && double.IsFinite(value) || TryWord(text, out value);
+
+    internal static bool TryNumber(string text, out float value)
     {
-        if (long.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value))
+        if (float.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && float.IsFinite(value))
             return true;
-        bool isLarge = ulong.TryParse(text, NumberStyles.None, CultureInfo.InvariantCulture, out ulong large);
-        value = unchecked((long)large);
-        return isLarge;
+        bool isWord = TryWord(text, out double special);
+        value = (float)special;
+        return isWord;
     }
 
-    internal static bool TryNumber(string text, out double value)
+    // Which word is written depends on the version and on the system.
+    static bool TryWord(string text, out double value)
     {
-        if (double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out value))
-            return true;
-        value = text?.TrimStart('.').ToLowerInvariant() switch
+        string word = (text ?? "").ToLowerInvariant();
+        bool isNegative = word.StartsWith('-');
+        if (isNegative || word.StartsWith('+'))
+            word = word[1..];
+        value = word switch
         {
-            "inf" or "+inf" or "+.inf" => double.PositiveInfinity,
-            "-inf" or "-.inf" => double.NegativeInfinity,
-            string nan when nan.Contains("nan", StringComparison.Ordinal) => double.NaN,
+            "nan" or ".nan" => double.NaN,
+            "inf" or ".inf" or "infinity" => isNegative ? double.NegativeInfinity : double.PositiveInfinity,
             _ => 0,
         };
         return value != 0;

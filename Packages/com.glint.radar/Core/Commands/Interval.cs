@@ -3,31 +3,30 @@ using System.Globalization;
 
 namespace Glint.Core
 {
-    /// <summary>The range of a number, and the words for it.</summary>
+    /// <summary>The range of a number, both ends included, and the words for it.</summary>
     readonly struct Interval
     {
         readonly double _from, _to;
-        readonly bool _withFrom;
 
-        Interval(double from, double to, bool withFrom)
+        Interval(double from, double to)
         {
             _from = from;
             _to = to;
-            _withFrom = withFrom;
         }
 
         /// <summary>Both ends allowed.</summary>
-        public static Interval Closed(double from, double to) => new Interval(from, to, true);
-
-        /// <summary>More than nothing, at most <paramref name="to"/>.</summary>
-        public static Interval Positive(double to) => new Interval(0, to, false);
+        public static Interval Closed(double from, double to) => new Interval(from, to);
 
         /// <summary>False for NaN.</summary>
-        public bool Contains(double value) => (_withFrom ? value >= _from : value > _from) && value <= _to;
+        public bool Contains(double value) => value >= _from && value <= _to;
 
-        /// <summary>"from 1 to 16", "above 0 and at most 179".</summary>
-        public override string ToString() => _withFrom ? $"from {Text(_from)} to {Text(_to)}" : $"above {Text(_from)} and at most {Text(_to)}";
+        /// <summary>"from 1 to 16", "from 1e-6 to 1e6".</summary>
+        public override string ToString() => $"from {Text(_from)} to {Text(_to)}";
 
-        static string Text(double value) => value.ToString(Math.Abs(value) < 1e6 ? "R" : "0.###e0", CultureInfo.InvariantCulture);
+        static string Text(double value)
+        {
+            double size = Math.Abs(value);
+            return value.ToString(size < 1e6 && (size >= 0.001 || size == 0) ? "R" : "0.###e0", CultureInfo.InvariantCulture);
+        }
     }
 }

@@ -15,7 +15,8 @@ namespace Glint.Core
 
         const string InSceneInstead = "only for mesh files: a scene has its own camera and objects, change it there";
 
-        static readonly Interval Length = Interval.Positive(1e6);
+        // Lengths and angles go into single precision, which holds both ends.
+        static readonly Interval Length = Interval.Closed(1e-6, 1e6);
         static readonly Interval Coordinate = Interval.Closed(-1e6, 1e6);
         static readonly Interval Rays = Interval.Closed(1, RadarSettings.RaysPerAxisLimit);
 
@@ -32,7 +33,7 @@ namespace Glint.Core
         public static readonly Option<double[]> Angles = new Option<double[]>("angles", "ANGLES", Glint.Core.Angles.Read)
         {
             Group = SweepGroup,
-            Help = "Turn angles in degrees, positive as Unity's rotation about Y: FROM:TO:STEP, all three, FROM and TO included, or a list with commas. Required."
+            Help = "Turn angles in degrees, positive as Unity's rotation about Y: FROM:TO:STEP, all three, or a list with commas. FROM is included, and TO when whole steps reach it: 0:45:2 ends at 44. Required."
         };
 
         /// <summary>Folder for the result files; null when not given.</summary>
@@ -100,8 +101,8 @@ namespace Glint.Core
             "Where the radar stands, in degrees about the vertical, positive as Unity's rotation about Y. At 0 it stands on the -Z side and looks along +Z.");
 
         /// <summary>Vertical field of view, degrees.</summary>
-        public static readonly Option<double> Fov = Number("fov", "DEG", "60", Interval.Positive(179), MeshGroup, InputKind.MeshFile,
-            "Vertical field of view in degrees; Unity's cameras end at 179.");
+        public static readonly Option<double> Fov = Number("fov", "DEG", "60", Interval.Closed(1e-5, 179), MeshGroup, InputKind.MeshFile,
+            "Vertical field of view in degrees, within the limits of Unity's cameras.");
 
         /// <summary>The point that the radar is aimed at, metres, Unity's axes.</summary>
         public static readonly Option<double3> Aim = new Option<double3>("aim", "X,Y,Z", text => Values.Point(text, Coordinate))

@@ -30,6 +30,9 @@ namespace Glint.Core
                 throw new GlintException($"{path}: there is no such file; check the path");
             try
             {
+                // A pipe or device has no length either; to open one can take for ever.
+                if (new FileInfo(path).Length == 0)
+                    throw Empty(path);
                 using (var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite, 1))
                     return Read(stream, path, unit, up);
             }
@@ -47,8 +50,8 @@ namespace Glint.Core
         internal static MeshFile Read(Stream stream, string path, LengthUnit unit, UpAxis up)
         {
             RefuseOtherExtension(path);
-            if (stream.Length == 0)
-                throw new GlintException($"{path}: is empty; export the mesh again");
+            if (!stream.CanSeek || stream.Length == 0)
+                throw Empty(path);
 
             var place = new MeshFilePlacement(unit, up);
             var head = Head(stream);
@@ -62,6 +65,8 @@ namespace Glint.Core
                 return new StlTextReader(stream, path, place).Read();
             throw StlBinaryReader.WrongLength(path, head, stream.Length);
         }
+
+        static GlintException Empty(string path) => new GlintException($"{path}: is empty, or a pipe or device and no file; export the mesh again");
 
         static void RefuseOtherExtension(string path)
         {

@@ -7,7 +7,7 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Reads a Wavefront OBJ: v and f statements. Polygons are cut into a fan about their first corner, which is right for convex ones only.
+    /// Reads a Wavefront OBJ: v and f statements. Polygons are cut into a fan about their first corner, or by clipping ears where they are concave.
     /// Colours, texture coordinates, normals, groups, materials, points, lines and free-form curves and surfaces are passed over.
     /// </summary>
     sealed class ObjReader
@@ -26,8 +26,9 @@ namespace Glint.Core
         readonly LineReader _lines;
         readonly List<float3> _vertices = new List<float3>();
         readonly List<int> _indices = new List<int>();
+        readonly List<Polygon> _polygons = new List<Polygon>();
 
-        // A face may stand before its vertices, so the largest reference is compared at the end.
+        // A face may stand before its vertices, so the largest reference is compared at the end, and polygons are looked at then.
         long _largestReference;
         int _largestReferenceLine;
 
@@ -46,6 +47,7 @@ namespace Glint.Core
                 throw new GlintException($"{_path}:{_largestReferenceLine}: the face refers to vertex {_largestReference}, but the file has {_vertices.Count}: it is truncated or damaged; export it again");
             if (_indices.Count == 0)
                 throw new GlintException($"{_path}: has no triangles ({_vertices.Count} vertices, no f line); export it as a polygon mesh");
+            CutPolygons();
             return new MeshFile(Path.GetFileNameWithoutExtension(_path), _vertices.ToArray(), _placement.Turn(_indices.ToArray()));
         }
 
@@ -109,6 +111,18 @@ namespace Glint.Core
             }
             if (corners < 3)
                 throw _lines.Error($"the face has {corners} corners, but needs at least 3: the line is truncated; export the file again");
+            if (corners > 3)
+                _polygons.Add(new Polygon(_indices.Count - 3 * (corners - 2), corners, _lines.Number));
+        }
+
+        void CutPolygons()
+        {
+            var cutter = new PolygonCutter(_vertices);
+            foreach (var polygon in _polygons)
+                if (!cutter.TryCut(_indices, polygon.FirstIndex, polygon.Corners - 2))
+                    throw new GlintException($"{_path}:{polygon.Line}: the face of {polygon.Corners} corners cannot be cut into triangles: "
+                        + (polygon.Corners > PolygonCutter.MostCorners ? $"a concave face may have {PolygonCutter.MostCorners}" : "its outline crosses itself or is folded")
+                        + "; mend it or export triangles");
         }
 
         // v, v/vt, v//vn or v/vt/vn: counted from 1, or backwards from the latest as -1.
@@ -146,6 +160,14 @@ namespace Glint.Core
                 else if (letter != '-' && (letter < '0' || letter > '9'))
                     return false;
             return slashes <= 2;
+        }
+
+        /// <summary>A face of more than three corners: its fan in the indices, and its line.</summary>
+        readonly struct Polygon
+        {
+            public readonly int FirstIndex, Corners, Line;
+
+            public Polygon(int firstIndex, int corners, int line) => (FirstIndex, Corners, Line) = (firstIndex, corners, line);
         }
     }
 }

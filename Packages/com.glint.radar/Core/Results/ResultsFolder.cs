@@ -8,7 +8,7 @@ namespace Glint.Core
 {
     /// <summary>
     /// The folder that a run or sweep writes: results.csv, row by row as they are done, and results.json at the end.
-    /// Nothing is there before the first row; older results stay until then.
+    /// Before the first row only a lock file is there, and older results stay. One run at a time has the folder, until it is disposed or finished.
     /// </summary>
     public sealed class ResultsFolder : IDisposable
     {
@@ -21,11 +21,16 @@ namespace Glint.Core
         static readonly UTF8Encoding Utf8 = new UTF8Encoding(false);
 
         readonly List<StoredRow> _rows = new List<StoredRow>();
+        readonly FolderLock _lock;
         FileStream _csv;
         long _csvLength;
         bool _finished;
 
-        ResultsFolder(string path) => FolderPath = path;
+        ResultsFolder(string path)
+        {
+            FolderPath = path;
+            _lock = new FolderLock(path);
+        }
 
         /// <summary>The folder as it was given.</summary>
         public string FolderPath { get; }
@@ -40,17 +45,27 @@ namespace Glint.Core
 
         string TemporaryJsonPath => JsonPath + ".tmp";
 
-        /// <summary>Makes sure, before any work is done, that the folder can be made and both files written. Leaves everything as it was.</summary>
-        /// <exception cref="GlintException">It cannot; the message names the folder or file.</exception>
+        /// <summary>
+        /// Makes sure, before any work is done, that no other run has the folder, and that both files can be written.
+        /// Disposing it without a row leaves everything as it was.
+        /// </summary>
+        /// <exception cref="GlintException">Another run is writing there, or it cannot be written; the message names the folder or file.</exception>
         public static ResultsFolder Open(string path)
         {
             if (string.IsNullOrEmpty(path))
                 throw new GlintException("the results folder has an empty name; name a folder");
             var folder = new ResultsFolder(path);
-            Try($"{path}: cannot be written as a results folder", () => WritableFolder.Check(path));
-            CheckReplaceable(folder.CsvPath);
-            CheckReplaceable(folder.JsonPath);
-            return folder;
+            try
+            {
+                CheckReplaceable(folder.CsvPath);
+                CheckReplaceable(folder.JsonPath);
+                return folder;
+            }
+            catch
+            {
+                folder.Dispose();
+                throw;
+            }
         }
 
         /// <summary>
@@ -80,18 +95,33 @@ namespace Glint.Core
                 Begin();
                 Write(Header);
             }
-            Dispose();
-            var text = new StringWriter { NewLine = "\n" };
-            ResultsJson.Write(text, info, _rows);
-            Try($"{JsonPath}: cannot be written ({CsvPath} is complete)", () => ReplaceJson(Utf8.GetBytes(text.ToString())));
+            CloseCsv();
+            try
+            {
+                var text = new StringWriter { NewLine = "\n" };
+                ResultsJson.Write(text, info, _rows);
+                Try($"{JsonPath}: cannot be written ({CsvPath} is complete)", () => ReplaceJson(Utf8.GetBytes(text.ToString())));
+            }
+            finally
+            {
+                Dispose();
+            }
         }
 
-        /// <summary>Closes results.csv; its rows stay.</summary>
+        /// <summary>Closes results.csv, whose rows stay, and lets the folder go.</summary>
         public void Dispose()
+        {
+            if (_finished)
+                return;
+            CloseCsv();
+            _lock.Dispose();
+            _finished = true;
+        }
+
+        void CloseCsv()
         {
             _csv?.Dispose();
             _csv = null;
-            _finished = true;
         }
 
         void RequireUnfinished()
@@ -131,12 +161,16 @@ namespace Glint.Core
             {
                 if (_csvLength > 0)
                     _csv.SetLength(_csvLength);
-                Dispose();
+                CloseCsv();
                 if (_csvLength == 0)
                     File.Delete(CsvPath);
             }
             catch (IOException)
             {
+            }
+            finally
+            {
+                Dispose();
             }
         }
 

@@ -71,6 +71,63 @@ public sealed class CommandRunTests
         Assert.That(error, Does.Contain(arguments.First(argument => argument.StartsWith("N") || argument.Contains("one") || argument.Contains("no such"))));
     }
 
+    [Test]
+    public void Run_OfAMistypedScene_SaysWhereItWasLookedFor()
+    {
+        var (code, _, error) = Run("run", "Scene/CornerReflector.unity");
+
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(error, Does.StartWith("glint: Scene/CornerReflector.unity: there is no such scene").And.Contain("/Scene/CornerReflector.unity"));
+    }
+
+    [Test]
+    public void Run_OfASceneElsewhere_SaysThatItIsOutside()
+    {
+        string scene = Path.Combine(_folder, "Lost.unity");
+        File.WriteAllText(scene, "");
+        Assert.That(Run("run", scene).error, Does.StartWith($"glint: {scene}: outside of the Unity project"));
+    }
+
+    [Test]
+    public void Info_OfADeviceThatIsNotThere_PrintsNothing() => Assert.That(Run("info", "--device", "99").output, Is.Empty);
+
+    [TestCase("info")]
+    [TestCase("--help")]
+    [TestCase("run --help")]
+    [TestCase("run PLATE --size 2x2")]
+    public void Command_WhoseOutputIsFull_FailsInOneLine(string line)
+    {
+        var error = new StringWriter();
+        var terminal = new Terminal { Out = Terminal.Results(new FullWriter()), Error = error, Live = null, Width = 100 };
+        int code = new Shell(terminal).Run(line.Replace("PLATE", Plate).Split(' '));
+
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(error.ToString(), Is.EqualTo("glint: standard output cannot be written: no space" + System.Environment.NewLine));
+    }
+
+    [Test]
+    public void Sweep_WhoseMessagesAreLost_IsDone()
+    {
+        var output = new StringWriter();
+        var terminal = new Terminal { Out = output, Error = Terminal.Messages(new FullWriter()), Live = null, Width = 100 };
+        string[] sweep = ["sweep", Plate, "--angles", "0,1", "--size", "2x2", "--out", Path.Combine(_folder, "results")];
+
+        Assert.That(new Shell(terminal).Run(sweep), Is.EqualTo(0));
+        Assert.That(output.ToString(), Does.Contain("written: "));
+        Assert.That(new Shell(terminal).Run(["dance"]), Is.EqualTo(2), "a failure that cannot be told");
+    }
+
+    sealed class FullWriter : StringWriter
+    {
+        public override void Write(char value) => throw new IOException("no space");
+
+        public override void Write(string value) => throw new IOException("no space");
+
+        public override void WriteLine(string value) => throw new IOException("no space");
+
+        public override void Flush() => throw new IOException("no space");
+    }
+
     string Plate => Path.Combine(_folder, "plate.obj");
 
     // Lines of the table begin with a number or, for a single pose, with '-'.

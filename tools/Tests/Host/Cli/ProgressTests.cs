@@ -69,6 +69,20 @@ public sealed class ProgressTests
         Assert.Throws<InvalidDataException>(() => ProgressBar.During(terminal, cancellation, _ => throw new InvalidDataException()));
     }
 
+    [Test]
+    public void Cancellation_SecondPress_ShowsTheCursorAndEndsTheProcess()
+    {
+        const string show = "\u001b[?25h";
+        var screen = new StringWriter();
+        using var cancellation = new Cancellation(new Terminal { Out = TextWriter.Null, Error = screen, Live = Ansi(screen), SharesScreen = true, Width = 100 });
+
+        Assert.That(cancellation.Press(), Is.True);
+        Assert.That(cancellation.IsRequested);
+        Assert.That(screen.ToString(), Does.Contain("Ctrl-C again ends at once").And.Not.Contain(show));
+        Assert.That(cancellation.Press(), Is.False);
+        Assert.That(screen.ToString(), Does.EndWith(show));
+    }
+
     static IAnsiConsole Ansi(TextWriter screen)
     {
         var console = AnsiConsole.Create(new AnsiConsoleSettings { Ansi = AnsiSupport.Yes, Interactive = InteractionSupport.Yes, Out = new AnsiConsoleOutput(screen) });

@@ -1,5 +1,8 @@
 using System;
+using System.Diagnostics;
 using System.IO;
+using System.Threading;
+using System.Threading.Tasks;
 using Glint.Core;
 using NUnit.Framework;
 
@@ -28,11 +31,59 @@ public sealed class ResultsFolderTests
         }
     }
 
+    /// <summary>The shell's flock stands for another process.</summary>
+    [Test]
+    public void Open_WhileAnotherProcessHasTheLock_IsRefusedAndAfterItsDeathTaken()
+    {
+        string path = Directory.CreateTempSubdirectory("glint-tests-").FullName;
+        try
+        {
+            var start = new ProcessStartInfo("flock", ["--close", Path.Combine(path, "results.lock"), "sh", "-c", "echo held; exec sleep 60"]) { RedirectStandardOutput = true };
+            using var holder = Process.Start(start);
+            holder.StandardOutput.ReadLine();
+            Assert.That(Assert.Throws<GlintException>(() => ResultsFolder.Open(path)).Message, Does.StartWith(path + ": another run is writing"));
+            holder.Kill(true);
+            holder.WaitForExit();
+            ResultsFolder.Open(path).Dispose();
+            Assert.That(Directory.GetFileSystemEntries(path), Is.Empty);
+        }
+        finally
+        {
+            Directory.Delete(path, true);
+        }
+    }
+
+    [Test]
+    public void Open_ByManyAtOnce_IsGrantedToOneAtATime()
+    {
+        string path = Path.Combine(Path.GetTempPath(), "glint-tests-" + Guid.NewGuid().ToString("N"));
+        int holders = 0, granted = 0, most = 0;
+        Directory.CreateDirectory(path);
+        Parallel.For(0, 4000, new ParallelOptions { MaxDegreeOfParallelism = 8 }, _ =>
+        {
+            try
+            {
+                using var results = ResultsFolder.Open(path);
+                int now = Interlocked.Increment(ref holders);
+                most = Math.Max(most, now);
+                Interlocked.Increment(ref granted);
+                Thread.Yield();
+                Interlocked.Decrement(ref holders);
+            }
+            catch (GlintException)
+            {
+            }
+        });
+        Assert.That(most, Is.EqualTo(1));
+        Assert.That(granted, Is.GreaterThan(1));
+        Directory.Delete(path);
+    }
+
     [Test]
     public void Open_WhereNothingCanBeMade_IsRefusedByName()
     {
         var error = Assert.Throws<GlintException>(() => ResultsFolder.Open("/proc/glint/results"));
-        Assert.That(error.Message, Does.StartWith("/proc/glint/results: "));
+        Assert.That(error.Message, Does.StartWith("/proc/glint/results: ").And.Contain("/proc takes no folders"));
         Assert.That(error.ExitCode, Is.EqualTo(1));
     }
 }

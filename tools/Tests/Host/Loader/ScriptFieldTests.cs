@@ -118,9 +118,9 @@ public sealed class ScriptFieldTests
         Assert.That(marker.Settings, Is.Null);
         Assert.That(_project.Warnings, Is.EqualTo(new[]
         {
-            "Assets/Scene.unity: Marker of 'A': Target refers to object &77, which is not in the file: it is left empty, assign it again",
-            "Assets/Scene.unity: Marker of 'A': Other refers to a Transform, where a Marker is needed: it is left empty, assign it again",
-            $"Assets/Scene.unity: Marker of 'A': Settings refers to guid {TemporaryProject.Guid(33)}, which no .meta in the project has: it is left empty, assign it again",
+            "Assets/Scene.unity: Marker of 'A': Target refers to object &77, which is not in the file: the field is left empty, and what needs it may fail: assign it again",
+            "Assets/Scene.unity: Marker of 'A': Other refers to a Transform, where a Marker is needed: the field is left empty, and what needs it may fail: assign it again",
+            $"Assets/Scene.unity: Marker of 'A': Settings refers to guid {TemporaryProject.Guid(33)}, which no .meta in the project has: the field is left empty, and what needs it may fail: assign it again",
         }));
     }
 
@@ -156,7 +156,7 @@ public sealed class ScriptFieldTests
         GameObject root = _project.LoadScene(Scene(scene, 11)).Single();
         Assert.That(root.GetComponentsInChildren<MonoBehaviour>(), Is.Empty);
         Assert.That(_project.Warnings.Single(), Is.EqualTo(
-            $"Assets/Scene.unity: MonoBehaviour of 'A' and 1 more: its script has guid {TemporaryProject.Guid(55)}, which no .meta in the project has: it is left out, restore its script or remove it"));
+            $"Assets/Scene.unity: MonoBehaviour of 'A' and 1 more: its script has guid {TemporaryProject.Guid(55)}, which no .meta in the project has: it is left out, and anything it did is missing: restore its script or remove it"));
     }
 
     Marker Load(string fields) => _project.LoadScene(Scene(Object(10, "A", components: Component(12)) + Script(12, 10, MarkerScript, fields), 11)).Single().GetComponent<Marker>();

@@ -27,7 +27,7 @@ public sealed class SubjectsTests
     }
 
     [TestCase("RadarController of 'Radar Camera' has no receiver", "_receiver: {fileID: 111}", "_receiver: {fileID: 0}")]
-    [TestCase("has no radar", "m_Name: Radar Camera", "m_Name: Radar Camera", "m_IsActive: 1", "m_IsActive: 0")]
+    [TestCase("RadarController of 'Radar Camera' is disabled or inactive; enable it", "m_IsActive: 1", "m_IsActive: 0")]
     [TestCase("field of view 0 deg", "field of view: 60", "field of view: 0")]
     [TestCase("field of view 180 deg", "field of view: 60", "field of view: 180")]
     [TestCase("orthographic", "orthographic: 0", "orthographic: 1")]

@@ -32,6 +32,18 @@ public sealed class RefusalTests
     }
 
     [Test]
+    public void NoDevice_WithAVariableThatHidesTheDrivers_BlamesTheVariable()
+    {
+        string present = typeof(VulkanDevice).Assembly.Location;
+        string Blame(params (string name, string value)[] set) => DriverVariable.Blame(name => Array.Find(set, pair => pair.name == name).value);
+
+        Assert.That(Blame(("VK_DRIVER_FILES", "/nope.json")), Does.Contain("VK_DRIVER_FILES is set to /nope.json, which is not there; unset it"));
+        Assert.That(Blame(("VK_ICD_FILENAMES", "/nope.json")), Does.Contain("VK_ICD_FILENAMES is set to /nope.json"));
+        Assert.That(Blame(("VK_DRIVER_FILES", present), ("VK_ICD_FILENAMES", "/nope.json")), Does.Contain($"VK_DRIVER_FILES is set to {present}, whose driver gives none"));
+        Assert.That(Blame(("VK_DRIVER_FILES", "")), Is.Null);
+    }
+
+    [Test]
     public void Buffer_BeyondTheDevicesRange_NamesBothFigures()
     {
         long bytes = _device.Limits.MaxStorageBufferRange + 4;

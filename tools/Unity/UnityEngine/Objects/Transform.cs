@@ -26,7 +26,9 @@ public partial class Transform : Component, IEnumerable
         get => Alive()._localPosition;
         set
         {
-            Alive()._localPosition = value;
+            if (!Accepts("localPosition", value))
+                return;
+            _localPosition = value;
             MarkChanged();
         }
     }
@@ -36,7 +38,9 @@ public partial class Transform : Component, IEnumerable
         get => Alive()._localRotation;
         set
         {
-            Alive()._localRotation = value.normalized;
+            if (!Accepts("localRotation", value))
+                return;
+            _localRotation = value.normalized;
             MarkChanged();
         }
     }
@@ -52,7 +56,9 @@ public partial class Transform : Component, IEnumerable
         get => Alive()._localScale;
         set
         {
-            Alive()._localScale = value;
+            if (!Accepts("localScale", value))
+                return;
+            _localScale = value;
             MarkChanged();
         }
     }
@@ -60,7 +66,11 @@ public partial class Transform : Component, IEnumerable
     public Vector3 position
     {
         get => _parent is null ? Alive()._localPosition : Alive()._parent.TransformPoint(_localPosition);
-        set => localPosition = _parent is null ? value : _parent.InverseTransformPoint(value);
+        set
+        {
+            if (Accepts("position", value))
+                localPosition = _parent is null ? value : _parent.InverseTransformPoint(value);
+        }
     }
 
     /// <summary>A mirrored ancestor mirrors the rotation below it, so the signs of its scale take part.</summary>
@@ -73,7 +83,11 @@ public partial class Transform : Component, IEnumerable
                 result = node._localRotation * Mirrored(result, node._localScale);
             return result;
         }
-        set => localRotation = _parent is null ? value : _parent.IntoLocal(value);
+        set
+        {
+            if (Accepts("rotation", value))
+                localRotation = _parent is null ? value : _parent.IntoLocal(value);
+        }
     }
 
     public Vector3 eulerAngles

@@ -1,0 +1,8 @@
+using UnityEngine;
+
+namespace Glint.Host.Tests;
+
+[RequireComponent(typeof(Camera))]
+public sealed class Scope : MonoBehaviour
+{
+}
