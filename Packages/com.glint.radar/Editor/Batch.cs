@@ -45,6 +45,7 @@ namespace Glint.Editor
 
         static int Trace(SweepRun run, SceneSubjects subjects, ResultsFolder folder, bool isSweep, IProgressSink progress)
         {
+            long hit = 0, received = 0;
             progress.Start(subjects.Name, run.Count);
             try
             {
@@ -53,6 +54,8 @@ namespace Glint.Editor
                     var row = run.Step();
                     if (run.Done == 1)
                         progress.Print(PoseTable.Header);
+                    hit += row.Result.RaysHit;
+                    received += row.Result.RaysReceived;
                     progress.Print(PoseTable.Row(isSweep ? row.AngleDegrees : (double?)null, row.Result));
                     progress.Advance(run.Done, isSweep ? FormattableString.Invariant($"{row.AngleDegrees:0.###} deg") : null);
                 }
@@ -63,9 +66,19 @@ namespace Glint.Editor
             }
             if (!run.IsComplete)
                 return Cancelled;
+            WarnOfSilence(subjects.Name, hit, received);
             if (folder != null)
                 progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
             return Done;
+        }
+
+        // Nothing in any pose is a valid result, and more often a wrong aim.
+        static void WarnOfSilence(string name, long hit, long received)
+        {
+            if (hit == 0)
+                Debug.LogWarning($"{name}: no ray hit anything: is the target in view, of the right size and on a traced layer? (mesh files: --aim, --distance, --fov, --unit)");
+            else if (received == 0)
+                Debug.LogWarning($"{name}: rays hit and none was received: mirrors return only what meets them head-on or in a corner; try other angles (mesh files: --grazing, --azimuth), more rays (--size) or a narrower view");
         }
 
         // A sweep always keeps its results; a single pose when told where.

@@ -34,7 +34,7 @@ namespace Glint.Core
             {
                 Example("sweep Scenes/CornerReflector.unity --target \"Corner Reflector\" --angles 0:45:1", "The published experiment, 46 poses."),
                 Example("sweep ship.stl --unit mm --up z --angles 0:345:15 --distance 500 --fov 20 --out ship", "A mesh in millimetres with z up, all round from 500 m."),
-                Example("sweep plate.obj --angles -10,-5,0,5,10 --size 640x360 --bounces 1", "Five angles of a flat plate, fewer rays.")
+                Example("sweep plate.obj --angles -10,-5,0,5,10 --grazing 0 --fov 5 --size 640x360", "Five angles of an upright plate seen head-on, fewer rays.")
             }
         };
 

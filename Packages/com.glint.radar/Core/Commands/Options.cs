@@ -40,7 +40,7 @@ namespace Glint.Core
         public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.Words)
         {
             Group = ResultGroup,
-            Help = "Folder for results.csv and results.json, made when it is not there."
+            Help = "Folder for results.csv and results.json, made with its parents when it is not there."
         };
 
         /// <summary>Rays across and down.</summary>
