@@ -62,6 +62,9 @@ namespace Glint.Editor
         static SceneSubjects OpenMeshFile(CommandLine line)
         {
             var file = MeshFileReader.Read(line.Input, line.Get(Options.Unit), line.Get(Options.Up));
+            int flat = file.CountDegenerate();
+            if (flat > 0)
+                Debug.LogWarning($"{line.Input}: {flat} of {file.TriangleCount} triangles have no area; they reflect nothing");
             EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
             var stand = new RadarStand
             {

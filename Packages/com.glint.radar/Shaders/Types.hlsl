@@ -29,7 +29,7 @@ struct BvhNode
 struct TriangleRecord
 {
     float3 Corner;        // m
-    uint Triangle;        // its number in the scene
+    uint Unused0;
     float3 Edge1;         // from the first corner to the second, m
     uint Unused1;
     float3 Edge2;         // from the first corner to the third, m

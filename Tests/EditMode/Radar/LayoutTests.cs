@@ -27,7 +27,7 @@ namespace Glint.Tests
         {
             var ray = new RayData { LastHit = float3(1, 2, 3), PathLength = 4, Direction = float3(5, 6, 7), Phase = 8, InPhase = 9, Quadrature = 10, Pixel = 11, Bounces = 12 };
             var node = new BvhNode { Min = float3(13, 14, 15), First = 16, Max = float3(17, 18, 19), Count = 20 };
-            var triangle = new TriangleRecord { Corner = float3(21, 22, 23), Triangle = 24, Edge1 = float3(25, 26, 27), Edge2 = float3(28, 29, 30) };
+            var triangle = new TriangleRecord { Corner = float3(21, 22, 23), Unused0 = 24, Edge1 = float3(25, 26, 27), Edge2 = float3(28, 29, 30) };
             var sum = new GroupSum { Hits = 31, Bounces = 32, PathLength = 33 };
             var expected = Enumerable.Range(1, 33).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
 

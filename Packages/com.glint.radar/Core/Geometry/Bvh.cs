@@ -35,7 +35,7 @@ namespace Glint.Core
             for (int i = 0; i < records.Length; i++)
             {
                 scene.GetTriangle(TriangleOrder[i], out var a, out var b, out var c);
-                var record = new TriangleRecord { Corner = a, Triangle = (uint)TriangleOrder[i], Edge1 = b - a, Edge2 = c - a };
+                var record = new TriangleRecord { Corner = a, Edge1 = b - a, Edge2 = c - a };
                 // Edges of zero length are never hit.
                 float normalSquared = lengthsq(cross(record.Edge1, record.Edge2));
                 if (!(normalSquared >= LeastNormalSquared && normalSquared <= float.MaxValue))

@@ -12,8 +12,7 @@ namespace Glint.Core
         /// <summary>First corner, metres.</summary>
         public float3 Corner;
 
-        /// <summary>Number of the triangle in the scene.</summary>
-        public uint Triangle; // 16 bytes
+        public uint Unused0; // 16 bytes
 
         /// <summary>From the first corner to the second, metres.</summary>
         public float3 Edge1;
