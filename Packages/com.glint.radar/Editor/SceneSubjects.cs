@@ -45,14 +45,7 @@ namespace Glint.Editor
             EditorSceneManager.OpenScene(scene, OpenSceneMode.Single);
 
             var radar = RadarController.FindOnly(line.Input);
-            var settings = radar.Settings;
-            if (line.IsGiven(Options.Size))
-                (settings.RaysAcross, settings.RaysDown) = (line.Get(Options.Size).x, line.Get(Options.Size).y);
-            if (line.IsGiven(Options.Frequency))
-                settings.FrequencyHz = line.Get(Options.Frequency);
-            if (line.IsGiven(Options.Bounces))
-                settings.MaxBounces = line.Get(Options.Bounces);
-            radar.Settings = settings;
+            radar.Settings = Override(radar.Settings, line);
             if (line.IsGiven(Options.Receiver))
                 radar.ReceiverSize = ReceiverSize(line);
             var target = line.IsGiven(Options.Target) ? FindTarget(line.Input, line.Get(Options.Target)) : null;
@@ -74,10 +67,20 @@ namespace Glint.Editor
                 AzimuthDegrees = line.Get(Options.Azimuth),
                 VerticalFovDegrees = line.Get(Options.Fov),
             };
-            var size = line.Get(Options.Size);
-            var settings = new RadarSettings { FrequencyHz = line.Get(Options.Frequency), RaysAcross = size.x, RaysDown = size.y, MaxBounces = line.Get(Options.Bounces) };
-            var scene = MeshFileScene.Create(file, stand, settings, ReceiverSize(line), AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath));
+            var scene = MeshFileScene.Create(file, stand, Override(RadarSettings.Default, line), ReceiverSize(line), AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath));
             return new SceneSubjects(file.Name, line.Input, scene.Radar, scene.Target);
+        }
+
+        // What is not given stays: a scene's own settings, or the standard ones, which are the options' defaults too.
+        static RadarSettings Override(RadarSettings settings, CommandLine line)
+        {
+            if (line.IsGiven(Options.Size))
+                (settings.RaysAcross, settings.RaysDown) = (line.Get(Options.Size).x, line.Get(Options.Size).y);
+            if (line.IsGiven(Options.Frequency))
+                settings.FrequencyHz = line.Get(Options.Frequency);
+            if (line.IsGiven(Options.Bounces))
+                settings.MaxBounces = line.Get(Options.Bounces);
+            return settings;
         }
 
         static Vector2 ReceiverSize(CommandLine line)

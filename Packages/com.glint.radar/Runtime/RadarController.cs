@@ -78,7 +78,15 @@ namespace Glint
         public KeptRays KeptRays { get => _keptRays; set => _keptRays = value; }
 
         /// <summary>Packages/com.glint.radar/Shaders/Trace.compute.</summary>
-        public ComputeShader Kernel { get => _kernel; set => _kernel = value; }
+        public ComputeShader Kernel
+        {
+            get => _kernel;
+            set
+            {
+                _kernel = value;
+                Release(); // the tracer in use has the kernel before
+            }
+        }
 
         /// <summary>The last pose traced; null before the first.</summary>
         public RadarResult Result { get; private set; }
@@ -89,9 +97,10 @@ namespace Glint
         {
             var settings = Settings;
             var view = View();
+            // Before the scene is gathered: that may take long.
             settings.Validate(Subject);
             view.Validate(Subject);
-            _tracer ??= new RayTracer(_kernel);
+            _tracer ??= new RayTracer(_kernel, Subject);
 
             var watch = Stopwatch.StartNew();
             TriangleScene scene;

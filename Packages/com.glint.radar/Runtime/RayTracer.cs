@@ -20,6 +20,7 @@ namespace Glint
         static readonly ProfilerMarker s_trace = new ProfilerMarker("Glint.Trace");
         static readonly ProfilerMarker s_sum = new ProfilerMarker("Glint.Sum");
 
+        readonly string _owner;
         readonly ComputeShader _shader;
         readonly int _kernel;
         readonly int _groupWidth, _groupHeight;
@@ -33,17 +34,19 @@ namespace Glint
         double _buildMs, _uploadMs;
 
         /// <param name="shader">Shaders/Trace.compute.</param>
+        /// <param name="owner">Whose it is, for messages.</param>
         /// <exception cref="GlintException">There is no graphics device, or it cannot run the kernel.</exception>
-        public RayTracer(ComputeShader shader)
+        public RayTracer(ComputeShader shader, string owner = nameof(RayTracer))
         {
             if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
                 throw new GlintException("there is no graphics device (graphics device type Null): start Unity without -nographics");
             if (!SystemInfo.supportsComputeShaders)
                 throw new GlintException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) runs no compute shaders: use Direct3D 11 or 12, Vulkan or Metal");
             if (shader == null)
-                throw new GlintException("the radar has no kernel: assign Packages/com.glint.radar/Shaders/Trace.compute");
+                throw new GlintException($"{owner} has no kernel: assign Packages/com.glint.radar/Shaders/Trace.compute");
             if (!shader.HasKernel("Trace"))
-                throw new GlintException($"compute shader '{shader.name}' has no kernel 'Trace': assign Packages/com.glint.radar/Shaders/Trace.compute");
+                throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel 'Trace': assign Packages/com.glint.radar/Shaders/Trace.compute");
+            _owner = owner;
             _shader = shader;
             _kernel = shader.FindKernel("Trace");
             if (!shader.IsSupported(_kernel))
@@ -83,8 +86,8 @@ namespace Glint
         {
             if (_triangleCount < 0)
                 throw new InvalidOperationException("RayTracer.Trace without a scene: call SetScene first");
-            settings.Validate(nameof(RayTracer));
-            view.Validate(nameof(RayTracer));
+            settings.Validate(_owner);
+            view.Validate(_owner);
             bool keepAll = keep == KeptRays.All;
             var groups = new int2(DivideUp(settings.RaysAcross, _groupWidth), DivideUp(settings.RaysDown, _groupHeight));
             MakeRoom(settings, groups, keepAll);

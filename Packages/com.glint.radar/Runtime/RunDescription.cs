@@ -1,6 +1,7 @@
 using System.IO;
 using System.Runtime.InteropServices;
 using Glint.Core;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint
@@ -39,16 +40,20 @@ namespace Glint
             info.Settings.Add(new RunSetting("vertical_fov", view.VerticalFovDegrees, "deg"));
             info.Settings.Add(new RunSetting("receiver_width", view.ReceiverSize.x, "m"));
             info.Settings.Add(new RunSetting("receiver_height", view.ReceiverSize.y, "m"));
-            AddPosition(info, "radar", radar.transform.position);
-            AddPosition(info, "receiver", radar.Receiver.position);
+            Add(info, "radar", view.Position, "m");
+            Add(info, "radar_forward", view.Forward, "1");
+            Add(info, "radar_up", view.Up, "1");
+            Add(info, "receiver", view.ReceiverCentre, "m");
+            Add(info, "receiver_forward", view.ReceiverForward, "1");
+            Add(info, "receiver_up", view.ReceiverUp, "1");
             return info;
         }
 
-        static void AddPosition(RunInfo info, string what, Vector3 position)
+        static void Add(RunInfo info, string what, double3 vector, string unit)
         {
-            info.Settings.Add(new RunSetting($"{what}_x", position.x, "m"));
-            info.Settings.Add(new RunSetting($"{what}_y", position.y, "m"));
-            info.Settings.Add(new RunSetting($"{what}_z", position.z, "m"));
+            info.Settings.Add(new RunSetting($"{what}_x", vector.x, unit));
+            info.Settings.Add(new RunSetting($"{what}_y", vector.y, unit));
+            info.Settings.Add(new RunSetting($"{what}_z", vector.z, unit));
         }
     }
 }

@@ -35,7 +35,7 @@ public sealed class SubjectsTests
     [TestCase("rays across -5", "_raysAcross: 1920", "_raysAcross: -5")]
     [TestCase("maximum bounces 17", "_maxBounces: 4", "_maxBounces: 17")]
     [TestCase("receiver size -3 x 3 m", "_receiverSize: {x: 3, y: 3}", "_receiverSize: {x: -3, y: 3}")]
-    [TestCase("has no kernel", "_kernel: {fileID: 7200000", "_kernel: {fileID: 0} # {fileID: 7200000")]
+    [TestCase("RadarController of 'Radar Camera' has no kernel", "_kernel: {fileID: 7200000", "_kernel: {fileID: 0} # {fileID: 7200000")]
     public void Run_OfASceneWithABadRadar_IsRefusedByName(string message, params string[] replacements)
     {
         string scene = File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "Scenes/CornerReflector.unity"));
