@@ -103,7 +103,7 @@ namespace Glint
             _tracer ??= new RayTracer(_kernel, Subject);
 
             var watch = Stopwatch.StartNew();
-            TriangleScene scene;
+            TriangleMesh scene;
             using (s_gather.Auto())
                 scene = GatherScene();
             double gatherMs = watch.Elapsed.TotalMilliseconds;
@@ -116,7 +116,7 @@ namespace Glint
 
         /// <summary>The triangles that a pose would trace, in world space, metres.</summary>
         /// <exception cref="GlintException">A mesh is not fit to be traced.</exception>
-        public TriangleScene GatherScene()
+        public TriangleMesh GatherScene()
         {
             if (_roots.Exists(root => root == null))
                 throw new GlintException($"{Subject}: an entry of Roots is empty: assign an object or remove the entry");

@@ -60,7 +60,7 @@ namespace Glint
 
         /// <summary>Takes the triangles to trace from now on: builds the tree and fills the buffers.</summary>
         /// <exception cref="GlintException">The device cannot hold them.</exception>
-        public void SetScene(TriangleScene scene)
+        public void SetScene(TriangleMesh scene)
         {
             var watch = Stopwatch.StartNew();
             Bvh bvh;

@@ -28,7 +28,7 @@ namespace Glint
         /// <param name="roots">Objects to trace with all below them; empty: every loaded scene.</param>
         /// <param name="receiver">Never traced, with all below it: it is neither target nor obstacle. May be null.</param>
         /// <exception cref="GlintException">A mesh that cannot be traced; the message names it and the remedy.</exception>
-        public TriangleScene Gather(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver)
+        public TriangleMesh Gather(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver)
         {
             _vertices.Clear();
             _indices.Clear();
@@ -46,7 +46,7 @@ namespace Glint
             string skinned = string.Join("', '", Find<SkinnedMeshRenderer>(roots).Where(IsTraced).Select(r => r.name));
             if (skinned.Length > 0)
                 _warnings.Add($"skinned meshes are not traced: '{skinned}'. Bake them to a Mesh (SkinnedMeshRenderer.BakeMesh) to include them");
-            return new TriangleScene(_vertices.ToArray(), _indices.ToArray());
+            return new TriangleMesh(_vertices.ToArray(), _indices.ToArray());
         }
 
         static IEnumerable<T> Find<T>(IReadOnlyList<Transform> roots) where T : Component
@@ -98,8 +98,8 @@ namespace Glint
             for (int i = 0; i < vertices.Length; i++)
             {
                 float3 position = toWorld.MultiplyPoint3x4(vertices[i]);
-                if (!math.all(math.abs(position) <= TriangleScene.LargestCoordinate))
-                    throw new GlintException(FormattableString.Invariant($"{subject}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the world, where every coordinate must be within {TriangleScene.LargestCoordinate} m: mend the mesh, or the scale of the object and its parents"));
+                if (!math.all(math.abs(position) <= TriangleMesh.LargestCoordinate))
+                    throw new GlintException(FormattableString.Invariant($"{subject}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the world, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: mend the mesh, or the scale of the object and its parents"));
                 _vertices.Add(position);
             }
         }

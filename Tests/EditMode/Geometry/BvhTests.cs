@@ -23,7 +23,7 @@ namespace Glint.Tests
         public void Build_CoincidentTriangles_StillSplitsIntoSmallLeaves()
         {
             var corners = Enumerable.Range(0, 300).Select(i => float3(i % 3, i % 3 == 2 ? 1 : 0, 0)).ToArray();
-            Check(new TriangleScene(corners, Enumerable.Range(0, 300).ToArray()));
+            Check(new TriangleMesh(corners, Enumerable.Range(0, 300).ToArray()));
         }
 
         [Test]
@@ -37,26 +37,26 @@ namespace Glint.Tests
         public void Build_CoordinatesNearTheLargestFloat_EndsWithEveryTriangleInOneLeaf()
         {
             var corners = Enumerable.Range(0, 99).Select(i => (i % 2 == 0 ? 1 : -1) * float3(3e38f, i, 1e30f * i)).ToArray();
-            Check(new TriangleScene(corners, Enumerable.Range(0, 99).ToArray()));
+            Check(new TriangleMesh(corners, Enumerable.Range(0, 99).ToArray()));
         }
 
         [Test]
         public void Records_TriangleTooLargeForAFiniteArea_HasEdgesOfLengthZero()
         {
-            var scene = new TriangleScene(new[] { float3(0, 0, 0), float3(2e10f, 0, 0), float3(0, 2e10f, 0) }, new[] { 0, 1, 2 });
+            var scene = new TriangleMesh(new[] { float3(0, 0, 0), float3(2e10f, 0, 0), float3(0, 2e10f, 0) }, new[] { 0, 1, 2 });
             Assert.That(BvhBuilder.Build(scene).Records(scene).Single().Edge1, Is.EqualTo(default(float3)));
         }
 
         [Test]
         public void Records_TriangleWithoutArea_HasEdgesOfLengthZeroSoThatNothingHitsIt()
         {
-            var scene = new TriangleScene(new[] { float3(0, 0, 0), float3(1, 1, 1), float3(2, 2, 2) }, new[] { 0, 1, 2 });
+            var scene = new TriangleMesh(new[] { float3(0, 0, 0), float3(1, 1, 1), float3(2, 2, 2) }, new[] { 0, 1, 2 });
             var record = BvhBuilder.Build(scene).Records(scene).Single();
             Assert.That(record.Edge1, Is.EqualTo(default(float3)));
             Assert.That(record.Edge2, Is.EqualTo(default(float3)));
         }
 
-        static void Check(TriangleScene scene)
+        static void Check(TriangleMesh scene)
         {
             var bvh = BvhBuilder.Build(scene);
             Assert.That(bvh.TriangleOrder.OrderBy(t => t), Is.EqualTo(Enumerable.Range(0, scene.TriangleCount)), "every triangle once");
@@ -66,7 +66,7 @@ namespace Glint.Tests
             Assert.That(visited, Is.All.True, "every triangle is in a leaf");
         }
 
-        static int CheckNode(TriangleScene scene, Bvh bvh, int index, int level, bool[] visited)
+        static int CheckNode(TriangleMesh scene, Bvh bvh, int index, int level, bool[] visited)
         {
             Assert.That(level, Is.LessThanOrEqualTo(Bvh.MaxDepth), "levels");
             var node = bvh.Nodes[index];

@@ -12,7 +12,7 @@ namespace Glint.Tests
         public static ComputeShader Layout => Load("Packages/com.glint.tests/EditMode/Shaders/Layout.compute");
 
         /// <summary>One pose of a scene through the product's kernel.</summary>
-        public static RadarResult TraceOnce(TriangleScene scene, in RadarSettings settings, in RadarView view, KeptRays keep = KeptRays.Received)
+        public static RadarResult TraceOnce(TriangleMesh scene, in RadarSettings settings, in RadarView view, KeptRays keep = KeptRays.Received)
         {
             using (var tracer = new RayTracer(Trace))
             {

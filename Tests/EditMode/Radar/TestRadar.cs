@@ -39,21 +39,21 @@ namespace Glint.Tests
         }
 
         /// <summary>A parallelogram of two triangles from a corner along two edges.</summary>
-        public static TriangleScene Plate(float3 corner, float3 edge1, float3 edge2) =>
-            new TriangleScene(new[] { corner, corner + edge1, corner + edge1 + edge2, corner + edge2 }, new[] { 0, 1, 2, 0, 2, 3 });
+        public static TriangleMesh Plate(float3 corner, float3 edge1, float3 edge2) =>
+            new TriangleMesh(new[] { corner, corner + edge1, corner + edge1 + edge2, corner + edge2 }, new[] { 0, 1, 2, 0, 2, 3 });
 
         /// <summary>A square plate of a side in metres across the z axis, its middle at (0, 0, z).</summary>
-        public static TriangleScene FacingPlate(float side, float z) => Plate(float3(-side / 2, -side / 2, z), float3(side, 0, 0), float3(0, side, 0));
+        public static TriangleMesh FacingPlate(float side, float z) => Plate(float3(-side / 2, -side / 2, z), float3(side, 0, 0), float3(0, side, 0));
 
         /// <summary>Three square plates along the axes from a vertex: the inside of a box's corner.</summary>
-        public static TriangleScene Trihedral(float3 vertex, float side)
+        public static TriangleMesh Trihedral(float3 vertex, float side)
         {
             float3 x = float3(side, 0, 0), y = float3(0, side, 0), z = float3(0, 0, side);
             return Join(Plate(vertex, x, y), Plate(vertex, y, z), Plate(vertex, z, x));
         }
 
         /// <summary>Triangles of random place, size and turn in a box, the same for a seed.</summary>
-        public static TriangleScene Clutter(int triangles, uint seed, float halfSide = 10, float largest = 2)
+        public static TriangleMesh Clutter(int triangles, uint seed, float halfSide = 10, float largest = 2)
         {
             var random = new System.Random((int)seed);
             float Next() => (float)(2 * random.NextDouble() - 1);
@@ -67,20 +67,20 @@ namespace Glint.Tests
             }
             for (int i = 0; i < indices.Length; i++)
                 indices[i] = i;
-            return new TriangleScene(vertices, indices);
+            return new TriangleMesh(vertices, indices);
         }
 
         /// <summary>Triangles of so many sizes, each twice the one before, about 1 m in the middle, in turn; all near the origin: no plane parts them evenly.</summary>
-        public static TriangleScene PowersOfTwo(int triangles, int sizes)
+        public static TriangleMesh PowersOfTwo(int triangles, int sizes)
         {
             var random = new System.Random(7);
             var corners = new float3[3 * triangles];
             for (int i = 0; i < corners.Length; i++)
                 corners[i] = pow(2f, i / 3 % sizes - sizes / 2) * float3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble());
-            return new TriangleScene(corners, Enumerable.Range(0, corners.Length).ToArray());
+            return new TriangleMesh(corners, Enumerable.Range(0, corners.Length).ToArray());
         }
 
-        public static TriangleScene Join(params TriangleScene[] parts)
+        public static TriangleMesh Join(params TriangleMesh[] parts)
         {
             var vertices = new List<float3>();
             var indices = new List<int>();
@@ -90,9 +90,9 @@ namespace Glint.Tests
                     indices.Add(vertices.Count + index);
                 vertices.AddRange(part.Vertices);
             }
-            return new TriangleScene(vertices.ToArray(), indices.ToArray());
+            return new TriangleMesh(vertices.ToArray(), indices.ToArray());
         }
 
-        public static TriangleScene Empty => new TriangleScene(new float3[0], new int[0]);
+        public static TriangleMesh Empty => new TriangleMesh(new float3[0], new int[0]);
     }
 }

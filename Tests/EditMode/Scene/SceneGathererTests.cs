@@ -181,7 +181,7 @@ namespace Glint.Tests
             Assert.That(_gatherer.Warnings.Single(), Does.Contain("'Sailor'").And.Contain("skinned"));
         }
 
-        TriangleScene Gather(int layers = ~0, Transform receiver = null) => _gatherer.Gather(layers, new List<Transform> { _root }, receiver);
+        TriangleMesh Gather(int layers = ~0, Transform receiver = null) => _gatherer.Gather(layers, new List<Transform> { _root }, receiver);
 
         void AssertRefused(params string[] words)
         {
@@ -208,13 +208,13 @@ namespace Glint.Tests
 
         static Mesh SingleTriangle(string name) => new Mesh { name = name, vertices = new[] { Vector3.zero, Vector3.up, Vector3.right }, triangles = new[] { 0, 1, 2 } };
 
-        static void Bounds(TriangleScene scene, out float3 low, out float3 high)
+        static void Bounds(TriangleMesh scene, out float3 low, out float3 high)
         {
             low = scene.Vertices.Aggregate(min);
             high = scene.Vertices.Aggregate(max);
         }
 
-        static double Area(TriangleScene scene) => Enumerable.Range(0, scene.TriangleCount).Sum(t =>
+        static double Area(TriangleMesh scene) => Enumerable.Range(0, scene.TriangleCount).Sum(t =>
         {
             scene.GetTriangle(t, out var a, out var b, out var c);
             return length(cross(b - a, c - a)) / 2;

@@ -29,7 +29,7 @@ namespace Glint.Core
         /// The scene's triangles as the kernel reads them, in the order of the leaves.
         /// Triangles of less than 5e-17 m2, or so large that their area is not finite, reflect nothing.
         /// </summary>
-        public TriangleRecord[] Records(TriangleScene scene)
+        public TriangleRecord[] Records(TriangleMesh scene)
         {
             var records = new TriangleRecord[TriangleOrder.Length];
             for (int i = 0; i < records.Length; i++)

@@ -21,7 +21,7 @@ namespace Glint.Core
         readonly float[] _leftCosts = new float[Bins];
         int _nodeCount;
 
-        BvhBuilder(TriangleScene scene)
+        BvhBuilder(TriangleMesh scene)
         {
             int count = scene.TriangleCount;
             _boxes = new Box[count];
@@ -38,7 +38,7 @@ namespace Glint.Core
         }
 
         /// <summary>The tree of a scene whose coordinates are finite.</summary>
-        public static Bvh Build(TriangleScene scene)
+        public static Bvh Build(TriangleMesh scene)
         {
             var builder = new BvhBuilder(scene);
             if (scene.TriangleCount > 0)

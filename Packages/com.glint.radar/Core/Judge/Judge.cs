@@ -14,7 +14,7 @@ namespace Glint.Core
         readonly JudgeTree _tree;
 
         /// <param name="scene">Triangles in the coordinates of the view.</param>
-        public Judge(TriangleScene scene, in RadarSettings settings, in RadarView view)
+        public Judge(TriangleMesh scene, in RadarSettings settings, in RadarView view)
         {
             _settings = settings;
             _view = view;

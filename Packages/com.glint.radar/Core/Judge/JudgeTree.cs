@@ -18,7 +18,7 @@ namespace Glint.Core
         readonly Node _root;
         readonly double _nearestAllowed;
 
-        public JudgeTree(TriangleScene scene, double3 camera)
+        public JudgeTree(TriangleMesh scene, double3 camera)
         {
             int count = scene.TriangleCount;
             _a = new double3[count];

@@ -6,7 +6,10 @@ namespace Glint.Core
         /// <summary>Rays that reached the receiver.</summary>
         Received,
 
-        /// <summary>Every ray emitted: 48 bytes each on the device.</summary>
+        /// <summary>Every ray emitted: 48 bytes each.</summary>
         All,
+
+        /// <summary>None: only sums are read back.</summary>
+        None,
     }
 }

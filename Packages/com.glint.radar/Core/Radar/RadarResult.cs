@@ -25,7 +25,10 @@ namespace Glint.Core
         public RayData[] Rays = Array.Empty<RayData>();
 
         /// <summary>Objects with a mesh, and triangles, that were traced.</summary>
-        public int Objects, Triangles;
+        public long Objects, Triangles;
+
+        /// <summary>What the pose made the computer do.</summary>
+        public WorkDone Work;
 
         /// <summary>Milliseconds of each phase of the work.</summary>
         public Timings Timings;

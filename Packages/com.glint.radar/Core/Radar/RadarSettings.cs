@@ -24,14 +24,20 @@ namespace Glint.Core
         /// <summary>Most specular reflections a ray may make, 1 to 16.</summary>
         public int MaxBounces;
 
+        /// <summary>Part of the picture to trace; by default all of it.</summary>
+        public RayRegion Region;
+
         /// <summary>The published experiment: 10 GHz, 1920 x 1080 rays, 4 bounces.</summary>
         public static RadarSettings Default => new RadarSettings { FrequencyHz = 10e9, RaysAcross = 1920, RaysDown = 1080, MaxBounces = 4 };
 
         /// <summary>Wavelength in metres.</summary>
         public double Wavelength => Signal.Wavelength(FrequencyHz);
 
-        /// <summary>Rays emitted a pose.</summary>
+        /// <summary>Rays of the whole picture.</summary>
         public long RayCount => (long)RaysAcross * RaysDown;
+
+        /// <summary>Rays emitted a pose: those of the region.</summary>
+        public long RaysEmitted => Region.IsWhole ? RayCount : (long)Region.Width * Region.Height;
 
         /// <summary>Width of the view over its height.</summary>
         public double Aspect => (double)RaysAcross / RaysDown;
@@ -47,9 +53,15 @@ namespace Glint.Core
             ValidateRays(owner, "down", RaysDown);
             if (RayCount > uint.MaxValue)
                 throw new GlintException($"{owner}: {RaysAcross} x {RaysDown} are {RayCount} rays, and a ray's number has 32 bits: use at most {uint.MaxValue}");
+            if (!Region.IsWhole && !IsInPicture(Region))
+                throw new GlintException($"{owner}: region {Region.Left},{Region.Bottom},{Region.Width},{Region.Height} must have rays and lie within the picture of {RaysAcross} x {RaysDown}");
             if (MaxBounces < 1 || MaxBounces > BounceLimit)
                 throw new GlintException($"{owner}: maximum bounces {MaxBounces} must be from 1 to {BounceLimit}");
         }
+
+        bool IsInPicture(in RayRegion region) =>
+            region.Left >= 0 && region.Bottom >= 0 && region.Width > 0 && region.Height > 0
+            && region.Left <= RaysAcross - region.Width && region.Bottom <= RaysDown - region.Height;
 
         static void ValidateRays(string owner, string axis, int rays)
         {

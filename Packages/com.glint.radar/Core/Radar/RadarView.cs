@@ -44,8 +44,8 @@ namespace Glint.Core
 
         static void ValidatePlace(string owner, string what, double3 place)
         {
-            if (!math.all(math.abs(place) <= TriangleScene.LargestCoordinate))
-                throw new GlintException($"{owner}: its {what} stands at ({RadarSettings.Text(place.x)}, {RadarSettings.Text(place.y)}, {RadarSettings.Text(place.z)}) m, and every coordinate must be within {RadarSettings.Text(TriangleScene.LargestCoordinate)} m: bring the scene nearer to the world's origin");
+            if (!math.all(math.abs(place) <= TriangleMesh.LargestCoordinate))
+                throw new GlintException($"{owner}: its {what} stands at ({RadarSettings.Text(place.x)}, {RadarSettings.Text(place.y)}, {RadarSettings.Text(place.z)}) m, and every coordinate must be within {RadarSettings.Text(TriangleMesh.LargestCoordinate)} m: bring the scene nearer to the world's origin");
         }
     }
 }

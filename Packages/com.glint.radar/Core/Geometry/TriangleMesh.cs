@@ -2,16 +2,16 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>What the radar sees: triangles in Unity's axes (left-handed, y up), metres. Both sides of a triangle reflect.</summary>
-    public sealed class TriangleScene
+    /// <summary>Triangles in a frame of their own, metres, Unity's axes (left-handed, y up). Both sides of a triangle reflect. It does not change: a mesh that changed is a new one.</summary>
+    public sealed class TriangleMesh
     {
         /// <summary>Metres. Beyond it float32 places are a metre apart, and lengths are no longer right.</summary>
         public const float LargestCoordinate = 1e7f;
 
-        /// <summary>A scene over the given arrays, which are kept, not copied.</summary>
+        /// <summary>A mesh over the given arrays, which are kept, not copied.</summary>
         /// <param name="vertices">Positions in metres; every component finite.</param>
         /// <param name="indices">Three a triangle, each below the number of vertices.</param>
-        public TriangleScene(float3[] vertices, int[] indices)
+        public TriangleMesh(float3[] vertices, int[] indices)
         {
             Vertices = vertices;
             Indices = indices;

@@ -1,0 +1,56 @@
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>A transform of points in double precision: turn, scale (also mirrored or uneven) and shift.</summary>
+    public struct Affine
+    {
+        /// <summary>Where the unit vectors go; the columns.</summary>
+        public double3 X, Y, Z;
+
+        /// <summary>Where the origin goes, metres.</summary>
+        public double3 Origin;
+
+        public static Affine Identity => new Affine { X = new double3(1, 0, 0), Y = new double3(0, 1, 0), Z = new double3(0, 0, 1) };
+
+        /// <summary>Scale first, then rotation, then shift, as a Transform has them from its parent. The rotation need not be normalised; a zero one counts as none.</summary>
+        public static Affine FromTransform(double3 position, double4 rotation, double3 scale)
+        {
+            double square = math.dot(rotation, rotation);
+            double4 q = square > 0 ? rotation / math.sqrt(square) : new double4(0, 0, 0, 1);
+            return new Affine
+            {
+                X = scale.x * new double3(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)),
+                Y = scale.y * new double3(2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)),
+                Z = scale.z * new double3(2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y)),
+                Origin = position,
+            };
+        }
+
+        /// <summary>How much volumes grow; negative when it mirrors, 0 when it flattens.</summary>
+        public double Determinant => math.dot(X, math.cross(Y, Z));
+
+        public double3 Point(double3 p) => Vector(p) + Origin;
+
+        /// <summary>A direction or difference of points: not shifted.</summary>
+        public double3 Vector(double3 v) => v.x * X + v.y * Y + v.z * Z;
+
+        /// <summary>First <paramref name="second"/>, then <paramref name="first"/>: as matrices are multiplied.</summary>
+        public static Affine operator *(in Affine first, in Affine second) => new Affine
+        {
+            X = first.Vector(second.X), Y = first.Vector(second.Y), Z = first.Vector(second.Z), Origin = first.Point(second.Origin),
+        };
+
+        /// <summary>The way back; not finite when the transform flattens.</summary>
+        public Affine Inverse()
+        {
+            double d = Determinant;
+            double3 a = math.cross(Y, Z) / d, b = math.cross(Z, X) / d, c = math.cross(X, Y) / d; // rows of the inverse
+            return new Affine
+            {
+                X = new double3(a.x, b.x, c.x), Y = new double3(a.y, b.y, c.y), Z = new double3(a.z, b.z, c.z),
+                Origin = -new double3(math.dot(a, Origin), math.dot(b, Origin), math.dot(c, Origin)),
+            };
+        }
+    }
+}

@@ -1,0 +1,11 @@
+namespace Glint.Core
+{
+    /// <summary>A rectangle of the picture, in rays from its left and bottom edge; the rays outside are not emitted. Without area: the whole picture.</summary>
+    public struct RayRegion
+    {
+        public int Left, Bottom, Width, Height;
+
+        /// <summary>True when the whole picture is meant.</summary>
+        public bool IsWhole => Width == 0 && Height == 0;
+    }
+}
