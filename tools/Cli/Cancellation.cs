@@ -1,12 +1,13 @@
 using System;
+using System.Threading;
 
 namespace Glint.Cli;
 
-/// <summary>Ctrl-C: the first asks the work to stop after the pose in hand, the second ends the process.</summary>
+/// <summary>Ctrl-C: the first asks the work to stop, the second ends the process.</summary>
 sealed class Cancellation : IDisposable
 {
     readonly Terminal _terminal;
-    volatile bool _isRequested;
+    readonly CancellationTokenSource _source = new();
 
     public Cancellation(Terminal terminal)
     {
@@ -14,23 +15,30 @@ sealed class Cancellation : IDisposable
         Console.CancelKeyPress += OnCancel;
     }
 
-    public bool IsRequested => _isRequested;
+    public bool IsRequested => _source.IsCancellationRequested;
 
-    public void Dispose() => Console.CancelKeyPress -= OnCancel;
+    /// <summary>Cancelled by the first.</summary>
+    public CancellationToken Token => _source.Token;
+
+    public void Dispose()
+    {
+        Console.CancelKeyPress -= OnCancel;
+        _source.Dispose();
+    }
 
     void OnCancel(object sender, ConsoleCancelEventArgs press) => press.Cancel = Press();
 
     /// <summary>Ctrl-C was pressed; returns whether the process goes on.</summary>
     internal bool Press()
     {
-        if (_isRequested)
+        if (IsRequested)
         {
             // The bar hid it and will not come to its end.
             _terminal.Live?.Cursor.Show(true);
             return false;
         }
-        _isRequested = true;
-        _terminal.Tell("stopping after the pose in hand; Ctrl-C again ends at once");
+        _terminal.Tell("stopping; Ctrl-C again ends at once");
+        _source.Cancel();
         return true;
     }
 }

@@ -15,10 +15,24 @@ static class Product
         using var cancellation = new Cancellation(terminal);
         Project.Open(ProjectFolder.For(line.Input));
         Engine.DeviceSelector = line.Get(Options.Device);
+        string[] report = [];
+        int Work(IProgressSink progress)
+        {
+            if (line.Command != Commands.Bench)
+                return Batch.Execute(line, progress);
+            report = new BenchCommand(terminal).Execute(line, progress);
+            return 0;
+        }
+
         int exitCode = terminal.Live == null
-            ? Batch.Execute(line, new ProgressLines(terminal.Out, terminal.Error, cancellation, TimeProvider.System))
-            : ProgressBar.During(terminal, cancellation, progress => Batch.Execute(line, progress));
-        return cancellation.IsRequested ? throw new OperationCanceledException() : exitCode;
+            ? Work(new ProgressLines(terminal.Out, terminal.Error, cancellation, TimeProvider.System))
+            : ProgressBar.During(terminal, cancellation, Work);
+        if (cancellation.IsRequested)
+            throw new OperationCanceledException();
+        // In one piece when the bars are gone: they would be drawn anew below every line.
+        foreach (string text in report)
+            terminal.Out.WriteLine(text);
+        return exitCode;
     }
 
     // The log is for messages; results come through the progress sink.

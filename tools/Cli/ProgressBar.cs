@@ -1,5 +1,6 @@
 using System;
 using System.IO;
+using System.Threading;
 using Glint.Core;
 using Spectre.Console;
 
@@ -13,6 +14,7 @@ sealed class ProgressBar : IProgressSink
     readonly Cancellation _cancellation;
     ProgressTask _bar;
     string _what;
+    int _done;
 
     ProgressBar(ProgressContext bars, Action<string> print, Cancellation cancellation)
     {
@@ -21,7 +23,7 @@ sealed class ProgressBar : IProgressSink
         _cancellation = cancellation;
     }
 
-    public bool IsCancelled => _cancellation.IsRequested;
+    public CancellationToken Cancel => _cancellation.Token;
 
     /// <summary>Does the work with a bar on the screen, which goes when it is done.</summary>
     public static int During(Terminal terminal, Cancellation cancellation, Func<IProgressSink, int> work)
@@ -36,11 +38,15 @@ sealed class ProgressBar : IProgressSink
     public void Start(string what, int total)
     {
         _what = what;
+        _done = 0;
         _bar = _bars.AddTask(Markup.Escape(what), maxValue: total);
     }
 
+    public void Report(double value) => _bar.Value = _done + Math.Clamp(value, 0, 1);
+
     public void Advance(int done, string note)
     {
+        _done = done;
         _bar.Value = done;
         _bar.Description = Markup.Escape(note == null ? _what : $"{_what}: {note}");
     }

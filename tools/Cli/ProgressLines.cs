@@ -1,33 +1,47 @@
 using System;
 using System.IO;
+using System.Threading;
 using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>Progress for logs and pipes: a line now and then, and the last.</summary>
+/// <summary>Progress for logs and pipes: a line now and then, also within a long step, and the last.</summary>
 sealed class ProgressLines(TextWriter output, TextWriter messages, Cancellation cancellation, TimeProvider clock) : IProgressSink
 {
-    static readonly TimeSpan Interval = TimeSpan.FromSeconds(5);
+    static readonly TimeSpan Interval = TimeSpan.FromSeconds(5), LongStep = TimeSpan.FromSeconds(2);
 
     string _what;
-    int _total;
-    long _started, _written;
+    int _total, _done;
+    long _started, _stepStarted, _written;
 
-    public bool IsCancelled => cancellation.IsRequested;
+    public CancellationToken Cancel => cancellation.Token;
 
     public void Start(string what, int total)
     {
         _what = what;
         _total = total;
-        _started = _written = clock.GetTimestamp();
+        _done = 0;
+        _started = _stepStarted = _written = clock.GetTimestamp();
+    }
+
+    public void Report(double value)
+    {
+        bool isFirstOfStep = _written <= _stepStarted;
+        if (clock.GetElapsedTime(Math.Max(_written, _stepStarted)) < (isFirstOfStep ? LongStep : Interval))
+            return;
+        _written = clock.GetTimestamp();
+        string step = _total > 1 ? $"{_done} of {_total}, the next " : "";
+        messages.WriteLine(FormattableString.Invariant($"{_what}: {step}{100 * value:0} % done"));
     }
 
     public void Advance(int done, string note)
     {
+        _done = done;
+        _stepStarted = clock.GetTimestamp();
         if (done < _total && clock.GetElapsedTime(_written) < Interval)
             return;
-        _written = clock.GetTimestamp();
-        var elapsed = clock.GetElapsedTime(_started);
+        _written = _stepStarted;
+        var elapsed = clock.GetElapsedTime(_started, _stepStarted);
         string left = done > 0 && done < _total ? $", about {Text(elapsed * (_total - done) / done)} left" : $" in {Text(elapsed)}";
         messages.WriteLine($"{_what}: {done} of {_total}{left}{(note == null ? "" : $" ({note})")}");
     }

@@ -22,7 +22,7 @@ sealed unsafe class Allocation : IDisposable
     /// a discrete GPU's window onto its memory is not, since the host reads through it a hundred times slower than from a staging buffer.
     /// </summary>
     internal static Allocation ForKernels(VulkanDevice device, long bytes, bool map) => Create(device, bytes, "a buffer",
-        Native.StorageUsage | Native.TransferSource | Native.TransferTarget,
+        Native.StorageUsage | Native.UniformTexelUsage | Native.TransferSource | Native.TransferTarget,
         map ? [Native.DeviceLocal | Native.HostVisible | Native.HostCoherent | Native.HostCached, Native.DeviceLocal, 0] : [Native.DeviceLocal, 0],
         map);
 

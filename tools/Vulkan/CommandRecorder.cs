@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Glint.Vulkan;
 
@@ -12,7 +13,7 @@ sealed unsafe class CommandRecorder : IDisposable
     internal const int MaxDispatches = 16;
     internal const int UniformRingBytes = 256 << 10;
     const long StagingBytes = 16 << 20;
-    const uint PoolStorageBuffers = 1024, PoolUniformBuffers = 64;
+    const uint PoolStorageBuffers = 1024, PoolUniformBuffers = 64, PoolTexelBuffers = 256;
     const int ComputeBindPoint = 1;
 
     /// <summary>A dispatch that takes longer than this hangs.</summary>
@@ -20,6 +21,7 @@ sealed unsafe class CommandRecorder : IDisposable
 
     readonly VulkanDevice _device;
     readonly nint _queue;
+    readonly List<GpuBuffer> _uploadTargets = []; // of the uploads since the last barrier
     ulong _commandPool, _descriptorPool, _fence;
     nint _commands;
     Allocation _staging, _uniformRing;
@@ -44,8 +46,9 @@ sealed unsafe class CommandRecorder : IDisposable
         {
             new() { Type = Native.StorageBuffer, Count = PoolStorageBuffers },
             new() { Type = Native.UniformBuffer, Count = PoolUniformBuffers },
+            new() { Type = Native.UniformTexelBuffer, Count = PoolTexelBuffers },
         };
-        var descriptorInfo = new DescriptorPoolCreateInfo { SType = StructureType.DescriptorPoolCreateInfo, MaxSets = MaxDispatches, SizeCount = 2, Sizes = sizes };
+        var descriptorInfo = new DescriptorPoolCreateInfo { SType = StructureType.DescriptorPoolCreateInfo, MaxSets = MaxDispatches, SizeCount = 3, Sizes = sizes };
         VulkanException.Check(Native.vkCreateDescriptorPool(device.Handle, &descriptorInfo, null, out _descriptorPool), "make a descriptor pool");
     }
 
@@ -59,7 +62,9 @@ sealed unsafe class CommandRecorder : IDisposable
         Begin();
         Native.vkCmdBindPipeline(_commands, ComputeBindPoint, program.Pipeline);
         Native.vkCmdBindDescriptorSets(_commands, ComputeBindPoint, program.Layout, 0, 1, in set, 0, null);
+        _device.Clock.Stamp(_commands);
         Native.vkCmdDispatch(_commands, x, y, z);
+        _device.Clock.Stamp(_commands);
         program.LastBatch = Batch;
         foreach (var buffer in buffers)
             buffer.LastBatch = Batch;
@@ -79,6 +84,7 @@ sealed unsafe class CommandRecorder : IDisposable
         {
             var piece = Stage(data.Length, out long at);
             data[..piece.Length].CopyTo(piece);
+            BeginUpload(target);
             Copy(_staging.Buffer, at, target.Handle, offset, piece.Length);
             target.LastBatch = Batch;
             data = data[piece.Length..];
@@ -91,6 +97,7 @@ sealed unsafe class CommandRecorder : IDisposable
         while (data.Length > 0)
         {
             var piece = Stage(data.Length, out long at);
+            Begin();
             Copy(source.Handle, offset, _staging.Buffer, at, piece.Length);
             Flush();
             piece.CopyTo(data);
@@ -107,6 +114,7 @@ sealed unsafe class CommandRecorder : IDisposable
         int dispatches = _dispatches;
         _recording = false;
         _dispatches = 0;
+        _uploadTargets.Clear();
         Barrier();
         VulkanException.Check(Native.vkEndCommandBuffer(_commands), "record commands");
         nint commands = _commands;
@@ -124,12 +132,14 @@ sealed unsafe class CommandRecorder : IDisposable
         VulkanException.Check(result, run);
         VulkanException.Check(Native.vkResetFences(_device.Handle, 1, in _fence), run);
         VulkanException.Check(Native.vkResetDescriptorPool(_device.Handle, _descriptorPool, 0), run);
+        _device.Clock.EndBatch();
         Batch++;
         _stagingUsed = _uniformsUsed = 0;
     }
 
     void Begin()
     {
+        _uploadTargets.Clear();
         if (_recording)
         {
             Barrier();
@@ -138,6 +148,15 @@ sealed unsafe class CommandRecorder : IDisposable
         var info = new CommandBufferBeginInfo { SType = StructureType.CommandBufferBeginInfo, Flags = 1 }; // submitted once
         VulkanException.Check(Native.vkBeginCommandBuffer(_commands, &info), "record commands");
         _recording = true;
+        _device.Clock.BeginBatch(_commands);
+    }
+
+    /// <summary>Uploads in a row to different buffers need no barrier between them.</summary>
+    void BeginUpload(GpuBuffer target)
+    {
+        if (_uploadTargets.Count == 0 || _uploadTargets.Contains(target))
+            Begin();
+        _uploadTargets.Add(target);
     }
 
     void Barrier()
@@ -149,7 +168,6 @@ sealed unsafe class CommandRecorder : IDisposable
 
     void Copy(ulong from, long fromOffset, ulong to, long toOffset, long bytes)
     {
-        Begin();
         var copy = new BufferCopy { From = (ulong)fromOffset, To = (ulong)toOffset, Bytes = (ulong)bytes };
         Native.vkCmdCopyBuffer(_commands, from, to, 1, &copy);
     }
@@ -187,21 +205,25 @@ sealed unsafe class CommandRecorder : IDisposable
         if (count == 0)
             return;
         var targets = stackalloc DescriptorBufferInfo[count];
+        var views = stackalloc ulong[count];
         var writes = stackalloc WriteDescriptorSet[count];
         for (int i = 0; i < count; i++)
         {
             bool isBuffer = i < buffers.Length;
+            bool isTexel = isBuffer && program.Slots[i].IsTexel;
             targets[i] = isBuffer
                 ? new DescriptorBufferInfo { Buffer = buffers[i].Handle, Range = (ulong)buffers[i].Bytes }
                 : PlaceUniforms(blocks[i - buffers.Length], uniforms);
+            views[i] = isTexel ? buffers[i].TexelView : 0;
             writes[i] = new WriteDescriptorSet
             {
                 SType = StructureType.WriteDescriptorSet,
                 Set = set,
                 Binding = isBuffer ? program.Slots[i].Binding : blocks[i - buffers.Length].Binding,
                 Count = 1,
-                Type = isBuffer ? Native.StorageBuffer : Native.UniformBuffer,
+                Type = isBuffer ? program.Slots[i].DescriptorType : Native.UniformBuffer,
                 Buffer = targets + i,
+                TexelBuffer = views + i,
             };
         }
         Native.vkUpdateDescriptorSets(_device.Handle, (uint)count, writes, 0, null);

@@ -86,8 +86,8 @@ public sealed unsafe class ComputeProgram : IDisposable
 
     void CheckLimits(DeviceLimits limits)
     {
-        if (Slots.Count > limits.MaxStorageBuffersPerStage)
-            throw new VulkanException($"kernel {Name} uses {Slots.Count} buffers, {_device.Info.Name} takes {limits.MaxStorageBuffersPerStage}");
+        CheckCount("buffers", Slots.Count(slot => !slot.IsTexel), limits.MaxStorageBuffersPerStage);
+        CheckCount("texel buffers", Slots.Count(slot => slot.IsTexel), limits.MaxTexelBuffersPerStage);
         if (Blocks.FirstOrDefault(block => block.Bytes > limits.MaxUniformBufferRange) is { Bytes: > 0 } large)
             throw new VulkanException($"kernel {Name} has {large.Bytes:N0} bytes of uniforms in one block, {_device.Info.Name} takes {limits.MaxUniformBufferRange:N0}");
         if (UniformBytes > CommandRecorder.UniformRingBytes)
@@ -95,6 +95,12 @@ public sealed unsafe class ComputeProgram : IDisposable
         var (x, y, z) = GroupSize;
         if (x > limits.MaxGroupSizeX || y > limits.MaxGroupSizeY || z > limits.MaxGroupSizeZ || (ulong)x * y * z > limits.MaxGroupInvocations)
             throw new VulkanException($"kernel {Name} has groups of {x} x {y} x {z} threads, {_device.Info.Name} takes {limits.MaxGroupInvocations} in all");
+    }
+
+    void CheckCount(string what, int count, int most)
+    {
+        if (count > most)
+            throw new VulkanException($"kernel {Name} uses {count} {what}, {_device.Info.Name} takes {most}");
     }
 
     void CreateModule(ReadOnlySpan<byte> spirv)
@@ -108,7 +114,7 @@ public sealed unsafe class ComputeProgram : IDisposable
 
     void CreateLayout()
     {
-        var bindings = Slots.Select(slot => (slot.Binding, Type: Native.StorageBuffer))
+        var bindings = Slots.Select(slot => (slot.Binding, Type: slot.DescriptorType))
             .Concat(Blocks.Select(block => (block.Binding, Type: Native.UniformBuffer)))
             .Select(binding => new DescriptorSetLayoutBinding { Binding = binding.Binding, Type = binding.Type, Count = 1, Stages = Native.ComputeShader })
             .ToArray();

@@ -9,6 +9,9 @@ namespace Glint.Vulkan;
 /// <param name="MemoryBytes">Size of the largest heap of the device's own memory.</param>
 /// <param name="TimestampPeriodNs">Length of a tick of the device's clock, nanoseconds.</param>
 /// <param name="MaxStorageBuffersPerStage">Most buffers that a kernel can use.</param>
+/// <param name="MaxTexelBufferElements">Most elements of a Buffer&lt;uint4&gt;.</param>
+/// <param name="MaxTexelBuffersPerStage">Most of these that a kernel can use.</param>
+/// <param name="TimestampBits">Bits of the device's clock that count; 0 when kernels cannot be timed.</param>
 public sealed record DeviceLimits(
     long MaxStorageBufferRange,
     long MaxUniformBufferRange,
@@ -17,4 +20,7 @@ public sealed record DeviceLimits(
     uint MaxGroupInvocations,
     long MemoryBytes,
     float TimestampPeriodNs,
-    int MaxStorageBuffersPerStage);
+    int MaxStorageBuffersPerStage,
+    long MaxTexelBufferElements,
+    int MaxTexelBuffersPerStage,
+    int TimestampBits);

@@ -10,7 +10,7 @@ namespace Glint.Vulkan;
 static class StructureType
 {
     internal const int ApplicationInfo = 0, InstanceCreateInfo = 1, DeviceQueueCreateInfo = 2, DeviceCreateInfo = 3, SubmitInfo = 4,
-        MemoryAllocateInfo = 5, FenceCreateInfo = 8, BufferCreateInfo = 12, ShaderModuleCreateInfo = 16, PipelineShaderStageCreateInfo = 18,
+        MemoryAllocateInfo = 5, FenceCreateInfo = 8, QueryPoolCreateInfo = 11, BufferCreateInfo = 12, BufferViewCreateInfo = 13, ShaderModuleCreateInfo = 16, PipelineShaderStageCreateInfo = 18,
         ComputePipelineCreateInfo = 29, PipelineLayoutCreateInfo = 30, DescriptorSetLayoutCreateInfo = 32, DescriptorPoolCreateInfo = 33,
         DescriptorSetAllocateInfo = 34, WriteDescriptorSet = 35, CommandPoolCreateInfo = 39, CommandBufferAllocateInfo = 40,
         CommandBufferBeginInfo = 42, MemoryBarrier = 46, PhysicalDeviceProperties2 = 1000059001, PhysicalDeviceMaintenance3Properties = 1000168000,
@@ -37,14 +37,7 @@ unsafe struct DeviceQueueCreateInfo
 unsafe struct DeviceCreateInfo
 {
     internal int SType; internal void* Next; internal uint Flags, QueueInfoCount; internal DeviceQueueCreateInfo* QueueInfos;
-    internal uint LayerCount; internal byte** Layers; internal uint ExtensionCount; internal byte** Extensions; internal PhysicalDeviceFeatures* Features;
-}
-
-/// <summary>55 switches of which only the first is used: reads beyond a buffer give 0 and writes are dropped, as in Direct3D.</summary>
-[StructLayout(LayoutKind.Explicit, Size = 220)]
-struct PhysicalDeviceFeatures
-{
-    [FieldOffset(0)] internal uint RobustBufferAccess;
+    internal uint LayerCount; internal byte** Layers; internal uint ExtensionCount; internal byte** Extensions; internal void* Features;
 }
 
 /// <summary>VkPhysicalDeviceProperties2 with the limits that are used, at their offsets.</summary>
@@ -59,9 +52,11 @@ unsafe struct PhysicalDeviceProperties2
     [FieldOffset(28)] internal uint DeviceId;
     [FieldOffset(32)] internal int DeviceType;
     [FieldOffset(36)] internal fixed byte DeviceName[256];
+    [FieldOffset(332)] internal uint MaxTexelBufferElements;
     [FieldOffset(336)] internal uint MaxUniformBufferRange;
     [FieldOffset(340)] internal uint MaxStorageBufferRange;
     [FieldOffset(388)] internal uint MaxStorageBuffersPerStage;
+    [FieldOffset(392)] internal uint MaxSampledImagesPerStage;
     [FieldOffset(532)] internal fixed uint MaxGroupCount[3];
     [FieldOffset(544)] internal uint MaxGroupInvocations;
     [FieldOffset(548)] internal fixed uint MaxGroupSize[3];
@@ -111,6 +106,16 @@ unsafe struct MemoryAllocateInfo
 unsafe struct BufferCreateInfo
 {
     internal int SType; internal void* Next; internal uint Flags; internal ulong Size; internal uint Usage, SharingMode, QueueFamilyCount; internal uint* QueueFamilies;
+}
+
+unsafe struct BufferViewCreateInfo
+{
+    internal int SType; internal void* Next; internal uint Flags; internal ulong Buffer; internal int Format; internal ulong Offset, Range;
+}
+
+unsafe struct QueryPoolCreateInfo
+{
+    internal int SType; internal void* Next; internal uint Flags; internal int QueryType; internal uint Count, Statistics;
 }
 
 unsafe struct ShaderModuleCreateInfo
@@ -166,7 +171,7 @@ struct DescriptorBufferInfo
 unsafe struct WriteDescriptorSet
 {
     internal int SType; internal void* Next; internal ulong Set; internal uint Binding, ArrayElement, Count, Type;
-    internal void* Image; internal DescriptorBufferInfo* Buffer; internal void* TexelBuffer;
+    internal void* Image; internal DescriptorBufferInfo* Buffer; internal ulong* TexelBuffer;
 }
 
 unsafe struct CommandPoolCreateInfo

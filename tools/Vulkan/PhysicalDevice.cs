@@ -44,7 +44,7 @@ sealed unsafe class PhysicalDevice
                 memoryBytes = Math.Max(memoryBytes, (long)memory.HeapSize(heap));
 
         _type = properties.DeviceType >= 0 && properties.DeviceType < TypeNames.Length ? properties.DeviceType : 0;
-        QueueFamily = FindQueueFamily(handle);
+        QueueFamily = FindQueueFamily(handle, out int timestampBits);
         string driverText = ApiVersion >= Vulkan12
             ? $"{Native.Text(driver.Name)} {Native.Text(driver.Info)}".Trim()
             : Version(properties.DriverVersion);
@@ -55,7 +55,10 @@ sealed unsafe class PhysicalDevice
             properties.MaxGroupCount[0], properties.MaxGroupCount[1], properties.MaxGroupCount[2],
             properties.MaxGroupSize[0], properties.MaxGroupSize[1], properties.MaxGroupSize[2],
             properties.MaxGroupInvocations, memoryBytes, properties.TimestampPeriod,
-            (int)Math.Min(properties.MaxStorageBuffersPerStage, int.MaxValue));
+            (int)Math.Min(properties.MaxStorageBuffersPerStage, int.MaxValue),
+            properties.MaxTexelBufferElements,
+            (int)Math.Min(properties.MaxSampledImagesPerStage, int.MaxValue),
+            timestampBits);
     }
 
     internal PhysicalDevice At(int index)
@@ -73,14 +76,16 @@ sealed unsafe class PhysicalDevice
         return -1;
     }
 
-    static int FindQueueFamily(nint handle)
+    static int FindQueueFamily(nint handle, out int timestampBits)
     {
         uint count = 0;
         Native.vkGetPhysicalDeviceQueueFamilyProperties(handle, ref count, null);
         var families = new QueueFamilyProperties[count];
         fixed (QueueFamilyProperties* data = families)
             Native.vkGetPhysicalDeviceQueueFamilyProperties(handle, ref count, data);
-        return Array.FindIndex(families, family => (family.Flags & Native.ComputeQueue) != 0);
+        int index = Array.FindIndex(families, family => (family.Flags & Native.ComputeQueue) != 0);
+        timestampBits = index < 0 ? 0 : (int)families[index].TimestampBits;
+        return index;
     }
 
     static string Version(uint version) => $"{version >> 22}.{version >> 12 & 0x3ff}.{version & 0xfff}";

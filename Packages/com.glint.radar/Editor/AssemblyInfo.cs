@@ -2,3 +2,4 @@ using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("Glint.Tests.EditMode")]
 [assembly: InternalsVisibleTo("Glint.Host.Tests")]
+[assembly: InternalsVisibleTo("glint-cli")]

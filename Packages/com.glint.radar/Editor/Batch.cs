@@ -24,6 +24,7 @@ namespace Glint.Editor
         /// <summary>Does what a command line says, without leaving edit mode; the scene is not saved.</summary>
         /// <returns>The exit code: 0 done, 130 cancelled.</returns>
         /// <exception cref="GlintException">Something is wrong with a file, the scene or the device.</exception>
+        /// <exception cref="OperationCanceledException">Cancelled within a pose; the rows before it are kept.</exception>
         public static int Execute(CommandLine line, IProgressSink progress)
         {
             var subjects = SceneSubjects.Open(line);
@@ -49,9 +50,9 @@ namespace Glint.Editor
             progress.Start(subjects.Name, run.Count);
             try
             {
-                while (!run.IsComplete && !progress.IsCancelled)
+                while (!run.IsComplete && !progress.Cancel.IsCancellationRequested)
                 {
-                    var row = run.Step();
+                    var row = run.Step(progress, progress.Cancel);
                     if (run.Done == 1)
                         progress.Print(PoseTable.Header);
                     hit += row.Result.RaysHit;

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>The radar that a command traces with and what it turns, from a scene of the project or from a mesh file.</summary>
+    /// <summary>The radar that a command traces with and what it turns, from a scene of the project, from a mesh file, or the built-in ones.</summary>
     sealed class SceneSubjects
     {
         const string KernelPath = "Packages/com.glint.radar/Shaders/Trace.compute";
@@ -23,7 +23,7 @@ namespace Glint.Editor
         /// <summary>Name of the scene or mesh file without folder and extension.</summary>
         public string Name { get; }
 
-        /// <summary>Asset path of the scene, or path of the mesh file as given.</summary>
+        /// <summary>Asset path of the scene, or path of the mesh file as given; null for the built-in scene.</summary>
         public string Scene { get; }
 
         public RadarController Radar { get; }
@@ -33,7 +33,15 @@ namespace Glint.Editor
 
         /// <summary>Opens what the command line names.</summary>
         /// <exception cref="GlintException">It is not there, or holds no radar or no such target.</exception>
-        public static SceneSubjects Open(CommandLine line) => line.InputKind == InputKind.Scene ? OpenScene(line) : OpenMeshFile(line);
+        public static SceneSubjects Open(CommandLine line)
+        {
+            switch (line.InputKind)
+            {
+                case InputKind.Scene: return OpenScene(line);
+                case InputKind.BuiltIn: return MakeBuiltIn(line);
+                default: return OpenMeshFile(line);
+            }
+        }
 
         static SceneSubjects OpenScene(CommandLine line)
         {
@@ -58,6 +66,21 @@ namespace Glint.Editor
             int flat = file.CountDegenerate();
             if (flat > 0)
                 Debug.LogWarning($"{line.Input}: {flat} of {file.TriangleCount} triangles have no area; they reflect nothing");
+            return Show(file, line);
+        }
+
+        // The mesh options are refused here: their defaults are the published experiment's camera.
+        static SceneSubjects MakeBuiltIn(CommandLine line)
+        {
+            var made = new SeaAndShip(line.Get(Options.Seed), line.Get(Options.SeaTriangles), line.Get(Options.ShipTriangles));
+            var subjects = Show(new MeshFile("Ship", made.Ship.Vertices, made.Ship.Indices), line);
+            MeshFileScene.MakeObject(new MeshFile("Sea", made.Sea.Vertices, made.Sea.Indices));
+            return new SceneSubjects("sea and ship", null, subjects.Radar, subjects.Target);
+        }
+
+        // A new scene with the mesh, a radar before it and nothing else.
+        static SceneSubjects Show(MeshFile file, CommandLine line)
+        {
             EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
             var stand = new RadarStand
             {
@@ -76,6 +99,8 @@ namespace Glint.Editor
         {
             if (line.IsGiven(Options.Size))
                 (settings.RaysAcross, settings.RaysDown) = (line.Get(Options.Size).x, line.Get(Options.Size).y);
+            if (line.IsGiven(Options.Region))
+                settings.Region = line.Get(Options.Region);
             if (line.IsGiven(Options.Frequency))
                 settings.FrequencyHz = line.Get(Options.Frequency);
             if (line.IsGiven(Options.Bounces))

@@ -19,6 +19,12 @@ namespace Glint
         /// <summary>The buffer; null before the first <see cref="Reserve"/>.</summary>
         public GraphicsBuffer Buffer => _buffer;
 
+        /// <summary>Bytes an element takes.</summary>
+        public int Stride => s_stride;
+
+        /// <summary>Bytes on the device.</summary>
+        public long Bytes => (long)Capacity * s_stride;
+
         public int Capacity => _buffer == null ? 0 : _buffer.count;
 
         /// <summary>Most elements that the device holds in one buffer.</summary>
@@ -45,13 +51,11 @@ namespace Glint
                 _buffer.SetData(elements);
         }
 
-        /// <summary>The first elements, waiting for the work before.</summary>
-        public T[] ReadBack(int count)
+        /// <summary>Reads the first elements into an array, waiting for the work before.</summary>
+        public void ReadBack(T[] elements, int count)
         {
-            var elements = new T[count];
             if (count > 0)
                 _buffer.GetData(elements, 0, 0, count);
-            return elements;
         }
 
         public void Dispose()

@@ -1,33 +1,45 @@
 using System;
 using System.Diagnostics;
+using System.Threading;
 using Glint.Core;
 using UnityEngine;
 using Debug = UnityEngine.Debug;
 
 namespace Glint
 {
-    /// <summary>Progress as lines of Unity's console: at the first step, every two seconds, and at the last.</summary>
+    /// <summary>Progress as lines of Unity's console: at the first step, every two seconds (also within a step that takes so long), and at the last.</summary>
     public sealed class LogProgress : IProgressSink
     {
         const double SecondsBetweenLines = 2;
 
         readonly Stopwatch _sinceStart = new Stopwatch();
         string _what;
-        int _total;
-        double _lastLine;
+        int _total, _done;
+        double _stepStart, _lastLine;
 
-        public bool IsCancelled => false;
+        public CancellationToken Cancel => CancellationToken.None;
 
         public void Start(string what, int total)
         {
-            (_what, _total) = (what, total);
+            (_what, _total, _done) = (what, total, 0);
             _sinceStart.Restart();
+            _stepStart = 0;
             _lastLine = double.NegativeInfinity;
+        }
+
+        public void Report(double value)
+        {
+            double now = _sinceStart.Elapsed.TotalSeconds;
+            if (now - Math.Max(_stepStart, _lastLine) < SecondsBetweenLines)
+                return;
+            _lastLine = now;
+            Debug.Log(FormattableString.Invariant($"Glint {_what}: {_done} of {_total}, the next {100 * value:0} % done"));
         }
 
         public void Advance(int done, string note)
         {
             double now = _sinceStart.Elapsed.TotalSeconds;
+            (_done, _stepStart) = (done, now);
             if (done < _total && now - _lastLine < SecondsBetweenLines)
                 return;
             _lastLine = now;

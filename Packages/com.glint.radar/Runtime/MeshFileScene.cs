@@ -29,9 +29,7 @@ namespace Glint
         /// <param name="kernel">Shaders/Trace.compute.</param>
         public static MeshFileScene Create(MeshFile file, in RadarStand stand, in RadarSettings settings, Vector2 receiverSize, ComputeShader kernel)
         {
-            var target = new GameObject(file.Name);
-            target.AddComponent<MeshFilter>().sharedMesh = MakeMesh(file);
-            target.AddComponent<MeshRenderer>();
+            var target = MakeObject(file);
 
             var camera = new GameObject("Radar Camera").AddComponent<Camera>();
             var rotation = Quaternion.Euler((float)stand.GrazingDegrees, (float)stand.AzimuthDegrees, 0);
@@ -48,7 +46,16 @@ namespace Glint
             radar.Receiver = receiver;
             radar.ReceiverSize = receiverSize;
             radar.Kernel = kernel;
-            return new MeshFileScene(target.transform, radar);
+            return new MeshFileScene(target, radar);
+        }
+
+        /// <summary>The mesh as an object of the active scene, at the origin.</summary>
+        internal static Transform MakeObject(MeshFile file)
+        {
+            var made = new GameObject(file.Name);
+            made.AddComponent<MeshFilter>().sharedMesh = MakeMesh(file);
+            made.AddComponent<MeshRenderer>();
+            return made.transform;
         }
 
         static Mesh MakeMesh(MeshFile file)

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Threading;
 using Glint.Core;
 using Unity.Mathematics;
 using Unity.Profiling;
@@ -46,6 +47,12 @@ namespace Glint
         [SerializeField, Tooltip("Which rays a result carries one by one. All takes 48 bytes a ray.")]
         KeptRays _keptRays = KeptRays.Received;
 
+        [SerializeField, Tooltip("Left and bottom edge, in rays, of the part of the picture to trace.")]
+        Vector2Int _regionCorner;
+
+        [SerializeField, Tooltip("Rays across and down of the part of the picture to trace; the others are not emitted. 0 x 0: the whole picture.")]
+        Vector2Int _regionSize;
+
         [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Trace.compute")]
         ComputeShader _kernel;
 
@@ -55,11 +62,20 @@ namespace Glint
         readonly HashSet<string> _warned = new HashSet<string>();
         RayTracer _tracer;
 
-        /// <summary>Frequency, rays and bounces. Checked when a pose is traced.</summary>
+        /// <summary>Frequency, rays, bounces and the part of the picture. Checked when a pose is traced.</summary>
         public RadarSettings Settings
         {
-            get => new RadarSettings { FrequencyHz = _frequencyHz, RaysAcross = _raysAcross, RaysDown = _raysDown, MaxBounces = _maxBounces };
-            set => (_frequencyHz, _raysAcross, _raysDown, _maxBounces) = (value.FrequencyHz, value.RaysAcross, value.RaysDown, value.MaxBounces);
+            get => new RadarSettings
+            {
+                FrequencyHz = _frequencyHz, RaysAcross = _raysAcross, RaysDown = _raysDown, MaxBounces = _maxBounces,
+                Region = new RayRegion { Left = _regionCorner.x, Bottom = _regionCorner.y, Width = _regionSize.x, Height = _regionSize.y },
+            };
+            set
+            {
+                (_frequencyHz, _raysAcross, _raysDown, _maxBounces) = (value.FrequencyHz, value.RaysAcross, value.RaysDown, value.MaxBounces);
+                _regionCorner = new Vector2Int(value.Region.Left, value.Region.Bottom);
+                _regionSize = new Vector2Int(value.Region.Width, value.Region.Height);
+            }
         }
 
         /// <summary>Middle of the receiver; it faces along the transform's forward axis.</summary>
@@ -88,12 +104,26 @@ namespace Glint
             }
         }
 
+        /// <summary>Count the nodes visited and pairs tested: <see cref="WorkDone"/>. Slower; for benchmarks.</summary>
+        public bool CountVisits { get; set; }
+
         /// <summary>The last pose traced; null before the first.</summary>
         public RadarResult Result { get; private set; }
 
-        /// <summary>Traces the scene as it stands now; returns when the sums are there.</summary>
+        /// <summary>Traces the scene as it stands now; returns when the sums are there. The result carries the rays that <see cref="KeptRays"/> says.</summary>
+        /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
+        /// <param name="cancel">Ends the pose between two dispatches; the result before stays.</param>
         /// <exception cref="GlintException">The radar or a mesh is not fit to be traced, or the device cannot hold the work.</exception>
-        public RadarResult Trace()
+        /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
+        public RadarResult Trace(IProgress<double> progress = null, CancellationToken cancel = default) => Trace(_keptRays, progress, cancel);
+
+        /// <summary>Traces the scene as it stands now; returns when the sums are there.</summary>
+        /// <param name="keep">Which rays the result carries one by one; none is the fastest.</param>
+        /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
+        /// <param name="cancel">Ends the pose between two dispatches; the result before stays.</param>
+        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced, or the device cannot hold the work.</exception>
+        /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
+        public RadarResult Trace(KeptRays keep, IProgress<double> progress = null, CancellationToken cancel = default)
         {
             var settings = Settings;
             var view = View();
@@ -103,20 +133,28 @@ namespace Glint
             _tracer ??= new RayTracer(_kernel, Subject);
 
             var watch = Stopwatch.StartNew();
-            TriangleMesh scene;
+            RadarScene scene;
             using (s_gather.Auto())
                 scene = GatherScene();
             double gatherMs = watch.Elapsed.TotalMilliseconds;
+            _tracer.CountVisits = CountVisits;
             _tracer.SetScene(scene);
-            Result = _tracer.Trace(settings, view, _keptRays);
-            Result.Objects = _gatherer.ObjectCount;
-            Result.Timings.GatherMs = gatherMs;
-            return Result;
+            var result = _tracer.Trace(settings, view, keep, progress, cancel);
+            result.Objects = _gatherer.ObjectCount;
+            result.Timings.GatherMs = gatherMs;
+            Result = result;
+            return result;
         }
 
-        /// <summary>The triangles that a pose would trace, in world space, metres.</summary>
+        /// <summary>
+        /// Says that a transform will move, so that the first motion costs no more than the next: what moves as a whole is kept apart from the rest of the scene.
+        /// Motion that nobody announced is noticed, at the price of one rebuild.
+        /// </summary>
+        public void ExpectMotion(Transform transform) => _gatherer.ExpectMotion(transform);
+
+        /// <summary>What a pose would trace: meshes at their places in the world, metres. Meshes that have not changed are the same objects as the last time.</summary>
         /// <exception cref="GlintException">A mesh is not fit to be traced.</exception>
-        public TriangleMesh GatherScene()
+        public RadarScene GatherScene()
         {
             if (_roots.Exists(root => root == null))
                 throw new GlintException($"{Subject}: an entry of Roots is empty: assign an object or remove the entry");
@@ -152,9 +190,10 @@ namespace Glint
             };
         }
 
-        /// <summary>Lets go of the GPU's buffers; the next pose makes them anew.</summary>
+        /// <summary>Lets go of the GPU's buffers and of what was gathered; the next pose makes them anew.</summary>
         public void Release()
         {
+            _gatherer.Forget();
             _tracer?.Dispose();
             _tracer = null;
         }

@@ -1,5 +1,7 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
+using System.Threading;
 using Glint.Core;
 using Unity.Mathematics;
 using Unity.Profiling;
@@ -9,190 +11,193 @@ using UnityEngine.Rendering;
 namespace Glint
 {
     /// <summary>
-    /// Traces a radar's rays through triangles on the GPU. It owns the buffers and knows no scene: a test can make one from a kernel and an array of triangles.
+    /// Traces a radar's rays through a scene's triangles on the GPU. It owns the buffers and knows no GameObjects: a test can make one from a kernel and an array of triangles.
     /// </summary>
     public sealed class RayTracer : IDisposable
     {
         // As many received rays as most scenes return; a scene that returns more is traced once again with room for all.
         const int FirstRayCapacity = 65536;
 
+        // GROUPS_A_ROW in Shaders/Trace.compute.
+        const int GroupsARow = 64;
+
+        const int MostTilesADispatch = 65535 * GroupsARow;
+
         static readonly ProfilerMarker s_build = new ProfilerMarker("Glint.Build");
         static readonly ProfilerMarker s_trace = new ProfilerMarker("Glint.Trace");
-        static readonly ProfilerMarker s_sum = new ProfilerMarker("Glint.Sum");
 
         readonly string _owner;
-        readonly ComputeShader _shader;
-        readonly int _kernel;
-        readonly int _groupWidth, _groupHeight;
-        readonly DeviceBuffer<BvhNode> _nodes = new DeviceBuffer<BvhNode>("tree nodes");
-        readonly DeviceBuffer<TriangleRecord> _triangles = new DeviceBuffer<TriangleRecord>("triangles");
+        readonly TraceKernel _kernel;
+        readonly bool _isSoftware;
+        readonly DeviceScene _scene;
+        readonly DeviceBuffer<uint> _tiles = new DeviceBuffer<uint>("tiles of 64 rays");
+        readonly DeviceBuffer<uint> _sums = new DeviceBuffer<uint>("sums");
         readonly DeviceBuffer<RayData> _rays = new DeviceBuffer<RayData>("rays kept one by one");
-        readonly DeviceBuffer<uint> _rayCounter = new DeviceBuffer<uint>("counters");
-        readonly DeviceBuffer<GroupSum> _groupSums = new DeviceBuffer<GroupSum>("groups of 64 rays");
-        readonly uint[] _zero = new uint[1];
-        int _triangleCount = -1;
+        readonly DispatchPacer _pacer = new DispatchPacer();
+        readonly uint[] _zeros = new uint[RaySums.Slots * RaySums.WordsPerSlot], _words = new uint[RaySums.Slots * RaySums.WordsPerSlot];
+        WorkDone _sceneWork;
         double _buildMs, _uploadMs;
 
         /// <param name="shader">Shaders/Trace.compute.</param>
         /// <param name="owner">Whose it is, for messages.</param>
         /// <exception cref="GlintException">There is no graphics device, or it cannot run the kernel.</exception>
         public RayTracer(ComputeShader shader, string owner = nameof(RayTracer))
+            : this(shader, owner, SoftwareDevice.IsInUse)
+        {
+        }
+
+        /// <param name="asSoftware">Trace as suits a software device: another tree and kernel, the same results.</param>
+        internal RayTracer(ComputeShader shader, string owner, bool asSoftware)
         {
             if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
                 throw new GlintException("there is no graphics device (graphics device type Null): start Unity without -nographics");
             if (!SystemInfo.supportsComputeShaders)
                 throw new GlintException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) runs no compute shaders: use Direct3D 11 or 12, Vulkan or Metal");
-            if (shader == null)
-                throw new GlintException($"{owner} has no kernel: assign Packages/com.glint.radar/Shaders/Trace.compute");
-            if (!shader.HasKernel("Trace"))
-                throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel 'Trace': assign Packages/com.glint.radar/Shaders/Trace.compute");
             _owner = owner;
-            _shader = shader;
-            _kernel = shader.FindKernel("Trace");
-            if (!shader.IsSupported(_kernel))
-                throw new GlintException($"kernel 'Trace' of compute shader '{shader.name}' does not run on {SystemInfo.graphicsDeviceName}: see the shader's import messages");
-            shader.GetKernelThreadGroupSizes(_kernel, out uint width, out uint height, out _);
-            _groupWidth = (int)width;
-            _groupHeight = (int)height;
-            _rayCounter.Reserve(1);
+            _isSoftware = asSoftware;
+            _kernel = new TraceKernel(shader, _isSoftware, owner);
+            _scene = new DeviceScene(_isSoftware ? TreeShape.Wide : TreeShape.Binary, owner);
+            _sums.Reserve(_zeros.Length);
             _rays.Reserve(FirstRayCapacity);
         }
 
-        /// <summary>Takes the triangles to trace from now on: builds the tree and fills the buffers.</summary>
-        /// <exception cref="GlintException">The device cannot hold them.</exception>
-        public void SetScene(TriangleMesh scene)
+        /// <summary>Count the nodes visited and pairs tested: <see cref="WorkDone"/>. Slower; for benchmarks.</summary>
+        public bool CountVisits { get; set; }
+
+        /// <summary>Tiles of the next dispatches; 0, except in tests: as the time that they take suggests.</summary>
+        internal int TilesADispatch { get; set; }
+
+        /// <summary>What may be skipped without changing a result: all, except in tests that show it.</summary>
+        internal Shortcuts Shortcuts { get; set; } = Shortcuts.All;
+
+        /// <summary>Takes the scene to trace from now on. Trees are built for meshes that are new; a mesh that stays, moved or not, costs nothing.</summary>
+        /// <exception cref="GlintException">The device cannot hold it.</exception>
+        public void SetScene(RadarScene scene)
         {
             var watch = Stopwatch.StartNew();
-            Bvh bvh;
-            TriangleRecord[] records;
-            using (s_build.Auto())
-            {
-                bvh = BvhBuilder.Build(scene);
-                records = bvh.Records(scene);
-            }
-            _buildMs = watch.Elapsed.TotalMilliseconds;
-
-            watch.Restart();
-            _triangleCount = -1; // until both are there
-            _nodes.Upload(bvh.Nodes);
-            _triangles.Upload(records);
-            _triangleCount = records.Length;
-            _uploadMs = watch.Elapsed.TotalMilliseconds;
+            _sceneWork = default;
+            _buildMs = 0;
+            if (_scene.Set(scene, ref _sceneWork, Build))
+                _pacer.Reset();
+            _uploadMs = watch.Elapsed.TotalMilliseconds - _buildMs;
         }
 
         /// <summary>One pose: dispatches the kernel and sums what comes back.</summary>
+        /// <param name="progress">Is told the part that is done, 0 to 1, after each dispatch.</param>
+        /// <param name="cancel">Ends the pose after the dispatch in hand.</param>
         /// <exception cref="GlintException">A setting is out of its range, or the device cannot hold as many rays as are to be kept.</exception>
-        public RadarResult Trace(in RadarSettings settings, in RadarView view, KeptRays keep)
+        /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
+        public RadarResult Trace(in RadarSettings settings, in RadarView view, KeptRays keep, IProgress<double> progress = null, CancellationToken cancel = default)
         {
-            if (_triangleCount < 0)
+            if (_scene.Scene == null)
                 throw new InvalidOperationException("RayTracer.Trace without a scene: call SetScene first");
             settings.Validate(_owner);
             view.Validate(_owner);
-            bool keepAll = keep == KeptRays.All;
-            var groups = new int2(DivideUp(settings.RaysAcross, _groupWidth), DivideUp(settings.RaysDown, _groupHeight));
-            MakeRoom(settings, groups, keepAll);
+            var result = new RadarResult { RaysEmitted = settings.RaysEmitted, Triangles = _scene.Scene.TriangleCount, Work = _sceneWork };
+            _sceneWork = default;
 
             var watch = Stopwatch.StartNew();
-            int written;
+            double readBackMs;
             using (s_trace.Auto())
-                written = TraceRays(settings, view, groups, keepAll);
-            double rayMs = watch.Elapsed.TotalMilliseconds;
-            RadarResult result;
-            using (s_sum.Auto())
-                result = Sum(settings, groups, written, keepAll);
-            result.Timings = new Timings
             {
-                BuildMs = _buildMs,
-                UploadMs = _uploadMs,
-                TraceMs = watch.Elapsed.TotalMilliseconds,
-                ReadBackMs = watch.Elapsed.TotalMilliseconds - rayMs,
-            };
+                var kept = KeptRayList.For(keep, settings, _owner);
+                var tiles = FindTiles(settings, view, keep, ref result.Work);
+                TraceTiles(settings, view, tiles, kept, result, progress, cancel);
+                double tracedMs = watch.Elapsed.TotalMilliseconds;
+                result.Rays = kept.ToArray();
+                readBackMs = watch.Elapsed.TotalMilliseconds - tracedMs + kept.ReadBackMs;
+            }
+            result.Work.BytesOnDevice = _scene.Bytes + _tiles.Bytes + _sums.Bytes + _rays.Bytes;
+            result.Timings = new Timings { BuildMs = _buildMs, UploadMs = _uploadMs, TraceMs = watch.Elapsed.TotalMilliseconds, ReadBackMs = readBackMs };
             return result;
         }
 
         public void Dispose()
         {
-            _groupSums.Dispose();
-            _rayCounter.Dispose();
             _rays.Dispose();
-            _triangles.Dispose();
-            _nodes.Dispose();
+            _sums.Dispose();
+            _tiles.Dispose();
+            _scene.Dispose();
         }
 
-        void Bind(in RadarSettings settings, in RadarView view, bool keepAll)
+        MeshTree Build(TriangleMesh mesh, TreeShape shape)
         {
-            double halfHeight = view.TanHalfFov;
-            SetVector(ShaderIDs._CameraPosition, view.Position);
-            SetVector(ShaderIDs._CameraRight, view.Right * halfHeight * settings.Aspect);
-            SetVector(ShaderIDs._CameraUp, view.Up * halfHeight);
-            SetVector(ShaderIDs._CameraForward, view.Forward);
-            SetVector(ShaderIDs._ReceiverCentre, view.ReceiverCentre);
-            SetVector(ShaderIDs._ReceiverRight, view.ReceiverRight / (view.ReceiverSize.x / 2));
-            SetVector(ShaderIDs._ReceiverUp, view.ReceiverUp / (view.ReceiverSize.y / 2));
-            SetVector(ShaderIDs._ReceiverForward, view.ReceiverForward);
-            _shader.SetInt(ShaderIDs._RaysAcross, settings.RaysAcross);
-            _shader.SetInt(ShaderIDs._RaysDown, settings.RaysDown);
-            _shader.SetInt(ShaderIDs._MaxBounces, settings.MaxBounces);
-            _shader.SetFloat(ShaderIDs._WaveNumberTurns, (float)(1 / settings.Wavelength));
-            _shader.SetInt(ShaderIDs._KeepAll, keepAll ? 1 : 0);
-            _shader.SetInt(ShaderIDs._RayCapacity, _rays.Capacity);
-            _shader.SetInt(ShaderIDs._TriangleCount, _triangleCount);
-            _shader.SetBuffer(_kernel, ShaderIDs._Nodes, _nodes.Buffer);
-            _shader.SetBuffer(_kernel, ShaderIDs._Triangles, _triangles.Buffer);
-            _shader.SetBuffer(_kernel, ShaderIDs._Rays, _rays.Buffer);
-            _shader.SetBuffer(_kernel, ShaderIDs._RayCounter, _rayCounter.Buffer);
-            _shader.SetBuffer(_kernel, ShaderIDs._GroupSums, _groupSums.Buffer);
-        }
-
-        void SetVector(int id, double3 v) => _shader.SetVector(id, new Vector4((float)v.x, (float)v.y, (float)v.z, 0));
-
-        void MakeRoom(in RadarSettings settings, int2 groups, bool keepAll)
-        {
-            if (keepAll)
-                _rays.Reserve(settings.RayCount);
-            long most = DeviceBuffer<GroupSum>.Most;
-            if ((long)groups.x * groups.y > most)
-                throw new GlintException($"{settings.RaysAcross} x {settings.RaysDown} rays are too many for {SystemInfo.graphicsDeviceName}, which holds the sums of {most * _groupWidth * _groupHeight}: use fewer rays across or down");
-            _groupSums.Reserve(groups.x * groups.y);
-        }
-
-        // Returns how many rays were written. When more are received than there is room for, they are traced once again with room for all.
-        int TraceRays(in RadarSettings settings, in RadarView view, int2 groups, bool keepAll)
-        {
-            long written = Dispatch(settings, view, groups, keepAll);
-            if (written > _rays.Capacity)
+            var watch = Stopwatch.StartNew();
+            using (s_build.Auto())
             {
-                _rays.Reserve(written);
-                written = Dispatch(settings, view, groups, keepAll);
+                var tree = MeshTree.Build(mesh, shape);
+                _buildMs += watch.Elapsed.TotalMilliseconds;
+                return tree;
             }
-            return keepAll ? (int)settings.RayCount : (int)written;
         }
 
-        // Returns how many received rays the kernel wrote, or would have with room enough.
-        uint Dispatch(in RadarSettings settings, in RadarView view, int2 groups, bool keepAll)
+        // The tiles to trace, on the device.
+        uint[] FindTiles(in RadarSettings settings, in RadarView view, KeptRays keep, ref WorkDone work)
         {
-            Bind(settings, view, keepAll);
-            _rayCounter.Buffer.SetData(_zero);
-            _shader.Dispatch(_kernel, groups.x, groups.y, 1);
-            return _rayCounter.ReadBack(1)[0];
+            var picture = new PictureTiles(settings, view);
+            // Who keeps all rays wants those that hit nothing as well.
+            if (keep == KeptRays.All || (Shortcuts & Shortcuts.Tiles) == 0)
+                picture.AddAll();
+            else
+                _scene.AddTo(picture);
+            var tiles = picture.ToArray(_isSoftware);
+            work.TilesTraced = tiles.Length;
+            work.TilesSkipped = picture.Count - tiles.Length;
+            _tiles.Upload(tiles);
+            work.BytesUploaded += tiles.Length * (long)_tiles.Stride;
+            return tiles;
         }
 
-        RadarResult Sum(in RadarSettings settings, int2 groups, int written, bool keepAll)
+        void TraceTiles(in RadarSettings settings, in RadarView view, uint[] tiles, KeptRayList kept, RadarResult result, IProgress<double> progress, CancellationToken cancel)
         {
-            var result = new RadarResult { RaysEmitted = settings.RayCount, Triangles = _triangleCount, Rays = _rays.ReadBack(written) };
-            foreach (var sum in _groupSums.ReadBack(groups.x * groups.y))
+            var sums = new RaySums(LongestPath(settings, view));
+            // A kernel that finds nothing at all takes a software device long to compile, and for nothing.
+            if (_scene.IsEmpty && kept.Keep != KeptRays.All)
+                tiles = Array.Empty<uint>();
+            _kernel.Choose(_scene, CountVisits);
+            _kernel.SetRadar(settings, view, sums.LengthUnits, Shortcuts);
+            _kernel.SetScene(_scene);
+            _kernel.SetBuffers(_tiles, _sums);
+            for (int first = 0; first < tiles.Length;)
             {
-                result.RaysHit += sum.Hits;
-                result.Bounces += sum.Bounces;
-                result.PathLengthMeters += sum.PathLength;
+                cancel.ThrowIfCancellationRequested();
+                int left = tiles.Length - first;
+                int count = Math.Min(MostTilesADispatch, TilesADispatch > 0 ? Math.Min(left, TilesADispatch) : _pacer.NextTiles(left));
+                count = kept.Limit(count, _rays);
+                var watch = Stopwatch.StartNew();
+                Dispatch(first, count, kept.Keep, ref result.Work);
+                _pacer.Took(count, watch.Elapsed.TotalSeconds);
+                if (kept.Wants(_words, _rays))
+                {
+                    _rays.Reserve(RaySums.CountKept(_words));
+                    Dispatch(first, count, kept.Keep, ref result.Work);
+                }
+                sums.Add(_words);
+                kept.Add(_rays, _words, count, ref result.Work);
+                first += count;
+                progress?.Report((double)first / tiles.Length);
             }
-            // Received rays come in the order the GPU finished them: by pixel the sum is always the same.
-            if (!keepAll)
-                Array.Sort(result.Rays, (a, b) => a.Pixel.CompareTo(b.Pixel));
-            result.AddReceived(result.Rays);
-            return result;
+            sums.WriteTo(result);
         }
 
-        static int DivideUp(int value, int divisor) => (value + divisor - 1) / divisor;
+        // Traces some tiles and reads back their sums.
+        void Dispatch(int first, int count, KeptRays keep, ref WorkDone work)
+        {
+            _sums.Buffer.SetData(_zeros);
+            _kernel.Dispatch(first, count, keep, _rays, GroupsARow);
+            _sums.ReadBack(_words, _words.Length);
+            work.Dispatches++;
+            work.BytesUploaded += _sums.Bytes;
+            work.BytesReadBack += _sums.Bytes;
+        }
+
+        // No path up to a last hit is longer, metres.
+        double LongestPath(in RadarSettings settings, in RadarView view)
+        {
+            if (_scene.IsEmpty)
+                return 1;
+            double first = math.length(math.max(math.abs(_scene.Low - view.Position), math.abs(_scene.High - view.Position)));
+            return 1.01 * (first + (settings.MaxBounces - 1) * math.length(_scene.High - _scene.Low));
+        }
     }
 }

@@ -36,6 +36,8 @@ namespace Glint
             info.Settings.Add(new RunSetting("wavelength", settings.Wavelength, "m"));
             info.Settings.Add(new RunSetting("rays_across", settings.RaysAcross, "1"));
             info.Settings.Add(new RunSetting("rays_down", settings.RaysDown, "1"));
+            if (!settings.Region.IsWhole)
+                AddRegion(info, settings.Region);
             info.Settings.Add(new RunSetting("max_bounces", settings.MaxBounces, "1"));
             info.Settings.Add(new RunSetting("vertical_fov", view.VerticalFovDegrees, "deg"));
             info.Settings.Add(new RunSetting("receiver_width", view.ReceiverSize.x, "m"));
@@ -47,6 +49,14 @@ namespace Glint
             Add(info, "receiver_forward", view.ReceiverForward, "1");
             Add(info, "receiver_up", view.ReceiverUp, "1");
             return info;
+        }
+
+        static void AddRegion(RunInfo info, RayRegion region)
+        {
+            info.Settings.Add(new RunSetting("region_left", region.Left, "1"));
+            info.Settings.Add(new RunSetting("region_bottom", region.Bottom, "1"));
+            info.Settings.Add(new RunSetting("region_width", region.Width, "1"));
+            info.Settings.Add(new RunSetting("region_height", region.Height, "1"));
         }
 
         static void Add(RunInfo info, string what, double3 vector, string unit)

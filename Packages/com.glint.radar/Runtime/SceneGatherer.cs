@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
@@ -8,59 +7,110 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Collects the triangles of active GameObjects with an enabled MeshRenderer and a MeshFilter, in world space.
-    /// Of a LODGroup, LOD 0 is taken. The order is that of the hierarchy, so that a scene always gives the same triangles in the same order.
+    /// Collects the triangles of active GameObjects with an enabled MeshRenderer and a MeshFilter. Of a LODGroup, LOD 0 is taken. The order is that of the hierarchy.
+    /// From one gather to the next it keeps what stays as it was: of a scene where only known movers have moved, every TriangleMesh is the same object as before.
     /// </summary>
+    /// <remarks>
+    /// Objects that keep still relative to each other are merged into one mesh (a <see cref="Body"/>) in the frame of the nearest moving transform above them, or the world's.
+    /// A transform moves when it does not stand as it did in the gather before, or when <see cref="ExpectMotion"/> was told so.
+    /// Objects with a mesh of their own that changes, and those with one that is used many times, are instances of their mesh.
+    /// Vertices are rounded to float32 relative to such a frame, never to the world: its place is kept in double.
+    /// </remarks>
     sealed class SceneGatherer
     {
-        readonly List<float3> _vertices = new List<float3>();
-        readonly List<int> _indices = new List<int>();
+        /// <summary>A mesh that would make more triangles than this when merged once for each of its objects is not: the objects are instances.</summary>
+        public const long MostMergedTriangles = 200_000;
+
+        // Objects farther apart than so many metres are not merged: steps of float32 are 0.06 mm there.
+        const double Reach = 1000;
+
+        // An instance that squeezes its mesh more than this would lose too many digits: the object is merged.
+        const double LeastEvenness = 1e-3;
+
+        readonly HierarchyWalk _walk = new HierarchyWalk();
+        readonly TransformTree _transforms = new TransformTree();
+        readonly Kept<Mesh, MeshSource> _sources = new Kept<Mesh, MeshSource>();
+        readonly Kept<(TransformNode, bool, int3), Body> _bodies = new Kept<(TransformNode, bool, int3), Body>();
+        readonly List<TransformNode> _objects = new List<TransformNode>();
+        readonly List<(Body body, TransformNode lone)> _pieces = new List<(Body, TransformNode)>();
         readonly List<string> _warnings = new List<string>();
+        MeshReader _reader = new MeshReader();
+        RadarScene _scene;
 
         /// <summary>Objects with a mesh of the scene last gathered.</summary>
-        public int ObjectCount { get; private set; }
+        public int ObjectCount => _objects.Count;
 
         /// <summary>What was left out and why, a line each.</summary>
         public IReadOnlyList<string> Warnings => _warnings;
+
+        /// <summary>Counts a transform as moving before it has moved, so that its first motion costs nothing.</summary>
+        public void ExpectMotion(Transform transform) => _transforms.ExpectMotion(transform);
 
         /// <summary>The triangles of a scene.</summary>
         /// <param name="layers">Layers to trace.</param>
         /// <param name="roots">Objects to trace with all below them; empty: every loaded scene.</param>
         /// <param name="receiver">Never traced, with all below it: it is neither target nor obstacle. May be null.</param>
+        /// <returns>The same scene as before when nothing has changed.</returns>
         /// <exception cref="GlintException">A mesh that cannot be traced; the message names it and the remedy.</exception>
-        public TriangleMesh Gather(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver)
+        public RadarScene Gather(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver)
         {
-            _vertices.Clear();
-            _indices.Clear();
-            _warnings.Clear();
-            ObjectCount = 0;
-            bool IsReceiver(Renderer renderer) => receiver != null && renderer.transform.IsChildOf(receiver);
-            bool IsTraced(Renderer renderer) =>
-                renderer.enabled && renderer.gameObject.activeInHierarchy && (layers.value & (1 << renderer.gameObject.layer)) != 0 && !IsReceiver(renderer);
-
-            var lowerDetail = LowerDetail();
-            foreach (var renderer in Find<MeshRenderer>(roots))
-                if (IsTraced(renderer) && !lowerDetail.Contains(renderer))
-                    Add(renderer);
-
-            string skinned = string.Join("', '", Find<SkinnedMeshRenderer>(roots).Where(IsTraced).Select(r => r.name));
-            if (skinned.Length > 0)
-                _warnings.Add($"skinned meshes are not traced: '{skinned}'. Bake them to a Mesh (SkinnedMeshRenderer.BakeMesh) to include them");
-            return new TriangleMesh(_vertices.ToArray(), _indices.ToArray());
+            _transforms.Begin();
+            _sources.Begin();
+            _bodies.Begin();
+            CollectObjects(layers, roots, receiver);
+            var instances = Place();
+            _transforms.End();
+            _sources.End();
+            _bodies.End();
+            if (_scene == null || !IsSame(instances, _scene.Instances))
+                _scene = new RadarScene(instances);
+            return _scene;
         }
 
-        static IEnumerable<T> Find<T>(IReadOnlyList<Transform> roots) where T : Component
+        /// <summary>Lets go of everything kept but what was said of motion.</summary>
+        public void Forget()
         {
-            if (roots.Count == 0)
-                return UnityEngine.Object.FindObjectsByType<T>(FindObjectsInactive.Exclude, FindObjectsSortMode.None).OrderBy(c => c.transform, HierarchyOrder.Instance);
-            return roots.SelectMany(root => root.GetComponentsInChildren<T>()).Distinct();
+            _transforms.Forget();
+            _sources.Clear();
+            _bodies.Clear();
+            _objects.Clear();
+            _pieces.Clear();
+            _reader = new MeshReader();
+            _scene = null;
+        }
+
+        void CollectObjects(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver)
+        {
+            _objects.Clear();
+            _warnings.Clear();
+            var skinned = new List<string>();
+            var lowerDetail = LowerDetail();
+            foreach (var renderer in _walk.Find(roots))
+            {
+                var owner = renderer.gameObject;
+                if (!renderer.enabled || !owner.activeInHierarchy || (layers.value & (1 << owner.layer)) == 0 || lowerDetail.Contains(renderer))
+                    continue;
+                var transform = renderer.transform;
+                if (receiver != null && transform.IsChildOf(receiver))
+                    continue;
+                var node = _transforms.Visit(transform);
+                if (node.IsTaken) // below nested roots
+                    continue;
+                node.IsTaken = true;
+                if (renderer is MeshRenderer)
+                    AddObject(node, renderer);
+                else if (renderer is SkinnedMeshRenderer)
+                    skinned.Add(renderer.name);
+            }
+            if (skinned.Count > 0)
+                _warnings.Add($"skinned meshes are not traced: '{string.Join("', '", skinned)}'. Bake them to a Mesh (SkinnedMeshRenderer.BakeMesh) to include them");
         }
 
         static HashSet<Renderer> LowerDetail()
         {
             var first = new HashSet<Renderer>();
             var lower = new HashSet<Renderer>();
-            foreach (var group in UnityEngine.Object.FindObjectsByType<LODGroup>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
+            foreach (var group in Object.FindObjectsByType<LODGroup>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
             {
                 var lods = group.GetLODs();
                 lower.UnionWith(lods.Skip(1).SelectMany(lod => lod.renderers));
@@ -70,7 +120,7 @@ namespace Glint
             return lower;
         }
 
-        void Add(MeshRenderer renderer)
+        void AddObject(TransformNode node, Renderer renderer)
         {
             if (!renderer.TryGetComponent<MeshFilter>(out var filter))
                 return;
@@ -82,55 +132,68 @@ namespace Glint
             }
             if (renderer.isPartOfStaticBatch)
                 throw new GlintException($"'{renderer.name}' is part of a static batch, whose meshes Unity has merged: clear Batching Static among the static flags of '{renderer.name}'");
-            string subject = $"mesh '{mesh.name}' of '{renderer.name}'";
             if (!mesh.isReadable)
-                throw new GlintException($"{subject} is not readable: tick Read/Write in the mesh's import settings");
+                throw new GlintException($"mesh '{mesh.name}' of '{renderer.name}' is not readable: tick Read/Write in the mesh's import settings");
 
-            ObjectCount++;
-            int first = _vertices.Count;
-            AddVertices(mesh.vertices, renderer.localToWorldMatrix, subject);
-            for (int submesh = 0; submesh < mesh.subMeshCount; submesh++)
-                AddSubmesh(mesh, submesh, first, subject);
+            var source = _sources.Get(mesh, out bool first);
+            if (first)
+                source.Update(mesh, _reader, renderer);
+            source.AddObject(node.ToWorld, _reader, renderer);
+            node.SetSource(source);
+            _objects.Add(node);
         }
 
-        void AddVertices(Vector3[] vertices, Matrix4x4 toWorld, string subject)
+        MeshInstance[] Place()
         {
-            for (int i = 0; i < vertices.Length; i++)
+            _pieces.Clear();
+            foreach (var node in _objects)
+                if (node.Source.TriangleCount > 0)
+                    AddPiece(node);
+            var instances = new MeshInstance[_pieces.Count];
+            for (int i = 0; i < instances.Length; i++)
             {
-                float3 position = toWorld.MultiplyPoint3x4(vertices[i]);
-                if (!math.all(math.abs(position) <= TriangleMesh.LargestCoordinate))
-                    throw new GlintException(FormattableString.Invariant($"{subject}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the world, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: mend the mesh, or the scale of the object and its parents"));
-                _vertices.Add(position);
+                var (body, lone) = _pieces[i];
+                instances[i] = body != null ? body.Place(_reader) : lone.Source.Place(lone.ToWorld, _reader);
             }
+            return instances;
         }
 
-        void AddSubmesh(Mesh mesh, int submesh, int first, string subject)
+        // An instance of its own, or a part of a body; a body stands where its first object stands.
+        void AddPiece(TransformNode node)
         {
-            var topology = mesh.GetTopology(submesh);
-            if (topology != MeshTopology.Triangles && topology != MeshTopology.Quads)
-                throw new GlintException($"submesh {submesh} of {subject} is made of {topology}: the radar traces triangles and quads, remove the submesh or disable the MeshRenderer");
-            var indices = mesh.GetIndices(submesh);
-            int corners = topology == MeshTopology.Quads ? 4 : 3;
-            if (indices.Length % corners != 0)
-                throw new GlintException($"submesh {submesh} of {subject} has {indices.Length} indices, no multiple of {corners}: mend the mesh");
-            int vertexCount = _vertices.Count - first;
-            foreach (int index in indices)
-                if (index < 0 || index >= vertexCount)
-                    throw new GlintException($"submesh {submesh} of {subject} has index {index}, and the mesh has {vertexCount} vertices: mend the mesh");
-
-            for (int i = 0; i < indices.Length; i += corners)
+            var source = node.Source;
+            bool isApart = node.SwapsMesh || source.Version > 0;
+            bool isRepeated = source.ObjectCount > 1 && source.ObjectCount * (long)source.TriangleCount > MostMergedTriangles;
+            if ((isApart || isRepeated) && Shape.Evenness(node.ToWorld) >= LeastEvenness)
             {
-                AddTriangle(first, indices[i], indices[i + 1], indices[i + 2]);
-                if (corners == 4)
-                    AddTriangle(first, indices[i], indices[i + 2], indices[i + 3]);
+                _pieces.Add((null, node));
+                return;
             }
+            var body = _bodies.Get(isApart ? (node, true, 0) : (node.Frame, false, Cell(node)), out bool first);
+            if (first)
+            {
+                body.Begin();
+                _pieces.Add((body, null));
+            }
+            body.Add(node, source);
         }
 
-        void AddTriangle(int first, int a, int b, int c)
+        static int3 Cell(TransformNode node)
         {
-            _indices.Add(first + a);
-            _indices.Add(first + b);
-            _indices.Add(first + c);
+            var frame = node.Frame;
+            double3 centre = node.InFrame.Point(node.Source.Centre);
+            frame.Anchor ??= centre;
+            return (int3)math.round((centre - frame.Anchor.Value) * (frame.FrameUnit / Reach));
+        }
+
+        static bool IsSame(MeshInstance[] some, MeshInstance[] others)
+        {
+            if (some.Length != others.Length)
+                return false;
+            for (int i = 0; i < some.Length; i++)
+                if (some[i].Mesh != others[i].Mesh || !some[i].ToWorld.Equals(others[i].ToWorld))
+                    return false;
+            return true;
         }
     }
 }

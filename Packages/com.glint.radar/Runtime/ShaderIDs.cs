@@ -1,3 +1,4 @@
+using System.Linq;
 using UnityEngine;
 
 namespace Glint
@@ -5,9 +6,12 @@ namespace Glint
     // Names as in Shaders/Bindings.hlsl.
     static class ShaderIDs
     {
-        public static readonly int _Nodes = Shader.PropertyToID("_Nodes");
-        public static readonly int _Triangles = Shader.PropertyToID("_Triangles");
-        public static readonly int _TriangleCount = Shader.PropertyToID("_TriangleCount");
+        public static readonly int[] _Tree = Enumerable.Range(0, DeviceTrees.MostBanks).Select(bank => Shader.PropertyToID("_Tree" + bank)).ToArray();
+        public static readonly int _Top = Shader.PropertyToID("_Top");
+        public static readonly int _Instances = Shader.PropertyToID("_Instances");
+        public static readonly int _OnlyToLocal = Shader.PropertyToID("_OnlyToLocal");
+        public static readonly int _OnlyFirstRow = Shader.PropertyToID("_OnlyFirstRow");
+        public static readonly int _TopRoot = Shader.PropertyToID("_TopRoot");
 
         public static readonly int _CameraPosition = Shader.PropertyToID("_CameraPosition");
         public static readonly int _CameraRight = Shader.PropertyToID("_CameraRight");
@@ -19,13 +23,19 @@ namespace Glint
         public static readonly int _ReceiverForward = Shader.PropertyToID("_ReceiverForward");
         public static readonly int _RaysAcross = Shader.PropertyToID("_RaysAcross");
         public static readonly int _RaysDown = Shader.PropertyToID("_RaysDown");
+        public static readonly int _Region = Shader.PropertyToID("_Region");
         public static readonly int _MaxBounces = Shader.PropertyToID("_MaxBounces");
         public static readonly int _WaveNumberTurns = Shader.PropertyToID("_WaveNumberTurns");
-        public static readonly int _KeepAll = Shader.PropertyToID("_KeepAll");
+
+        public static readonly int _Tiles = Shader.PropertyToID("_Tiles");
+        public static readonly int _FirstTile = Shader.PropertyToID("_FirstTile");
+        public static readonly int _TileCount = Shader.PropertyToID("_TileCount");
+        public static readonly int _Shortcuts = Shader.PropertyToID("_Shortcuts");
+        public static readonly int _Keep = Shader.PropertyToID("_Keep");
         public static readonly int _RayCapacity = Shader.PropertyToID("_RayCapacity");
+        public static readonly int _LengthUnits = Shader.PropertyToID("_LengthUnits");
 
         public static readonly int _Rays = Shader.PropertyToID("_Rays");
-        public static readonly int _RayCounter = Shader.PropertyToID("_RayCounter");
-        public static readonly int _GroupSums = Shader.PropertyToID("_GroupSums");
+        public static readonly int _Sums = Shader.PropertyToID("_Sums");
     }
 }

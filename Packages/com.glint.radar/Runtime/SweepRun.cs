@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
+using System.Threading;
 using Glint.Core;
 using UnityEngine;
 
@@ -36,8 +37,10 @@ namespace Glint
             _angles = angles;
             _scene = scene;
             _folder = folder;
-            if (_turns)
-                (_initialRotation, _initialLocalRotation) = (target.rotation, target.localRotation);
+            if (!_turns)
+                return;
+            (_initialRotation, _initialLocalRotation) = (target.rotation, target.localRotation);
+            radar.ExpectMotion(target);
         }
 
         /// <summary>Poses in all.</summary>
@@ -50,15 +53,18 @@ namespace Glint
         public bool IsComplete => Done == Count;
 
         /// <summary>Traces the next pose and writes its row; after the last one results.json.</summary>
+        /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
+        /// <param name="cancel">Ends the pose.</param>
         /// <exception cref="GlintException">The pose cannot be traced or its row not be written; the rows before are kept.</exception>
-        public SweepRow Step()
+        /// <exception cref="OperationCanceledException">The pose was cancelled; the rows before are kept, and the next step traces it again.</exception>
+        public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default)
         {
             double angle = _angles[Done];
             if (_turns && _target == null)
                 throw new GlintException($"the target of the sweep was destroyed before {angle.ToString(CultureInfo.InvariantCulture)} deg: it must stay until the last angle");
             if (_turns)
                 _target.rotation = Quaternion.AngleAxis((float)angle, Vector3.up) * _initialRotation;
-            var row = new SweepRow(angle, _radar.Trace());
+            var row = new SweepRow(angle, _radar.Trace(KeptRays.None, progress, cancel));
             _folder?.Append(row);
             Done++;
             if (IsComplete)

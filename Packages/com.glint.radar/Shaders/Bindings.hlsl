@@ -4,9 +4,14 @@
 #include "Types.hlsl"
 
 // Input: the scene.
-StructuredBuffer<BvhNode> _Nodes;           // node 0 is the root
-StructuredBuffer<TriangleRecord> _Triangles;
-uint _TriangleCount;                        // 0: nothing to hit, the buffers are not read
+#ifdef GLINT_ONE_INSTANCE
+float4 _OnlyToLocal[3];                     // the only instance's ToLocal
+uint _OnlyFirstRow;
+#else
+StructuredBuffer<uint4> _Top;               // binary tree over the instances
+StructuredBuffer<InstanceRecord> _Instances;
+uint _TopRoot;                              // where the search starts: row 0, or the leaf of the only instance
+#endif
 
 // Input: the radar. Positions in m; axes are unit vectors.
 float4 _CameraPosition;
@@ -19,14 +24,81 @@ float4 _ReceiverUp;                         // divided by half the receiver's he
 float4 _ReceiverForward;
 uint _RaysAcross;
 uint _RaysDown;
+uint4 _Region;                              // rays traced: first and one past the last across, first and one past the last down
 uint _MaxBounces;
 float _WaveNumberTurns;                     // 1 / wavelength, turns per m
-uint _KeepAll;                              // 1: every ray is written at its pixel; 0: received rays only, in any order
+
+// Input: the work of this dispatch.
+StructuredBuffer<uint> _Tiles;              // 8 x 8 rays each: column | row << 16
+uint _FirstTile;
+uint _TileCount;                            // of this dispatch
+uint _Shortcuts;                            // SHORTCUT_ flags
+uint _Keep;                                 // KEEP_ what is written to _Rays
 uint _RayCapacity;                          // rays that _Rays holds
+float _LengthUnits;                         // units of length sums a m: the longest path takes 2^30
 
 // Output.
 RWStructuredBuffer<RayData> _Rays;
-RWStructuredBuffer<uint> _RayCounter;       // rays written, or wanting to be when _Rays is full
-RWStructuredBuffer<GroupSum> _GroupSums;    // one a thread group
+RWStructuredBuffer<uint> _Sums;             // see Sums.hlsl
+
+// The same numbers in C#: RayTracer.
+static const uint SHORTCUT_REACH = 1;       // nothing is searched for beyond the receiver
+static const uint SHORTCUT_LAST = 2;        // the last segment is searched only if it meets the receiver
+static const uint KEEP_NONE = 0;
+static const uint KEEP_RECEIVED = 1;        // in any order, counted in SUM_KEPT
+static const uint KEEP_ALL = 2;             // in the order of tiles, 64 a tile
+static const uint NO_PIXEL = 0xffffffff;
+
+// The trees over the meshes, in rows of 16 bytes: one buffer, or several where one cannot hold them all.
+#if defined(GLINT_BANKS)
+StructuredBuffer<uint4> _Tree0;
+StructuredBuffer<uint4> _Tree1;
+StructuredBuffer<uint4> _Tree2;
+StructuredBuffer<uint4> _Tree3;
+StructuredBuffer<uint4> _Tree4;
+StructuredBuffer<uint4> _Tree5;
+StructuredBuffer<uint4> _Tree6;
+StructuredBuffer<uint4> _Tree7;
+#elif defined(GLINT_TEXEL_TREE)
+Buffer<uint4> _Tree0;                       // not in Unity: what a software device reads fastest
+#else
+StructuredBuffer<uint4> _Tree0;
+#endif
+
+InstanceRecord LoadInstance(uint instance)
+{
+#ifdef GLINT_ONE_INSTANCE
+    InstanceRecord place = (InstanceRecord)0;
+    place.ToLocalX = _OnlyToLocal[0];
+    place.ToLocalY = _OnlyToLocal[1];
+    place.ToLocalZ = _OnlyToLocal[2];
+    place.FirstRow = _OnlyFirstRow;
+    return place;
+#else
+    return _Instances[instance];
+#endif
+}
+
+uint4 LoadTree(uint bank, uint row)
+{
+#if defined(GLINT_BANKS)
+    uint4 words;
+    [branch]
+    switch (bank)
+    {
+        case 0: words = _Tree0[row]; break;
+        case 1: words = _Tree1[row]; break;
+        case 2: words = _Tree2[row]; break;
+        case 3: words = _Tree3[row]; break;
+        case 4: words = _Tree4[row]; break;
+        case 5: words = _Tree5[row]; break;
+        case 6: words = _Tree6[row]; break;
+        default: words = _Tree7[row]; break;
+    }
+    return words;
+#else
+    return _Tree0[row];
+#endif
+}
 
 #endif

@@ -12,37 +12,20 @@ struct RayData
     float Phase;          // rad, 0 to 2 pi; 0 if not received
     float InPhase;        // cos(phase), 0 if not received
     float Quadrature;     // sin(phase), 0 if not received
-    uint Pixel;           // x + y * rays across
+    uint Pixel;           // x + y * rays across; NO_PIXEL outside the picture
     uint Bounces;
 };
 
-// GLINT_BVH_NODE: a box of the tree (Core/Geometry/BvhNode.cs).
-struct BvhNode
+// GLINT_INSTANCE: a mesh's tree at its place in the world (Runtime/InstanceRecord.cs).
+struct InstanceRecord
 {
-    float3 Min;           // m
-    uint First;           // leaf: first triangle; inner node: left child, the right one follows it
-    float3 Max;           // m
-    uint Count;           // leaf: triangles, at least 1; inner node: 0
-};
-
-// GLINT_TRIANGLE: a triangle in the order of the leaves (Core/Geometry/TriangleRecord.cs).
-struct TriangleRecord
-{
-    float3 Corner;        // m
+    float4 ToLocalX;      // rows of the matrix from the world to the mesh's frame
+    float4 ToLocalY;
+    float4 ToLocalZ;
+    uint FirstRow;        // where the tree starts in its bank, in rows of 16 bytes
+    uint Bank;
     uint Unused0;
-    float3 Edge1;         // from the first corner to the second, m
     uint Unused1;
-    float3 Edge2;         // from the first corner to the third, m
-    uint Unused2;
-};
-
-// GLINT_GROUP_SUM: what one thread group adds to the totals (Core/Radar/GroupSum.cs).
-struct GroupSum
-{
-    uint Hits;            // rays whose first segment hits
-    uint Bounces;
-    float PathLength;     // sum of lengths up to the last hit, m
-    uint Unused;
 };
 
 #endif

@@ -48,6 +48,30 @@ namespace Glint.Tests
         [TestCase("/parts/x.stl", InputKind.MeshFile)]
         public void Input_ByItsEnding_IsSceneOrMeshFile(string input, InputKind kind) => Assert.That(Parse(Commands.Run, input).InputKind, Is.EqualTo(kind));
 
+        [Test]
+        public void Bench_WithoutInput_IsOfTheBuiltInScene()
+        {
+            var line = Parse(Commands.Bench, "--seed", "3", "--size", "64x36");
+
+            Assert.That(line.Input, Is.Null);
+            Assert.That(line.InputKind, Is.EqualTo(InputKind.BuiltIn));
+            Assert.That(line.Get(Options.SeaTriangles) + line.Get(Options.ShipTriangles), Is.EqualTo(79000));
+            Assert.That(line.Get(Options.Peers), Is.Null);
+        }
+
+        [Test]
+        public void Bench_OfSeveralPeers_KeepsTheirOrder() =>
+            Assert.That(Parse(Commands.Bench, "--peer", "A=a", "x.obj", "--peer=B=b").Get(Options.Peers).Select(peer => peer.Name), Is.EqualTo(new[] { "A", "B" }));
+
+        [Test]
+        public void Bench_OptionsOfAnotherInput_AreRefusedByName()
+        {
+            AssertRefused(Commands.Bench, "--seed: only for the built-in scene: leave INPUT out", "x.obj", "--seed", "3");
+            AssertRefused(Commands.Bench, "--ship-triangles: only for the built-in scene: leave INPUT out", "x.unity", "--ship-triangles", "2000");
+            AssertRefused(Commands.Bench, "--distance: only for mesh files: a scene has its own camera and objects, change it there", "--distance", "3");
+            AssertRefused(Commands.Run, "--seed: run has no such option", "x.obj", "--seed", "3");
+        }
+
         [TestCase(InputKind.Scene, "--size", "--frequency", "--bounces", "--receiver")]
         [TestCase(InputKind.MeshFile, "--size", "--frequency", "--bounces", "--receiver", "--unit", "--up", "--distance", "--grazing", "--azimuth", "--fov", "--aim")]
         public void RadarOptions_WithTheInputTheyGoWith_AreTaken(InputKind kind, params string[] flags)

@@ -55,6 +55,9 @@ namespace Glint.Tests
         [TestCase("size", "1x1")]
         [TestCase("size", "524280X524280")]
         [TestCase("receiver", "0.5")]
+        [TestCase("region", "0,0,1,1")]
+        [TestCase("judge", "1000000")]
+        [TestCase("seed", "0")]
         [TestCase("unit", "ft")]
         [TestCase("up", "z")]
         public void Value_InItsRange_IsTaken(string name, string text) => Assert.That(Find(name).ParseValue(text), Is.Not.Null);
@@ -85,6 +88,16 @@ namespace Glint.Tests
         [TestCase("receiver", "-3", "--receiver -3: each number must be from 1e-6 to 1e6")]
         [TestCase("receiver", "3x1e-320", "--receiver 3x1e-320: each number must be from 1e-6 to 1e6")]
         [TestCase("receiver", "3x", "--receiver 3x: must be SIDE or WIDTHxHEIGHT in metres, such as 3 or 4x2.5")]
+        [TestCase("region", "0,0,1", "--region 0,0,1: must be LEFT,BOTTOM,WIDTH,HEIGHT, four whole numbers, such as 480,0,960,540")]
+        [TestCase("region", "0,0,1,", "--region 0,0,1,: must be LEFT,BOTTOM,WIDTH,HEIGHT, four whole numbers, such as 480,0,960,540")]
+        [TestCase("region", "0,0,1,0", "--region 0,0,1,0: must have a width and a height above 0")]
+        [TestCase("region", "-1,0,1,1", "--region -1,0,1,1: each number must be from 0 to 524280")]
+        [TestCase("judge", "some", "--judge some: must be all, none or a whole number, such as 100 for every 100th ray")]
+        [TestCase("judge", "0", "--judge 0: must be all, none or a number from 1 to 1e6")]
+        [TestCase("rounds", "0", "--rounds 0: must be from 1 to 1000")]
+        [TestCase("peer", "./embree", "--peer ./embree: must be NAME=COMMAND, such as \"Embree=./embree {scene}\"")]
+        [TestCase("peer", "=./embree", "--peer =./embree: must be NAME=COMMAND, such as \"Embree=./embree {scene}\"")]
+        [TestCase("peer", "Embree= ", "--peer \"Embree= \": must be NAME=COMMAND, such as \"Embree=./embree {scene}\"")]
         [TestCase("aim", "1,2", "--aim 1,2: must be X,Y,Z, three numbers, such as 0,1.5,-2")]
         [TestCase("aim", "1,2,1e7", "--aim 1,2,1e7: each number must be from -1e6 to 1e6")]
         [TestCase("unit", "MM", "--unit MM: must be one of m, dm, cm, mm, um, km, in, ft")]
@@ -98,6 +111,26 @@ namespace Glint.Tests
 
             Assert.That(error.Message, Is.EqualTo(message));
             Assert.That(error.ExitCode, Is.EqualTo(2));
+        }
+
+        [Test]
+        public void Region_IsLeftBottomWidthHeight()
+        {
+            var region = Options.Region.Parse("10, 20,30,40");
+            Assert.That(new[] { region.Left, region.Bottom, region.Width, region.Height }, Is.EqualTo(new[] { 10, 20, 30, 40 }));
+            Assert.That(Options.Region.Default.IsWhole);
+        }
+
+        [TestCase("all", 1)]
+        [TestCase("none", 0)]
+        [TestCase("7", 7)]
+        public void Judge_IsAllNoneOrEveryNth(string text, int every) => Assert.That(Options.Judge.Parse(text), Is.EqualTo(every));
+
+        [Test]
+        public void Peer_HasANameAndACommandThatMayHoldEqualsSigns()
+        {
+            var peer = Options.Peers.Parse("BVH 2=FAST=1 ./naive {scene} 2=3").Single();
+            Assert.That((peer.Name, peer.Command), Is.EqualTo(("BVH 2", "FAST=1 ./naive {scene} 2=3")));
         }
 
         [Test]

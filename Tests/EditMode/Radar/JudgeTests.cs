@@ -1,4 +1,7 @@
+using System;
+using System.Collections.Concurrent;
 using System.Linq;
+using System.Threading;
 using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -17,7 +20,7 @@ namespace Glint.Tests
             const float distance = 20;
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(0, double3(0, 0, 1));
-            var rays = new Judge(TestRadar.FacingPlate(4, distance), settings, view).TraceAll();
+            var rays = new Judge(new RadarScene(TestRadar.FacingPlate(4, distance)), settings, view).TraceAll();
 
             int expected = 0;
             for (int pixel = 0; pixel < rays.Length; pixel++)
@@ -43,7 +46,7 @@ namespace Glint.Tests
             double3 vertex = double3(1, -2, 3);
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(vertex + double3(9, 10, 11), vertex, fov: 20);
-            var rays = new Judge(TestRadar.Trihedral((float3)vertex, 4), settings, view).TraceAll();
+            var rays = new Judge(new RadarScene(TestRadar.Trihedral((float3)vertex, 4)), settings, view).TraceAll();
 
             double3 image = 2 * vertex - view.Position;
             var triple = Enumerable.Range(0, rays.Length).Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 3).ToArray();
@@ -65,7 +68,7 @@ namespace Glint.Tests
                 TestRadar.Plate(float3(-5, 0, 0), float3(10, 0, 0), float3(0, 5, 0)));
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(20 * double3(0, 0.5, -sqrt(0.75)), 0, fov: 20);
-            var rays = new Judge(scene, settings, view).TraceAll();
+            var rays = new Judge(new RadarScene(scene), settings, view).TraceAll();
 
             // Mirrored in floor and wall, the camera stands at (x, -y, -z).
             double3 image = view.Position * double3(1, -1, -1);
@@ -83,7 +86,7 @@ namespace Glint.Tests
         public void FindNearest_RandomTriangles_IsTheNearestOfAll()
         {
             var scene = TestRadar.Clutter(500, seed: 3);
-            var tree = new JudgeTree(scene, double3(20, 0, 0));
+            var tree = new JudgeTree(new RadarScene(scene), double3(20, 0, 0));
             var random = new System.Random(5);
             int hits = 0;
             for (int i = 0; i < 2000; i++)
@@ -91,7 +94,8 @@ namespace Glint.Tests
                 double3 origin = 12 * double3(random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1);
                 double3 direction = i % 10 == 0 ? double3(0, 0, 1) : normalize(double3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5));
                 int expected = BruteForce.Nearest(scene, origin, direction, out double distance);
-                Assert.That(tree.FindNearest(origin, direction, -1, out double found), Is.EqualTo(expected), $"ray {i}");
+                int hit = tree.FindNearest(origin, direction, -1, out double found);
+                Assert.That(hit < 0 ? hit : tree.Number(hit), Is.EqualTo(expected), $"ray {i}");
                 if (expected < 0)
                     continue;
                 hits++;
@@ -101,14 +105,103 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void FindNearest_SeveralAtTheSameDistance_IsTheOneOfTheLowestNumber()
+        {
+            var plates = Enumerable.Range(0, 40).Select(_ => TestRadar.FacingPlate(4, 5)).ToArray();
+            var tree = new JudgeTree(new RadarScene(TestRadar.Join(plates)), 0);
+            for (int i = 0; i < 100; i++)
+            {
+                double3 direction = normalize(double3(0.003 * (i - 50), 0.1, 1));
+                int hit = tree.FindNearest(0, direction, -1, out double distance);
+                Assert.That(distance * direction.z, Is.EqualTo(5).Within(Nanometre));
+                Assert.That(tree.Number(hit), Is.LessThan(2), "the first plate");
+            }
+        }
+
+        [Test]
+        public void TraceAll_Instances_AreTheTrianglesAtTheirPlacesCountedInOrder()
+        {
+            // One turned and stretched, one mirrored.
+            var clutter = TestRadar.Clutter(60, 3);
+            var place = new Affine { X = double3(0, -2, 0), Y = double3(1, 0, 0), Z = double3(0, 0, 2), Origin = double3(4, -3, 7) };
+            Assert.That(place.Determinant, Is.EqualTo(4));
+            var mirror = new Affine { X = double3(-1, 0, 0), Y = double3(0, 1, 0), Z = double3(0, 0, 1), Origin = double3(0, 16, 0) };
+            var scene = new RadarScene(new MeshInstance { Mesh = clutter, ToWorld = place }, new MeshInstance { Mesh = clutter, ToWorld = mirror });
+            var settings = TestRadar.Settings();
+            var view = TestRadar.LookAt(double3(3, 14, -45), 0);
+            var rays = new Judge(scene, settings, view).TraceAll();
+
+            var flat = TestRadar.Join(Placed(clutter, place), Placed(clutter, mirror));
+            int hits = 0;
+            for (int pixel = 0; pixel < rays.Length; pixel++)
+            {
+                if (rays[pixel].Bounces != 1)
+                    continue;
+                hits++;
+                int expected = BruteForce.Nearest(flat, view.Position, TestRadar.Direction(settings, view, pixel), out double distance);
+                Assert.That(rays[pixel].LastTriangle, Is.EqualTo(expected), $"pixel {pixel}");
+                // The corners of the flat mesh are rounded to float32.
+                Assert.That(rays[pixel].LengthToLastHit, Is.EqualTo(distance).Within(1e-4), $"pixel {pixel}");
+            }
+            Assert.That(hits, Is.GreaterThan(100));
+            Assert.That(rays.Max(ray => ray.LastTriangle), Is.GreaterThanOrEqualTo(60));
+        }
+
+        [Test]
+        public void TraceAll_Region_IsThatPartOfThePicture()
+        {
+            var scene = new RadarScene(TestRadar.Clutter(100, 3));
+            var settings = TestRadar.Settings();
+            var view = TestRadar.LookAt(double3(3, 14, -25), 0);
+            var whole = new Judge(scene, settings, view).TraceAll();
+            settings.Region = new RayRegion { Left = 70, Bottom = 31, Width = 40, Height = 17 };
+            var judge = new Judge(scene, settings, view);
+            var part = judge.TraceAll();
+            Assert.That(judge.Sum(part).RaysEmitted, Is.EqualTo(40 * 17));
+            Assert.That(judge.Sum(part).RaysHit, Is.GreaterThan(100));
+            for (int i = 0; i < part.Length; i++)
+                Assert.That(part[i], Is.EqualTo(whole[(31 + i / 40) * 160 + 70 + i % 40]), $"ray {i}");
+        }
+
+        [Test]
+        public void TraceAll_WithProgress_EndsAtOneAndCanBeCancelled()
+        {
+            var judge = new Judge(new RadarScene(TestRadar.Clutter(100, 3)), TestRadar.Settings(), TestRadar.LookAt(double3(3, 14, -25), 0));
+            var progress = new Reports();
+            judge.TraceAll(progress);
+            Assert.That(progress.Values.Max(), Is.EqualTo(1));
+            Assert.That(progress.Values.Count, Is.EqualTo(90));
+            using (var cancel = new CancellationTokenSource())
+            {
+                progress.OnReport = cancel.Cancel;
+                Assert.That(() => judge.TraceAll(progress, cancel.Token), Throws.InstanceOf<OperationCanceledException>());
+            }
+        }
+
+        [Test]
         public void Sum_EmptyScene_EmitsEveryRayAndHitsNothing()
         {
-            var judge = new Judge(TestRadar.Empty, TestRadar.Settings(), TestRadar.LookAt(0, double3(0, 0, 1)));
+            var judge = new Judge(new RadarScene(TestRadar.Empty), TestRadar.Settings(), TestRadar.LookAt(0, double3(0, 0, 1)));
             var result = judge.Sum(judge.TraceAll());
             Assert.That(result.RaysEmitted, Is.EqualTo(160 * 90));
             Assert.That(result.Segments, Is.EqualTo(160 * 90));
             Assert.That(result.RaysHit, Is.Zero);
             Assert.That(result.Ratio, Is.Zero);
+        }
+
+        static TriangleMesh Placed(TriangleMesh mesh, Affine place) =>
+            new TriangleMesh(Array.ConvertAll(mesh.Vertices, v => (float3)place.Point(v)), mesh.Indices);
+
+        sealed class Reports : IProgress<double>
+        {
+            public readonly ConcurrentBag<double> Values = new ConcurrentBag<double>();
+            public Action OnReport = () => { };
+
+            public void Report(double value)
+            {
+                Values.Add(value);
+                OnReport();
+            }
         }
     }
 }

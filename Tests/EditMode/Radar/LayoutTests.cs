@@ -17,26 +17,50 @@ namespace Glint.Tests
         public void SharedStructs_AreWholeRowsOfSixteenBytes()
         {
             Assert.That(Marshal.SizeOf<RayData>(), Is.EqualTo(48));
-            Assert.That(Marshal.SizeOf<BvhNode>(), Is.EqualTo(32));
-            Assert.That(Marshal.SizeOf<TriangleRecord>(), Is.EqualTo(48));
-            Assert.That(Marshal.SizeOf<GroupSum>(), Is.EqualTo(16));
+            Assert.That(Marshal.SizeOf<InstanceRecord>(), Is.EqualTo(64));
         }
 
         [Test]
         public void SharedStructs_ReadByAKernel_HaveTheFieldsThatCSharpWrote()
         {
             var ray = new RayData { LastHit = float3(1, 2, 3), PathLength = 4, Direction = float3(5, 6, 7), Phase = 8, InPhase = 9, Quadrature = 10, Pixel = 11, Bounces = 12 };
-            var node = new BvhNode { Min = float3(13, 14, 15), First = 16, Max = float3(17, 18, 19), Count = 20 };
-            var triangle = new TriangleRecord { Corner = float3(21, 22, 23), Unused0 = 24, Edge1 = float3(25, 26, 27), Edge2 = float3(28, 29, 30) };
-            var sum = new GroupSum { Hits = 31, Bounces = 32, PathLength = 33 };
-            var expected = Enumerable.Range(1, 33).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
+            var instance = new InstanceRecord { ToLocalX = float4(13, 14, 15, 16), ToLocalY = float4(17, 18, 19, 20), ToLocalZ = float4(21, 22, 23, 24), FirstRow = 25, Bank = 26 };
+            var expected = Enumerable.Range(1, 26).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
 
-            Assert.That(Unpack(ray, node, triangle, sum, expected.Length), Is.EqualTo(expected));
+            Assert.That(Unpack(ray, instance, expected.Length), Is.EqualTo(expected));
         }
 
-        static bool IsWhole(int field) => new[] { 11, 12, 16, 20, 24, 31, 32 }.Contains(field);
+        [Test]
+        public void InstanceRecord_OfATransform_TakesPointsAsTheTransformDoes()
+        {
+            var place = new Affine { X = double3(1, 2, 3), Y = double3(4, 5, 7), Z = double3(-2, 6, 1), Origin = double3(10, 20, 30) };
+            var record = InstanceRecord.Of(place, 3, 4);
+            float4 point = float4(0.5f, -1.5f, 2, 1);
+            var taken = double3(dot(record.ToLocalX, point), dot(record.ToLocalY, point), dot(record.ToLocalZ, point));
+            Assert.That(distance(taken, place.Point(double3(0.5, -1.5, 2))), Is.LessThan(1e-5));
+        }
 
-        static uint[] Unpack(RayData ray, BvhNode node, TriangleRecord triangle, GroupSum sum, int count)
+        [Test]
+        public void WordsOfSums_StandWhereTheKernelPutsThem()
+        {
+            string shaders = System.IO.Path.Combine(Application.dataPath, "../Packages/com.glint.radar/Shaders/");
+            var inKernel = new Dictionary<string, int>();
+            foreach (System.Text.RegularExpressions.Match match in System.Text.RegularExpressions.Regex.Matches(
+                System.IO.File.ReadAllText(shaders + "Sums.hlsl"), @"static const uint (\w+) = (\d+);"))
+                inKernel.Add(match.Groups[1].Value, int.Parse(match.Groups[2].Value));
+            var expected = new Dictionary<string, int>
+            {
+                ["SUM_SLOTS"] = RaySums.Slots, ["SUM_WORDS"] = RaySums.WordsPerSlot, ["SUM_HITS"] = RaySums.Hits, ["SUM_BOUNCES"] = RaySums.Bounces,
+                ["SUM_RECEIVED"] = RaySums.Received, ["SUM_KEPT"] = RaySums.Kept, ["SUM_LENGTH"] = RaySums.Length, ["SUM_IN_PHASE"] = RaySums.InPhase,
+                ["SUM_QUADRATURE"] = RaySums.Quadrature, ["SUM_NODES"] = RaySums.Nodes, ["SUM_PAIRS"] = RaySums.Pairs, ["SUM_HISTOGRAM"] = RaySums.Histogram,
+                ["PHASE_BINS"] = Signal.PhaseBins,
+            };
+            Assert.That(inKernel, Is.EquivalentTo(expected));
+        }
+
+        static bool IsWhole(int field) => new[] { 11, 12, 25, 26 }.Contains(field);
+
+        static uint[] Unpack(RayData ray, InstanceRecord instance, int count)
         {
             var shader = TestKernels.Layout;
             int kernel = shader.FindKernel("Unpack");
@@ -51,9 +75,7 @@ namespace Glint.Tests
             try
             {
                 Bind("_RayIn", ray);
-                Bind("_NodeIn", node);
-                Bind("_TriangleIn", triangle);
-                Bind("_SumIn", sum);
+                Bind("_InstanceIn", instance);
                 var fields = new GraphicsBuffer(GraphicsBuffer.Target.Structured, count, sizeof(uint));
                 buffers.Add(fields);
                 shader.SetBuffer(kernel, "_Fields", fields);

@@ -11,12 +11,12 @@ namespace Glint.Tests
 
         public static ComputeShader Layout => Load("Packages/com.glint.tests/EditMode/Shaders/Layout.compute");
 
-        /// <summary>One pose of a scene through the product's kernel.</summary>
-        public static RadarResult TraceOnce(TriangleMesh scene, in RadarSettings settings, in RadarView view, KeptRays keep = KeptRays.Received)
+        /// <summary>One pose of a mesh in the world's axes through the product's kernel.</summary>
+        public static RadarResult TraceOnce(TriangleMesh mesh, in RadarSettings settings, in RadarView view, KeptRays keep = KeptRays.Received)
         {
             using (var tracer = new RayTracer(Trace))
             {
-                tracer.SetScene(scene);
+                tracer.SetScene(new RadarScene(mesh));
                 return tracer.Trace(settings, view, keep);
             }
         }

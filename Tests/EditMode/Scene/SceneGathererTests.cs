@@ -116,8 +116,8 @@ namespace Glint.Tests
             var first = AddPrimitive(PrimitiveType.Quad);
             first.SetSiblingIndex(0);
             second.localPosition = new Vector3(100, 0, 0);
-            var scene = _gatherer.Gather(~0, new List<Transform>(), null);
-            int quad = System.Array.FindIndex(scene.Vertices, v => abs(v.x) < 1), cube = System.Array.FindIndex(scene.Vertices, v => v.x > 99);
+            var corners = SceneBuilder.Corners(_gatherer.Gather(~0, new List<Transform>(), null));
+            int quad = System.Array.FindIndex(corners, v => abs(v.x) < 1), cube = System.Array.FindIndex(corners, v => v.x > 99);
             Assert.That(quad, Is.GreaterThanOrEqualTo(0));
             Assert.That(cube, Is.GreaterThan(quad));
         }
@@ -165,6 +165,22 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Gather_OneVertexTooFarAway_IsRefusedByName([Values(0, 1, 2)] int axis)
+        {
+            var far = Vector3.zero;
+            far[axis] = -2000;
+            var mesh = SingleTriangle("Plate");
+            mesh.vertices = new[] { Vector3.zero, far, -far };
+            var item = AddMesh(mesh);
+            var position = Vector3.zero;
+            position[axis] = 9_999_000;
+            item.localPosition = position;
+            AssertRefused("mesh 'Plate' of 'Object'", "vertex 2");
+            item.localPosition = position / 2;
+            Assert.That(Gather().TriangleCount, Is.EqualTo(1));
+        }
+
+        [Test]
         public void Gather_FilterWithoutMesh_IsNamedInAWarning()
         {
             AddMesh(null);
@@ -181,7 +197,7 @@ namespace Glint.Tests
             Assert.That(_gatherer.Warnings.Single(), Does.Contain("'Sailor'").And.Contain("skinned"));
         }
 
-        TriangleMesh Gather(int layers = ~0, Transform receiver = null) => _gatherer.Gather(layers, new List<Transform> { _root }, receiver);
+        RadarScene Gather(int layers = ~0, Transform receiver = null) => _gatherer.Gather(layers, new List<Transform> { _root }, receiver);
 
         void AssertRefused(params string[] words)
         {
@@ -208,16 +224,17 @@ namespace Glint.Tests
 
         static Mesh SingleTriangle(string name) => new Mesh { name = name, vertices = new[] { Vector3.zero, Vector3.up, Vector3.right }, triangles = new[] { 0, 1, 2 } };
 
-        static void Bounds(TriangleMesh scene, out float3 low, out float3 high)
+        static void Bounds(RadarScene scene, out float3 low, out float3 high)
         {
-            low = scene.Vertices.Aggregate(min);
-            high = scene.Vertices.Aggregate(max);
+            var corners = SceneBuilder.Corners(scene);
+            low = (float3)corners.Aggregate(min);
+            high = (float3)corners.Aggregate(max);
         }
 
-        static double Area(TriangleMesh scene) => Enumerable.Range(0, scene.TriangleCount).Sum(t =>
+        static double Area(RadarScene scene)
         {
-            scene.GetTriangle(t, out var a, out var b, out var c);
-            return length(cross(b - a, c - a)) / 2;
-        });
+            var corners = SceneBuilder.Corners(scene);
+            return Enumerable.Range(0, corners.Length / 3).Sum(t => length(cross(corners[3 * t + 1] - corners[3 * t], corners[3 * t + 2] - corners[3 * t])) / 2);
+        }
     }
 }

@@ -22,7 +22,10 @@ namespace Glint.Core
         public IReadOnlyList<string> Notes { get; internal set; } = new string[0];
 
         /// <summary>What the command works on; none for a command without an argument.</summary>
-        public InputKind Inputs { get; internal set; } = InputKind.Any;
+        public InputKind Inputs { get; internal set; } = InputKind.File;
+
+        /// <summary>Whether it has a scene of its own to work on when no input is given.</summary>
+        public bool HasBuiltIn => (Inputs & InputKind.BuiltIn) != 0;
 
         /// <summary>The options, in the order of the help.</summary>
         public IReadOnlyList<Option> Options { get; internal set; }
@@ -37,8 +40,8 @@ namespace Glint.Core
         public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }
 
         /// <summary>How the command is called, in one line.</summary>
-        public string Usage => string.Join(" ", new[] { "glint", Name, Inputs == InputKind.None ? null : "INPUT" }
-            .Concat(Required.Select(option => option.Inputs == Inputs ? $"{option.Flag} {option.ValueName}" : $"[{option.Flag} {option.ValueName}]"))
+        public string Usage => string.Join(" ", new[] { "glint", Name, Inputs == InputKind.None ? null : HasBuiltIn ? "[INPUT]" : "INPUT" }
+            .Concat(Required.Select(option => (option.Inputs & Inputs) == Inputs ? $"{option.Flag} {option.ValueName}" : $"[{option.Flag} {option.ValueName}]"))
             .Append("[options]").Where(word => word != null));
     }
 }

@@ -18,7 +18,7 @@ namespace Glint.Core
         /// <summary>The command.</summary>
         public Command Command { get; }
 
-        /// <summary>The scene or mesh file as given; null for a command without one.</summary>
+        /// <summary>The scene or mesh file as given; null when there is none.</summary>
         public string Input { get; private set; }
 
         /// <summary>What <see cref="Input"/> is, by the end of its name.</summary>
@@ -98,11 +98,13 @@ namespace Glint.Core
             var option = Find(Command, flag);
             if (option == null)
                 throw new UsageException($"{flag}: {Command.Name} has no such option{Suggest(flag, Command.Options.Select(known => known.Flag))}");
-            if (_values.ContainsKey(option))
+            bool isGiven = _values.TryGetValue(option, out var before);
+            if (isGiven && !option.IsRepeatable)
                 throw new UsageException($"{flag}: given twice");
             if (text == null)
                 throw new UsageException($"{flag}: needs a value: {flag} {option.ValueName}");
-            _values.Add(option, option.ParseValue(text));
+            var value = option.ParseValue(text);
+            _values[option] = isGiven ? option.JoinValues(before, value) : value;
         }
 
         void SetInput(IReadOnlyList<string> inputs)
@@ -112,6 +114,11 @@ namespace Glint.Core
                 throw new UsageException($"{Values.Shown(inputs[expected])}: one argument too many: {(expected == 0 ? Command.Name + " takes none" : $"INPUT is {Values.Shown(inputs[0])} already")} (put names with blanks in quotes)");
             if (expected == 0)
                 return;
+            if (inputs.Count == 0 && Command.HasBuiltIn)
+            {
+                InputKind = InputKind.BuiltIn;
+                return;
+            }
             if (inputs.Count == 0)
                 throw new UsageException($"{Command.Name}: INPUT is missing: give a scene (.unity) or a mesh file (.obj, .stl)");
             Input = inputs[0];

@@ -12,6 +12,8 @@ namespace Glint.Core
         public const string InputHelp =
             "A scene (.unity) or a mesh file (.obj, .stl). A scene is given by its path on disk or by its asset path: Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity.";
 
+        const string WithoutInputHelp = "Without it: a rough sea with a ship on it, before the camera of the published experiment.";
+
         /// <summary>What the exit codes mean.</summary>
         public const string ExitCodes = "0 done; 1 something is wrong with a file, the scene or the device; 2 the command line is wrong; 130 stopped by Ctrl-C.";
 
@@ -20,7 +22,7 @@ namespace Glint.Core
         {
             Options = new Option[]
             {
-                Options.Target, Options.Angles, Options.Out, Options.Size, Options.Frequency, Options.Bounces, Options.Receiver,
+                Options.Target, Options.Angles, Options.Out, Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
                 Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Aim, Options.Device
             },
             Required = new Option[] { Options.Angles, Options.Target },
@@ -43,7 +45,7 @@ namespace Glint.Core
         {
             Options = new Option[]
             {
-                Options.Out, Options.Size, Options.Frequency, Options.Bounces, Options.Receiver,
+                Options.Out, Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
                 Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Aim, Options.Device
             },
             Notes = new[] { "Without --out the result is printed and no file is written." },
@@ -52,6 +54,28 @@ namespace Glint.Core
             {
                 Example("run Scenes/CornerReflector.unity", "Print what the radar of the scene receives."),
                 Example("run boat.obj --distance 200 --grazing 5 --azimuth 90 --frequency 9.4e9 --out boat", "A boat seen from -X at 9.4 GHz; write the files to boat.")
+            }
+        };
+
+        /// <summary>Times poses, and other programs beside them. Only the headless host has it.</summary>
+        public static readonly Command Bench = new Command("bench", "Time what a pose costs, count what it does, and compare its sums with a double-precision tracer and its times with other programs.")
+        {
+            Inputs = InputKind.Any,
+            Options = new Option[]
+            {
+                Options.Rounds, Options.Peers, Options.Judge, Options.Json, Options.WriteScene, Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
+                Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
+                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Aim, Options.Device
+            },
+            Notes = new[]
+            {
+                "A pose is timed as a sweep pays for it: the target (the ship, the mesh of a file) is turned by a thousandth of a degree, what changed is brought to the device, rays are traced and summed. Sums and errors are those of the scene as it stands."
+            },
+            Examples = new[]
+            {
+                Example("bench", "The built-in scene, 1920 x 1080 rays."),
+                Example("bench --size 7680x4320 --judge none --json 8k.json", "33 million rays; the figures go into a file."),
+                Example("bench --peer \"Embree=./embree {scene}\"", "With another program, in turns.")
             }
         };
 
@@ -64,7 +88,10 @@ namespace Glint.Core
         };
 
         /// <summary>Every command.</summary>
-        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Run, Info };
+        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Run, Bench, Info };
+
+        /// <summary>What INPUT is for a command.</summary>
+        public static string InputHelpOf(Command command) => command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}" : InputHelp;
 
         static KeyValuePair<string, string> Example(string line, string meaning) => new KeyValuePair<string, string>(line, meaning);
     }

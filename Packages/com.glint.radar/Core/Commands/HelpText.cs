@@ -46,7 +46,7 @@ namespace Glint.Core
             if (command.Inputs != InputKind.None)
             {
                 help._text.Append('\n');
-                help.Table(new[] { ("INPUT", Commands.InputHelp) });
+                help.Table(new[] { ("INPUT", Commands.InputHelpOf(command)) });
             }
             int nameWidth = command.Options.Max(option => Form(option).Length);
             foreach (var group in command.Options.GroupBy(option => option.Group))

@@ -1,10 +1,16 @@
+using System;
+using System.Threading;
+
 namespace Glint.Core
 {
-    /// <summary>What a command tells its host while it works. The terminal draws a bar, Unity's batch mode writes lines to the log.</summary>
-    public interface IProgressSink
+    /// <summary>
+    /// What a command tells its host while it works. The terminal draws a bar, Unity's batch mode writes lines to the log.
+    /// Reported numbers are the part of the step in hand that is done, 0 to 1.
+    /// </summary>
+    public interface IProgressSink : IProgress<double>
     {
-        /// <summary>True once the user asked to stop: the work in hand is finished and kept, no more is begun.</summary>
-        bool IsCancelled { get; }
+        /// <summary>Asks to stop: what is done is kept, the step in hand is given up.</summary>
+        CancellationToken Cancel { get; }
 
         /// <summary>Work of <paramref name="total"/> steps begins.</summary>
         void Start(string what, int total);

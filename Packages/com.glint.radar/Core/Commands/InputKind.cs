@@ -16,6 +16,12 @@ namespace Glint.Core
         MeshFile = 2,
 
         /// <summary>Either.</summary>
-        Any = Scene | MeshFile
+        File = Scene | MeshFile,
+
+        /// <summary>The generated scene of a command that may be called without an input.</summary>
+        BuiltIn = 4,
+
+        /// <summary>Whatever there is.</summary>
+        Any = File | BuiltIn
     }
 }

@@ -44,9 +44,14 @@ namespace Glint.Core
         /// <summary>The value of the option when it is not given.</summary>
         public abstract object DefaultValue { get; }
 
+        /// <summary>Whether it may be given more than once.</summary>
+        public abstract bool IsRepeatable { get; }
+
         /// <summary>Reads a value.</summary>
         /// <exception cref="UsageException">Malformed or out of range; the message names the option and the text.</exception>
         public abstract object ParseValue(string text);
+
+        internal abstract object JoinValues(object before, object value);
 
         /// <summary>The option as written.</summary>
         public override string ToString() => Flag;
@@ -62,11 +67,17 @@ namespace Glint.Core
         /// <param name="read">Reads the value; throws <see cref="FormatException"/> that says what it must be.</param>
         internal Option(string name, string valueName, Func<string, T> read) : base(name, valueName) => _read = read;
 
+        /// <summary>Makes one value of those of an option that may be given more than once; null for other options.</summary>
+        internal Func<T, T, T> Join { get; set; }
+
         /// <summary>The value when the option is not given; the type's default when the table has none.</summary>
         public T Default => DefaultText == null ? default : Parse(DefaultText);
 
         /// <inheritdoc/>
         public override object DefaultValue => Default;
+
+        /// <inheritdoc/>
+        public override bool IsRepeatable => Join != null;
 
         /// <summary>Reads a value.</summary>
         /// <exception cref="UsageException">Malformed or out of range; the message names the option and the text.</exception>
@@ -84,5 +95,7 @@ namespace Glint.Core
 
         /// <inheritdoc/>
         public override object ParseValue(string text) => Parse(text);
+
+        internal override object JoinValues(object before, object value) => Join((T)before, (T)value);
     }
 }

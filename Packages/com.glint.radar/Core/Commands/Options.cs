@@ -9,16 +9,21 @@ namespace Glint.Core
     {
         const string SweepGroup = "Sweep";
         const string ResultGroup = "Results";
-        const string RadarGroup = "Radar (a scene has its own settings, which these replace; the defaults are for mesh files)";
+        const string RadarGroup = "Radar (a scene has its own settings, which these replace; the defaults hold without a scene)";
         const string MeshGroup = "Mesh files (refused with a scene, which has its own camera and objects)";
+        const string BuiltInGroup = "Built-in scene (refused with an INPUT)";
+        const string BenchGroup = "Benchmark";
         const string DeviceGroup = "Device";
 
         const string InSceneInstead = "only for mesh files: a scene has its own camera and objects, change it there";
+        const string WithoutInput = "only for the built-in scene: leave INPUT out";
 
         // Lengths and angles go into single precision, which holds both ends.
         static readonly Interval Length = Interval.Closed(1e-6, 1e6);
         static readonly Interval Coordinate = Interval.Closed(-1e6, 1e6);
         static readonly Interval Rays = Interval.Closed(1, RadarSettings.RaysPerAxisLimit);
+        static readonly Interval RaysFromEdge = Interval.Closed(0, RadarSettings.RaysPerAxisLimit);
+        static readonly Interval Triangles = Interval.Closed(1000, 50000000);
 
         /// <summary>The object that a sweep turns, by its name in the scene.</summary>
         public static readonly Option<string> Target = new Option<string>("target", "NAME", Values.Words)
@@ -50,6 +55,14 @@ namespace Glint.Core
             Range = "each " + Rays,
             DefaultText = "1920x1080",
             Help = "Rays across and down, one through the centre of each pixel."
+        };
+
+        /// <summary>The part of the picture to trace; all of it when not given.</summary>
+        public static readonly Option<RayRegion> Region = new Option<RayRegion>("region", "L,B,W,H", text => Values.Region(text, RaysFromEdge))
+        {
+            Group = RadarGroup,
+            Range = "within the picture",
+            Help = "The part of the picture to trace, in rays: left, bottom, width, height, counted from the left and the bottom edge. The rays outside are not emitted. Without it: the whole picture."
         };
 
         /// <summary>Carrier frequency, hertz.</summary>
@@ -115,6 +128,48 @@ namespace Glint.Core
             Help = "The point that the radar is aimed at, in metres, Unity's axes (after --unit and --up)."
         };
 
+        /// <summary>Seed of the built-in scene.</summary>
+        public static readonly Option<int> Seed = Whole("seed", "N", "1", Interval.Closed(0, int.MaxValue), BuiltInGroup, "Which sea it is: the same number, the same waves.", InputKind.BuiltIn);
+
+        /// <summary>About as many triangles has the built-in scene's sea.</summary>
+        public static readonly Option<int> SeaTriangles = Whole("sea-triangles", "N", "35000", Triangles, BuiltInGroup, "About as many triangles has the sea.", InputKind.BuiltIn);
+
+        /// <summary>About as many triangles has the built-in scene's ship.</summary>
+        public static readonly Option<int> ShipTriangles = Whole("ship-triangles", "N", "44000", Triangles, BuiltInGroup, "About as many triangles has the ship.", InputKind.BuiltIn);
+
+        /// <summary>Rounds of poses and peers.</summary>
+        public static readonly Option<int> Rounds = Whole("rounds", "N", "11", Interval.Closed(1, 1000), BenchGroup,
+            "Rounds, after one to warm up: in each a few poses are timed, then each peer is run once. The poses of a round give their median.");
+
+        /// <summary>Other programs to time in the same run.</summary>
+        public static readonly Option<PeerCommand[]> Peers = new Option<PeerCommand[]>("peer", "NAME=COMMAND", text => new[] { PeerCommand.Parse(text) })
+        {
+            Group = BenchGroup,
+            Join = (before, more) => before.Concat(more).ToArray(),
+            Help = "A program to time in the same run, by the shell; {scene} in COMMAND is the path of the scene in the form of --write-scene. Every line it prints with a number before \" ms\" is a time, named by the words before the first number of the line; a start counts by its medians. May be given more than once."
+        };
+
+        /// <summary>Which rays the judge traces as well: 0 none, 1 all, N every N-th.</summary>
+        public static readonly Option<int> Judge = new Option<int>("judge", "all|none|N", text => Values.Share(text, Interval.Closed(1, 1000000)))
+        {
+            Group = BenchGroup,
+            Help = "Which rays are traced in double precision too, for the errors: all, none, or every N-th. Without it: all, when rays and triangles are at most 4 million each."
+        };
+
+        /// <summary>File for the figures; null when not given.</summary>
+        public static readonly Option<string> Json = new Option<string>("json", "FILE", Values.Words)
+        {
+            Group = BenchGroup,
+            Help = "File for the figures, as JSON."
+        };
+
+        /// <summary>File for the triangles; null when not given.</summary>
+        public static readonly Option<string> WriteScene = new Option<string>("write-scene", "FILE", Values.Words)
+        {
+            Group = BenchGroup,
+            Help = "File for the triangles: number of vertices and of triangles (int32), x, y, z of each vertex (float32, metres, the world's axes), three vertex numbers of each triangle (int32), little-endian."
+        };
+
         /// <summary>The GPU to work on: index or part of the name; null when not given.</summary>
         public static readonly Option<string> Device = new Option<string>("device", "DEVICE", Values.Words)
         {
@@ -134,10 +189,12 @@ namespace Glint.Core
                 Help = help
             };
 
-        static Option<int> Whole(string name, string valueName, string standard, Interval range, string group, string help) =>
+        static Option<int> Whole(string name, string valueName, string standard, Interval range, string group, string help, InputKind inputs = InputKind.Any) =>
             new Option<int>(name, valueName, text => Values.Whole(text, range))
             {
                 Group = group,
+                Inputs = inputs,
+                Refusal = inputs == InputKind.BuiltIn ? WithoutInput : null,
                 Range = range.ToString(),
                 DefaultText = standard,
                 Help = help

@@ -1,5 +1,6 @@
 using System;
 using System.Globalization;
+using System.Linq;
 using Unity.Mathematics;
 
 namespace Glint.Core
@@ -44,6 +45,28 @@ namespace Glint.Core
             if (parts.Length != 3 || !TryReal(parts[0], out double x) || !TryReal(parts[1], out double y) || !TryReal(parts[2], out double z))
                 throw new FormatException("must be X,Y,Z, three numbers, such as 0,1.5,-2");
             return new double3(Each(x, range), Each(y, range), Each(z, range));
+        }
+
+        /// <summary>LEFT,BOTTOM,WIDTH,HEIGHT.</summary>
+        public static RayRegion Region(string text, Interval range)
+        {
+            var parts = text.Split(',');
+            var numbers = new double[parts.Length];
+            if (parts.Length != 4 || !parts.Select((part, i) => TryWhole(part, out numbers[i])).All(isWhole => isWhole))
+                throw new FormatException("must be LEFT,BOTTOM,WIDTH,HEIGHT, four whole numbers, such as 480,0,960,540");
+            var region = new RayRegion { Left = (int)Each(numbers[0], range), Bottom = (int)Each(numbers[1], range), Width = (int)Each(numbers[2], range), Height = (int)Each(numbers[3], range) };
+            return region.Width > 0 && region.Height > 0 ? region : throw new FormatException("must have a width and a height above 0");
+        }
+
+        /// <summary>"all" is 1, "none" 0, N is N.</summary>
+        public static int Share(string text, Interval range)
+        {
+            switch (text)
+            {
+                case "all": return 1;
+                case "none": return 0;
+                default: return TryWhole(text, out double value) ? (int)Checked(value, range, "must be all, none or a number ") : throw new FormatException("must be all, none or a whole number, such as 100 for every 100th ray");
+            }
         }
 
         public static UpAxis Up(string text)

@@ -1,9 +1,10 @@
+using System;
 using Unity.Mathematics;
 
 namespace Glint.Core
 {
     /// <summary>A transform of points in double precision: turn, scale (also mirrored or uneven) and shift.</summary>
-    public struct Affine
+    public struct Affine : IEquatable<Affine>
     {
         /// <summary>Where the unit vectors go; the columns.</summary>
         public double3 X, Y, Z;
@@ -29,6 +30,8 @@ namespace Glint.Core
 
         /// <summary>How much volumes grow; negative when it mirrors, 0 when it flattens.</summary>
         public double Determinant => math.dot(X, math.cross(Y, Z));
+
+        public bool Equals(Affine other) => X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z) && Origin.Equals(other.Origin);
 
         public double3 Point(double3 p) => Vector(p) + Origin;
 

@@ -1,10 +1,12 @@
+using System;
+using System.Threading;
 using System.Threading.Tasks;
 using Unity.Mathematics;
 
 namespace Glint.Core
 {
     /// <summary>
-    /// The independent tracer that tests and benchmarks compare the kernel with: double precision on the CPU, the same triangles, camera and receiver.
+    /// The independent tracer that tests and benchmarks compare the kernel with: double precision on the CPU, the same float32 vertices, double transforms, camera and receiver.
     /// Slow on purpose: nothing is skipped and nothing is approximated.
     /// </summary>
     public sealed class Judge
@@ -13,23 +15,30 @@ namespace Glint.Core
         readonly RadarView _view;
         readonly JudgeTree _tree;
 
-        /// <param name="scene">Triangles in the coordinates of the view.</param>
-        public Judge(TriangleMesh scene, in RadarSettings settings, in RadarView view)
+        /// <param name="scene">Places in the coordinates of the view.</param>
+        public Judge(RadarScene scene, in RadarSettings settings, in RadarView view)
         {
             _settings = settings;
             _view = view;
             _tree = new JudgeTree(scene, view.Position);
         }
 
-        /// <summary>Every ray, in order of its pixel; rows are shared among processors.</summary>
-        public JudgeRay[] TraceAll()
+        /// <summary>Every ray of the region (of the whole picture when none is set), row by row from its left and bottom edge; rows are shared among processors.</summary>
+        /// <param name="progress">Told how much is done, 0 to 1, from any thread; may be null.</param>
+        /// <param name="cancel">Ends the work.</param>
+        /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+        public JudgeRay[] TraceAll(IProgress<double> progress = null, CancellationToken cancel = default)
         {
-            int across = _settings.RaysAcross;
-            var rays = new JudgeRay[_settings.RayCount];
-            Parallel.For(0, _settings.RaysDown, y =>
+            var region = _settings.Region;
+            if (region.IsWhole)
+                region = new RayRegion { Width = _settings.RaysAcross, Height = _settings.RaysDown };
+            var rays = new JudgeRay[_settings.RaysEmitted];
+            int rowsDone = 0;
+            Parallel.For(0, region.Height, new ParallelOptions { CancellationToken = cancel }, row =>
             {
-                for (int x = 0; x < across; x++)
-                    rays[y * across + x] = Trace(x, y);
+                for (int i = 0; i < region.Width; i++)
+                    rays[(long)row * region.Width + i] = Trace(region.Left + i, region.Bottom + row);
+                progress?.Report(Interlocked.Increment(ref rowsDone) / (double)region.Height);
             });
             return rays;
         }
@@ -61,9 +70,10 @@ namespace Glint.Core
             double3 direction = math.normalize(_view.Forward + across * right * _view.Right + along * up * _view.Up);
 
             var ray = new JudgeRay { LastHit = _view.Position, LastTriangle = -1 };
+            int leaving = -1;
             while (true)
             {
-                int hit = _tree.FindNearest(ray.LastHit, direction, ray.LastTriangle, out double distance);
+                int hit = _tree.FindNearest(ray.LastHit, direction, leaving, out double distance);
                 if (ray.Bounces > 0 && CrossesReceiver(ray.LastHit, direction, out double toReceiver) && toReceiver < distance)
                 {
                     ray.Received = true;
@@ -74,8 +84,9 @@ namespace Glint.Core
                     return ray;
                 ray.LengthToLastHit += distance;
                 ray.LastHit += distance * direction;
-                ray.LastTriangle = hit;
+                ray.LastTriangle = _tree.Number(hit);
                 ray.Bounces++;
+                leaving = hit;
                 double3 normal = _tree.Normal(hit);
                 direction = math.normalize(direction - 2 * math.dot(direction, normal) * normal);
             }

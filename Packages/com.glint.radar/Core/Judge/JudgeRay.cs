@@ -20,7 +20,7 @@ namespace Glint.Core
         /// <summary>Last point of reflection, metres; the camera if nothing was hit.</summary>
         public double3 LastHit;
 
-        /// <summary>Triangle last hit, a number in the scene; -1 if nothing was hit.</summary>
+        /// <summary>Triangle last hit, counted over the scene's instances in order; -1 if nothing was hit.</summary>
         public int LastTriangle;
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 
 namespace Glint.Core
 {
@@ -52,16 +51,6 @@ namespace Glint.Core
             Quadrature += quadrature;
             PhaseHistogram[Signal.PhaseBin(phase)]++;
             RaysReceived++;
-        }
-
-        /// <summary>
-        /// Sums received rays in double, in the order given. In order of their pixel the sum is the same bit for bit whatever order the GPU worked in.
-        /// </summary>
-        internal void AddReceived(IReadOnlyList<RayData> rays)
-        {
-            for (int i = 0; i < rays.Count; i++)
-                if (rays[i].IsReceived)
-                    AddReceived(rays[i].Phase, rays[i].InPhase, rays[i].Quadrature);
         }
     }
 }

@@ -2,6 +2,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using Glint.Cli;
+using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 
 namespace Glint.Host.Tests;
@@ -42,6 +43,34 @@ public sealed class CommandRunTests
 
         Assert.That(code, Is.EqualTo(0));
         Assert.That(Rows(output).Single()[^1], Is.EqualTo("1024"));
+    }
+
+    // The plate covers columns and rows 16 to 47.
+    [TestCase("16,16,32,32", 1024)]
+    [TestCase("0,0,20,20", 16)]
+    [TestCase("40,0,24,64", 256)]
+    [TestCase("0,48,64,16", 0)]
+    public void Run_OfARegion_CountsItsRaysOnly(string region, int hit)
+    {
+        string folder = Path.Combine(_folder, "results");
+        var (code, output, _) = Run("run", Plate, "--grazing", "0", "--distance", "50", "--fov", "2.29153", "--size", "64x64", "--region", region, "--out", folder);
+
+        Assert.That(code, Is.EqualTo(0));
+        Assert.That(Rows(output).Single()[^1], Is.EqualTo($"{hit}"));
+        var results = JObject.Parse(File.ReadAllText(Path.Combine(folder, "results.json")));
+        int[] numbers = region.Split(',').Select(int.Parse).ToArray();
+        Assert.That(results["rows"][0]["rays_emitted"].ToObject<int>(), Is.EqualTo(numbers[2] * numbers[3]));
+        var settings = results["settings"];
+        Assert.That(new[] { "left", "bottom", "width", "height" }.Select(name => settings["region_" + name]["value"].ToObject<int>()), Is.EqualTo(numbers));
+    }
+
+    [Test]
+    public void Run_OfARegionBeyondThePicture_IsRefused()
+    {
+        var (code, _, error) = Run("run", Plate, "--size", "64x64", "--region", "32,0,33,64");
+
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(error, Does.Contain("region 32,0,33,64").And.Contain("64 x 64"));
     }
 
     [Test]

@@ -16,8 +16,8 @@ public sealed class CommandTreeTests
     static readonly string[] Vocabulary =
     [
         "sweep.unity", "plate.obj", "part.STL", "x.fbx", "-", "--", "", "@file", "[suggest]", "/?x", "-5", "-10:10:5", "0:45:1", "0,1", "17", "4", "3x3", "mm", "z", "1,2,3",
-        "--target", "--angles", "--out", "--size", "--frequency", "--bounces", "--receiver", "--unit", "--up", "--distance", "--grazing", "--aim", "--device",
-        "--target=Ship", "--target=--Ship", "--target=", "--angles=0:2:1", "--bounces=2", "--bounces=x=y", "--fov=60", "--unknown", "--unknown=3", "-out", "-b"
+        "--target", "--angles", "--out", "--size", "--region", "--seed", "--judge", "--peer", "--json", "a=b", "--frequency", "--bounces", "--receiver", "--unit", "--up", "--distance", "--grazing", "--aim", "--device",
+        "--target=Ship", "--target=--Ship", "--target=", "--angles=0:2:1", "--bounces=2", "--bounces=x=y", "--fov=60", "--peer=a=b", "--peer=", "--region=0,0,1,1", "--unknown", "--unknown=3", "-out", "-b"
     ];
 
     [TestCase("run")]
@@ -41,6 +41,12 @@ public sealed class CommandTreeTests
     [TestCase("sweep x.unity --angles 0:45:1 --target Corner Reflector")]
     [TestCase("sweep x.obj --angles 0:45:1 --target Ship")]
     [TestCase("sweep x.obj --angles -1:-2:1")]
+    [TestCase("run x.obj --region 1,2,3")]
+    [TestCase("bench --seed 1 --seed 1")]
+    [TestCase("bench --distance 3")]
+    [TestCase("bench x.obj --seed 1")]
+    [TestCase("bench --peer a=b c=d")]
+    [TestCase("bench --peer --peer a=b")]
     [TestCase("info x.obj")]
     [TestCase("info --size 3x3")]
     public void Tree_OfAWrongLine_RefusesItInTheWordsOfTheTable(string line)
@@ -56,7 +62,7 @@ public sealed class CommandTreeTests
     {
         // Short lines with an input first: of these a fair share is valid.
         var lines =
-            from name in Gen.Elements("sweep", "run", "info")
+            from name in Gen.Elements("sweep", "run", "bench", "info")
             from input in Gen.Elements(Vocabulary[..3])
             from count in Gen.Choose(0, 5)
             from words in Gen.Elements(Vocabulary).ArrayOf(count)
@@ -82,6 +88,7 @@ public sealed class CommandTreeTests
 
     [TestCase("sweep")]
     [TestCase("run")]
+    [TestCase("bench")]
     [TestCase("info")]
     public void Help_OfACommand_IsThatOfTheTable(string name)
     {
@@ -112,7 +119,7 @@ public sealed class CommandTreeTests
         {
             var line = parse();
             var given = line.Command.Options.Where(line.IsGiven).Select(option => option.Flag);
-            return $"{line.Command.Name} {line.Input} {line.Get(Options.Target)} {line.Get(Options.Out)} {line.Get(Options.Bounces)} {string.Join(" ", given)}";
+            return $"{line.Command.Name} {line.Input} {line.Get(Options.Target)} {line.Get(Options.Out)} {line.Get(Options.Bounces)} {line.Get(Options.Peers)?.Length} {string.Join(" ", given)}";
         }
         catch (UsageException)
         {

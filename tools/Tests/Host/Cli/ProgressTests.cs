@@ -37,6 +37,47 @@ public sealed class ProgressTests
     }
 
     [Test]
+    public void Lines_WithinALongStep_ComeAfterTwoSecondsAndThenEveryFive()
+    {
+        var (messages, clock) = (new StringWriter(), new StoppedClock());
+        using var cancellation = new Cancellation(Quiet(messages));
+        var progress = new ProgressLines(TextWriter.Null, messages, cancellation, clock);
+
+        progress.Start("sweep", 2);
+        for (int part = 1; part <= 20; part++)
+        {
+            clock.Seconds += 0.5;
+            progress.Report(part / 20.0);
+        }
+        progress.Advance(1, null);
+        clock.Seconds += 1.5;
+        progress.Report(0.9);
+        clock.Seconds += 0.5;
+        progress.Report(0.95);
+
+        Assert.That(Lines(messages), Is.EqualTo(new[]
+        {
+            "sweep: 0 of 2, the next 20 % done",
+            "sweep: 0 of 2, the next 70 % done",
+            "sweep: 1 of 2, the next 95 % done"
+        }));
+    }
+
+    [Test]
+    public void Lines_WithinTheOnlyStep_CountNone()
+    {
+        var (messages, clock) = (new StringWriter(), new StoppedClock());
+        using var cancellation = new Cancellation(Quiet(messages));
+        var progress = new ProgressLines(TextWriter.Null, messages, cancellation, clock);
+
+        progress.Start("plate", 1);
+        clock.Seconds += 3;
+        progress.Report(0.5);
+
+        Assert.That(Lines(messages), Is.EqualTo(new[] { "plate: 50 % done" }));
+    }
+
+    [Test]
     public void Bar_OnATerminalOfItsOwn_LeavesResultsBare()
     {
         var (output, screen) = (new StringWriter(), new StringWriter());
@@ -46,6 +87,7 @@ public sealed class ProgressTests
         int code = ProgressBar.During(terminal, cancellation, progress =>
         {
             progress.Start("[sweep]", 2);
+            progress.Report(0.5);
             progress.Print("row 1");
             progress.Advance(1, "0 deg");
             progress.Print("row 2");
@@ -77,7 +119,7 @@ public sealed class ProgressTests
         using var cancellation = new Cancellation(new Terminal { Out = TextWriter.Null, Error = screen, Live = Ansi(screen), SharesScreen = true, Width = 100 });
 
         Assert.That(cancellation.Press(), Is.True);
-        Assert.That(cancellation.IsRequested);
+        Assert.That(cancellation.IsRequested && cancellation.Token.IsCancellationRequested);
         Assert.That(screen.ToString(), Does.Contain("Ctrl-C again ends at once").And.Not.Contain(show));
         Assert.That(cancellation.Press(), Is.False);
         Assert.That(screen.ToString(), Does.EndWith(show));

@@ -71,7 +71,7 @@ public sealed class CornerReflectorTests
 
     [Test]
     public void Gatherer_FindsTheTrianglesOfThreeCubes() =>
-        Assert.That(_roots[0].GetComponent<RadarController>().GatherScene().Indices, Has.Length.EqualTo(3 * 36));
+        Assert.That(_roots[0].GetComponent<RadarController>().GatherScene().TriangleCount, Is.EqualTo(3 * 12));
 
     static string ThisFolder([CallerFilePath] string file = null) => Path.GetDirectoryName(file);
 }

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using System.Threading;
 using Glint.Core;
 using Glint.Editor;
 using NUnit.Framework;
@@ -47,6 +48,19 @@ public sealed class BatchTests
     }
 
     [Test]
+    public void Sweep_CancelledAfterAPose_KeepsItsRow()
+    {
+        string results = Path.Combine(_folder, "results");
+        var line = CommandLine.Parse(Commands.Sweep, new[] { "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0,10,20", "--size", "64x36", "--out", results });
+        var progress = new CancelAfterAPose();
+
+        Assert.That(Batch.Execute(line, progress), Is.EqualTo(130));
+        Assert.That(progress.Part, Is.EqualTo(1), "told how much of the pose is done");
+        Assert.That(File.ReadAllLines(Path.Combine(results, "results.csv")).Skip(1).Select(row => row.Split(',')[0]), Is.EqualTo(new[] { "0" }));
+        Assert.That(File.Exists(Path.Combine(results, "results.json")), Is.False);
+    }
+
+    [Test]
     public void Run_ByAssetPath_FindsTheSameScene()
     {
         Call(Commands.Run, "Packages/com.glint.scenes/CornerReflector.unity", "--size", "64x36");
@@ -87,6 +101,25 @@ public sealed class BatchTests
         Batch.ExecuteAndExit(Commands.Sweep, new[] { "Unity", "-batchmode", "Scenes/CornerReflector.unity" });
         Assert.That(_exitCode, Is.EqualTo(2));
         Assert.That(Errors.Single(), Does.Contain("--glint is missing"));
+    }
+
+    sealed class CancelAfterAPose : IProgressSink
+    {
+        readonly CancellationTokenSource _source = new();
+
+        public double Part { get; private set; }
+
+        public CancellationToken Cancel => _source.Token;
+
+        public void Start(string what, int total) { }
+
+        public void Report(double value) => Part = value;
+
+        public void Advance(int done, string note) => _source.Cancel();
+
+        public void Finish() { }
+
+        public void Print(string line) { }
     }
 
     IEnumerable<string> Errors => _log.Where(line => line.type is LogType.Error or LogType.Exception).Select(line => line.text);

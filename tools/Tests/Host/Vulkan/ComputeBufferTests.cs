@@ -59,6 +59,25 @@ public sealed class ComputeBufferTests
     }
 
     [Test]
+    public void Data_OfTheLargestBuffer_ComesBackWholeAndInParts()
+    {
+        int rows = (int)(Math.Min(SystemInfo.maxGraphicsBufferSize, 160 << 20) / 16);
+        using var buffer = new GraphicsBuffer(GraphicsBuffer.Target.Structured, rows, 16);
+        var data = new Vector4[rows];
+        for (int i = 0; i < rows; i++)
+            data[i] = new Vector4(i, -i, 0.5f, 1);
+        buffer.SetData(data);
+        buffer.SetData(new[] { new Vector4(7, 7, 7, 7) }, 0, rows - 2, 1);
+
+        var back = new Vector4[rows];
+        buffer.GetData(back);
+        data[rows - 2] = new Vector4(7, 7, 7, 7);
+        Assert.That(back.AsSpan().SequenceEqual(data));
+        buffer.GetData(back, 0, rows - 3, 3);
+        Assert.That(back[..3], Is.EqualTo(data[^3..]));
+    }
+
+    [Test]
     public void Data_OutOfRange_IsRefused()
     {
         using var buffer = new ComputeBuffer(4, 4);

@@ -86,6 +86,30 @@ public sealed class DispatchTests
     }
 
     [Test]
+    public void SmallWrites_BetweenDispatches_DoNotWait()
+    {
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
+        using var state = _device.CreateBuffer(4);
+        using var other = _device.CreateBuffer(4);
+        var bound = Kernels.Bind(("State", state));
+        byte[] uniforms = Kernels.Pack(program, ("Count", 1u), ("Increment", 1u));
+        _device.Wait();
+        long batch = _device.Recorder.Batch;
+
+        for (uint i = 0; i < 3; i++)
+        {
+            other.Write(BitConverter.GetBytes(i));
+            state.Write(BitConverter.GetBytes(i));
+            state.Write(BitConverter.GetBytes(i + 1)); // over the one before
+            _device.Dispatch(program, uniforms, bound, 1, 1, 1);
+        }
+
+        Assert.That(_device.Recorder.Batch, Is.EqualTo(batch), "nothing was run yet");
+        Assert.That(Kernels.Read<uint>(state)[0], Is.EqualTo(3u * 1664525u + 1));
+        Assert.That(Kernels.Read<uint>(other)[0], Is.EqualTo(2u));
+    }
+
+    [Test]
     public void WriteAndRead_LargerThanTheStagingBuffer_AreWhole()
     {
         var data = new byte[20_000_003];

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Concurrent;
 using System.Collections.Generic;
 using System.Runtime.CompilerServices;
 using System.Runtime.InteropServices;
@@ -11,6 +12,9 @@ namespace Glint.Host;
 internal sealed class StructuredBuffer
 {
     const int StrideLimit = 2048;
+    const int MostBytesAtOnce = 1 << 30; // a span counts its bytes by an int
+
+    static readonly ConcurrentDictionary<Type, (int Size, bool HasReferences)> _elements = new();
 
     readonly string _kind;
     readonly VulkanDevice _device;
@@ -62,62 +66,75 @@ internal sealed class StructuredBuffer
 
     internal void Set(Array data) => Set(data, 0, 0, NotNull(data).Length);
 
-    internal void Set(Array data, int dataStart, int bufferStart, int count) =>
-        WithBytes(data, (bytes, size) => Write(Part(bytes, data.Length, size, dataStart, count), bufferStart, size));
+    internal void Set(Array data, int dataStart, int bufferStart, int count)
+    {
+        int size = ElementSize(data);
+        CheckPart(data.Length, dataStart, count);
+        CheckRange((long)count * size, bufferStart, size);
+        Write(ref MemoryMarshal.GetArrayDataReference(data), (long)dataStart * size, (long)bufferStart * size, (long)count * size);
+    }
 
     internal void Set<T>(List<T> data, int dataStart, int bufferStart, int count) where T : struct
     {
         CheckElement(typeof(T), RuntimeHelpers.IsReferenceOrContainsReferences<T>());
-        var bytes = AsBytes<T>(CollectionsMarshal.AsSpan(NotNull(data)));
-        Write(Part(bytes, data.Count, Unsafe.SizeOf<T>(), dataStart, count), bufferStart, Unsafe.SizeOf<T>());
+        Set(CollectionsMarshal.AsSpan(NotNull(data)), dataStart, bufferStart, count);
     }
 
     internal void Set<T>(NativeArray<T> data, int dataStart, int bufferStart, int count) where T : struct =>
-        Write(Part(AsBytes<T>(data.AsSpan()), data.Length, Unsafe.SizeOf<T>(), dataStart, count), bufferStart, Unsafe.SizeOf<T>());
+        Set(data.AsSpan(), dataStart, bufferStart, count);
 
     internal void Get(Array data) => Get(data, 0, 0, NotNull(data).Length);
 
-    internal void Get(Array data, int dataStart, int bufferStart, int count) =>
-        WithBytes(data, (bytes, size) =>
-        {
-            var part = Part(bytes, data.Length, size, dataStart, count);
-            CheckRange(part.Length, bufferStart, size);
-            Gpu.Read(part, (long)bufferStart * size);
-        });
+    internal void Get(Array data, int dataStart, int bufferStart, int count)
+    {
+        int size = ElementSize(data);
+        CheckPart(data.Length, dataStart, count);
+        CheckRange((long)count * size, bufferStart, size);
+        ref byte first = ref MemoryMarshal.GetArrayDataReference(data);
+        long end = (long)count * size;
+        for (long at = 0; at < end; at += MostBytesAtOnce)
+            Gpu.Read(Slice(ref first, (long)dataStart * size + at, end - at), (long)bufferStart * size + at);
+    }
+
+    void Set<T>(Span<T> data, int dataStart, int bufferStart, int count) where T : struct
+    {
+        int size = Unsafe.SizeOf<T>();
+        CheckPart(data.Length, dataStart, count);
+        CheckRange((long)count * size, bufferStart, size);
+        Write(ref Unsafe.As<T, byte>(ref MemoryMarshal.GetReference(data)), (long)dataStart * size, (long)bufferStart * size, (long)count * size);
+    }
+
+    void Write(ref byte first, long start, long bufferOffset, long end)
+    {
+        for (long at = 0; at < end; at += MostBytesAtOnce)
+            Gpu.Write(Slice(ref first, start + at, end - at), bufferOffset + at);
+    }
+
+    static Span<byte> Slice(ref byte first, long start, long left) =>
+        MemoryMarshal.CreateSpan(ref Unsafe.AddByteOffset(ref first, (nint)start), (int)Math.Min(left, MostBytesAtOnce));
 
     static T NotNull<T>(T data) where T : class => data ?? throw new ArgumentNullException(nameof(data));
 
-    static Span<byte> AsBytes<T>(Span<T> data) where T : struct =>
-        MemoryMarshal.CreateSpan(ref Unsafe.As<T, byte>(ref MemoryMarshal.GetReference(data)), checked(data.Length * Unsafe.SizeOf<T>()));
-
-    static Span<byte> Part(Span<byte> bytes, int length, int size, int start, int count)
+    static void CheckPart(int length, int start, int count)
     {
         if (start < 0 || count < 0 || start > length - count)
             throw new ArgumentOutOfRangeException(nameof(start), $"elements {start} to {(long)start + count} lie outside an array of {length}");
-        return bytes.Slice(start * size, count * size);
     }
 
-    void Write(ReadOnlySpan<byte> data, int bufferStart, int size)
-    {
-        CheckRange(data.Length, bufferStart, size);
-        Gpu.Write(data, (long)bufferStart * size);
-    }
-
-    void CheckRange(int bytes, int start, int size)
+    void CheckRange(long bytes, int start, int size)
     {
         _ = Gpu;
         if (start < 0 || bytes > Bytes - (long)start * size)
             throw new ArgumentException($"bytes {(long)start * size:N0} to {(long)start * size + bytes:N0} lie outside this {_kind} of {Bytes:N0} bytes");
     }
 
-    delegate void ByteAction(Span<byte> bytes, int elementSize);
-
-    void WithBytes(Array data, ByteAction action)
+    // Asked of the runtime once a type: it takes longer than a small upload.
+    int ElementSize(Array data)
     {
         var element = NotNull(data).GetType().GetElementType();
-        CheckElement(element, !element.IsValueType || ContainsReferences(element));
-        int size = RuntimeHelpers.SizeOf(element.TypeHandle);
-        action(MemoryMarshal.CreateSpan(ref MemoryMarshal.GetArrayDataReference(data), checked(data.Length * size)), size);
+        var (size, hasReferences) = _elements.GetOrAdd(element, Describe);
+        CheckElement(element, hasReferences);
+        return size;
     }
 
     void CheckElement(Type element, bool hasReferences)
@@ -126,6 +143,10 @@ internal sealed class StructuredBuffer
             throw new ArgumentException($"{element} holds references to managed objects; a {_kind} takes plain data only");
     }
 
-    static bool ContainsReferences(Type element) => (bool)typeof(RuntimeHelpers)
+    static (int Size, bool HasReferences) Describe(Type element) => element.IsValueType && !HasReferences(element)
+        ? (RuntimeHelpers.SizeOf(element.TypeHandle), false)
+        : (0, true);
+
+    static bool HasReferences(Type element) => (bool)typeof(RuntimeHelpers)
         .GetMethod(nameof(RuntimeHelpers.IsReferenceOrContainsReferences)).MakeGenericMethod(element).Invoke(null, null);
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Runtime.InteropServices;
 
 namespace UnityEngine;
 
@@ -49,7 +50,18 @@ public sealed partial class Mesh
     }
 
     public void GetIndices(List<int> indices, int submesh) => GetIndices(indices, submesh, true);
-    public void GetIndices(List<int> indices, int submesh, bool applyBaseVertex) => Fill(indices, GetIndices(submesh, applyBaseVertex));
+
+    /// <summary>Without garbage, as in Unity: programs read meshes so again and again.</summary>
+    public void GetIndices(List<int> indices, int submesh, bool applyBaseVertex)
+    {
+        if (indices == null)
+            throw new ArgumentNullException(nameof(indices), "The result list cannot be null.");
+        indices.Clear();
+        if (!CanGet("indices", submesh))
+            return;
+        indices.AddRange(Contents.IndicesOf(submesh));
+        AddBaseVertex(CollectionsMarshal.AsSpan(indices), submesh, applyBaseVertex);
+    }
 
     bool CanGet(string what, int subMesh)
     {
@@ -81,10 +93,15 @@ public sealed partial class Mesh
     int[] Indices(int subMesh, bool applyBaseVertex)
     {
         int[] indices = Contents.IndicesOf(subMesh).ToArray();
-        int offset = applyBaseVertex ? Contents.SubMeshes[subMesh].baseVertex : 0;
-        for (int i = 0; i < indices.Length; i++)
-            indices[i] += offset;
+        AddBaseVertex(indices, subMesh, applyBaseVertex);
         return indices;
+    }
+
+    void AddBaseVertex(Span<int> indices, int subMesh, bool applyBaseVertex)
+    {
+        int offset = applyBaseVertex ? Contents.SubMeshes[subMesh].baseVertex : 0;
+        for (int i = 0; offset != 0 && i < indices.Length; i++)
+            indices[i] += offset;
     }
 
     static void Fill(List<int> list, int[] values)

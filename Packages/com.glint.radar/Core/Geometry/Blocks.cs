@@ -1,0 +1,21 @@
+using System;
+using System.Threading.Tasks;
+
+namespace Glint.Core
+{
+    /// <summary>Loops shared out among the cores in blocks.</summary>
+    static class Blocks
+    {
+        const int Size = 8192;
+
+        /// <summary>Calls <paramref name="body"/> with the first and the end of each block of 0 .. count - 1. The result must not depend on the blocks' order.</summary>
+        public static void For(int count, Action<int, int> body)
+        {
+            int blocks = (int)(((long)count + Size - 1) / Size);
+            if (blocks <= 1)
+                body(0, count);
+            else
+                Parallel.For(0, blocks, block => body(block * Size, (int)Math.Min(count, (block + 1L) * Size)));
+        }
+    }
+}

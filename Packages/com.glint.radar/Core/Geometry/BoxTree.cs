@@ -1,0 +1,40 @@
+using System;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// A binary tree over boxes with one box a leaf. As n leaves always have n - 1 inner nodes, the nodes' places are known before the tree is:
+    /// a node stands before its left subtree, that one before the right subtree. So cores that build subtrees need not agree on anything.
+    /// A child is the number of an inner node, or ~ (the complement of) the number of a leaf.
+    /// </summary>
+    sealed class BoxTree
+    {
+        public BoxTree(BoxLeaf[] leaves)
+        {
+            Leaves = leaves;
+            Nodes = new BoxNode[Math.Max(0, leaves.Length - 1)];
+        }
+
+        /// <summary>Leaves from left to right.</summary>
+        public BoxLeaf[] Leaves { get; }
+
+        public BoxNode[] Nodes { get; }
+
+        /// <summary>The root of a tree that is not empty.</summary>
+        public int Root => Nodes.Length > 0 ? 0 : ~0;
+
+        public int Left(int node) => Nodes[node].LeftCount == 1 ? ~Nodes[node].First : node + 1;
+
+        public int Right(int node)
+        {
+            int left = Nodes[node].LeftCount;
+            return Nodes[node].Count - left == 1 ? ~(Nodes[node].First + left) : node + left;
+        }
+
+        public Box BoxOf(int child) => child < 0 ? Leaves[~child].Box : Nodes[child].Box;
+
+        public int FirstLeaf(int child) => child < 0 ? ~child : Nodes[child].First;
+
+        public int LeafCount(int child) => child < 0 ? 1 : Nodes[child].Count;
+    }
+}

@@ -1,0 +1,10 @@
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>Leaves of a tree over instances: their numbers.</summary>
+    sealed class NumberWriter : ILeafWriter
+    {
+        public void Write(int item, uint4[] rows, int row) => rows[row].x = (uint)item;
+    }
+}

@@ -1,0 +1,165 @@
+using System;
+using Unity.Mathematics;
+using static Unity.Mathematics.math;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// A mesh's triangles two by two, where two that share an edge fit into a box not much larger than their own: the leaves of its tree.
+    /// On a sea or a ship hardly a triangle is left alone, so that a tree has half the leaves and half the nodes.
+    /// </summary>
+    sealed class TrianglePairs
+    {
+        // Square of the least cross product of edges, m4, that float32 can make a normal of: the triangle's area is then half of 1e-16 m2.
+        const float LeastNormalSquared = 1e-32f;
+
+        // Boxes' half areas: that of a pair may be this much larger than those of its triangles together.
+        const float MostGrowth = 1.3f;
+
+        // Rounds of pairing triangles that are each other's best partner; what is left takes the best that is free, in the mesh's order.
+        const int Rounds = 3;
+
+        const int Free = -1;
+        const int LeftOut = -2;
+
+        readonly TriangleMesh _mesh;
+        readonly int[] _mates; // a triangle's edge to its partner, or Free, or LeftOut
+        readonly int[] _across;
+
+        TrianglePairs(TriangleMesh mesh)
+        {
+            _mesh = mesh;
+            int count = mesh.TriangleCount;
+            _mates = new int[count];
+            var used = new bool[count];
+            Blocks.For(count, (from, to) =>
+            {
+                for (int t = from; t < to; t++)
+                {
+                    used[t] = Reflects(t);
+                    _mates[t] = used[t] ? Free : LeftOut;
+                }
+            });
+            _across = TriangleEdges.Match(WeldedCorners(), mesh.Vertices.Length, used);
+        }
+
+        /// <summary>
+        /// Vertex numbers of the pairs, in the order of their first triangles. A pair is (x, y, z) and (x, z, w); a triangle left alone has w = z.
+        /// Triangles of less than 5e-17 m2, or so large that their area is not finite, reflect nothing and are left out.
+        /// </summary>
+        public static int4[] Find(TriangleMesh mesh)
+        {
+            var pairs = new TrianglePairs(mesh);
+            pairs.Pair();
+            return pairs.Corners();
+        }
+
+        int[] WeldedCorners()
+        {
+            var welded = VertexWelder.Weld(_mesh.Vertices);
+            var corners = new int[3 * _mesh.TriangleCount];
+            Blocks.For(corners.Length, (from, to) =>
+            {
+                for (int corner = from; corner < to; corner++)
+                    corners[corner] = welded[_mesh.Indices[corner]];
+            });
+            return corners;
+        }
+
+        bool Reflects(int triangle)
+        {
+            _mesh.GetTriangle(triangle, out var a, out var b, out var c);
+            float normalSquared = lengthsq(cross(b - a, c - a));
+            return normalSquared >= LeastNormalSquared && normalSquared <= float.MaxValue;
+        }
+
+        // Two that are each other's best would also meet if all pairs were tried from the best to the worst, but this way no sort is needed and cores can share the work.
+        void Pair()
+        {
+            var best = new int[_mates.Length];
+            for (int round = 0; round < Rounds; round++)
+            {
+                Blocks.For(best.Length, (from, to) =>
+                {
+                    for (int t = from; t < to; t++)
+                        best[t] = BestEdge(t);
+                });
+                Blocks.For(best.Length, (from, to) =>
+                {
+                    for (int t = from; t < to; t++)
+                        if (best[t] >= 0 && _across[best[t]] / 3 > t && best[_across[best[t]] / 3] == _across[best[t]])
+                            Join(best[t]);
+                });
+            }
+            for (int t = 0; t < _mates.Length; t++)
+            {
+                int edge = BestEdge(t);
+                if (edge >= 0)
+                    Join(edge);
+            }
+        }
+
+        void Join(int edge)
+        {
+            _mates[edge / 3] = edge;
+            _mates[_across[edge] / 3] = _across[edge];
+        }
+
+        // The edge of a free triangle to the free one that makes the smallest box with it.
+        int BestEdge(int triangle)
+        {
+            if (_mates[triangle] != Free)
+                return TriangleEdges.None;
+            var box = Box.Empty;
+            for (int corner = 3 * triangle; corner < 3 * triangle + 3; corner++)
+                box.Add(Corner(corner));
+
+            int best = TriangleEdges.None, bestTie = 0;
+            float bestArea = float.PositiveInfinity;
+            for (int edge = 3 * triangle; edge < 3 * triangle + 3; edge++)
+            {
+                int other = _across[edge];
+                if (other < 0 || _mates[other / 3] != Free)
+                    continue;
+                var far = Corner(TriangleEdges.Opposite(other));
+                var both = box;
+                both.Add(far);
+                var partner = new Box(far, far);
+                partner.Add(Corner(edge));
+                partner.Add(Corner(TriangleEdges.End(edge)));
+                float area = both.HalfArea;
+                int tie = Math.Min(edge, other); // the same seen from both sides
+                if (area <= MostGrowth * (box.HalfArea + partner.HalfArea) && (area < bestArea || area == bestArea && tie < bestTie))
+                    (best, bestArea, bestTie) = (edge, area, tie);
+            }
+            return best;
+        }
+
+        float3 Corner(int corner) => _mesh.Vertices[_mesh.Indices[corner]];
+
+        int4[] Corners()
+        {
+            int count = 0;
+            for (int t = 0; t < _mates.Length; t++)
+                if (IsFirst(t))
+                    count++;
+            var corners = new int4[count];
+            count = 0;
+            for (int t = 0; t < _mates.Length; t++)
+                if (IsFirst(t))
+                    corners[count++] = CornersOf(t);
+            return corners;
+        }
+
+        bool IsFirst(int triangle) => _mates[triangle] == Free || _mates[triangle] >= 0 && _across[_mates[triangle]] / 3 > triangle;
+
+        int4 CornersOf(int triangle)
+        {
+            var indices = _mesh.Indices;
+            if (_mates[triangle] == Free)
+                return int4(indices[3 * triangle], indices[3 * triangle + 1], indices[3 * triangle + 2], indices[3 * triangle + 2]);
+            int edge = _mates[triangle];
+            return int4(indices[TriangleEdges.End(edge)], indices[TriangleEdges.Opposite(edge)], indices[edge], indices[TriangleEdges.Opposite(_across[edge])]);
+        }
+    }
+}

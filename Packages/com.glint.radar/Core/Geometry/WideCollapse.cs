@@ -1,0 +1,165 @@
+using System;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// Makes nodes of up to four children out of a binary tree, so that the surface of all of them together, which the visits of a ray are in proportion to, is least.
+    /// For each subtree the least surface is known when it has one, two or three roots; a node's choice follows from those of its children.
+    /// On a sea with a ship that leaves a fifth fewer nodes than opening the largest child first.
+    /// </summary>
+    sealed class WideCollapse
+    {
+        public const int MostChildren = 4;
+
+        /// <summary>Inner levels at most: half of the binary tree's, as a node can always take the place of two levels.</summary>
+        public const int MaxLevels = BoxTreeBuilder.MaxLevels / 2;
+
+        readonly BoxTree _tree;
+        readonly int _root;
+        readonly Costs[] _costs;
+        readonly WideNode[] _nodes;
+        readonly int[] _children = new int[MostChildren];
+        int _childCount;
+        int _nodeCount = 1;
+
+        WideCollapse(BoxTree tree, int root)
+        {
+            _tree = tree;
+            _root = root;
+            _costs = new Costs[tree.LeafCount(root) - 1];
+            _nodes = new WideNode[Math.Max(2, 2 * tree.LeafCount(root) - 1)];
+        }
+
+        /// <summary>The nodes of a subtree, the root first, each followed closely by its first subtree.</summary>
+        public static ArraySegment<WideNode> Collapse(BoxTree tree, int root)
+        {
+            var collapse = new WideCollapse(tree, root);
+            if (root < 0)
+            {
+                collapse._children[0] = root;
+                collapse._childCount = 1;
+                collapse.PlaceChildren(0, root, MaxLevels);
+            }
+            else
+            {
+                // Children stand behind their parents.
+                for (int node = collapse._costs.Length - 1; node >= 0; node--)
+                    collapse._costs[node] = collapse.CostsOf(root + node);
+                collapse.PlaceNode(0, root, MaxLevels);
+            }
+            return new ArraySegment<WideNode>(collapse._nodes, 0, collapse._nodeCount);
+        }
+
+        Costs CostsOf(int node)
+        {
+            int left = _tree.Left(node), right = _tree.Right(node);
+            var costs = new Costs { Levels = 1 + Math.Max(Levels(left), Levels(right)) };
+            costs.AsOne = _tree.Nodes[node].Box.HalfArea + Open(left, right, MostChildren, out _);
+            costs.AsTwo = Math.Min(costs.AsOne, Open(left, right, 2, out _));
+            costs.AsThree = Math.Min(costs.AsOne, Open(left, right, 3, out _));
+            return costs;
+        }
+
+        // The least surface of two subtrees with this many roots together, and how many of them are the left one's.
+        float Open(int left, int right, int roots, out int leftRoots)
+        {
+            leftRoots = 1;
+            float best = Cost(left, 1) + Cost(right, roots - 1);
+            for (int more = 2; more < roots; more++)
+            {
+                float cost = Cost(left, more) + Cost(right, roots - more);
+                if (cost < best)
+                {
+                    best = cost;
+                    leftRoots = more;
+                }
+            }
+            return best;
+        }
+
+        // Leaves cost the same whatever stands above them.
+        float Cost(int child, int roots)
+        {
+            if (child < 0)
+                return 0;
+            ref readonly Costs costs = ref _costs[child - _root];
+            return roots == 1 ? costs.AsOne : roots == 2 ? costs.AsTwo : costs.AsThree;
+        }
+
+        int Levels(int child) => child < 0 ? 0 : _costs[child - _root].Levels;
+
+        // Finds the children of an inner node and gives them places, and theirs. The node may have this many inner levels, itself included.
+        void PlaceNode(int place, int node, int levels)
+        {
+            _childCount = 0;
+            AddBest(_tree.Left(node), _tree.Right(node), MostChildren);
+            if (!ChildrenFit(levels - 1))
+            {
+                // Its grandchildren have two binary levels less; they fit whenever the node does.
+                _childCount = 0;
+                AddOpened(_tree.Left(node));
+                AddOpened(_tree.Right(node));
+            }
+            PlaceChildren(place, node, levels);
+        }
+
+        void PlaceChildren(int place, int node, int levels)
+        {
+            int first = _nodeCount, count = _childCount;
+            _nodes[place] = new WideNode { Binary = node, FirstChild = first, ChildCount = count };
+            for (int i = 0; i < count; i++)
+                _nodes[first + i] = new WideNode { Binary = _children[i] };
+            _nodeCount += count;
+            for (int i = 0; i < count; i++)
+                if (_nodes[first + i].Binary >= 0)
+                    PlaceNode(first + i, _nodes[first + i].Binary, levels - 1);
+        }
+
+        void AddBest(int left, int right, int roots)
+        {
+            Open(left, right, roots, out int leftRoots);
+            AddRoots(left, leftRoots);
+            AddRoots(right, roots - leftRoots);
+        }
+
+        void AddRoots(int child, int roots)
+        {
+            if (child >= 0 && roots > 1)
+            {
+                int left = _tree.Left(child), right = _tree.Right(child);
+                if (Open(left, right, roots, out _) <= Cost(child, 1))
+                {
+                    AddBest(left, right, roots);
+                    return;
+                }
+            }
+            _children[_childCount++] = child;
+        }
+
+        void AddOpened(int child)
+        {
+            if (child >= 0)
+            {
+                _children[_childCount++] = _tree.Left(child);
+                _children[_childCount++] = _tree.Right(child);
+            }
+            else
+                _children[_childCount++] = child;
+        }
+
+        bool ChildrenFit(int levels)
+        {
+            for (int i = 0; i < _childCount; i++)
+                if (Levels(_children[i]) > 2 * levels)
+                    return false;
+            return true;
+        }
+
+        // Least surface of the nodes of a subtree with at most so many roots, and its binary inner levels.
+        struct Costs
+        {
+            public float AsOne, AsTwo, AsThree;
+            public int Levels;
+        }
+    }
+}

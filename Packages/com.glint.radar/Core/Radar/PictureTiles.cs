@@ -1,0 +1,150 @@
+using System;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// The tiles of 8 x 8 rays in which something of the scene can be seen: those that the outlines of its boxes cover. The other rays hit nothing and need no tracing.
+    /// </summary>
+    public sealed class PictureTiles
+    {
+        /// <summary>Rays along the side of a tile, and in a tile; one thread group takes one.</summary>
+        public const int Side = 8, Rays = Side * Side;
+
+        // Rays by which a box's outline is widened: many times the rounding of the kernel's directions.
+        const double Margin = 0.05;
+
+        // Tiles that stay neighbours when the order is spread over processors: they share much of the tree.
+        const int Run = 32;
+
+        readonly RadarSettings _settings;
+        readonly RadarView _view;
+        readonly int2 _first, _end; // tiles of the region, first and one past the last
+        readonly int[] _steps;      // by how many more boxes a tile is covered than those before it, in both directions
+
+        public PictureTiles(in RadarSettings settings, in RadarView view)
+        {
+            _settings = settings;
+            _view = view;
+            var region = settings.Region;
+            if (region.IsWhole)
+                region = new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown };
+            _first = new int2(region.Left, region.Bottom) / Side;
+            _end = (new int2(region.Left + region.Width, region.Bottom + region.Height) + Side - 1) / Side;
+            _steps = new int[(_end.y - _first.y + 1) * Stride];
+        }
+
+        int Stride => _end.x - _first.x + 1;
+
+        /// <summary>Tiles of the region.</summary>
+        public long Count => (long)(_end.x - _first.x) * (_end.y - _first.y);
+
+        /// <summary>Takes every tile.</summary>
+        public void AddAll() => Cover(_first, _end - 1);
+
+        /// <summary>Takes the tiles in which a box can be seen.</summary>
+        /// <param name="toWorld">From the box's axes to the world.</param>
+        public void Add(float3 low, float3 high, in Affine toWorld)
+        {
+            var corners = new double3[8];
+            for (int i = 0; i < corners.Length; i++)
+                corners[i] = Seen(toWorld.Point(new double3((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z)));
+            double size = 0;
+            foreach (var corner in corners)
+                size = math.max(size, math.cmax(math.abs(corner)));
+
+            // Of a box that reaches behind the camera the part before it counts: its corners, and where its edges cross a plane just before the camera.
+            double nearest = 1e-9 * size;
+            double2 least = double.PositiveInfinity, most = double.NegativeInfinity;
+            void Include(double3 p)
+            {
+                least = math.min(least, p.xy / p.z); // -1 to 1 over the picture
+                most = math.max(most, p.xy / p.z);
+            }
+            for (int i = 0; i < corners.Length; i++)
+            {
+                if (corners[i].z >= nearest)
+                    Include(corners[i]);
+                for (int bit = 1; bit < 8; bit *= 2)
+                    if ((i & bit) == 0 && corners[i].z >= nearest != corners[i | bit].z >= nearest)
+                    {
+                        double3 a = corners[i], b = corners[i | bit];
+                        double3 crossing = a + (nearest - a.z) / (b.z - a.z) * (b - a);
+                        Include(new double3(crossing.xy, nearest));
+                    }
+            }
+            if (least.x <= most.x)
+                Cover(TileOf(least, -Margin), TileOf(most, Margin));
+        }
+
+        /// <summary>The tiles taken: column | row shifted by 16 bits.</summary>
+        /// <param name="spread">Order them so that every long stretch of the list has its share of all parts of the picture: a software device gives each processor one stretch.</param>
+        public uint[] ToArray(bool spread)
+        {
+            int width = _end.x - _first.x, height = _end.y - _first.y;
+            var tiles = new uint[width * height];
+            var above = new int[width];
+            int count = 0;
+            for (int row = 0; row < height; row++)
+            {
+                int covered = 0;
+                for (int column = 0; column < width; column++)
+                {
+                    above[column] += _steps[row * Stride + column];
+                    covered += above[column];
+                    if (covered > 0)
+                        tiles[count++] = (uint)(_first.x + column) | (uint)(_first.y + row) << 16;
+                }
+            }
+            Array.Resize(ref tiles, count);
+            return spread ? Spread(tiles) : tiles;
+        }
+
+        // Camera axes: x and y so that the picture reaches from -1 to 1 at z = 1.
+        double3 Seen(double3 point)
+        {
+            double3 v = point - _view.Position;
+            double height = _view.TanHalfFov;
+            return new double3(math.dot(v, _view.Right) / (height * _settings.Aspect), math.dot(v, _view.Up) / height, math.dot(v, _view.Forward));
+        }
+
+        // The tile of the ray that passes nearest, kept within bounds that an int holds.
+        int2 TileOf(double2 place, double margin)
+        {
+            double2 ray = 0.5 * (place + 1) * new double2(_settings.RaysAcross, _settings.RaysDown) - 0.5 + margin;
+            return (int2)math.floor(math.clamp(ray / Side, -1, 1e6));
+        }
+
+        void Cover(int2 from, int2 to)
+        {
+            from = math.max(from, _first) - _first;
+            to = math.min(to, _end - 1) - _first + 1;
+            if (math.any(from >= to))
+                return;
+            _steps[from.y * Stride + from.x]++;
+            _steps[from.y * Stride + to.x]--;
+            _steps[to.y * Stride + from.x]--;
+            _steps[to.y * Stride + to.x]++;
+        }
+
+        // Runs of neighbouring tiles, taken with a stride that is about 0.6 of their number and has no divisor in common with it.
+        static uint[] Spread(uint[] tiles)
+        {
+            int runs = (tiles.Length + Run - 1) / Run;
+            int stride = math.max(1, (int)(0.6 * runs));
+            while (Divisor(stride, runs) != 1)
+                stride++;
+            var spread = new uint[tiles.Length];
+            int count = 0;
+            for (int i = 0, run = 0; i < runs; i++, run = (run + stride) % runs)
+            {
+                int length = math.min(Run, tiles.Length - run * Run);
+                Array.Copy(tiles, run * Run, spread, count, length);
+                count += length;
+            }
+            return spread;
+        }
+
+        static int Divisor(int a, int b) => b == 0 ? a : Divisor(b, a % b);
+    }
+}

@@ -1,0 +1,145 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint
+{
+    /// <summary>The scene on the device: trees over its meshes, the places of its instances, and a small tree over these. What a pose does not change stays.</summary>
+    sealed class DeviceScene : IDisposable
+    {
+        readonly DeviceTrees _trees;
+        readonly DeviceBuffer<InstanceRecord> _instances = new DeviceBuffer<InstanceRecord>("instances");
+        readonly DeviceBuffer<uint4> _top = new DeviceBuffer<uint4>("rows of the tree over instances");
+        RadarScene _scene;
+
+        public DeviceScene(TreeShape shape, string owner)
+        {
+            _trees = new DeviceTrees(shape, owner);
+            _instances.Reserve(1);
+            _top.Reserve(1);
+        }
+
+        /// <summary>Null before the first scene.</summary>
+        public RadarScene Scene => _scene;
+
+        public DeviceBuffer<InstanceRecord> Instances => _instances;
+
+        public DeviceBuffer<uint4> Top => _top;
+
+        /// <summary>Where the kernel begins: the top tree's first row, or the leaf of the only instance.</summary>
+        public uint TopRoot { get; private set; }
+
+        public bool IsEmpty { get; private set; }
+
+        /// <summary>True for one instance of a mesh of one tree: it needs no tree over instances.</summary>
+        public bool HasOneInstance { get; private set; }
+
+        /// <summary>The only instance if there is one.</summary>
+        public InstanceRecord FirstInstance { get; private set; }
+
+        public IReadOnlyList<TreeBank> Banks => _trees.Banks;
+
+        public long Bytes => _trees.Bytes + _instances.Bytes + _top.Bytes;
+
+        /// <summary>Corners of the box around everything, world, metres.</summary>
+        public double3 Low { get; private set; }
+
+        public double3 High { get; private set; }
+
+        /// <summary>Takes a scene; builds the trees of meshes that are new.</summary>
+        /// <returns>True if a tree was built.</returns>
+        public bool Set(RadarScene scene, ref WorkDone work, Func<TriangleMesh, TreeShape, MeshTree> build)
+        {
+            if (_scene != null && IsSame(_scene, scene))
+                return false;
+            _scene = null; // until all is there
+            bool hasBuilt = _trees.Hold(new HashSet<TriangleMesh>(scene.Instances.Select(instance => instance.Mesh)), ref work, build);
+            Place(scene, ref work);
+            _scene = scene;
+            return hasBuilt;
+        }
+
+        /// <summary>Marks where in the picture something of the scene can be seen.</summary>
+        public void AddTo(PictureTiles tiles)
+        {
+            foreach (var instance in _scene.Instances)
+            {
+                var tree = _trees[instance.Mesh].Tree;
+                for (int box = 0; box < tree.CoverLow.Length; box++)
+                    tiles.Add(tree.CoverLow[box], tree.CoverHigh[box], instance.ToWorld);
+            }
+        }
+
+        public void Dispose()
+        {
+            _trees.Dispose();
+            _instances.Dispose();
+            _top.Dispose();
+            _scene = null;
+        }
+
+        static bool IsSame(RadarScene a, RadarScene b)
+        {
+            if (a.Instances.Length != b.Instances.Length)
+                return false;
+            for (int i = 0; i < a.Instances.Length; i++)
+                if (a.Instances[i].Mesh != b.Instances[i].Mesh || !a.Instances[i].ToWorld.Equals(b.Instances[i].ToWorld))
+                    return false;
+            return true;
+        }
+
+        // One record for each tree of each instance.
+        void Place(RadarScene scene, ref WorkDone work)
+        {
+            var records = new List<InstanceRecord>();
+            var low = new List<float3>();
+            var high = new List<float3>();
+            Low = double.PositiveInfinity;
+            High = double.NegativeInfinity;
+            foreach (var instance in scene.Instances)
+            {
+                var tree = _trees[instance.Mesh];
+                var toLocal = instance.ToWorld.Inverse();
+                for (int part = 0; part < tree.Tree.Parts.Length; part++)
+                {
+                    records.Add(InstanceRecord.Of(toLocal, tree.BankOf(part), tree.FirstRowOf(part)));
+                    Bound(tree.Tree.Parts[part], instance.ToWorld, out var partLow, out var partHigh);
+                    low.Add(Down(partLow));
+                    high.Add(-Down(-partHigh));
+                    Low = math.min(Low, partLow);
+                    High = math.max(High, partHigh);
+                }
+            }
+            IsEmpty = records.Count == 0;
+            HasOneInstance = records.Count == 1;
+            TopRoot = uint.MaxValue; // DONE: nothing to search
+            if (IsEmpty)
+                return;
+            FirstInstance = records[0];
+            var top = TopTree.Build(low.ToArray(), high.ToArray(), TreeShape.Binary);
+            // Row 3 of a node begins with the reference to its first child: of one instance that is the leaf.
+            TopRoot = records.Count == 1 ? top[3].x : 0;
+            _instances.Upload(records.ToArray());
+            _top.Upload(top);
+            work.BytesUploaded += records.Count * (long)_instances.Stride + top.Length * (long)_top.Stride;
+        }
+
+        static void Bound(TreePart part, in Affine toWorld, out double3 low, out double3 high)
+        {
+            low = double.PositiveInfinity;
+            high = double.NegativeInfinity;
+            for (int corner = 0; corner < 8; corner++)
+            {
+                double3 p = toWorld.Point(new double3(
+                    (corner & 1) != 0 ? part.High.x : part.Low.x, (corner & 2) != 0 ? part.High.y : part.Low.y, (corner & 4) != 0 ? part.High.z : part.Low.z));
+                low = math.min(low, p);
+                high = math.max(high, p);
+            }
+        }
+
+        // Float32 numbers not above the given ones, by some float32 steps: the kernel's transforms round as well.
+        static float3 Down(double3 v) => (float3)(v - 1e-6 * math.abs(v) - 1e-30);
+    }
+}

@@ -1,0 +1,144 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>The trees over meshes on the device. A mesh that comes again costs nothing; those that do not come again are dropped.</summary>
+    sealed class DeviceTrees : IDisposable
+    {
+        /// <summary>Buffers that the kernel can read trees from: _Tree0 to _Tree7.</summary>
+        public const int MostBanks = 8;
+
+        // Least that a triangle takes: half a leaf of three rows.
+        const double LeastRowsPerTriangle = 1.5;
+
+        readonly TreeShape _shape;
+        readonly string _owner;
+        readonly List<TreeBank> _banks = new List<TreeBank>();
+        readonly Dictionary<TriangleMesh, PlacedTree> _trees = new Dictionary<TriangleMesh, PlacedTree>();
+        bool _hasChanged;
+
+        public DeviceTrees(TreeShape shape, string owner)
+        {
+            _shape = shape;
+            _owner = owner;
+        }
+
+        public PlacedTree this[TriangleMesh mesh] => _trees[mesh];
+
+        public IReadOnlyList<TreeBank> Banks => _banks;
+
+        /// <summary>Bytes of the device's buffers.</summary>
+        public long Bytes => _banks.Sum(bank => (long)bank.Rows.Capacity * 16);
+
+        /// <summary>Holds the trees of these meshes from now on, and no others: builds those that are new.</summary>
+        /// <returns>True if any was built.</returns>
+        /// <exception cref="GlintException">The device cannot hold them; the trees before are lost.</exception>
+        public bool Hold(ICollection<TriangleMesh> meshes, ref WorkDone work, Func<TriangleMesh, TreeShape, MeshTree> build)
+        {
+            Refuse(meshes.Sum(mesh => mesh.TriangleCount * LeastRowsPerTriangle), "at least ");
+            try
+            {
+                Drop(meshes);
+                var added = Build(meshes, ref work, build);
+                Upload(added, ref work);
+                return added.Count > 0;
+            }
+            catch
+            {
+                Dispose(); // half of it would be worse than nothing
+                throw;
+            }
+        }
+
+        public void Dispose()
+        {
+            foreach (var bank in _banks)
+                bank.Dispose();
+            _banks.Clear();
+            _trees.Clear();
+        }
+
+        void Drop(ICollection<TriangleMesh> but)
+        {
+            foreach (var mesh in _trees.Keys.Where(mesh => !but.Contains(mesh)).ToList())
+            {
+                _trees[mesh].Free(_banks);
+                _trees.Remove(mesh);
+            }
+        }
+
+        List<PlacedTree> Build(ICollection<TriangleMesh> meshes, ref WorkDone work, Func<TriangleMesh, TreeShape, MeshTree> build)
+        {
+            var added = new List<PlacedTree>();
+            foreach (var mesh in meshes)
+            {
+                if (_trees.ContainsKey(mesh))
+                    continue;
+                var tree = new PlacedTree(build(mesh, _shape));
+                work.TreesBuilt++;
+                work.TrianglesBuilt += mesh.TriangleCount;
+                _trees.Add(mesh, tree);
+                added.Add(tree);
+            }
+            return added;
+        }
+
+        void Upload(List<PlacedTree> added, ref WorkDone work)
+        {
+            if (_banks.Count == 0 || !added.All(tree => tree.Place(_banks)))
+            {
+                added = _trees.Values.ToList();
+                MakeBanks();
+                if (!added.All(tree => tree.Place(_banks)))
+                    throw new InvalidOperationException("trees do not fit the buffers made for them");
+            }
+            work.BytesUploaded += added.Sum(tree => tree.Rows) * 16;
+        }
+
+        // New buffers for all trees. A scene that has changed once will do so again: then there is room for its next mesh.
+        void MakeBanks()
+        {
+            foreach (var bank in _banks)
+                bank.Dispose();
+            _banks.Clear();
+            long most = DeviceBuffer<uint4>.Most;
+            var parts = _trees.Values.SelectMany(tree => tree.Tree.Parts).Select(part => (long)part.Words.Length).ToList();
+            long spare = _hasChanged && parts.Count > 0 ? parts.Sum() / 8 + parts.Max() : 0;
+            _hasChanged = true;
+            Refuse(parts.Sum(), "");
+
+            var sizes = new List<long> { 0 };
+            foreach (long rows in parts)
+            {
+                if (rows > most)
+                    throw TooLarge(parts.Sum(), "");
+                if (sizes[sizes.Count - 1] + rows > most)
+                    sizes.Add(0);
+                sizes[sizes.Count - 1] += rows;
+            }
+            if (sizes.Count > MostBanks)
+                throw TooLarge(parts.Sum(), "");
+            int last = sizes.Count - 1;
+            sizes[last] = Math.Max(1, Math.Min(most, sizes[last] + spare));
+            foreach (long rows in sizes)
+                _banks.Add(new TreeBank((int)rows));
+        }
+
+        void Refuse(double rows, string bound)
+        {
+            if (rows > (double)MostBanks * DeviceBuffer<uint4>.Most || rows * 16 > SystemInfo.graphicsMemorySize * 1048576.0)
+                throw TooLarge(rows, bound);
+        }
+
+        GlintException TooLarge(double rows, string bound)
+        {
+            double held = Math.Min((double)MostBanks * DeviceBuffer<uint4>.Most * 16, SystemInfo.graphicsMemorySize * 1048576.0);
+            return new GlintException($"{_owner}: the trees over its meshes take {bound}{Text.Mebibytes(rows * 16)}, and {SystemInfo.graphicsDeviceName} holds {Text.Mebibytes(held)} of them: trace fewer triangles (layers, roots), or share one mesh among several objects");
+        }
+    }
+}

@@ -1,0 +1,86 @@
+using System.Collections.Generic;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint
+{
+    /// <summary>Objects that keep still relative to each other, merged into one mesh in the frame of what moves them. It is built anew only when one of them changes.</summary>
+    sealed class Body
+    {
+        // A lone object that is stretched more than this has its scale put into vertices of its own: the tree is better over shapes as they are.
+        const double EvenEnough = 0.1;
+
+        List<Part> _parts = new List<Part>(), _merged = new List<Part>();
+        TransformNode _first;
+        TriangleMesh _mesh;
+        VertexFrame _vertexFrame;
+
+        public void Begin() => _parts.Clear();
+
+        /// <summary>Adds an object; all have the same frame.</summary>
+        public void Add(TransformNode node, MeshSource source)
+        {
+            if (_parts.Count == 0)
+                _first = node;
+            _parts.Add(new Part { Source = source, Version = source.Version, InFrame = node.InFrame });
+        }
+
+        /// <summary>The mesh where its frame stands now.</summary>
+        public MeshInstance Place(MeshReader reader)
+        {
+            if (_parts.Count == 1 && Shape.Evenness(_first.ToWorld) >= EvenEnough)
+            {
+                (_mesh, _merged) = (null, new List<Part>());
+                return _parts[0].Source.Place(_first.ToWorld, reader);
+            }
+            var frame = _first.Frame;
+            if (_mesh == null || _vertexFrame.Unit != frame.FrameUnit || !IsMerged())
+                Merge(frame.FrameUnit, reader);
+            return new MeshInstance { Mesh = _mesh, ToWorld = frame.FrameToWorld * _vertexFrame.Back };
+        }
+
+        bool IsMerged()
+        {
+            if (_parts.Count != _merged.Count)
+                return false;
+            for (int i = 0; i < _parts.Count; i++)
+                if (!_parts[i].Equals(_merged[i]))
+                    return false;
+            return true;
+        }
+
+        void Merge(double unit, MeshReader reader)
+        {
+            double3 low = double.PositiveInfinity, high = double.NegativeInfinity;
+            int vertexCount = 0, triangleCount = 0;
+            foreach (var part in _parts)
+            {
+                part.Source.Bound(part.InFrame, out var centre, out var half);
+                low = math.min(low, centre - half);
+                high = math.max(high, centre + half);
+                vertexCount += part.Source.VertexCount;
+                triangleCount += part.Source.TriangleCount;
+            }
+            _vertexFrame = new VertexFrame((high + low) / 2, (high - low) / 2, unit);
+            var into = _vertexFrame.Into;
+            var vertices = new float3[vertexCount];
+            var indices = new int[3 * triangleCount];
+            vertexCount = 0;
+            int indexCount = 0;
+            foreach (var part in _parts)
+                reader.Append(part.Source.Mesh, into * part.InFrame, vertices, ref vertexCount, indices, ref indexCount);
+            _mesh = new TriangleMesh(vertices, indices);
+            (_parts, _merged) = (_merged, _parts);
+        }
+
+        // All that an object adds to the merged vertices.
+        struct Part
+        {
+            public MeshSource Source;
+            public int Version;
+            public Affine InFrame;
+
+            public bool Equals(in Part other) => Source == other.Source && Version == other.Version && InFrame.Equals(other.InFrame);
+        }
+    }
+}

@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>Reads meshes through lists that it keeps: to look at an unchanged mesh leaves no garbage.</summary>
+    sealed class MeshReader
+    {
+        readonly List<Vector3> _vertices = new List<Vector3>();
+        readonly List<int> _indices = new List<int>();
+
+        /// <summary>Sums up all that decides a mesh's triangles.</summary>
+        public ulong Hash(Mesh mesh)
+        {
+            var hash = new ContentHash();
+            mesh.GetVertices(_vertices);
+            hash.Add(_vertices);
+            int submeshes = mesh.subMeshCount;
+            hash.Add(submeshes);
+            for (int submesh = 0; submesh < submeshes; submesh++)
+            {
+                hash.Add((int)mesh.GetTopology(submesh));
+                mesh.GetIndices(_indices, submesh);
+                hash.Add(_indices);
+            }
+            return hash.Value;
+        }
+
+        /// <summary>The box around all vertices; not a number when one of them is none.</summary>
+        public void Measure(Mesh mesh, out float3 low, out float3 high)
+        {
+            mesh.GetVertices(_vertices);
+            (low, high) = (float.PositiveInfinity, float.NegativeInfinity);
+            bool isFinite = true;
+            foreach (float3 vertex in _vertices)
+            {
+                low = math.min(low, vertex);
+                high = math.max(high, vertex);
+                isFinite &= math.all(math.isfinite(vertex));
+            }
+            if (!isFinite)
+                (low, high) = (float.NaN, float.NaN);
+        }
+
+        /// <summary>Counts a mesh's triangles.</summary>
+        /// <param name="owner">Has the mesh, for messages.</param>
+        /// <exception cref="GlintException">A submesh has no faces, or indices that name no vertex.</exception>
+        public int CountTriangles(Mesh mesh, Renderer owner)
+        {
+            int vertices = mesh.vertexCount, triangles = 0;
+            for (int submesh = 0; submesh < mesh.subMeshCount; submesh++)
+            {
+                var topology = mesh.GetTopology(submesh);
+                if (topology != MeshTopology.Triangles && topology != MeshTopology.Quads)
+                    throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} is made of {topology}: the radar traces triangles and quads, remove the submesh or disable the MeshRenderer");
+                mesh.GetIndices(_indices, submesh);
+                int corners = topology == MeshTopology.Quads ? 4 : 3;
+                if (_indices.Count % corners != 0)
+                    throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} has {_indices.Count} indices, no multiple of {corners}: mend the mesh");
+                foreach (int index in _indices)
+                    if (index < 0 || index >= vertices)
+                        throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} has index {index}, and the mesh has {vertices} vertices: mend the mesh");
+                triangles += _indices.Count / corners * (corners - 2);
+            }
+            return triangles;
+        }
+
+        /// <summary>Refuses a place where a vertex lies beyond what float32 can hold to a metre.</summary>
+        /// <exception cref="GlintException">There is one; the message names it.</exception>
+        public void CheckPlace(Mesh mesh, in Affine toWorld, Renderer owner)
+        {
+            mesh.GetVertices(_vertices);
+            for (int i = 0; i < _vertices.Count; i++)
+            {
+                double3 place = toWorld.Point((float3)_vertices[i]);
+                if (math.all(math.abs(place) <= TriangleMesh.LargestCoordinate))
+                    continue;
+                var position = (float3)place;
+                throw new GlintException(FormattableString.Invariant($"{Subject(mesh, owner)}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the world, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: mend the mesh, or the scale of the object and its parents"));
+            }
+        }
+
+        /// <summary>Writes a mesh's triangles behind those that are there.</summary>
+        /// <param name="place">From the mesh's coordinates to those of the vertices written; computed in double, then rounded.</param>
+        /// <param name="vertexCount">Vertices there; moved on.</param>
+        /// <param name="indexCount">Indices there; moved on.</param>
+        public void Append(Mesh mesh, in Affine place, float3[] vertices, ref int vertexCount, int[] indices, ref int indexCount)
+        {
+            int first = vertexCount;
+            mesh.GetVertices(_vertices);
+            foreach (float3 vertex in _vertices)
+                vertices[vertexCount++] = (float3)place.Point(vertex);
+            for (int submesh = 0; submesh < mesh.subMeshCount; submesh++)
+            {
+                mesh.GetIndices(_indices, submesh);
+                if (mesh.GetTopology(submesh) == MeshTopology.Quads)
+                    AppendQuads(first, indices, ref indexCount);
+                else
+                    foreach (int index in _indices)
+                        indices[indexCount++] = first + index;
+            }
+        }
+
+        void AppendQuads(int first, int[] indices, ref int count)
+        {
+            for (int i = 0; i < _indices.Count; i += 4)
+            {
+                int a = first + _indices[i], b = first + _indices[i + 1], c = first + _indices[i + 2], d = first + _indices[i + 3];
+                (indices[count], indices[count + 1], indices[count + 2]) = (a, b, c);
+                (indices[count + 3], indices[count + 4], indices[count + 5]) = (a, c, d);
+                count += 6;
+            }
+        }
+
+        static string Subject(Mesh mesh, Renderer owner) => $"mesh '{mesh.name}' of '{owner.name}'";
+    }
+}

@@ -1,0 +1,95 @@
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>A Mesh as the last gather found it, and its triangles in its own coordinates once an instance asks for them.</summary>
+    sealed class MeshSource
+    {
+        // All vertices are far from the mesh's origin when their middle lies beyond so many halves of their box.
+        const double FarInHalves = 3;
+
+        ulong _hash;
+        bool _isKnown, _isPlaced;
+        TriangleMesh _triangles;
+        VertexFrame _frame;
+
+        public Mesh Mesh { get; private set; }
+
+        /// <summary>How often the content was seen to change; from the first time on it is one that changes.</summary>
+        public int Version { get; private set; }
+
+        public int VertexCount { get; private set; }
+
+        public int TriangleCount { get; private set; }
+
+        /// <summary>Half the sides of the box around the vertices, and its middle, in the mesh's coordinates.</summary>
+        public double3 Half { get; private set; }
+
+        public double3 Centre { get; private set; }
+
+        /// <summary>Objects of this gather that have the mesh.</summary>
+        public int ObjectCount { get; private set; }
+
+        /// <summary>Looks whether the mesh has changed.</summary>
+        /// <param name="owner">Has the mesh, for messages.</param>
+        /// <exception cref="GlintException">The mesh cannot be traced.</exception>
+        public void Update(Mesh mesh, MeshReader reader, Renderer owner)
+        {
+            (Mesh, ObjectCount, _isPlaced) = (mesh, 0, false);
+            ulong hash = reader.Hash(mesh);
+            if (_isKnown && hash == _hash)
+                return;
+
+            TriangleCount = reader.CountTriangles(mesh, owner);
+            VertexCount = mesh.vertexCount;
+            reader.Measure(mesh, out var low, out var high);
+            (Half, Centre) = (((double3)high - low) / 2, ((double3)high + low) / 2);
+            Version += _isKnown ? 1 : 0;
+            (_hash, _isKnown, _triangles) = (hash, true, null);
+        }
+
+        /// <summary>Takes note of an object with the mesh.</summary>
+        /// <exception cref="GlintException">A vertex lies too far from the world's origin.</exception>
+        public void AddObject(in Affine toWorld, MeshReader reader, Renderer owner)
+        {
+            ObjectCount++;
+            if (VertexCount == 0)
+                return;
+            Bound(toWorld, out var centre, out var half);
+            if (!math.all(math.abs(centre) + half <= TriangleMesh.LargestCoordinate))
+                reader.CheckPlace(Mesh, toWorld, owner);
+        }
+
+        /// <summary>A box that holds the vertices after a transform.</summary>
+        public void Bound(in Affine transform, out double3 centre, out double3 half)
+        {
+            centre = transform.Point(Centre);
+            half = math.abs(transform.X) * Half.x + math.abs(transform.Y) * Half.y + math.abs(transform.Z) * Half.z;
+        }
+
+        /// <summary>The mesh at a place, with its own vertices.</summary>
+        public MeshInstance Place(in Affine toWorld, MeshReader reader)
+        {
+            // The first place in a gather says how large a unit of the mesh is.
+            double unit = _isPlaced ? _frame.Unit : Shape.Unit(toWorld);
+            _isPlaced = true;
+            if (_triangles == null || unit != _frame.Unit)
+                Build(reader, unit);
+            return new MeshInstance { Mesh = _triangles, ToWorld = toWorld * _frame.Back };
+        }
+
+        void Build(MeshReader reader, double unit)
+        {
+            _frame = new VertexFrame(Centre, Half, unit);
+            // To be subtracted from vertices as large as itself, or not at all: then float32 need not round.
+            _frame.Origin = math.select(0, _frame.Origin, math.abs(Centre) > FarInHalves * math.cmax(Half));
+            var vertices = new float3[VertexCount];
+            var indices = new int[3 * TriangleCount];
+            int vertexCount = 0, indexCount = 0;
+            reader.Append(Mesh, _frame.Into, vertices, ref vertexCount, indices, ref indexCount);
+            _triangles = new TriangleMesh(vertices, indices);
+        }
+    }
+}

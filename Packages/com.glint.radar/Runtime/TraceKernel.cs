@@ -1,0 +1,93 @@
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>The kernels of Shaders/Trace.compute and what they are given.</summary>
+    sealed class TraceKernel
+    {
+        readonly ComputeShader _shader;
+        readonly string _name;
+        int _kernel;
+
+        /// <exception cref="GlintException">The shader is another one, or the device cannot run it.</exception>
+        public TraceKernel(ComputeShader shader, bool isSoftware, string owner)
+        {
+            if (shader == null)
+                throw new GlintException($"{owner} has no kernel: assign Packages/com.glint.radar/Shaders/Trace.compute");
+            _name = isSoftware ? "TraceWide" : "Trace";
+            if (!shader.HasKernel(_name))
+                throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel '{_name}': assign Packages/com.glint.radar/Shaders/Trace.compute");
+            _shader = shader;
+            _kernel = shader.FindKernel(_name);
+            if (!shader.IsSupported(_kernel))
+                throw new GlintException($"kernel '{_name}' of compute shader '{shader.name}' does not run on {SystemInfo.graphicsDeviceName}: see the shader's import messages");
+        }
+
+        /// <summary>Takes the kernel for a scene; the other calls set and run that one.</summary>
+        public void Choose(DeviceScene scene, bool countsVisits)
+        {
+            string kind = countsVisits ? "Count" : scene.Banks.Count > 1 ? "Banks" : scene.HasOneInstance ? "One" : "";
+            _kernel = _shader.FindKernel(_name + kind);
+        }
+
+        public void SetRadar(in RadarSettings settings, in RadarView view, float lengthUnits, Shortcuts shortcuts)
+        {
+            double halfHeight = view.TanHalfFov;
+            SetVector(ShaderIDs._CameraPosition, view.Position);
+            SetVector(ShaderIDs._CameraRight, view.Right * halfHeight * settings.Aspect);
+            SetVector(ShaderIDs._CameraUp, view.Up * halfHeight);
+            SetVector(ShaderIDs._CameraForward, view.Forward);
+            SetVector(ShaderIDs._ReceiverCentre, view.ReceiverCentre);
+            SetVector(ShaderIDs._ReceiverRight, view.ReceiverRight / (view.ReceiverSize.x / 2));
+            SetVector(ShaderIDs._ReceiverUp, view.ReceiverUp / (view.ReceiverSize.y / 2));
+            SetVector(ShaderIDs._ReceiverForward, view.ReceiverForward);
+            _shader.SetInt(ShaderIDs._RaysAcross, settings.RaysAcross);
+            _shader.SetInt(ShaderIDs._RaysDown, settings.RaysDown);
+            var region = settings.Region;
+            _shader.SetInts(ShaderIDs._Region, region.IsWhole
+                ? new[] { 0, settings.RaysAcross, 0, settings.RaysDown }
+                : new[] { region.Left, region.Left + region.Width, region.Bottom, region.Bottom + region.Height });
+            _shader.SetInt(ShaderIDs._MaxBounces, settings.MaxBounces);
+            _shader.SetFloat(ShaderIDs._WaveNumberTurns, (float)(1 / settings.Wavelength));
+            _shader.SetFloat(ShaderIDs._LengthUnits, lengthUnits);
+            _shader.SetInt(ShaderIDs._Shortcuts, (int)shortcuts);
+        }
+
+        public void SetScene(DeviceScene scene)
+        {
+            if (scene.HasOneInstance)
+            {
+                var only = scene.FirstInstance;
+                _shader.SetVectorArray(ShaderIDs._OnlyToLocal, new Vector4[] { only.ToLocalX, only.ToLocalY, only.ToLocalZ });
+                _shader.SetInt(ShaderIDs._OnlyFirstRow, (int)only.FirstRow);
+            }
+            _shader.SetInt(ShaderIDs._TopRoot, (int)scene.TopRoot);
+            _shader.SetBuffer(_kernel, ShaderIDs._Top, scene.Top.Buffer);
+            _shader.SetBuffer(_kernel, ShaderIDs._Instances, scene.Instances.Buffer);
+            // Every bank that a kernel declares wants a buffer, read or not.
+            for (int bank = 0; bank < DeviceTrees.MostBanks; bank++)
+                _shader.SetBuffer(_kernel, ShaderIDs._Tree[bank], scene.Banks[bank < scene.Banks.Count ? bank : 0].Rows.Buffer);
+        }
+
+        public void SetBuffers(DeviceBuffer<uint> tiles, DeviceBuffer<uint> sums)
+        {
+            _shader.SetBuffer(_kernel, ShaderIDs._Tiles, tiles.Buffer);
+            _shader.SetBuffer(_kernel, ShaderIDs._Sums, sums.Buffer);
+        }
+
+        /// <summary>Traces some of the tiles.</summary>
+        public void Dispatch(int firstTile, int count, KeptRays keep, DeviceBuffer<RayData> rays, int groupsARow)
+        {
+            _shader.SetInt(ShaderIDs._FirstTile, firstTile);
+            _shader.SetInt(ShaderIDs._TileCount, count);
+            _shader.SetInt(ShaderIDs._Keep, keep == KeptRays.None ? 0 : keep == KeptRays.Received ? 1 : 2);
+            _shader.SetInt(ShaderIDs._RayCapacity, rays.Capacity);
+            _shader.SetBuffer(_kernel, ShaderIDs._Rays, rays.Buffer);
+            _shader.Dispatch(_kernel, math.min(count, groupsARow), (count + groupsARow - 1) / groupsARow, 1);
+        }
+
+        void SetVector(int id, double3 v) => _shader.SetVector(id, new Vector4((float)v.x, (float)v.y, (float)v.z, 0));
+    }
+}

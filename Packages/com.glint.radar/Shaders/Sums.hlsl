@@ -1,0 +1,87 @@
+#ifndef GLINT_SUMS
+#define GLINT_SUMS
+
+#include "Bindings.hlsl"
+#include "Geometry.hlsl"
+
+// Sums over rays are whole numbers, so that they are the same bit for bit in any order: lengths in units of _LengthUnits, I and Q in units of 2^-24.
+// Groups add to one of SUM_SLOTS slots of SUM_WORDS words each, so that they seldom wait for each other. 64-bit sums take two words, the lower one first.
+static const uint SUM_SLOTS = 64;
+static const uint SUM_WORDS = 64;
+static const uint SUM_HITS = 0;
+static const uint SUM_BOUNCES = 1;
+static const uint SUM_RECEIVED = 2;
+static const uint SUM_KEPT = 3;             // rays written one by one, or wanting to be when there is no room; in the first slot only
+static const uint SUM_LENGTH = 4;
+static const uint SUM_IN_PHASE = 6;
+static const uint SUM_QUADRATURE = 8;
+static const uint SUM_NODES = 10;
+static const uint SUM_PAIRS = 12;
+static const uint SUM_HISTOGRAM = 16;       // received rays by phase
+static const uint PHASE_BINS = 36;
+
+static const float PHASOR_UNITS = 16777216.0;
+
+void AddTo(uint word, uint value)
+{
+    InterlockedAdd(_Sums[word], value);
+}
+
+// Adds a signed number to a 64-bit sum.
+void AddWide(uint word, int value)
+{
+    uint before;
+    InterlockedAdd(_Sums[word], (uint)value, before);
+    uint carry = before + (uint)value < before ? 1 : 0;
+    uint upper = carry + (value < 0 ? 0xffffffff : 0);
+    if (upper != 0)
+        InterlockedAdd(_Sums[word + 1], upper);
+}
+
+// Adds a number without sign to a 64-bit sum.
+void AddWideUnsigned(uint word, uint value)
+{
+    uint before;
+    InterlockedAdd(_Sums[word], value, before);
+    if (before + value < before)
+        InterlockedAdd(_Sums[word + 1], 1);
+}
+
+bool IsReceived(RayData ray)
+{
+    return ray.InPhase != 0.0 || ray.Quadrature != 0.0;
+}
+
+uint InLengthUnits(float length)
+{
+    return (uint)(length * _LengthUnits + 0.5);
+}
+
+int InPhasorUnits(float part)
+{
+    return (int)round(part * PHASOR_UNITS);
+}
+
+void CountPhase(uint slot, float phase)
+{
+    AddTo(slot + SUM_HISTOGRAM + min(PHASE_BINS - 1, (uint)(phase / TWO_PI * PHASE_BINS)), 1);
+}
+
+// Ray by ray: adding within a group first gains a GPU nothing, and its barriers cost a software device a tenth of its time.
+void AddToSums(RayData ray, float lengthToLastHit, uint slot)
+{
+    if (ray.Bounces == 0)
+        return;
+    AddTo(slot + SUM_HITS, 1);
+    AddTo(slot + SUM_BOUNCES, ray.Bounces);
+    AddWideUnsigned(slot + SUM_LENGTH, InLengthUnits(lengthToLastHit));
+    if (IsReceived(ray))
+    {
+        AddTo(slot + SUM_RECEIVED, 1);
+        AddWide(slot + SUM_IN_PHASE, InPhasorUnits(ray.InPhase));
+        AddWide(slot + SUM_QUADRATURE, InPhasorUnits(ray.Quadrature));
+        CountPhase(slot, ray.Phase);
+    }
+}
+
+#endif

@@ -1,0 +1,131 @@
+using System;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using static Unity.Mathematics.math;
+
+namespace Glint.Tests
+{
+    /// <summary>Reads trees as the shaders do, in double precision, and checks that each box holds what is below it. It shares no code with the encoders.</summary>
+    sealed class TreeReader
+    {
+        readonly uint4[] _rows;
+        readonly TreeShape _shape;
+        readonly Func<int, Bounds3> _readLeaf;
+        readonly bool[] _seen;
+
+        TreeReader(uint4[] rows, TreeShape shape, Func<int, Bounds3> readLeaf)
+        {
+            _rows = rows;
+            _shape = shape;
+            _readLeaf = readLeaf;
+            _seen = new bool[rows.Length];
+        }
+
+        /// <summary>Inner levels.</summary>
+        public int Levels { get; private set; }
+
+        public int Leaves { get; private set; }
+
+        /// <summary>All that the leaves hold.</summary>
+        public Bounds3 Bounds { get; private set; }
+
+        /// <param name="rows">The tree.</param>
+        /// <param name="shape">Its form.</param>
+        /// <param name="readLeaf">Gets a leaf's first row and tells what it holds.</param>
+        public static TreeReader Read(uint4[] rows, TreeShape shape, Func<int, Bounds3> readLeaf)
+        {
+            var reader = new TreeReader(rows, shape, readLeaf);
+            reader.Bounds = reader.ReadNode(0, 1);
+            Assert.That(reader._seen.Count(seen => !seen), Is.Zero, "rows that nothing refers to");
+            return reader;
+        }
+
+        Bounds3 ReadNode(int row, int level)
+        {
+            Levels = Math.Max(Levels, level);
+            return _shape == TreeShape.Binary ? ReadBinary(row, level) : ReadWide(row, level);
+        }
+
+        Bounds3 ReadLeaf(int row)
+        {
+            Leaves++;
+            Mark(row, 3);
+            return _readLeaf(row);
+        }
+
+        Bounds3 ReadBinary(int row, int level)
+        {
+            Mark(row, 4);
+            float4 xyA = asfloat(_rows[row]), xyB = asfloat(_rows[row + 1]), z = asfloat(_rows[row + 2]);
+            var references = _rows[row + 3];
+            if (any(references.zw != 0))
+                Assert.Fail($"row {row + 3}: the last two words are not 0");
+            var a = new Bounds3 { Low = double3(xyA.x, xyA.z, z.x), High = double3(xyA.y, xyA.w, z.y) };
+            var b = new Bounds3 { Low = double3(xyB.x, xyB.z, z.z), High = double3(xyB.y, xyB.w, z.w) };
+            var all = ReadBinaryChild(row, references.x, a, level);
+            if (references.x == references.y)
+            {
+                if (row != 0 || references.x >> 31 == 0)
+                    Assert.Fail($"row {row}: only a root over one leaf has the same child twice");
+                Expect(b, all, 0, row);
+            }
+            else
+                all.Add(ReadBinaryChild(row, references.y, b, level));
+            return all;
+        }
+
+        Bounds3 ReadBinaryChild(int row, uint reference, in Bounds3 box, int level)
+        {
+            int childRow = (int)(reference & 0x7fffffff);
+            var content = reference >> 31 == 1 ? ReadLeaf(childRow) : ReadNode(childRow, level + 1);
+            Expect(box, content, 0, row);
+            return content;
+        }
+
+        Bounds3 ReadWide(int row, int level)
+        {
+            Mark(row, 3);
+            uint[] words = Enumerable.Range(0, 12).Select(i => _rows[row + i / 4][i % 4]).ToArray();
+            double3 origin = double3(asfloat(words[0]), asfloat(words[1]), asfloat(words[2]));
+            uint3 exponents = uint3(words[3], words[3] >> 8, words[3] >> 16) & 0xffu;
+            uint leafMask = words[3] >> 24 & 0xf, validMask = words[3] >> 28;
+            if (words[11] != 0 || (leafMask & ~validMask) != 0 || !new uint[] { 1, 3, 7, 15 }.Contains(validMask) || any(exponents == 0) || any(exponents == 255))
+                Assert.Fail($"row {row}: masks, exponents or the last word: {words[3]:x} {words[11]:x}");
+            double3 cell = double3(asfloat(exponents << 23));
+
+            var all = Bounds3.Empty;
+            for (int child = 0; child < 4 && (validMask >> child & 1) != 0; child++)
+            {
+                double3 Plane(int word) => origin + cell * double3(Cells(words[word], child), Cells(words[word + 1], child), Cells(words[word + 2], child));
+                int childRow = 3 * ((int)words[10] + child);
+                var content = (leafMask >> child & 1) != 0 ? ReadLeaf(childRow) : ReadNode(childRow, level + 1);
+                Expect(new Bounds3 { Low = Plane(4), High = Plane(7) }, content, cell / 64, row);
+                all.Add(content);
+            }
+            double largest = cmax(max(abs(all.Low), abs(all.High)));
+            if (cmin(cell) < largest / (1 << 21))
+                Assert.Fail($"row {row}: cells of {cmin(cell)} m at {largest} m");
+            return all;
+        }
+
+        static double Cells(uint word, int child) => word >> (8 * child) & 0xff;
+
+        static void Expect(in Bounds3 box, in Bounds3 content, double3 margin, int row)
+        {
+            if (!box.Holds(content, margin))
+                Assert.Fail($"row {row}: the box {box.Low} to {box.High} does not hold {content.Low} to {content.High} with a margin of {margin}");
+        }
+
+        void Mark(int row, int count)
+        {
+            for (int i = row; i < row + count; i++)
+            {
+                if (_seen[i])
+                    Assert.Fail($"row {i} is part of two nodes or leaves");
+                _seen[i] = true;
+            }
+        }
+    }
+}

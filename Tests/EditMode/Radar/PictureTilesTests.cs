@@ -1,0 +1,109 @@
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using static Unity.Mathematics.math;
+
+namespace Glint.Tests
+{
+    public sealed class PictureTilesTests
+    {
+        static readonly RadarSettings s_settings = TestRadar.Settings(213, 131);
+
+        static readonly RadarView s_view = TestRadar.LookAt(double3(1, 6, -9), double3(0, 1, 2));
+
+        static HashSet<uint> Tiles(PictureTiles tiles) => new HashSet<uint>(tiles.ToArray(spread: false));
+
+        static uint TileOf(int pixel) => (uint)(pixel % s_settings.RaysAcross / 8) | (uint)(pixel / s_settings.RaysAcross / 8) << 16;
+
+        // Slab by slab in the box's own axes.
+        static bool Meets(double3 origin, double3 direction, float3 low, float3 high)
+        {
+            double3 a = (low - origin) / direction, b = (high - origin) / direction;
+            return max(cmax(min(a, b)), 0) <= cmin(max(a, b));
+        }
+
+        [Test]
+        public void Add_BoxesNearFarAroundAndBehindTheCamera_TakesTheTileOfEveryRayThatMeetsThem()
+        {
+            var random = new System.Random(4);
+            double Next() => 2 * random.NextDouble() - 1;
+            int met = 0, tight = 0;
+            for (int i = 0; i < 300; i++)
+            {
+                float3 low = (float3)(10 * double3(Next(), Next(), Next())), high = low + (float3)(pow(10, 1.5 * Next()) * double3(1 + Next(), 1 + Next(), 1 + Next()));
+                var place = Affine.FromTransform(10 * double3(Next(), Next(), Next()), double4(Next(), Next(), Next(), Next()), double3(1, Next() > 0 ? 1 : -1, 1.5 + Next()));
+                var picture = new PictureTiles(s_settings, s_view);
+                picture.Add(low, high, place);
+                var tiles = Tiles(picture);
+                var back = place.Inverse();
+                double3 origin = back.Point(s_view.Position);
+                var seen = new HashSet<uint>(Enumerable.Range(0, (int)s_settings.RayCount)
+                    .Where(pixel => Meets(origin, back.Vector(TestRadar.Direction(s_settings, s_view, pixel)), low, high)).Select(TileOf));
+                met += seen.Count > 0 ? 1 : 0;
+                tight += tiles.Count < picture.Count ? 1 : 0;
+                Assert.That(seen.Except(tiles), Is.Empty, $"box {i}");
+            }
+            Assert.That(met, Is.GreaterThan(100));
+            Assert.That(tight, Is.GreaterThan(100));
+        }
+
+        [Test]
+        public void Add_BoxOfOnePixelFarAway_TakesAFewTiles()
+        {
+            var picture = new PictureTiles(s_settings, s_view);
+            double3 far = s_view.Position + 1000 * s_view.Forward;
+            picture.Add((float3)far - 0.1f, (float3)far + 0.1f, Affine.Identity);
+            Assert.That(Tiles(picture).Count, Is.InRange(1, 4));
+        }
+
+        [Test]
+        public void Add_FloorUnderTheCamera_LeavesTheSky()
+        {
+            // The floor reaches behind the camera; its horizon is that of its far edge.
+            var picture = new PictureTiles(s_settings, TestRadar.LookAt(double3(0, 5, 0), double3(0, 5, 10)));
+            picture.Add(float3(-1000, -1, -1000), float3(1000, 0, 1000), Affine.Identity);
+            int rows = (131 + 7) / 8;
+            Assert.That(Tiles(picture).Max(tile => tile >> 16), Is.InRange(rows / 2 - 1, rows / 2 + 1));
+        }
+
+        [Test]
+        public void Add_BoxBehindTheCamera_TakesNothing()
+        {
+            var picture = new PictureTiles(s_settings, TestRadar.LookAt(0, double3(0, 0, 1)));
+            picture.Add(float3(-1, -1, -5), float3(1, 1, -4), Affine.Identity);
+            Assert.That(Tiles(picture), Is.Empty);
+        }
+
+        [Test]
+        public void Add_CameraInTheBox_TakesEverything()
+        {
+            var picture = new PictureTiles(s_settings, TestRadar.LookAt(0, double3(0, 0, 1)));
+            picture.Add(-5, 5, Affine.Identity);
+            Assert.That(Tiles(picture).Count, Is.EqualTo(picture.Count));
+        }
+
+        [Test]
+        public void AddAll_OfARegion_TakesItsTilesOnly()
+        {
+            var settings = s_settings;
+            settings.Region = new RayRegion { Left = 17, Bottom = 40, Width = 30, Height = 1 };
+            var picture = new PictureTiles(settings, s_view);
+            picture.AddAll();
+            Assert.That(Tiles(picture), Is.EquivalentTo(Enumerable.Range(2, 4).Select(column => (uint)column | 5u << 16)));
+        }
+
+        [Test]
+        public void ToArray_Spread_HasEveryTileOnceAndBothHalvesSeeTheWholePicture()
+        {
+            var picture = new PictureTiles(TestRadar.Settings(1920, 1080), s_view);
+            picture.AddAll();
+            var inOrder = picture.ToArray(spread: false);
+            var spread = picture.ToArray(spread: true);
+            Assert.That(spread.OrderBy(tile => tile >> 16).ThenBy(tile => tile & 0xffff), Is.EqualTo(inOrder));
+            int upper = spread.Take(spread.Length / 2).Count(tile => tile >> 16 >= 135 / 2);
+            Assert.That(upper, Is.EqualTo(spread.Length / 4).Within(spread.Length / 40));
+        }
+    }
+}

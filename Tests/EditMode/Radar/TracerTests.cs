@@ -1,0 +1,267 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using static Unity.Mathematics.math;
+
+namespace Glint.Tests
+{
+    /// <summary>What the tracer skips, keeps and cuts up never changes a result.</summary>
+    public sealed class TracerTests
+    {
+        static readonly RadarSettings s_settings = TestRadar.Settings(333, 187);
+        static readonly RadarView s_view = TestRadar.LookAt(double3(9, 10, 11), 0, fov: 40);
+
+        // A corner reflector amid clutter, some of it behind the receiver: rays that return, rays that get lost, and sky.
+        static TriangleMesh Scene => TestRadar.Join(TestRadar.Trihedral(0, 4), TestRadar.Clutter(300, seed: 5, halfSide: 4, largest: 0.3f), TestRadar.Plate(float3(18, 15, 30), float3(10, 0, -10), float3(-10, 10, 0)));
+
+        static RayTracer Tracer(RadarScene scene, bool asSoftware = true)
+        {
+            var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware);
+            tracer.SetScene(scene);
+            return tracer;
+        }
+
+        static RadarResult Pose(Action<RayTracer> change = null, KeptRays keep = KeptRays.None, bool asSoftware = true, RadarSettings? settings = null)
+        {
+            using (var tracer = Tracer(new RadarScene(Scene), asSoftware))
+            {
+                change?.Invoke(tracer);
+                return tracer.Trace(settings ?? s_settings, s_view, keep);
+            }
+        }
+
+        static void AssertSame(RadarResult actual, RadarResult expected)
+        {
+            Assert.That(BitConverter.DoubleToInt64Bits(actual.InPhase), Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.InPhase)), "I");
+            Assert.That(BitConverter.DoubleToInt64Bits(actual.Quadrature), Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.Quadrature)), "Q");
+            Assert.That(BitConverter.DoubleToInt64Bits(actual.PathLengthMeters), Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.PathLengthMeters)), "path length");
+            Assert.That(actual.RaysHit, Is.EqualTo(expected.RaysHit));
+            Assert.That(actual.RaysReceived, Is.EqualTo(expected.RaysReceived));
+            Assert.That(actual.Bounces, Is.EqualTo(expected.Bounces));
+            Assert.That(actual.Segments, Is.EqualTo(expected.Segments));
+            Assert.That(actual.PhaseHistogram, Is.EqualTo(expected.PhaseHistogram));
+        }
+
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Trace_WithAnyShortcutSwitchedOff_SumsAreTheSameBitForBit(bool asSoftware)
+        {
+            var all = Pose(asSoftware: asSoftware);
+            Assert.That(all.RaysReceived, Is.GreaterThan(100));
+            Assert.That(all.Work.TilesSkipped, Is.GreaterThan(100));
+            foreach (var off in new[] { Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles, Shortcuts.All })
+                AssertSame(Pose(tracer => tracer.Shortcuts = Shortcuts.All & ~off, asSoftware: asSoftware), all);
+        }
+
+        [Test]
+        public void Shortcuts_EachSaveWork()
+        {
+            long Visits(Shortcuts off) => Pose(tracer =>
+            {
+                tracer.CountVisits = true;
+                tracer.Shortcuts = Shortcuts.All & ~off;
+            }).Work.NodesVisited;
+            long all = Visits(Shortcuts.None);
+            Assert.That(all, Is.GreaterThan(0));
+            foreach (var off in new[] { Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles })
+                Assert.That(Visits(off), Is.GreaterThan(all), off.ToString());
+        }
+
+        [Test]
+        public void Trace_InManyDispatches_SumsAndRaysAreThoseOfOne()
+        {
+            var inOne = Pose(keep: KeptRays.Received);
+            var inMany = Pose(tracer => tracer.TilesADispatch = 37, KeptRays.Received);
+            Assert.That(inOne.Work.Dispatches, Is.EqualTo(1));
+            Assert.That(inMany.Work.Dispatches, Is.EqualTo((inMany.Work.TilesTraced + 36) / 37));
+            AssertSame(inMany, inOne);
+            Assert.That(inMany.Rays, Is.EqualTo(inOne.Rays));
+        }
+
+        [Test]
+        public void Trace_KeepingAllRaysInManyDispatches_HasThemInOrderOfTheirPixel()
+        {
+            var rays = Pose(tracer => tracer.TilesADispatch = 37, KeptRays.All).Rays;
+            Assert.That(rays.Select(ray => ray.Pixel), Is.EqualTo(Enumerable.Range(0, 333 * 187).Select(i => (uint)i)));
+        }
+
+        [Test]
+        public void Trace_KeepingNoneReceivedOrAll_SumsAreTheSameBitForBit()
+        {
+            var none = Pose();
+            var received = Pose(keep: KeptRays.Received);
+            AssertSame(received, none);
+            AssertSame(Pose(keep: KeptRays.All), none);
+            Assert.That(none.Rays, Is.Empty);
+            Assert.That(received.Rays.Length, Is.EqualTo(none.RaysReceived));
+            Assert.That(none.Work.BytesReadBack, Is.EqualTo(RaySums.Slots * RaySums.WordsPerSlot * 4), "sums only");
+            Assert.That(received.Work.BytesReadBack - none.Work.BytesReadBack, Is.EqualTo(48 * none.RaysReceived), "and received rays only");
+        }
+
+        [Test]
+        public void Sums_AreThoseOfTheRaysThatWereKept()
+        {
+            var result = Pose(keep: KeptRays.All);
+            var received = result.Rays.Where(ray => ray.IsReceived).ToArray();
+            // Whole numbers of 2^-24: half a unit a ray at most.
+            Assert.That(result.InPhase, Is.EqualTo(received.Sum(ray => (double)ray.InPhase)).Within(received.Length * 3e-8));
+            Assert.That(result.Quadrature, Is.EqualTo(received.Sum(ray => (double)ray.Quadrature)).Within(received.Length * 3e-8));
+            Assert.That(result.Bounces, Is.EqualTo(result.Rays.Sum(ray => (long)ray.Bounces)));
+            Assert.That(result.RaysHit, Is.EqualTo(result.Rays.Count(ray => ray.Bounces > 0)));
+            Assert.That(result.PhaseHistogram.Sum(), Is.EqualTo(received.Length));
+            double lost = result.Rays.Where(ray => !ray.IsReceived).Sum(ray => (double)ray.PathLength);
+            Assert.That(result.PathLengthMeters, Is.GreaterThan(lost));
+        }
+
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Trace_Region_GivesThePartOfThePictureThatItIs(bool asSoftware)
+        {
+            var region = new RayRegion { Left = 101, Bottom = 53, Width = 77, Height = 91 };
+            var settings = s_settings;
+            settings.Region = region;
+            var part = Pose(keep: KeptRays.All, settings: settings, asSoftware: asSoftware);
+            var whole = Pose(keep: KeptRays.All, asSoftware: asSoftware).Rays;
+            var expected = whole.Where(ray => ray.Pixel % 333 >= 101 && ray.Pixel % 333 < 178 && ray.Pixel / 333 >= 53 && ray.Pixel / 333 < 144).ToArray();
+            Assert.That(part.Rays, Is.EqualTo(expected));
+            Assert.That(part.RaysEmitted, Is.EqualTo(77 * 91));
+            Assert.That(part.RaysHit, Is.EqualTo(expected.Count(ray => ray.Bounces > 0)));
+            AssertSame(Pose(settings: settings, asSoftware: asSoftware), part);
+        }
+
+        [Test]
+        public void Trace_KernelsForGpuAndForSoftware_FindTheSame()
+        {
+            var wide = Pose(keep: KeptRays.All);
+            var binary = Pose(keep: KeptRays.All, asSoftware: false);
+            // Both test the same triangles with the same arithmetic; only ties between equally near triangles may differ.
+            Assert.That(binary.Rays, Is.EqualTo(wide.Rays));
+            AssertSame(binary, wide);
+        }
+
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Trace_InstancesTurnedMirroredAndStretched_EqualTheJudge(bool asSoftware)
+        {
+            var plate = TestRadar.FacingPlate(4, 0);
+            var clutter = TestRadar.Clutter(50, seed: 3, halfSide: 1, largest: 0.5f);
+            var places = new List<MeshInstance>();
+            var random = new System.Random(9);
+            for (int i = 0; i < 40; i++)
+            {
+                double Next() => 2 * random.NextDouble() - 1;
+                places.Add(new MeshInstance
+                {
+                    Mesh = i % 3 == 0 ? plate : clutter,
+                    ToWorld = Affine.FromTransform(5 * double3(Next(), Next(), Next()), double4(Next(), Next(), Next(), Next()), double3(Next() + 1.2, i % 2 == 0 ? 1 : -1, Next() + 1.5)),
+                });
+            }
+            var scene = new RadarScene(places.ToArray());
+            var view = TestRadar.LookAt(double3(3, 8, -14), 0);
+            RayData[] rays;
+            using (var tracer = Tracer(scene, asSoftware))
+                rays = tracer.Trace(s_settings, view, KeptRays.All).Rays;
+            var expected = new Judge(scene, s_settings, view).TraceAll();
+            int others = Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces || rays[i].IsReceived != expected[i].Received
+                || abs(rays[i].PathLength - (expected[i].Received ? expected[i].PathLength : expected[i].LengthToLastHit)) > 1e-3);
+            Assert.That(others, Is.LessThan(rays.Length / 4000), "rays that took another way");
+            Assert.That(expected.Count(ray => ray.Bounces > 1), Is.GreaterThan(1000));
+        }
+
+        [Test]
+        public void SetScene_MeshThatMovedOrStayed_BuildsNothing()
+        {
+            var mesh = Scene;
+            using (var tracer = Tracer(new RadarScene(mesh)))
+            {
+                var first = tracer.Trace(s_settings, s_view, KeptRays.None);
+                Assert.That(first.Work.TreesBuilt, Is.EqualTo(1));
+                Assert.That(first.Work.TrianglesBuilt, Is.EqualTo(mesh.TriangleCount));
+
+                tracer.SetScene(new RadarScene(mesh));
+                var second = tracer.Trace(s_settings, s_view, KeptRays.None);
+                AssertSame(second, first);
+                Assert.That(second.Work.TreesBuilt, Is.Zero);
+                Assert.That(second.Work.BytesUploaded, Is.EqualTo(4 * second.Work.TilesTraced + 4 * RaySums.Slots * RaySums.WordsPerSlot), "tiles and zeros");
+
+                var turned = Affine.FromTransform(0, double4(0, sin(0.1), 0, cos(0.1)), 1);
+                tracer.SetScene(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = turned }));
+                var third = tracer.Trace(s_settings, s_view, KeptRays.None);
+                Assert.That(third.Work.TreesBuilt, Is.Zero);
+                Assert.That(third.InPhase, Is.Not.EqualTo(first.InPhase));
+            }
+        }
+
+        [Test]
+        public void SetScene_MeshesThatComeAndGo_LeaveNothingBehind()
+        {
+            using (var tracer = Tracer(new RadarScene(Scene)))
+            {
+                long least = 0;
+                for (int i = 0; i < 20; i++)
+                {
+                    var mesh = TestRadar.Join(Scene, TestRadar.Clutter(200 + 31 * i % 97, seed: (uint)i));
+                    tracer.SetScene(new RadarScene(mesh));
+                    var result = tracer.Trace(s_settings, s_view, KeptRays.None);
+                    AssertSame(result, TestKernels.TraceOnce(mesh, s_settings, s_view, KeptRays.None));
+                    least = i == 0 ? result.Work.BytesOnDevice : least;
+                    Assert.That(result.Work.BytesOnDevice, Is.LessThan(2 * least));
+                }
+            }
+        }
+
+        [Test]
+        public void Trace_Progress_RisesToOne()
+        {
+            var parts = new Parts();
+            using (var tracer = Tracer(new RadarScene(Scene)))
+            {
+                tracer.TilesADispatch = 50;
+                tracer.Trace(s_settings, s_view, KeptRays.None, parts);
+            }
+            Assert.That(parts.Reported, Is.Ordered.And.Count.GreaterThan(3));
+            Assert.That(parts.Reported.Last(), Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Trace_Cancelled_StopsAndTheNextPoseIsRight()
+        {
+            using (var cancel = new CancellationTokenSource())
+            using (var tracer = Tracer(new RadarScene(Scene)))
+            {
+                tracer.TilesADispatch = 50;
+                var parts = new Parts { After = cancel.Cancel };
+                Assert.Throws<OperationCanceledException>(() => tracer.Trace(s_settings, s_view, KeptRays.None, parts, cancel.Token));
+                Assert.That(parts.Reported, Has.Count.EqualTo(1));
+                AssertSame(tracer.Trace(s_settings, s_view, KeptRays.None), Pose());
+            }
+        }
+
+        [Test]
+        public void Trace_KeepingMoreRaysThanTheComputerHolds_SaysHowMuchTheyTake()
+        {
+            using (var tracer = Tracer(new RadarScene(TestRadar.Empty)))
+            {
+                var problem = Assert.Throws<GlintException>(() => tracer.Trace(TestRadar.Settings(65536, 65535), s_view, KeptRays.All));
+                Assert.That(problem.Message, Does.Contain("4294901760 rays").And.Contain("196605 MiB"));
+            }
+        }
+
+        sealed class Parts : IProgress<double>
+        {
+            public readonly List<double> Reported = new List<double>();
+            public Action After;
+
+            public void Report(double part)
+            {
+                Reported.Add(part);
+                After?.Invoke();
+            }
+        }
+    }
+}

@@ -1,0 +1,152 @@
+using System;
+using System.IO;
+using System.Linq;
+using Glint.Core;
+using Glint.Editor;
+using Glint.Host;
+using Glint.Vulkan;
+
+namespace Glint.Cli;
+
+/// <summary>glint bench: poses and peers in turns, then the judge, then the figures.</summary>
+sealed class BenchCommand(Terminal terminal)
+{
+    /// <returns>The report, line by line.</returns>
+    /// <exception cref="GlintException">Something is wrong with a file, the scene, the device or a peer.</exception>
+    /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
+    public string[] Execute(CommandLine line, IProgressSink progress)
+    {
+        var json = line.IsGiven(Options.Json) ? new OutputFile(Options.Json.Flag, line.Get(Options.Json)) : null;
+        var sceneFile = line.IsGiven(Options.WriteScene) ? new OutputFile(Options.WriteScene.Flag, line.Get(Options.WriteScene)) : null;
+        var subjects = SceneSubjects.Open(line);
+        try
+        {
+            var result = Measure(line, subjects, sceneFile, progress);
+            json?.Write(stream => BenchJson.Write(stream, result));
+            var written = new[] { sceneFile, json }.Where(file => file != null).Select(file => $"written: {file.Path}");
+            return [.. new BenchTables(terminal).Lines(result), .. written];
+        }
+        finally
+        {
+            subjects.Radar.Release();
+        }
+    }
+
+    static BenchResult Measure(CommandLine line, SceneSubjects subjects, OutputFile sceneFile, IProgressSink progress)
+    {
+        var device = GraphicsDevice.Current;
+        var peers = (line.Get(Options.Peers) ?? []).Select(peer => new Peer(peer)).ToArray();
+        var result = new BenchResult
+        {
+            Subject = subjects.Name,
+            Scene = subjects.Scene,
+            Device = device.Info,
+            UsesTexelBuffers = ShaderLibrary.UsesTexelBuffers,
+            Settings = subjects.Radar.Settings,
+            Rounds = line.Get(Options.Rounds),
+            Poses = new PoseBench(subjects.Radar, subjects.Target, device.Clock),
+            Peers = peers,
+        };
+        Step("first poses", progress, () => result.Poses.RunFirst(progress, progress.Cancel));
+
+        var scene = subjects.Radar.GatherScene();
+        sceneFile?.Write(stream => BinaryScene.Write(stream, WorldMesh.Of(scene)));
+        string peerScene = sceneFile?.Path;
+        try
+        {
+            if (peerScene == null && peers.Any(peer => peer.WantsScene))
+                peerScene = WriteTemporary(scene);
+            RunRounds(result, peerScene, progress);
+        }
+        finally
+        {
+            if (sceneFile == null && peerScene != null)
+                File.Delete(peerScene);
+        }
+        result.Poses.End();
+        using var tracer = new RayTracer(subjects.Radar.Kernel, subjects.Name);
+        tracer.SetScene(scene);
+        Step("counted pose", progress, () => Count(result, tracer, subjects.Radar.View(), progress));
+        Judge(result, line, tracer, subjects.Radar.View(), scene, progress);
+        return result;
+    }
+
+    // Glint and the peers in turns: what slows the machine for a while slows them alike. The first round warms up.
+    static void RunRounds(BenchResult result, string scene, IProgressSink progress)
+    {
+        int parts = 1 + result.Peers.Count;
+        progress.Start(result.Peers.Count == 0 ? "poses" : "poses and peers", result.Rounds + 1);
+        try
+        {
+            for (int round = 0; round <= result.Rounds; round++)
+            {
+                progress.Cancel.ThrowIfCancellationRequested();
+                result.Poses.RunRound(round > 0, new Part(progress, 0, parts), progress.Cancel);
+                for (int i = 0; i < result.Peers.Count; i++)
+                {
+                    result.Peers[i].Run(scene, round > 0, progress.Cancel);
+                    progress.Report((i + 2.0) / parts);
+                }
+                progress.Advance(round + 1, null);
+            }
+        }
+        finally
+        {
+            progress.Finish();
+        }
+    }
+
+    static void Count(BenchResult result, RayTracer tracer, RadarView view, IProgressSink progress)
+    {
+        tracer.CountVisits = true;
+        var work = tracer.Trace(result.Settings, view, KeptRays.None, progress, progress.Cancel).Work;
+        tracer.CountVisits = false;
+        (result.NodesVisited, result.PairsTested) = (work.NodesVisited, work.PairsTested);
+    }
+
+    static void Judge(BenchResult result, CommandLine line, RayTracer tracer, RadarView view, RadarScene scene, IProgressSink progress)
+    {
+        int every = line.Get(Options.Judge);
+        if (!line.IsGiven(Options.Judge))
+        {
+            if (Math.Max(result.Settings.RaysEmitted, scene.TriangleCount) <= JudgeCheck.Affordable)
+                every = 1;
+            else
+                result.NotJudged = FormattableString.Invariant($"not judged: {result.Settings.RaysEmitted:N0} rays and {scene.TriangleCount:N0} triangles take long; --judge 100 judges every 100th ray, --judge all judges them all");
+        }
+        if (every == 0)
+            return;
+        if (every == 1)
+        {
+            Step("judge", progress, () => result.Errors = JudgeCheck.All(scene, result.Settings, view, result.Poses.First, new Part(progress, 0, 1), progress.Cancel));
+            return;
+        }
+        Step("judge", progress, () =>
+        {
+            var rays = tracer.Trace(result.Settings, view, KeptRays.All, new Part(progress, 0, 2), progress.Cancel).Rays;
+            result.Errors = JudgeCheck.Some(scene, result.Settings, view, rays, every, new Part(progress, 1, 2), progress.Cancel);
+        });
+    }
+
+    static void Step(string what, IProgressSink progress, Action work)
+    {
+        progress.Start(what, 1);
+        try
+        {
+            work();
+            progress.Advance(1, null);
+        }
+        finally
+        {
+            progress.Finish();
+        }
+    }
+
+    static string WriteTemporary(RadarScene scene)
+    {
+        string path = Path.Combine(Path.GetTempPath(), $"glint-bench-{Guid.NewGuid():N}.bin");
+        using var stream = File.Create(path);
+        BinaryScene.Write(stream, WorldMesh.Of(scene));
+        return path;
+    }
+}

@@ -1,0 +1,123 @@
+using System.IO;
+using System.Linq;
+using System.Text;
+using Glint.Core;
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+
+namespace Glint.Cli;
+
+/// <summary>A benchmark's figures as JSON: times in milliseconds, medians unless the name says lowest; null where there is no figure.</summary>
+static class BenchJson
+{
+    public static void Write(Stream stream, BenchResult result)
+    {
+        using var json = new JsonTextWriter(new StreamWriter(stream, new UTF8Encoding(false)) { NewLine = "\n" }) { Formatting = Formatting.Indented };
+        Root(result).WriteTo(json);
+        json.WriteWhitespace("\n");
+    }
+
+    static JObject Root(BenchResult result)
+    {
+        var poses = result.Poses;
+        var (sums, work) = (poses.First, poses.Work);
+        return new JObject
+        {
+            ["subject"] = result.Subject,
+            ["scene"] = result.Scene,
+            ["device"] = result.Device.Name,
+            ["driver"] = result.Device.Driver,
+            ["texel_buffers"] = result.UsesTexelBuffers,
+            ["glint"] = GlintVersion.Text,
+            ["rounds"] = result.Rounds,
+            ["settings"] = Settings(result.Settings),
+
+            ["pose_ms"] = Number(poses.Pose.Median),
+            ["pose_lowest_ms"] = Number(poses.Pose.Lowest),
+            ["pose_gpu_ms"] = Number(poses.PoseGpu.Median),
+            ["pose_gpu_lowest_ms"] = Number(poses.PoseGpu.Lowest),
+            ["pose_other_ms"] = Number(poses.Other.Median),
+            ["trace_ms"] = Number(poses.Trace.Median),
+            ["trace_lowest_ms"] = Number(poses.Trace.Lowest),
+            ["readback_ms"] = Number(poses.ReadBack.Median),
+            ["gather_ms"] = Number(poses.FirstGather.Median),
+            ["build_ms"] = Number(poses.Build.Median),
+            ["build_lowest_ms"] = Number(poses.Build.Lowest),
+            ["upload_ms"] = Number(poses.FirstUpload.Median),
+            ["first_pose_ms"] = Number(poses.FirstPose.Median),
+            ["next_gather_ms"] = Number(poses.Gather.Median),
+            ["next_build_and_upload_ms"] = Number(poses.Upload.Median),
+
+            ["objects"] = sums.Objects,
+            ["triangles"] = sums.Triangles,
+            ["rays_emitted"] = sums.RaysEmitted,
+            ["rays_hit"] = sums.RaysHit,
+            ["rays_received"] = sums.RaysReceived,
+            ["bounces"] = sums.Bounces,
+            ["segments"] = sums.Segments,
+            ["path_length_m"] = sums.PathLengthMeters,
+            ["in_phase"] = sums.InPhase,
+            ["quadrature"] = sums.Quadrature,
+            ["amplitude"] = sums.Amplitude,
+
+            ["nodes_visited"] = result.NodesVisited,
+            ["pairs_tested"] = result.PairsTested,
+            ["tiles_traced"] = work.TilesTraced,
+            ["tiles_skipped"] = work.TilesSkipped,
+            ["dispatches"] = work.Dispatches,
+            ["trees_built"] = sums.Work.TreesBuilt,
+            ["triangles_built"] = sums.Work.TrianglesBuilt,
+            ["first_bytes_uploaded"] = sums.Work.BytesUploaded,
+            ["bytes_uploaded"] = work.BytesUploaded,
+            ["bytes_read_back"] = work.BytesReadBack,
+            ["bytes_on_device"] = work.BytesOnDevice,
+
+            ["errors"] = result.Errors == null ? null : Errors(result.Errors),
+            ["peers"] = new JArray(result.Peers.SelectMany(peer => peer.Labels.Select(label => Time(peer, label, poses)))),
+        };
+    }
+
+    static JObject Settings(RadarSettings settings) => new()
+    {
+        ["frequency_hz"] = settings.FrequencyHz,
+        ["rays_across"] = settings.RaysAcross,
+        ["rays_down"] = settings.RaysDown,
+        ["max_bounces"] = settings.MaxBounces,
+        ["region"] = settings.Region.IsWhole ? null : new JArray(settings.Region.Left, settings.Region.Bottom, settings.Region.Width, settings.Region.Height),
+    };
+
+    static JObject Errors(JudgeCheck errors) => new()
+    {
+        ["rays_judged"] = errors.Judge.RaysEmitted,
+        ["rays_hit"] = errors.Hits,
+        ["rays_hit_judge"] = errors.Judge.RaysHit,
+        ["bounces"] = errors.Bounces,
+        ["bounces_judge"] = errors.Judge.Bounces,
+        ["path_length_relative"] = errors.PathLengthRelative,
+        ["amplitude"] = errors.Amplitude,
+        ["amplitude_relative"] = errors.AmplitudeRelative,
+        ["amplitude_judge"] = errors.Judge.Amplitude,
+        ["phase_rad"] = errors.Phase,
+    };
+
+    static JObject Time(Peer peer, string label, PoseBench poses)
+    {
+        var starts = peer.Starts(label);
+        return new JObject
+        {
+            ["name"] = peer.Name,
+            ["command"] = peer.Command,
+            ["time"] = label,
+            ["starts"] = starts.Count,
+            ["median_ms"] = Number(starts.Median),
+            ["lowest_ms"] = Number(starts.Lowest),
+            ["over_pose"] = Number(starts.Median / poses.Pose.Median),
+            ["lowest_over_lowest_pose"] = Number(starts.Lowest / poses.Pose.Lowest),
+            ["over_pose_gpu"] = Number(starts.Median / poses.PoseGpu.Median),
+            ["lowest_over_lowest_pose_gpu"] = Number(starts.Lowest / poses.PoseGpu.Lowest),
+            ["last_line"] = peer.LastLine,
+        };
+    }
+
+    static JToken Number(double value) => double.IsFinite(value) ? value : JValue.CreateNull();
+}

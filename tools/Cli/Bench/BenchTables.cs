@@ -1,0 +1,141 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using Glint.Core;
+using Spectre.Console;
+
+namespace Glint.Cli;
+
+/// <summary>A benchmark's figures as tables: framed on a screen, in plain columns in a file.</summary>
+sealed class BenchTables(Terminal terminal)
+{
+    public IEnumerable<string> Lines(BenchResult result)
+    {
+        var settings = result.Settings;
+        yield return Text($"{result.Subject} on {result.Device.Name}, driver {result.Device.Driver}");
+        yield return Text($"{settings.RaysAcross} x {settings.RaysDown} rays{RegionText(settings.Region)}, at most {settings.MaxBounces} bounces, {settings.FrequencyHz / 1e9:g6} GHz; medians and lowest of {result.Rounds} rounds{(result.UsesTexelBuffers ? "; trees in texel buffers (not in Unity)" : "")}");
+        foreach (var table in new[] { Times(result), Work(result), Errors(result), Peers(result) }.Where(table => table != null))
+        {
+            yield return "";
+            foreach (string line in Render(table))
+                yield return line;
+        }
+        if (result.NotJudged != null)
+            yield return result.NotJudged;
+        foreach (var peer in result.Peers)
+            yield return $"{peer.Name} ended with: {peer.LastLine}";
+        if (result.Peers.Count > 0)
+            yield return "Ratios: the peer's median over Glint's, and its lowest over Glint's lowest.";
+    }
+
+    Table Times(BenchResult result)
+    {
+        var poses = result.Poses;
+        var table = NewTable("time, ms", "median", "lowest");
+        void Add(string what, Series series) => table.AddRow(Escaped(what, Ms(series.Median), Ms(series.Lowest)));
+        Add("first pose: gather", poses.FirstGather);
+        Add("first pose: build trees", poses.Build);
+        Add("first pose: upload", poses.FirstUpload);
+        Add("first pose", poses.FirstPose);
+        Add("next pose: gather", poses.Gather);
+        Add("next pose: build and upload", poses.Upload);
+        Add("next pose: trace and sum", poses.Trace);
+        Add("  of it read-back", poses.ReadBack);
+        Add("next pose", poses.Pose);
+        if (poses.PoseGpu.Count > 0)
+            Add("next pose: kernels, by the device's clock", poses.PoseGpu);
+        Add(poses.PoseGpu.Count > 0 ? "next pose: all but the kernels" : "next pose: all but trace and sum", poses.Other);
+        return table;
+    }
+
+    Table Work(BenchResult result)
+    {
+        var (sums, work, first) = (result.Poses.First, result.Poses.Work, result.Poses.First.Work);
+        var table = NewTable("a pose", "", "");
+        void Add(string what, long count, string note = "") => table.AddRow(Escaped(what, Text($"{count:N0}"), note));
+        Add("rays emitted", sums.RaysEmitted);
+        Add("rays hit", sums.RaysHit);
+        Add("rays received", sums.RaysReceived);
+        Add("bounces", sums.Bounces);
+        Add("segments", sums.Segments);
+        table.AddRow(Escaped("path length", Text($"{sums.PathLengthMeters:N3}"), "m, up to the last hits"));
+        table.AddRow(Escaped("amplitude", Text($"{sums.Amplitude:0.000}"), sums.AmplitudeDb is { } decibels ? Text($"{decibels:0.00} dB") : ""));
+        Add("objects", sums.Objects);
+        Add("triangles", sums.Triangles);
+        Add("nodes visited", result.NodesVisited, Each(result.NodesVisited, sums.Segments, "a segment"));
+        Add("triangle pairs tested", result.PairsTested, Each(result.PairsTested, sums.Segments, "a segment"));
+        Add("tiles traced", work.TilesTraced, Text($"{work.TilesSkipped:N0} skipped"));
+        Add("dispatches", work.Dispatches);
+        Add("bytes uploaded", work.BytesUploaded, Text($"{first.BytesUploaded:N0} for the first pose"));
+        Add("bytes read back", work.BytesReadBack);
+        Add("bytes on the device", work.BytesOnDevice, Each(work.BytesOnDevice, sums.Triangles, "a triangle"));
+        return table;
+    }
+
+    Table Errors(BenchResult result)
+    {
+        if (result.Errors is not { } errors)
+            return null;
+        var table = NewTable(Text($"error, {errors.Judge.RaysEmitted:N0} rays judged"), "", "");
+        table.AddRow(Escaped("rays hit", Text($"{errors.Hits:+#,0;-#,0;0}"), Text($"of {errors.Judge.RaysHit:N0}")));
+        table.AddRow(Escaped("bounces", Text($"{errors.Bounces:+#,0;-#,0;0}"), Text($"of {errors.Judge.Bounces:N0}")));
+        table.AddRow(Escaped("path length", Text($"{errors.PathLengthRelative:0.0e+0}"), "relative"));
+        table.AddRow(Escaped("amplitude", Text($"{errors.Amplitude:0.0e+0}"), Text($"of {errors.Judge.Amplitude:0.000}, {errors.AmplitudeRelative:0.0e+0} relative")));
+        table.AddRow(Escaped("phase", Text($"{errors.Phase:0.0e+0}"), "rad"));
+        return table;
+    }
+
+    Table Peers(BenchResult result)
+    {
+        if (result.Peers.Count == 0)
+            return null;
+        bool hasClock = result.Poses.PoseGpu.Count > 0;
+        var table = NewTable(["peer", "time", "median ms", "lowest ms", "/ pose", .. hasClock ? ["/ its kernels"] : Array.Empty<string>()]);
+        foreach (var peer in result.Peers)
+            foreach (string label in peer.Labels)
+            {
+                var starts = peer.Starts(label);
+                string[] cells = [peer.Name, label, Ms(starts.Median), Ms(starts.Lowest), Ratios(starts, result.Poses.Pose), .. hasClock ? [Ratios(starts, result.Poses.PoseGpu)] : Array.Empty<string>()];
+                table.AddRow(Escaped(cells));
+            }
+        return table;
+    }
+
+    Table NewTable(params string[] titles)
+    {
+        var table = new Table { Border = terminal.SharesScreen ? TableBorder.Rounded : TableBorder.None };
+        var padding = terminal.SharesScreen ? new Padding(1, 0, 1, 0) : new Padding(0, 0, 2, 0);
+        for (int i = 0; i < titles.Length; i++)
+            table.AddColumn(new TableColumn(Markup.Escape(titles[i])) { Alignment = IsNumbers(titles, i) ? Justify.Right : Justify.Left, NoWrap = true, Padding = padding });
+        return table;
+    }
+
+    // Names first, notes without a title last.
+    static bool IsNumbers(string[] titles, int column) => titles.Length > 3 ? column > 1 : column == 1 || column == 2 && titles[2].Length > 0;
+
+    IEnumerable<string> Render(Table table)
+    {
+        var text = new StringWriter();
+        var console = AnsiConsole.Create(new AnsiConsoleSettings
+        {
+            Ansi = AnsiSupport.No, ColorSystem = ColorSystemSupport.NoColors, Interactive = InteractionSupport.No, Out = new AnsiConsoleOutput(text),
+        });
+        console.Profile.Width = terminal.Width;
+        console.Write(table);
+        return text.ToString().Split('\n').Select(line => line.TrimEnd()).Where(line => line.Length > 0);
+    }
+
+    static string[] Escaped(params string[] cells) => Array.ConvertAll(cells, cell => Markup.Escape(cell));
+
+    static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
+
+    static string RegionText(RayRegion region) => region.IsWhole ? "" : Text($", of them {region.Width} x {region.Height} from {region.Left}, {region.Bottom}");
+
+    static string Ms(double value) => double.IsNaN(value) ? "-" : value.ToString(Math.Abs(value) < 1 ? "0.0000" : Math.Abs(value) < 100 ? "0.00" : "0.0", CultureInfo.InvariantCulture);
+
+    static string Each(long count, long of, string what) => of == 0 ? "" : Text($"{(double)count / of:0.0} {what}");
+
+    static string Ratios(Series peer, Series own) => Text($"{peer.Median / own.Median:0.00}, {peer.Lowest / own.Lowest:0.00}");
+}

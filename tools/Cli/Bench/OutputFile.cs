@@ -1,0 +1,44 @@
+using System;
+using System.IO;
+using Glint.Core;
+
+namespace Glint.Cli;
+
+/// <summary>A file that is written when all work is done, and asked for before: hours must not end at a folder that is not there.</summary>
+sealed class OutputFile
+{
+    readonly string _flag, _path;
+
+    /// <param name="flag">Option that names it, for messages.</param>
+    /// <exception cref="GlintException">It cannot be written.</exception>
+    public OutputFile(string flag, string path)
+    {
+        _flag = flag;
+        _path = path;
+        bool isNew = !File.Exists(path);
+        Try(() => new FileStream(path, FileMode.OpenOrCreate, FileAccess.Write).Dispose());
+        if (isNew)
+            Try(() => File.Delete(path));
+    }
+
+    public string Path => _path;
+
+    /// <exception cref="GlintException">It cannot be written.</exception>
+    public void Write(Action<Stream> content) => Try(() =>
+    {
+        using var stream = new FileStream(_path, FileMode.Create, FileAccess.Write);
+        content(stream);
+    });
+
+    void Try(Action work)
+    {
+        try
+        {
+            work();
+        }
+        catch (Exception error) when (error is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new GlintException($"{_flag} {_path}: cannot be written: {error.Message.TrimEnd('.')}; name another file", error);
+        }
+    }
+}

@@ -1,0 +1,88 @@
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Text;
+using System.Threading;
+using Glint.Core;
+
+namespace Glint.Cli;
+
+/// <summary>Another program that is timed in turns with Glint's poses: started once a round, by the shell.</summary>
+sealed class Peer(PeerCommand command)
+{
+    /// <summary>What stands in a command for the path of the scene.</summary>
+    public const string ScenePlaceholder = "{scene}";
+
+    readonly Dictionary<string, Series> _starts = [];
+
+    public string Name => command.Name;
+
+    public string Command => command.Command;
+
+    /// <summary>Whether it wants the scene as a file.</summary>
+    public bool WantsScene => Command.Contains(ScenePlaceholder);
+
+    /// <summary>The times it prints, in its order.</summary>
+    public IReadOnlyList<string> Labels { get; private set; } = [];
+
+    /// <summary>The last line it printed: more often than not its sums.</summary>
+    public string LastLine { get; private set; }
+
+    /// <summary>The medians of a time, one a start.</summary>
+    public Series Starts(string label) => _starts[label];
+
+    /// <summary>Runs it to its end.</summary>
+    /// <param name="scene">Path that takes the place of {scene}.</param>
+    /// <param name="counts">False for a start that only warms up.</param>
+    /// <exception cref="GlintException">It failed, or printed no time.</exception>
+    /// <exception cref="System.OperationCanceledException">Cancelled; the program was ended.</exception>
+    public void Run(string scene, bool counts, CancellationToken cancel)
+    {
+        var output = new PeerOutput(Execute(Command.Replace(ScenePlaceholder, Quoted(scene)), cancel));
+        if (output.Labels.Count == 0)
+            throw new GlintException($"--peer {Name}: printed no time, which is a number before \" ms\" as in \"frame 81.3 ms\"; its last line: {output.LastLine ?? "none"}");
+        LastLine = output.LastLine;
+        if (!counts)
+            return;
+        foreach (string label in output.Labels)
+        {
+            if (!_starts.ContainsKey(label))
+                Labels = [.. Labels, label];
+            _starts.TryAdd(label, new Series());
+            _starts[label].Add(output.Median(label));
+        }
+    }
+
+    string Execute(string line, CancellationToken cancel)
+    {
+        cancel.ThrowIfCancellationRequested();
+        var start = new ProcessStartInfo("/bin/sh") { RedirectStandardOutput = true, RedirectStandardError = true, RedirectStandardInput = true, UseShellExecute = false };
+        start.ArgumentList.Add("-c");
+        start.ArgumentList.Add(line);
+        var text = new StringBuilder();
+        using var process = new Process { StartInfo = start };
+        process.OutputDataReceived += (_, data) => Append(text, data.Data);
+        process.ErrorDataReceived += (_, data) => Append(text, data.Data);
+        process.Start();
+        using (cancel.Register(() => process.Kill(entireProcessTree: true)))
+        {
+            process.StandardInput.Close();
+            process.BeginOutputReadLine();
+            process.BeginErrorReadLine();
+            process.WaitForExit();
+        }
+        cancel.ThrowIfCancellationRequested();
+        if (process.ExitCode != 0)
+            throw new GlintException($"--peer {Name}: ended with exit code {process.ExitCode}: {new PeerOutput(text.ToString()).LastLine ?? "without a word"}");
+        return text.ToString();
+    }
+
+    // Both streams, each on a thread of its own.
+    static void Append(StringBuilder text, string line)
+    {
+        lock (text)
+            text.Append(line).Append('\n');
+    }
+
+    // For the shell: nothing within single quotes has a meaning but their end.
+    static string Quoted(string path) => path == null ? "" : "'" + path.Replace("'", "'\\''") + "'";
+}

@@ -1,0 +1,135 @@
+using System;
+using System.Diagnostics;
+using System.Threading;
+using Glint.Core;
+using Glint.Vulkan;
+using UnityEngine;
+
+namespace Glint.Cli;
+
+/// <summary>Times a radar's poses: the first, for which trees are built, and those after it, as a sweep pays for them.</summary>
+sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
+{
+    const int FirstPoses = 3, PosesARound = 6;
+    const double StepDegrees = 0.001;
+
+    static readonly TimeSpan FirstPosesTime = TimeSpan.FromSeconds(10), RoundTime = TimeSpan.FromSeconds(2);
+
+    readonly Quaternion _rotation = target == null ? Quaternion.identity : target.rotation;
+    int _steps;
+
+    /// <summary>Of first poses: collecting objects (the very first pose only), building trees, filling the device's buffers, all of it with compiling kernels.</summary>
+    public Series FirstGather { get; } = new();
+    public Series Build { get; } = new();
+    public Series FirstUpload { get; } = new();
+    public Series FirstPose { get; } = new();
+
+    /// <summary>Of later poses, a round each: wall time, device time of the kernels, and phases.</summary>
+    public Series Pose { get; } = new();
+    public Series PoseGpu { get; } = new();
+    public Series Gather { get; } = new();
+    public Series Upload { get; } = new();
+    public Series Trace { get; } = new();
+    public Series ReadBack { get; } = new();
+
+    /// <summary>What a later pose takes besides its kernels; besides tracing and summing where the device has no clock.</summary>
+    public Series Other { get; } = new();
+
+    /// <summary>Sums of the scene as it stands, and what its first pose made the computer do.</summary>
+    public RadarResult First { get; private set; }
+
+    /// <summary>What a later pose made the computer do; the visits are not counted.</summary>
+    public WorkDone Work { get; private set; }
+
+    /// <summary>Traces the scene as it stands, some times from nothing.</summary>
+    public void RunFirst(IProgress<double> progress, CancellationToken cancel)
+    {
+        var total = Stopwatch.StartNew();
+        for (int i = 0; i < FirstPoses && (i == 0 || total.Elapsed < FirstPosesTime); i++)
+        {
+            radar.Release();
+            if (target != null)
+                radar.ExpectMotion(target);
+            double wall = Time(new Part(progress, i, FirstPoses), cancel, out var result);
+            First ??= result;
+            if (i == 0)
+                FirstGather.Add(result.Timings.GatherMs);
+            Build.Add(result.Timings.BuildMs);
+            FirstUpload.Add(result.Timings.UploadMs);
+            FirstPose.Add(wall);
+        }
+    }
+
+    /// <summary>Some poses, each with the target turned on by a step. Wall time and device time are taken in turns: the device's clock costs a little of the former.</summary>
+    /// <param name="counts">False for a round that only warms up.</param>
+    public void RunRound(bool counts, IProgress<double> progress, CancellationToken cancel)
+    {
+        Series wall = new(), gpu = new(), gather = new(), upload = new(), trace = new(), readBack = new(), other = new();
+        var total = Stopwatch.StartNew();
+        for (int i = 0; i < PosesARound && (i == 0 || total.Elapsed < RoundTime); i++)
+        {
+            Turn();
+            wall.Add(Time(new Part(progress, 2 * i, 2 * PosesARound), cancel, out var result));
+            Work = result.Work;
+            gather.Add(result.Timings.GatherMs);
+            upload.Add(result.Timings.BuildMs + result.Timings.UploadMs);
+            trace.Add(result.Timings.TraceMs);
+            readBack.Add(result.Timings.ReadBackMs);
+            if (clock.IsSupported)
+            {
+                Turn();
+                gpu.Add(TimeOnDevice(new Part(progress, 2 * i + 1, 2 * PosesARound), cancel, out double rest));
+                other.Add(rest);
+            }
+            else
+                other.Add(result.Timings.GatherMs + result.Timings.BuildMs + result.Timings.UploadMs);
+        }
+        if (!counts)
+            return;
+        Pose.Add(wall.Median);
+        Gather.Add(gather.Median);
+        Upload.Add(upload.Median);
+        Trace.Add(trace.Median);
+        ReadBack.Add(readBack.Median);
+        Other.Add(other.Median);
+        if (gpu.Count > 0)
+            PoseGpu.Add(gpu.Median);
+    }
+
+    /// <summary>Puts the scene back as it was, and lets go of what is on the device.</summary>
+    public void End()
+    {
+        if (target != null)
+            target.rotation = _rotation;
+        radar.Release();
+    }
+
+    void Turn()
+    {
+        if (target != null)
+            target.rotation = Quaternion.AngleAxis((float)(++_steps * StepDegrees), Vector3.up) * _rotation;
+    }
+
+    double Time(IProgress<double> progress, CancellationToken cancel, out RadarResult result)
+    {
+        var watch = Stopwatch.StartNew();
+        result = radar.Trace(KeptRays.None, progress, cancel);
+        return watch.Elapsed.TotalMilliseconds;
+    }
+
+    double TimeOnDevice(IProgress<double> progress, CancellationToken cancel, out double rest)
+    {
+        clock.IsOn = true;
+        try
+        {
+            clock.Reset();
+            double wall = Time(progress, cancel, out _), device = clock.Read();
+            rest = wall - device;
+            return device;
+        }
+        finally
+        {
+            clock.IsOn = false;
+        }
+    }
+}

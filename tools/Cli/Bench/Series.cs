@@ -1,0 +1,32 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Glint.Cli;
+
+/// <summary>Measurements of one thing, milliseconds.</summary>
+sealed class Series
+{
+    readonly List<double> _values = [];
+
+    public Series(params IEnumerable<double> values) => _values.AddRange(values);
+
+    public int Count => _values.Count;
+
+    /// <summary>The middle one, or the mean of the two in the middle; NaN when there are none.</summary>
+    public double Median
+    {
+        get
+        {
+            if (Count == 0)
+                return double.NaN;
+            var sorted = _values.Order().ToArray();
+            return (sorted[(Count - 1) / 2] + sorted[Count / 2]) / 2;
+        }
+    }
+
+    /// <summary>NaN when there are none.</summary>
+    public double Lowest => Count == 0 ? double.NaN : _values.Min();
+
+    public void Add(double value) => _values.Add(value);
+}
