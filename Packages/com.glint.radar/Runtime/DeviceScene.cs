@@ -9,14 +9,17 @@ namespace Glint
     /// <summary>The scene on the device: trees over its meshes, the places of its instances, and a small tree over these. What a pose does not change stays.</summary>
     sealed class DeviceScene : IDisposable
     {
+        /// <summary>Instances that are searched one after the other, without a tree: MOST_FEW in Shaders/Bindings.hlsl.</summary>
+        public const int MostFew = 4;
+
         readonly DeviceTrees _trees;
         readonly DeviceBuffer<InstanceRecord> _instances = new DeviceBuffer<InstanceRecord>("instances");
         readonly DeviceBuffer<uint4> _top = new DeviceBuffer<uint4>("rows of the tree over instances");
         RadarScene _scene;
 
-        public DeviceScene(TreeShape shape, string owner)
+        public DeviceScene(TreeShape shape, string owner, long mostRowsABank)
         {
-            _trees = new DeviceTrees(shape, owner);
+            _trees = new DeviceTrees(shape, owner, mostRowsABank);
             _instances.Reserve(1);
             _top.Reserve(1);
         }
@@ -33,11 +36,10 @@ namespace Glint
 
         public bool IsEmpty { get; private set; }
 
-        /// <summary>True for one instance of a mesh of one tree: it needs no tree over instances.</summary>
-        public bool HasOneInstance { get; private set; }
+        /// <summary>The instances when they are few and their trees stand in one buffer: then no tree over them is needed.</summary>
+        public IReadOnlyList<InstanceRecord> Few { get; private set; }
 
-        /// <summary>The only instance if there is one.</summary>
-        public InstanceRecord FirstInstance { get; private set; }
+        public bool HasFewInstances => Few.Count > 0;
 
         public IReadOnlyList<TreeBank> Banks => _trees.Banks;
 
@@ -65,11 +67,7 @@ namespace Glint
         public void AddTo(PictureTiles tiles)
         {
             foreach (var instance in _scene.Instances)
-            {
-                var tree = _trees[instance.Mesh].Tree;
-                for (int box = 0; box < tree.CoverLow.Length; box++)
-                    tiles.Add(tree.CoverLow[box], tree.CoverHigh[box], instance.ToWorld);
-            }
+                tiles.Add(_trees[instance.Mesh].Tree, instance.ToWorld);
         }
 
         public void Dispose()
@@ -113,11 +111,10 @@ namespace Glint
                 }
             }
             IsEmpty = records.Count == 0;
-            HasOneInstance = records.Count == 1;
+            Few = records.Count <= MostFew && _trees.Banks.Count == 1 ? records : new List<InstanceRecord>();
             TopRoot = uint.MaxValue; // DONE: nothing to search
-            if (IsEmpty)
+            if (IsEmpty || HasFewInstances)
                 return;
-            FirstInstance = records[0];
             var top = TopTree.Build(low.ToArray(), high.ToArray(), TreeShape.Binary);
             // Row 3 of a node begins with the reference to its first child: of one instance that is the leaf.
             TopRoot = records.Count == 1 ? top[3].x : 0;

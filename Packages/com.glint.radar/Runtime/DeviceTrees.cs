@@ -13,19 +13,23 @@ namespace Glint
         /// <summary>Buffers that the kernel can read trees from: _Tree0 to _Tree7.</summary>
         public const int MostBanks = 8;
 
-        // Least that a triangle takes: half a leaf of three rows.
-        const double LeastRowsPerTriangle = 1.5;
+        // Buffers larger than so many times what is in them are given back, beyond a few that nobody misses.
+        const int MostEmptiness = 4;
+        const long FewRows = 1 << 16;
 
         readonly TreeShape _shape;
         readonly string _owner;
+        readonly long _mostRowsABank;
         readonly List<TreeBank> _banks = new List<TreeBank>();
         readonly Dictionary<TriangleMesh, PlacedTree> _trees = new Dictionary<TriangleMesh, PlacedTree>();
         bool _hasChanged;
 
-        public DeviceTrees(TreeShape shape, string owner)
+        /// <param name="mostRowsABank">Rows that one buffer may hold; fewer if the device holds fewer.</param>
+        public DeviceTrees(TreeShape shape, string owner, long mostRowsABank)
         {
             _shape = shape;
             _owner = owner;
+            _mostRowsABank = Math.Min(mostRowsABank, DeviceBuffer<uint4>.Most);
         }
 
         public PlacedTree this[TriangleMesh mesh] => _trees[mesh];
@@ -33,14 +37,15 @@ namespace Glint
         public IReadOnlyList<TreeBank> Banks => _banks;
 
         /// <summary>Bytes of the device's buffers.</summary>
-        public long Bytes => _banks.Sum(bank => (long)bank.Rows.Capacity * 16);
+        public long Bytes => Capacity * 16;
 
         /// <summary>Holds the trees of these meshes from now on, and no others: builds those that are new.</summary>
         /// <returns>True if any was built.</returns>
-        /// <exception cref="GlintException">The device cannot hold them; the trees before are lost.</exception>
+        /// <exception cref="GlintException">The device cannot hold them; the trees before are lost unless that was plain before any was built.</exception>
+        /// <exception cref="OperationCanceledException">Building was cancelled; the trees before are lost.</exception>
         public bool Hold(ICollection<TriangleMesh> meshes, ref WorkDone work, Func<TriangleMesh, TreeShape, MeshTree> build)
         {
-            Refuse(meshes.Sum(mesh => mesh.TriangleCount * LeastRowsPerTriangle), "at least ");
+            RefuseBefore(meshes);
             try
             {
                 Drop(meshes);
@@ -90,7 +95,7 @@ namespace Glint
 
         void Upload(List<PlacedTree> added, ref WorkDone work)
         {
-            if (_banks.Count == 0 || !added.All(tree => tree.Place(_banks)))
+            if (_banks.Count == 0 || IsMostlyEmpty || !added.All(tree => tree.Place(_banks)))
             {
                 added = _trees.Values.ToList();
                 MakeBanks();
@@ -106,7 +111,6 @@ namespace Glint
             foreach (var bank in _banks)
                 bank.Dispose();
             _banks.Clear();
-            long most = DeviceBuffer<uint4>.Most;
             var parts = _trees.Values.SelectMany(tree => tree.Tree.Parts).Select(part => (long)part.Words.Length).ToList();
             long spare = _hasChanged && parts.Count > 0 ? parts.Sum() / 8 + parts.Max() : 0;
             _hasChanged = true;
@@ -115,30 +119,44 @@ namespace Glint
             var sizes = new List<long> { 0 };
             foreach (long rows in parts)
             {
-                if (rows > most)
+                if (rows > _mostRowsABank)
                     throw TooLarge(parts.Sum(), "");
-                if (sizes[sizes.Count - 1] + rows > most)
+                if (sizes[sizes.Count - 1] + rows > _mostRowsABank)
                     sizes.Add(0);
                 sizes[sizes.Count - 1] += rows;
             }
             if (sizes.Count > MostBanks)
                 throw TooLarge(parts.Sum(), "");
+            // Where there are several buffers anyway, one more costs nothing.
+            if (sizes.Count > 1 && sizes.Count < MostBanks && sizes[sizes.Count - 1] + spare > _mostRowsABank && (parts.Sum() + spare) * 16 <= MostBytes)
+                sizes.Add(0);
             int last = sizes.Count - 1;
-            sizes[last] = Math.Max(1, Math.Min(most, sizes[last] + spare));
+            sizes[last] = Math.Max(1, Math.Min(_mostRowsABank, sizes[last] + spare));
             foreach (long rows in sizes)
                 _banks.Add(new TreeBank((int)rows));
         }
 
+        long Capacity => _banks.Sum(bank => (long)bank.Rows.Capacity);
+
+        bool IsMostlyEmpty => Capacity > MostEmptiness * _trees.Values.Sum(tree => tree.Rows) + FewRows;
+
+        double MostBytes => Math.Min((double)MostBanks * _mostRowsABank * 16, SystemInfo.graphicsMemorySize * 1048576.0);
+
+        // By what the trees take at least, before they are built. Triangles that reflect nothing are not in them; they are counted only if it matters.
+        void RefuseBefore(ICollection<TriangleMesh> meshes)
+        {
+            double least = MeshTree.LeastRowsPerTriangle(_shape);
+            if (meshes.Sum(mesh => (double)mesh.TriangleCount) * least * 16 > MostBytes)
+                Refuse(meshes.Sum(mesh => (double)MeshTree.CountReflecting(mesh)) * least, "at least ");
+        }
+
         void Refuse(double rows, string bound)
         {
-            if (rows > (double)MostBanks * DeviceBuffer<uint4>.Most || rows * 16 > SystemInfo.graphicsMemorySize * 1048576.0)
+            if (rows * 16 > MostBytes)
                 throw TooLarge(rows, bound);
         }
 
-        GlintException TooLarge(double rows, string bound)
-        {
-            double held = Math.Min((double)MostBanks * DeviceBuffer<uint4>.Most * 16, SystemInfo.graphicsMemorySize * 1048576.0);
-            return new GlintException($"{_owner}: the trees over its meshes take {bound}{Text.Mebibytes(rows * 16)}, and {SystemInfo.graphicsDeviceName} holds {Text.Mebibytes(held)} of them: trace fewer triangles (layers, roots), or share one mesh among several objects");
-        }
+        GlintException TooLarge(double rows, string bound) =>
+            new GlintException($"{_owner}: the trees over its meshes take {bound}{Text.Mebibytes(rows * 16)}, and {SystemInfo.graphicsDeviceName} holds {Text.Mebibytes(MostBytes)} of them in buffers of {Text.Mebibytes(_mostRowsABank * 16.0)}: trace fewer triangles (layers, roots), or share one mesh among several objects");
     }
 }

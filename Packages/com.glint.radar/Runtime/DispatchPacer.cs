@@ -7,29 +7,45 @@ namespace Glint
     /// </summary>
     sealed class DispatchPacer
     {
-        const int FirstTiles = 2048;
+        // Tiles times bounces: how long a ray may be followed is all that is known at first.
+        const int FirstTileBounces = 4096;
 
-        // Seconds. Half a second is the most a dispatch may take.
-        const double Target = 0.3;
+        // Seconds. Half a second is the most a dispatch may take; the next tiles may be twice as costly, or the machine busy.
+        const double Target = 0.25;
 
+        // Of tiles, from one dispatch to the next: they may be of another part of the picture.
+        const int MostGrowth = 4;
+
+        // The costliest dispatch counts, a little less with every one after it.
+        const double Memory = 0.8;
+
+        int _bounces, _tiles, _dispatches;
         double _secondsPerTile;
 
         /// <summary>Forgets the times: the work to come is of another kind.</summary>
-        public void Reset() => _secondsPerTile = 0;
+        public void Reset() => _dispatches = 0;
 
         /// <summary>How many of the tiles left the next dispatch should take.</summary>
-        public int NextTiles(int left)
+        /// <param name="bounces">Most bounces a ray may make.</param>
+        public int NextTiles(int left, int bounces)
         {
-            if (_secondsPerTile == 0)
-                return Math.Min(left, FirstTiles);
-            return (int)Math.Min(left, Math.Max(1, Target / _secondsPerTile));
+            if (bounces != _bounces)
+                Reset();
+            _bounces = bounces;
+            double most = _dispatches == 0 ? FirstTileBounces / bounces : Math.Min((double)MostGrowth * _tiles, Target / _secondsPerTile);
+            // In even parts, so that the last one is no scrap.
+            double parts = Math.Ceiling(left / Math.Max(1, most));
+            return (int)Math.Ceiling(left / parts);
         }
 
         /// <summary>A dispatch of so many tiles took so long, its read-back included.</summary>
         public void Took(int tiles, double seconds)
         {
-            // The first one also compiled the kernel; few tiles do not fill a device.
-            _secondsPerTile = Math.Max(seconds / tiles, 1e-9);
+            double secondsPerTile = Math.Max(seconds / tiles, 1e-9);
+            // The first one also compiled the kernel.
+            _secondsPerTile = _dispatches < 2 ? secondsPerTile : Math.Max(secondsPerTile, Memory * _secondsPerTile);
+            _tiles = tiles;
+            _dispatches = Math.Min(_dispatches + 1, 2);
         }
     }
 }

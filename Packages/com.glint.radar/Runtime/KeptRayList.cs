@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
+using System.Runtime.InteropServices;
 using Glint.Core;
 using UnityEngine;
 
@@ -9,15 +10,28 @@ namespace Glint
     /// <summary>The rays that a pose keeps one by one, as they come back dispatch by dispatch.</summary>
     sealed class KeptRayList
     {
+        // As many received rays as most scenes return; tiles that return more are traced once again with room for all.
+        const int FirstCapacity = 65536;
+
+        // Rays of one dispatch: 96 MiB when all are kept, at most 768 MiB when all are received.
+        const int MostOfAll = 1 << 21, MostReceived = 1 << 24;
+
+        static readonly int s_rayBytes = Marshal.SizeOf<RayData>();
+
+        readonly string _owner;
         readonly RadarSettings _settings;
         readonly List<RayData[]> _received = new List<RayData[]>();
         readonly RayData[] _all;
+        RayData[] _slice = Array.Empty<RayData>();
+        long _receivedCount;
 
-        KeptRayList(KeptRays keep, in RadarSettings settings, RayData[] all)
+        KeptRayList(KeptRays keep, in RadarSettings settings, string owner)
         {
             Keep = keep;
             _settings = settings;
-            _all = all;
+            _owner = owner;
+            if (keep == KeptRays.All)
+                _all = MakeRays(settings.RaysEmitted, $"all of {settings.RaysEmitted} rays");
         }
 
         public KeptRays Keep { get; }
@@ -28,22 +42,29 @@ namespace Glint
         /// <exception cref="GlintException">All rays are to be kept, and this computer has not the memory.</exception>
         public static KeptRayList For(KeptRays keep, in RadarSettings settings, string owner)
         {
-            if (keep != KeptRays.All)
-                return new KeptRayList(keep, settings, null);
-            double bytes = settings.RaysEmitted * (double)RayBytes;
-            double held = SystemInfo.systemMemorySize * 1048576.0;
-            if (bytes > held || settings.RaysEmitted > 0x7fffffc7)
-                throw new GlintException($"{owner}: keeping all of {settings.RaysEmitted} rays takes {Text.Mebibytes(bytes)}, and this computer has {Text.Mebibytes(held)}: keep received rays only, or trace a region or fewer rays");
-            return new KeptRayList(keep, settings, new RayData[settings.RaysEmitted]);
+            Refuse(keep, settings, owner);
+            return new KeptRayList(keep, settings, owner);
         }
 
-        /// <summary>As many of the tiles as there is room for on the device, which is made as large as need be.</summary>
+        /// <summary>Refuses to keep more rays than this computer has memory for.</summary>
+        /// <exception cref="GlintException">It has not as much.</exception>
+        public static void Refuse(KeptRays keep, in RadarSettings settings, string owner)
+        {
+            if (keep == KeptRays.All && (settings.RaysEmitted * (double)s_rayBytes > HostBytes || settings.RaysEmitted > 0x7fffffc7))
+                throw TooMany($"all of {settings.RaysEmitted} rays", settings.RaysEmitted * (double)s_rayBytes, owner);
+        }
+
+        /// <summary>As many of the tiles as one dispatch may take for what is kept of them; makes room on the device.</summary>
         public int Limit(int tiles, DeviceBuffer<RayData> rays)
         {
-            if (Keep != KeptRays.All)
+            if (Keep == KeptRays.None)
+            {
+                rays.Reserve(1); // a binding must not be empty
                 return tiles;
-            tiles = (int)Math.Min(tiles, DeviceBuffer<RayData>.Most / PictureTiles.Rays);
-            rays.Reserve((long)tiles * PictureTiles.Rays);
+            }
+            long most = Math.Min(DeviceBuffer<RayData>.Most, Keep == KeptRays.All ? MostOfAll : MostReceived);
+            tiles = (int)Math.Min(tiles, most / PictureTiles.Rays);
+            rays.Reserve(Keep == KeptRays.All ? tiles * PictureTiles.Rays : FirstCapacity);
             return tiles;
         }
 
@@ -51,19 +72,32 @@ namespace Glint
         public bool Wants(uint[] sums, DeviceBuffer<RayData> rays) => Keep == KeptRays.Received && RaySums.CountKept(sums) > rays.Capacity;
 
         /// <summary>Reads back what a dispatch kept.</summary>
+        /// <exception cref="GlintException">More rays are received than this computer has memory for.</exception>
         public void Add(DeviceBuffer<RayData> rays, uint[] sums, int tiles, ref WorkDone work)
         {
             int count = Keep == KeptRays.All ? tiles * PictureTiles.Rays : Keep == KeptRays.Received ? (int)RaySums.CountKept(sums) : 0;
             if (count == 0)
                 return;
             var watch = Stopwatch.StartNew();
-            var read = new RayData[count];
-            rays.ReadBack(read, count);
-            work.BytesReadBack += (long)count * rays.Stride;
             if (Keep == KeptRays.All)
-                Scatter(read);
+            {
+                if (_slice.Length < count)
+                    _slice = new RayData[count];
+                rays.ReadBack(_slice, count);
+                Scatter(count);
+            }
             else
-                _received.Add(read);
+            {
+                _receivedCount += count;
+                // Once as they come and once in order, with a number each to order them by.
+                int bytes = 2 * s_rayBytes + sizeof(uint);
+                if (_receivedCount * (double)bytes > HostBytes)
+                    throw TooMany(Received, _receivedCount * (double)bytes, _owner);
+                var part = MakeRays(count, Received);
+                rays.ReadBack(part, count);
+                _received.Add(part);
+            }
+            work.BytesReadBack += (long)count * s_rayBytes;
             ReadBackMs += watch.Elapsed.TotalMilliseconds;
         }
 
@@ -72,36 +106,52 @@ namespace Glint
         {
             if (Keep == KeptRays.All)
                 return _all;
-            int count = 0;
-            foreach (var part in _received)
-                count += part.Length;
-            var rays = new RayData[count];
-            var pixels = new uint[count];
+            var rays = MakeRays(_receivedCount, Received);
             int at = 0;
             foreach (var part in _received)
             {
                 part.CopyTo(rays, at);
                 at += part.Length;
             }
-            for (int i = 0; i < count; i++)
+            _received.Clear();
+            var pixels = new uint[rays.Length];
+            for (int i = 0; i < rays.Length; i++)
                 pixels[i] = rays[i].Pixel;
             // They come in the order in which the GPU was done with them.
             Array.Sort(pixels, rays);
             return rays;
         }
 
-        static int RayBytes => System.Runtime.InteropServices.Marshal.SizeOf<RayData>();
+        static double HostBytes => SystemInfo.systemMemorySize * 1048576.0;
 
-        void Scatter(RayData[] rays)
+        string Received => $"{_receivedCount} received rays";
+
+        static GlintException TooMany(string rays, double bytes, string owner) =>
+            new GlintException($"{owner}: keeping {rays} takes {Text.Mebibytes(bytes)}, and this computer has {Text.Mebibytes(HostBytes)}: keep received rays only, or none, or trace a region or fewer rays");
+
+        RayData[] MakeRays(long count, string what)
+        {
+            try
+            {
+                return new RayData[count];
+            }
+            catch (OutOfMemoryException)
+            {
+                throw TooMany(what, count * (double)s_rayBytes, _owner);
+            }
+        }
+
+        void Scatter(int count)
         {
             var region = _settings.Region;
             int width = region.IsWhole ? _settings.RaysAcross : region.Width;
-            foreach (var ray in rays)
+            for (int i = 0; i < count; i++)
             {
-                if (ray.Pixel == uint.MaxValue)
+                uint pixel = _slice[i].Pixel;
+                if (pixel == uint.MaxValue)
                     continue; // beside the picture
-                int x = (int)(ray.Pixel % (uint)_settings.RaysAcross) - region.Left, y = (int)(ray.Pixel / (uint)_settings.RaysAcross) - region.Bottom;
-                _all[(long)y * width + x] = ray;
+                int x = (int)(pixel % (uint)_settings.RaysAcross) - region.Left, y = (int)(pixel / (uint)_settings.RaysAcross) - region.Bottom;
+                _all[(long)y * width + x] = _slice[i];
             }
         }
     }

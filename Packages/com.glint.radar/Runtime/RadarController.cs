@@ -112,7 +112,7 @@ namespace Glint
 
         /// <summary>Traces the scene as it stands now; returns when the sums are there. The result carries the rays that <see cref="KeptRays"/> says.</summary>
         /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
-        /// <param name="cancel">Ends the pose between two dispatches; the result before stays.</param>
+        /// <param name="cancel">Ends the pose while trees are built or between two dispatches; the result before stays.</param>
         /// <exception cref="GlintException">The radar or a mesh is not fit to be traced, or the device cannot hold the work.</exception>
         /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
         public RadarResult Trace(IProgress<double> progress = null, CancellationToken cancel = default) => Trace(_keptRays, progress, cancel);
@@ -120,7 +120,7 @@ namespace Glint
         /// <summary>Traces the scene as it stands now; returns when the sums are there.</summary>
         /// <param name="keep">Which rays the result carries one by one; none is the fastest.</param>
         /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
-        /// <param name="cancel">Ends the pose between two dispatches; the result before stays.</param>
+        /// <param name="cancel">Ends the pose while trees are built or between two dispatches; the result before stays.</param>
         /// <exception cref="GlintException">The radar or a mesh is not fit to be traced, or the device cannot hold the work.</exception>
         /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
         public RadarResult Trace(KeptRays keep, IProgress<double> progress = null, CancellationToken cancel = default)
@@ -131,6 +131,7 @@ namespace Glint
             settings.Validate(Subject);
             view.Validate(Subject);
             _tracer ??= new RayTracer(_kernel, Subject);
+            _tracer.CheckRoom(settings, keep);
 
             var watch = Stopwatch.StartNew();
             RadarScene scene;
@@ -138,7 +139,7 @@ namespace Glint
                 scene = GatherScene();
             double gatherMs = watch.Elapsed.TotalMilliseconds;
             _tracer.CountVisits = CountVisits;
-            _tracer.SetScene(scene);
+            _tracer.SetScene(scene, cancel);
             var result = _tracer.Trace(settings, view, keep, progress, cancel);
             result.Objects = _gatherer.ObjectCount;
             result.Timings.GatherMs = gatherMs;

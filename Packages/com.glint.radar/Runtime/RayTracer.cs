@@ -15,11 +15,10 @@ namespace Glint
     /// </summary>
     public sealed class RayTracer : IDisposable
     {
-        // As many received rays as most scenes return; a scene that returns more is traced once again with room for all.
-        const int FirstRayCapacity = 65536;
-
         // GROUPS_A_ROW in Shaders/Trace.compute.
         const int GroupsARow = 64;
+
+        const int TilesToFillAGpu = 100000;
 
         const int MostTilesADispatch = 65535 * GroupsARow;
 
@@ -31,6 +30,7 @@ namespace Glint
         readonly bool _isSoftware;
         readonly DeviceScene _scene;
         readonly DeviceBuffer<uint> _tiles = new DeviceBuffer<uint>("tiles of 64 rays");
+        readonly DeviceBuffer<uint4> _starts = new DeviceBuffer<uint4>("tiles of 64 rays");
         readonly DeviceBuffer<uint> _sums = new DeviceBuffer<uint>("sums");
         readonly DeviceBuffer<RayData> _rays = new DeviceBuffer<RayData>("rays kept one by one");
         readonly DispatchPacer _pacer = new DispatchPacer();
@@ -47,7 +47,8 @@ namespace Glint
         }
 
         /// <param name="asSoftware">Trace as suits a software device: another tree and kernel, the same results.</param>
-        internal RayTracer(ComputeShader shader, string owner, bool asSoftware)
+        /// <param name="mostRowsABank">Rows of trees that one buffer may hold, as if the device took no more.</param>
+        internal RayTracer(ComputeShader shader, string owner, bool asSoftware, long mostRowsABank = long.MaxValue)
         {
             if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
                 throw new GlintException("there is no graphics device (graphics device type Null): start Unity without -nographics");
@@ -56,9 +57,8 @@ namespace Glint
             _owner = owner;
             _isSoftware = asSoftware;
             _kernel = new TraceKernel(shader, _isSoftware, owner);
-            _scene = new DeviceScene(_isSoftware ? TreeShape.Wide : TreeShape.Binary, owner);
+            _scene = new DeviceScene(_isSoftware ? TreeShape.Wide : TreeShape.Binary, owner, mostRowsABank);
             _sums.Reserve(_zeros.Length);
-            _rays.Reserve(FirstRayCapacity);
         }
 
         /// <summary>Count the nodes visited and pairs tested: <see cref="WorkDone"/>. Slower; for benchmarks.</summary>
@@ -67,19 +67,34 @@ namespace Glint
         /// <summary>Tiles of the next dispatches; 0, except in tests: as the time that they take suggests.</summary>
         internal int TilesADispatch { get; set; }
 
+        /// <summary>Buffers that hold the scene's trees.</summary>
+        internal int BankCount => _scene.Banks.Count;
+
         /// <summary>What may be skipped without changing a result: all, except in tests that show it.</summary>
         internal Shortcuts Shortcuts { get; set; } = Shortcuts.All;
 
         /// <summary>Takes the scene to trace from now on. Trees are built for meshes that are new; a mesh that stays, moved or not, costs nothing.</summary>
+        /// <param name="cancel">Ends the building of trees.</param>
         /// <exception cref="GlintException">The device cannot hold it.</exception>
-        public void SetScene(RadarScene scene)
+        /// <exception cref="OperationCanceledException">It was cancelled, and there is no scene.</exception>
+        public void SetScene(RadarScene scene, CancellationToken cancel = default)
         {
             var watch = Stopwatch.StartNew();
             _sceneWork = default;
             _buildMs = 0;
-            if (_scene.Set(scene, ref _sceneWork, Build))
+            if (_scene.Set(scene, ref _sceneWork, (mesh, shape) => Build(mesh, shape, cancel)))
                 _pacer.Reset();
             _uploadMs = watch.Elapsed.TotalMilliseconds - _buildMs;
+        }
+
+        /// <summary>Refuses what does not fit, before a scene is gathered or built for it.</summary>
+        /// <exception cref="GlintException">The device cannot hold as many tiles, or this computer as many rays as are to be kept.</exception>
+        public void CheckRoom(in RadarSettings settings, KeptRays keep)
+        {
+            KeptRayList.Refuse(keep, settings, _owner);
+            long tiles = PictureTiles.CountIn(settings), most = DeviceBuffer<uint>.Most;
+            if (tiles > most)
+                throw new GlintException($"{_owner}: the list of the picture's {tiles} tiles of 64 rays takes {Text.Mebibytes(tiles * 4.0)}, and {SystemInfo.graphicsDeviceName} holds {Text.Mebibytes(most * 4.0)} in one buffer: trace a region or fewer rays");
         }
 
         /// <summary>One pose: dispatches the kernel and sums what comes back.</summary>
@@ -93,6 +108,7 @@ namespace Glint
                 throw new InvalidOperationException("RayTracer.Trace without a scene: call SetScene first");
             settings.Validate(_owner);
             view.Validate(_owner);
+            CheckRoom(settings, keep);
             var result = new RadarResult { RaysEmitted = settings.RaysEmitted, Triangles = _scene.Scene.TriangleCount, Work = _sceneWork };
             _sceneWork = default;
 
@@ -107,7 +123,7 @@ namespace Glint
                 result.Rays = kept.ToArray();
                 readBackMs = watch.Elapsed.TotalMilliseconds - tracedMs + kept.ReadBackMs;
             }
-            result.Work.BytesOnDevice = _scene.Bytes + _tiles.Bytes + _sums.Bytes + _rays.Bytes;
+            result.Work.BytesOnDevice = _scene.Bytes + _tiles.Bytes + _starts.Bytes + _sums.Bytes + _rays.Bytes;
             result.Timings = new Timings { BuildMs = _buildMs, UploadMs = _uploadMs, TraceMs = watch.Elapsed.TotalMilliseconds, ReadBackMs = readBackMs };
             return result;
         }
@@ -116,16 +132,17 @@ namespace Glint
         {
             _rays.Dispose();
             _sums.Dispose();
+            _starts.Dispose();
             _tiles.Dispose();
             _scene.Dispose();
         }
 
-        MeshTree Build(TriangleMesh mesh, TreeShape shape)
+        MeshTree Build(TriangleMesh mesh, TreeShape shape, CancellationToken cancel)
         {
             var watch = Stopwatch.StartNew();
             using (s_build.Auto())
             {
-                var tree = MeshTree.Build(mesh, shape);
+                var tree = MeshTree.Build(mesh, shape, cancel);
                 _buildMs += watch.Elapsed.TotalMilliseconds;
                 return tree;
             }
@@ -154,17 +171,20 @@ namespace Glint
             // A kernel that finds nothing at all takes a software device long to compile, and for nothing.
             if (_scene.IsEmpty && kept.Keep != KeptRays.All)
                 tiles = Array.Empty<uint>();
+            bool usesStarts = UsesStarts(tiles.Length);
             _kernel.Choose(_scene, CountVisits);
-            _kernel.SetRadar(settings, view, sums.LengthUnits, Shortcuts);
+            _kernel.SetRadar(settings, view, sums.LengthUnits, usesStarts ? Shortcuts : Shortcuts & ~Shortcuts.Starts);
             _kernel.SetScene(_scene);
             _kernel.SetBuffers(_tiles, _sums);
             for (int first = 0; first < tiles.Length;)
             {
                 cancel.ThrowIfCancellationRequested();
                 int left = tiles.Length - first;
-                int count = Math.Min(MostTilesADispatch, TilesADispatch > 0 ? Math.Min(left, TilesADispatch) : _pacer.NextTiles(left));
+                int count = Math.Min(MostTilesADispatch, TilesADispatch > 0 ? Math.Min(left, TilesADispatch) : _pacer.NextTiles(left, settings.MaxBounces));
                 count = kept.Limit(count, _rays);
+                count = (int)Math.Min(count, DeviceBuffer<uint4>.Most / DeviceScene.MostFew);
                 var watch = Stopwatch.StartNew();
+                FindStarts(usesStarts, first, count, ref result.Work);
                 Dispatch(first, count, kept.Keep, ref result.Work);
                 _pacer.Took(count, watch.Elapsed.TotalSeconds);
                 if (kept.Wants(_words, _rays))
@@ -180,6 +200,17 @@ namespace Glint
             sums.WriteTo(result);
         }
 
+        // Where the rays of some tiles begin their search.
+        void FindStarts(bool usesStarts, int first, int count, ref WorkDone work)
+        {
+            _starts.Reserve(usesStarts ? (long)count * DeviceScene.MostFew : 1);
+            _kernel.SetStarts(_starts);
+            if (!usesStarts)
+                return;
+            _kernel.FindStarts(_scene, _tiles, first, count, _starts, GroupsARow);
+            work.Dispatches++;
+        }
+
         // Traces some tiles and reads back their sums.
         void Dispatch(int first, int count, KeptRays keep, ref WorkDone work)
         {
@@ -190,6 +221,9 @@ namespace Glint
             work.BytesUploaded += _sums.Bytes;
             work.BytesReadBack += _sums.Bytes;
         }
+
+        // Finding starts pays when it fills the device: a GPU with few tiles spends on it what it saves.
+        bool UsesStarts(int tiles) => _scene.HasFewInstances && (Shortcuts & Shortcuts.Starts) != 0 && (_isSoftware || tiles >= TilesToFillAGpu);
 
         // No path up to a last hit is longer, metres.
         double LongestPath(in RadarSettings settings, in RadarView view)

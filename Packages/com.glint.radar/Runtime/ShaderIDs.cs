@@ -9,8 +9,9 @@ namespace Glint
         public static readonly int[] _Tree = Enumerable.Range(0, DeviceTrees.MostBanks).Select(bank => Shader.PropertyToID("_Tree" + bank)).ToArray();
         public static readonly int _Top = Shader.PropertyToID("_Top");
         public static readonly int _Instances = Shader.PropertyToID("_Instances");
-        public static readonly int _OnlyToLocal = Shader.PropertyToID("_OnlyToLocal");
-        public static readonly int _OnlyFirstRow = Shader.PropertyToID("_OnlyFirstRow");
+        public static readonly int _FewToLocal = Shader.PropertyToID("_FewToLocal");
+        public static readonly int _FewFirstRow = Shader.PropertyToID("_FewFirstRow");
+        public static readonly int _InstanceCount = Shader.PropertyToID("_InstanceCount");
         public static readonly int _TopRoot = Shader.PropertyToID("_TopRoot");
 
         public static readonly int _CameraPosition = Shader.PropertyToID("_CameraPosition");
@@ -28,6 +29,8 @@ namespace Glint
         public static readonly int _WaveNumberTurns = Shader.PropertyToID("_WaveNumberTurns");
 
         public static readonly int _Tiles = Shader.PropertyToID("_Tiles");
+        public static readonly int _Starts = Shader.PropertyToID("_Starts");
+        public static readonly int _FoundStarts = Shader.PropertyToID("_FoundStarts");
         public static readonly int _FirstTile = Shader.PropertyToID("_FirstTile");
         public static readonly int _TileCount = Shader.PropertyToID("_TileCount");
         public static readonly int _Shortcuts = Shader.PropertyToID("_Shortcuts");

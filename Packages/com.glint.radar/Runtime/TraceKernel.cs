@@ -9,6 +9,7 @@ namespace Glint
     {
         readonly ComputeShader _shader;
         readonly string _name;
+        readonly int _startsKernel;
         int _kernel;
 
         /// <exception cref="GlintException">The shader is another one, or the device cannot run it.</exception>
@@ -21,6 +22,7 @@ namespace Glint
                 throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel '{_name}': assign Packages/com.glint.radar/Shaders/Trace.compute");
             _shader = shader;
             _kernel = shader.FindKernel(_name);
+            _startsKernel = shader.FindKernel(isSoftware ? "StartsWide" : "Starts");
             if (!shader.IsSupported(_kernel))
                 throw new GlintException($"kernel '{_name}' of compute shader '{shader.name}' does not run on {SystemInfo.graphicsDeviceName}: see the shader's import messages");
         }
@@ -28,7 +30,8 @@ namespace Glint
         /// <summary>Takes the kernel for a scene; the other calls set and run that one.</summary>
         public void Choose(DeviceScene scene, bool countsVisits)
         {
-            string kind = countsVisits ? "Count" : scene.Banks.Count > 1 ? "Banks" : scene.HasOneInstance ? "One" : "";
+            string kind = !scene.HasFewInstances ? countsVisits ? "Count" : scene.Banks.Count > 1 ? "Banks" : ""
+                : countsVisits ? "FewCount" : scene.Few.Count == 1 ? "One" : "Few";
             _kernel = _shader.FindKernel(_name + kind);
         }
 
@@ -57,11 +60,19 @@ namespace Glint
 
         public void SetScene(DeviceScene scene)
         {
-            if (scene.HasOneInstance)
+            if (scene.HasFewInstances)
             {
-                var only = scene.FirstInstance;
-                _shader.SetVectorArray(ShaderIDs._OnlyToLocal, new Vector4[] { only.ToLocalX, only.ToLocalY, only.ToLocalZ });
-                _shader.SetInt(ShaderIDs._OnlyFirstRow, (int)only.FirstRow);
+                var rows = new Vector4[3 * DeviceScene.MostFew];
+                var firstRows = new int[DeviceScene.MostFew];
+                for (int i = 0; i < scene.Few.Count; i++)
+                {
+                    var record = scene.Few[i];
+                    (rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]) = (record.ToLocalX, record.ToLocalY, record.ToLocalZ);
+                    firstRows[i] = (int)record.FirstRow;
+                }
+                _shader.SetVectorArray(ShaderIDs._FewToLocal, rows);
+                _shader.SetInts(ShaderIDs._FewFirstRow, firstRows);
+                _shader.SetInt(ShaderIDs._InstanceCount, scene.Few.Count);
             }
             _shader.SetInt(ShaderIDs._TopRoot, (int)scene.TopRoot);
             _shader.SetBuffer(_kernel, ShaderIDs._Top, scene.Top.Buffer);
@@ -75,6 +86,20 @@ namespace Glint
         {
             _shader.SetBuffer(_kernel, ShaderIDs._Tiles, tiles.Buffer);
             _shader.SetBuffer(_kernel, ShaderIDs._Sums, sums.Buffer);
+        }
+
+        public void SetStarts(DeviceBuffer<uint4> starts) => _shader.SetBuffer(_kernel, ShaderIDs._Starts, starts.Buffer);
+
+        /// <summary>Finds where the rays of some tiles begin their search.</summary>
+        public void FindStarts(DeviceScene scene, DeviceBuffer<uint> tiles, int firstTile, int count, DeviceBuffer<uint4> starts, int groupsARow)
+        {
+            _shader.SetBuffer(_startsKernel, ShaderIDs._Tree[0], scene.Banks[0].Rows.Buffer);
+            _shader.SetBuffer(_startsKernel, ShaderIDs._Tiles, tiles.Buffer);
+            _shader.SetBuffer(_startsKernel, ShaderIDs._FoundStarts, starts.Buffer);
+            _shader.SetInt(ShaderIDs._FirstTile, firstTile);
+            _shader.SetInt(ShaderIDs._TileCount, count);
+            int groups = (int)(((long)count * scene.Few.Count + 63) / 64);
+            _shader.Dispatch(_startsKernel, math.min(groups, groupsARow), (groups + groupsARow - 1) / groupsARow, 1);
         }
 
         /// <summary>Traces some of the tiles.</summary>

@@ -10,7 +10,7 @@ static const uint LEAF = 0x80000000;
 static const uint DONE = 0xffffffff;
 
 // Inner levels a tree may have (BoxTreeBuilder.MaxLevels in C#): no more children wait at once.
-static const uint BINARY_LEVELS = 32;
+static const uint BINARY_LEVELS = 28;
 
 // The children of a node that the ray enters nearer than reach.
 struct Entered

@@ -4,13 +4,15 @@
 #include "Types.hlsl"
 
 // Input: the scene.
-#ifdef GLINT_ONE_INSTANCE
-float4 _OnlyToLocal[3];                     // the only instance's ToLocal
-uint _OnlyFirstRow;
+#ifdef GLINT_FEW
+// Up to four instances, searched one after the other.
+float4 _FewToLocal[12];                     // three rows an instance
+uint4 _FewFirstRow;
+uint _InstanceCount;
 #else
 StructuredBuffer<uint4> _Top;               // binary tree over the instances
 StructuredBuffer<InstanceRecord> _Instances;
-uint _TopRoot;                              // where the search starts: row 0, or the leaf of the only instance
+uint _TopRoot;                              // where the search starts
 #endif
 
 // Input: the radar. Positions in m; axes are unit vectors.
@@ -32,6 +34,7 @@ float _WaveNumberTurns;                     // 1 / wavelength, turns per m
 StructuredBuffer<uint> _Tiles;              // 8 x 8 rays each: column | row << 16
 uint _FirstTile;
 uint _TileCount;                            // of this dispatch
+StructuredBuffer<uint4> _Starts;            // where the rays of each tile begin their search, four places a tile: one an instance
 uint _Shortcuts;                            // SHORTCUT_ flags
 uint _Keep;                                 // KEEP_ what is written to _Rays
 uint _RayCapacity;                          // rays that _Rays holds
@@ -40,13 +43,17 @@ float _LengthUnits;                         // units of length sums a m: the lon
 // Output.
 RWStructuredBuffer<RayData> _Rays;
 RWStructuredBuffer<uint> _Sums;             // see Sums.hlsl
+RWStructuredBuffer<uint4> _FoundStarts;     // what the kernels Starts and StartsWide find for _Starts
 
 // The same numbers in C#: RayTracer.
 static const uint SHORTCUT_REACH = 1;       // nothing is searched for beyond the receiver
 static const uint SHORTCUT_LAST = 2;        // the last segment is searched only if it meets the receiver
+static const uint SHORTCUT_STARTS = 8;      // the first segment begins at the starts of its tile
 static const uint KEEP_NONE = 0;
 static const uint KEEP_RECEIVED = 1;        // in any order, counted in SUM_KEPT
 static const uint KEEP_ALL = 2;             // in the order of tiles, 64 a tile
+static const uint NO_STARTS = 0xffffffff;
+static const uint MOST_FEW = 4;             // instances that need no tree over them
 static const uint NO_PIXEL = 0xffffffff;
 
 // The trees over the meshes, in rows of 16 bytes: one buffer, or several where one cannot hold them all.
@@ -67,12 +74,15 @@ StructuredBuffer<uint4> _Tree0;
 
 InstanceRecord LoadInstance(uint instance)
 {
-#ifdef GLINT_ONE_INSTANCE
+#ifdef GLINT_FEW
+#ifdef GLINT_ONE
+    instance = 0;
+#endif
     InstanceRecord place = (InstanceRecord)0;
-    place.ToLocalX = _OnlyToLocal[0];
-    place.ToLocalY = _OnlyToLocal[1];
-    place.ToLocalZ = _OnlyToLocal[2];
-    place.FirstRow = _OnlyFirstRow;
+    place.ToLocalX = _FewToLocal[3 * instance];
+    place.ToLocalY = _FewToLocal[3 * instance + 1];
+    place.ToLocalZ = _FewToLocal[3 * instance + 2];
+    place.FirstRow = _FewFirstRow[instance];
     return place;
 #else
     return _Instances[instance];

@@ -13,7 +13,14 @@ struct Found
     uint Instance;        // NO_INSTANCE: nothing
     uint Row;             // of the pair of triangles in its tree
     bool Second;          // which of the pair
+    uint2 Leaving;        // the triangle that the ray has just left, which it cannot meet again: see NumberOf
 };
+
+// A triangle by its instance and its number in the tree.
+uint2 NumberOf(uint instance, uint row, bool second)
+{
+    return uint2(instance, 2 * row + (second ? 1 : 0));
+}
 
 // Four corners: triangles (0, 1, 2) and (0, 2, 3).
 struct Pair
@@ -47,8 +54,12 @@ void TestPair(SearchRay ray, uint instance, uint bank, uint firstRow, uint row, 
     COUNT_PAIR;
     Pair pair = LoadPair(bank, firstRow + row);
     float2 toHit = HitPair(ray, pair.Corner0, pair.Corner1, pair.Corner2, pair.Corner3);
+    if (instance == found.Leaving.x && row == found.Leaving.y >> 1)
+        toHit = (found.Leaving.y & 1) == 0 ? float2(MISS, toHit.y) : float2(toHit.x, MISS);
     float nearer = min(toHit.x, toHit.y);
-    if (nearer < found.Distance)
+    // Of equally near triangles the first in the tree, in whatever order they are tested.
+    bool isFirst = instance < found.Instance || instance == found.Instance && row < found.Row;
+    if (nearer < found.Distance || nearer == found.Distance && found.Instance != NO_INSTANCE && isFirst)
     {
         found.Distance = nearer;
         found.Instance = instance;

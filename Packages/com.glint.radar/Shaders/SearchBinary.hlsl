@@ -4,13 +4,18 @@
 #include "Leaf.hlsl"
 #include "BinaryTree.hlsl"
 
-// Searches the tree of one mesh: two children a node, the nearer one first, the farther one waits on a stack. The fastest on GPUs.
-void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, inout Found found)
+static const uint4 FROM_ROOT = uint4(0, DONE, DONE, DONE);
+
+// Searches the tree of one mesh from up to four places in order: two children a node, the nearer one first, the farther one waits on a stack. The fastest on GPUs.
+void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, uint4 starts, inout Found found)
 {
-    uint stack[BINARY_LEVELS + 1];
+    uint stack[BINARY_LEVELS + 4]; // three starts and a DONE besides
     stack[0] = DONE;
     uint waiting = 0;
-    uint current = 0;
+    for (uint start = 3; start > 0; start--)
+        if (starts[start] != DONE)
+            stack[++waiting] = starts[start];
+    uint current = starts.x;
     [loop]
     while (current != DONE)
     {

@@ -4,8 +4,7 @@
 #include "Leaf.hlsl"
 #include "BinaryTree.hlsl"
 
-// Inner levels a wide tree may have (WideCollapse.MaxLevels in C#), as many as the stack has words.
-// The stack: one word for each node with children that wait. Upper 20 bits: record of the node's first child; below, 4 bits for each that waits,
+// The stack: one word for each node with children that wait, so for 14 inner levels (WideCollapse.MaxLevels in C#) and three starts that wait at most 16. Upper 20 bits: record of the node's first child; below, 4 bits for each that waits,
 // the next one lowest: 8 | 4 for a leaf | which child. A software device keeps 16 named words in registers; an array would double the kernel's time.
 struct WideStack
 {
@@ -93,11 +92,15 @@ uint4 Sorted(uint4 k)
     return uint4(first, min(e, f), max(e, f), last);
 }
 
-// Searches the tree of one mesh: four children a node, nearest first. The fastest on software devices, which pay for each fetch.
-void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, inout Found found)
+// The root as the only child of a stack's word.
+static const uint4 FROM_ROOT = uint4(8, DONE, DONE, DONE);
+
+// Searches the tree of one mesh from up to four places in order: four children a node, nearest first. The fastest on software devices, which pay for each fetch.
+void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, uint4 starts, inout Found found)
 {
     WideStack stack = (WideStack)0;
-    uint current = 0;
+    stack.A = uint4(starts.yzw == DONE ? 0 : starts.yzw, 0);
+    uint current = starts.x == DONE ? DONE : NextOf(starts.x);
     [loop]
     while (current != DONE)
     {

@@ -12,18 +12,20 @@ float3 VectorToLocal(InstanceRecord place, float3 v)
     return float3(dot(place.ToLocalX.xyz, v), dot(place.ToLocalY.xyz, v), dot(place.ToLocalZ.xyz, v));
 }
 
+// "precise": a start is checked against the plane it leaves with the very numbers that the search then has for it.
 float3 PointToLocal(InstanceRecord place, float3 p)
 {
-    return VectorToLocal(place, p) + float3(place.ToLocalX.w, place.ToLocalY.w, place.ToLocalZ.w);
+    precise float3 local = VectorToLocal(place, p) + float3(place.ToLocalX.w, place.ToLocalY.w, place.ToLocalZ.w);
+    return local;
 }
 
-void SearchInstance(uint instance, float3 origin, float3 direction, inout Found found)
+void SearchInstance(uint instance, float3 origin, float3 direction, uint4 starts, inout Found found)
 {
     InstanceRecord place = LoadInstance(instance);
-    SearchMesh(MakeSearchRay(PointToLocal(place, origin), VectorToLocal(place, direction)), instance, place.Bank, place.FirstRow, found);
+    SearchMesh(MakeSearchRay(PointToLocal(place, origin), VectorToLocal(place, direction)), instance, place.Bank, place.FirstRow, starts, found);
 }
 
-#ifndef GLINT_ONE_INSTANCE
+#ifndef GLINT_FEW
 void SearchTop(float3 origin, float3 direction, inout Found found)
 {
     SearchRay ray = MakeSearchRay(origin, direction);
@@ -51,7 +53,7 @@ void SearchTop(float3 origin, float3 direction, inout Found found)
         if (current != DONE)
         {
             // A leaf holds an instance's number.
-            SearchInstance(_Top[current & ~LEAF].x, origin, direction, found);
+            SearchInstance(_Top[current & ~LEAF].x, origin, direction, FROM_ROOT, found);
             current = stack[waiting];
             waiting = max(waiting, 1) - 1;
         }
@@ -59,16 +61,29 @@ void SearchTop(float3 origin, float3 direction, inout Found found)
 }
 #endif
 
-// The nearest triangle that the ray meets before reach, over all instances.
-Found FindNearest(float3 origin, float3 direction, float reach)
+// The nearest triangle that the ray meets before reach, over all instances; not the one it is leaving.
+// FirstStart: where _Starts says where to begin in the tree of each instance; NO_STARTS: at the roots.
+Found FindNearest(float3 origin, float3 direction, float reach, uint firstStart, uint2 leaving)
 {
     Found found;
     found.Distance = reach;
     found.Instance = NO_INSTANCE;
     found.Row = 0;
     found.Second = false;
-#ifdef GLINT_ONE_INSTANCE
-    SearchInstance(0, origin, direction, found);
+    found.Leaving = leaving;
+#ifdef GLINT_FEW
+#ifdef GLINT_ONE
+    uint instance = 0; // a loop of one turn costs a software device a tenth of its time
+#else
+    [loop]
+    for (uint instance = 0; instance < _InstanceCount; instance++)
+#endif
+    {
+        uint4 starts = FROM_ROOT;
+        if (firstStart != NO_STARTS)
+            starts = _Starts[firstStart + instance];
+        SearchInstance(instance, origin, direction, starts, found);
+    }
 #else
     SearchTop(origin, direction, found);
 #endif
@@ -80,10 +95,14 @@ struct Surface
 {
     float Distance;       // from the ray's origin to the triangle's plane, m
     float3 Normal;        // unit vector in the world; its side is arbitrary
-    float Lever;          // from the corner that the plane is known by to the hit, m: the lever of the normal's rounding
+    float Lever;          // from the corner that the plane is known by to the hit: the lever of the normal's rounding, as a height in m
+    InstanceRecord Place; // the rest in the mesh's frame
+    float3 LocalNormal;   // unit vector
+    float3 Corner;
+    float Scale;          // height above the plane here, of 1 m in the world
 };
 
-// Origin may lie on the start of the search or before it.
+// Origin may lie on the start of the search or near it.
 Surface LoadSurface(Found found, float3 origin, float3 direction)
 {
     InstanceRecord place = LoadInstance(found.Instance);
@@ -91,14 +110,46 @@ Surface LoadSurface(Found found, float3 origin, float3 direction)
     float3 third = found.Second ? pair.Corner3 : pair.Corner1;
     float3 normal = normalize(cross(pair.Corner2 - pair.Corner0, third - pair.Corner0));
     float3 localOrigin = PointToLocal(place, origin), localDirection = VectorToLocal(place, direction);
+    // Normals go by the transpose of the inverse.
+    float3 worldNormal = normal.x * place.ToLocalX.xyz + normal.y * place.ToLocalY.xyz + normal.z * place.ToLocalZ.xyz;
 
     Surface surface;
+    surface.Place = place;
+    surface.LocalNormal = normal;
+    surface.Corner = pair.Corner0;
+    surface.Scale = length(worldNormal);
+    surface.Normal = worldNormal / surface.Scale;
     surface.Distance = HitPlane(localOrigin, localDirection, pair.Corner0, normal);
     float3 lever = abs(localOrigin + surface.Distance * localDirection - pair.Corner0);
-    surface.Lever = max(lever.x, max(lever.y, lever.z)) / length(localDirection);
-    // Normals go by the transpose of the inverse.
-    surface.Normal = normalize(normal.x * place.ToLocalX.xyz + normal.y * place.ToLocalY.xyz + normal.z * place.ToLocalZ.xyz);
+    surface.Lever = max(lever.x, max(lever.y, lever.z)) / surface.Scale;
     return surface;
+}
+
+// Rounding of a hit, as a fraction of the lengths that went into it: 4 float32 steps.
+static const float HIT_ROUNDING = 2.4e-7;
+
+// How often the way back from a hit is doubled, at most: rays that graze a surface go farther back.
+static const uint MOST_DOUBLINGS = 16;
+
+// Where the search after a hit begins: on the ray to it from the start of the last search, as near before it as is surely on the ray's side of the plane.
+// The way there is free, of this triangle and of those that meet it at an edge: a point moved off along the normal may be behind one of them, and lost.
+float3 StartBefore(Surface surface, float3 start, float3 direction, float toHit)
+{
+    float3 size = abs(start + toHit * direction);
+    float clear = HIT_ROUNDING * surface.Lever;
+    float back = max(clear, HIT_ROUNDING * max(max(toHit, size.x), max(size.y, size.z)));
+    bool isBehind = dot(surface.Normal, direction) > 0.0;
+    float3 next = start;
+    [loop]
+    for (uint i = 0; i < MOST_DOUBLINGS; i++)
+    {
+        next = start + max(toHit - back, 0.0) * direction;
+        float height = dot(surface.LocalNormal, PointToLocal(surface.Place, next) - surface.Corner) / surface.Scale;
+        if ((isBehind ? -height : height) >= clear)
+            break;
+        back *= 2.0;
+    }
+    return next;
 }
 
 #endif

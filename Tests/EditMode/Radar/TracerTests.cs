@@ -16,8 +16,8 @@ namespace Glint.Tests
         static readonly RadarSettings s_settings = TestRadar.Settings(333, 187);
         static readonly RadarView s_view = TestRadar.LookAt(double3(9, 10, 11), 0, fov: 40);
 
-        // A corner reflector amid clutter, some of it behind the receiver: rays that return, rays that get lost, and sky.
-        static TriangleMesh Scene => TestRadar.Join(TestRadar.Trihedral(0, 4), TestRadar.Clutter(300, seed: 5, halfSide: 4, largest: 0.3f), TestRadar.Plate(float3(18, 15, 30), float3(10, 0, -10), float3(-10, 10, 0)));
+        // A corner reflector amid clutter, and a wall behind the receiver: rays that return, rays that get lost, and sky.
+        static TriangleMesh Scene => TestRadar.Join(TestRadar.Trihedral(0, 4), TestRadar.Clutter(300, seed: 5, halfSide: 4, largest: 0.3f), TestRadar.Plate(float3(10, 12, 25), float3(20, 0, 0), float3(0, 20, 0)));
 
         static RayTracer Tracer(RadarScene scene, bool asSoftware = true)
         {
@@ -54,7 +54,7 @@ namespace Glint.Tests
             var all = Pose(asSoftware: asSoftware);
             Assert.That(all.RaysReceived, Is.GreaterThan(100));
             Assert.That(all.Work.TilesSkipped, Is.GreaterThan(100));
-            foreach (var off in new[] { Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles, Shortcuts.All })
+            foreach (var off in new[] { Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles, Shortcuts.Starts, Shortcuts.All })
                 AssertSame(Pose(tracer => tracer.Shortcuts = Shortcuts.All & ~off, asSoftware: asSoftware), all);
         }
 
@@ -65,10 +65,10 @@ namespace Glint.Tests
             {
                 tracer.CountVisits = true;
                 tracer.Shortcuts = Shortcuts.All & ~off;
-            }).Work.NodesVisited;
+            }).Work is var work ? work.NodesVisited + work.PairsTested + work.TilesTraced : 0;
             long all = Visits(Shortcuts.None);
             Assert.That(all, Is.GreaterThan(0));
-            foreach (var off in new[] { Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles })
+            foreach (var off in new[] { Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles, Shortcuts.Starts })
                 Assert.That(Visits(off), Is.GreaterThan(all), off.ToString());
         }
 
@@ -77,8 +77,9 @@ namespace Glint.Tests
         {
             var inOne = Pose(keep: KeptRays.Received);
             var inMany = Pose(tracer => tracer.TilesADispatch = 37, KeptRays.Received);
-            Assert.That(inOne.Work.Dispatches, Is.EqualTo(1));
-            Assert.That(inMany.Work.Dispatches, Is.EqualTo((inMany.Work.TilesTraced + 36) / 37));
+            // Each finds the starts of its tiles first.
+            Assert.That(inOne.Work.Dispatches, Is.EqualTo(2));
+            Assert.That(inMany.Work.Dispatches, Is.EqualTo(2 * ((inMany.Work.TilesTraced + 36) / 37)));
             AssertSame(inMany, inOne);
             Assert.That(inMany.Rays, Is.EqualTo(inOne.Rays));
         }

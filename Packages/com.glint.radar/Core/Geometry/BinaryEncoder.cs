@@ -14,6 +14,9 @@ namespace Glint.Core
         const int LeafRows = 3;
         const uint LeafBit = 0x80000000;
 
+        /// <summary>A leaf and a node: there is one node less than leaves.</summary>
+        public const double LeastRowsPerLeaf = LeafRows + NodeRows;
+
         readonly BoxTree _tree;
         readonly ILeafWriter _writer;
         readonly int _root, _firstLeaf, _leafCount, _nodeCount;

@@ -1,4 +1,5 @@
 using System;
+using System.Threading;
 using System.Threading.Tasks;
 
 namespace Glint.Core
@@ -7,7 +8,7 @@ namespace Glint.Core
     sealed class BoxTreeBuilder
     {
         /// <summary>Inner levels of a part at most. The stacks of the kernels hold as many.</summary>
-        public const int MaxLevels = 32;
+        public const int MaxLevels = 28;
 
         // Above parts, the smaller side of a split gets at least this fraction of the leaves, so that parts are few.
         const int LeastFractionOfParts = 8;
@@ -18,18 +19,21 @@ namespace Glint.Core
         readonly BoxTree _tree;
         readonly BoxLeaf[] _leaves;
         readonly int _leavesPerPart;
+        readonly ParallelOptions _parallel;
 
-        BoxTreeBuilder(BoxLeaf[] leaves, int leavesPerPart)
+        BoxTreeBuilder(BoxLeaf[] leaves, int leavesPerPart, CancellationToken cancel)
         {
             _leaves = leaves;
             _leavesPerPart = leavesPerPart;
             _tree = new BoxTree(leaves);
+            _parallel = new ParallelOptions { CancellationToken = cancel };
         }
 
         /// <summary>Builds the tree and orders <paramref name="leaves"/>. A subtree with at most <paramref name="leavesPerPart"/> leaves, a part, has at most <see cref="MaxLevels"/> inner levels.</summary>
-        public static BoxTree Build(BoxLeaf[] leaves, int leavesPerPart)
+        /// <exception cref="OperationCanceledException">Cancelled; the leaves are in any order.</exception>
+        public static BoxTree Build(BoxLeaf[] leaves, int leavesPerPart, CancellationToken cancel = default)
         {
-            var builder = new BoxTreeBuilder(leaves, leavesPerPart);
+            var builder = new BoxTreeBuilder(leaves, leavesPerPart, cancel);
             if (leaves.Length > 1)
                 builder.BuildNode(0, 0, leaves.Length, builder.Measure(0, leaves.Length), MaxLevels, new SplitFinder());
             return builder._tree;
@@ -59,6 +63,7 @@ namespace Glint.Core
         {
             int first = _tree.Nodes[node].First, left = _tree.Nodes[node].LeftCount, right = _tree.Nodes[node].Count - left;
             Parallel.Invoke(
+                _parallel,
                 () =>
                 {
                     if (left > 1)

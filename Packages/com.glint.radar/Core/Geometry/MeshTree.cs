@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using System.Threading;
 using System.Threading.Tasks;
 using Unity.Mathematics;
 
@@ -16,6 +17,12 @@ namespace Glint.Core
 
         public TreePart[] Parts { get; private set; }
 
+        /// <summary>Lower corner of the box around all triangles, metres.</summary>
+        public float3 Low { get; private set; }
+
+        /// <summary>Upper corner of the same box, metres.</summary>
+        public float3 High { get; private set; }
+
         /// <summary>Lower corners of at most 64 boxes that together hold all triangles, metres.</summary>
         public float3[] CoverLow { get; private set; }
 
@@ -26,15 +33,16 @@ namespace Glint.Core
         public int TriangleCount { get; private set; }
 
         /// <summary>Builds the trees of a mesh whose coordinates are finite. The same mesh always gives the same trees.</summary>
-        public static MeshTree Build(TriangleMesh mesh, TreeShape shape)
+        /// <exception cref="System.OperationCanceledException">Cancelled: a tenth of a second later per million triangles at most.</exception>
+        public static MeshTree Build(TriangleMesh mesh, TreeShape shape, CancellationToken cancel = default)
         {
-            var pairs = TrianglePairs.Find(mesh);
+            var pairs = TrianglePairs.Find(mesh, cancel);
             int leavesPerPart = TreeRows.MostLeaves(shape);
-            var tree = BoxTreeBuilder.Build(BoxesOf(mesh.Vertices, pairs), leavesPerPart);
+            var tree = BoxTreeBuilder.Build(BoxesOf(mesh.Vertices, pairs), leavesPerPart, cancel);
             var roots = PartRoots(tree, leavesPerPart);
             var parts = new TreePart[roots.Count];
             var writer = new PairWriter(mesh.Vertices, pairs);
-            Parallel.For(0, parts.Length, part =>
+            Parallel.For(0, parts.Length, new ParallelOptions { CancellationToken = cancel }, part =>
             {
                 var box = tree.BoxOf(roots[part]);
                 parts[part] = new TreePart { Words = TreeRows.Encode(tree, roots[part], shape, writer), Low = box.Low, High = box.High };
@@ -43,11 +51,19 @@ namespace Glint.Core
             return new MeshTree
             {
                 Parts = parts,
+                Low = tree.Leaves.Length > 0 ? tree.BoxOf(tree.Root).Low : 0,
+                High = tree.Leaves.Length > 0 ? tree.BoxOf(tree.Root).High : 0,
                 CoverLow = cover.Select(box => box.Low).ToArray(),
                 CoverHigh = cover.Select(box => box.High).ToArray(),
                 TriangleCount = pairs.Sum(pair => pair.z == pair.w ? 1 : 2),
             };
         }
+
+        /// <summary>Triangles of a mesh that its trees would hold.</summary>
+        public static int CountReflecting(TriangleMesh mesh) => TrianglePairs.CountReflecting(mesh);
+
+        /// <summary>Rows of 16 bytes that a triangle takes at least: all triangles in pairs, all nodes full.</summary>
+        public static double LeastRowsPerTriangle(TreeShape shape) => TreeRows.LeastRowsPerLeaf(shape) / 2;
 
         static BoxLeaf[] BoxesOf(float3[] vertices, int4[] pairs)
         {

@@ -1,4 +1,5 @@
 using System;
+using System.Threading;
 
 namespace Glint.Core
 {
@@ -22,13 +23,15 @@ namespace Glint.Core
         /// <param name="corners">Vertex of each corner, three a triangle; vertices at the same place have the same number.</param>
         /// <param name="vertexCount">Vertices there are.</param>
         /// <param name="used">Triangles that take part. Their corners must be at three places.</param>
-        public static int[] Match(int[] corners, int vertexCount, bool[] used)
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public static int[] Match(int[] corners, int vertexCount, bool[] used, CancellationToken cancel = default)
         {
             // Edges are gathered by the lower of their vertices: a counting sort, so that time grows with the number of edges only.
             var starts = new int[vertexCount + 1];
             for (int edge = 0; edge < corners.Length; edge++)
                 if (used[edge / 3])
                     starts[LowerVertex(corners, edge)]++;
+            cancel.ThrowIfCancellationRequested();
             for (int vertex = 0; vertex < vertexCount; vertex++)
                 starts[vertex + 1] += starts[vertex];
             var gathered = new int[starts[vertexCount]];
@@ -43,7 +46,7 @@ namespace Glint.Core
                 var keys = new ulong[Few];
                 for (int vertex = from; vertex < to; vertex++)
                     MatchAround(corners, gathered, starts[vertex], starts[vertex + 1] - starts[vertex], ref keys, across);
-            });
+            }, cancel);
             return across;
         }
 

@@ -1,4 +1,5 @@
 using System;
+using System.Threading;
 using Unity.Mathematics;
 using static Unity.Mathematics.math;
 
@@ -23,12 +24,14 @@ namespace Glint.Core
         const int LeftOut = -2;
 
         readonly TriangleMesh _mesh;
+        readonly CancellationToken _cancel;
         readonly int[] _mates; // a triangle's edge to its partner, or Free, or LeftOut
         readonly int[] _across;
 
-        TrianglePairs(TriangleMesh mesh)
+        TrianglePairs(TriangleMesh mesh, CancellationToken cancel)
         {
             _mesh = mesh;
+            _cancel = cancel;
             int count = mesh.TriangleCount;
             _mates = new int[count];
             var used = new bool[count];
@@ -36,39 +39,54 @@ namespace Glint.Core
             {
                 for (int t = from; t < to; t++)
                 {
-                    used[t] = Reflects(t);
+                    used[t] = Reflects(mesh, t);
                     _mates[t] = used[t] ? Free : LeftOut;
                 }
-            });
-            _across = TriangleEdges.Match(WeldedCorners(), mesh.Vertices.Length, used);
+            }, cancel);
+            _across = TriangleEdges.Match(WeldedCorners(), mesh.Vertices.Length, used, cancel);
         }
 
         /// <summary>
         /// Vertex numbers of the pairs, in the order of their first triangles. A pair is (x, y, z) and (x, z, w); a triangle left alone has w = z.
         /// Triangles of less than 5e-17 m2, or so large that their area is not finite, reflect nothing and are left out.
         /// </summary>
-        public static int4[] Find(TriangleMesh mesh)
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public static int4[] Find(TriangleMesh mesh, CancellationToken cancel = default)
         {
-            var pairs = new TrianglePairs(mesh);
+            var pairs = new TrianglePairs(mesh, cancel);
             pairs.Pair();
             return pairs.Corners();
         }
 
+        /// <summary>Triangles that are not left out.</summary>
+        public static int CountReflecting(TriangleMesh mesh)
+        {
+            int count = 0;
+            Blocks.For(mesh.TriangleCount, (from, to) =>
+            {
+                int inBlock = 0;
+                for (int t = from; t < to; t++)
+                    inBlock += Reflects(mesh, t) ? 1 : 0;
+                Interlocked.Add(ref count, inBlock);
+            });
+            return count;
+        }
+
         int[] WeldedCorners()
         {
-            var welded = VertexWelder.Weld(_mesh.Vertices);
+            var welded = VertexWelder.Weld(_mesh.Vertices, _cancel);
             var corners = new int[3 * _mesh.TriangleCount];
             Blocks.For(corners.Length, (from, to) =>
             {
                 for (int corner = from; corner < to; corner++)
                     corners[corner] = welded[_mesh.Indices[corner]];
-            });
+            }, _cancel);
             return corners;
         }
 
-        bool Reflects(int triangle)
+        static bool Reflects(TriangleMesh mesh, int triangle)
         {
-            _mesh.GetTriangle(triangle, out var a, out var b, out var c);
+            mesh.GetTriangle(triangle, out var a, out var b, out var c);
             float normalSquared = lengthsq(cross(b - a, c - a));
             return normalSquared >= LeastNormalSquared && normalSquared <= float.MaxValue;
         }
@@ -83,14 +101,15 @@ namespace Glint.Core
                 {
                     for (int t = from; t < to; t++)
                         best[t] = BestEdge(t);
-                });
+                }, _cancel);
                 Blocks.For(best.Length, (from, to) =>
                 {
                     for (int t = from; t < to; t++)
                         if (best[t] >= 0 && _across[best[t]] / 3 > t && best[_across[best[t]] / 3] == _across[best[t]])
                             Join(best[t]);
-                });
+                }, _cancel);
             }
+            _cancel.ThrowIfCancellationRequested();
             for (int t = 0; t < _mates.Length; t++)
             {
                 int edge = BestEdge(t);

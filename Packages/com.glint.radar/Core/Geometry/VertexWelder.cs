@@ -8,7 +8,8 @@ namespace Glint.Core
     static class VertexWelder
     {
         /// <summary>For each vertex the lowest number of a vertex with the same bits.</summary>
-        public static int[] Weld(float3[] vertices)
+        /// <exception cref="System.OperationCanceledException">Cancelled.</exception>
+        public static int[] Weld(float3[] vertices, CancellationToken cancel = default)
         {
             int bits = 4;
             while (bits < 30 && 1L << bits < 2L * vertices.Length)
@@ -21,12 +22,12 @@ namespace Glint.Core
             {
                 for (int vertex = from; vertex < to; vertex++)
                     welded[vertex] = Enter(vertices, vertex, table, (int)(Hash(vertices[vertex]) >> (32 - bits)));
-            });
+            }, cancel);
             Blocks.For(vertices.Length, (from, to) =>
             {
                 for (int vertex = from; vertex < to; vertex++)
                     welded[vertex] = table[welded[vertex]] - 1;
-            });
+            }, cancel);
             return welded;
         }
 

@@ -11,6 +11,10 @@ namespace Glint.Core
     sealed class WideEncoder
     {
         const int RecordRows = 3;
+
+        /// <summary>A leaf's record and a third of a node's: a node's children are three records more than it.</summary>
+        public const double LeastRowsPerLeaf = RecordRows * (1 + 1 / (WideCollapse.MostChildren - 1.0)) * (1 - 1e-6);
+
         const int LastCell = 255;
 
         // In cells: each plane lies outwards by this at least; the kernels count on half of it.

@@ -14,23 +14,23 @@ namespace Glint.Core
         // Rays by which a box's outline is widened: many times the rounding of the kernel's directions.
         const double Margin = 0.05;
 
+        // Of a mesh that is seen in no more tiles, the outlines of its parts would cost more than they save: there may be thousands of such.
+        const int FewTiles = 16;
+
         // Tiles that stay neighbours when the order is spread over processors: they share much of the tree.
         const int Run = 32;
 
         readonly RadarSettings _settings;
         readonly RadarView _view;
         readonly int2 _first, _end; // tiles of the region, first and one past the last
+        readonly double3[] _corners = new double3[8];
         readonly int[] _steps;      // by how many more boxes a tile is covered than those before it, in both directions
 
         public PictureTiles(in RadarSettings settings, in RadarView view)
         {
             _settings = settings;
             _view = view;
-            var region = settings.Region;
-            if (region.IsWhole)
-                region = new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown };
-            _first = new int2(region.Left, region.Bottom) / Side;
-            _end = (new int2(region.Left + region.Width, region.Bottom + region.Height) + Side - 1) / Side;
+            Range(settings, out _first, out _end);
             _steps = new int[(_end.y - _first.y + 1) * Stride];
         }
 
@@ -39,6 +39,13 @@ namespace Glint.Core
         /// <summary>Tiles of the region.</summary>
         public long Count => (long)(_end.x - _first.x) * (_end.y - _first.y);
 
+        /// <summary>Tiles of the region of any view.</summary>
+        public static long CountIn(in RadarSettings settings)
+        {
+            Range(settings, out var first, out var end);
+            return (long)(end.x - first.x) * (end.y - first.y);
+        }
+
         /// <summary>Takes every tile.</summary>
         public void AddAll() => Cover(_first, _end - 1);
 
@@ -46,7 +53,41 @@ namespace Glint.Core
         /// <param name="toWorld">From the box's axes to the world.</param>
         public void Add(float3 low, float3 high, in Affine toWorld)
         {
-            var corners = new double3[8];
+            if (FindOutline(low, high, toWorld, out var from, out var to))
+                Cover(from, to);
+        }
+
+        /// <summary>Takes the tiles in which a mesh can be seen.</summary>
+        /// <param name="toWorld">From the mesh's axes to the world.</param>
+        public void Add(MeshTree mesh, in Affine toWorld)
+        {
+            if (mesh.CoverLow.Length == 0 || !FindOutline(mesh.Low, mesh.High, toWorld, out var from, out var to))
+                return;
+            int2 size = math.min(to, _end - 1) - math.max(from, _first) + 1;
+            if (size.x <= 0 || size.y <= 0)
+                return;
+            if ((long)size.x * size.y <= FewTiles)
+            {
+                Cover(from, to);
+                return;
+            }
+            for (int box = 0; box < mesh.CoverLow.Length; box++)
+                Add(mesh.CoverLow[box], mesh.CoverHigh[box], toWorld);
+        }
+
+        static void Range(in RadarSettings settings, out int2 first, out int2 end)
+        {
+            var region = settings.Region;
+            if (region.IsWhole)
+                region = new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown };
+            first = new int2(region.Left, region.Bottom) / Side;
+            end = (new int2(region.Left + region.Width, region.Bottom + region.Height) + Side - 1) / Side;
+        }
+
+        // First and last tile that a box's outline touches, in the picture or beside it; false if the box is behind the camera.
+        bool FindOutline(float3 low, float3 high, in Affine toWorld, out int2 from, out int2 to)
+        {
+            var corners = _corners;
             for (int i = 0; i < corners.Length; i++)
                 corners[i] = Seen(toWorld.Point(new double3((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z)));
             double size = 0;
@@ -73,8 +114,10 @@ namespace Glint.Core
                         Include(new double3(crossing.xy, nearest));
                     }
             }
-            if (least.x <= most.x)
-                Cover(TileOf(least, -Margin), TileOf(most, Margin));
+            bool isSeen = least.x <= most.x;
+            from = isSeen ? TileOf(least, -Margin) : 0;
+            to = isSeen ? TileOf(most, Margin) : 0;
+            return isSeen;
         }
 
         /// <summary>The tiles taken: column | row shifted by 16 bits.</summary>

@@ -1,0 +1,173 @@
+#ifndef GLINT_STARTS
+#define GLINT_STARTS
+
+#include "Leaf.hlsl"
+#include "BinaryTree.hlsl"
+
+// The rays of a tile go down the same nodes before they part. A beam around them goes there once, and they all start from where it ends:
+// at most four references to nodes or leaves that together hold all that the beam can meet, nearest first.
+static const uint MOST_STARTS = 4;
+
+// So much wider than the rays of its tile is a beam, in pixels: many times the rounding of directions.
+static const float BEAM_MARGIN = 0.05;
+
+// A pyramid from the camera, in the tree's frame: the inward normals of its sides.
+struct Beam
+{
+    float3 Apex;
+    float3 Axis;
+    float3 Left, Right, Below, Above;
+};
+
+float3 SideNormal(float3 edge, float3 nextEdge, float3 axis)
+{
+    float3 normal = normalize(cross(edge, nextEdge));
+    return dot(normal, axis) < 0.0 ? -normal : normal;
+}
+
+// From the directions through the corners of a tile: lower left, lower right, upper left, upper right.
+Beam MakeBeam(float3 apex, float3 a, float3 b, float3 c, float3 d)
+{
+    Beam beam;
+    beam.Apex = apex;
+    beam.Axis = normalize(a + b + c + d);
+    beam.Left = SideNormal(a, c, beam.Axis);
+    beam.Right = SideNormal(b, d, beam.Axis);
+    beam.Below = SideNormal(a, b, beam.Axis);
+    beam.Above = SideNormal(c, d, beam.Axis);
+    return beam;
+}
+
+// The farthest that a box reaches along a direction.
+float Farthest(float3 direction, float3 centre, float3 halfSize)
+{
+    return dot(direction, centre) + dot(abs(direction), halfSize);
+}
+
+// A distance that no ray of the beam is nearer to the box than; MISS if none meets it.
+float EnterBeam(Beam beam, float3 low, float3 high)
+{
+    float3 centre = 0.5 * (low + high) - beam.Apex, halfSize = 0.5 * (high - low);
+    float3 size = abs(centre) + halfSize;
+    float rounding = 1.0e-5 * (size.x + size.y + size.z);
+    float least = min(min(Farthest(beam.Left, centre, halfSize), Farthest(beam.Right, centre, halfSize)), min(Farthest(beam.Below, centre, halfSize), Farthest(beam.Above, centre, halfSize)));
+    least = min(least, Farthest(beam.Axis, centre, halfSize));
+    return least >= -rounding ? -Farthest(-beam.Axis, centre, halfSize) : MISS;
+}
+
+// The children of a node that the beam meets, and the distances that its rays meet them at or later.
+static uint s_child[4];
+static float s_childNear[4];
+static uint s_children = 0;
+
+void AddChild(Beam beam, float3 low, float3 high, uint reference)
+{
+    float near = EnterBeam(beam, low, high);
+    if (near != MISS)
+    {
+        s_child[s_children] = reference;
+        s_childNear[s_children] = near;
+        s_children++;
+    }
+}
+
+#ifdef GLINT_WIDE
+
+// References of a wide tree are words of its stack with one child (SearchWide.hlsl).
+static const uint ROOT = 8;
+
+bool IsLeaf(uint reference)
+{
+    return (reference & 4) != 0;
+}
+
+void FindChildren(Beam beam, uint firstRow, uint reference)
+{
+    uint row = firstRow + 3 * (reference >> 12);
+    uint4 a = LoadTree(0, row), b = LoadTree(0, row + 1), c = LoadTree(0, row + 2);
+    float3 origin = asfloat(a.xyz), step = asfloat(uint3(a.w << 23, a.w << 15, a.w << 7) & 0x7f800000);
+    s_children = 0;
+    [unroll]
+    for (uint child = 0; child < 4; child++)
+        if ((a.w >> (28 + child) & 1) != 0)
+        {
+            float3 low = origin + step * float3((b.xyz >> (8 * child)) & 0xff), high = origin + step * float3((uint3(b.w, c.xy) >> (8 * child)) & 0xff);
+            AddChild(beam, low, high, (c.z + child) << 12 | 8 | (a.w >> (24 + child) & 1) << 2);
+        }
+}
+
+#else
+
+static const uint ROOT = 0;
+
+bool IsLeaf(uint reference)
+{
+    return (reference & LEAF) != 0;
+}
+
+void FindChildren(Beam beam, uint firstRow, uint reference)
+{
+    uint row = firstRow + reference;
+    float4 a = asfloat(LoadTree(0, row)), b = asfloat(LoadTree(0, row + 1)), z = asfloat(LoadTree(0, row + 2));
+    uint4 references = LoadTree(0, row + 3);
+    s_children = 0;
+    AddChild(beam, float3(a.xz, z.x), float3(a.yw, z.y), references.x);
+    if (references.y != references.x)
+        AddChild(beam, float3(b.xz, z.z), float3(b.yw, z.w), references.y);
+}
+
+#endif
+
+// Opens nodes in turn as long as there is room for what they hold.
+uint4 FindStarts(Beam beam, uint firstRow)
+{
+    uint start[MOST_STARTS];
+    float near[MOST_STARTS];
+    start[0] = ROOT;
+    near[0] = 0.0;
+    uint count = 1, at = 0, unopened = 0;
+    [loop]
+    while (unopened < count)
+    {
+        at = at < count ? at : 0;
+        s_children = 0;
+        bool isNode = !IsLeaf(start[at]);
+        if (isNode)
+            FindChildren(beam, firstRow, start[at]);
+        if (!isNode || count + s_children > MOST_STARTS + 1)
+        {
+            unopened++;
+            at++;
+            continue;
+        }
+        // The last one takes the place of the node, then the children follow.
+        unopened = 0;
+        count--;
+        start[at] = start[count];
+        near[at] = near[count];
+        [loop]
+        for (uint child = 0; child < s_children; child++)
+        {
+            start[count] = s_child[child];
+            near[count] = s_childNear[child];
+            count++;
+        }
+        at++;
+    }
+
+    uint sorted[MOST_STARTS];
+    [loop]
+    for (uint place = 0; place < MOST_STARTS; place++)
+    {
+        uint nearest = place;
+        [loop]
+        for (uint other = place + 1; other < count; other++)
+            nearest = near[other] < near[nearest] ? other : nearest;
+        sorted[place] = place < count ? start[nearest] : DONE;
+        start[nearest] = start[place];
+        near[nearest] = near[place];
+    }
+    return uint4(sorted[0], sorted[1], sorted[2], sorted[3]);
+}
+
+#endif

@@ -1,0 +1,182 @@
+using System;
+using System.Linq;
+using System.Threading;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using static Unity.Mathematics.math;
+
+namespace Glint.Tests
+{
+    /// <summary>
+    /// A benchmark that counts work instead of time, so that it says the same on every machine. A bound is what was measured, and a twentieth more for another compiler's rounding:
+    /// a test that fails by more has found something that made the tracer slower.
+    /// </summary>
+    public sealed class WorkDoneTests
+    {
+        const int SumBytes = 4 * RaySums.Slots * RaySums.WordsPerSlot;
+        const double Slack = 1.05;
+        const int MostBytesATriangle = 120;
+
+        static readonly RadarSettings s_settings = TestRadar.Settings(480, 270);
+
+        // The published experiment's camera: 50 m from the ship, 10 degrees above the sea.
+        static readonly RadarView s_view = TestRadar.LookAt(50 * double3(0, sin(radians(10.0)), -cos(radians(10.0))), 0);
+
+        static SeaAndShip s_made;
+
+        static SeaAndShip Made => s_made ?? (s_made = new SeaAndShip(1, 35000, 44000));
+
+        [OneTimeTearDown]
+        public void LetGo() => s_made = null;
+
+        static RadarScene Scene(SeaAndShip made, double shipDegrees = 0)
+        {
+            double half = radians(shipDegrees) / 2;
+            return new RadarScene(
+                new MeshInstance { Mesh = made.Ship, ToWorld = Affine.FromTransform(0, double4(0, sin(half), 0, cos(half)), 1) },
+                new MeshInstance { Mesh = made.Sea, ToWorld = Affine.Identity });
+        }
+
+        static RayTracer Tracer(bool asSoftware, long mostRowsABank = long.MaxValue) =>
+            new RayTracer(TestKernels.Trace, "test", asSoftware, mostRowsABank) { TilesADispatch = int.MaxValue };
+
+        static RadarResult Counted(RayTracer tracer, RadarScene scene)
+        {
+            tracer.SetScene(scene);
+            tracer.CountVisits = true;
+            var result = tracer.Trace(s_settings, s_view, KeptRays.None);
+            tracer.CountVisits = false;
+            return result;
+        }
+
+        static double NodesASegment(RadarResult result) => (double)result.Work.NodesVisited / result.Segments;
+
+        static double PairsASegment(RadarResult result) => (double)result.Work.PairsTested / result.Segments;
+
+        [TestCase(true, 5.863, 1.727)]
+        [TestCase(false, 15.453, 1.130)]
+        public void Trace_SeaAndShip_VisitsNoMoreThanMeasured(bool asSoftware, double nodes, double pairs)
+        {
+            using (var tracer = Tracer(asSoftware))
+            {
+                var result = Counted(tracer, Scene(Made));
+                // Each bounce is off a pair that was tested.
+                Assert.That(result.Work.PairsTested, Is.GreaterThanOrEqualTo(result.Bounces));
+                Assert.That(NodesASegment(result), Is.LessThan(Slack * nodes));
+                Assert.That(PairsASegment(result), Is.LessThan(Slack * pairs));
+                Assert.That(result.Work.TilesSkipped, Is.GreaterThanOrEqualTo(781));
+            }
+        }
+
+        // Four binary levels more, each met by half a segment and a little more as boxes overlap; two wide levels. Without a tree it would be 16 times as many.
+        [TestCase(true, 2.554)]
+        [TestCase(false, 4.588)]
+        public void Trace_SixteenTimesTheTriangles_VisitsAFewMoreNodesAndTakesNoMoreBytesATriangle(bool asSoftware, double moreNodes)
+        {
+            using (var tracer = Tracer(asSoftware))
+            {
+                var few = Counted(tracer, Scene(new SeaAndShip(1, 8750, 11000)));
+                var many = Counted(tracer, Scene(new SeaAndShip(1, 140000, 176000)));
+                Assert.That(NodesASegment(many) - NodesASegment(few), Is.LessThan(Slack * moreNodes));
+                Assert.That(PairsASegment(many), Is.LessThan(Slack * PairsASegment(few)));
+                foreach (var result in new[] { few, many })
+                    Assert.That((double)result.Work.BytesOnDevice / result.Triangles, Is.LessThan(MostBytesATriangle));
+            }
+        }
+
+        [TestCase(true)]
+        [TestCase(false)]
+        public void Trace_SecondPose_BuildsNothingAndMovesOnlyTilesPlacesAndSums(bool asSoftware)
+        {
+            using (var tracer = Tracer(asSoftware))
+            {
+                tracer.SetScene(Scene(Made));
+                var first = tracer.Trace(s_settings, s_view, KeptRays.None).Work;
+                Assert.That(first.TreesBuilt, Is.EqualTo(2));
+                Assert.That(first.TrianglesBuilt, Is.EqualTo(Scene(Made).TriangleCount));
+
+                tracer.SetScene(Scene(Made, shipDegrees: 1));
+                var second = tracer.Trace(s_settings, s_view, KeptRays.None).Work;
+                Assert.That(second.TreesBuilt, Is.Zero);
+                Assert.That(second.TrianglesBuilt, Is.Zero);
+                // A software device finds the starts of the tiles first.
+                Assert.That(second.Dispatches, Is.EqualTo(asSoftware ? 2 : 1));
+                Assert.That(second.BytesReadBack, Is.EqualTo(SumBytes));
+                // The places of two instances are uniforms.
+                Assert.That(second.BytesUploaded, Is.EqualTo(4 * second.TilesTraced + SumBytes));
+                Assert.That(second.TilesTraced + second.TilesSkipped, Is.EqualTo(60 * 34));
+                Assert.That(second.BytesOnDevice, Is.EqualTo(first.BytesOnDevice).Within((4 + 4 * 16) * 60 * 34));
+            }
+        }
+
+        [Test]
+        public void Trace_MeshOfTwoMillionTriangles_InSeveralTreesAndBuffers_EqualsTheJudge()
+        {
+            var scene = new RadarScene(new SeaAndShip(2, 2_000_000, 1000).Sea);
+            var settings = s_settings;
+            settings.Region = new RayRegion { Left = 200, Bottom = 20, Width = 16, Height = 100 };
+            var expected = new Judge(scene, settings, s_view).TraceAll();
+            Assert.That(expected.Count(ray => ray.Bounces > 0), Is.GreaterThan(1000));
+            // No tree is larger than 48 and 96 MiB.
+            foreach (var (asSoftware, mebibytes) in new[] { (true, 48), (false, 96) })
+                using (var tracer = Tracer(asSoftware, mebibytes << 20 >> 4))
+                {
+                    tracer.SetScene(scene);
+                    var result = tracer.Trace(settings, s_view, KeptRays.All);
+                    Assert.That(result.Work.TreesBuilt, Is.EqualTo(1));
+                    Assert.That(tracer.BankCount, Is.GreaterThan(1));
+                    Assert.That((double)result.Work.BytesOnDevice / result.Triangles, Is.LessThan(MostBytesATriangle));
+                    int others = Enumerable.Range(0, expected.Length).Count(i => result.Rays[i].Bounces != expected[i].Bounces
+                        || abs(result.Rays[i].PathLength - (expected[i].Received ? expected[i].PathLength : expected[i].LengthToLastHit)) > 1e-3);
+                    // Rays that just touch a crest.
+                    Assert.That(others, Is.LessThanOrEqualTo(expected.Length / 1000));
+                }
+        }
+
+        [Test]
+        public void SetScene_SmallMeshesAfterALargeOne_GiveItsBuffersBack()
+        {
+            using (var tracer = Tracer(true, 4 << 20 >> 4))
+            {
+                tracer.SetScene(Scene(new SeaAndShip(1, 100_000, 100_000)));
+                long large = tracer.Trace(s_settings, s_view, KeptRays.None).Work.BytesOnDevice;
+                Assert.That(tracer.BankCount, Is.GreaterThan(1));
+                var small = Scene(new SeaAndShip(1, 1000, 1000));
+                tracer.SetScene(small);
+                var result = tracer.Trace(s_settings, s_view, KeptRays.None);
+                Assert.That(tracer.BankCount, Is.EqualTo(1));
+                Assert.That(result.Work.BytesOnDevice, Is.LessThan(large / 10));
+            }
+        }
+
+        [Test]
+        public void SetScene_Cancelled_StopsAndTheNextSceneIsRight()
+        {
+            var scene = Scene(Made);
+            using (var cancel = new CancellationTokenSource())
+            using (var tracer = Tracer(true))
+            using (var other = Tracer(true))
+            {
+                cancel.Cancel();
+                Assert.Throws<OperationCanceledException>(() => tracer.SetScene(scene, cancel.Token));
+                tracer.SetScene(scene);
+                other.SetScene(scene);
+                RadarResult result = tracer.Trace(s_settings, s_view, KeptRays.None), expected = other.Trace(s_settings, s_view, KeptRays.None);
+                Assert.That(result.PathLengthMeters, Is.EqualTo(expected.PathLengthMeters));
+                Assert.That(result.Work.TreesBuilt, Is.EqualTo(2));
+            }
+        }
+
+        [Test]
+        public void SetScene_MoreTrianglesThanTheDeviceHolds_SaysHowMuchTheyTakeBeforeItBuilds()
+        {
+            using (var tracer = Tracer(true, 1 << 13))
+            {
+                var problem = Assert.Throws<GlintException>(() => tracer.SetScene(Scene(Made)));
+                // 79,000 triangles of 32 bytes at least, and 8 buffers of 128 KiB.
+                Assert.That(problem.Message, Does.Match(@"test: the trees over its meshes take at least 2\.4 MiB, and .* holds 1 MiB of them in buffers of 0\.1 MiB"));
+            }
+        }
+    }
+}
