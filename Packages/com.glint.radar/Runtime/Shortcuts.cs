@@ -17,7 +17,7 @@ namespace Glint
         /// <summary>Tiles in which nothing of the scene can be seen are not traced.</summary>
         Tiles = 4,
 
-        /// <summary>The first segments of a tile's rays begin their search where a beam around them parts: only of a single instance.</summary>
+        /// <summary>The first segments of a tile's rays begin their search where a beam around them parts: in scenes of few instances.</summary>
         Starts = 8,
 
         All = Reach | LastSegment | Tiles | Starts,

@@ -45,7 +45,7 @@ RWStructuredBuffer<RayData> _Rays;
 RWStructuredBuffer<uint> _Sums;             // see Sums.hlsl
 RWStructuredBuffer<uint4> _FoundStarts;     // what the kernels Starts and StartsWide find for _Starts
 
-// The same numbers in C#: RayTracer.
+// The same numbers in C#: Shortcuts, TraceKernel, DeviceScene; a test compares them.
 static const uint SHORTCUT_REACH = 1;       // nothing is searched for beyond the receiver
 static const uint SHORTCUT_LAST = 2;        // the last segment is searched only if it meets the receiver
 static const uint SHORTCUT_STARTS = 8;      // the first segment begins at the starts of its tile

@@ -1,8 +1,7 @@
 #ifndef GLINT_STARTS
 #define GLINT_STARTS
 
-#include "Leaf.hlsl"
-#include "BinaryTree.hlsl"
+#include "Traversal.hlsl"
 
 // The rays of a tile go down the same nodes before they part. A beam around them goes there once, and they all start from where it ends:
 // at most four references to nodes or leaves that together hold all that the beam can meet, nearest first.
@@ -74,8 +73,6 @@ void AddChild(Beam beam, float3 low, float3 high, uint reference)
 #ifdef GLINT_WIDE
 
 // References of a wide tree are words of its stack with one child (SearchWide.hlsl).
-static const uint ROOT = 8;
-
 bool IsLeaf(uint reference)
 {
     return (reference & 4) != 0;
@@ -97,8 +94,6 @@ void FindChildren(Beam beam, uint firstRow, uint reference)
 }
 
 #else
-
-static const uint ROOT = 0;
 
 bool IsLeaf(uint reference)
 {
@@ -123,7 +118,7 @@ uint4 FindStarts(Beam beam, uint firstRow)
 {
     uint start[MOST_STARTS];
     float near[MOST_STARTS];
-    start[0] = ROOT;
+    start[0] = FROM_ROOT.x;
     near[0] = 0.0;
     uint count = 1, at = 0, unopened = 0;
     [loop]

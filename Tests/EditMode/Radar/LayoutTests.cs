@@ -43,11 +43,7 @@ namespace Glint.Tests
         [Test]
         public void WordsOfSums_StandWhereTheKernelPutsThem()
         {
-            string shaders = System.IO.Path.Combine(Application.dataPath, "../Packages/com.glint.radar/Shaders/");
-            var inKernel = new Dictionary<string, int>();
-            foreach (System.Text.RegularExpressions.Match match in System.Text.RegularExpressions.Regex.Matches(
-                System.IO.File.ReadAllText(shaders + "Sums.hlsl"), @"static const uint (\w+) = (\d+);"))
-                inKernel.Add(match.Groups[1].Value, int.Parse(match.Groups[2].Value));
+            var inKernel = Constants("Sums.hlsl");
             var expected = new Dictionary<string, int>
             {
                 ["SUM_SLOTS"] = RaySums.Slots, ["SUM_WORDS"] = RaySums.WordsPerSlot, ["SUM_HITS"] = RaySums.Hits, ["SUM_BOUNCES"] = RaySums.Bounces,
@@ -56,6 +52,27 @@ namespace Glint.Tests
                 ["PHASE_BINS"] = Signal.PhaseBins,
             };
             Assert.That(inKernel, Is.EquivalentTo(expected));
+        }
+
+        [Test]
+        public void NumbersThatTheKernelAndItsCallerShare_AreTheSame()
+        {
+            var bindings = Constants("Bindings.hlsl");
+            Assert.That(bindings["SHORTCUT_REACH"], Is.EqualTo((int)Shortcuts.Reach));
+            Assert.That(bindings["SHORTCUT_LAST"], Is.EqualTo((int)Shortcuts.LastSegment));
+            Assert.That(bindings["SHORTCUT_STARTS"], Is.EqualTo((int)Shortcuts.Starts));
+            Assert.That(bindings["MOST_FEW"], Is.EqualTo(DeviceScene.MostFew));
+            Assert.That(Constants("BinaryTree.hlsl")["BINARY_LEVELS"], Is.EqualTo(BoxTreeBuilder.MaxLevels));
+            // The wide stack has 16 words: one a level, and three starts that wait.
+            Assert.That(WideCollapse.MaxLevels - 1 + Constants("Starts.hlsl")["MOST_STARTS"] - 1, Is.LessThanOrEqualTo(16));
+            Assert.That(Constants("Trace.compute")["TILE_SIDE"], Is.EqualTo(PictureTiles.Side));
+        }
+
+        static Dictionary<string, int> Constants(string shader)
+        {
+            string source = System.IO.File.ReadAllText(System.IO.Path.Combine(Application.dataPath, "../Packages/com.glint.radar/Shaders", shader));
+            return System.Text.RegularExpressions.Regex.Matches(source, @"static const uint (\w+) = (\d+);").Cast<System.Text.RegularExpressions.Match>()
+                .ToDictionary(match => match.Groups[1].Value, match => int.Parse(match.Groups[2].Value));
         }
 
         static bool IsWhole(int field) => new[] { 11, 12, 25, 26 }.Contains(field);

@@ -6,7 +6,7 @@ namespace Glint.Core
         /// <summary>Most bounces a ray may be given: each costs a search of the whole scene.</summary>
         public const int BounceLimit = 16;
 
-        /// <summary>Most rays across or down: 65,535 groups of 8 a dispatch.</summary>
+        /// <summary>Most rays across or down: a tile of 8 x 8 has a column and a row of 16 bits.</summary>
         public const int RaysPerAxisLimit = 65535 * 8;
 
         /// <summary>Least and greatest carrier frequency, hertz: wavelengths from 0.3 mm to 300,000 km.</summary>

@@ -3,10 +3,10 @@ namespace Glint.Core
     /// <summary>Wall time of the phases of one pose, milliseconds.</summary>
     public struct Timings
     {
-        /// <summary>Collecting the scene's triangles.</summary>
+        /// <summary>Looking at the scene's objects, and reading the meshes that are new or changed.</summary>
         public double GatherMs;
 
-        /// <summary>Building the tree over them.</summary>
+        /// <summary>Building the trees over meshes that are new or changed.</summary>
         public double BuildMs;
 
         /// <summary>Filling the GPU's buffers.</summary>
@@ -15,7 +15,7 @@ namespace Glint.Core
         /// <summary>From the dispatch to the sums read back; includes <see cref="ReadBackMs"/>.</summary>
         public double TraceMs;
 
-        /// <summary>Reading back counts and rays, and summing them.</summary>
+        /// <summary>Reading back the rays that are kept one by one.</summary>
         public double ReadBackMs;
     }
 }
