@@ -129,8 +129,7 @@ namespace Glint
             high = double.NegativeInfinity;
             for (int corner = 0; corner < 8; corner++)
             {
-                double3 p = toWorld.Point(new double3(
-                    (corner & 1) != 0 ? part.High.x : part.Low.x, (corner & 2) != 0 ? part.High.y : part.Low.y, (corner & 4) != 0 ? part.High.z : part.Low.z));
+                double3 p = toWorld.Point(new Box(part.Low, part.High).Corner(corner));
                 low = math.min(low, p);
                 high = math.max(high, p);
             }

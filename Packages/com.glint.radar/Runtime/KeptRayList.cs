@@ -25,7 +25,8 @@ namespace Glint
         RayData[] _slice = Array.Empty<RayData>();
         long _receivedCount;
 
-        KeptRayList(KeptRays keep, in RadarSettings settings, string owner)
+        /// <exception cref="GlintException">All rays are to be kept, and this computer has not the memory.</exception>
+        public KeptRayList(KeptRays keep, in RadarSettings settings, string owner)
         {
             Keep = keep;
             _settings = settings;
@@ -38,13 +39,6 @@ namespace Glint
 
         /// <summary>Time taken by reading back, milliseconds.</summary>
         public double ReadBackMs { get; private set; }
-
-        /// <exception cref="GlintException">All rays are to be kept, and this computer has not the memory.</exception>
-        public static KeptRayList For(KeptRays keep, in RadarSettings settings, string owner)
-        {
-            Refuse(keep, settings, owner);
-            return new KeptRayList(keep, settings, owner);
-        }
 
         /// <summary>Refuses to keep more rays than this computer has memory for.</summary>
         /// <exception cref="GlintException">It has not as much.</exception>

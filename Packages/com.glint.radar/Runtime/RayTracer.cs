@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Threading;
 using Glint.Core;
@@ -15,12 +14,7 @@ namespace Glint
     /// </summary>
     public sealed class RayTracer : IDisposable
     {
-        // GROUPS_A_ROW in Shaders/Trace.compute.
-        const int GroupsARow = 64;
-
         const int TilesToFillAGpu = 100000;
-
-        const int MostTilesADispatch = 65535 * GroupsARow;
 
         static readonly ProfilerMarker s_build = new ProfilerMarker("Glint.Build");
         static readonly ProfilerMarker s_trace = new ProfilerMarker("Glint.Trace");
@@ -116,7 +110,7 @@ namespace Glint
             double readBackMs;
             using (s_trace.Auto())
             {
-                var kept = KeptRayList.For(keep, settings, _owner);
+                var kept = new KeptRayList(keep, settings, _owner);
                 var tiles = FindTiles(settings, view, keep, ref result.Work);
                 TraceTiles(settings, view, tiles, kept, result, progress, cancel);
                 double tracedMs = watch.Elapsed.TotalMilliseconds;
@@ -180,7 +174,7 @@ namespace Glint
             {
                 cancel.ThrowIfCancellationRequested();
                 int left = tiles.Length - first;
-                int count = Math.Min(MostTilesADispatch, TilesADispatch > 0 ? Math.Min(left, TilesADispatch) : _pacer.NextTiles(left, settings.MaxBounces));
+                int count = Math.Min(TraceKernel.MostGroups, TilesADispatch > 0 ? Math.Min(left, TilesADispatch) : _pacer.NextTiles(left, settings.MaxBounces));
                 count = kept.Limit(count, _rays);
                 count = (int)Math.Min(count, DeviceBuffer<uint4>.Most / DeviceScene.MostFew);
                 var watch = Stopwatch.StartNew();
@@ -207,7 +201,7 @@ namespace Glint
             _kernel.SetStarts(_starts);
             if (!usesStarts)
                 return;
-            _kernel.FindStarts(_scene, _tiles, first, count, _starts, GroupsARow);
+            _kernel.FindStarts(_scene, _tiles, first, count, _starts);
             work.Dispatches++;
         }
 
@@ -215,7 +209,7 @@ namespace Glint
         void Dispatch(int first, int count, KeptRays keep, ref WorkDone work)
         {
             _sums.Buffer.SetData(_zeros);
-            _kernel.Dispatch(first, count, keep, _rays, GroupsARow);
+            _kernel.Dispatch(first, count, keep, _rays);
             _sums.ReadBack(_words, _words.Length);
             work.Dispatches++;
             work.BytesUploaded += _sums.Bytes;

@@ -7,6 +7,12 @@ namespace Glint
     /// <summary>The kernels of Shaders/Trace.compute and what they are given.</summary>
     sealed class TraceKernel
     {
+        // GROUPS_A_ROW in Shaders/Trace.compute.
+        const int GroupsARow = 64;
+
+        /// <summary>Groups that one dispatch takes at most; a group traces one tile.</summary>
+        public const int MostGroups = 65535 * GroupsARow;
+
         readonly ComputeShader _shader;
         readonly string _name;
         readonly int _startsKernel;
@@ -91,27 +97,28 @@ namespace Glint
         public void SetStarts(DeviceBuffer<uint4> starts) => _shader.SetBuffer(_kernel, ShaderIDs._Starts, starts.Buffer);
 
         /// <summary>Finds where the rays of some tiles begin their search.</summary>
-        public void FindStarts(DeviceScene scene, DeviceBuffer<uint> tiles, int firstTile, int count, DeviceBuffer<uint4> starts, int groupsARow)
+        public void FindStarts(DeviceScene scene, DeviceBuffer<uint> tiles, int firstTile, int count, DeviceBuffer<uint4> starts)
         {
             _shader.SetBuffer(_startsKernel, ShaderIDs._Tree[0], scene.Banks[0].Rows.Buffer);
             _shader.SetBuffer(_startsKernel, ShaderIDs._Tiles, tiles.Buffer);
             _shader.SetBuffer(_startsKernel, ShaderIDs._FoundStarts, starts.Buffer);
             _shader.SetInt(ShaderIDs._FirstTile, firstTile);
             _shader.SetInt(ShaderIDs._TileCount, count);
-            int groups = (int)(((long)count * scene.Few.Count + 63) / 64);
-            _shader.Dispatch(_startsKernel, math.min(groups, groupsARow), (groups + groupsARow - 1) / groupsARow, 1);
+            DispatchGroups(_startsKernel, (int)(((long)count * scene.Few.Count + 63) / 64));
         }
 
         /// <summary>Traces some of the tiles.</summary>
-        public void Dispatch(int firstTile, int count, KeptRays keep, DeviceBuffer<RayData> rays, int groupsARow)
+        public void Dispatch(int firstTile, int count, KeptRays keep, DeviceBuffer<RayData> rays)
         {
             _shader.SetInt(ShaderIDs._FirstTile, firstTile);
             _shader.SetInt(ShaderIDs._TileCount, count);
             _shader.SetInt(ShaderIDs._Keep, keep == KeptRays.None ? 0 : keep == KeptRays.Received ? 1 : 2);
             _shader.SetInt(ShaderIDs._RayCapacity, rays.Capacity);
             _shader.SetBuffer(_kernel, ShaderIDs._Rays, rays.Buffer);
-            _shader.Dispatch(_kernel, math.min(count, groupsARow), (count + groupsARow - 1) / groupsARow, 1);
+            DispatchGroups(_kernel, count);
         }
+
+        void DispatchGroups(int kernel, int groups) => _shader.Dispatch(kernel, math.min(groups, GroupsARow), (groups + GroupsARow - 1) / GroupsARow, 1);
 
         void SetVector(int id, double3 v) => _shader.SetVector(id, new Vector4((float)v.x, (float)v.y, (float)v.z, 0));
     }

@@ -27,24 +27,24 @@ void AddTo(uint word, uint value)
     InterlockedAdd(_Sums[word], value);
 }
 
-// Adds a signed number to a 64-bit sum.
-void AddWide(uint word, int value)
+// Adds a number of 64 bits, given by its halves.
+void AddHalves(uint word, uint lower, uint upper)
 {
     uint before;
-    InterlockedAdd(_Sums[word], (uint)value, before);
-    uint carry = before + (uint)value < before ? 1 : 0;
-    uint upper = carry + (value < 0 ? 0xffffffff : 0);
+    InterlockedAdd(_Sums[word], lower, before);
+    upper += before + lower < before ? 1 : 0;
     if (upper != 0)
         InterlockedAdd(_Sums[word + 1], upper);
 }
 
-// Adds a number without sign to a 64-bit sum.
-void AddWideUnsigned(uint word, uint value)
+void AddUnsigned(uint word, uint value)
 {
-    uint before;
-    InterlockedAdd(_Sums[word], value, before);
-    if (before + value < before)
-        InterlockedAdd(_Sums[word + 1], 1);
+    AddHalves(word, value, 0);
+}
+
+void AddSigned(uint word, int value)
+{
+    AddHalves(word, (uint)value, value < 0 ? 0xffffffff : 0);
 }
 
 bool IsReceived(RayData ray)
@@ -74,12 +74,12 @@ void AddToSums(RayData ray, float lengthToLastHit, uint slot)
         return;
     AddTo(slot + SUM_HITS, 1);
     AddTo(slot + SUM_BOUNCES, ray.Bounces);
-    AddWideUnsigned(slot + SUM_LENGTH, InLengthUnits(lengthToLastHit));
+    AddUnsigned(slot + SUM_LENGTH, InLengthUnits(lengthToLastHit));
     if (IsReceived(ray))
     {
         AddTo(slot + SUM_RECEIVED, 1);
-        AddWide(slot + SUM_IN_PHASE, InPhasorUnits(ray.InPhase));
-        AddWide(slot + SUM_QUADRATURE, InPhasorUnits(ray.Quadrature));
+        AddSigned(slot + SUM_IN_PHASE, InPhasorUnits(ray.InPhase));
+        AddSigned(slot + SUM_QUADRATURE, InPhasorUnits(ray.Quadrature));
         CountPhase(slot, ray.Phase);
     }
 }

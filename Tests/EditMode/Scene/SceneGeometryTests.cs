@@ -11,23 +11,10 @@ namespace Glint.Tests
     /// Where vertices lie, against transforms composed by hand in double. Float32 rounds them relative to the body they are part of:
     /// a lone mesh keeps its own vertices exactly, merged ones are right to half a step of float32 at the body's size. How far away the body is does not matter.
     /// </summary>
-    public sealed class SceneGeometryTests
+    public sealed class SceneGeometryTests : GathererFixture
     {
         // A step of float32 at 100 km.
         const double WorldStep = 1.0 / 128;
-
-        SceneBuilder _scene;
-        SceneGatherer _gatherer;
-
-        [SetUp]
-        public void MakeScene()
-        {
-            _scene = new SceneBuilder();
-            _gatherer = new SceneGatherer();
-        }
-
-        [TearDown]
-        public void RemoveScene() => _scene.Destroy();
 
         [Test]
         public void ToWorld_OfALoneMeshAt100Kilometres_IsExact()

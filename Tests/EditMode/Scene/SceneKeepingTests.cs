@@ -9,23 +9,10 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>What stays from one gather to the next: the same TriangleMesh object means that no tree is built again.</summary>
-    public sealed class SceneKeepingTests
+    public sealed class SceneKeepingTests : GathererFixture
     {
         // Float32 steps of the scenes here, some 10 m large.
         const double Tolerance = 4e-6;
-
-        SceneBuilder _scene;
-        SceneGatherer _gatherer;
-
-        [SetUp]
-        public void MakeScene()
-        {
-            _scene = new SceneBuilder();
-            _gatherer = new SceneGatherer();
-        }
-
-        [TearDown]
-        public void RemoveScene() => _scene.Destroy();
 
         [Test]
         public void Gather_UnchangedScene_IsTheSameObject()

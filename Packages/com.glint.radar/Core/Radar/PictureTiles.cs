@@ -89,7 +89,7 @@ namespace Glint.Core
         {
             var corners = _corners;
             for (int i = 0; i < corners.Length; i++)
-                corners[i] = Seen(toWorld.Point(new double3((i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z)));
+                corners[i] = Seen(toWorld.Point(new Box(low, high).Corner(i)));
             double size = 0;
             foreach (var corner in corners)
                 size = math.max(size, math.cmax(math.abs(corner)));

@@ -1,0 +1,21 @@
+using NUnit.Framework;
+
+namespace Glint.Tests
+{
+    /// <summary>A scene that a test fills and a gatherer that has seen nothing yet; removed after each test.</summary>
+    public abstract class GathererFixture
+    {
+        internal SceneBuilder _scene;
+        internal SceneGatherer _gatherer;
+
+        [SetUp]
+        public void MakeScene()
+        {
+            _scene = new SceneBuilder();
+            _gatherer = new SceneGatherer();
+        }
+
+        [TearDown]
+        public void RemoveScene() => _scene.Destroy();
+    }
+}
