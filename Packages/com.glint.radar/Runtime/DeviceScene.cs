@@ -45,10 +45,13 @@ namespace Glint
 
         public long Bytes => _trees.Bytes + _instances.Bytes + _top.Bytes;
 
-        /// <summary>Corners of the box around everything, world, metres.</summary>
+        /// <summary>Corners of the box around everything, metres; the lower one above the other when there is nothing.</summary>
         public double3 Low { get; private set; }
 
         public double3 High { get; private set; }
+
+        /// <summary>Middle of the box: the origin of all that the kernel is given.</summary>
+        public double3 Middle { get; private set; }
 
         /// <summary>Takes a scene; builds the trees of meshes that are new.</summary>
         /// <returns>True if a tree was built.</returns>
@@ -91,31 +94,36 @@ namespace Glint
         // One record for each tree of each instance.
         void Place(RadarScene scene, ref WorkDone work)
         {
-            var records = new List<InstanceRecord>();
-            var low = new List<float3>();
-            var high = new List<float3>();
+            var lows = new List<double3>();
+            var highs = new List<double3>();
             Low = double.PositiveInfinity;
             High = double.NegativeInfinity;
+            foreach (var instance in scene.Instances)
+                foreach (var part in _trees[instance.Mesh].Tree.Parts)
+                {
+                    Bound(part, instance.ToWorld, out var low, out var high);
+                    lows.Add(low);
+                    highs.Add(high);
+                    Low = math.min(Low, low);
+                    High = math.max(High, high);
+                }
+            IsEmpty = lows.Count == 0;
+            Middle = IsEmpty ? 0 : (Low + High) / 2;
+
+            var records = new List<InstanceRecord>();
             foreach (var instance in scene.Instances)
             {
                 var tree = _trees[instance.Mesh];
                 var toLocal = instance.ToWorld.Inverse();
+                toLocal.Origin = toLocal.Point(Middle);
                 for (int part = 0; part < tree.Tree.Parts.Length; part++)
-                {
                     records.Add(InstanceRecord.Of(toLocal, tree.BankOf(part), tree.FirstRowOf(part)));
-                    Bound(tree.Tree.Parts[part], instance.ToWorld, out var partLow, out var partHigh);
-                    low.Add(Down(partLow));
-                    high.Add(-Down(-partHigh));
-                    Low = math.min(Low, partLow);
-                    High = math.max(High, partHigh);
-                }
             }
-            IsEmpty = records.Count == 0;
             Few = records.Count <= MostFew && _trees.Banks.Count == 1 ? records : new List<InstanceRecord>();
             TopRoot = uint.MaxValue; // DONE: nothing to search
-            if (IsEmpty || HasFewInstances)
+            if (IsEmpty)
                 return;
-            var top = TopTree.Build(low.ToArray(), high.ToArray(), TreeShape.Binary);
+            var top = TopTree.Build(lows.Select(low => Down(low - Middle)).ToArray(), highs.Select(high => -Down(Middle - high)).ToArray(), TreeShape.Binary);
             // Row 3 of a node begins with the reference to its first child: of one instance that is the leaf.
             TopRoot = records.Count == 1 ? top[3].x : 0;
             _instances.Upload(records.ToArray());

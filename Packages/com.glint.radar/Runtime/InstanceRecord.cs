@@ -5,28 +5,37 @@ using Unity.Mathematics;
 namespace Glint
 {
     /// <summary>
-    /// A tree at its place in the world. GLINT_INSTANCE: the same struct stands in Shaders/Types.hlsl; a test compares them.
+    /// A tree at its place in the scene. GLINT_INSTANCE: the same struct stands in Shaders/Types.hlsl; a test compares them.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     struct InstanceRecord
     {
-        /// <summary>Rows of the matrix from the world to the mesh's frame.</summary>
+        /// <summary>Rows of the matrix from the middle of the scene to the mesh's frame.</summary>
         public float4 ToLocalX, ToLocalY, ToLocalZ; // 48 bytes
+
+        /// <summary>What float32 leaves out of them.</summary>
+        public float4 RestX, RestY, RestZ; // 96 bytes
 
         /// <summary>Where the tree starts in its bank, in rows of 16 bytes.</summary>
         public uint FirstRow;
 
         public uint Bank;
 
-        public uint Unused0, Unused1; // 64 bytes
+        public uint Unused0, Unused1; // 112 bytes
 
-        public static InstanceRecord Of(in Affine toLocal, int bank, int firstRow) => new InstanceRecord
+        /// <param name="toLocal">From the middle of the scene to the mesh's frame.</param>
+        public static InstanceRecord Of(in Affine toLocal, int bank, int firstRow)
         {
-            ToLocalX = (float4)new double4(toLocal.X.x, toLocal.Y.x, toLocal.Z.x, toLocal.Origin.x),
-            ToLocalY = (float4)new double4(toLocal.X.y, toLocal.Y.y, toLocal.Z.y, toLocal.Origin.y),
-            ToLocalZ = (float4)new double4(toLocal.X.z, toLocal.Y.z, toLocal.Z.z, toLocal.Origin.z),
-            FirstRow = (uint)firstRow,
-            Bank = (uint)bank,
-        };
+            var x = new double4(toLocal.X.x, toLocal.Y.x, toLocal.Z.x, toLocal.Origin.x);
+            var y = new double4(toLocal.X.y, toLocal.Y.y, toLocal.Z.y, toLocal.Origin.y);
+            var z = new double4(toLocal.X.z, toLocal.Y.z, toLocal.Z.z, toLocal.Origin.z);
+            return new InstanceRecord
+            {
+                ToLocalX = (float4)x, ToLocalY = (float4)y, ToLocalZ = (float4)z,
+                RestX = TwoFloat.Rest(x), RestY = TwoFloat.Rest(y), RestZ = TwoFloat.Rest(z),
+                FirstRow = (uint)firstRow,
+                Bank = (uint)bank,
+            };
+        }
     }
 }

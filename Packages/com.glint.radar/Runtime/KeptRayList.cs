@@ -10,11 +10,8 @@ namespace Glint
     /// <summary>The rays that a pose keeps one by one, as they come back dispatch by dispatch.</summary>
     sealed class KeptRayList
     {
-        // As many received rays as most scenes return; tiles that return more are traced once again with room for all.
-        const int FirstCapacity = 65536;
-
-        // Rays of one dispatch: 96 MiB when all are kept, at most 768 MiB when all are received.
-        const int MostOfAll = 1 << 21, MostReceived = 1 << 24;
+        // Rays of one dispatch: 96 MiB when all are kept.
+        const int MostOfAll = 1 << 21;
 
         static readonly int s_rayBytes = Marshal.SizeOf<RayData>();
 
@@ -48,49 +45,49 @@ namespace Glint
                 throw TooMany($"all of {settings.RaysEmitted} rays", settings.RaysEmitted * (double)s_rayBytes, owner);
         }
 
-        /// <summary>As many of the tiles as one dispatch may take for what is kept of them; makes room on the device.</summary>
+        /// <summary>As many of the tiles as one dispatch may take for what is kept of them; makes room for all of their rays if all are kept.</summary>
         public int Limit(int tiles, DeviceBuffer<RayData> rays)
         {
-            if (Keep == KeptRays.None)
-            {
-                rays.Reserve(1); // a binding must not be empty
-                return tiles;
-            }
-            long most = Math.Min(DeviceBuffer<RayData>.Most, Keep == KeptRays.All ? MostOfAll : MostReceived);
-            tiles = (int)Math.Min(tiles, most / PictureTiles.Rays);
-            rays.Reserve(Keep == KeptRays.All ? tiles * PictureTiles.Rays : FirstCapacity);
+            if (Keep == KeptRays.All)
+                tiles = (int)Math.Min(tiles, Math.Min(DeviceBuffer<RayData>.Most, MostOfAll) / PictureTiles.Rays);
+            rays.Reserve(Keep == KeptRays.All ? tiles * PictureTiles.Rays : 1); // a binding must not be empty
             return tiles;
         }
 
-        /// <summary>True if more rays were received than there is room for.</summary>
-        public bool Wants(uint[] sums, DeviceBuffer<RayData> rays) => Keep == KeptRays.Received && RaySums.CountKept(sums) > rays.Capacity;
-
-        /// <summary>Reads back what a dispatch kept.</summary>
-        /// <exception cref="GlintException">More rays are received than this computer has memory for.</exception>
-        public void Add(DeviceBuffer<RayData> rays, uint[] sums, int tiles, ref WorkDone work)
+        /// <summary>Reads back the rays of some tiles when all are kept.</summary>
+        public void AddTiles(DeviceBuffer<RayData> rays, int tiles, ref WorkDone work)
         {
-            int count = Keep == KeptRays.All ? tiles * PictureTiles.Rays : Keep == KeptRays.Received ? (int)RaySums.CountKept(sums) : 0;
-            if (count == 0)
+            if (Keep != KeptRays.All)
                 return;
+            int count = tiles * PictureTiles.Rays;
+            if (_slice.Length < count)
+                _slice = new RayData[count];
+            ReadBack(rays, _slice, count, ref work);
+            Scatter(count);
+        }
+
+        /// <summary>Reads back rays that were followed once more, when received ones are kept.</summary>
+        /// <exception cref="GlintException">More rays are received than this computer has memory for.</exception>
+        public void AddReturning(DeviceBuffer<RayData> rays, int count, ref WorkDone work)
+        {
+            if (Keep != KeptRays.Received)
+                return;
+            _receivedCount += count;
+            // Once as they come and once in order, with a number each to order them by.
+            int bytes = 2 * s_rayBytes + sizeof(uint);
+            if (_receivedCount * (double)bytes > HostBytes)
+                throw TooMany(Received, _receivedCount * (double)bytes, _owner);
+            var part = MakeRays(count, Received);
+            ReadBack(rays, part, count, ref work);
+            part = Array.FindAll(part, ray => ray.IsReceived);
+            _receivedCount += part.Length - count;
+            _received.Add(part);
+        }
+
+        void ReadBack(DeviceBuffer<RayData> rays, RayData[] into, int count, ref WorkDone work)
+        {
             var watch = Stopwatch.StartNew();
-            if (Keep == KeptRays.All)
-            {
-                if (_slice.Length < count)
-                    _slice = new RayData[count];
-                rays.ReadBack(_slice, count);
-                Scatter(count);
-            }
-            else
-            {
-                _receivedCount += count;
-                // Once as they come and once in order, with a number each to order them by.
-                int bytes = 2 * s_rayBytes + sizeof(uint);
-                if (_receivedCount * (double)bytes > HostBytes)
-                    throw TooMany(Received, _receivedCount * (double)bytes, _owner);
-                var part = MakeRays(count, Received);
-                rays.ReadBack(part, count);
-                _received.Add(part);
-            }
+            rays.ReadBack(into, count);
             work.BytesReadBack += (long)count * s_rayBytes;
             ReadBackMs += watch.Elapsed.TotalMilliseconds;
         }

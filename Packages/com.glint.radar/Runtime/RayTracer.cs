@@ -27,6 +27,7 @@ namespace Glint
         readonly DeviceBuffer<uint4> _starts = new DeviceBuffer<uint4>("tiles of 64 rays");
         readonly DeviceBuffer<uint> _sums = new DeviceBuffer<uint>("sums");
         readonly DeviceBuffer<RayData> _rays = new DeviceBuffer<RayData>("rays kept one by one");
+        readonly ExactPass _exact;
         readonly DispatchPacer _pacer = new DispatchPacer();
         readonly uint[] _zeros = new uint[RaySums.Slots * RaySums.WordsPerSlot], _words = new uint[RaySums.Slots * RaySums.WordsPerSlot];
         WorkDone _sceneWork;
@@ -51,6 +52,7 @@ namespace Glint
             _owner = owner;
             _isSoftware = asSoftware;
             _kernel = new TraceKernel(shader, _isSoftware, owner);
+            _exact = new ExactPass(_kernel, _sums, _rays);
             _scene = new DeviceScene(_isSoftware ? TreeShape.Wide : TreeShape.Binary, owner, mostRowsABank);
             _sums.Reserve(_zeros.Length);
         }
@@ -103,7 +105,10 @@ namespace Glint
             settings.Validate(_owner);
             view.Validate(_owner);
             CheckRoom(settings, keep);
-            var result = new RadarResult { RaysEmitted = settings.RaysEmitted, Triangles = _scene.Scene.TriangleCount, Work = _sceneWork };
+            var result = new RadarResult
+            {
+                RaysEmitted = settings.RaysEmitted, RaysOfPicture = settings.RayCount, RayArea = view.RayArea(settings), Triangles = _scene.Scene.TriangleCount, Work = _sceneWork,
+            };
             _sceneWork = default;
 
             var watch = Stopwatch.StartNew();
@@ -117,13 +122,14 @@ namespace Glint
                 result.Rays = kept.ToArray();
                 readBackMs = watch.Elapsed.TotalMilliseconds - tracedMs + kept.ReadBackMs;
             }
-            result.Work.BytesOnDevice = _scene.Bytes + _tiles.Bytes + _starts.Bytes + _sums.Bytes + _rays.Bytes;
+            result.Work.BytesOnDevice = _scene.Bytes + _tiles.Bytes + _starts.Bytes + _sums.Bytes + _rays.Bytes + _exact.Bytes;
             result.Timings = new Timings { BuildMs = _buildMs, UploadMs = _uploadMs, TraceMs = watch.Elapsed.TotalMilliseconds, ReadBackMs = readBackMs };
             return result;
         }
 
         public void Dispose()
         {
+            _exact.Dispose();
             _rays.Dispose();
             _sums.Dispose();
             _starts.Dispose();
@@ -161,37 +167,37 @@ namespace Glint
 
         void TraceTiles(in RadarSettings settings, in RadarView view, uint[] tiles, KeptRayList kept, RadarResult result, IProgress<double> progress, CancellationToken cancel)
         {
-            var sums = new RaySums(LongestPath(settings, view));
+            var grid = new RayGrid(settings, view, _scene.Low, _scene.High);
+            var sums = new RaySums(grid);
             // A kernel that finds nothing at all takes a software device long to compile, and for nothing.
             if (_scene.IsEmpty && kept.Keep != KeptRays.All)
                 tiles = Array.Empty<uint>();
             bool usesStarts = UsesStarts(tiles.Length);
             _kernel.Choose(_scene, CountVisits);
-            _kernel.SetRadar(settings, view, sums.LengthUnits, usesStarts ? Shortcuts : Shortcuts & ~Shortcuts.Starts);
+            _kernel.SetRadar(settings, view, grid, _scene.Scene.Origin, sums.LengthUnits, usesStarts ? Shortcuts : Shortcuts & ~Shortcuts.Starts);
             _kernel.SetScene(_scene);
             _kernel.SetBuffers(_tiles, _sums);
+            _exact.Begin();
             for (int first = 0; first < tiles.Length;)
             {
                 cancel.ThrowIfCancellationRequested();
                 int left = tiles.Length - first;
                 int count = Math.Min(TraceKernel.MostGroups, TilesADispatch > 0 ? Math.Min(left, TilesADispatch) : _pacer.NextTiles(left, settings.MaxBounces));
-                count = kept.Limit(count, _rays);
+                count = _exact.Limit(kept.Limit(count, _rays));
                 count = (int)Math.Min(count, DeviceBuffer<uint4>.Most / DeviceScene.MostFew);
                 var watch = Stopwatch.StartNew();
                 FindStarts(usesStarts, first, count, ref result.Work);
-                Dispatch(first, count, kept.Keep, ref result.Work);
+                int returning = Dispatch(first, count, sums, kept.Keep, ref result.Work);
                 _pacer.Took(count, watch.Elapsed.TotalSeconds);
-                if (kept.Wants(_words, _rays))
-                {
-                    _rays.Reserve(RaySums.CountKept(_words));
-                    Dispatch(first, count, kept.Keep, ref result.Work);
-                }
-                sums.Add(_words);
-                kept.Add(_rays, _words, count, ref result.Work);
+                _exact.Follow(returning, sums, kept, ref result.Work, cancel);
+                kept.AddTiles(_rays, count, ref result.Work);
                 first += count;
                 progress?.Report((double)first / tiles.Length);
             }
             sums.WriteTo(result);
+            if (!CountVisits)
+                result.Work.NodesVisited = result.Work.PairsTested = 0; // of some kernels only
+            _exact.Estimate(settings, grid, result, cancel);
         }
 
         // Where the rays of some tiles begin their search.
@@ -205,27 +211,20 @@ namespace Glint
             work.Dispatches++;
         }
 
-        // Traces some tiles and reads back their sums.
-        void Dispatch(int first, int count, KeptRays keep, ref WorkDone work)
+        // Traces some tiles and adds up their sums; returns how many of their rays may be received.
+        int Dispatch(int first, int count, RaySums sums, KeptRays keep, ref WorkDone work)
         {
             _sums.Buffer.SetData(_zeros);
-            _kernel.Dispatch(first, count, keep, _rays);
+            _kernel.Dispatch(first, count, keep, _exact.Returning, _rays);
             _sums.ReadBack(_words, _words.Length);
             work.Dispatches++;
             work.BytesUploaded += _sums.Bytes;
             work.BytesReadBack += _sums.Bytes;
+            sums.Add(_words);
+            return RaySums.CountReturning(_words);
         }
 
         // Finding starts pays when it fills the device: a GPU with few tiles spends on it what it saves.
         bool UsesStarts(int tiles) => _scene.HasFewInstances && (Shortcuts & Shortcuts.Starts) != 0 && (_isSoftware || tiles >= TilesToFillAGpu);
-
-        // No path up to a last hit is longer, metres.
-        double LongestPath(in RadarSettings settings, in RadarView view)
-        {
-            if (_scene.IsEmpty)
-                return 1;
-            double first = math.length(math.max(math.abs(_scene.Low - view.Position), math.abs(_scene.High - view.Position)));
-            return 1.01 * (first + (settings.MaxBounces - 1) * math.length(_scene.High - _scene.Low));
-        }
     }
 }

@@ -14,16 +14,21 @@ namespace Glint
         public static readonly int _InstanceCount = Shader.PropertyToID("_InstanceCount");
         public static readonly int _TopRoot = Shader.PropertyToID("_TopRoot");
 
-        public static readonly int _CameraPosition = Shader.PropertyToID("_CameraPosition");
-        public static readonly int _CameraRight = Shader.PropertyToID("_CameraRight");
-        public static readonly int _CameraUp = Shader.PropertyToID("_CameraUp");
-        public static readonly int _CameraForward = Shader.PropertyToID("_CameraForward");
-        public static readonly int _ReceiverCentre = Shader.PropertyToID("_ReceiverCentre");
-        public static readonly int _ReceiverRight = Shader.PropertyToID("_ReceiverRight");
-        public static readonly int _ReceiverUp = Shader.PropertyToID("_ReceiverUp");
-        public static readonly int _ReceiverForward = Shader.PropertyToID("_ReceiverForward");
+        public static readonly (int value, int rest) _Start = WithRest(nameof(_Start));
+        public static readonly (int value, int rest) _StartRight = WithRest(nameof(_StartRight));
+        public static readonly (int value, int rest) _StartUp = WithRest(nameof(_StartUp));
+        public static readonly (int value, int rest) _Course = WithRest(nameof(_Course));
+        public static readonly (int value, int rest) _CourseRight = WithRest(nameof(_CourseRight));
+        public static readonly (int value, int rest) _CourseUp = WithRest(nameof(_CourseUp));
+        public static readonly (int value, int rest) _ReceiverCentre = WithRest(nameof(_ReceiverCentre));
+        public static readonly (int value, int rest) _ReceiverRight = WithRest(nameof(_ReceiverRight));
+        public static readonly (int value, int rest) _ReceiverUp = WithRest(nameof(_ReceiverUp));
+        public static readonly (int value, int rest) _ReceiverForward = WithRest(nameof(_ReceiverForward));
+        public static readonly int _ReceiverHalfSize = Shader.PropertyToID("_ReceiverHalfSize");
+        public static readonly int _StartDepth = Shader.PropertyToID("_StartDepth");
+        public static readonly int _ReferenceRay = Shader.PropertyToID("_ReferenceRay");
+        public static readonly int _Middle = Shader.PropertyToID("_Middle");
         public static readonly int _RaysAcross = Shader.PropertyToID("_RaysAcross");
-        public static readonly int _RaysDown = Shader.PropertyToID("_RaysDown");
         public static readonly int _Region = Shader.PropertyToID("_Region");
         public static readonly int _MaxBounces = Shader.PropertyToID("_MaxBounces");
         public static readonly int _WaveNumberTurns = Shader.PropertyToID("_WaveNumberTurns");
@@ -35,10 +40,15 @@ namespace Glint
         public static readonly int _TileCount = Shader.PropertyToID("_TileCount");
         public static readonly int _Shortcuts = Shader.PropertyToID("_Shortcuts");
         public static readonly int _Keep = Shader.PropertyToID("_Keep");
-        public static readonly int _RayCapacity = Shader.PropertyToID("_RayCapacity");
+        public static readonly int _FirstReturning = Shader.PropertyToID("_FirstReturning");
+        public static readonly int _ReturningCount = Shader.PropertyToID("_ReturningCount");
+        public static readonly int _SubRays = Shader.PropertyToID("_SubRays");
         public static readonly int _LengthUnits = Shader.PropertyToID("_LengthUnits");
 
+        public static readonly int _Returning = Shader.PropertyToID("_Returning");
         public static readonly int _Rays = Shader.PropertyToID("_Rays");
         public static readonly int _Sums = Shader.PropertyToID("_Sums");
+
+        static (int, int) WithRest(string name) => (Shader.PropertyToID(name), Shader.PropertyToID(name + "Rest"));
     }
 }

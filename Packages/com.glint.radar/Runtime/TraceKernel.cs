@@ -15,7 +15,7 @@ namespace Glint
 
         readonly ComputeShader _shader;
         readonly string _name;
-        readonly int _startsKernel;
+        readonly int _startsKernel, _exactKernel;
         int _kernel;
 
         /// <exception cref="GlintException">The shader is another one, or the device cannot run it.</exception>
@@ -29,6 +29,7 @@ namespace Glint
             _shader = shader;
             _kernel = shader.FindKernel(_name);
             _startsKernel = shader.FindKernel(isSoftware ? "StartsWide" : "Starts");
+            _exactKernel = shader.FindKernel(isSoftware ? "ExactWide" : "Exact");
             if (!shader.IsSupported(_kernel))
                 throw new GlintException($"kernel '{_name}' of compute shader '{shader.name}' does not run on {SystemInfo.graphicsDeviceName}: see the shader's import messages");
         }
@@ -41,25 +42,31 @@ namespace Glint
             _kernel = _shader.FindKernel(_name + kind);
         }
 
-        public void SetRadar(in RadarSettings settings, in RadarView view, float lengthUnits, Shortcuts shortcuts)
+        public void SetRadar(in RadarSettings settings, in RadarView view, RayGrid grid, double3 origin, float lengthUnits, Shortcuts shortcuts)
         {
-            double halfHeight = view.TanHalfFov;
-            SetVector(ShaderIDs._CameraPosition, view.Position);
-            SetVector(ShaderIDs._CameraRight, view.Right * halfHeight * settings.Aspect);
-            SetVector(ShaderIDs._CameraUp, view.Up * halfHeight);
-            SetVector(ShaderIDs._CameraForward, view.Forward);
-            SetVector(ShaderIDs._ReceiverCentre, view.ReceiverCentre);
-            SetVector(ShaderIDs._ReceiverRight, view.ReceiverRight / (view.ReceiverSize.x / 2));
-            SetVector(ShaderIDs._ReceiverUp, view.ReceiverUp / (view.ReceiverSize.y / 2));
+            SetVector(ShaderIDs._Start, grid.Start);
+            SetVector(ShaderIDs._StartRight, grid.StartRight);
+            SetVector(ShaderIDs._StartUp, grid.StartUp);
+            SetVector(ShaderIDs._Course, grid.Course);
+            SetVector(ShaderIDs._CourseRight, grid.CourseRight);
+            SetVector(ShaderIDs._CourseUp, grid.CourseUp);
+            SetVector(ShaderIDs._ReceiverCentre, view.ReceiverCentre - grid.Middle);
+            SetVector(ShaderIDs._ReceiverRight, view.ReceiverRight);
+            SetVector(ShaderIDs._ReceiverUp, view.ReceiverUp);
             SetVector(ShaderIDs._ReceiverForward, view.ReceiverForward);
+            double2 half = view.ReceiverSize / 2;
+            _shader.SetVector(ShaderIDs._ReceiverHalfSize, new Vector4((float)half.x, TwoFloat.Rest(half.x), (float)half.y, TwoFloat.Rest(half.y)));
+            SetNumber(ShaderIDs._StartDepth, grid.StartDepth);
+            SetNumber(ShaderIDs._WaveNumberTurns, 1 / settings.Wavelength);
+            _shader.SetVector(ShaderIDs._ReferenceRay, new Vector4(grid.Reference.x, grid.Reference.y, 0, 0));
+            double3 middle = grid.Middle + origin;
+            _shader.SetVector(ShaderIDs._Middle, new Vector4((float)middle.x, (float)middle.y, (float)middle.z, 0));
             _shader.SetInt(ShaderIDs._RaysAcross, settings.RaysAcross);
-            _shader.SetInt(ShaderIDs._RaysDown, settings.RaysDown);
             var region = settings.Region;
             _shader.SetInts(ShaderIDs._Region, region.IsWhole
                 ? new[] { 0, settings.RaysAcross, 0, settings.RaysDown }
                 : new[] { region.Left, region.Left + region.Width, region.Bottom, region.Bottom + region.Height });
             _shader.SetInt(ShaderIDs._MaxBounces, settings.MaxBounces);
-            _shader.SetFloat(ShaderIDs._WaveNumberTurns, (float)(1 / settings.Wavelength));
             _shader.SetFloat(ShaderIDs._LengthUnits, lengthUnits);
             _shader.SetInt(ShaderIDs._Shortcuts, (int)shortcuts);
         }
@@ -81,17 +88,21 @@ namespace Glint
                 _shader.SetInt(ShaderIDs._InstanceCount, scene.Few.Count);
             }
             _shader.SetInt(ShaderIDs._TopRoot, (int)scene.TopRoot);
-            _shader.SetBuffer(_kernel, ShaderIDs._Top, scene.Top.Buffer);
-            _shader.SetBuffer(_kernel, ShaderIDs._Instances, scene.Instances.Buffer);
-            // Every bank that a kernel declares wants a buffer, read or not.
-            for (int bank = 0; bank < DeviceTrees.MostBanks; bank++)
-                _shader.SetBuffer(_kernel, ShaderIDs._Tree[bank], scene.Banks[bank < scene.Banks.Count ? bank : 0].Rows.Buffer);
+            foreach (int kernel in new[] { _kernel, _exactKernel })
+            {
+                _shader.SetBuffer(kernel, ShaderIDs._Top, scene.Top.Buffer);
+                _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
+                // Every bank that a kernel declares wants a buffer, read or not.
+                for (int bank = 0; bank < DeviceTrees.MostBanks; bank++)
+                    _shader.SetBuffer(kernel, ShaderIDs._Tree[bank], scene.Banks[bank < scene.Banks.Count ? bank : 0].Rows.Buffer);
+            }
         }
 
         public void SetBuffers(DeviceBuffer<uint> tiles, DeviceBuffer<uint> sums)
         {
             _shader.SetBuffer(_kernel, ShaderIDs._Tiles, tiles.Buffer);
             _shader.SetBuffer(_kernel, ShaderIDs._Sums, sums.Buffer);
+            _shader.SetBuffer(_exactKernel, ShaderIDs._Sums, sums.Buffer);
         }
 
         public void SetStarts(DeviceBuffer<uint4> starts) => _shader.SetBuffer(_kernel, ShaderIDs._Starts, starts.Buffer);
@@ -107,19 +118,42 @@ namespace Glint
             DispatchGroups(_startsKernel, (int)(((long)count * scene.Few.Count + 63) / 64));
         }
 
-        /// <summary>Traces some of the tiles.</summary>
-        public void Dispatch(int firstTile, int count, KeptRays keep, DeviceBuffer<RayData> rays)
+        /// <summary>Follows the rays of some of the tiles; lists those that may be received.</summary>
+        /// <param name="rays">Takes the others when all are to be kept.</param>
+        public void Dispatch(int firstTile, int count, KeptRays keep, DeviceBuffer<ReceivedRay> returning, DeviceBuffer<RayData> rays)
         {
             _shader.SetInt(ShaderIDs._FirstTile, firstTile);
             _shader.SetInt(ShaderIDs._TileCount, count);
-            _shader.SetInt(ShaderIDs._Keep, keep == KeptRays.None ? 0 : keep == KeptRays.Received ? 1 : 2);
-            _shader.SetInt(ShaderIDs._RayCapacity, rays.Capacity);
-            _shader.SetBuffer(_kernel, ShaderIDs._Rays, rays.Buffer);
+            SetOutput(_kernel, keep, returning, rays);
             DispatchGroups(_kernel, count);
+        }
+
+        /// <summary>Follows listed rays once more, in two-float arithmetic.</summary>
+        /// <param name="subRays">Along the side of a ray's place: 1, or 2 to 8 to divide it.</param>
+        public void DispatchExact(int first, int count, int subRays, KeptRays keep, DeviceBuffer<ReceivedRay> returning, DeviceBuffer<RayData> rays)
+        {
+            _shader.SetInt(ShaderIDs._FirstReturning, first);
+            _shader.SetInt(ShaderIDs._ReturningCount, count);
+            _shader.SetInt(ShaderIDs._SubRays, subRays);
+            SetOutput(_exactKernel, keep, returning, rays);
+            DispatchGroups(_exactKernel, (int)(((long)count * subRays * subRays + 63) / 64));
+        }
+
+        void SetOutput(int kernel, KeptRays keep, DeviceBuffer<ReceivedRay> returning, DeviceBuffer<RayData> rays)
+        {
+            _shader.SetInt(ShaderIDs._Keep, keep == KeptRays.None ? 0 : keep == KeptRays.Received ? 1 : 2);
+            _shader.SetBuffer(kernel, ShaderIDs._Returning, returning.Buffer);
+            _shader.SetBuffer(kernel, ShaderIDs._Rays, rays.Buffer);
         }
 
         void DispatchGroups(int kernel, int groups) => _shader.Dispatch(kernel, math.min(groups, GroupsARow), (groups + GroupsARow - 1) / GroupsARow, 1);
 
-        void SetVector(int id, double3 v) => _shader.SetVector(id, new Vector4((float)v.x, (float)v.y, (float)v.z, 0));
+        void SetVector((int value, int rest) id, double3 v)
+        {
+            _shader.SetVector(id.value, new Vector4((float)v.x, (float)v.y, (float)v.z, 0));
+            _shader.SetVector(id.rest, new Vector4(TwoFloat.Rest(v.x), TwoFloat.Rest(v.y), TwoFloat.Rest(v.z), 0));
+        }
+
+        void SetNumber(int id, double value) => _shader.SetVector(id, new Vector4((float)value, TwoFloat.Rest(value), 0, 0));
     }
 }

@@ -15,20 +15,27 @@ StructuredBuffer<InstanceRecord> _Instances;
 uint _TopRoot;                              // where the search starts
 #endif
 
-// Input: the radar. Positions in m; axes are unit vectors.
-float4 _CameraPosition;
-float4 _CameraRight;                        // times half the picture's width at distance 1
-float4 _CameraUp;                           // times half the picture's height at distance 1
-float4 _CameraForward;
-float4 _ReceiverCentre;
-float4 _ReceiverRight;                      // divided by half the receiver's width
-float4 _ReceiverUp;                         // divided by half the receiver's height
-float4 _ReceiverForward;
+// Input: the radar, about the middle of the scene, m. Each number is given by its float32 and by the rest that this leaves out.
+// Start and direction of a ray are linear in its place in the picture: in rays to the right of and above _ReferenceRay.
+float4 _Start, _StartRest;                  // on a plane between the radar and the scene, at the radar if this is in the scene
+float4 _StartRight, _StartRightRest;
+float4 _StartUp, _StartUpRest;
+float4 _Course, _CourseRest;                // direction; a unit vector on the axis of the picture
+float4 _CourseRight, _CourseRightRest;
+float4 _CourseUp, _CourseUpRest;
+float4 _StartDepth;                         // x: from the radar to the plane along the axis; y: the rest
+float4 _ReferenceRay;                       // x, y: whole numbers of rays from the left and bottom edge
+float4 _ReceiverCentre, _ReceiverCentreRest;
+float4 _ReceiverRight, _ReceiverRightRest;  // unit vectors
+float4 _ReceiverUp, _ReceiverUpRest;
+float4 _ReceiverForward, _ReceiverForwardRest;
+float4 _ReceiverHalfSize;                   // x: half its width, y: the rest; z, w: the same of its height
+float4 _Middle;                             // of the scene, in the world
 uint _RaysAcross;
 uint _RaysDown;
 uint4 _Region;                              // rays traced: first and one past the last across, first and one past the last down
 uint _MaxBounces;
-float _WaveNumberTurns;                     // 1 / wavelength, turns per m
+float4 _WaveNumberTurns;                    // x: 1 / wavelength, turns per m; y: the rest
 
 // Input: the work of this dispatch.
 StructuredBuffer<uint> _Tiles;              // 8 x 8 rays each: column | row << 16
@@ -37,12 +44,15 @@ uint _TileCount;                            // of this dispatch
 StructuredBuffer<uint4> _Starts;            // where the rays of each tile begin their search, four places a tile: one an instance
 uint _Shortcuts;                            // SHORTCUT_ flags
 uint _Keep;                                 // KEEP_ what is written to _Rays
-uint _RayCapacity;                          // rays that _Rays holds
-float _LengthUnits;                         // units of length sums a m: the longest path takes 2^30
+float _LengthUnits;                         // units of length sums a m: the longest path beyond _StartDepth takes 2^30
+uint _FirstReturning;                       // rays of _Returning to follow
+uint _ReturningCount;
+uint _SubRays;                              // along the side of a ray's place: 1 for the ray itself
 
 // Output.
 RWStructuredBuffer<RayData> _Rays;
 RWStructuredBuffer<uint> _Sums;             // see Sums.hlsl
+RWStructuredBuffer<uint2> _Returning;       // rays that may be received: pixel, place in the order of tiles. The exact kernels put instead: pixel, or NO_PIXEL if it is not received; length beyond twice _StartDepth, m
 RWStructuredBuffer<uint4> _FoundStarts;     // what the kernels Starts and StartsWide find for _Starts
 
 // The same numbers in C#: Shortcuts, TraceKernel, DeviceScene; a test compares them.
@@ -50,7 +60,7 @@ static const uint SHORTCUT_REACH = 1;       // nothing is searched for beyond th
 static const uint SHORTCUT_LAST = 2;        // the last segment is searched only if it meets the receiver
 static const uint SHORTCUT_STARTS = 8;      // the first segment begins at the starts of its tile
 static const uint KEEP_NONE = 0;
-static const uint KEEP_RECEIVED = 1;        // in any order, counted in SUM_KEPT
+static const uint KEEP_RECEIVED = 1;        // in the order of _Returning, with those that are not received after all
 static const uint KEEP_ALL = 2;             // in the order of tiles, 64 a tile
 static const uint NO_STARTS = 0xffffffff;
 static const uint MOST_FEW = 4;             // instances that need no tree over them

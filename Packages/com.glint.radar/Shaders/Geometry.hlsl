@@ -3,8 +3,6 @@
 
 #include "Types.hlsl"
 
-static const float TWO_PI = 6.28318530717958647692;
-
 // Distance of a segment that hits nothing, m.
 static const float MISS = 3.0e38;
 
@@ -78,12 +76,6 @@ float2 HitPair(SearchRay ray, float3 corner0, float3 corner1, float3 corner2, fl
     float first = HitTriangle(float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), float3(p0.z, p1.z, p2.z));
     float second = HitTriangle(float3(SideOf(p2, p3), SideOf(p3, p0), -diagonal), float3(p0.z, p2.z, p3.z));
     return float2(first, second);
-}
-
-// Distance along the ray to a plane through a point, m.
-float HitPlane(float3 origin, float3 direction, float3 onPlane, float3 normal)
-{
-    return dot(normal, onPlane - origin) / dot(normal, direction);
 }
 
 #endif

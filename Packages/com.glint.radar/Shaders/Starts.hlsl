@@ -7,33 +7,43 @@
 // at most four references to nodes or leaves that together hold all that the beam can meet, nearest first.
 static const uint MOST_STARTS = 4;
 
-// So much wider than the rays of its tile is a beam, in pixels: many times the rounding of directions.
+// So much wider than the rays of its tile is a beam, in rays: many times the rounding of directions.
 static const float BEAM_MARGIN = 0.05;
 
-// A pyramid from the camera, in the tree's frame: the inward normals of its sides.
+// What lies between four planes beside the rays, and beyond the one where they start, in the tree's frame.
 struct Beam
 {
-    float3 Apex;
-    float3 Axis;
+    float3 Corner;        // the start of the lower left ray
+    float3 Axis;          // normals, inward
     float3 Left, Right, Below, Above;
+    float2 Width;         // from the corner inward to the planes on the right and above
 };
 
-float3 SideNormal(float3 edge, float3 nextEdge, float3 axis)
+// The plane that two rays lie in, with all between them.
+float3 SideNormal(float3 course, float3 edge, float3 inward)
 {
-    float3 normal = normalize(cross(edge, nextEdge));
-    return dot(normal, axis) < 0.0 ? -normal : normal;
+    float3 normal = normalize(cross(course, edge));
+    return dot(normal, inward) < 0.0 ? -normal : normal;
 }
 
-// From the directions through the corners of a tile: lower left, lower right, upper left, upper right.
-Beam MakeBeam(float3 apex, float3 a, float3 b, float3 c, float3 d)
+// Around the rays of a square of the picture.
+// Low: its lower left corner, in rays from _ReferenceRay.
+Beam MakeBeam(InstanceRecord place, float2 low, float side)
 {
+    float3 startRight = side * VectorToLocal(place, _StartRight.xyz), startUp = side * VectorToLocal(place, _StartUp.xyz);
+    float3 courseRight = side * VectorToLocal(place, _CourseRight.xyz), courseUp = side * VectorToLocal(place, _CourseUp.xyz);
+    float3 course = VectorToLocal(place, _Course.xyz + low.x * _CourseRight.xyz + low.y * _CourseUp.xyz);
+    // From ray to ray, at the start or beyond: the same direction.
+    float3 right = startRight + courseRight, up = startUp + courseUp;
+
     Beam beam;
-    beam.Apex = apex;
-    beam.Axis = normalize(a + b + c + d);
-    beam.Left = SideNormal(a, c, beam.Axis);
-    beam.Right = SideNormal(b, d, beam.Axis);
-    beam.Below = SideNormal(a, b, beam.Axis);
-    beam.Above = SideNormal(c, d, beam.Axis);
+    beam.Corner = PointToLocal(place, _Start.xyz + low.x * _StartRight.xyz + low.y * _StartUp.xyz);
+    beam.Axis = SideNormal(right, up, course);
+    beam.Left = SideNormal(course, up, right);
+    beam.Right = SideNormal(course + courseRight, up, -right);
+    beam.Below = SideNormal(course, right, up);
+    beam.Above = SideNormal(course + courseUp, right, -up);
+    beam.Width = -float2(dot(beam.Right, startRight), dot(beam.Above, startUp));
     return beam;
 }
 
@@ -43,13 +53,14 @@ float Farthest(float3 direction, float3 centre, float3 halfSize)
     return dot(direction, centre) + dot(abs(direction), halfSize);
 }
 
-// A distance that no ray of the beam is nearer to the box than; MISS if none meets it.
+// A distance, from the plane of the starts, that no ray of the beam is nearer to the box than; MISS if none meets it.
 float EnterBeam(Beam beam, float3 low, float3 high)
 {
-    float3 centre = 0.5 * (low + high) - beam.Apex, halfSize = 0.5 * (high - low);
+    float3 centre = 0.5 * (low + high) - beam.Corner, halfSize = 0.5 * (high - low);
     float3 size = abs(centre) + halfSize;
     float rounding = 1.0e-5 * (size.x + size.y + size.z);
-    float least = min(min(Farthest(beam.Left, centre, halfSize), Farthest(beam.Right, centre, halfSize)), min(Farthest(beam.Below, centre, halfSize), Farthest(beam.Above, centre, halfSize)));
+    float least = min(Farthest(beam.Left, centre, halfSize), Farthest(beam.Right, centre, halfSize) + beam.Width.x);
+    least = min(least, min(Farthest(beam.Below, centre, halfSize), Farthest(beam.Above, centre, halfSize) + beam.Width.y));
     least = min(least, Farthest(beam.Axis, centre, halfSize));
     return least >= -rounding ? -Farthest(-beam.Axis, centre, halfSize) : MISS;
 }

@@ -11,7 +11,7 @@ static const uint SUM_WORDS = 64;
 static const uint SUM_HITS = 0;
 static const uint SUM_BOUNCES = 1;
 static const uint SUM_RECEIVED = 2;
-static const uint SUM_KEPT = 3;             // rays written one by one, or wanting to be when there is no room; in the first slot only
+static const uint SUM_RETURNING = 3;        // rays in _Returning; in the first slot only
 static const uint SUM_LENGTH = 4;
 static const uint SUM_IN_PHASE = 6;
 static const uint SUM_QUADRATURE = 8;
@@ -47,11 +47,6 @@ void AddSigned(uint word, int value)
     AddHalves(word, (uint)value, value < 0 ? 0xffffffff : 0);
 }
 
-bool IsReceived(RayData ray)
-{
-    return ray.InPhase != 0.0 || ray.Quadrature != 0.0;
-}
-
 uint InLengthUnits(float length)
 {
     return (uint)(length * _LengthUnits + 0.5);
@@ -62,26 +57,23 @@ int InPhasorUnits(float part)
     return (int)round(part * PHASOR_UNITS);
 }
 
-void CountPhase(uint slot, float phase)
-{
-    AddTo(slot + SUM_HISTOGRAM + min(PHASE_BINS - 1, (uint)(phase / TWO_PI * PHASE_BINS)), 1);
-}
-
 // Ray by ray: adding within a group first gains a GPU nothing, and its barriers cost a software device a tenth of its time.
-void AddToSums(RayData ray, float lengthToLastHit, uint slot)
+void AddPath(uint slot, uint bounces, float lengthBeyond)
 {
-    if (ray.Bounces == 0)
+    if (bounces == 0)
         return;
     AddTo(slot + SUM_HITS, 1);
-    AddTo(slot + SUM_BOUNCES, ray.Bounces);
-    AddUnsigned(slot + SUM_LENGTH, InLengthUnits(lengthToLastHit));
-    if (IsReceived(ray))
-    {
-        AddTo(slot + SUM_RECEIVED, 1);
-        AddSigned(slot + SUM_IN_PHASE, InPhasorUnits(ray.InPhase));
-        AddSigned(slot + SUM_QUADRATURE, InPhasorUnits(ray.Quadrature));
-        CountPhase(slot, ray.Phase);
-    }
+    AddTo(slot + SUM_BOUNCES, bounces);
+    AddUnsigned(slot + SUM_LENGTH, InLengthUnits(lengthBeyond));
+}
+
+// Turns: phase as a part of a turn, 0 to 1.
+void AddReceived(uint slot, float turns, float2 phasor)
+{
+    AddTo(slot + SUM_RECEIVED, 1);
+    AddSigned(slot + SUM_IN_PHASE, InPhasorUnits(phasor.x));
+    AddSigned(slot + SUM_QUADRATURE, InPhasorUnits(phasor.y));
+    AddTo(slot + SUM_HISTOGRAM + min(PHASE_BINS - 1, (uint)(turns * PHASE_BINS)), 1);
 }
 
 #endif

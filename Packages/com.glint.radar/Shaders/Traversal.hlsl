@@ -1,6 +1,8 @@
 #ifndef GLINT_TRAVERSAL
 #define GLINT_TRAVERSAL
 
+#include "Real.hlsl"
+
 #ifdef GLINT_WIDE
 #include "SearchWide.hlsl"
 #else
@@ -93,34 +95,61 @@ Found FindNearest(float3 origin, float3 direction, float reach, uint firstStart,
 // The triangle found, as the ray meets it.
 struct Surface
 {
-    float Distance;       // from the ray's origin to the triangle's plane, m
-    float3 Normal;        // unit vector in the world; its side is arbitrary
+    Real Distance;        // from the ray's origin to the triangle's plane, m
+    Real3 Normal;         // in the scene, a unit vector by float32; its side is arbitrary
     float Lever;          // from the corner that the plane is known by to the hit: the lever of the normal's rounding, as a height in m
     InstanceRecord Place; // the rest in the mesh's frame
     float3 LocalNormal;   // unit vector
     float3 Corner;
-    float Scale;          // height above the plane here, of 1 m in the world
+    float Scale;          // height above the plane here, of 1 m in the scene
 };
 
+#ifdef GLINT_EXACT
+Two3 VectorToLocal(InstanceRecord place, Two3 v)
+{
+    return MakeTwo3(
+        Dot(MakeReal3(place.ToLocalX.xyz, place.RestX.xyz), v),
+        Dot(MakeReal3(place.ToLocalY.xyz, place.RestY.xyz), v),
+        Dot(MakeReal3(place.ToLocalZ.xyz, place.RestZ.xyz), v));
+}
+
+Two3 PointToLocal(InstanceRecord place, Two3 p)
+{
+    return Plus(VectorToLocal(place, p), MakeReal3(float3(place.ToLocalX.w, place.ToLocalY.w, place.ToLocalZ.w), float3(place.RestX.w, place.RestY.w, place.RestZ.w)));
+}
+#endif
+
+// Normals go by the transpose of the inverse.
+Real3 NormalFromLocal(InstanceRecord place, Real3 normal)
+{
+#ifdef GLINT_EXACT
+    Two3 x = Times(MakeReal3(place.ToLocalX.xyz, place.RestX.xyz), normal.X);
+    Two3 y = Times(MakeReal3(place.ToLocalY.xyz, place.RestY.xyz), normal.Y);
+    Two3 z = Times(MakeReal3(place.ToLocalZ.xyz, place.RestZ.xyz), normal.Z);
+    return Plus(Plus(x, y), z);
+#else
+    return normal.x * place.ToLocalX.xyz + normal.y * place.ToLocalY.xyz + normal.z * place.ToLocalZ.xyz;
+#endif
+}
+
 // Origin may lie on the start of the search or near it.
-Surface LoadSurface(Found found, float3 origin, float3 direction)
+Surface LoadSurface(Found found, Real3 origin, Real3 direction)
 {
     InstanceRecord place = LoadInstance(found.Instance);
     Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
-    float3 third = found.Second ? pair.Corner3 : pair.Corner1;
-    float3 normal = normalize(cross(pair.Corner2 - pair.Corner0, third - pair.Corner0));
-    float3 localOrigin = PointToLocal(place, origin), localDirection = VectorToLocal(place, direction);
-    // Normals go by the transpose of the inverse.
-    float3 worldNormal = normal.x * place.ToLocalX.xyz + normal.y * place.ToLocalY.xyz + normal.z * place.ToLocalZ.xyz;
+    Real3 normal = Cross(Difference(pair.Corner2, pair.Corner0), Difference(found.Second ? pair.Corner3 : pair.Corner1, pair.Corner0));
+    normal = Times(normal, 1.0 / length(Rounded(normal)));
+    Real3 localOrigin = PointToLocal(place, origin), localDirection = VectorToLocal(place, direction);
+    Real3 sceneNormal = NormalFromLocal(place, normal);
 
     Surface surface;
     surface.Place = place;
-    surface.LocalNormal = normal;
+    surface.LocalNormal = Rounded(normal);
     surface.Corner = pair.Corner0;
-    surface.Scale = length(worldNormal);
-    surface.Normal = worldNormal / surface.Scale;
-    surface.Distance = HitPlane(localOrigin, localDirection, pair.Corner0, normal);
-    float3 lever = abs(localOrigin + surface.Distance * localDirection - pair.Corner0);
+    surface.Scale = length(Rounded(sceneNormal));
+    surface.Normal = Times(sceneNormal, 1.0 / surface.Scale);
+    surface.Distance = ToPlane(localOrigin, localDirection, MakeReal3(pair.Corner0, 0.0), normal);
+    float3 lever = abs(Rounded(localOrigin) + Rounded(surface.Distance) * Rounded(localDirection) - pair.Corner0);
     surface.Lever = max(lever.x, max(lever.y, lever.z)) / surface.Scale;
     return surface;
 }
@@ -138,7 +167,7 @@ float3 StartBefore(Surface surface, float3 start, float3 direction, float toHit)
     float3 size = abs(start + toHit * direction);
     float clear = HIT_ROUNDING * surface.Lever;
     float back = max(clear, HIT_ROUNDING * max(max(toHit, size.x), max(size.y, size.z)));
-    bool isBehind = dot(surface.Normal, direction) > 0.0;
+    bool isBehind = dot(Rounded(surface.Normal), direction) > 0.0;
     float3 next = start;
     [loop]
     for (uint i = 0; i < MOST_DOUBLINGS; i++)

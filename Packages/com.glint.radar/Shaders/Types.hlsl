@@ -6,22 +6,25 @@
 // GLINT_RAY_DATA: one ray as the kernel writes it (Core/Radar/RayData.cs).
 struct RayData
 {
-    float3 LastHit;       // m; the camera for a ray that hit nothing
-    float PathLength;     // m; received: camera to last hit to receiver plane, else camera to last hit
+    float3 LastHit;       // m, in the world; where it left the radar for a ray that hit nothing
+    float PathLength;     // m; received: radar to last hit to receiver plane, else radar to last hit
     float3 Direction;     // of the last segment
-    float Phase;          // rad, 0 to 2 pi; 0 if not received
+    float PathLengthRest; // m; what float32 leaves out of it, if received
     float InPhase;        // cos(phase), 0 if not received
     float Quadrature;     // sin(phase), 0 if not received
     uint Pixel;           // x + y * rays across; NO_PIXEL outside the picture
     uint Bounces;
 };
 
-// GLINT_INSTANCE: a mesh's tree at its place in the world (Runtime/InstanceRecord.cs).
+// GLINT_INSTANCE: a mesh's tree at its place in the scene (Runtime/InstanceRecord.cs).
 struct InstanceRecord
 {
-    float4 ToLocalX;      // rows of the matrix from the world to the mesh's frame
+    float4 ToLocalX;      // rows of the matrix from the middle of the scene to the mesh's frame
     float4 ToLocalY;
     float4 ToLocalZ;
+    float4 RestX;         // what float32 leaves out of them
+    float4 RestY;
+    float4 RestZ;
     uint FirstRow;        // where the tree starts in its bank, in rows of 16 bytes
     uint Bank;
     uint Unused0;

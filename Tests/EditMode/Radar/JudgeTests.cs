@@ -83,42 +83,6 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void FindNearest_RandomTriangles_IsTheNearestOfAll()
-        {
-            var scene = TestRadar.Clutter(500, seed: 3);
-            var tree = new JudgeTree(new RadarScene(scene), double3(20, 0, 0));
-            var random = new System.Random(5);
-            int hits = 0;
-            for (int i = 0; i < 2000; i++)
-            {
-                double3 origin = 12 * double3(random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1);
-                double3 direction = i % 10 == 0 ? double3(0, 0, 1) : normalize(double3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5));
-                int expected = BruteForce.Nearest(scene, origin, direction, out double distance);
-                int hit = tree.FindNearest(origin, direction, -1, out double found);
-                Assert.That(hit < 0 ? hit : tree.Number(hit), Is.EqualTo(expected), $"ray {i}");
-                if (expected < 0)
-                    continue;
-                hits++;
-                Assert.That(found, Is.EqualTo(distance).Within(Nanometre), $"ray {i}");
-            }
-            Assert.That(hits, Is.GreaterThan(200));
-        }
-
-        [Test]
-        public void FindNearest_SeveralAtTheSameDistance_IsTheOneOfTheLowestNumber()
-        {
-            var plates = Enumerable.Range(0, 40).Select(_ => TestRadar.FacingPlate(4, 5)).ToArray();
-            var tree = new JudgeTree(new RadarScene(TestRadar.Join(plates)), 0);
-            for (int i = 0; i < 100; i++)
-            {
-                double3 direction = normalize(double3(0.003 * (i - 50), 0.1, 1));
-                int hit = tree.FindNearest(0, direction, -1, out double distance);
-                Assert.That(distance * direction.z, Is.EqualTo(5).Within(Nanometre));
-                Assert.That(tree.Number(hit), Is.LessThan(2), "the first plate");
-            }
-        }
-
-        [Test]
         public void TraceAll_Instances_AreTheTrianglesAtTheirPlacesCountedInOrder()
         {
             // One turned and stretched, one mirrored.
@@ -161,6 +125,54 @@ namespace Glint.Tests
             Assert.That(judge.Sum(part).RaysHit, Is.GreaterThan(100));
             for (int i = 0; i < part.Length; i++)
                 Assert.That(part[i], Is.EqualTo(whole[(31 + i / 40) * 160 + 70 + i % 40]), $"ray {i}");
+        }
+
+        [Test]
+        public void Trace_BetweenTheMiddlesOfPixels_IsTheRayOfAFinerPicture([Values] bool isParallel)
+        {
+            var scene = new RadarScene(TestRadar.Clutter(100, 3));
+            var view = TestRadar.LookAt(double3(3, 14, -25), 0);
+            view.ApertureHeight = isParallel ? 20 : 0;
+            var judge = new Judge(scene, TestRadar.Settings(160, 90), view);
+            var finer = new Judge(scene, TestRadar.Settings(480, 270), view).TraceAll();
+            Assert.That(finer.Count(ray => ray.Bounces > 0), Is.GreaterThan(1000));
+            for (int pixel = 0; pixel < finer.Length; pixel++)
+            {
+                var ray = judge.Trace((pixel % 480 - 1) / 3.0, (pixel / 480 - 1) / 3.0);
+                Assert.That(ray.Way, Is.EqualTo(finer[pixel].Way), $"ray {pixel}");
+                Assert.That(ray.LengthToLastHit, Is.EqualTo(finer[pixel].LengthToLastHit).Within(Nanometre), $"ray {pixel}");
+            }
+        }
+
+        [Test]
+        public void Trace_ParallelRays_StartInTheMiddlesOfTheCellsOfTheAperture()
+        {
+            // 3 x 2 cells of 2 m; nothing is hit.
+            var view = TestRadar.LookAt(double3(1, 2, 3), double3(1, 2, 103));
+            view.ApertureHeight = 4;
+            var judge = new Judge(new RadarScene(TestRadar.Empty), TestRadar.Settings(3, 2), view);
+            var rays = judge.TraceAll();
+            Assert.That(rays.Select(ray => ray.LastHit), Is.EqualTo(new[] { double3(-1, 1, 3), double3(1, 1, 3), double3(3, 1, 3), double3(-1, 3, 3), double3(1, 3, 3), double3(3, 3, 3) }));
+            Assert.That(rays.Select(ray => ray.Direction), Is.All.EqualTo(double3(0, 0, 1)));
+            Assert.That(judge.Sum(rays).RayArea, Is.EqualTo(4));
+        }
+
+        [Test]
+        public void Trace_OfTheSameSceneFarAway_IsTheSame()
+        {
+            // The sums of places are not exact a thousand kilometres out: 2e-10 m.
+            var clutter = TestRadar.Clutter(200, 3);
+            double3 far = double3(1e6, -3e5, 2e6);
+            var moved = Affine.Identity;
+            moved.Origin = far;
+            var near = new Judge(new RadarScene(clutter), TestRadar.Settings(), TestRadar.LookAt(double3(3, 14, -25), 0)).TraceAll();
+            var away = new Judge(new RadarScene(new MeshInstance { Mesh = clutter, ToWorld = moved }), TestRadar.Settings(), TestRadar.LookAt(far + double3(3, 14, -25), far)).TraceAll();
+            Assert.That(near.Count(ray => ray.Bounces > 1), Is.GreaterThan(100));
+            for (int pixel = 0; pixel < near.Length; pixel++)
+            {
+                Assert.That(away[pixel].Way, Is.EqualTo(near[pixel].Way), $"pixel {pixel}");
+                Assert.That(away[pixel].LengthToLastHit, Is.EqualTo(near[pixel].LengthToLastHit).Within(1e-8), $"pixel {pixel}");
+            }
         }
 
         [Test]

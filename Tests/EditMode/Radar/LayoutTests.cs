@@ -17,15 +17,16 @@ namespace Glint.Tests
         public void SharedStructs_AreWholeRowsOfSixteenBytes()
         {
             Assert.That(Marshal.SizeOf<RayData>(), Is.EqualTo(48));
-            Assert.That(Marshal.SizeOf<InstanceRecord>(), Is.EqualTo(64));
+            Assert.That(Marshal.SizeOf<InstanceRecord>(), Is.EqualTo(112));
         }
 
         [Test]
         public void SharedStructs_ReadByAKernel_HaveTheFieldsThatCSharpWrote()
         {
-            var ray = new RayData { LastHit = float3(1, 2, 3), PathLength = 4, Direction = float3(5, 6, 7), Phase = 8, InPhase = 9, Quadrature = 10, Pixel = 11, Bounces = 12 };
-            var instance = new InstanceRecord { ToLocalX = float4(13, 14, 15, 16), ToLocalY = float4(17, 18, 19, 20), ToLocalZ = float4(21, 22, 23, 24), FirstRow = 25, Bank = 26 };
-            var expected = Enumerable.Range(1, 26).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
+            var ray = new RayData { LastHit = float3(1, 2, 3), PathLength = 4, Direction = float3(5, 6, 7), PathLengthRest = 8, InPhase = 9, Quadrature = 10, Pixel = 11, Bounces = 12 };
+            var instance = new InstanceRecord { ToLocalX = float4(13, 14, 15, 16), ToLocalY = float4(17, 18, 19, 20), ToLocalZ = float4(21, 22, 23, 24),
+                RestX = float4(25, 26, 27, 28), RestY = float4(29, 30, 31, 32), RestZ = float4(33, 34, 35, 36), FirstRow = 37, Bank = 38 };
+            var expected = Enumerable.Range(1, 38).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
 
             Assert.That(Unpack(ray, instance, expected.Length), Is.EqualTo(expected));
         }
@@ -38,6 +39,10 @@ namespace Glint.Tests
             float4 point = float4(0.5f, -1.5f, 2, 1);
             var taken = double3(dot(record.ToLocalX, point), dot(record.ToLocalY, point), dot(record.ToLocalZ, point));
             Assert.That(distance(taken, place.Point(double3(0.5, -1.5, 2))), Is.LessThan(1e-5));
+            var third = new Affine { X = double3(1, 2, 3) / 3, Y = double3(4, 5, 7) / 3, Z = double3(-2, 6, 1) / 3, Origin = double3(10, 20, 30) / 3 };
+            record = InstanceRecord.Of(third, 3, 4);
+            var row = (double4)record.ToLocalX + (double4)record.RestX;
+            Assert.That(length(row - double4(third.X.x, third.Y.x, third.Z.x, third.Origin.x)), Is.LessThan(1e-13));
         }
 
         [Test]
@@ -47,7 +52,7 @@ namespace Glint.Tests
             var expected = new Dictionary<string, int>
             {
                 ["SUM_SLOTS"] = RaySums.Slots, ["SUM_WORDS"] = RaySums.WordsPerSlot, ["SUM_HITS"] = RaySums.Hits, ["SUM_BOUNCES"] = RaySums.Bounces,
-                ["SUM_RECEIVED"] = RaySums.Received, ["SUM_KEPT"] = RaySums.Kept, ["SUM_LENGTH"] = RaySums.Length, ["SUM_IN_PHASE"] = RaySums.InPhase,
+                ["SUM_RECEIVED"] = RaySums.Received, ["SUM_RETURNING"] = RaySums.Returning, ["SUM_LENGTH"] = RaySums.Length, ["SUM_IN_PHASE"] = RaySums.InPhase,
                 ["SUM_QUADRATURE"] = RaySums.Quadrature, ["SUM_NODES"] = RaySums.Nodes, ["SUM_PAIRS"] = RaySums.Pairs, ["SUM_HISTOGRAM"] = RaySums.Histogram,
                 ["PHASE_BINS"] = Signal.PhaseBins,
             };
@@ -75,7 +80,7 @@ namespace Glint.Tests
                 .ToDictionary(match => match.Groups[1].Value, match => int.Parse(match.Groups[2].Value));
         }
 
-        static bool IsWhole(int field) => new[] { 11, 12, 25, 26 }.Contains(field);
+        static bool IsWhole(int field) => new[] { 11, 12, 37, 38 }.Contains(field);
 
         static uint[] Unpack(RayData ray, InstanceRecord instance, int count)
         {

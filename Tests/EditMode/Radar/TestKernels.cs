@@ -11,6 +11,8 @@ namespace Glint.Tests
 
         public static ComputeShader Layout => Load("Packages/com.glint.tests/EditMode/Shaders/Layout.compute");
 
+        public static ComputeShader TwoFloat => Load("Packages/com.glint.tests/EditMode/Shaders/TwoFloat.compute");
+
         /// <summary>One pose of a mesh in the world's axes through the product's kernel.</summary>
         public static RadarResult TraceOnce(TriangleMesh mesh, in RadarSettings settings, in RadarView view, KeptRays keep = KeptRays.Received)
         {

@@ -28,9 +28,19 @@ namespace Glint.Tests
             };
         }
 
+        /// <summary>Where the ray of a pixel starts: in the middle of its cell of the aperture, if the rays are parallel.</summary>
+        public static double3 Start(in RadarSettings settings, in RadarView view, int pixel)
+        {
+            double spacing = view.ApertureHeight / settings.RaysDown;
+            double x = pixel % settings.RaysAcross + 0.5 - 0.5 * settings.RaysAcross, y = pixel / settings.RaysAcross + 0.5 - 0.5 * settings.RaysDown;
+            return view.Position + spacing * (x * view.Right + y * view.Up);
+        }
+
         /// <summary>Direction through the middle of a pixel, by the definition of a field of view.</summary>
         public static double3 Direction(in RadarSettings settings, in RadarView view, int pixel)
         {
+            if (view.IsParallel)
+                return view.Forward;
             double height = 2 * tan(radians(view.VerticalFovDegrees) / 2);
             double width = height * settings.RaysAcross / settings.RaysDown;
             double x = (pixel % settings.RaysAcross + 0.5) / settings.RaysAcross - 0.5;

@@ -77,9 +77,12 @@ namespace Glint.Tests
         {
             var inOne = Pose(keep: KeptRays.Received);
             var inMany = Pose(tracer => tracer.TilesADispatch = 37, KeptRays.Received);
-            // Each finds the starts of its tiles first.
-            Assert.That(inOne.Work.Dispatches, Is.EqualTo(2));
-            Assert.That(inMany.Work.Dispatches, Is.EqualTo(2 * ((inMany.Work.TilesTraced + 36) / 37)));
+            // The starts of the tiles, the rays, those that may be received once more, and smaller ones around these.
+            Assert.That(inOne.Work.Dispatches, Is.EqualTo(4));
+            long slices = (inMany.Work.TilesTraced + 36) / 37;
+            Assert.That(inMany.Work.Dispatches, Is.InRange(2 * slices + 2, 3 * slices + 1));
+            Assert.That(inMany.Work.RaysFollowedExactly, Is.EqualTo(inOne.Work.RaysFollowedExactly));
+            Assert.That(inMany.Work.SubRays, Is.EqualTo(inOne.Work.SubRays));
             AssertSame(inMany, inOne);
             Assert.That(inMany.Rays, Is.EqualTo(inOne.Rays));
         }
@@ -100,8 +103,10 @@ namespace Glint.Tests
             AssertSame(Pose(keep: KeptRays.All), none);
             Assert.That(none.Rays, Is.Empty);
             Assert.That(received.Rays.Length, Is.EqualTo(none.RaysReceived));
-            Assert.That(none.Work.BytesReadBack, Is.EqualTo(RaySums.Slots * RaySums.WordsPerSlot * 4), "sums only");
-            Assert.That(received.Work.BytesReadBack - none.Work.BytesReadBack, Is.EqualTo(48 * none.RaysReceived), "and received rays only");
+            long mayReturn = none.Work.RaysFollowedExactly;
+            Assert.That(mayReturn, Is.InRange(none.RaysReceived, 1.1 * none.RaysReceived), "few more than are received");
+            Assert.That(none.Work.BytesReadBack, Is.EqualTo(3 * RaySums.Slots * RaySums.WordsPerSlot * 4 + 8 * mayReturn), "sums, and pixel and length of what is received");
+            Assert.That(received.Work.BytesReadBack - none.Work.BytesReadBack, Is.EqualTo(48 * mayReturn), "and these rays only");
         }
 
         [Test]
@@ -188,7 +193,7 @@ namespace Glint.Tests
                 var second = tracer.Trace(s_settings, s_view, KeptRays.None);
                 AssertSame(second, first);
                 Assert.That(second.Work.TreesBuilt, Is.Zero);
-                Assert.That(second.Work.BytesUploaded, Is.EqualTo(4 * second.Work.TilesTraced + 4 * RaySums.Slots * RaySums.WordsPerSlot), "tiles and zeros");
+                Assert.That(second.Work.BytesUploaded, Is.EqualTo(4 * second.Work.TilesTraced + 3 * 4 * RaySums.Slots * RaySums.WordsPerSlot + 8 * second.Work.SubRays / 16), "tiles, zeros, and where to trace smaller rays");
 
                 var turned = Affine.FromTransform(0, double4(0, sin(0.1), 0, cos(0.1)), 1);
                 tracer.SetScene(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = turned }));

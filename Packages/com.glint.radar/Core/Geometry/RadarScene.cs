@@ -1,4 +1,5 @@
 using System.Linq;
+using Unity.Mathematics;
 
 namespace Glint.Core
 {
@@ -14,6 +15,9 @@ namespace Glint.Core
         }
 
         public MeshInstance[] Instances { get; }
+
+        /// <summary>Where in the world the origin of the places stands, metres: for what is written out, as the axes are the world's. Tracing needs none.</summary>
+        public double3 Origin { get; set; }
 
         /// <summary>Triangles of all instances.</summary>
         public long TriangleCount => Instances.Sum(instance => (long)instance.Mesh.TriangleCount);

@@ -11,17 +11,31 @@ namespace Glint.Core
     /// </summary>
     public sealed class Judge
     {
+        // Odd and without pattern: sums of its multiples by small numbers differ.
+        const long WayMixer = 6364136223846793005;
+
         readonly RadarSettings _settings;
         readonly RadarView _view;
         readonly JudgeTree _tree;
+        readonly double3 _receiver; // its middle, in the tree's coordinates
+        readonly double _halfWidth, _halfHeight; // of the picture: at distance 1 in perspective, of the aperture for parallel rays
 
         /// <param name="scene">Places in the coordinates of the view.</param>
         public Judge(RadarScene scene, in RadarSettings settings, in RadarView view)
         {
             _settings = settings;
             _view = view;
-            _tree = new JudgeTree(scene, view.Position);
+            _tree = new JudgeTree(scene);
+            _receiver = view.ReceiverCentre - _tree.Middle;
+            _halfHeight = view.IsParallel ? view.ApertureHeight / 2 : math.tan(view.VerticalFovDegrees * math.PI_DBL / 360);
+            _halfWidth = _halfHeight * settings.RaysAcross / settings.RaysDown;
         }
+
+        /// <summary>Half the diagonal of the box around all triangles, metres.</summary>
+        public double SceneRadius => _tree.Radius;
+
+        /// <summary>Distance between the rays of neighbouring pixels where they have gone <paramref name="length"/> metres, metres.</summary>
+        public double RaySpacing(double length) => 2 * _halfHeight / _settings.RaysDown * (_view.IsParallel ? 1 : length);
 
         /// <summary>Every ray of the region (of the whole picture when none is set), row by row from its left and bottom edge; rows are shared among processors.</summary>
         /// <param name="progress">Told how much is done, 0 to 1, from any thread; may be null.</param>
@@ -46,7 +60,9 @@ namespace Glint.Core
         /// <summary>The sums over rays as <see cref="TraceAll"/> gives them; carries no rays and no timings.</summary>
         public RadarResult Sum(JudgeRay[] rays)
         {
-            var result = new RadarResult { RaysEmitted = rays.Length };
+            var result = new RadarResult { RaysEmitted = rays.Length, RaysOfPicture = _settings.RayCount };
+            if (_view.IsParallel)
+                result.RayArea = RaySpacing(0) * RaySpacing(0);
             foreach (var ray in rays)
             {
                 result.RaysHit += ray.Bounces > 0 ? 1 : 0;
@@ -60,33 +76,40 @@ namespace Glint.Core
             return result;
         }
 
-        /// <summary>The ray through the middle of pixel x from the left, y from the bottom.</summary>
-        public JudgeRay Trace(int x, int y)
+        /// <summary>The ray through any place of the picture.</summary>
+        /// <param name="x">Pixels from the left; whole numbers are the middles of pixels, 0 that of the first.</param>
+        /// <param name="y">Pixels from the bottom.</param>
+        public JudgeRay Trace(double x, double y)
         {
-            double up = math.tan(_view.VerticalFovDegrees * math.PI_DBL / 360);
-            double right = up * _settings.RaysAcross / _settings.RaysDown;
-            double across = (2.0 * x + 1) / _settings.RaysAcross - 1;
-            double along = (2.0 * y + 1) / _settings.RaysDown - 1;
-            double3 direction = math.normalize(_view.Forward + across * right * _view.Right + along * up * _view.Up);
+            double3 aside = ((2 * x + 1) / _settings.RaysAcross - 1) * _halfWidth * _view.Right + ((2 * y + 1) / _settings.RaysDown - 1) * _halfHeight * _view.Up;
+            double3 start = _view.IsParallel ? _view.Position + aside : _view.Position;
+            double3 direction = math.normalize(_view.IsParallel ? _view.Forward : _view.Forward + aside);
 
-            var ray = new JudgeRay { LastHit = _view.Position, LastTriangle = -1 };
-            int leaving = -1;
+            // Rounding grows with numbers: those of the search are distances from the scene's middle, and a far ray is followed from just before the scene.
+            double3 place = start - _tree.Middle;
+            double length = math.max(0, -math.dot(place, direction) - 2 * _tree.Radius);
+            place += length * direction;
+
+            var ray = new JudgeRay { LastHit = start, LastTriangle = -1 };
             while (true)
             {
-                int hit = _tree.FindNearest(ray.LastHit, direction, leaving, out double distance);
-                if (ray.Bounces > 0 && CrossesReceiver(ray.LastHit, direction, out double toReceiver) && toReceiver < distance)
+                ray.Direction = direction;
+                int hit = _tree.FindNearest(place, direction, out double distance);
+                if (ray.Bounces > 0 && CrossesReceiver(place, direction, out double toReceiver) && toReceiver < distance)
                 {
                     ray.Received = true;
-                    ray.PathLength = ray.LengthToLastHit + toReceiver;
+                    ray.PathLength = length + toReceiver;
                     return ray;
                 }
                 if (hit < 0 || ray.Bounces == _settings.MaxBounces)
                     return ray;
-                ray.LengthToLastHit += distance;
-                ray.LastHit += distance * direction;
-                ray.LastTriangle = _tree.Number(hit);
+                length += distance;
+                place += distance * direction;
                 ray.Bounces++;
-                leaving = hit;
+                ray.LengthToLastHit = length;
+                ray.LastHit = _tree.Middle + place;
+                ray.LastTriangle = _tree.Number(hit);
+                ray.Way = unchecked(WayMixer * ray.Way + ray.LastTriangle + 1);
                 double3 normal = _tree.Normal(hit);
                 direction = math.normalize(direction - 2 * math.dot(direction, normal) * normal);
             }
@@ -95,10 +118,10 @@ namespace Glint.Core
         bool CrossesReceiver(double3 origin, double3 direction, out double distance)
         {
             double closing = -math.dot(direction, _view.ReceiverForward);
-            distance = math.dot(origin - _view.ReceiverCentre, _view.ReceiverForward) / closing;
+            distance = math.dot(origin - _receiver, _view.ReceiverForward) / closing;
             if (!(closing > 0 && distance > 0))
                 return false;
-            double3 place = origin + distance * direction - _view.ReceiverCentre;
+            double3 place = origin + distance * direction - _receiver;
             return math.abs(math.dot(place, _view.ReceiverRight)) <= _view.ReceiverSize.x / 2
                 && math.abs(math.dot(place, _view.ReceiverUp)) <= _view.ReceiverSize.y / 2;
         }

@@ -11,16 +11,22 @@ namespace Glint.Core
         /// <summary>True if the ray reached the receiver.</summary>
         public bool Received;
 
-        /// <summary>From the camera to the last hit, metres; 0 if nothing was hit.</summary>
+        /// <summary>From the radar to the last hit, metres; 0 if nothing was hit.</summary>
         public double LengthToLastHit;
 
-        /// <summary>From the camera over all hits to the receiver plane, metres; 0 if not received.</summary>
+        /// <summary>From the radar over all hits to the receiver plane, metres; 0 if not received.</summary>
         public double PathLength;
 
-        /// <summary>Last point of reflection, metres; the camera if nothing was hit.</summary>
+        /// <summary>Last point of reflection, metres; where the ray started if nothing was hit.</summary>
         public double3 LastHit;
+
+        /// <summary>Unit direction of the last segment.</summary>
+        public double3 Direction;
 
         /// <summary>Triangle last hit, counted over the scene's instances in order; -1 if nothing was hit.</summary>
         public int LastTriangle;
+
+        /// <summary>The same for rays over the same triangles in the same order, else almost surely another; 0 if nothing was hit.</summary>
+        public long Way;
     }
 }

@@ -6,7 +6,7 @@ namespace Glint.Core
 {
     /// <summary>
     /// The judge's own search for the nearest triangle: double precision, triangles halved along the longest side, plain recursion.
-    /// It shares no code with the kernel or its builder, so that an error in one does not hide in the other.
+    /// It shares no code with the kernel or its builder, so that an error in one does not hide in the other. Its coordinates are those of the scene less <see cref="Middle"/>.
     /// </summary>
     sealed class JudgeTree
     {
@@ -15,70 +15,96 @@ namespace Glint.Core
         // Fewer triangles than this are sorted sooner than another processor takes them over.
         const int LeastShared = 4096;
 
-        // A hit nearer than this fraction of the scene's size is the surface that the ray has just left.
-        const double SelfHit = 1e-10;
+        // A ray that starts as near to a triangle's plane as this fraction of the scene's size starts on it, and does not meet it: some hundred roundings of a place.
+        const double OnSurface = 1e-13;
 
-        // Boxes are larger than their triangles by this fraction of all distances that occur: rounding must not lose a ray that meets one edge-on.
+        // Boxes are larger than their triangles by this fraction of the scene's size: rounding must not lose a ray that meets one edge-on.
         const double Margin = 1e-12;
 
-        // Corners and numbers in the order of the leaves.
-        readonly double3[] _a, _b, _c;
+        // Corners, unit normals and numbers in the order of the leaves.
+        readonly double3[] _a, _b, _c, _normals;
         readonly int[] _numbers;
         readonly Node _root;
-        readonly double _margin, _nearestAllowed;
+        readonly double _margin, _onSurface;
 
         /// <param name="scene">Corners are where the double transforms put the float32 vertices.</param>
-        /// <param name="camera">Where rays come from besides the triangles.</param>
-        public JudgeTree(RadarScene scene, double3 camera)
+        public JudgeTree(RadarScene scene)
         {
             int count = checked((int)scene.TriangleCount);
             _a = new double3[count];
             _b = new double3[count];
             _c = new double3[count];
+            _normals = new double3[count];
             _numbers = new int[count];
-            double3 low = camera, high = camera;
-            int number = 0;
-            foreach (var instance in scene.Instances)
-                for (int i = 0; i < instance.Mesh.TriangleCount; i++, number++)
-                {
-                    instance.Mesh.GetTriangle(i, out var a, out var b, out var c);
-                    (_a[number], _b[number], _c[number]) = (instance.ToWorld.Point(a), instance.ToWorld.Point(b), instance.ToWorld.Point(c));
-                    _numbers[number] = number;
-                    low = math.min(low, Low(number));
-                    high = math.max(high, High(number));
-                }
             if (count == 0)
                 return;
-            double size = math.length(high - low);
-            _margin = Margin * (size + math.cmax(math.max(math.abs(low), math.abs(high))));
-            _nearestAllowed = SelfHit * size;
+            Place(scene);
+            double3 low = double.PositiveInfinity, high = double.NegativeInfinity;
+            for (int i = 0; i < count; i++)
+                (low, high) = (math.min(low, Low(i)), math.max(high, High(i)));
+            Middle = low + 0.5 * (high - low);
+            Radius = 0.5 * math.length(high - low);
+            _margin = 2 * Radius * Margin;
+            _onSurface = 2 * Radius * OnSurface;
+
+            // Once more, about the middle from the start: a far scene's coordinates would keep their rounding.
+            Place(scene);
             _root = Build(0, count, new double[count]);
             Reorder(_a);
             Reorder(_b);
             Reorder(_c);
+            Reorder(_normals);
         }
+
+        /// <summary>Middle of the box around all triangles, in the scene's coordinates.</summary>
+        public double3 Middle { get; }
+
+        /// <summary>Half the diagonal of that box, metres.</summary>
+        public double Radius { get; }
 
         /// <summary>The triangle's number in the scene: over the instances in order, over their triangles in order.</summary>
         public int Number(int triangle) => _numbers[triangle];
 
-        /// <summary>Unit normal of a triangle; its side is arbitrary.</summary>
-        public double3 Normal(int triangle) => math.normalize(math.cross(_b[triangle] - _a[triangle], _c[triangle] - _a[triangle]));
+        /// <summary>Unit normal of a triangle, 0 for one without area; its side is arbitrary.</summary>
+        public double3 Normal(int triangle) => _normals[triangle];
 
         /// <summary>
-        /// The nearest triangle along a ray that has just left triangle <paramref name="leaving"/> (-1: none); -1 and infinity if there is none.
+        /// The nearest triangle along a ray, other than those in whose plane it starts; -1 and infinity if there is none.
         /// Of several at the same distance the one of the lowest number. Triangles are counted as the tree has them; <see cref="Number"/> tells the scene's.
         /// </summary>
-        public int FindNearest(double3 origin, double3 direction, int leaving, out double distance)
+        public int FindNearest(double3 origin, double3 direction, out double distance)
         {
             var search = new Search
             {
                 Origin = origin, Direction = direction, Inverse = new double3(Inverse(direction.x), Inverse(direction.y), Inverse(direction.z)),
-                Leaving = leaving, Hit = -1, Distance = double.PositiveInfinity,
+                Hit = -1, Distance = double.PositiveInfinity,
             };
             if (_root != null && Enters(_root, search) < double.PositiveInfinity)
                 Visit(_root, ref search);
             distance = search.Distance;
             return search.Hit;
+        }
+
+        // Corners and normals of all triangles, in the scene's order.
+        void Place(RadarScene scene)
+        {
+            int number = 0;
+            foreach (var instance in scene.Instances)
+            {
+                var place = instance.ToWorld;
+                place.Origin -= Middle;
+                // A surface's normals turn and stretch as its areas do. Differences of float32 corners are exact in double, their cross product nearly so, however thin the triangle.
+                var areas = new Affine { X = math.cross(place.Y, place.Z), Y = math.cross(place.Z, place.X), Z = math.cross(place.X, place.Y) };
+                for (int i = 0; i < instance.Mesh.TriangleCount; i++, number++)
+                {
+                    instance.Mesh.GetTriangle(i, out var a, out var b, out var c);
+                    (_a[number], _b[number], _c[number]) = (place.Point(a), place.Point(b), place.Point(c));
+                    double3 normal = areas.Vector(math.cross((double3)b - a, (double3)c - a));
+                    double length = math.length(normal);
+                    _normals[number] = length > 0 ? normal / length : 0;
+                    _numbers[number] = number;
+                }
+            }
         }
 
         Node Build(int first, int count, double[] centres)
@@ -113,11 +139,11 @@ namespace Glint.Core
             return node;
         }
 
-        void Reorder(double3[] corners)
+        void Reorder(double3[] values)
         {
-            var before = (double3[])corners.Clone();
-            for (int i = 0; i < corners.Length; i++)
-                corners[i] = before[_numbers[i]];
+            var before = (double3[])values.Clone();
+            for (int i = 0; i < values.Length; i++)
+                values[i] = before[_numbers[i]];
         }
 
         double3 Low(int triangle) => math.min(_a[triangle], math.min(_b[triangle], _c[triangle]));
@@ -143,10 +169,8 @@ namespace Glint.Core
 
         void Test(int triangle, ref Search search)
         {
-            if (triangle == search.Leaving)
-                return;
             double there = Distance(triangle, search.Origin, search.Direction);
-            if (there > _nearestAllowed && (there < search.Distance || there == search.Distance && there < double.PositiveInfinity && _numbers[triangle] < _numbers[search.Hit]))
+            if (there < search.Distance || there == search.Distance && there < double.PositiveInfinity && _numbers[triangle] < _numbers[search.Hit])
                 (search.Hit, search.Distance) = (triangle, there);
         }
 
@@ -164,21 +188,30 @@ namespace Glint.Core
         // A ray along a slab is inside it or enters it nowhere: a large number says so, infinity would give 0 times infinity on the slab's side.
         static double Inverse(double component) => Math.Abs(component) > 1e-200 ? 1 / component : 1e200;
 
-        // The ray meets the triangle's plane at the distance where it lies on the inner side of all three edges; infinity if nowhere.
+        // To where the ray meets the triangle's plane, if it passes its three edges on the same side; infinity if it does not meet it.
         double Distance(int triangle, double3 origin, double3 direction)
         {
             double3 a = _a[triangle] - origin, b = _b[triangle] - origin, c = _c[triangle] - origin;
-            double volumeA = math.dot(direction, math.cross(b, c));
-            double volumeB = math.dot(direction, math.cross(c, a));
-            double volumeC = math.dot(direction, math.cross(a, b));
-            bool inside = volumeA >= 0 && volumeB >= 0 && volumeC >= 0 || volumeA <= 0 && volumeB <= 0 && volumeC <= 0;
-            double sum = volumeA + volumeB + volumeC;
-            if (!inside || sum == 0)
+            double height = math.dot(a, _normals[triangle]), facing = math.dot(direction, _normals[triangle]);
+            // Both hold for triangles without area.
+            if (Math.Abs(height) <= _onSurface || facing == 0)
                 return double.PositiveInfinity;
-            double3 point = (volumeA * a + volumeB * b + volumeC * c) / sum;
-            double distance = math.dot(point, direction);
+
+            double ab = Passes(direction, a, b, _b[triangle] - _a[triangle]);
+            double bc = Passes(direction, b, c, _c[triangle] - _b[triangle]);
+            double ca = Passes(direction, c, a, _a[triangle] - _c[triangle]);
+            if (!(ab >= 0 && bc >= 0 && ca >= 0 || ab <= 0 && bc <= 0 && ca <= 0))
+                return double.PositiveInfinity;
+
+            // Seen edge-on, the plane is met anywhere; the triangle is not.
+            double da = math.dot(a, direction), db = math.dot(b, direction), dc = math.dot(c, direction);
+            double distance = math.clamp(height / facing, math.min(da, math.min(db, dc)), math.max(da, math.max(db, dc)));
             return distance > 0 ? distance : double.PositiveInfinity;
         }
+
+        // On which side a ray from the origin passes the edge between two points, times the edge's length and twice the distance. The two triangles at an edge get
+        // exactly opposite numbers, so that no ray passes between them; and an edge that is short and far away costs no digits.
+        static double Passes(double3 direction, double3 from, double3 to, double3 edge) => math.dot(direction, math.cross(from + to, edge));
 
         sealed class Node
         {
@@ -190,7 +223,7 @@ namespace Glint.Core
         struct Search
         {
             public double3 Origin, Direction, Inverse;
-            public int Leaving, Hit;
+            public int Hit;
             public double Distance;
         }
     }

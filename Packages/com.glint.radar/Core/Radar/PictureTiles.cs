@@ -99,8 +99,9 @@ namespace Glint.Core
             double2 least = double.PositiveInfinity, most = double.NegativeInfinity;
             void Include(double3 p)
             {
-                least = math.min(least, p.xy / p.z); // -1 to 1 over the picture
-                most = math.max(most, p.xy / p.z);
+                double2 place = _view.IsParallel ? p.xy : p.xy / p.z; // -1 to 1 over the picture
+                least = math.min(least, place);
+                most = math.max(most, place);
             }
             for (int i = 0; i < corners.Length; i++)
             {
@@ -143,12 +144,11 @@ namespace Glint.Core
             return spread ? Spread(tiles) : tiles;
         }
 
-        // Camera axes: x and y so that the picture reaches from -1 to 1 at z = 1.
+        // Camera axes: x and y so that the picture reaches from -1 to 1, at z = 1 in perspective.
         double3 Seen(double3 point)
         {
             double3 v = point - _view.Position;
-            double height = _view.TanHalfFov;
-            return new double3(math.dot(v, _view.Right) / (height * _settings.Aspect), math.dot(v, _view.Up) / height, math.dot(v, _view.Forward));
+            return new double3(new double2(math.dot(v, _view.Right), math.dot(v, _view.Up)) / _view.HalfSize(_settings), math.dot(v, _view.Forward));
         }
 
         // The tile of the ray that passes nearest, kept within bounds that an int holds.

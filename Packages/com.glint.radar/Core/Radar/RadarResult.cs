@@ -5,11 +5,29 @@ namespace Glint.Core
     /// <summary>What the radar received in one pose.</summary>
     public sealed class RadarResult
     {
+        /// <summary>Rays of the published experiment, 1920 x 1080: the number that <see cref="NormalisedAmplitude"/> is for.</summary>
+        public const double NormalRays = 2073600;
+
         /// <summary>Sum over received rays of cos(phase), and of sin(phase). Each ray has amplitude 1.</summary>
         public double InPhase, Quadrature;
 
+        /// <summary>Rays of the whole picture, of which those of the region are emitted.</summary>
+        public long RaysOfPicture;
+
         /// <summary>Rays sent out, rays whose first segment hits anything, rays that reached the receiver.</summary>
         public long RaysEmitted, RaysHit, RaysReceived;
+
+        /// <summary>Area of the wavefront that each ray stands for, square metres; null in perspective, where it grows with the distance.</summary>
+        public double? RayArea;
+
+        /// <summary>About how far the normalised amplitude is from that of endlessly many rays.</summary>
+        public double SamplingError;
+
+        /// <summary>Largest difference of path length between received rays that are neighbours in the picture, wavelengths.</summary>
+        public double LargestPathStep;
+
+        /// <summary>True when the rays are too far apart, or too few return, for the amplitude and its error to be trusted.</summary>
+        public bool Undersampled;
 
         /// <summary>Reflections over all rays.</summary>
         public long Bounces;
@@ -34,6 +52,9 @@ namespace Glint.Core
 
         /// <summary>Length of the summed phasor: 1 for one ray. Linear, not decibels.</summary>
         public double Amplitude => Math.Sqrt(InPhase * InPhase + Quadrature * Quadrature);
+
+        /// <summary>The amplitude as if the same field of view had <see cref="NormalRays"/> rays: the one to compare when the number of rays differs.</summary>
+        public double NormalisedAmplitude => RaysOfPicture > 0 ? Amplitude * NormalRays / RaysOfPicture : 0;
 
         /// <summary>20 log10 of the amplitude; null when the amplitude is 0.</summary>
         public double? AmplitudeDb => Signal.Decibels(Amplitude);

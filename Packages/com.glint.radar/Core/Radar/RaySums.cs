@@ -8,7 +8,7 @@ namespace Glint.Core
     public sealed class RaySums
     {
         public const int Slots = 64, WordsPerSlot = 64;
-        public const int Hits = 0, Bounces = 1, Received = 2, Kept = 3, Length = 4, InPhase = 6, Quadrature = 8, Nodes = 10, Pairs = 12, Histogram = 16;
+        public const int Hits = 0, Bounces = 1, Received = 2, Returning = 3, Length = 4, InPhase = 6, Quadrature = 8, Nodes = 10, Pairs = 12, Histogram = 16;
 
         /// <summary>Units of the sums of cos and sin.</summary>
         public const double PhasorUnits = 1 << 24;
@@ -21,14 +21,30 @@ namespace Glint.Core
         readonly long[] _totals = new long[Histogram];
         readonly int[] _histogram = new int[Signal.PhaseBins];
 
-        /// <param name="longest">No path up to a last hit is longer, metres.</param>
-        public RaySums(double longest) => LengthUnits = (float)(LongestInUnits / Math.Max(longest, 1e-30));
+        readonly double _startDepth;
+
+        /// <param name="grid">How long paths may be.</param>
+        public RaySums(RayGrid grid)
+        {
+            LengthUnits = (float)(LongestInUnits / Math.Max(grid.LongestBeyond, 1e-30));
+            _startDepth = grid.StartDepth;
+        }
 
         /// <summary>Units of lengths a metre.</summary>
         public float LengthUnits { get; }
 
-        /// <summary>Rays that a dispatch wrote one by one, or wanted to.</summary>
-        public static long CountKept(uint[] words) => words[Kept];
+        /// <summary>Rays of a dispatch that may be received: they are to be followed once more.</summary>
+        public static int CountReturning(uint[] words) => (int)words[Returning];
+
+        /// <summary>Adds the sums of cos and sin of a dispatch's first slots, slot by slot.</summary>
+        public static void AddPhasors(uint[] words, double[] inPhase, double[] quadrature)
+        {
+            for (int slot = 0; slot < inPhase.Length; slot++)
+            {
+                inPhase[slot] += Pair(words, slot * WordsPerSlot + InPhase) / PhasorUnits;
+                quadrature[slot] += Pair(words, slot * WordsPerSlot + Quadrature) / PhasorUnits;
+            }
+        }
 
         /// <summary>Adds what a dispatch summed.</summary>
         public void Add(uint[] words)
@@ -38,7 +54,7 @@ namespace Glint.Core
                 foreach (int single in s_single)
                     _totals[single] += words[slot + single];
                 foreach (int pair in s_pairs)
-                    _totals[pair] += (long)((ulong)words[slot + pair + 1] << 32 | words[slot + pair]);
+                    _totals[pair] += Pair(words, slot + pair);
                 for (int bin = 0; bin < Signal.PhaseBins; bin++)
                     _histogram[bin] += (int)words[slot + Histogram + bin];
             }
@@ -50,12 +66,14 @@ namespace Glint.Core
             result.RaysHit = _totals[Hits];
             result.Bounces = _totals[Bounces];
             result.RaysReceived = _totals[Received];
-            result.PathLengthMeters = _totals[Length] / (double)LengthUnits;
+            result.PathLengthMeters = _totals[Hits] * _startDepth + _totals[Length] / (double)LengthUnits;
             result.InPhase = _totals[InPhase] / PhasorUnits;
             result.Quadrature = _totals[Quadrature] / PhasorUnits;
             result.PhaseHistogram = _histogram;
             result.Work.NodesVisited = _totals[Nodes];
             result.Work.PairsTested = _totals[Pairs];
         }
+
+        static long Pair(uint[] words, int place) => (long)((ulong)words[place + 1] << 32 | words[place]);
     }
 }

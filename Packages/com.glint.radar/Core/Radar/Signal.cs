@@ -21,6 +21,9 @@ namespace Glint.Core
             return 2 * Math.PI * (turns - Math.Floor(turns));
         }
 
+        /// <summary>An angle in radians as one from 0 to 2 pi.</summary>
+        public static double Turned(double radians) => radians < 0 ? radians + 2 * Math.PI : radians;
+
         /// <summary>20 log10 of an amplitude; null for amplitude 0, which has no decibels.</summary>
         public static double? Decibels(double amplitude) => amplitude > 0 ? 20 * Math.Log10(amplitude) : (double?)null;
 

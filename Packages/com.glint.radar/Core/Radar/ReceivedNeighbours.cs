@@ -1,0 +1,53 @@
+namespace Glint.Core
+{
+    /// <summary>The eight neighbours of received rays, one ray after another in the order of their pixels. -1 where none was received.</summary>
+    struct ReceivedNeighbours
+    {
+        public int West, East, South, North, SouthWest, SouthEast, NorthWest, NorthEast;
+
+        readonly ReceivedPicture _picture;
+        int _below, _above; // no ray before them lies in the row below, or above, next to the ray in hand
+
+        /// <param name="first">The first ray that is asked for.</param>
+        public ReceivedNeighbours(ReceivedPicture picture, int first)
+            : this()
+        {
+            _picture = picture;
+            long pixel = picture[first].Pixel;
+            _below = picture.FirstFrom(pixel - picture.Across - 1);
+            _above = picture.FirstFrom(pixel + picture.Across - 1);
+        }
+
+        /// <summary>Received rays among the eight.</summary>
+        public int Count => Has(West) + Has(East) + Has(South) + Has(North) + Has(SouthWest) + Has(SouthEast) + Has(NorthWest) + Has(NorthEast);
+
+        /// <summary>Finds the neighbours of a ray, the same as before or a later one.</summary>
+        public void MoveTo(int ray)
+        {
+            uint pixel = _picture[ray].Pixel, column = pixel % _picture.Across;
+            bool hasWest = column > 0, hasEast = column + 1 < _picture.Across;
+            West = hasWest && ray > 0 && _picture[ray - 1].Pixel == pixel - 1 ? ray - 1 : -1;
+            East = hasEast && ray + 1 < _picture.Count && _picture[ray + 1].Pixel == pixel + 1 ? ray + 1 : -1;
+            FindRow((long)pixel - _picture.Across, hasWest, hasEast, ref _below, out SouthWest, out South, out SouthEast);
+            FindRow((long)pixel + _picture.Across, hasWest, hasEast, ref _above, out NorthWest, out North, out NorthEast);
+        }
+
+        void FindRow(long middle, bool hasWest, bool hasEast, ref int first, out int west, out int centre, out int east)
+        {
+            while (first < _picture.Count && _picture[first].Pixel < middle - 1)
+                first++;
+            int at = first;
+            west = Take(middle - 1, ref at);
+            centre = Take(middle, ref at);
+            east = Take(middle + 1, ref at);
+            if (!hasWest)
+                west = -1;
+            if (!hasEast)
+                east = -1;
+        }
+
+        int Take(long pixel, ref int at) => at < _picture.Count && _picture[at].Pixel == pixel ? at++ : -1;
+
+        static int Has(int ray) => ray < 0 ? 0 : 1;
+    }
+}

@@ -1,0 +1,77 @@
+namespace Glint.Core
+{
+    /// <summary>The received rays in the order of their pixels. Memory goes with the rays, not with the picture.</summary>
+    sealed class ReceivedPicture
+    {
+        const int DigitBits = 11, Digits = 1 << DigitBits;
+
+        readonly ReceivedRay[] _rays;
+
+        /// <param name="received">Each pixel at most once, in any order, which is lost.</param>
+        public ReceivedPicture(in RadarSettings settings, ReceivedRay[] received, int count)
+        {
+            var region = settings.Region.IsWhole ? new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown } : settings.Region;
+            Across = (uint)settings.RaysAcross;
+            (Left, Right) = (region.Left, region.Left + region.Width - 1);
+            (Bottom, Top) = (region.Bottom, region.Bottom + region.Height - 1);
+            Count = count;
+            _rays = Ordered(received, count);
+        }
+
+        public int Count { get; }
+
+        /// <summary>Rays across the whole picture.</summary>
+        public uint Across { get; }
+
+        /// <summary>First and last column and row in which rays are emitted.</summary>
+        public long Left { get; }
+        public long Right { get; }
+        public long Bottom { get; }
+        public long Top { get; }
+
+        public ReceivedRay this[int ray] => _rays[ray];
+
+        /// <summary>The first ray whose pixel is not before this one; <see cref="Count"/> when there is none.</summary>
+        public int FirstFrom(long pixel)
+        {
+            int low = 0, high = Count;
+            while (low < high)
+            {
+                int middle = low + (high - low) / 2;
+                if (_rays[middle].Pixel < pixel)
+                    low = middle + 1;
+                else
+                    high = middle;
+            }
+            return low;
+        }
+
+        // Digit by digit from the lowest: several times faster than comparing.
+        static ReceivedRay[] Ordered(ReceivedRay[] rays, int count)
+        {
+            if (IsOrdered(rays, count))
+                return rays;
+            var (from, to) = (rays, new ReceivedRay[count]);
+            for (int shift = 0; shift < 32; shift += DigitBits)
+            {
+                var starts = new int[Digits + 1];
+                for (int i = 0; i < count; i++)
+                    starts[(from[i].Pixel >> shift & (Digits - 1)) + 1]++;
+                for (int digit = 0; digit < Digits; digit++)
+                    starts[digit + 1] += starts[digit];
+                for (int i = 0; i < count; i++)
+                    to[starts[from[i].Pixel >> shift & (Digits - 1)]++] = from[i];
+                (from, to) = (to, from);
+            }
+            return from;
+        }
+
+        static bool IsOrdered(ReceivedRay[] rays, int count)
+        {
+            for (int i = 1; i < count; i++)
+                if (rays[i].Pixel < rays[i - 1].Pixel)
+                    return false;
+            return true;
+        }
+    }
+}
