@@ -182,7 +182,7 @@ namespace Glint
             {
                 cancel.ThrowIfCancellationRequested();
                 int left = tiles.Length - first;
-                int count = Math.Min(TraceKernel.MostGroups, TilesADispatch > 0 ? Math.Min(left, TilesADispatch) : _pacer.NextTiles(left, settings.MaxBounces));
+                int count = Math.Min(TraceKernel.MostTiles, TilesADispatch > 0 ? Math.Min(left, TilesADispatch) : _pacer.NextTiles(left, settings.MaxBounces));
                 count = _exact.Limit(kept.Limit(count, _rays));
                 count = (int)Math.Min(count, DeviceBuffer<uint4>.Most / DeviceScene.MostFew);
                 var watch = Stopwatch.StartNew();

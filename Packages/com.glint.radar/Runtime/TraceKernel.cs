@@ -7,11 +7,11 @@ namespace Glint
     /// <summary>The kernels of Shaders/Trace.compute and what they are given.</summary>
     sealed class TraceKernel
     {
-        // GROUPS_A_ROW in Shaders/Trace.compute.
+        // GROUPS_A_ROW in Shaders/Kernels.hlsl.
         const int GroupsARow = 64;
 
-        /// <summary>Groups that one dispatch takes at most; a group traces one tile.</summary>
-        public const int MostGroups = 65535 * GroupsARow;
+        /// <summary>Tiles that one dispatch takes at most: those of so many groups of 64 threads.</summary>
+        public const int MostTiles = 65535 * GroupsARow;
 
         readonly ComputeShader _shader;
         readonly string _name;
@@ -115,7 +115,7 @@ namespace Glint
             _shader.SetBuffer(_startsKernel, ShaderIDs._FoundStarts, starts.Buffer);
             _shader.SetInt(ShaderIDs._FirstTile, firstTile);
             _shader.SetInt(ShaderIDs._TileCount, count);
-            DispatchGroups(_startsKernel, (int)(((long)count * scene.Few.Count + 63) / 64));
+            DispatchThreads(_startsKernel, (long)count * scene.Few.Count);
         }
 
         /// <summary>Follows the rays of some of the tiles; lists those that may be received.</summary>
@@ -125,7 +125,7 @@ namespace Glint
             _shader.SetInt(ShaderIDs._FirstTile, firstTile);
             _shader.SetInt(ShaderIDs._TileCount, count);
             SetOutput(_kernel, keep, returning, rays);
-            DispatchGroups(_kernel, count);
+            DispatchThreads(_kernel, (long)count * PictureTiles.Rays);
         }
 
         /// <summary>Follows listed rays once more, in two-float arithmetic.</summary>
@@ -136,7 +136,7 @@ namespace Glint
             _shader.SetInt(ShaderIDs._ReturningCount, count);
             _shader.SetInt(ShaderIDs._SubRays, subRays);
             SetOutput(_exactKernel, keep, returning, rays);
-            DispatchGroups(_exactKernel, (int)(((long)count * subRays * subRays + 63) / 64));
+            DispatchThreads(_exactKernel, (long)count * subRays * subRays);
         }
 
         void SetOutput(int kernel, KeptRays keep, DeviceBuffer<ReceivedRay> returning, DeviceBuffer<RayData> rays)
@@ -146,7 +146,12 @@ namespace Glint
             _shader.SetBuffer(kernel, ShaderIDs._Rays, rays.Buffer);
         }
 
-        void DispatchGroups(int kernel, int groups) => _shader.Dispatch(kernel, math.min(groups, GroupsARow), (groups + GroupsARow - 1) / GroupsARow, 1);
+        void DispatchThreads(int kernel, long threads)
+        {
+            _shader.GetKernelThreadGroupSizes(kernel, out uint size, out _, out _);
+            int groups = (int)((threads + size - 1) / size);
+            _shader.Dispatch(kernel, math.min(groups, GroupsARow), (groups + GroupsARow - 1) / GroupsARow, 1);
+        }
 
         void SetVector((int value, int rest) id, double3 v)
         {

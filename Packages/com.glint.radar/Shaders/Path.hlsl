@@ -78,11 +78,8 @@ bool Advance(inout Path path, uint firstStart)
         return false;
 
     // The length is measured from the surface to the surface, not from the start. Next to an edge the other surface may lie behind by rounding.
-    Surface surface = LoadSurface(found, path.LastHit, path.Direction);
-    float toHit = Rounded(surface.Distance);
-    if (!(abs(toHit) < MISS))
-        return false; // no number: the plane is grazed within rounding
-    if (toHit > 0.0)
+    Surface surface = LoadSurface(found, path.Start, path.LastHit, path.Direction);
+    if (Rounded(surface.Distance) > 0.0)
     {
         path.Beyond = Plus(path.Beyond, surface.Distance);
         path.LastHit = Plus(path.LastHit, Times(path.Direction, surface.Distance));

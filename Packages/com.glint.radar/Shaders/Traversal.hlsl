@@ -98,6 +98,7 @@ struct Surface
     Real Distance;        // from the ray's origin to the triangle's plane, m
     Real3 Normal;         // in the scene, a unit vector by float32; its side is arbitrary
     float Lever;          // from the corner that the plane is known by to the hit: the lever of the normal's rounding, as a height in m
+    float ToEdge;         // from the hit to the nearest edge, m
     InstanceRecord Place; // the rest in the mesh's frame
     float3 LocalNormal;   // unit vector
     float3 Corner;
@@ -132,8 +133,17 @@ Real3 NormalFromLocal(InstanceRecord place, Real3 normal)
 #endif
 }
 
-// Origin may lie on the start of the search or near it.
-Surface LoadSurface(Found found, Real3 origin, Real3 direction)
+// From a place in a triangle's plane to the line of an edge: the place as seen from one of the edge's corners.
+float ToLine(float3 place, float3 edge, float3 normal)
+{
+    return abs(dot(cross(edge, place), normal)) * rsqrt(dot(edge, edge));
+}
+
+// A ray that grazes a plane meets it anywhere, by rounding: where the search met it counts when the plane is so much farther off, as a part of the lengths that went into it.
+static const float GRAZING = 1.0e-3;
+
+// Origin: the hit before; the search began at start, just before it.
+Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction)
 {
     InstanceRecord place = LoadInstance(found.Instance);
     Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
@@ -149,13 +159,24 @@ Surface LoadSurface(Found found, Real3 origin, Real3 direction)
     surface.Scale = length(Rounded(sceneNormal));
     surface.Normal = Times(sceneNormal, 1.0 / surface.Scale);
     surface.Distance = ToPlane(localOrigin, localDirection, MakeReal3(pair.Corner0, 0.0), normal);
-    float3 lever = abs(Rounded(localOrigin) + Rounded(surface.Distance) * Rounded(localDirection) - pair.Corner0);
+    float3 from = Rounded(origin), size = abs(from);
+    float searched = found.Distance + dot(start - from, Rounded(direction));
+    if (!(abs(Rounded(surface.Distance) - searched) <= GRAZING * (found.Distance + max(size.x, max(size.y, size.z)))))
+        surface.Distance = MakeReal(searched, 0.0);
+    float3 hit = Rounded(localOrigin) + Rounded(surface.Distance) * Rounded(localDirection) - pair.Corner0, lever = abs(hit);
     surface.Lever = max(lever.x, max(lever.y, lever.z)) / surface.Scale;
+    float3 edge1 = pair.Corner2 - pair.Corner0, edge2 = (found.Second ? pair.Corner3 : pair.Corner1) - pair.Corner0;
+    float toEdge1 = ToLine(hit, edge1, surface.LocalNormal), toEdge2 = ToLine(hit, edge2, surface.LocalNormal), toEdge3 = ToLine(hit - edge1, edge2 - edge1, surface.LocalNormal);
+    surface.ToEdge = min(toEdge1, min(toEdge2, toEdge3)) / surface.Scale;
     return surface;
 }
 
 // Rounding of a hit, as a fraction of the lengths that went into it: 4 float32 steps.
 static const float HIT_ROUNDING = 2.4e-7;
+
+// A hit so near to an edge, as a fraction of the same lengths, may belong to the triangle beyond it: the search after it begins farther back, on that one's side as well.
+static const float NEAR_EDGE = 1.0e-6;
+static const float FARTHER_BACK = 64.0;
 
 // How often the way back from a hit is doubled, at most: rays that graze a surface go farther back.
 static const uint MOST_DOUBLINGS = 16;
@@ -164,9 +185,10 @@ static const uint MOST_DOUBLINGS = 16;
 // The way there is free, of this triangle and of those that meet it at an edge: a point moved off along the normal may be behind one of them, and lost.
 float3 StartBefore(Surface surface, float3 start, float3 direction, float toHit)
 {
-    float3 size = abs(start + toHit * direction);
+    float3 place = abs(start + toHit * direction);
+    float size = max(max(toHit, place.x), max(place.y, place.z));
     float clear = HIT_ROUNDING * surface.Lever;
-    float back = max(clear, HIT_ROUNDING * max(max(toHit, size.x), max(size.y, size.z)));
+    float back = max(clear, HIT_ROUNDING * size) * (surface.ToEdge < NEAR_EDGE * size ? FARTHER_BACK : 1.0);
     bool isBehind = dot(Rounded(surface.Normal), direction) > 0.0;
     float3 next = start;
     [loop]

@@ -70,7 +70,7 @@ namespace Glint.Tests
             Assert.That(Constants("BinaryTree.hlsl")["BINARY_LEVELS"], Is.EqualTo(BoxTreeBuilder.MaxLevels));
             // The wide stack has 16 words: one a level, and three starts that wait.
             Assert.That(WideCollapse.MaxLevels - 1 + Constants("Starts.hlsl")["MOST_STARTS"] - 1, Is.LessThanOrEqualTo(16));
-            Assert.That(Constants("Trace.compute")["TILE_SIDE"], Is.EqualTo(PictureTiles.Side));
+            Assert.That(Constants("Kernels.hlsl")["TILE_SIDE"], Is.EqualTo(PictureTiles.Side));
         }
 
         static Dictionary<string, int> Constants(string shader)

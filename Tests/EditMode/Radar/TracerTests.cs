@@ -45,6 +45,8 @@ namespace Glint.Tests
             Assert.That(actual.Bounces, Is.EqualTo(expected.Bounces));
             Assert.That(actual.Segments, Is.EqualTo(expected.Segments));
             Assert.That(actual.PhaseHistogram, Is.EqualTo(expected.PhaseHistogram));
+            Assert.That(BitConverter.DoubleToInt64Bits(actual.SamplingError), Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.SamplingError)), "sampling error");
+            Assert.That(actual.LargestPathStep, Is.EqualTo(expected.LargestPathStep));
         }
 
         [TestCase(true)]
@@ -85,6 +87,51 @@ namespace Glint.Tests
             Assert.That(inMany.Work.SubRays, Is.EqualTo(inOne.Work.SubRays));
             AssertSame(inMany, inOne);
             Assert.That(inMany.Rays, Is.EqualTo(inOne.Rays));
+        }
+
+        [Test]
+        public void Trace_InGroupsOfOtherSizes_SumsAreTheSameBitForBit()
+        {
+            var scene = new RadarScene(Scene);
+            var pair = new RadarScene(scene.Instances[0], new MeshInstance { Mesh = TestRadar.FacingPlate(3, 0), ToWorld = Affine.FromTransform(double3(-6, 1, 2), double4(0.1, 0.2, 0.3, 1), 1) });
+            foreach (var some in new[] { scene, pair })
+                using (var tracer = Tracer(some))
+                using (var other = new RayTracer(TestKernels.OtherGroups, "test", true))
+                {
+                    other.SetScene(some);
+                    var result = other.Trace(s_settings, s_view, KeptRays.None);
+                    Assert.That(result.RaysReceived, Is.GreaterThan(100));
+                    AssertSame(result, tracer.Trace(s_settings, s_view, KeptRays.None));
+                }
+        }
+
+        // Searched in turn, and through a tree over them.
+        [TestCase(3, true)]
+        [TestCase(12, true)]
+        [TestCase(12, false)]
+        public void Trace_InstancesInAnotherOrder_SumsAreTheSameBitForBit(int count, bool asSoftware)
+        {
+            var random = new System.Random(count);
+            double Next() => 2 * random.NextDouble() - 1;
+            var places = new List<MeshInstance> { new MeshInstance { Mesh = TestRadar.Trihedral(0, 4), ToWorld = Affine.Identity } };
+            for (int i = 1; i < count; i++)
+                places.Add(new MeshInstance
+                {
+                    Mesh = TestRadar.Clutter(40, seed: (uint)i, halfSide: 2, largest: 0.4f),
+                    ToWorld = Affine.FromTransform(4 * double3(Next(), Next(), Next()), double4(Next(), Next(), Next(), Next()), double3(1, Next() < 0 ? -1 : 1, 1.3)),
+                });
+            RadarResult Sums()
+            {
+                using (var tracer = Tracer(new RadarScene(places.ToArray()), asSoftware))
+                    return tracer.Trace(s_settings, s_view, KeptRays.None);
+            }
+            var expected = Sums();
+            Assert.That(expected.RaysReceived, Is.GreaterThan(100));
+            for (int turn = 0; turn < 3; turn++)
+            {
+                places = places.OrderBy(place => random.Next()).ToList();
+                AssertSame(Sums(), expected);
+            }
         }
 
         [Test]

@@ -9,14 +9,24 @@ namespace Glint.Core
     /// </summary>
     struct PixelPhase
     {
-        // Most turns from one pixel to the next, and most by which that changes from pixel to pixel, for the means to hold.
+        // Most turns from one pixel to the next, and most by which that changes from pixel to pixel, for the mean to hold.
         const double Steepest = 1, MostBend = 1.0 / 16;
 
         double _slopeX, _slopeY, _bendX, _bendY, _twist; // turns a pixel, and turns a pixel squared
 
-        /// <summary>True if the phase is as smooth as the means need it.</summary>
+        /// <summary>True if the phase is as smooth as the mean needs it.</summary>
         public bool IsSmooth => Math.Abs(_slopeX) <= Steepest && Math.Abs(_slopeY) <= Steepest
             && Math.Abs(_bendX) <= MostBend && Math.Abs(_bendY) <= MostBend && Math.Abs(_twist) <= MostBend;
+
+        /// <summary>Mean over the pixel of the phasor relative to that in its middle.</summary>
+        public Complex Mean
+        {
+            get
+            {
+                var (x, y) = (new Slope(_slopeX), new Slope(_slopeY));
+                return new Complex(x.Mean * y.Mean, -Math.PI * (_bendX * x.Second * y.Mean + _bendY * y.Second * x.Mean + 2 * _twist * x.First * y.First));
+            }
+        }
 
         /// <summary>Of a ray all of whose neighbours were received.</summary>
         public static PixelPhase Of(ReceivedPicture picture, int ray, in ReceivedNeighbours near, double wavelength)
@@ -30,43 +40,24 @@ namespace Glint.Core
             };
         }
 
-        /// <summary>By how much the mean over the pixel differs from the phasor in its middle, which counts as 1; and the means over the sub-rays of each half-density grid.</summary>
-        public void AddMeans(Complex middle, ref Complex whole, Complex[] parts)
-        {
-            var (x, y) = (new Slope(_slopeX), new Slope(_slopeY));
-            double bent = -Math.PI * (_bendX * x.Second * y.Mean + _bendY * y.Second * x.Mean + 2 * _twist * x.First * y.First);
-            whole += middle * new Complex(x.Mean * y.Mean - 1, bent);
-            // Such a grid has its sub-rays a quarter of a pixel to either side of places an eighth off the middle.
-            Complex same = x.Part * y.Part, opposite = x.Part * Complex.Conjugate(y.Part), shift = new Complex(-1, bent);
-            parts[0] += middle * (Complex.Conjugate(same) + shift);
-            parts[1] += middle * (opposite + shift);
-            parts[2] += middle * (Complex.Conjugate(opposite) + shift);
-            parts[3] += middle * (same + shift);
-        }
-
-        // Along one axis, where the phase turns evenly.
+        // Along one axis: the mean of exp(i angle u) over u from -1/2 to 1/2, sin(angle/2) / (angle/2), and its derivatives by the angle.
         readonly struct Slope
         {
             const double LeastTurns = 0.03; // below, the series is as good
 
-            /// <summary>Mean of exp(i angle u) over u from -1/2 to 1/2, which is sin(angle/2) / (angle/2), and its derivatives.</summary>
             public readonly double Mean, First, Second;
-
-            /// <summary>Mean of exp(i angle u) over u = -1/8 and 3/8.</summary>
-            public readonly Complex Part;
 
             public Slope(double turns)
             {
-                Complex eighth = Phasors.OfTurns(turns / 8), quarter = eighth * eighth, half = quarter * quarter;
-                Part = quarter.Real * eighth;
-                double angle = 2 * Math.PI * turns, square = angle * angle;
+                double angle = 2 * Math.PI * turns;
                 if (Math.Abs(turns) < LeastTurns)
                 {
-                    Mean = 1 - square / 24;
+                    Mean = 1 - angle * angle / 24;
                     First = -angle / 12;
-                    Second = -(1 - 3 * square / 40) / 12;
+                    Second = (angle * angle * 3 / 40 - 1) / 12;
                     return;
                 }
+                var half = Phasors.OfTurns(turns / 2);
                 Mean = 2 * half.Imaginary / angle;
                 First = (half.Real - Mean) / angle;
                 Second = -Mean / 4 - 2 * First / angle;

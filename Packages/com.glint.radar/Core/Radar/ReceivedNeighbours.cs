@@ -13,6 +13,8 @@ namespace Glint.Core
             : this()
         {
             _picture = picture;
+            if (picture.Count == 0)
+                return;
             long pixel = picture[first].Pixel;
             _below = picture.FirstFrom(pixel - picture.Across - 1);
             _above = picture.FirstFrom(pixel + picture.Across - 1);

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 
 namespace Glint.Core
@@ -19,23 +20,22 @@ namespace Glint.Core
         // Fewer received rays say little about what lies between them.
         const int FewestRays = 16;
 
-        // Share of neighbouring rays half a wavelength or more apart at which the sum is no integral any more.
-        const double MostSteep = 0.5;
+        // Share of neighbours half a wavelength or more apart, and of rays without any, at which the sum is no integral any more.
+        const double MostApart = 0.5;
 
         // Pixels that are refined in any case; beyond, as many as make the sub-rays as many as the rays of the pose.
         const int RefinedAlways = 1 << 16;
 
-        // Error of the fine grid over that of the four grids of half its density that it is made of.
-        const double FineOverParts = 0.4;
+        // How well sub-rays know where an edge lies, in pixels. They cannot be off by more than 1/8.
+        const double EdgePlace = 0.06;
 
-        // A lone ray stands for returns that are smaller than its share of the picture: rays missed others.
-        const double Missed = 0.5;
-
-        const int Parts = 4; // the half-density grids: even or odd columns, even or odd rows of sub-rays
+        // A ray alone stands for a return smaller than its pixel, of which rays miss others. As much of one ray, where the rays' phases are by chance.
+        const double Missed = 1.0 / 3;
 
         readonly double _wavelength, _referenceTurns;
         readonly ReceivedPicture _picture;
         readonly Tally _tally;
+        readonly double _edges;
         readonly Complex _refined; // sum of the refined pixels' own rays
         readonly double _share; // what the refined pixels stand for, when there are too many to refine all
 
@@ -51,14 +51,8 @@ namespace Glint.Core
             _picture = new ReceivedPicture(settings, received, count);
             var isSmooth = new bool[count];
             _tally = LookAtAll(isSmooth);
-            var pixels = RefinedPixels.Find(_picture, isSmooth);
-            long most = Math.Max(RefinedAlways, settings.RaysEmitted / SubGrids);
-            uint every = (uint)((pixels.Count + most - 1) / most);
-            if (every > 1)
-                pixels.RemoveAll(pixel => Scattered(pixel) % every != 0);
-            // Between what errors of one sign and errors of any sign add up to.
-            _share = Math.Sqrt(Math.Max(1, every));
-            PixelsToRefine = pixels.ToArray();
+            _edges = StrengthOfEdges(isSmooth);
+            PixelsToRefine = Choose(RefinedPixels.Find(_picture, isSmooth), settings.RaysEmitted, out _share);
             _refined = SumRefined();
         }
 
@@ -73,27 +67,14 @@ namespace Glint.Core
         /// <param name="quadrature">The same of sin(phase).</param>
         public void Finish(double[] inPhase, double[] quadrature, RadarResult result)
         {
+            var subRays = new Complex(inPhase.Sum(), quadrature.Sum());
             var coarse = new Complex(result.InPhase, result.Quadrature);
-            Complex all = 0;
-            var parts = new Complex[Parts];
-            for (int sub = 0; sub < SubGrids; sub++)
-            {
-                var sum = new Complex(inPhase[sub], quadrature[sub]);
-                all += sum;
-                parts[sub % 2 + 2 * (sub / SubRays % 2)] += sum;
-            }
-            Complex fine = coarse + _tally.Smooth + _share * (all / SubGrids - _refined);
-            double spread = 0;
-            for (int part = 0; part < Parts; part++)
-            {
-                Complex sum = coarse + _tally.SmoothParts[part] + _share * (parts[part] * Parts / SubGrids - _refined);
-                spread += Square((sum - fine).Magnitude) / Parts;
-            }
-            double lone = _picture.Count == 0 ? 1 : _tally.Lone;
-            double norm = RadarResult.NormalRays / result.RaysOfPicture;
-            result.SamplingError = norm * Math.Sqrt(Square(result.Amplitude - fine.Magnitude) + Square(FineOverParts) * spread + Square(Missed) * lone);
+            Complex fine = coarse + _tally.Smooth + _share * (subRays / SubGrids - _refined);
+            double edges = EdgePlace * _edges, difference = coarse.Magnitude - fine.Magnitude;
+            double missed = Missed * Missed * (_picture.Count > 0 ? _tally.Alone : 1);
+            result.SamplingError = Math.Sqrt(difference * difference + edges * edges + missed) * RadarResult.NormalRays / result.RaysOfPicture;
             result.LargestPathStep = LargestPathStep;
-            result.Undersampled = _picture.Count < FewestRays || _tally.SteepPairs > MostSteep * _tally.Pairs;
+            result.Undersampled = _picture.Count < FewestRays || _tally.Apart + _tally.Alone > MostApart * (_tally.Pairs + _tally.Alone);
         }
 
         // In blocks that are added in their order: the same sum on any machine.
@@ -115,14 +96,12 @@ namespace Glint.Core
         Tally LookAt(int first, int end, bool[] isSmooth)
         {
             var tally = new Tally();
-            if (first == end)
-                return tally;
             var near = new ReceivedNeighbours(_picture, first);
             for (int ray = first; ray < end; ray++)
             {
                 near.MoveTo(ray);
                 if (near.Count == 0)
-                    tally.Lone++;
+                    tally.Alone++;
                 AddStep(ray, near.East, tally);
                 AddStep(ray, near.NorthWest, tally);
                 AddStep(ray, near.North, tally);
@@ -131,9 +110,8 @@ namespace Glint.Core
                     continue;
                 var phase = PixelPhase.Of(_picture, ray, near, _wavelength);
                 isSmooth[ray] = phase.IsSmooth;
-                if (!isSmooth[ray])
-                    continue;
-                phase.AddMeans(PhasorOf(ray), ref tally.Smooth, tally.SmoothParts);
+                if (isSmooth[ray])
+                    tally.Smooth += PhasorOf(ray) * (phase.Mean - 1);
             }
             return tally;
         }
@@ -145,8 +123,34 @@ namespace Glint.Core
             double step = Math.Abs((double)_picture[ray].Length - _picture[neighbour].Length);
             tally.LargestStep = Math.Max(tally.LargestStep, step);
             tally.Pairs++;
-            if (step > _wavelength / 2)
-                tally.SteepPairs++;
+            if (step >= _wavelength / 2)
+                tally.Apart++;
+        }
+
+        double StrengthOfEdges(bool[] isSmooth)
+        {
+            var edges = new ReceivedEdges(_picture);
+            var near = new ReceivedNeighbours(_picture, 0);
+            for (int ray = 0; ray < _picture.Count; ray++)
+            {
+                if (isSmooth[ray])
+                    continue;
+                near.MoveTo(ray);
+                edges.Add(ray, near, PhasorOf(ray));
+            }
+            return edges.Strength();
+        }
+
+        // All, or by chance as many as are affordable.
+        static uint[] Choose(List<uint> pixels, long raysEmitted, out double share)
+        {
+            long most = Math.Max(RefinedAlways, raysEmitted / SubGrids);
+            uint every = (uint)Math.Max(1, (pixels.Count + most - 1) / most);
+            if (every > 1)
+                pixels.RemoveAll(pixel => Scattered(pixel) % every != 0);
+            // The others' errors add to theirs if they are alike, their squares do if they are by chance: between the two.
+            share = Math.Sqrt(every);
+            return pixels.ToArray();
         }
 
         Complex SumRefined()
@@ -165,8 +169,6 @@ namespace Glint.Core
 
         Complex PhasorOf(int ray) => Phasors.OfTurns(_picture[ray].Length / _wavelength + _referenceTurns);
 
-        static double Square(double x) => x * x;
-
         // A number by chance, the same for the same pixel.
         static uint Scattered(uint pixel)
         {
@@ -175,23 +177,19 @@ namespace Glint.Core
             return pixel ^ pixel >> 16;
         }
 
-        // What neighbours tell, and the smooth pixels' means less their rays.
         sealed class Tally
         {
             public double LargestStep; // metres
-            public long Pairs, SteepPairs, Lone;
-            public Complex Smooth;
-            public readonly Complex[] SmoothParts = new Complex[Parts];
+            public long Pairs, Apart, Alone; // neighbours, those half a wavelength apart, rays without neighbours
+            public Complex Smooth; // mean phasors of the smooth pixels less their rays'
 
             public void Add(Tally other)
             {
                 LargestStep = Math.Max(LargestStep, other.LargestStep);
                 Pairs += other.Pairs;
-                SteepPairs += other.SteepPairs;
-                Lone += other.Lone;
+                Apart += other.Apart;
+                Alone += other.Alone;
                 Smooth += other.Smooth;
-                for (int part = 0; part < Parts; part++)
-                    SmoothParts[part] += other.SmoothParts[part];
             }
         }
     }

@@ -1,0 +1,61 @@
+using System;
+using System.Numerics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// Where the received part of the picture ends. An edge that lies a little farther out changes the sum by the phasors along it. Along a row or a column of pixels that happens to all of
+    /// them alike, along other edges by chance.
+    /// </summary>
+    sealed class ReceivedEdges
+    {
+        readonly ReceivedPicture _picture;
+        readonly Complex[] _west, _east; // by column
+        Complex _south, _north; // of the row in hand
+        long _row = -1;
+        double _squares;
+
+        public ReceivedEdges(ReceivedPicture picture)
+        {
+            _picture = picture;
+            _west = new Complex[picture.Right - picture.Left + 1];
+            _east = new Complex[_west.Length];
+        }
+
+        /// <summary>Takes a ray, after those before it in the picture. One that is surrounded counts for itself: a crease may run through its pixel.</summary>
+        public void Add(int ray, in ReceivedNeighbours near, Complex phasor)
+        {
+            long column = _picture[ray].Pixel % _picture.Across, row = _picture[ray].Pixel / _picture.Across;
+            if (row != _row)
+                EndRow(row);
+            if (near.South < 0 && row > _picture.Bottom)
+                _south += phasor;
+            if (near.North < 0 && row < _picture.Top)
+                _north += phasor;
+            if (near.West < 0 && column > _picture.Left)
+                _west[column - _picture.Left] += phasor;
+            if (near.East < 0 && column < _picture.Right)
+                _east[column - _picture.Left] += phasor;
+            if (near.Count == 8)
+                _squares++;
+        }
+
+        /// <summary>By how much the sum changes, in rays, when edges lie a pixel farther out or in, each line of pixels for itself. Nothing is added afterwards.</summary>
+        public double Strength()
+        {
+            EndRow(-1);
+            for (int i = 0; i < _west.Length; i++)
+                _squares += Square(_west[i]) + Square(_east[i]);
+            return Math.Sqrt(_squares);
+        }
+
+        void EndRow(long next)
+        {
+            _squares += Square(_south) + Square(_north);
+            _south = _north = 0;
+            _row = next;
+        }
+
+        static double Square(Complex sum) => sum.Real * sum.Real + sum.Imaginary * sum.Imaginary;
+    }
+}

@@ -1,0 +1,130 @@
+#ifndef GLINT_KERNELS
+#define GLINT_KERNELS
+
+#include "Bindings.hlsl"
+#include "Geometry.hlsl"
+#include "Path.hlsl"
+#include "Starts.hlsl"
+#include "Sums.hlsl"
+#ifdef GLINT_EXACT
+#include "Phasor.hlsl"
+#endif
+
+// One thread a ray, 64 in a row for a tile of 8 x 8 rays. Groups in rows of so many, as a dispatch takes at most 65,535 along an axis.
+static const uint TILE_SIDE = 8;
+static const uint RAYS_A_TILE = 64;
+static const uint GROUPS_A_ROW = 64;
+
+// Threads of a group; no result hangs on it.
+#ifndef GLINT_GROUP
+#define GLINT_GROUP 64
+#endif
+
+uint IndexOf(uint3 group, uint thread)
+{
+    return (group.x + group.y * GROUPS_A_ROW) * GLINT_GROUP + thread;
+}
+
+uint2 TilePixel(uint tile)
+{
+    uint packed = _Tiles[_FirstTile + min(tile, _TileCount - 1)];
+    return uint2(packed & 0xffff, packed >> 16) * TILE_SIDE;
+}
+
+void CountWork(uint slot)
+{
+#ifdef GLINT_COUNT
+    AddUnsigned(slot + SUM_NODES, s_nodesVisited);
+    AddUnsigned(slot + SUM_PAIRS, s_pairsTested);
+#endif
+}
+
+#if defined(GLINT_FIND_STARTS)
+
+// One thread for each tile and instance.
+[numthreads(GLINT_GROUP, 1, 1)]
+void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint place = IndexOf(group, thread);
+    uint tile = place / _InstanceCount, instance = place % _InstanceCount;
+    if (tile >= _TileCount)
+        return;
+    float2 low = float2(TilePixel(tile)) - _ReferenceRay.xy + 0.5 - BEAM_MARGIN;
+    InstanceRecord record = LoadInstance(instance);
+    _FoundStarts[tile * MOST_FEW + instance] = FindStarts(MakeBeam(record, low, TILE_SIDE - 1.0 + 2.0 * BEAM_MARGIN), record.FirstRow);
+}
+
+#elif defined(GLINT_EXACT)
+
+// Follows the rays of _Returning once more, or rays of each of their places divided evenly into smaller ones, and sums what is received.
+[numthreads(GLINT_GROUP, 1, 1)]
+void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint index = IndexOf(group, thread);
+    uint subRay = index % (_SubRays * _SubRays), inDispatch = index / (_SubRays * _SubRays), entry = _FirstReturning + inDispatch;
+    if (inDispatch >= _ReturningCount)
+        return;
+    uint pixel = _Returning[entry].x, place = _Returning[entry].y;
+    float2 inPixel = (float2(subRay % _SubRays, subRay / _SubRays) + 0.5) / _SubRays;
+    Path path = FollowPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferenceRay.xy + inPixel, NO_STARTS);
+    // Rays with the same place in their pixels are summed by themselves.
+    uint slot = (_SubRays == 1 ? index % SUM_SLOTS : subRay) * SUM_WORDS;
+    AddPath(slot, path.Bounces, Rounded(path.Beyond));
+    CountWork(slot);
+
+    RayData ray = DataOf(path, pixel);
+    Two beyond = Plus(path.Beyond, Minus(path.WayBack, MakeTwo(_StartDepth.x, _StartDepth.y)));
+    if (path.Returns)
+    {
+        Two whole = Plus(Times(MakeTwo(_StartDepth.x, _StartDepth.y), 2.0), beyond);
+        float turns = PartOfTurn(Times(whole, MakeTwo(_WaveNumberTurns.x, _WaveNumberTurns.y)));
+        float2 phasor = Phasor(turns);
+        AddReceived(slot, turns, phasor);
+        ray.PathLength = whole.Hi;
+        ray.PathLengthRest = whole.Lo;
+        ray.InPhase = phasor.x;
+        ray.Quadrature = phasor.y;
+    }
+    if (_SubRays > 1)
+        return;
+    _Returning[entry] = uint2(path.Returns ? pixel : NO_PIXEL, asuint(beyond.Hi));
+    if (_Keep == KEEP_ALL)
+        _Rays[place] = ray;
+    else if (_Keep == KEEP_RECEIVED)
+        _Rays[inDispatch] = ray;
+}
+
+#else
+
+[numthreads(GLINT_GROUP, 1, 1)]
+void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint index = IndexOf(group, thread);
+    uint tile = index / RAYS_A_TILE, ray = index % RAYS_A_TILE;
+    uint slot = tile % SUM_SLOTS * SUM_WORDS;
+    // Eight threads in a row take 4 x 2 rays: they stay together on devices of that width.
+    uint2 inTile = uint2((ray & 3) | (ray >> 1 & 4), (ray >> 2 & 1) | (ray >> 3 & 6));
+    uint2 at = TilePixel(tile) + inTile;
+    uint pixel = NO_PIXEL;
+    Path path = (Path)0;
+    if (tile < _TileCount && at.x >= _Region.x && at.x < _Region.y && at.y >= _Region.z && at.y < _Region.w)
+    {
+        pixel = at.x + at.y * _RaysAcross;
+        path = FollowPath(float2(at) + 0.5 - _ReferenceRay.xy, (_Shortcuts & SHORTCUT_STARTS) != 0 ? tile * MOST_FEW : NO_STARTS);
+        CountWork(slot);
+        if (path.Returns)
+        {
+            uint entry;
+            InterlockedAdd(_Sums[SUM_RETURNING], 1, entry);
+            _Returning[entry] = uint2(pixel, index);
+        }
+        else
+            AddPath(slot, path.Bounces, path.Beyond);
+    }
+    if (_Keep == KEEP_ALL && tile < _TileCount && !path.Returns)
+        _Rays[index] = DataOf(path, pixel);
+}
+
+#endif
+
+#endif

@@ -1,0 +1,106 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using static Unity.Mathematics.math;
+
+namespace Glint.Tests
+{
+    /// <summary>No ray gets out of a closed body: neither between triangles that share an edge or a corner, nor through one that it has just left.</summary>
+    public sealed class WatertightTests
+    {
+        // Six pictures of 90 degrees all round.
+        static readonly (double3 right, double3 up, double3 forward)[] s_views =
+        {
+            (double3(1, 0, 0), double3(0, 1, 0), double3(0, 0, 1)), (double3(-1, 0, 0), double3(0, 1, 0), double3(0, 0, -1)),
+            (double3(0, 0, -1), double3(0, 1, 0), double3(1, 0, 0)), (double3(0, 0, 1), double3(0, 1, 0), double3(-1, 0, 0)),
+            (double3(1, 0, 0), double3(0, 0, -1), double3(0, 1, 0)), (double3(1, 0, 0), double3(0, 0, 1), double3(0, -1, 0)),
+        };
+
+        [TestCase(true, 512, 20_000_000)]
+        [TestCase(false, 128, 1_000_000)]
+        public void RaysAtCornersAndAlongEdges_NoneEscapes(bool asSoftware, int side, long atLeast)
+        {
+            var escapes = new Escapes(side, 1);
+            using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
+                foreach (int cells in new[] { 1, 2, 7, 16, 64 })
+                {
+                    escapes.Look(tracer, $"sphere of {cells}", ClosedBodies.Sphere(cells, side));
+                    escapes.Look(tracer, $"skewed body of {cells}", ClosedBodies.Skewed(cells, side));
+                    escapes.Look(tracer, $"jagged body of {cells}", ClosedBodies.Jagged(cells, side, cells));
+                    if (cells > 2)
+                        escapes.Look(tracer, $"dented body of {cells}", ClosedBodies.Dented(cells, side, cells));
+                }
+            escapes.Check(atLeast);
+        }
+
+        // Millimetres to 100 km, 1,000 km from the origin, stretched and mirrored.
+        [TestCase(true)]
+        [TestCase(false)]
+        public void RaysInBodiesOfAllSizesAndPlaces_NoneEscapes(bool asSoftware)
+        {
+            var escapes = new Escapes(128, 1);
+            using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
+                foreach (var scale in new[] { double3(1e-3), double3(1e5), double3(1, -2, 0.5), double3(-1, 30, 1) })
+                    foreach (var place in new[] { double3(0), double3(1e6, -1e6, 12345.678) })
+                        escapes.Look(tracer, $"jagged body times {scale} at {place}", ClosedBodies.Jagged(16, 128, 3), Affine.FromTransform(place, double4(0.1, 0.2, 0.3, 0.9), scale));
+            escapes.Check(500_000);
+        }
+
+        [TestCase(true)]
+        [TestCase(false)]
+        public void ReflectedRays_InSmoothBodies_NoneEscapes(bool asSoftware)
+        {
+            var escapes = new Escapes(128, 4);
+            using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
+                foreach (int cells in new[] { 2, 7, 64 })
+                {
+                    escapes.Look(tracer, $"sphere of {cells}", ClosedBodies.Sphere(cells, 128));
+                    escapes.Look(tracer, $"skewed body of {cells}", ClosedBodies.Skewed(cells, 128));
+                }
+            escapes.Check(500_000);
+        }
+
+        sealed class Escapes
+        {
+            readonly int _side, _bounces;
+            readonly List<string> _found = new List<string>();
+            long _rays;
+
+            public Escapes(int side, int bounces)
+            {
+                _side = side;
+                _bounces = bounces;
+            }
+
+            public void Look(RayTracer tracer, string name, TriangleMesh mesh, Affine? place = null)
+            {
+                var toWorld = place ?? Affine.Identity;
+                tracer.SetScene(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = toWorld }));
+                var settings = TestRadar.Settings(_side, _side, _bounces);
+                foreach (var (right, up, forward) in s_views)
+                {
+                    // The receiver is outside: what reaches it has escaped.
+                    var view = new RadarView
+                    {
+                        Position = toWorld.Origin, Right = right, Up = up, Forward = forward, VerticalFovDegrees = 90,
+                        ReceiverCentre = toWorld.Origin - 1e6 * forward, ReceiverRight = right, ReceiverUp = up, ReceiverForward = forward, ReceiverSize = 1,
+                    };
+                    var result = tracer.Trace(settings, view, KeptRays.None);
+                    long missing = _bounces * result.RaysEmitted - result.Bounces;
+                    if (missing > 0)
+                        _found.Add($"{name}, {mesh.TriangleCount} triangles, towards {forward}: {result.RaysEmitted - result.RaysHit} rays at once, {missing} bounces missing");
+                    _rays += result.RaysEmitted;
+                }
+            }
+
+            public void Check(long atLeast)
+            {
+                Assert.That(_found, Is.Empty);
+                Assert.That(_rays, Is.GreaterThan(atLeast));
+            }
+        }
+    }
+}
