@@ -12,6 +12,9 @@ namespace Glint
         /// <summary>Instances that are searched one after the other, without a tree: MOST_FEW in Shaders/Bindings.hlsl.</summary>
         public const int MostFew = 4;
 
+        /// <summary>The row of the root of the tree over instances: ROOT in Shaders/BinaryTree.hlsl.</summary>
+        public const int TopRootRow = 1;
+
         readonly DeviceTrees _trees;
         readonly DeviceBuffer<InstanceRecord> _instances = new DeviceBuffer<InstanceRecord>("instances");
         readonly DeviceBuffer<uint4> _top = new DeviceBuffer<uint4>("rows of the tree over instances");
@@ -124,8 +127,8 @@ namespace Glint
             if (IsEmpty)
                 return;
             var top = TopTree.Build(lows.Select(low => Down(low - Middle)).ToArray(), highs.Select(high => -Down(Middle - high)).ToArray(), TreeShape.Binary);
-            // Row 3 of a node begins with the reference to its first child: of one instance that is the leaf.
-            TopRoot = records.Count == 1 ? top[3].x : 0;
+            // The root's first row ends with the reference to its first child: of one instance that is the leaf.
+            TopRoot = records.Count == 1 ? top[TopRootRow].w : TopRootRow;
             _instances.Upload(records.ToArray());
             _top.Upload(top);
             work.BytesUploaded += records.Count * (long)_instances.Stride + top.Length * (long)_top.Stride;

@@ -9,33 +9,73 @@ static const uint LEAF = 0x80000000;
 // No reference: the search is over.
 static const uint DONE = 0xffffffff;
 
+// The row of the root. The one before it holds the place that boxes are measured from.
+static const uint ROOT = 1;
+
 // Inner levels a tree may have (BoxTreeBuilder.MaxLevels in C#): no more children wait at once.
 static const uint BINARY_LEVELS = 28;
+
+// Two DONE below what waits: whoever takes the first has no need to look whether there was anything.
+static const uint STACK_BOTTOM = 2;
+
+// A ray as boxes want it, which are given by their middles from the tree's centre and their half sizes.
+struct BoxRay
+{
+    float3 Scale;         // distance along the ray a step along each axis
+    float3 ToCentre;      // distance to the planes through the centre
+};
+
+BoxRay MakeBoxRay(SearchRay ray, float3 centre)
+{
+    BoxRay boxRay;
+    boxRay.Scale = ray.Inverse;
+    boxRay.ToCentre = (centre - ray.Origin) * ray.Inverse;
+    return boxRay;
+}
+
+// Where a ray enters and leaves a box, as the bits of floats: enter <= leave if it meets it nearer than reach.
+// Whole numbers are compared because a GPU takes the larger of three in one step. They are in the order of floats unless both are negative.
+// Then it is reversed, and of a box behind the ray, where a leave is negative, the leave taken is less than the enter: it is missed as it should be.
+int2 EnterAndLeave(float3 middle, float3 halfSize, BoxRay ray, float reach)
+{
+    float3 toMiddle = middle * ray.Scale + ray.ToCentre, size = abs(ray.Scale);
+    int3 enter = asint(toMiddle - halfSize * size), leave = asint(toMiddle + halfSize * size);
+    int leaveAll = min(min(leave.x, leave.y), min(leave.z, asint(reach)));
+    return int2(max(max(enter.x, enter.y), enter.z), asint(asfloat(leaveAll) * LEAVE_LATER));
+}
+
+// Half sizes are the upper halves of floats: those of child a in the upper bits, as they are (what stands below makes them larger by less than one step), those of child b in the lower bits.
+float3 HalfSizeA(uint3 halfSizes)
+{
+    return asfloat(halfSizes);
+}
+
+float3 HalfSizeB(uint3 halfSizes)
+{
+    return asfloat(halfSizes << 16);
+}
 
 // The children of a node that the ray enters nearer than reach.
 struct Entered
 {
-    uint Near;            // DONE if it enters none
-    uint Far;             // DONE unless it enters both
+    bool Any, Both;
+    uint Near;            // if it enters any
+    uint Far;             // if it enters both
 };
 
-Entered EnterChildren(uint4 a, uint4 b, uint4 zs, uint4 references, SearchRay ray, float reach)
+// From the three rows of a node: middle and reference of child a, the same of child b, half sizes of both.
+Entered EnterChildren(uint4 a, uint4 b, uint3 halfSizes, BoxRay ray, float reach)
 {
-    // lower x, upper x, lower y, upper y of each child; lower and upper z of both
-    float4 ax = (asfloat(a) - ray.Origin.xxyy) * ray.Inverse.xxyy;
-    float4 bx = (asfloat(b) - ray.Origin.xxyy) * ray.Inverse.xxyy;
-    float4 z = (asfloat(zs) - ray.Origin.z) * ray.Inverse.z;
-    float enterA = max(max(min(ax.x, ax.y), min(ax.z, ax.w)), max(min(z.x, z.y), 0.0));
-    float leaveA = min(min(max(ax.x, ax.y), max(ax.z, ax.w)), min(max(z.x, z.y), reach));
-    float enterB = max(max(min(bx.x, bx.y), min(bx.z, bx.w)), max(min(z.z, z.w), 0.0));
-    float leaveB = min(min(max(bx.x, bx.y), max(bx.z, bx.w)), min(max(z.z, z.w), reach));
-    bool hitsA = enterA <= leaveA * LEAVE_LATER;
-    bool hitsB = enterB <= leaveB * LEAVE_LATER;
+    int2 throughA = EnterAndLeave(asfloat(a.xyz), HalfSizeA(halfSizes), ray, reach);
+    int2 throughB = EnterAndLeave(asfloat(b.xyz), HalfSizeB(halfSizes), ray, reach);
+    bool hitsA = throughA.x <= throughA.y, hitsB = throughB.x <= throughB.y;
 
     Entered entered;
-    bool aFirst = hitsA && !(hitsB && enterB < enterA);
-    entered.Near = aFirst ? references.x : hitsB ? references.y : DONE;
-    entered.Far = hitsA && hitsB ? (aFirst ? references.y : references.x) : DONE;
+    entered.Any = hitsA || hitsB;
+    entered.Both = hitsA && hitsB;
+    bool isBNear = entered.Both ? throughB.x < throughA.x : hitsB;
+    entered.Near = isBNear ? b.w : a.w;
+    entered.Far = isBNear ? a.w : b.w;
     return entered;
 }
 

@@ -9,8 +9,8 @@ static const float MISS = 3.0e38;
 // Least size of a direction's component, so that its inverse stays finite and an axis-parallel ray on a box's face is no 0 * infinity.
 static const float LEAST_COMPONENT = 1.0e-20;
 
-// A ray leaves a box this much later, so that rounding does not lose one that grazes it: 8 float32 steps.
-static const float LEAVE_LATER = 1.000001;
+// A ray leaves a box this much later, so that rounding does not lose one that grazes it: 16 float32 steps.
+static const float LEAVE_LATER = 1.000002;
 
 // A ray as the search wants it: in the frame of a tree, the direction of any length.
 struct SearchRay

@@ -114,12 +114,14 @@ bool IsLeaf(uint reference)
 void FindChildren(Beam beam, uint firstRow, uint reference)
 {
     uint row = firstRow + reference;
-    float4 a = asfloat(LoadTree(0, row)), b = asfloat(LoadTree(0, row + 1)), z = asfloat(LoadTree(0, row + 2));
-    uint4 references = LoadTree(0, row + 3);
+    uint4 a = LoadTree(0, row), b = LoadTree(0, row + 1);
+    uint3 halfSizes = LoadTree(0, row + 2).xyz;
+    float3 centre = asfloat(LoadTree(0, firstRow).xyz);
+    float3 middleA = centre + asfloat(a.xyz), middleB = centre + asfloat(b.xyz);
     s_children = 0;
-    AddChild(beam, float3(a.xz, z.x), float3(a.yw, z.y), references.x);
-    if (references.y != references.x)
-        AddChild(beam, float3(b.xz, z.z), float3(b.yw, z.w), references.y);
+    AddChild(beam, middleA - HalfSizeA(halfSizes), middleA + HalfSizeA(halfSizes), a.w);
+    if (b.w != a.w)
+        AddChild(beam, middleB - HalfSizeB(halfSizes), middleB + HalfSizeB(halfSizes), b.w);
 }
 
 #endif

@@ -31,9 +31,11 @@ void SearchInstance(uint instance, float3 origin, float3 direction, uint4 starts
 void SearchTop(float3 origin, float3 direction, inout Found found)
 {
     SearchRay ray = MakeSearchRay(origin, direction);
-    uint stack[BINARY_LEVELS + 1];
+    BoxRay boxRay = MakeBoxRay(ray, asfloat(_Top[0].xyz));
+    uint stack[STACK_BOTTOM + BINARY_LEVELS];
     stack[0] = DONE;
-    uint waiting = 0;
+    stack[1] = DONE;
+    uint top = 1;
     uint current = _TopRoot;
     [loop]
     while (current != DONE)
@@ -42,22 +44,18 @@ void SearchTop(float3 origin, float3 direction, inout Found found)
         while ((current & LEAF) == 0)
         {
             COUNT_NODE;
-            Entered entered = EnterChildren(_Top[current], _Top[current + 1], _Top[current + 2], _Top[current + 3], ray, found.Distance);
+            Entered entered = EnterChildren(_Top[current], _Top[current + 1], _Top[current + 2].xyz, boxRay, found.Distance);
             current = entered.Near;
-            if (entered.Far != DONE)
-                stack[++waiting] = entered.Far;
-            if (current == DONE)
-            {
-                current = stack[waiting];
-                waiting = max(waiting, 1) - 1;
-            }
+            if (entered.Both)
+                stack[++top] = entered.Far;
+            if (!entered.Any)
+                current = stack[top--];
         }
         if (current != DONE)
         {
             // A leaf holds an instance's number.
             SearchInstance(_Top[current & ~LEAF].x, origin, direction, FROM_ROOT, found);
-            current = stack[waiting];
-            waiting = max(waiting, 1) - 1;
+            current = stack[top--];
         }
     }
 }

@@ -109,7 +109,7 @@ namespace Glint.Tests
         [Test]
         public void Build_LargeMeshMostlyInAClump_IsCutIntoFewParts()
         {
-            var mesh = TestMeshes.Clump(inside: 1_000_000, outside: 5000);
+            var mesh = TestMeshes.Clump(inside: 1_100_000, outside: 5000);
             var tree = MeshTree.Build(mesh, _shape);
             Assert.That(tree.Parts.Length, Is.InRange(2, 8));
             Assert.That(tree.Parts.Min(part => part.Words.Length), Is.GreaterThan(tree.Parts.Max(part => part.Words.Length) / 16), "no part is a scrap");

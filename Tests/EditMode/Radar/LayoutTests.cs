@@ -68,6 +68,7 @@ namespace Glint.Tests
             Assert.That(bindings["SHORTCUT_STARTS"], Is.EqualTo((int)Shortcuts.Starts));
             Assert.That(bindings["MOST_FEW"], Is.EqualTo(DeviceScene.MostFew));
             Assert.That(Constants("BinaryTree.hlsl")["BINARY_LEVELS"], Is.EqualTo(BoxTreeBuilder.MaxLevels));
+            Assert.That(Constants("BinaryTree.hlsl")["ROOT"], Is.EqualTo(DeviceScene.TopRootRow));
             // The wide stack has 16 words: one a level, and three starts that wait.
             Assert.That(WideCollapse.MaxLevels - 1 + Constants("Starts.hlsl")["MOST_STARTS"] - 1, Is.LessThanOrEqualTo(16));
             Assert.That(Constants("Kernels.hlsl")["TILE_SIDE"], Is.EqualTo(PictureTiles.Side));

@@ -101,7 +101,8 @@ namespace Glint.Tests
             picture.AddAll();
             var inOrder = picture.ToArray(spread: false);
             var spread = picture.ToArray(spread: true);
-            Assert.That(spread.OrderBy(tile => tile >> 16).ThenBy(tile => tile & 0xffff), Is.EqualTo(inOrder));
+            Assert.That(inOrder, Is.Ordered.Descending, "from the top down");
+            Assert.That(spread.OrderByDescending(tile => tile), Is.EqualTo(inOrder));
             int upper = spread.Take(spread.Length / 2).Count(tile => tile >> 16 >= 135 / 2);
             Assert.That(upper, Is.EqualTo(spread.Length / 4).Within(spread.Length / 40));
         }

@@ -3,7 +3,7 @@ namespace Glint.Core
     /// <summary>How the nodes of a tree look to the kernel.</summary>
     public enum TreeShape
     {
-        /// <summary>Two children with float boxes a node, 64 bytes: for GPUs.</summary>
+        /// <summary>Two children with float boxes a node, 48 bytes: for GPUs.</summary>
         Binary,
 
         /// <summary>Up to four children with 8-bit boxes a node, 48 bytes: for software devices, where fetches cost most.</summary>

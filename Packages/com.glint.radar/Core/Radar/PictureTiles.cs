@@ -122,7 +122,8 @@ namespace Glint.Core
         }
 
         /// <summary>The tiles taken: column | row shifted by 16 bits.</summary>
-        /// <param name="spread">Order them so that every long stretch of the list has its share of all parts of the picture: a software device gives each processor one stretch.</param>
+        /// <param name="spread">Order them so that every long stretch of the list has its share of all parts of the picture: a software device gives each processor one stretch.
+        /// Otherwise they go from the top of the picture down: what is far off takes longest, and begun last it would keep a GPU waiting.</param>
         public uint[] ToArray(bool spread)
         {
             int width = _end.x - _first.x, height = _end.y - _first.y;
@@ -141,7 +142,10 @@ namespace Glint.Core
                 }
             }
             Array.Resize(ref tiles, count);
-            return spread ? Spread(tiles) : tiles;
+            if (spread)
+                return Spread(tiles);
+            Array.Reverse(tiles);
+            return tiles;
         }
 
         // Camera axes: x and y so that the picture reaches from -1 to 1, at z = 1 in perspective.
