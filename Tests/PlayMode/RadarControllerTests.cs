@@ -1,6 +1,7 @@
 using System.Collections;
 using Glint.Core;
 using NUnit.Framework;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
 
@@ -90,10 +91,93 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Trace_OrthographicCamera_IsRefusedByName()
+        public void Trace_BelowARootMovedBy1000Kilometres_HasTheSameSumsBitForBit()
         {
-            _radar.GetComponent<Camera>().orthographic = true;
-            Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message, Does.Contain("'Radar'").And.Contain("Perspective"));
+            // Three plates at odd angles and an odd radar; the roots turned and scaled.
+            var root = new GameObject("Root").transform;
+            foreach (var angles in new[] { new Vector3(0, 90, 3), new Vector3(88, 1, 0) })
+            {
+                var plate = Object.Instantiate(_plate, _plate.transform, true).transform;
+                plate.localPosition = new Vector3(0.3f, -0.4f, -1.3f);
+                plate.localRotation = Quaternion.Euler(angles);
+            }
+            _plate.transform.SetParent(root, true);
+            _radar.transform.SetParent(root, true);
+            root.localRotation = Quaternion.Euler(17, 130, -9);
+            root.localScale = Vector3.one * 1.1f;
+            _radar.KeptRays = KeptRays.All;
+            var near = _radar.Trace();
+            Assert.That(near.RaysReceived, Is.GreaterThan(0));
+            var nearPose = _radar.Gather();
+            root.localPosition = new Vector3(1000003.3f, -999985.9f, 777777.1f);
+            for (int i = 0; i < 2; i++)
+            {
+                var far = _radar.Trace();
+                Assert.That((far.InPhase, far.Quadrature, far.PathLengthMeters), Is.EqualTo((near.InPhase, near.Quadrature, near.PathLengthMeters)));
+                Assert.That((far.RaysHit, far.RaysReceived, far.Bounces), Is.EqualTo((near.RaysHit, near.RaysReceived, near.Bounces)));
+                Assert.That(_radar.Gather().View, Is.EqualTo(nearPose.View));
+
+                // What is written out is in the world, where float32 has steps of 1/16 m.
+                int hit = System.Array.FindIndex(far.Rays, ray => ray.Bounces > 0);
+                double3 place = (double3)near.Rays[hit].LastHit + (float3)root.localPosition;
+                Assert.That(math.distance(far.Rays[hit].LastHit, place), Is.LessThan(0.1));
+                _radar.Release(); // and gathered anew
+            }
+            _plate.transform.SetParent(null);
+            _radar.transform.SetParent(null);
+            Object.DestroyImmediate(root.gameObject);
+        }
+
+        [Test]
+        public void Gather_OrthographicCamera_HasAnApertureOfTwiceItsSize()
+        {
+            var camera = _radar.GetComponent<Camera>();
+            (camera.orthographic, camera.orthographicSize) = (true, 2.25f);
+            var pose = _radar.Gather();
+            Assert.That(pose.View.ApertureHeight, Is.EqualTo(4.5));
+            Assert.That(pose.View.HalfSize(pose.Settings).x, Is.EqualTo(4).Within(1e-12));
+            Assert.That(pose.View.ReceiverSize, Is.EqualTo(new double2(3, 3)));
+
+            _radar.ReceiverSize = Vector2.zero;
+            Assert.That(_radar.View().ReceiverSize, Is.EqualTo(new double2(8, 4.5)), "as the aperture");
+            camera.orthographic = false;
+            Assert.That(Assert.Throws<GlintException>(() => _radar.Gather()).Message, Does.Contain("'Radar'").And.Contain("receiver size 0 x 0"));
+        }
+
+        [Test]
+        public void Gather_FittedAperture_CoversWhatIsTraced()
+        {
+            var camera = _radar.GetComponent<Camera>();
+            camera.orthographic = true;
+            _radar.transform.position = new Vector3(10, 20, 0);
+            (_radar.FitAperture, _radar.RaySpacing, _radar.ReceiverSize) = (true, 0.25, Vector2.zero);
+            // A region of the picture that is fitted: 16 x 16 rays, not 160 x 90.
+            _radar.Settings = new RadarSettings { FrequencyHz = 10e9, RaysAcross = 8, RaysDown = 8, MaxBounces = 4, Region = new RayRegion { Left = 8, Bottom = 8, Width = 8, Height = 8 } };
+            var pose = _radar.Gather();
+            Assert.That((pose.Settings.RaysAcross, pose.Settings.RaysDown, pose.View.ApertureHeight), Is.EqualTo((16, 16, 4.0)));
+            Assert.That(math.distance(pose.View.Position, 0), Is.LessThan(1e-9));
+            Assert.That(math.distance(pose.View.ReceiverCentre, new double3(0, 0, -0.2f)), Is.LessThan(1e-9));
+            Assert.That(_radar.Trace().RaysEmitted, Is.EqualTo(64));
+            Assert.That(_radar.Settings.RaysAcross, Is.EqualTo(8), "the radar's own settings stay");
+
+            _plate.transform.rotation = Quaternion.Euler(0, 60, 0);
+            Assert.That(_radar.Gather().Settings.RaysAcross, Is.EqualTo(8), "half as wide");
+            camera.orthographic = false;
+            _radar.ReceiverSize = Vector2.one;
+            _radar.Settings = new RadarSettings { FrequencyHz = 10e9, RaysAcross = 160, RaysDown = 90, MaxBounces = 4 };
+            Assert.That(_radar.Gather().Settings.RaysAcross, Is.EqualTo(160), "a perspective view is not fitted");
+        }
+
+        [TestCase(false, 0f, 1, "Camera of 'Radar'", "Size is 0")]
+        [TestCase(false, -3f, 1, "Camera of 'Radar'", "Size is -3")]
+        [TestCase(true, 5f, 0, "RadarController of 'Radar'", "ray spacing 0 m")]
+        [TestCase(true, 5f, 1e-7, "RadarController of 'Radar'", "larger spacing")]
+        public void Trace_ApertureThatCannotBe_IsRefusedByName(bool fits, float size, double spacing, string subject, string fault)
+        {
+            var camera = _radar.GetComponent<Camera>();
+            (camera.orthographic, camera.orthographicSize) = (true, size);
+            (_radar.FitAperture, _radar.RaySpacing) = (fits, spacing);
+            Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message, Does.Contain(subject).And.Contain(fault));
         }
 
         [Test]

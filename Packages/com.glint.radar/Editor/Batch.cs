@@ -47,6 +47,7 @@ namespace Glint.Editor
         static int Trace(SweepRun run, SceneSubjects subjects, ResultsFolder folder, bool isSweep, IProgressSink progress)
         {
             long hit = 0, received = 0;
+            int undersampled = 0;
             progress.Start(subjects.Name, run.Count);
             try
             {
@@ -57,7 +58,10 @@ namespace Glint.Editor
                         progress.Print(PoseTable.Header);
                     hit += row.Result.RaysHit;
                     received += row.Result.RaysReceived;
+                    undersampled += row.Result.Undersampled ? 1 : 0;
                     progress.Print(PoseTable.Row(isSweep ? row.AngleDegrees : (double?)null, row.Result));
+                    if (!isSweep)
+                        progress.Print(PoseTable.Details(row.Result));
                     progress.Advance(run.Done, isSweep ? FormattableString.Invariant($"{row.AngleDegrees:0.###} deg") : null);
                 }
             }
@@ -68,6 +72,8 @@ namespace Glint.Editor
             if (!run.IsComplete)
                 return Cancelled;
             WarnOfSilence(subjects.Name, hit, received);
+            if (received > 0)
+                WarnOfUndersampling(subjects.Name, undersampled, run.Count);
             if (folder != null)
                 progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
             return Done;
@@ -80,6 +86,14 @@ namespace Glint.Editor
                 Debug.LogWarning($"{name}: no ray hit anything: is the target in view, of the right size and on a traced layer? (mesh files: --aim, --distance, --fov, --unit)");
             else if (received == 0)
                 Debug.LogWarning($"{name}: rays hit and none was received: mirrors return only what meets them head-on or in a corner; try other angles (mesh files: --grazing, --azimuth), more rays (--size) or a narrower view");
+        }
+
+        static void WarnOfUndersampling(string name, int undersampled, int poses)
+        {
+            if (undersampled == 0)
+                return;
+            string where = poses == 1 ? "" : $" in {undersampled} of {poses} poses (column undersampled)";
+            Debug.LogWarning($"{name}: the rays are too far apart, or too few return, for the amplitude to be trusted{where}: trace more rays ({Options.Size.Flag}, or a smaller {Options.Spacing.Flag}) or a narrower view ({Options.Fov.Flag}; in a scene the Camera's Field of View)");
         }
 
         // A sweep always keeps its results; a single pose when told where.

@@ -52,10 +52,15 @@ namespace Glint.Editor
             string scene = paths.ToAssetPath(line.Input, Directory.GetCurrentDirectory());
             EditorSceneManager.OpenScene(scene, OpenSceneMode.Single);
 
-            var radar = RadarController.FindOnly(line.Input);
+            var radar = RadarSearch.FindOnly(line.Input);
+            if (line.IsGiven(Options.Size) && radar.IsFitted)
+                throw new GlintException($"{line.Input}: its radar fits its aperture to the scene by Ray Spacing, so {Options.Size.Flag} means nothing: leave it out, or clear Fit Aperture of '{radar.name}'");
             radar.Settings = Override(radar.Settings, line);
             if (line.IsGiven(Options.Receiver))
-                radar.ReceiverSize = ReceiverSize(line);
+            {
+                var size = line.Get(Options.Receiver);
+                radar.ReceiverSize = new Vector2((float)size.x, (float)size.y);
+            }
             var target = line.IsGiven(Options.Target) ? FindTarget(line.Input, line.Get(Options.Target)) : null;
             return new SceneSubjects(Path.GetFileNameWithoutExtension(scene), scene, radar, target);
         }
@@ -89,8 +94,13 @@ namespace Glint.Editor
                 GrazingDegrees = line.Get(Options.Grazing),
                 AzimuthDegrees = line.Get(Options.Azimuth),
                 VerticalFovDegrees = line.Get(Options.Fov),
+                RaySpacing = line.Get(Options.Spacing),
+                ApertureSize = line.Get(Options.Aperture),
             };
-            var scene = MeshFileScene.Create(file, stand, Override(RadarSettings.Default, line), ReceiverSize(line), AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath));
+            // Parallel rays come back to the rectangle that they left, unless another is given.
+            if (!line.IsGiven(Options.Spacing) || line.IsGiven(Options.Receiver))
+                stand.ReceiverSize = line.Get(Options.Receiver);
+            var scene = MeshFileScene.Create(file, stand, Override(RadarSettings.Default, line), AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath));
             return new SceneSubjects(file.Name, line.Input, scene.Radar, scene.Target);
         }
 
@@ -106,12 +116,6 @@ namespace Glint.Editor
             if (line.IsGiven(Options.Bounces))
                 settings.MaxBounces = line.Get(Options.Bounces);
             return settings;
-        }
-
-        static Vector2 ReceiverSize(CommandLine line)
-        {
-            var size = line.Get(Options.Receiver);
-            return new Vector2((float)size.x, (float)size.y);
         }
 
         static Transform FindTarget(string scene, string name)

@@ -61,7 +61,10 @@ namespace Glint
         public bool Set(RadarScene scene, ref WorkDone work, Func<TriangleMesh, TreeShape, MeshTree> build)
         {
             if (_scene != null && IsSame(_scene, scene))
+            {
+                _scene = scene; // its origin may be another
                 return false;
+            }
             _scene = null; // until all is there
             bool hasBuilt = _trees.Hold(new HashSet<TriangleMesh>(scene.Instances.Select(instance => instance.Mesh)), ref work, build);
             Place(scene, ref work);

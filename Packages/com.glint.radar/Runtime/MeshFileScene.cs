@@ -1,4 +1,5 @@
 using Glint.Core;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
@@ -23,30 +24,51 @@ namespace Glint
 
         /// <summary>Makes the objects in the active scene.</summary>
         /// <param name="file">Triangles in metres.</param>
-        /// <param name="stand">Where the radar stands.</param>
-        /// <param name="settings">Frequency, rays, bounces.</param>
-        /// <param name="receiverSize">Width and height in metres.</param>
+        /// <param name="stand">Where the radar stands, and what it sees and receives.</param>
+        /// <param name="settings">Frequency, rays, bounces. With parallel rays their spacing decides how many there are.</param>
         /// <param name="kernel">Shaders/Trace.compute.</param>
-        public static MeshFileScene Create(MeshFile file, in RadarStand stand, in RadarSettings settings, Vector2 receiverSize, ComputeShader kernel)
+        /// <exception cref="GlintException">The spacing takes too many rays.</exception>
+        public static MeshFileScene Create(MeshFile file, in RadarStand stand, in RadarSettings settings, ComputeShader kernel)
         {
             var target = MakeObject(file);
 
-            var camera = new GameObject("Radar Camera").AddComponent<Camera>();
-            var rotation = Quaternion.Euler((float)stand.GrazingDegrees, (float)stand.AzimuthDegrees, 0);
-            var aim = new Vector3((float)stand.Aim.x, (float)stand.Aim.y, (float)stand.Aim.z);
-            camera.transform.SetPositionAndRotation(aim - rotation * Vector3.forward * (float)stand.Distance, rotation);
-            camera.fieldOfView = (float)stand.VerticalFovDegrees;
-
-            var receiver = new GameObject("Receiver").transform;
-            receiver.SetParent(camera.transform, false);
-            receiver.localPosition = new Vector3(0, 0, -ReceiverBehindCamera);
+            // Turned where it is aimed at and held out by the distance: single precision turns both, it does not move the aim.
+            var aim = new GameObject("Radar Aim").transform;
+            aim.localPosition = new Vector3((float)stand.Aim.x, (float)stand.Aim.y, (float)stand.Aim.z);
+            aim.localRotation = Quaternion.Euler((float)stand.GrazingDegrees, (float)stand.AzimuthDegrees, 0);
+            var camera = MakeChild("Radar Camera", aim, -(float)stand.Distance).gameObject.AddComponent<Camera>();
 
             var radar = camera.gameObject.AddComponent<RadarController>();
             radar.Settings = settings;
-            radar.Receiver = receiver;
-            radar.ReceiverSize = receiverSize;
+            radar.Receiver = MakeChild("Receiver", camera.transform, stand.RaySpacing > 0 ? 0 : -ReceiverBehindCamera);
+            radar.ReceiverSize = new Vector2((float)stand.ReceiverSize.x, (float)stand.ReceiverSize.y);
             radar.Kernel = kernel;
+            if (stand.RaySpacing > 0)
+                MakeParallel(radar, camera, stand);
+            else
+                camera.fieldOfView = (float)stand.VerticalFovDegrees;
             return new MeshFileScene(target, radar);
+        }
+
+        static void MakeParallel(RadarController radar, Camera camera, in RadarStand stand)
+        {
+            camera.orthographic = true;
+            radar.FitAperture = math.all(stand.ApertureSize == 0);
+            radar.RaySpacing = stand.RaySpacing;
+            if (radar.FitAperture)
+                return;
+            var pose = new RadarPose { Settings = radar.Settings };
+            ApertureFit.Divide(stand.ApertureSize, stand.RaySpacing, ref pose, "aperture");
+            radar.Settings = pose.Settings;
+            camera.orthographicSize = (float)(pose.View.ApertureHeight / 2);
+        }
+
+        static Transform MakeChild(string name, Transform parent, float z)
+        {
+            var child = new GameObject(name).transform;
+            child.SetParent(parent, false);
+            child.localPosition = new Vector3(0, 0, z);
+            return child;
         }
 
         /// <summary>The mesh as an object of the active scene, at the origin.</summary>

@@ -13,6 +13,7 @@ namespace Glint
     /// <summary>
     /// A radar at a camera: one ray a pixel, bounced through the scene on the GPU, and what returns to the receiver summed coherently.
     /// Position, rotation and vertical field of view are the Camera's; rays across and down set the aspect ratio.
+    /// An orthographic Camera makes parallel rays: they leave an aperture twice its Size high.
     /// It traces one pose when the scene starts and whenever <see cref="Trace"/> is called.
     /// </summary>
     [AddComponentMenu("Glint/Radar Controller")]
@@ -26,8 +27,14 @@ namespace Glint
         [SerializeField, Min(1), Tooltip("Rays across the view. With Rays Down it sets the aspect ratio.")]
         int _raysAcross = 1920;
 
-        [SerializeField, Min(1), Tooltip("Rays down the view, over the Camera's field of view.")]
+        [SerializeField, Min(1), Tooltip("Rays down the view, over the Camera's field of view or, where it is orthographic, twice its Size.")]
         int _raysDown = 1080;
+
+        [SerializeField, Tooltip("Only for an orthographic Camera: the rays cover what is traced, as it looks from here, Ray Spacing apart, and none is wasted. The Camera's Size, Rays Across and Rays Down do not matter then.")]
+        bool _fitAperture;
+
+        [SerializeField, Tooltip("From ray to ray in metres, with Fit Aperture.")]
+        double _raySpacing = 0.01;
 
         [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Most specular reflections a ray may make.")]
         int _maxBounces = 4;
@@ -35,7 +42,7 @@ namespace Glint
         [SerializeField, Tooltip("Middle of the receiver, which faces along this transform's forward axis. It is neither target nor obstacle.")]
         Transform _receiver;
 
-        [SerializeField, Tooltip("Width and height of the receiver in metres.")]
+        [SerializeField, Tooltip("Width and height of the receiver in metres. 0 x 0, where the Camera is orthographic: as large as the aperture, and on its axis.")]
         Vector2 _receiverSize = new Vector2(3, 3);
 
         [SerializeField, Tooltip("Layers to trace.")]
@@ -78,10 +85,16 @@ namespace Glint
             }
         }
 
+        /// <summary>With an orthographic Camera: the rays cover what is traced, <see cref="RaySpacing"/> apart. The Camera's size and the rays across and down of <see cref="Settings"/> do not matter then.</summary>
+        public bool FitAperture { get => _fitAperture; set => _fitAperture = value; }
+
+        /// <summary>From ray to ray with <see cref="FitAperture"/>, metres.</summary>
+        public double RaySpacing { get => _raySpacing; set => _raySpacing = value; }
+
         /// <summary>Middle of the receiver; it faces along the transform's forward axis.</summary>
         public Transform Receiver { get => _receiver; set => _receiver = value; }
 
-        /// <summary>Width and height of the receiver, metres.</summary>
+        /// <summary>Width and height of the receiver, metres. 0 x 0 with an orthographic Camera: as large as the aperture, and on its axis.</summary>
         public Vector2 ReceiverSize { get => _receiverSize; set => _receiverSize = value; }
 
         /// <summary>Layers to trace.</summary>
@@ -125,22 +138,20 @@ namespace Glint
         /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
         public RadarResult Trace(KeptRays keep, IProgress<double> progress = null, CancellationToken cancel = default)
         {
-            var settings = Settings;
-            var view = View();
             // Before the scene is gathered: that may take long.
-            settings.Validate(Subject);
-            view.Validate(Subject);
+            var settings = Describe().Settings;
             _tracer ??= new RayTracer(_kernel, Subject);
-            _tracer.CheckRoom(settings, keep);
+            if (!IsFitted)
+                _tracer.CheckRoom(settings, keep);
 
             var watch = Stopwatch.StartNew();
-            RadarScene scene;
+            RadarPose pose;
             using (s_gather.Auto())
-                scene = GatherScene();
+                pose = Gather();
             double gatherMs = watch.Elapsed.TotalMilliseconds;
             _tracer.CountVisits = CountVisits;
-            _tracer.SetScene(scene, cancel);
-            var result = _tracer.Trace(settings, view, keep, progress, cancel);
+            _tracer.SetScene(pose.Scene, cancel);
+            var result = _tracer.Trace(pose.Settings, pose.View, keep, progress, cancel);
             result.Objects = _gatherer.ObjectCount;
             result.Timings.GatherMs = gatherMs;
             Result = result;
@@ -153,43 +164,37 @@ namespace Glint
         /// </summary>
         public void ExpectMotion(Transform transform) => _gatherer.ExpectMotion(transform);
 
-        /// <summary>What a pose would trace: meshes at their places in the world, metres. Meshes that have not changed are the same objects as the last time.</summary>
-        /// <exception cref="GlintException">A mesh is not fit to be traced.</exception>
-        public RadarScene GatherScene()
+        /// <summary>
+        /// What a pose would trace, how and from where, as everything stands now. Scene and view are in the axes and metres of the world, about the place of the nearest transform
+        /// that the radar, its receiver and all traced objects have in common; without one, about the world's origin. Meshes that have not changed are the same objects as the last time.
+        /// </summary>
+        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>
+        public RadarPose Gather()
         {
+            var pose = Describe();
             if (_roots.Exists(root => root == null))
                 throw new GlintException($"{Subject}: an entry of Roots is empty: assign an object or remove the entry");
-            var scene = _gatherer.Gather(_layers, _roots, _receiver);
+            pose.Scene = _gatherer.Gather(_layers, _roots, _receiver, transform);
             foreach (string warning in _gatherer.Warnings)
                 if (_warned.Add(warning))
                     Debug.LogWarning($"{Subject}: {warning}", this);
-            return scene;
+
+            var stand = _gatherer.StandOf(transform);
+            (pose.View.Position, pose.View.Right, pose.View.Up, pose.View.Forward) = (stand.Origin, stand.X, stand.Y, stand.Z);
+            stand = _gatherer.StandOf(_receiver);
+            (pose.View.ReceiverCentre, pose.View.ReceiverRight, pose.View.ReceiverUp, pose.View.ReceiverForward) = (stand.Origin, stand.X, stand.Y, stand.Z);
+            if (IsFitted)
+                ApertureFit.Cover(ref pose, _raySpacing, Subject);
+            if (MatchesAperture(pose.View))
+                ApertureFit.MatchReceiver(ref pose);
+            return pose;
         }
 
-        /// <summary>Where the radar stands and looks, and where it receives; axes and metres of the world.</summary>
-        /// <exception cref="GlintException">There is no receiver, or the camera is orthographic.</exception>
-        public RadarView View()
-        {
-            if (_receiver == null)
-                throw new GlintException($"{Subject} has no receiver: assign a Transform behind the camera to its field Receiver");
-            if (!TryGetComponent<Camera>(out var camera))
-                throw new GlintException($"'{name}' has a RadarController and no Camera: add one, its position, rotation and field of view are the radar's");
-            if (camera.orthographic)
-                throw new GlintException($"the Camera of '{name}' is orthographic: set its Projection to Perspective");
-            return new RadarView
-            {
-                Position = (float3)transform.position,
-                Right = (float3)transform.right,
-                Up = (float3)transform.up,
-                Forward = (float3)transform.forward,
-                VerticalFovDegrees = camera.fieldOfView,
-                ReceiverCentre = (float3)_receiver.position,
-                ReceiverRight = (float3)_receiver.right,
-                ReceiverUp = (float3)_receiver.up,
-                ReceiverForward = (float3)_receiver.forward,
-                ReceiverSize = (float2)_receiverSize,
-            };
-        }
+        /// <summary>The scene of <see cref="Gather"/>.</summary>
+        public RadarScene GatherScene() => Gather().Scene;
+
+        /// <summary>The view of <see cref="Gather"/>, in the frame of its scene.</summary>
+        public RadarView View() => Gather().View;
 
         /// <summary>Lets go of the GPU's buffers and of what was gathered; the next pose makes them anew.</summary>
         public void Release()
@@ -201,12 +206,45 @@ namespace Glint
 
         string Subject => $"RadarController of '{name}'";
 
+        /// <summary>Whether each pose has an aperture of its own.</summary>
+        internal bool IsFitted => _fitAperture && GetComponent<Camera>().orthographic;
+
+        bool MatchesAperture(in RadarView view) => view.IsParallel && _receiverSize.x == 0 && _receiverSize.y == 0;
+
+        // All that does not depend on where things stand, checked. A fitted aperture has some size or other.
+        RadarPose Describe()
+        {
+            if (_receiver == null)
+                throw new GlintException($"{Subject} has no receiver: assign a Transform behind the camera to its field Receiver");
+            if (!TryGetComponent<Camera>(out var camera))
+                throw new GlintException($"'{name}' has a RadarController and no Camera: add one, its position, rotation and field of view are the radar's");
+            if (IsFitted)
+                ApertureFit.CheckSpacing(_raySpacing, Subject);
+            else if (camera.orthographic && !(camera.orthographicSize > 0))
+                throw new GlintException(FormattableString.Invariant($"the Camera of '{name}' is orthographic and its Size is {camera.orthographicSize}: give it half the aperture's height in metres, above 0"));
+
+            var pose = new RadarPose { Settings = Settings };
+            pose.View.VerticalFovDegrees = camera.fieldOfView;
+            pose.View.ApertureHeight = IsFitted ? _raySpacing : camera.orthographic ? 2.0 * camera.orthographicSize : 0;
+            pose.View.ReceiverSize = (float2)_receiverSize;
+            if (MatchesAperture(pose.View))
+                ApertureFit.MatchReceiver(ref pose);
+            var settings = pose.Settings;
+            if (IsFitted)
+                settings.Region = default; // of a picture that is not known yet
+            settings.Validate(Subject);
+            pose.View.Validate(Subject);
+            return pose;
+        }
+
         void Start()
         {
             try
             {
                 var result = Trace();
                 Debug.Log(FormattableString.Invariant($"{Subject}: amplitude {result.Amplitude:g7}, {result.RaysReceived} of {result.RaysHit} rays that hit were received"), this);
+                if (result.Undersampled)
+                    Debug.LogWarning($"{Subject}: the amplitude is not to be trusted: its rays are too far apart, or too few return; give it more rays or a narrower view", this);
             }
             catch (GlintException problem)
             {
@@ -218,21 +256,5 @@ namespace Glint
 
         // A radar that was traced while disabled gets no OnDisable.
         void OnDestroy() => Release();
-
-        /// <summary>The one enabled radar of the loaded scenes.</summary>
-        /// <param name="searcher">Who looks for it, for the message.</param>
-        /// <exception cref="GlintException">There is none, or more than one.</exception>
-        internal static RadarController FindOnly(string searcher)
-        {
-            var all = FindObjectsByType<RadarController>(FindObjectsInactive.Include, FindObjectsSortMode.None);
-            var radars = Array.FindAll(all, radar => radar.isActiveAndEnabled);
-            if (all.Length == 0)
-                throw new GlintException($"{searcher}: has no radar; add a RadarController (Glint > Radar Controller) to a camera of the scene");
-            if (radars.Length == 0)
-                throw new GlintException($"{searcher}: its RadarController of '{all[0].name}' is disabled or inactive; enable it");
-            if (radars.Length > 1)
-                throw new GlintException($"{searcher}: has {radars.Length} radars, '{string.Join("', '", Array.ConvertAll(radars, radar => radar.name))}'; disable all but one");
-            return radars[0];
-        }
     }
 }

@@ -30,8 +30,21 @@ namespace Glint
                 Host = RuntimeInformation.FrameworkDescription,
                 OperatingSystem = SystemInfo.operatingSystem,
             };
-            var settings = radar.Settings;
-            var view = radar.View();
+            var pose = radar.Gather();
+            AddPicture(info, pose.Settings, pose.View, radar.IsFitted);
+            info.Settings.Add(new RunSetting("receiver_width", pose.View.ReceiverSize.x, "m"));
+            info.Settings.Add(new RunSetting("receiver_height", pose.View.ReceiverSize.y, "m"));
+            Add(info, "radar", pose.Scene.Origin + pose.View.Position, "m");
+            Add(info, "radar_forward", pose.View.Forward, "1");
+            Add(info, "radar_up", pose.View.Up, "1");
+            Add(info, "receiver", pose.Scene.Origin + pose.View.ReceiverCentre, "m");
+            Add(info, "receiver_forward", pose.View.ReceiverForward, "1");
+            Add(info, "receiver_up", pose.View.ReceiverUp, "1");
+            return info;
+        }
+
+        static void AddPicture(RunInfo info, in RadarSettings settings, in RadarView view, bool isFitted)
+        {
             info.Settings.Add(new RunSetting("frequency", settings.FrequencyHz, "Hz"));
             info.Settings.Add(new RunSetting("wavelength", settings.Wavelength, "m"));
             info.Settings.Add(new RunSetting("rays_across", settings.RaysAcross, "1"));
@@ -39,16 +52,16 @@ namespace Glint
             if (!settings.Region.IsWhole)
                 AddRegion(info, settings.Region);
             info.Settings.Add(new RunSetting("max_bounces", settings.MaxBounces, "1"));
-            info.Settings.Add(new RunSetting("vertical_fov", view.VerticalFovDegrees, "deg"));
-            info.Settings.Add(new RunSetting("receiver_width", view.ReceiverSize.x, "m"));
-            info.Settings.Add(new RunSetting("receiver_height", view.ReceiverSize.y, "m"));
-            Add(info, "radar", view.Position, "m");
-            Add(info, "radar_forward", view.Forward, "1");
-            Add(info, "radar_up", view.Up, "1");
-            Add(info, "receiver", view.ReceiverCentre, "m");
-            Add(info, "receiver_forward", view.ReceiverForward, "1");
-            Add(info, "receiver_up", view.ReceiverUp, "1");
-            return info;
+            info.Settings.Add(new RunSetting("projection", view.IsParallel ? "parallel" : "perspective"));
+            if (!view.IsParallel)
+            {
+                info.Settings.Add(new RunSetting("vertical_fov", view.VerticalFovDegrees, "deg"));
+                return;
+            }
+            info.Settings.Add(new RunSetting("aperture", isFitted ? "fitted" : "given"));
+            info.Settings.Add(new RunSetting("aperture_width", 2 * view.HalfSize(settings).x, "m"));
+            info.Settings.Add(new RunSetting("aperture_height", view.ApertureHeight, "m"));
+            info.Settings.Add(new RunSetting("ray_spacing", view.ApertureHeight / settings.RaysDown, "m"));
         }
 
         static void AddRegion(RunInfo info, RayRegion region)

@@ -11,27 +11,25 @@ namespace Glint
     /// From one gather to the next it keeps what stays as it was: of a scene where only known movers have moved, every TriangleMesh is the same object as before.
     /// </summary>
     /// <remarks>
-    /// Objects that keep still relative to each other are merged into one mesh (a <see cref="Body"/>) in the frame of the nearest moving transform above them, or the world's.
+    /// The scene has the world's axes and metres. Its origin stands where the nearest transform stands that the radar, its receiver and all traced objects are, or are below:
+    /// what that transform's place is does not enter. Without such a transform it is the world's origin.
+    /// Objects that keep still relative to each other (a <see cref="RigidGroup"/>) are merged into one mesh, a <see cref="Body"/>, in a frame of their own.
     /// A transform moves when it does not stand as it did in the gather before, or when <see cref="ExpectMotion"/> was told so.
     /// Objects with a mesh of their own that changes, and those with one that is used many times, are instances of their mesh.
-    /// Vertices are rounded to float32 relative to such a frame, never to the world: its place is kept in double.
+    /// Vertices are rounded to float32 relative to such a frame, never to the scene: its place is kept in double.
     /// </remarks>
     sealed class SceneGatherer
     {
         /// <summary>A mesh that would make more triangles than this when merged once for each of its objects is not: the objects are instances.</summary>
         public const long MostMergedTriangles = 200_000;
 
-        // Objects farther apart than so many metres are not merged: steps of float32 are 0.06 mm there.
-        const double Reach = 1000;
-
-        // An instance that squeezes its mesh more than this would lose too many digits: the object is merged.
-        const double LeastEvenness = 1e-3;
-
         readonly HierarchyWalk _walk = new HierarchyWalk();
         readonly TransformTree _transforms = new TransformTree();
         readonly Kept<Mesh, MeshSource> _sources = new Kept<Mesh, MeshSource>();
-        readonly Kept<(TransformNode, bool, int3), Body> _bodies = new Kept<(TransformNode, bool, int3), Body>();
-        readonly List<TransformNode> _objects = new List<TransformNode>();
+        readonly Kept<TransformNode, Body> _bodies = new Kept<TransformNode, Body>();
+        readonly List<RigidGroup> _groups = new List<RigidGroup>();
+        readonly Dictionary<(RigidGroup, int3), Body> _cells = new Dictionary<(RigidGroup, int3), Body>();
+        readonly List<(TransformNode node, Renderer renderer)> _objects = new List<(TransformNode, Renderer)>();
         readonly List<(Body body, TransformNode lone)> _pieces = new List<(Body, TransformNode)>();
         readonly List<string> _warnings = new List<string>();
         MeshReader _reader = new MeshReader();
@@ -50,22 +48,29 @@ namespace Glint
         /// <param name="layers">Layers to trace.</param>
         /// <param name="roots">Objects to trace with all below them; empty: every loaded scene.</param>
         /// <param name="receiver">Never traced, with all below it: it is neither target nor obstacle. May be null.</param>
+        /// <param name="radar">Where the radar stands; null: the scene's origin is the world's.</param>
         /// <returns>The same scene as before when nothing has changed.</returns>
         /// <exception cref="GlintException">A mesh that cannot be traced; the message names it and the remedy.</exception>
-        public RadarScene Gather(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver)
+        public RadarScene Gather(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver, Transform radar = null)
         {
             _transforms.Begin();
             _sources.Begin();
             _bodies.Begin();
             CollectObjects(layers, roots, receiver);
+            var centre = FindCentre(radar, receiver);
+            _transforms.Compose(centre);
             var instances = Place();
+            var origin = centre.ToWorld().Origin;
             _transforms.End();
             _sources.End();
             _bodies.End();
-            if (_scene == null || !IsSame(instances, _scene.Instances))
-                _scene = new RadarScene(instances);
+            if (_scene == null || !origin.Equals(_scene.Origin) || !IsSame(instances, _scene.Instances))
+                _scene = new RadarScene(instances) { Origin = origin };
             return _scene;
         }
+
+        /// <summary>Where the radar or the receiver of the last gather stands in its scene; the columns are its right, up and forward, unit vectors.</summary>
+        public Affine StandOf(Transform radarOrReceiver) => _transforms.Visit(radarOrReceiver).Stand();
 
         /// <summary>Lets go of everything kept but what was said of motion.</summary>
         public void Forget()
@@ -73,6 +78,8 @@ namespace Glint
             _transforms.Forget();
             _sources.Clear();
             _bodies.Clear();
+            _groups.Clear();
+            _cells.Clear();
             _objects.Clear();
             _pieces.Clear();
             _reader = new MeshReader();
@@ -138,24 +145,55 @@ namespace Glint
             var source = _sources.Get(mesh, out bool first);
             if (first)
                 source.Update(mesh, _reader, renderer);
-            source.AddObject(node.ToWorld, _reader, renderer);
+            source.AddObject();
             node.SetSource(source);
-            _objects.Add(node);
+            _objects.Add((node, renderer));
+        }
+
+        // The transform at which the scene's origin stands.
+        TransformNode FindCentre(Transform radar, Transform receiver)
+        {
+            if (radar == null)
+                return _transforms.World;
+            var centre = _transforms.Visit(radar);
+            if (receiver != null)
+                centre = TransformNode.Common(centre, _transforms.Visit(receiver));
+            foreach (var (node, _) in _objects)
+                centre = TransformNode.Common(centre, node);
+            return centre;
         }
 
         MeshInstance[] Place()
         {
+            FindGroups();
+            _cells.Clear();
             _pieces.Clear();
-            foreach (var node in _objects)
+            foreach (var (node, renderer) in _objects)
+            {
+                node.Source.CheckPlace(node.ToScene, _reader, renderer);
                 if (node.Source.TriangleCount > 0)
                     AddPiece(node);
+            }
             var instances = new MeshInstance[_pieces.Count];
             for (int i = 0; i < instances.Length; i++)
             {
                 var (body, lone) = _pieces[i];
-                instances[i] = body != null ? body.Place(_reader) : lone.Source.Place(lone.ToWorld, _reader);
+                instances[i] = body != null ? body.Place(_reader) : lone.Source.Place(lone.ToScene, _reader);
             }
             return instances;
+        }
+
+        void FindGroups()
+        {
+            _groups.Clear();
+            foreach (var (node, _) in _objects)
+            {
+                if (node.Mover.Group == null)
+                    _groups.Add(node.Mover.Group = new RigidGroup());
+                node.Mover.Group.Add(node);
+            }
+            foreach (var group in _groups)
+                group.Settle();
         }
 
         // An instance of its own, or a part of a body; a body stands where its first object stands.
@@ -164,26 +202,30 @@ namespace Glint
             var source = node.Source;
             bool isApart = node.SwapsMesh || source.Version > 0;
             bool isRepeated = source.ObjectCount > 1 && source.ObjectCount * (long)source.TriangleCount > MostMergedTriangles;
-            if ((isApart || isRepeated) && Shape.Evenness(node.ToWorld) >= LeastEvenness)
+            if ((isApart || isRepeated) && Shape.Evenness(node.ToScene) >= Shape.LeastEvenness)
             {
                 _pieces.Add((null, node));
                 return;
             }
-            var body = _bodies.Get(isApart ? (node, true, 0) : (node.Frame, false, Cell(node)), out bool first);
-            if (first)
+            var group = node.Mover.Group;
+            if (isApart)
             {
-                body.Begin();
-                _pieces.Add((body, null));
+                AddBody(node, group);
+                return;
             }
-            body.Add(node, source);
+            var cell = (group, group.Cell(node));
+            if (_cells.TryGetValue(cell, out var body))
+                body.Add(node);
+            else
+                _cells.Add(cell, AddBody(node, group));
         }
 
-        static int3 Cell(TransformNode node)
+        Body AddBody(TransformNode first, RigidGroup group)
         {
-            var frame = node.Frame;
-            double3 centre = node.InFrame.Point(node.Source.Centre);
-            frame.Anchor ??= centre;
-            return (int3)math.round((centre - frame.Anchor.Value) * (frame.FrameUnit / Reach));
+            var body = _bodies.Get(first, out _);
+            body.Begin(first, group);
+            _pieces.Add((body, null));
+            return body;
         }
 
         static bool IsSame(MeshInstance[] some, MeshInstance[] others)

@@ -57,7 +57,7 @@ namespace Glint
             if (_target == null)
                 throw new GlintException($"Sweep of '{name}' has no target: assign the object to turn to its field Target");
             if (_radar == null)
-                _radar = RadarController.FindOnly($"scene of Sweep '{name}'");
+                _radar = RadarSearch.FindOnly($"scene of Sweep '{name}'");
             var angles = Glint.Core.Angles.Parse(_angles);
             string scene = gameObject.scene.name;
             var folder = ResultsFolder.Open(string.IsNullOrEmpty(_outputFolder) ? RunDescription.DefaultFolder(scene) : RunDescription.InProject(_outputFolder));

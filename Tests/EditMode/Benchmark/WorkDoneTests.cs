@@ -94,6 +94,7 @@ namespace Glint.Tests
         {
             using (var tracer = Tracer(asSoftware))
             {
+                tracer.TilesADispatch = int.MaxValue;
                 tracer.SetScene(Scene(Made));
                 var first = tracer.Trace(s_settings, s_view, KeptRays.None).Work;
                 Assert.That(first.TreesBuilt, Is.EqualTo(2));

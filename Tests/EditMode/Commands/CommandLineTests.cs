@@ -87,9 +87,28 @@ namespace Glint.Tests
         [TestCase("--grazing", "10")]
         [TestCase("--azimuth", "0")]
         [TestCase("--fov", "60")]
+        [TestCase("--spacing", "0.01")]
+        [TestCase("--aperture", "3")]
         [TestCase("--aim", "0,0,0")]
         public void MeshOption_WithAScene_IsRefusedByName(string flag, string value) =>
             AssertRefused(Commands.Run, flag + ": only for mesh files: a scene has its own camera and objects, change it there", "x.unity", flag, value);
+
+        [Test]
+        public void Spacing_OfParallelRays_IsTakenWithAndWithoutAnAperture()
+        {
+            var fitted = Parse(Commands.Run, "x.obj", "--spacing", "0.005");
+            Assert.That((fitted.Get(Options.Spacing), fitted.Get(Options.Aperture)), Is.EqualTo((0.005, new double2(0, 0))));
+            var given = Parse(Commands.Sweep, "x.obj", "--angles", "0", "--aperture", "3x2", "--spacing", "0.005");
+            Assert.That(given.Get(Options.Aperture), Is.EqualTo(new double2(3, 2)));
+            Assert.That(Parse(Commands.Run, "x.obj").Get(Options.Spacing), Is.Zero);
+        }
+
+        [TestCase("--spacing: not with --size: the spacing decides how many rays there are", "--size", "3x3", "--spacing", "1")]
+        [TestCase("--spacing: not with --fov: parallel rays have no field of view", "--spacing", "1", "--fov", "60")]
+        [TestCase("--aperture: needs --spacing M", "--aperture", "3")]
+        [TestCase("--aperture: needs --spacing M", "--aperture", "3", "--size", "3x3")]
+        public void Spacing_WithWhatItLeavesNoRoomFor_IsRefused(string message, params string[] options) =>
+            AssertRefused(Commands.Run, message, options.Prepend("x.obj").ToArray());
 
         [Test]
         public void Arguments_Wrong_AreRefusedInOneLine()

@@ -24,6 +24,7 @@ namespace Glint.Tests
             Assert.That(Options.Aim.Default, Is.EqualTo(new double3(0, 0, 0)));
             Assert.That(Options.Unit.Default.Meters, Is.EqualTo(1));
             Assert.That(Options.Up.Default, Is.EqualTo(UpAxis.Y));
+            Assert.That(Options.Spacing.Default, Is.Zero, "rays from one point");
             Assert.That(Options.Out.Default, Is.Null);
         }
 
@@ -52,6 +53,9 @@ namespace Glint.Tests
         [TestCase("fov", "1e-5")]
         [TestCase("distance", "1e-6")]
         [TestCase("receiver", "1e-6")]
+        [TestCase("spacing", "0.003")]
+        [TestCase("aperture", "20")]
+        [TestCase("aperture", "20x0.5")]
         [TestCase("size", "1x1")]
         [TestCase("size", "524280X524280")]
         [TestCase("receiver", "0.5")]
@@ -81,6 +85,8 @@ namespace Glint.Tests
         [TestCase("distance", "0", "--distance 0: must be from 1e-6 to 1e6")]
         [TestCase("distance", "1e-320", "--distance 1e-320: must be from 1e-6 to 1e6")]
         [TestCase("distance", "", "--distance \"\": must be a number, such as 0.5 or 10e9")]
+        [TestCase("spacing", "0", "--spacing 0: must be from 1e-6 to 1e6")]
+        [TestCase("aperture", "1x0", "--aperture 1x0: each number must be from 1e-6 to 1e6")]
         [TestCase("size", "1920", "--size 1920: must be ACROSSxDOWN, two whole numbers, such as 1920x1080")]
         [TestCase("size", "1920x", "--size 1920x: must be ACROSSxDOWN, two whole numbers, such as 1920x1080")]
         [TestCase("size", "0x1080", "--size 0x1080: each number must be from 1 to 524280")]

@@ -77,7 +77,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_InManyDispatches_SumsAndRaysAreThoseOfOne()
         {
-            var inOne = Pose(keep: KeptRays.Received);
+            var inOne = Pose(tracer => tracer.TilesADispatch = int.MaxValue, KeptRays.Received);
             var inMany = Pose(tracer => tracer.TilesADispatch = 37, KeptRays.Received);
             // The starts of the tiles, the rays, those that may be received once more, and smaller ones around these.
             Assert.That(inOne.Work.Dispatches, Is.EqualTo(4));
@@ -144,8 +144,9 @@ namespace Glint.Tests
         [Test]
         public void Trace_KeepingNoneReceivedOrAll_SumsAreTheSameBitForBit()
         {
-            var none = Pose();
-            var received = Pose(keep: KeptRays.Received);
+            void InOneDispatch(RayTracer tracer) => tracer.TilesADispatch = int.MaxValue;
+            var none = Pose(InOneDispatch);
+            var received = Pose(InOneDispatch, KeptRays.Received);
             AssertSame(received, none);
             AssertSame(Pose(keep: KeptRays.All), none);
             Assert.That(none.Rays, Is.Empty);
@@ -232,6 +233,7 @@ namespace Glint.Tests
             var mesh = Scene;
             using (var tracer = Tracer(new RadarScene(mesh)))
             {
+                tracer.TilesADispatch = int.MaxValue;
                 var first = tracer.Trace(s_settings, s_view, KeptRays.None);
                 Assert.That(first.Work.TreesBuilt, Is.EqualTo(1));
                 Assert.That(first.Work.TrianglesBuilt, Is.EqualTo(mesh.TriangleCount));

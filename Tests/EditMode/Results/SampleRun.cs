@@ -10,11 +10,16 @@ namespace Glint.Tests
         {
             InPhase = inPhase,
             Quadrature = quadrature,
+            RaysOfPicture = 4147200,
             RaysEmitted = 2073600,
             RaysHit = 900,
             RaysReceived = 300,
             Bounces = 1200,
             PathLengthMeters = 41.25,
+            SamplingError = 0.25,
+            LargestPathStep = 0.125,
+            Undersampled = true,
+            RayArea = 0.0625,
             Timings = new Timings { GatherMs = 1, BuildMs = 2, UploadMs = 4, TraceMs = 8.5, ReadBackMs = 0.5 }
         });
 

@@ -5,6 +5,7 @@ using Glint.Core;
 using Glint.Editor;
 using Glint.Host;
 using Glint.Vulkan;
+using UnityEngine;
 
 namespace Glint.Cli;
 
@@ -18,9 +19,12 @@ sealed class BenchCommand(Terminal terminal)
     {
         var json = line.IsGiven(Options.Json) ? new OutputFile(Options.Json.Flag, line.Get(Options.Json)) : null;
         var sceneFile = line.IsGiven(Options.WriteScene) ? new OutputFile(Options.WriteScene.Flag, line.Get(Options.WriteScene)) : null;
+        var plot = line.IsGiven(Options.Accuracy) ? new OutputFile(Options.Accuracy.Flag, line.Get(Options.Accuracy)) : null;
         var subjects = SceneSubjects.Open(line);
         try
         {
+            if (plot != null)
+                return Accuracy(line, subjects.Radar.Kernel, json, plot, progress);
             var result = Measure(line, subjects, sceneFile, progress);
             json?.Write(stream => BenchJson.Write(stream, result));
             var written = new[] { sceneFile, json }.Where(file => file != null).Select(file => $"written: {file.Path}");
@@ -30,6 +34,15 @@ sealed class BenchCommand(Terminal terminal)
         {
             subjects.Radar.Release();
         }
+    }
+
+    string[] Accuracy(CommandLine line, ComputeShader kernel, OutputFile json, OutputFile plot, IProgressSink progress)
+    {
+        var result = new AccuracyBench(kernel, line.Get(Options.Rounds), progress).Run();
+        json?.Write(stream => AccuracyJson.Write(stream, result));
+        plot.Write(stream => AccuracyPlot.Write(stream, result));
+        var written = new[] { plot, json }.Where(file => file != null).Select(file => $"written: {file.Path}");
+        return [.. new AccuracyTables(terminal).Lines(result), .. written];
     }
 
     static BenchResult Measure(CommandLine line, SceneSubjects subjects, OutputFile sceneFile, IProgressSink progress)

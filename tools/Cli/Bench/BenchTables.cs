@@ -1,16 +1,17 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
 using System.Linq;
 using Glint.Core;
 using Spectre.Console;
+using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>A benchmark's figures as tables: framed on a screen, in plain columns in a file.</summary>
+/// <summary>A benchmark's figures as tables.</summary>
 sealed class BenchTables(Terminal terminal)
 {
+    readonly TableText _text = new(terminal);
+
     public IEnumerable<string> Lines(BenchResult result)
     {
         var settings = result.Settings;
@@ -19,7 +20,7 @@ sealed class BenchTables(Terminal terminal)
         foreach (var table in new[] { Times(result), Work(result), Errors(result), Peers(result) }.Where(table => table != null))
         {
             yield return "";
-            foreach (string line in Render(table))
+            foreach (string line in _text.Lines(table))
                 yield return line;
         }
         if (result.NotJudged != null)
@@ -33,7 +34,7 @@ sealed class BenchTables(Terminal terminal)
     Table Times(BenchResult result)
     {
         var poses = result.Poses;
-        var table = NewTable("time, ms", "median", "lowest");
+        var table = _text.New(1, "time, ms", "median", "lowest");
         void Add(string what, Series series) => table.AddRow(Escaped(what, Ms(series.Median), Ms(series.Lowest)));
         Add("first pose: gather", poses.FirstGather);
         Add("first pose: build trees", poses.Build);
@@ -53,7 +54,7 @@ sealed class BenchTables(Terminal terminal)
     Table Work(BenchResult result)
     {
         var (sums, work, first) = (result.Poses.First, result.Poses.Work, result.Poses.First.Work);
-        var table = NewTable("a pose", "", "");
+        var table = _text.New(1, "a pose", "", "");
         void Add(string what, long count, string note = "") => table.AddRow(Escaped(what, Text($"{count:N0}"), note));
         Add("rays emitted", sums.RaysEmitted);
         Add("rays hit", sums.RaysHit);
@@ -78,7 +79,7 @@ sealed class BenchTables(Terminal terminal)
     {
         if (result.Errors is not { } errors)
             return null;
-        var table = NewTable(Text($"error, {errors.Judge.RaysEmitted:N0} rays judged"), "", "");
+        var table = _text.New(1, Text($"error, {errors.Judge.RaysEmitted:N0} rays judged"), "", "");
         table.AddRow(Escaped("rays hit", Text($"{errors.Hits:+#,0;-#,0;0}"), Text($"of {errors.Judge.RaysHit:N0}")));
         table.AddRow(Escaped("bounces", Text($"{errors.Bounces:+#,0;-#,0;0}"), Text($"of {errors.Judge.Bounces:N0}")));
         table.AddRow(Escaped("path length", Text($"{errors.PathLengthRelative:0.0e+0}"), "relative"));
@@ -92,7 +93,7 @@ sealed class BenchTables(Terminal terminal)
         if (result.Peers.Count == 0)
             return null;
         bool hasClock = result.Poses.PoseGpu.Count > 0;
-        var table = NewTable(["peer", "time", "median ms", "lowest ms", "/ pose", .. hasClock ? ["/ its kernels"] : Array.Empty<string>()]);
+        var table = _text.New(2, ["peer", "time", "median ms", "lowest ms", "/ pose", .. hasClock ? ["/ its kernels"] : Array.Empty<string>()]);
         foreach (var peer in result.Peers)
             foreach (string label in peer.Labels)
             {
@@ -103,37 +104,7 @@ sealed class BenchTables(Terminal terminal)
         return table;
     }
 
-    Table NewTable(params string[] titles)
-    {
-        var table = new Table { Border = terminal.SharesScreen ? TableBorder.Rounded : TableBorder.None };
-        var padding = terminal.SharesScreen ? new Padding(1, 0, 1, 0) : new Padding(0, 0, 2, 0);
-        for (int i = 0; i < titles.Length; i++)
-            table.AddColumn(new TableColumn(Markup.Escape(titles[i])) { Alignment = IsNumbers(titles, i) ? Justify.Right : Justify.Left, NoWrap = true, Padding = padding });
-        return table;
-    }
-
-    // Names first, notes without a title last.
-    static bool IsNumbers(string[] titles, int column) => titles.Length > 3 ? column > 1 : column == 1 || column == 2 && titles[2].Length > 0;
-
-    IEnumerable<string> Render(Table table)
-    {
-        var text = new StringWriter();
-        var console = AnsiConsole.Create(new AnsiConsoleSettings
-        {
-            Ansi = AnsiSupport.No, ColorSystem = ColorSystemSupport.NoColors, Interactive = InteractionSupport.No, Out = new AnsiConsoleOutput(text),
-        });
-        console.Profile.Width = terminal.Width;
-        console.Write(table);
-        return text.ToString().Split('\n').Select(line => line.TrimEnd()).Where(line => line.Length > 0);
-    }
-
-    static string[] Escaped(params string[] cells) => Array.ConvertAll(cells, cell => Markup.Escape(cell));
-
-    static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
-
     static string RegionText(RayRegion region) => region.IsWhole ? "" : Text($", of them {region.Width} x {region.Height} from {region.Left}, {region.Bottom}");
-
-    static string Ms(double value) => double.IsNaN(value) ? "-" : value.ToString(Math.Abs(value) < 1 ? "0.0000" : Math.Abs(value) < 100 ? "0.00" : "0.0", CultureInfo.InvariantCulture);
 
     static string Each(long count, long of, string what) => of == 0 ? "" : Text($"{(double)count / of:0.0} {what}");
 

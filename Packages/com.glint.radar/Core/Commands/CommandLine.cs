@@ -86,6 +86,7 @@ namespace Glint.Core
                 line.Add(given.Key, given.Value);
             line.SetInput(inputs);
             line.CheckOptionsAgainstInput();
+            line.CheckOptionsAgainstEachOther();
             return line;
         }
 
@@ -101,6 +102,7 @@ namespace Glint.Core
             bool isGiven = _values.TryGetValue(option, out var before);
             if (isGiven && !option.IsRepeatable)
                 throw new UsageException($"{flag}: given twice");
+            text = text ?? option.ImpliedText;
             if (text == null)
                 throw new UsageException($"{flag}: needs a value: {flag} {option.ValueName}");
             var value = option.ParseValue(text);
@@ -133,6 +135,18 @@ namespace Glint.Core
             foreach (var option in Command.Required)
                 if (!IsGiven(option) && (option.Inputs & InputKind) != 0)
                     throw new UsageException($"{option.Flag} is missing: {Command.Name} needs {option.Flag} {option.ValueName}");
+        }
+
+        void CheckOptionsAgainstEachOther()
+        {
+            foreach (var option in Command.Options.Where(IsGiven))
+            {
+                if (option.Needs != null && !IsGiven(option.Needs))
+                    throw new UsageException($"{option.Flag}: needs {option.Needs.Flag} {option.Needs.ValueName}");
+                foreach (var (excluded, reason) in option.Excludes)
+                    if (IsGiven(excluded))
+                        throw new UsageException($"{option.Flag}: not with {excluded.Flag}: {reason}");
+            }
         }
 
         static InputKind KindOf(string input)

@@ -23,7 +23,7 @@ namespace Glint.Core
             Options = new Option[]
             {
                 Options.Target, Options.Angles, Options.Out, Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
-                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Aim, Options.Device
+                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Spacing, Options.Aperture, Options.Aim, Options.Device
             },
             Required = new Option[] { Options.Angles, Options.Target },
             Notes = new[]
@@ -46,14 +46,15 @@ namespace Glint.Core
             Options = new Option[]
             {
                 Options.Out, Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
-                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Aim, Options.Device
+                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Spacing, Options.Aperture, Options.Aim, Options.Device
             },
             Notes = new[] { "Without --out the result is printed and no file is written." },
             UnityMethod = "Glint.Editor.Batch.Run",
             Examples = new[]
             {
                 Example("run Scenes/CornerReflector.unity", "Print what the radar of the scene receives."),
-                Example("run boat.obj --distance 200 --grazing 5 --azimuth 90 --frequency 9.4e9 --out boat", "A boat seen from -X at 9.4 GHz; write the files to boat.")
+                Example("run boat.obj --distance 200 --grazing 5 --azimuth 90 --frequency 9.4e9 --out boat", "A boat seen from -X at 9.4 GHz; write the files to boat."),
+                Example("run boat.obj --distance 10000 --grazing 5 --spacing 0.005", "The boat in a plane wave from 10 km, a ray every 5 mm.")
             }
         };
 
@@ -65,7 +66,7 @@ namespace Glint.Core
             {
                 Options.Rounds, Options.Peers, Options.Judge, Options.Json, Options.WriteScene, Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
                 Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
-                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Aim, Options.Device
+                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Aim, Options.Accuracy, Options.Device
             },
             Notes = new[]
             {
@@ -75,6 +76,7 @@ namespace Glint.Core
             {
                 Example("bench", "The built-in scene, 1920 x 1080 rays."),
                 Example("bench --size 7680x4320 --judge none --json 8k.json", "33 million rays; the figures go into a file."),
+                Example("bench --accuracy --json accuracy.json", "Run time against error: the plot, tables and figures."),
                 Example("bench --peer \"Embree=./embree {scene}\"", "With another program, in turns.")
             }
         };

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Glint.Core
 {
@@ -29,6 +30,9 @@ namespace Glint.Core
         /// <summary>The value when the option is not given, as it would be written; null when there is none.</summary>
         public string DefaultText { get; internal set; }
 
+        /// <summary>The value when the option is given without one, as it would be written; null when it needs one.</summary>
+        public string ImpliedText { get; internal set; }
+
         /// <summary>Heading of the help under which the option stands.</summary>
         public string Group { get; internal set; }
 
@@ -37,6 +41,12 @@ namespace Glint.Core
 
         /// <summary>Why the option is refused with the other inputs, and what to do instead.</summary>
         public string Refusal { get; internal set; }
+
+        /// <summary>An option that this one means nothing without; null for none.</summary>
+        public Option Needs { get; internal set; }
+
+        /// <summary>Options that cannot be given with this one, each with the reason.</summary>
+        public IReadOnlyList<(Option option, string reason)> Excludes { get; internal set; } = Array.Empty<(Option, string)>();
 
         /// <summary>What to use in Unity, which has a way of its own; null for options that both hosts take.</summary>
         public string UnityRemedy { get; internal set; }

@@ -77,7 +77,7 @@ namespace Glint.Core
             Group = RadarGroup,
             Range = "each " + Length,
             DefaultText = "3",
-            Help = "Side of the square receiver in metres, or its width and height. With a mesh file it stands 0.2 m behind the radar."
+            Help = "Side of the square receiver in metres, or its width and height. With a mesh file it stands 0.2 m behind the radar; for parallel rays it stands where they start, and without the option it is as large as their rectangle."
         };
 
         /// <summary>Unit of the mesh file's coordinates.</summary>
@@ -116,6 +116,28 @@ namespace Glint.Core
         /// <summary>Vertical field of view, degrees.</summary>
         public static readonly Option<double> Fov = Number("fov", "DEG", "60", Interval.Closed(1e-5, 179), MeshGroup, InputKind.MeshFile,
             "Vertical field of view in degrees, within the limits of Unity's cameras.");
+
+        /// <summary>Metres from ray to ray where they are parallel; 0 when not given.</summary>
+        public static readonly Option<double> Spacing = new Option<double>("spacing", "M", text => Values.Real(text, Length))
+        {
+            Group = MeshGroup,
+            Inputs = InputKind.MeshFile,
+            Refusal = InSceneInstead,
+            Range = Length.ToString(),
+            Excludes = new (Option, string)[] { (Size, "the spacing decides how many rays there are"), (Fov, "parallel rays have no field of view") },
+            Help = "Parallel rays, a plane wave, so many metres apart, in place of a field of view. They start at --distance across the line of sight, from a rectangle that just covers the mesh as it is seen from there (in a sweep: at each angle), or from that of --aperture."
+        };
+
+        /// <summary>Width and height of the rectangle that parallel rays leave; 0 when not given: fitted to the mesh.</summary>
+        public static readonly Option<double2> Aperture = new Option<double2>("aperture", "M|WxH", text => Values.Area(text, Length))
+        {
+            Group = MeshGroup,
+            Inputs = InputKind.MeshFile,
+            Refusal = InSceneInstead,
+            Needs = Spacing,
+            Range = "each " + Length,
+            Help = "With --spacing: side of the square that parallel rays start from, or its width and height, in metres, enlarged to whole spacings. Its middle is the radar's place."
+        };
 
         /// <summary>The point that the radar is aimed at, metres, Unity's axes.</summary>
         public static readonly Option<double3> Aim = new Option<double3>("aim", "X,Y,Z", text => Values.Point(text, Coordinate))
@@ -176,6 +198,18 @@ namespace Glint.Core
             Group = DeviceGroup,
             UnityRemedy = "in Unity use Unity's own -force-device-index",
             Help = "The GPU to work on: its index or part of its name, as glint info lists them. Without it a discrete GPU, then an integrated or virtual one, then the CPU."
+        };
+
+        /// <summary>File for the plot of error against time; null when not given.</summary>
+        public static readonly Option<string> Accuracy = new Option<string>("accuracy", "[FILE]", Values.Words)
+        {
+            Group = BenchGroup,
+            Inputs = InputKind.BuiltIn,
+            Refusal = "it has scenes of its own: leave INPUT out",
+            ImpliedText = "accuracy.svg",
+            Excludes = new Option[] { Judge, Peers, WriteScene, Seed, SeaTriangles, ShipTriangles, Size, Region, Frequency, Bounces, Receiver }
+                .Select(option => (option, "it has scenes and radars of its own")).ToArray(),
+            Help = "Instead: run time against error, in scenes of its own, each traced with more and more rays and compared with what endlessly many would give. FILE is for the plot, as SVG; without it: accuracy.svg."
         };
 
         static Option<double> Number(string name, string valueName, string standard, Interval range, string group, InputKind inputs, string help) =>

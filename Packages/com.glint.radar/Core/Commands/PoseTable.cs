@@ -20,6 +20,14 @@ namespace Glint.Core
             result.RaysReceived,
             result.RaysHit);
 
+        /// <summary>What the line of a pose has no column for: how far its amplitude can be trusted, and what a ray stands for.</summary>
+        public static string Details(RadarResult result) => string.Format(CultureInfo.InvariantCulture,
+            "normalised amplitude {0:0.000}, sampling error {1:g3}; largest step between neighbouring paths {2:g3} wavelengths{3}",
+            result.NormalisedAmplitude,
+            result.SamplingError,
+            result.LargestPathStep,
+            result.RayArea.HasValue ? string.Format(CultureInfo.InvariantCulture, "; {0:g6} m2 a ray", result.RayArea.Value) : "");
+
         // + 0 makes the -0 of a hair below 0 dB a plain 0.
         static string Decibels(double value) => (Math.Round(value, 2) + 0.0).ToString("0.00", CultureInfo.InvariantCulture);
     }

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>Where a radar stands that looks at a mesh file. Degrees and metres, Unity's axes.</summary>
+    /// <summary>Where a radar stands that looks at a mesh file, and what it sees and receives. Degrees and metres, Unity's axes.</summary>
     public struct RadarStand
     {
         /// <summary>The point looked at.</summary>
@@ -19,5 +19,14 @@ namespace Glint.Core
 
         /// <summary>Vertical field of view.</summary>
         public double VerticalFovDegrees;
+
+        /// <summary>Above 0: parallel rays, so far apart across and down, instead of a field of view.</summary>
+        public double RaySpacing;
+
+        /// <summary>Width and height of the rectangle that parallel rays leave; 0: as large as the mesh looks from the radar.</summary>
+        public double2 ApertureSize;
+
+        /// <summary>Width and height of the receiver; 0, with parallel rays: as large as their rectangle.</summary>
+        public double2 ReceiverSize;
     }
 }

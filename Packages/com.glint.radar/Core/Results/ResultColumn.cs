@@ -21,7 +21,12 @@ namespace Glint.Core
             new ResultColumn("bounces", "1", row => row.Result.Bounces),
             new ResultColumn("segments", "1", row => row.Result.Segments),
             new ResultColumn("path_length_m", "m", row => row.Result.PathLengthMeters),
-            new ResultColumn("trace_ms", "ms", row => row.Result.Timings.TraceMs)
+            new ResultColumn("trace_ms", "ms", row => row.Result.Timings.TraceMs),
+            new ResultColumn("amplitude_normalised", "1", row => row.Result.NormalisedAmplitude),
+            new ResultColumn("sampling_error", "1", row => row.Result.SamplingError),
+            new ResultColumn("largest_path_step_wavelengths", "wavelengths", row => row.Result.LargestPathStep),
+            new ResultColumn("undersampled", "1", row => row.Result.Undersampled ? 1 : 0),
+            new ResultColumn("ray_area_m2", "m2", row => row.Result.RayArea)
         };
 
         readonly Func<SweepRow, double?> _value;

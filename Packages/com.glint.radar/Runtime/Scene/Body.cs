@@ -4,39 +4,38 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>Objects that keep still relative to each other, merged into one mesh in the frame of what moves them. It is built anew only when one of them changes.</summary>
+    /// <summary>Objects of a <see cref="RigidGroup"/>, merged into one mesh in its frame. It is built anew only when one of them changes.</summary>
     sealed class Body
     {
-        // A lone object that is stretched more than this has its scale put into vertices of its own: the tree is better over shapes as they are.
-        const double EvenEnough = 0.1;
-
         List<Part> _parts = new List<Part>(), _merged = new List<Part>();
+        RigidGroup _group;
         TransformNode _first;
         TriangleMesh _mesh;
         VertexFrame _vertexFrame;
 
-        public void Begin() => _parts.Clear();
-
-        /// <summary>Adds an object; all have the same frame.</summary>
-        public void Add(TransformNode node, MeshSource source)
+        /// <summary>Begins a gather with the object that the body is named after.</summary>
+        public void Begin(TransformNode first, RigidGroup group)
         {
-            if (_parts.Count == 0)
-                _first = node;
-            _parts.Add(new Part { Source = source, Version = source.Version, InFrame = node.InFrame });
+            (_first, _group) = (first, group);
+            _parts.Clear();
+            Add(first);
         }
 
-        /// <summary>The mesh where its frame stands now.</summary>
+        /// <summary>Adds an object of the same group.</summary>
+        public void Add(TransformNode node) => _parts.Add(new Part { Source = node.Source, Version = node.Source.Version, InFrame = _group.Into(node) });
+
+        /// <summary>The mesh where the group's frame stands now.</summary>
         public MeshInstance Place(MeshReader reader)
         {
-            if (_parts.Count == 1 && Shape.Evenness(_first.ToWorld) >= EvenEnough)
+            // A lone object that is stretched has its scale put into vertices of its own: the tree is better over shapes as they are.
+            if (_parts.Count == 1 && Shape.Evenness(_first.ToScene) >= Shape.EvenEnough)
             {
                 (_mesh, _merged) = (null, new List<Part>());
-                return _parts[0].Source.Place(_first.ToWorld, reader);
+                return _parts[0].Source.Place(_first.ToScene, reader);
             }
-            var frame = _first.Frame;
-            if (_mesh == null || _vertexFrame.Unit != frame.FrameUnit || !IsMerged())
-                Merge(frame.FrameUnit, reader);
-            return new MeshInstance { Mesh = _mesh, ToWorld = frame.FrameToWorld * _vertexFrame.Back };
+            if (_mesh == null || _vertexFrame.Unit != _group.Unit || !IsMerged())
+                Merge(_group.Unit, reader);
+            return new MeshInstance { Mesh = _mesh, ToWorld = _group.ToScene * _vertexFrame.Back };
         }
 
         bool IsMerged()

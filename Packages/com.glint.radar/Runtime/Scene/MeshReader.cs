@@ -70,16 +70,16 @@ namespace Glint
 
         /// <summary>Refuses a place where a vertex lies beyond what float32 can hold to a metre.</summary>
         /// <exception cref="GlintException">There is one; the message names it.</exception>
-        public void CheckPlace(Mesh mesh, in Affine toWorld, Renderer owner)
+        public void CheckPlace(Mesh mesh, in Affine toScene, Renderer owner)
         {
             mesh.GetVertices(_vertices);
             for (int i = 0; i < _vertices.Count; i++)
             {
-                double3 place = toWorld.Point((float3)_vertices[i]);
+                double3 place = toScene.Point((float3)_vertices[i]);
                 if (math.all(math.abs(place) <= TriangleMesh.LargestCoordinate))
                     continue;
                 var position = (float3)place;
-                throw new GlintException(FormattableString.Invariant($"{Subject(mesh, owner)}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the world, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: mend the mesh, or the scale of the object and its parents"));
+                throw new GlintException(FormattableString.Invariant($"{Subject(mesh, owner)}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the scene, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: mend the mesh, or the scale of the object and its parents"));
             }
         }
 

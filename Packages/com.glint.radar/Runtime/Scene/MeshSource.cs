@@ -51,15 +51,18 @@ namespace Glint
         }
 
         /// <summary>Takes note of an object with the mesh.</summary>
-        /// <exception cref="GlintException">A vertex lies too far from the world's origin.</exception>
-        public void AddObject(in Affine toWorld, MeshReader reader, Renderer owner)
+        public void AddObject() => ObjectCount++;
+
+        /// <summary>Refuses a place where a vertex lies too far from the scene's origin.</summary>
+        /// <param name="owner">Has the mesh, for the message.</param>
+        /// <exception cref="GlintException">There is one; the message names it.</exception>
+        public void CheckPlace(in Affine toScene, MeshReader reader, Renderer owner)
         {
-            ObjectCount++;
             if (VertexCount == 0)
                 return;
-            Bound(toWorld, out var centre, out var half);
+            Bound(toScene, out var centre, out var half);
             if (!math.all(math.abs(centre) + half <= TriangleMesh.LargestCoordinate))
-                reader.CheckPlace(Mesh, toWorld, owner);
+                reader.CheckPlace(Mesh, toScene, owner);
         }
 
         /// <summary>A box that holds the vertices after a transform.</summary>
@@ -70,14 +73,14 @@ namespace Glint
         }
 
         /// <summary>The mesh at a place, with its own vertices.</summary>
-        public MeshInstance Place(in Affine toWorld, MeshReader reader)
+        public MeshInstance Place(in Affine toScene, MeshReader reader)
         {
             // The first place in a gather says how large a unit of the mesh is.
-            double unit = _isPlaced ? _frame.Unit : Shape.Unit(toWorld);
+            double unit = _isPlaced ? _frame.Unit : Shape.Unit(toScene);
             _isPlaced = true;
             if (_triangles == null || unit != _frame.Unit)
                 Build(reader, unit);
-            return new MeshInstance { Mesh = _triangles, ToWorld = toWorld * _frame.Back };
+            return new MeshInstance { Mesh = _triangles, ToWorld = toScene * _frame.Back };
         }
 
         void Build(MeshReader reader, double unit)

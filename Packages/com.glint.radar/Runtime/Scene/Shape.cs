@@ -7,6 +7,12 @@ namespace Glint
     /// <summary>What a transform does to shapes and sizes.</summary>
     static class Shape
     {
+        /// <summary>Evenness of a transform that does not spoil the shapes of triangles and boxes.</summary>
+        public const double EvenEnough = 0.1;
+
+        /// <summary>Least evenness of a transform whose inverse the rays are taken through: below it they would lose too many digits.</summary>
+        public const double LeastEvenness = 1e-3;
+
         /// <summary>
         /// 1 when shapes stay similar, also mirrored; towards 0 the more they are stretched, sheared or flattened; no number when the transform has no inverse.
         /// The ratio of the greatest stretch to the least is at most about 5 over it.

@@ -5,36 +5,34 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// A transform at or above a traced object, as the gather found it. Transforms are composed in double from local position, rotation and scale:
+    /// A transform at or above a traced object, the radar or its receiver, as the gather found it. Transforms are composed in double from local position, rotation and scale:
     /// Unity's float32 world matrices lose centimetres far from the origin.
     /// </summary>
     sealed class TransformNode
     {
-        // A frame that squeezes more than this is none: the rays traced in it would lose too many digits.
-        const double LeastEvenness = 1e-3;
-
-        TransformNode _parent;
+        TransformNode _frame;
+        Affine _local, _inFrame;
         Vector3 _position, _scale;
         Quaternion _rotation;
-        bool _moves;
+        int _depth;
 
-        /// <summary>From this transform's coordinates to the world.</summary>
-        public Affine ToWorld { get; private set; }
+        /// <summary>Null for the world.</summary>
+        public TransformNode Parent { get; private set; }
+
+        /// <summary>Known to move.</summary>
+        public bool Moves { get; private set; }
 
         /// <summary>The nearest at or above that is known to move; the world if none.</summary>
-        public TransformNode Frame { get; private set; }
+        public TransformNode Mover { get; private set; }
 
-        /// <summary>From this transform's coordinates to those of <see cref="Frame"/>.</summary>
-        public Affine InFrame { get; private set; }
+        /// <summary>Of a mover: the objects that it is the nearest mover of; null before they are looked for.</summary>
+        public RigidGroup Group { get; set; }
 
-        /// <summary>Of one that is a frame: from the frame's coordinates to the world. The transform's own scale is not in it, the vertices carry that.</summary>
-        public Affine FrameToWorld { get; private set; }
+        /// <summary>At or below the transform whose place is the scene's origin.</summary>
+        public bool IsInScene { get; private set; }
 
-        /// <summary>Of one that is a frame: a length of 1 in it is about so many metres; a power of two.</summary>
-        public double FrameUnit { get; private set; }
-
-        /// <summary>Of one that is a frame: the middle of the first object in it, in its coordinates.</summary>
-        public double3? Anchor { get; set; }
+        /// <summary>From this transform's coordinates to the scene's; of one that is in the scene.</summary>
+        public Affine ToScene { get; private set; }
 
         /// <summary>The mesh that its object had in the gather before; null if none.</summary>
         public MeshSource Source { get; private set; }
@@ -48,8 +46,8 @@ namespace Glint
         /// <summary>The parent of roots.</summary>
         public static TransformNode World()
         {
-            var world = new TransformNode { ToWorld = Affine.Identity, InFrame = Affine.Identity, FrameToWorld = Affine.Identity, FrameUnit = 1 };
-            world.Frame = world;
+            var world = new TransformNode { _local = Affine.Identity };
+            world.Mover = world;
             return world;
         }
 
@@ -61,10 +59,12 @@ namespace Glint
             var scale = transform.localScale;
             // Compared bit by bit: == of Unity's vectors takes near values for equal.
             bool stands = position.Equals(_position) && rotation.Equals(_rotation) && scale.Equals(_scale);
-            _moves |= moves || _parent == parent && !stands;
-            (_parent, _position, _rotation, _scale) = (parent, position, rotation, scale);
-            (IsTaken, Anchor) = (false, null);
-            Compose();
+            Moves |= moves || Parent == parent && !stands;
+            Mover = Moves ? this : parent.Mover;
+            (Parent, _position, _rotation, _scale) = (parent, position, rotation, scale);
+            _depth = parent._depth + 1;
+            _local = Local((float3)position, (float3)scale);
+            (_frame, Group, IsTaken) = (null, null, false);
         }
 
         public void SetSource(MeshSource source)
@@ -73,24 +73,76 @@ namespace Glint
             Source = source;
         }
 
-        void Compose()
+        /// <summary>The nearest transform that is both, or above both; the world if there is no other.</summary>
+        public static TransformNode Common(TransformNode one, TransformNode other)
         {
-            var rotation = new double4(_rotation.x, _rotation.y, _rotation.z, _rotation.w);
-            double3 position = (float3)_position, scale = (float3)_scale;
-            var local = Affine.FromTransform(position, rotation, scale);
-            ToWorld = _parent.ToWorld * local;
-            FrameToWorld = _parent.ToWorld * Affine.FromTransform(position, rotation, 1);
-            if (_moves && Shape.Evenness(FrameToWorld) >= LeastEvenness)
+            while (one != other)
             {
-                Frame = this;
-                FrameUnit = Shape.Unit(FrameToWorld);
-                InFrame = new Affine { X = new double3(scale.x, 0, 0), Y = new double3(0, scale.y, 0), Z = new double3(0, 0, scale.z) };
+                if (one._depth > other._depth)
+                    one = one.Parent;
+                else
+                    other = other.Parent;
             }
-            else
-            {
-                Frame = _parent.Frame;
-                InFrame = _parent.InFrame * local;
-            }
+            return one;
+        }
+
+        /// <summary>From this transform's coordinates to the world's.</summary>
+        public Affine ToWorld() => Parent == null ? _local : Parent.ToWorld() * _local;
+
+        /// <summary>Composes <see cref="ToScene"/>. Parents come before their children.</summary>
+        /// <param name="centre">The transform whose place is the scene's origin: neither it nor what stands above it shifts anything.</param>
+        public void Compose(TransformNode centre)
+        {
+            IsInScene = this == centre || Parent != null && Parent.IsInScene;
+            if (this == centre)
+                ToScene = WithoutShift(ToWorld());
+            else if (IsInScene)
+                ToScene = Parent.ToScene * _local;
+        }
+
+        /// <summary>From this transform's coordinates to the scene's as if it had no scale of its own: of one that is a frame, whose scale the vertices carry.</summary>
+        public Affine FrameToScene()
+        {
+            var unscaled = Local((float3)_position, 1);
+            return Parent.IsInScene ? Parent.ToScene * unscaled : WithoutShift(Parent.ToWorld() * unscaled);
+        }
+
+        /// <summary>From this transform's coordinates to those of a frame at or above it, which has no scale of its own.</summary>
+        public Affine InFrame(TransformNode frame)
+        {
+            if (_frame != frame)
+                (_frame, _inFrame) = (frame, this == frame ? Scaled((float3)_scale) : Parent.InFrame(frame) * _local);
+            return _inFrame;
+        }
+
+        /// <summary>Where it stands in the scene; the columns are its right, up and forward as Unity has them: unit vectors, whatever scales are above, as rotations are multiplied.</summary>
+        public Affine Stand()
+        {
+            var turn = Turn();
+            for (var above = Parent; above.Parent != null; above = above.Parent)
+                turn = above.Turn() * Mirrored(turn, above._scale);
+            turn.Origin = ToScene.Origin;
+            return turn;
+        }
+
+        Affine Turn() => Local(0, 1);
+
+        Affine Local(double3 position, double3 scale) =>
+            Affine.FromTransform(position, new double4(_rotation.x, _rotation.y, _rotation.z, _rotation.w), scale);
+
+        // Below a mirrored transform a rotation is mirrored too: of its scale the signs take part.
+        static Affine Mirrored(in Affine turn, Vector3 scale)
+        {
+            var signs = new double3(scale.x < 0 ? -1 : 1, scale.y < 0 ? -1 : 1, scale.z < 0 ? -1 : 1);
+            return Scaled(signs) * turn * Scaled(signs);
+        }
+
+        static Affine Scaled(double3 scale) => new Affine { X = new double3(scale.x, 0, 0), Y = new double3(0, scale.y, 0), Z = new double3(0, 0, scale.z) };
+
+        static Affine WithoutShift(Affine transform)
+        {
+            transform.Origin = 0;
+            return transform;
         }
     }
 }

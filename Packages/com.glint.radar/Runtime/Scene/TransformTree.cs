@@ -3,12 +3,15 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>The transforms of a scene from the traced objects up to the roots.</summary>
+    /// <summary>The transforms of a scene from the traced objects, the radar and its receiver up to the roots.</summary>
     sealed class TransformTree
     {
         readonly Kept<Transform, TransformNode> _nodes = new Kept<Transform, TransformNode>();
         readonly HashSet<Transform> _expected = new HashSet<Transform>();
-        readonly TransformNode _world = TransformNode.World();
+        readonly List<TransformNode> _visited = new List<TransformNode>();
+
+        /// <summary>The parent of roots.</summary>
+        public TransformNode World { get; } = TransformNode.World();
 
         /// <summary>Counts a transform as moving before it has moved.</summary>
         public void ExpectMotion(Transform transform) => _expected.Add(transform);
@@ -16,8 +19,10 @@ namespace Glint
         public void Begin()
         {
             _expected.RemoveWhere(transform => transform == null);
-            _world.Anchor = null;
             _nodes.Begin();
+            _visited.Clear();
+            _visited.Add(World);
+            World.Group = null;
         }
 
         public TransformNode Visit(Transform transform)
@@ -26,14 +31,26 @@ namespace Glint
             if (first)
             {
                 var parent = transform.parent;
-                node.Update(transform, parent == null ? _world : Visit(parent), _expected.Contains(transform));
+                node.Update(transform, parent == null ? World : Visit(parent), _expected.Contains(transform));
+                _visited.Add(node);
             }
             return node;
+        }
+
+        /// <summary>Composes the places of all that was visited in a scene whose origin stands at <paramref name="centre"/>.</summary>
+        public void Compose(TransformNode centre)
+        {
+            foreach (var node in _visited) // parents first
+                node.Compose(centre);
         }
 
         public void End() => _nodes.End();
 
         /// <summary>Lets go of all but what is expected to move.</summary>
-        public void Forget() => _nodes.Clear();
+        public void Forget()
+        {
+            _nodes.Clear();
+            _visited.Clear();
+        }
     }
 }

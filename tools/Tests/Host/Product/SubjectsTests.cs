@@ -30,7 +30,7 @@ public sealed class SubjectsTests
     [TestCase("RadarController of 'Radar Camera' is disabled or inactive; enable it", "m_IsActive: 1", "m_IsActive: 0")]
     [TestCase("field of view 0 deg", "field of view: 60", "field of view: 0")]
     [TestCase("field of view 180 deg", "field of view: 60", "field of view: 180")]
-    [TestCase("orthographic", "orthographic: 0", "orthographic: 1")]
+    [TestCase("Size is 0", "orthographic: 0", "orthographic: 1", "orthographic size: 5", "orthographic size: 0")]
     [TestCase("frequency 0 Hz", "_frequencyHz: 10000000000", "_frequencyHz: 0")]
     [TestCase("rays across -5", "_raysAcross: 1920", "_raysAcross: -5")]
     [TestCase("maximum bounces 17", "_maxBounces: 4", "_maxBounces: 17")]

@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using Glint.Core;
+
+namespace Glint.Tests
+{
+    /// <summary>A picture given by a formula in place of a scene: the path length that a ray through any place of it returns with. It does the tracer's part of a sampling estimate.</summary>
+    sealed class SampledWave
+    {
+        readonly RadarSettings _settings;
+        readonly Func<double, double, double> _length;
+
+        /// <param name="length">Of a place in pixels from the picture's left and bottom edge, the path length in metres; NaN where nothing returns.</param>
+        public SampledWave(in RadarSettings settings, Func<double, double, double> length)
+        {
+            _settings = settings;
+            _length = length;
+            foreach (uint pixel in Pixels())
+                if (IsReceived(pixel, 0.5, 0.5, out double there))
+                    Rays.Add(new ReceivedRay { Pixel = pixel, Length = (float)(there - ReferenceLength) });
+        }
+
+        /// <summary>What is taken off every length, as the tracer takes off most of the way to a far scene.</summary>
+        public double ReferenceLength { get; set; } = 12.3456789;
+
+        /// <summary>One ray in the middle of each pixel.</summary>
+        public List<ReceivedRay> Rays { get; } = new List<ReceivedRay>();
+
+        /// <summary>The estimate before any sub-ray is traced.</summary>
+        public SamplingEstimate Begin() => new SamplingEstimate(_settings, Rays.ToArray(), Rays.Count, ReferenceLength);
+
+        /// <summary>Sums over the rays, and the estimate.</summary>
+        public RadarResult Trace()
+        {
+            var result = new RadarResult { RaysOfPicture = _settings.RayCount, RaysEmitted = _settings.RaysEmitted };
+            foreach (var ray in Rays)
+                if (IsReceived(ray.Pixel, 0.5, 0.5, out double length))
+                    result.AddReceived(Phase(length), Math.Cos(Phase(length)), Math.Sin(Phase(length)));
+            var estimate = Begin();
+            double[] inPhase = new double[SamplingEstimate.SubGrids], quadrature = new double[SamplingEstimate.SubGrids];
+            foreach (uint pixel in estimate.PixelsToRefine)
+                for (int sub = 0; sub < SamplingEstimate.SubGrids; sub++)
+                    if (IsReceived(pixel, (sub % SamplingEstimate.SubRays + 0.5) / SamplingEstimate.SubRays, (sub / SamplingEstimate.SubRays + 0.5) / SamplingEstimate.SubRays, out double length))
+                    {
+                        inPhase[sub] += Math.Cos(Phase(length));
+                        quadrature[sub] += Math.Sin(Phase(length));
+                    }
+            estimate.Finish(inPhase, quadrature, result);
+            return result;
+        }
+
+        IEnumerable<uint> Pixels()
+        {
+            var region = _settings.Region.IsWhole ? new RayRegion { Width = _settings.RaysAcross, Height = _settings.RaysDown } : _settings.Region;
+            for (int y = region.Bottom; y < region.Bottom + region.Height; y++)
+                for (int x = region.Left; x < region.Left + region.Width; x++)
+                    yield return (uint)(y * _settings.RaysAcross + x);
+        }
+
+        bool IsReceived(uint pixel, double x, double y, out double length)
+        {
+            length = _length(pixel % _settings.RaysAcross + x, pixel / _settings.RaysAcross + y);
+            return !double.IsNaN(length);
+        }
+
+        double Phase(double length) => Signal.Phase(length, _settings.Wavelength);
+    }
+}

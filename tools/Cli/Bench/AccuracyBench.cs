@@ -1,0 +1,133 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Linq;
+using Glint.Core;
+using Glint.Host;
+using Glint.Vulkan;
+using UnityEngine;
+
+namespace Glint.Cli;
+
+/// <summary>Run time against error: scenes built in code, each traced with more and more rays and compared with what endlessly many would give.</summary>
+sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progress)
+{
+    // Across; down in the ratio of 16 to 9. A software device is spared the last.
+    static readonly int[] s_across = [480, 960, 1920, 3840, 7680];
+    const int MostAcrossOfSoftware = 3840;
+
+    // Rounds of a pose that takes long.
+    const int LeastRounds = 3;
+    static readonly TimeSpan s_mostTime = TimeSpan.FromSeconds(3);
+
+    // A receiver so small, in metres, that no ray meets it.
+    const double NoReceiver = 1e-6;
+
+    readonly AccuracyResult _result = new() { Device = GraphicsDevice.Current.Info, UsesTexelBuffers = ShaderLibrary.UsesTexelBuffers, Rounds = rounds };
+
+    /// <exception cref="GlintException">The device cannot trace.</exception>
+    /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
+    public AccuracyResult Run()
+    {
+        var scenes = AccuracyScene.All();
+        var converged = new Dictionary<AccuracyScene, AccuracyReference>();
+        using var tracer = new RayTracer(kernel, "accuracy");
+        Steps("converged results", scenes, scene => converged.Add(scene, AccuracyReference.Of(scene, RadarSettings.Default, progress, progress.Cancel)));
+        Steps("poses", scenes, scene => MeasureScene(tracer, scene, converged[scene]));
+        Steps("same rays by the judge", scenes, scene => _result.Precision.Add(
+            AccuracyPrecision.Of(scene, RadarSettings.Default, Row(scene, RadarSettings.Default.RaysAcross).Result, progress, progress.Cancel)));
+        Steps("costs", [_result.CostScene = scenes.First(scene => scene.HasMuch)], scene => MeasureCosts(tracer, scene));
+        return _result;
+    }
+
+    AccuracyRow Row(AccuracyScene scene, int across) => _result.Rows.Single(row => row.Scene == scene && row.Settings.RaysAcross == across);
+
+    void Steps(string what, IReadOnlyList<AccuracyScene> scenes, Action<AccuracyScene> work)
+    {
+        progress.Start(what, scenes.Count);
+        try
+        {
+            for (int i = 0; i < scenes.Count; i++)
+            {
+                work(scenes[i]);
+                progress.Advance(i + 1, null);
+            }
+        }
+        finally
+        {
+            progress.Finish();
+        }
+    }
+
+    void MeasureScene(RayTracer tracer, AccuracyScene scene, AccuracyReference converged)
+    {
+        tracer.SetScene(scene.Scene, progress.Cancel);
+        foreach (int across in s_across.Where(across => across <= MostAcrossOfSoftware || !SoftwareDevice.IsInUse))
+        {
+            var settings = RadarSettings.Default;
+            (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
+            var times = Time(tracer, settings, scene.View, out var result);
+            _result.Rows.Add(new AccuracyRow(scene, settings, result, times, converged));
+        }
+    }
+
+    // The first pose warms up.
+    Series Time(RayTracer tracer, in RadarSettings settings, in RadarView view, out RadarResult result)
+    {
+        var times = new Series();
+        var total = Stopwatch.StartNew();
+        TimeOnce(tracer, settings, view, out result);
+        while (times.Count < rounds && (times.Count < LeastRounds || total.Elapsed < s_mostTime))
+            times.Add(TimeOnce(tracer, settings, view, out _));
+        return times;
+    }
+
+    // Milliseconds.
+    double TimeOnce(RayTracer tracer, in RadarSettings settings, in RadarView view, out RadarResult result)
+    {
+        var watch = Stopwatch.StartNew();
+        result = tracer.Trace(settings, view, KeptRays.None, null, progress.Cancel);
+        return watch.Elapsed.TotalMilliseconds;
+    }
+
+    // In turns: what slows the machine for a while slows them alike.
+    void MeasureCosts(RayTracer tracer, AccuracyScene scene)
+    {
+        tracer.SetScene(scene.Scene, progress.Cancel);
+        var blind = scene.View;
+        blind.ReceiverSize = NoReceiver;
+        var each = Enum.GetValues<Shortcuts>().Where(shortcut => shortcut is not (Shortcuts.None or Shortcuts.All));
+        (string what, Shortcuts shortcuts, RadarView view)[] ways =
+        [
+            ("a pose as it is", Shortcuts.All, scene.View),
+            .. each.Select(shortcut => (WithoutWords(shortcut), Shortcuts.All & ~shortcut, scene.View)),
+            ("none of these shortcuts", Shortcuts.None, scene.View),
+            ("nothing received, no exact pass", Shortcuts.All, blind),
+        ];
+        var results = new RadarResult[ways.Length];
+        var times = Array.ConvertAll(ways, way => new Series());
+        for (int round = 0; round <= rounds; round++)
+        {
+            for (int way = 0; way < ways.Length; way++)
+            {
+                tracer.Shortcuts = ways[way].shortcuts;
+                double time = TimeOnce(tracer, RadarSettings.Default, ways[way].view, out results[way]);
+                if (round > 0)
+                    times[way].Add(time);
+            }
+            progress.Report((round + 1.0) / (rounds + 1));
+        }
+        tracer.Shortcuts = Shortcuts.All;
+        for (int way = 0; way < ways.Length; way++)
+            _result.Costs.Add(new AccuracyCost(ways[way].what, times[way], results[way], results[0]));
+    }
+
+    static string WithoutWords(Shortcuts shortcut) => shortcut switch
+    {
+        Shortcuts.Reach => "searching beyond the receiver",
+        Shortcuts.LastSegment => "searching last segments that miss it",
+        Shortcuts.Tiles => "tracing tiles without objects",
+        Shortcuts.Starts => "starting at the top of the tree",
+        _ => "without " + shortcut,
+    };
+}

@@ -1,0 +1,116 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using System.Threading;
+using System.Threading.Tasks;
+using Glint.Core;
+
+namespace Glint.Cli;
+
+/// <summary>
+/// A scene's sums for so many rays that more would change little, by the double-precision judge: a picture of 3840 x 2160 rays, and 64 in each pixel that received one, lies beside one that did,
+/// or on an outline. In the others all is known already.
+/// </summary>
+sealed class AccuracyReference
+{
+    const int StandardAcross = 3840, SubRays = 8;
+
+    // Error of the whole grid of sub-rays over that of the four of half its density that it is made of: as found for the estimate of the sampling error.
+    const double FineOverHalf = 0.35;
+
+    internal AccuracyReference(Complex sum, double uncertainty, double hits) => (Sum, Uncertainty, Hits) = (sum, uncertainty, hits);
+
+    /// <summary>As if the picture had <see cref="RadarResult.NormalRays"/> rays.</summary>
+    public Complex Sum { get; }
+
+    /// <summary>About how far the amplitude of the sum is from that of endlessly many rays.</summary>
+    public double Uncertainty { get; }
+
+    /// <summary>Rays hit, as if the picture had <see cref="RadarResult.NormalRays"/>.</summary>
+    public double Hits { get; }
+
+    /// <param name="settings">Of which the number of rays is not used.</param>
+    /// <param name="across">Rays across the picture that is refined; down in the ratio of 16 to 9.</param>
+    public static AccuracyReference Of(AccuracyScene scene, RadarSettings settings, IProgress<double> progress, CancellationToken cancel, int across = StandardAcross)
+    {
+        (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
+        var judge = new Judge(scene.Scene, settings, scene.View);
+        int down = settings.RaysDown;
+        var found = new Found[down, across];
+        ForRows(down, new Part(progress, 0, 2), cancel, row =>
+        {
+            for (int column = 0; column < across; column++)
+            {
+                var ray = judge.Trace(column, row);
+                found[row, column] = ray.Received ? Found.Received : ray.Bounces > 0 ? Found.Hit : Found.Nothing;
+            }
+        });
+
+        // Sums of each row, and of each half-density grid in it, added in the order of the rows.
+        var sums = new Complex[down, 4];
+        var hits = new long[down];
+        ForRows(down, new Part(progress, 1, 2), cancel, row =>
+        {
+            for (int column = 0; column < across; column++)
+                if (IsRefined(found, column, row))
+                    hits[row] += TracePixel(judge, settings.Wavelength, column, row, sums);
+                else if (found[row, column] != Found.Nothing)
+                    hits[row] += SubRays * SubRays;
+        });
+        var parts = new Complex[4];
+        for (int row = 0; row < down; row++)
+            for (int part = 0; part < 4; part++)
+                parts[part] += sums[row, part];
+        return Make(parts, hits.Sum(), RadarResult.NormalRays / ((double)settings.RayCount * SubRays * SubRays));
+    }
+
+    static AccuracyReference Make(Complex[] parts, long hits, double scale)
+    {
+        Complex sum = scale * (parts[0] + parts[1] + parts[2] + parts[3]);
+        double squares = parts.Sum(part => Math.Pow((4 * scale * part - sum).Magnitude, 2)) / 4;
+        return new AccuracyReference(sum, FineOverHalf * Math.Sqrt(squares), scale * hits);
+    }
+
+    static void ForRows(int rows, IProgress<double> progress, CancellationToken cancel, Action<int> body)
+    {
+        int done = 0;
+        Parallel.For(0, rows, new ParallelOptions { CancellationToken = cancel }, row =>
+        {
+            body(row);
+            progress.Report(Interlocked.Increment(ref done) / (double)rows);
+        });
+    }
+
+    // Received rays and those around them, and hits beside misses.
+    static bool IsRefined(Found[,] found, int column, int row)
+    {
+        bool isHit = found[row, column] != Found.Nothing;
+        for (int y = Math.Max(0, row - 1); y <= Math.Min(found.GetLength(0) - 1, row + 1); y++)
+            for (int x = Math.Max(0, column - 1); x <= Math.Min(found.GetLength(1) - 1, column + 1); x++)
+                if (found[y, x] == Found.Received || found[y, x] != Found.Nothing != isHit)
+                    return true;
+        return false;
+    }
+
+    // Returns how many of the sub-rays hit.
+    static int TracePixel(Judge judge, double wavelength, int column, int row, Complex[,] sums)
+    {
+        int hits = 0;
+        for (int b = 0; b < SubRays; b++)
+            for (int a = 0; a < SubRays; a++)
+            {
+                var ray = judge.Trace(column + (a + 0.5) / SubRays - 0.5, row + (b + 0.5) / SubRays - 0.5);
+                hits += ray.Bounces > 0 ? 1 : 0;
+                if (ray.Received)
+                    sums[row, a % 2 + 2 * (b % 2)] += Complex.FromPolarCoordinates(1, Signal.Phase(ray.PathLength, wavelength));
+            }
+        return hits;
+    }
+
+    enum Found : byte
+    {
+        Nothing,
+        Hit,
+        Received,
+    }
+}

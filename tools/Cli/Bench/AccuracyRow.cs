@@ -1,0 +1,27 @@
+using System;
+using System.Numerics;
+using Glint.Core;
+
+namespace Glint.Cli;
+
+/// <summary>One scene at one number of rays: what a pose takes, and how far it is from the converged result.</summary>
+sealed class AccuracyRow(AccuracyScene scene, RadarSettings settings, RadarResult result, Series times, AccuracyReference converged)
+{
+    public AccuracyScene Scene { get; } = scene;
+    public RadarSettings Settings { get; } = settings;
+    public RadarResult Result { get; } = result;
+
+    /// <summary>Tracing and summing, of poses of a scene that is on the device.</summary>
+    public Series Times { get; } = times;
+
+    public AccuracyReference Converged { get; } = converged;
+
+    /// <summary>Of the normalised amplitude.</summary>
+    public double AmplitudeError => Result.NormalisedAmplitude - Converged.Sum.Magnitude;
+
+    /// <summary>Of the summed phasor, radians from -pi to pi.</summary>
+    public double PhaseError => new Complex(Result.InPhase, Result.Quadrature) is var sum && sum != 0 && Converged.Sum != 0 ? (sum / Converged.Sum).Phase : 0;
+
+    /// <summary>Of the number of rays that hit, relative.</summary>
+    public double HitsError => Converged.Hits > 0 ? Result.RaysHit * RadarResult.NormalRays / Result.RaysOfPicture / Converged.Hits - 1 : 0;
+}

@@ -1,0 +1,134 @@
+using System;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Threading;
+using System.Xml.Linq;
+using Glint.Cli;
+using Glint.Core;
+using Newtonsoft.Json.Linq;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Glint.Host.Tests;
+
+/// <summary>glint bench --accuracy in pieces: the whole takes minutes.</summary>
+public sealed class AccuracyTests
+{
+    static readonly IProgress<double> s_deaf = new Progress<double>();
+
+    // Parallel rays that come straight back in step: hits and sum are the plate's share of the picture.
+    [Test]
+    public void Reference_OfAPlateAcrossParallelRays_IsItsShareOfThePicture()
+    {
+        var view = AccuracyScene.PublishedView(50, 0);
+        view.ApertureHeight = 4.5; // 8 m wide
+        view.ReceiverSize = 20;
+        const double width = 3.21, height = 2.34;
+        var reference = AccuracyReference.Of(Plate(width, height, view), RadarSettings.Default, s_deaf, CancellationToken.None, across: 320);
+
+        double share = RadarResult.NormalRays * width * height / (8 * 4.5);
+        Assert.That(reference.Hits, Is.EqualTo(share).Within(0.2).Percent);
+        Assert.That(reference.Sum.Magnitude, Is.EqualTo(share).Within(0.2).Percent);
+        Assert.That(reference.Uncertainty, Is.LessThan(0.01 * share));
+    }
+
+    [Test]
+    public void Scenes_AllReturnSomething()
+    {
+        var settings = RadarSettings.Default;
+        (settings.RaysAcross, settings.RaysDown) = (480, 270);
+        foreach (var scene in AccuracyScene.All())
+        {
+            var judge = new Judge(scene.Scene, settings, scene.View);
+            Assert.That(judge.Sum(judge.TraceAll()).RaysReceived, Is.GreaterThan(10), scene.Name);
+        }
+    }
+
+    [Test]
+    public void Plot_HasALineAScene_WithinThePicture()
+    {
+        var result = Sample();
+        var stream = new MemoryStream();
+        AccuracyPlot.Write(stream, result);
+
+        var svg = XDocument.Parse(Encoding.UTF8.GetString(stream.ToArray())).Root;
+        double width = (double)svg.Attribute("width"), height = (double)svg.Attribute("height");
+        var lines = svg.Elements().Where(element => element.Name.LocalName == "polyline").ToArray();
+        Assert.That(lines.Length, Is.EqualTo(2));
+        foreach (string place in lines.SelectMany(line => line.Attribute("points").Value.Split(' ')))
+        {
+            var numbers = place.Split(',').Select(number => double.Parse(number, System.Globalization.CultureInfo.InvariantCulture)).ToArray();
+            Assert.That(numbers[0], Is.InRange(0, width));
+            Assert.That(numbers[1], Is.InRange(0, height));
+        }
+        Assert.That(svg.Value, Does.Contain("near <1> & far").And.Contain("time of a pose"));
+    }
+
+    [Test]
+    public void Json_HasErrorAndEstimateOfEachPose()
+    {
+        var stream = new MemoryStream();
+        AccuracyJson.Write(stream, Sample());
+
+        var pose = JObject.Parse(Encoding.UTF8.GetString(stream.ToArray()))["scenes"][0]["poses"][1];
+        Assert.That(pose["rays_across"].ToObject<int>(), Is.EqualTo(960));
+        // 12 rays of 960 x 540 against 40 of 1920 x 1080.
+        Assert.That(pose["normalised_amplitude_error"].ToObject<double>(), Is.EqualTo(4 * 12 - 40).Within(1e-9));
+        Assert.That(pose["sampling_error"].ToObject<double>(), Is.EqualTo(7));
+        Assert.That(pose["trace_ms"].ToObject<double>(), Is.EqualTo(20));
+    }
+
+    [Test]
+    public void Tables_NameScenesAndFlags()
+    {
+        var terminal = new Terminal { Out = TextWriter.Null, Error = TextWriter.Null, Live = null, Width = 100, SharesScreen = false };
+        string text = string.Join("\n", new AccuracyTables(terminal).Lines(Sample()));
+        foreach (string part in new[] { "near <1> & far", "480 x 270 *", "960 x 540 ", "same" })
+            Assert.That(text, Does.Contain(part));
+    }
+
+    [Test]
+    public void Accuracy_WithoutAFile_NamesOne()
+    {
+        Assert.That(CommandLine.Parse(Commands.Bench, ["--accuracy"]).Get(Options.Accuracy), Is.EqualTo("accuracy.svg"));
+        Assert.That(CommandLine.Parse(Commands.Bench, ["--accuracy", "--json", "x.json"]).Get(Options.Accuracy), Is.EqualTo("accuracy.svg"));
+        Assert.That(CommandLine.Parse(Commands.Bench, ["--accuracy", "plot.svg"]).Get(Options.Accuracy), Is.EqualTo("plot.svg"));
+    }
+
+    [Test]
+    public void Accuracy_OfAnInput_IsRefused() =>
+        Assert.That(() => CommandLine.Parse(Commands.Bench, ["boat.obj", "--accuracy", "plot.svg"]), Throws.TypeOf<UsageException>().With.Message.StartsWith("--accuracy: "));
+
+    [Test]
+    public void Accuracy_WithRaysOfTheUsersOwn_IsRefused() =>
+        Assert.That(() => CommandLine.Parse(Commands.Bench, ["--accuracy", "plot.svg", "--size", "64x36"]), Throws.TypeOf<UsageException>().With.Message.Contains("--size"));
+
+    static AccuracyScene Plate(double width, double height, RadarView view)
+    {
+        float x = (float)(width / 2), y = (float)(height / 2);
+        return new AccuracyScene("plate", new RadarScene(new TriangleMesh([new float3(-x, -y, 0), new float3(x, -y, 0), new float3(x, y, 0), new float3(-x, y, 0)], [0, 1, 2, 0, 2, 3])), view);
+    }
+
+    // Two scenes of two poses each, made up.
+    static AccuracyResult Sample()
+    {
+        var result = new AccuracyResult { Device = GraphicsDevice.Current.Info, Rounds = 3 };
+        foreach (string name in new[] { "near <1> & far", "other" })
+        {
+            var scene = new AccuracyScene(name, new RadarScene(), default);
+            var converged = new AccuracyReference(40, 0.5, 1000);
+            foreach (int across in new[] { 480, 960 })
+            {
+                var settings = RadarSettings.Default;
+                (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
+                var sums = new RadarResult { InPhase = 12, RaysOfPicture = settings.RayCount, RaysHit = 200, SamplingError = 7, Undersampled = across == 480 };
+                result.Rows.Add(new AccuracyRow(scene, settings, sums, new Series(across / 48.0), converged));
+            }
+            result.CostScene = scene;
+        }
+        var usual = new RadarResult { InPhase = 1 };
+        result.Costs.Add(new AccuracyCost("a pose as it is", new Series(5), usual, usual));
+        return result;
+    }
+}
