@@ -18,6 +18,11 @@ static class Product
         string[] report = [];
         int Work(IProgressSink progress)
         {
+            if (line.Command == Commands.Verify)
+            {
+                (report, int code) = new VerifyCommand(terminal).Execute(line, progress);
+                return code;
+            }
             if (line.Command != Commands.Bench)
                 return Batch.Execute(line, progress);
             report = new BenchCommand(terminal).Execute(line, progress);

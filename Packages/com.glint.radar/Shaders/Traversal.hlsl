@@ -174,7 +174,7 @@ static const float HIT_ROUNDING = 2.4e-7;
 
 // A hit so near to an edge, as a fraction of the same lengths, may belong to the triangle beyond it: the search after it begins farther back, on that one's side as well.
 static const float NEAR_EDGE = 1.0e-6;
-static const float FARTHER_BACK = 64.0;
+static const float FARTHER_BACK = 8.0;
 
 // How often the way back from a hit is doubled, at most: rays that graze a surface go farther back.
 static const uint MOST_DOUBLINGS = 16;

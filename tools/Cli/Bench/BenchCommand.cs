@@ -55,14 +55,15 @@ sealed class BenchCommand(Terminal terminal)
             Scene = subjects.Scene,
             Device = device.Info,
             UsesTexelBuffers = ShaderLibrary.UsesTexelBuffers,
-            Settings = subjects.Radar.Settings,
+            Settings = subjects.Radar.Gather().Settings,
             Rounds = line.Get(Options.Rounds),
             Poses = new PoseBench(subjects.Radar, subjects.Target, device.Clock),
             Peers = peers,
         };
         Step("first poses", progress, () => result.Poses.RunFirst(progress, progress.Cancel));
 
-        var scene = subjects.Radar.GatherScene();
+        var pose = subjects.Radar.Gather();
+        var scene = pose.Scene;
         sceneFile?.Write(stream => BinaryScene.Write(stream, WorldMesh.Of(scene)));
         string peerScene = sceneFile?.Path;
         try
@@ -79,8 +80,8 @@ sealed class BenchCommand(Terminal terminal)
         result.Poses.End();
         using var tracer = new RayTracer(subjects.Radar.Kernel, subjects.Name);
         tracer.SetScene(scene);
-        Step("counted pose", progress, () => Count(result, tracer, subjects.Radar.View(), progress));
-        Judge(result, line, tracer, subjects.Radar.View(), scene, progress);
+        Step("counted pose", progress, () => Count(result, tracer, pose.View, progress));
+        Judge(result, line, tracer, pose.View, scene, progress);
         return result;
     }
 

@@ -1,7 +1,5 @@
 using System;
-using System.Linq;
 using System.Threading;
-using System.Threading.Tasks;
 using Glint.Core;
 
 namespace Glint.Cli;
@@ -44,50 +42,26 @@ sealed class JudgeCheck
     public static JudgeCheck Some(RadarScene scene, RadarSettings settings, RadarView view, RayData[] glint, int every, IProgress<double> progress, CancellationToken cancel)
     {
         var judge = new Judge(scene, settings, view);
-        var rays = Trace(judge, settings, every, progress, cancel);
+        var some = Array.FindAll(glint, ray => ray.Pixel % every == 0);
+        var rays = judge.TraceSame(some, progress, cancel);
         for (int i = 0; i < rays.Length; i++)
-            if (rays[i].Received)
-                rays[i].LengthToLastHit = rays[i].PathLength; // as RayData has it
-        return new JudgeCheck(Sum(glint, every), judge.Sum(rays));
+            rays[i].LengthToLastHit = rays[i].LengthToEnd; // the only length that the kernel's rays have
+        return new JudgeCheck(Sum(some), judge.Sum(rays));
     }
 
-    /// <summary>The sums over some of the kernel's rays, as the judge has them.</summary>
-    internal static RadarResult Sum(RayData[] rays, int every)
+    // As the judge sums its own.
+    static RadarResult Sum(RayData[] rays)
     {
-        var sum = new RadarResult();
+        var sum = new RadarResult { RaysEmitted = rays.Length };
         foreach (var ray in rays)
         {
-            if (ray.Pixel % every != 0)
-                continue;
-            sum.RaysEmitted++;
             sum.RaysHit += ray.Bounces > 0 ? 1 : 0;
             sum.Bounces += ray.Bounces;
-            sum.PathLengthMeters += ray.PathLength;
+            sum.PathLengthMeters += ray.ExactPathLength;
             if (ray.IsReceived)
                 sum.AddReceived(ray.Phase, ray.InPhase, ray.Quadrature);
         }
         return sum;
-    }
-
-    // Rows are shared among the processors.
-    static JudgeRay[] Trace(Judge judge, RadarSettings settings, int every, IProgress<double> progress, CancellationToken cancel)
-    {
-        var region = settings.Region.IsWhole ? new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown } : settings.Region;
-        var rows = new JudgeRay[region.Height][];
-        int done = 0;
-        Parallel.For(0, region.Height, new ParallelOptions { CancellationToken = cancel }, row =>
-        {
-            int y = region.Bottom + row;
-            long first = (long)y * settings.RaysAcross + region.Left;
-            int x = region.Left + (int)((every - first % every) % every);
-            var rays = new JudgeRay[Math.Max(0, (region.Left + region.Width - x + every - 1) / every)];
-            for (int i = 0; i < rays.Length; i++, x += every)
-                rays[i] = judge.Trace(x, y);
-            rows[row] = rays;
-            int finished = Interlocked.Increment(ref done);
-            progress.Report((double)finished / region.Height);
-        });
-        return [.. rows.SelectMany(row => row)];
     }
 
     static double PhaseOf(RadarResult sum) => Math.Atan2(sum.Quadrature, sum.InPhase);

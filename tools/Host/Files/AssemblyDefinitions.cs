@@ -39,11 +39,11 @@ internal sealed class AssemblyDefinitions
         {
             using JsonDocument json = JsonDocument.Parse(AssetText.Read(file, shown));
             return json.RootElement.ValueKind == JsonValueKind.Object && json.RootElement.TryGetProperty("name", out JsonElement name)
-                && name.ValueKind == JsonValueKind.String ? name.GetString() : throw new GlintException($"{shown}: has no \"name\": add one");
+                && name.ValueKind == JsonValueKind.String && name.GetString() is { Length: > 0 } text ? text : throw new GlintException($"{shown}: has no \"name\": add one");
         }
         catch (JsonException error)
         {
-            throw new GlintException($"{shown}: malformed JSON: {error.Message}", error);
+            throw new GlintException($"{shown}:{error.LineNumber + 1}: malformed JSON: mend the line", error);
         }
     }
 

@@ -34,6 +34,9 @@ internal static class AssetText
     {
         try
         {
+            // A pipe or device has no length either; to open one can take for ever.
+            if (new FileInfo(physicalPath).Length == 0)
+                return [];
             byte[] bytes = File.ReadAllBytes(physicalPath);
             if (bytes.AsSpan().StartsWith("version https://git-lfs"u8))
                 throw new GlintException($"{shownPath}: is a git-lfs pointer, not the file's content: run 'git lfs pull'");

@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 
 namespace Glint.Host;
@@ -32,8 +33,11 @@ internal sealed class LoadWarnings
         {
             List<string> subjects = _subjects[(file, what)];
             string more = subjects.Count > 1 ? $" and {subjects.Count - 1} more" : "";
-            Debug.LogWarning($"{file}: {subjects[0]}{more}: {what}");
+            Debug.LogWarning(OneLine($"{file}: {subjects[0]}{more}: {what}"));
         }
         Clear();
     }
+
+    // Names may hold line breaks, and what else a terminal obeys.
+    static string OneLine(string text) => string.Concat(text.Select(letter => char.IsControl(letter) ? ' ' : letter));
 }

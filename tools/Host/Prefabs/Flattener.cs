@@ -8,6 +8,9 @@ namespace Glint.Host;
 /// <summary>Turns a file with prefab instances into one table of objects, as if everything had been written out in it.</summary>
 internal sealed class Flattener
 {
+    // Beyond any real prefab; deeper ones would overflow the stack.
+    const int MaxDepth = 100;
+
     readonly ProjectFiles _files;
     readonly Dictionary<string, ObjectTable> _prefabs = new();
     readonly List<string> _open = new();
@@ -22,6 +25,8 @@ internal sealed class Flattener
             string chain = string.Join(" -> ", _open.SkipWhile(path => path != assetPath).Append(assetPath).Select(_files.Shown));
             throw new GlintException($"{_files.Shown(assetPath)}: the prefab holds itself: {chain}: remove one of these instances");
         }
+        if (_open.Count > MaxDepth)
+            throw new GlintException($"{_files.Shown(_open[0])}: its prefabs lie more than {MaxDepth} deep in each other, down to {_files.Shown(assetPath)}: flatten them");
         _open.Add(assetPath);
         try
         {
@@ -67,10 +72,12 @@ internal sealed class Flattener
 
         // Overrides may name objects of other instances, so all are there before the first is applied.
         List<PrefabInstance> instances = Instances(file).ToList();
+        table.Reserve(instances.Sum(instance => instance.CopySize));
         foreach (PrefabInstance instance in instances)
             instance.AddObjects(table);
         foreach (PrefabInstance instance in instances)
             instance.Change(table);
+        Removal.Apply(table, instances.SelectMany(instance => instance.Removed()).ToList());
         return table;
     }
 

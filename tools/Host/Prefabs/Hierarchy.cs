@@ -13,6 +13,7 @@ internal sealed class Hierarchy
     readonly ObjectTable _table;
     readonly List<HierarchyNode> _nodes = new();
     readonly Dictionary<ObjectRecord, HierarchyNode> _owners = new();
+    readonly HashSet<HierarchyNode> _listed = new();
 
     Hierarchy(ObjectTable table) => _table = table;
 
@@ -29,7 +30,7 @@ internal sealed class Hierarchy
             node.Parent = hierarchy.ParentOf(node);
         foreach (HierarchyNode node in hierarchy._nodes)
             hierarchy.ListChildren(node);
-        foreach (HierarchyNode node in hierarchy._nodes.Where(node => node.Parent is not null && !node.Parent.Children.Contains(node)))
+        foreach (HierarchyNode node in hierarchy._nodes.Where(node => node.Parent is not null && !hierarchy._listed.Contains(node)))
             node.Parent.Children.Add(node);
         IReadOnlyList<HierarchyNode> roots = hierarchy.Roots(isScene);
         hierarchy.NameOwners(roots);
@@ -71,13 +72,12 @@ internal sealed class Hierarchy
 
     void ListChildren(HierarchyNode node)
     {
-        HashSet<HierarchyNode> listed = new();
         foreach (ObjectReference reference in node.Transform.Fields.References("m_Children").Where(reference => !reference.IsNone))
         {
             ObjectRecord record = Require(node.GameObject, reference, "a child");
             if (!_owners.TryGetValue(record, out HierarchyNode child) || child.Parent != node)
                 throw node.GameObject.Error($"lists &{reference.FileId} as a child, which has another parent: restore the file");
-            if (listed.Add(child))
+            if (_listed.Add(child))
                 node.Children.Add(child);
         }
     }

@@ -7,11 +7,15 @@ namespace Glint.Host;
 /// <summary>The objects of one file by id, those of its prefab instances among them.</summary>
 internal sealed class ObjectTable
 {
+    // Prefabs of prefabs, each twice in the next, are small as files and without end in memory. An object weighs as much as so many values.
+    const long MostValues = 20_000_000, ObjectWeight = 50;
+
     readonly Dictionary<long, ObjectRecord> _byId = new();
     readonly List<ObjectRecord> _records = new();
     readonly Dictionary<long, ObjectRecord> _instanceRoots = new();
     readonly HashSet<long> _skipped = new();
-    long _lastFreeId;
+    Dictionary<ObjectReference, ObjectRecord> _byOrigin;
+    long _lastFreeId, _values, _copySize;
 
     internal ObjectTable(string shownPath, string guid)
     {
@@ -30,6 +34,9 @@ internal sealed class ObjectTable
 
     /// <summary>In the order of the file, objects of prefab instances last.</summary>
     internal IReadOnlyList<ObjectRecord> Records => _records;
+
+    /// <summary>What a copy of all objects takes of memory, in values.</summary>
+    internal long CopySize => _copySize > 0 ? _copySize : _copySize = _records.Sum(record => ObjectWeight + record.Fields.Node.CopySize());
 
     /// <summary>Ids of the objects of classes that the loader does not know.</summary>
     internal IReadOnlyCollection<long> Skipped => _skipped;
@@ -61,6 +68,16 @@ internal sealed class ObjectTable
         if (!_byId.TryAdd(record.Id, record))
             throw new GlintException($"{ShownPath}: a second object &{record.Id}: restore the file");
         _records.Add(record);
+        (_byOrigin, _copySize) = (null, 0);
+    }
+
+    /// <summary>To be asked before prefab instances put so many values in.</summary>
+    /// <exception cref="GlintException">With those before they are too many.</exception>
+    internal void Reserve(long values)
+    {
+        _values += values;
+        if (_values > MostValues)
+            throw new GlintException($"{ShownPath}: its prefab instances, with those in the prefabs, hold more than {MostValues} values: remove some");
     }
 
     /// <summary>A further id of an object, where no other has it.</summary>
@@ -71,6 +88,7 @@ internal sealed class ObjectTable
         if (removed.Count == 0)
             return;
         _records.RemoveAll(removed.Contains);
+        (_byOrigin, _copySize) = (null, 0);
         foreach (long id in _byId.Where(entry => removed.Contains(entry.Value)).Select(entry => entry.Key).ToList())
             _byId.Remove(id);
     }
@@ -80,6 +98,17 @@ internal sealed class ObjectTable
     {
         if (reference.IsLocal || reference.Guid == Guid)
             return Find(reference.FileId);
-        return _records.FirstOrDefault(record => record.Origins.Contains(reference));
+        return (_byOrigin ??= ByOrigin()).GetValueOrDefault(reference);
+    }
+
+    Dictionary<ObjectReference, ObjectRecord> ByOrigin()
+    {
+        Dictionary<ObjectReference, ObjectRecord> found = new();
+        foreach (ObjectRecord record in _records)
+        {
+            foreach (ObjectReference origin in record.Origins)
+                found.TryAdd(origin, record);
+        }
+        return found;
     }
 }

@@ -24,7 +24,8 @@ internal static class PackedOverrides
 
     internal static bool IsOne(YamlNode node) => node is YamlMappingNode map && map.Child(HexKey) is not null;
 
-    internal static string Hex(YamlMappingNode packed) => ((YamlScalarNode)packed.Child(HexKey)).Value;
+    /// <summary>Null when the file itself has such a key, with something else.</summary>
+    internal static string Hex(YamlMappingNode packed) => (packed.Child(HexKey) as YamlScalarNode)?.Value;
 
     internal static void AddSize(YamlMappingNode packed, int size) => Add(packed, SizeKey, size.ToString(CultureInfo.InvariantCulture));
 
@@ -32,9 +33,10 @@ internal static class PackedOverrides
 
     /// <summary>Index and value of each override; index -1 is the array's size.</summary>
     internal static IEnumerable<(int Index, string Value)> Edits(YamlMappingNode packed) =>
-        from YamlSequenceNode edit in packed.Items(EditsKey)
+        from edit in packed.Items(EditsKey).OfType<YamlSequenceNode>()
+        where edit.Children.Count == 2 && edit.Children.All(part => part is YamlScalarNode)
         let key = ((YamlScalarNode)edit.Children[0]).Value
-        select (key == SizeKey ? -1 : int.Parse(key, CultureInfo.InvariantCulture), ((YamlScalarNode)edit.Children[1]).Value);
+        select (int.TryParse(key, NumberStyles.None, CultureInfo.InvariantCulture, out int index) ? index : -1, ((YamlScalarNode)edit.Children[1]).Value);
 
     static void Add(YamlMappingNode packed, string key, string value) =>
         packed.ListAt(EditsKey).Add(new YamlSequenceNode(new YamlScalarNode(key), new YamlScalarNode(value)));

@@ -37,6 +37,9 @@ internal sealed class PrefabInstance
         }
     }
 
+    /// <summary>What the copies take of memory.</summary>
+    internal long CopySize => _source.CopySize;
+
     internal void AddObjects(ObjectTable table)
     {
         Dictionary<ObjectRecord, long> ids = new();
@@ -47,7 +50,7 @@ internal sealed class PrefabInstance
         long Rename(long id) => _source.Find(id) is ObjectRecord original ? ids[original] : OutsideId(id);
         foreach (ObjectRecord original in _source.Records)
         {
-            ObjectRecord copy = new(original.File, original.ClassId, original.TypeName, ids[original], original.Fields.Node.Clone(Rename))
+            ObjectRecord copy = new(original.File, original.ClassId, original.TypeName, ids[original], original.Fields.Node.CloneFields(Rename))
             {
                 Origins = [.. original.Origins, new ObjectReference(original.Id, _source.Guid)],
             };
@@ -70,7 +73,7 @@ internal sealed class PrefabInstance
     {
         foreach (FieldMap line in _modification.Maps("m_Modifications"))
         {
-            PropertyOverride change = new(line);
+            PropertyOverride change = new(line, table);
             // Unity too drops overrides of objects that the prefab no longer has.
             if (Copy(change.Target) is ObjectRecord target)
                 change.ApplyTo(target);
@@ -80,8 +83,11 @@ internal sealed class PrefabInstance
             Insert(Copy(added.Reference("targetCorrespondingSourceObject")), "m_Children", added);
         foreach (FieldMap added in _modification.Maps("m_AddedComponents"))
             Insert(Copy(added.Reference("targetCorrespondingSourceObject")), "m_Component", added);
-        Remove(table);
     }
+
+    /// <summary>Copies that the instance does without; <see cref="Removal"/> takes them away.</summary>
+    internal IEnumerable<ObjectRecord> Removed() => _modification.References("m_RemovedComponents").Concat(_modification.References("m_RemovedGameObjects"))
+        .Select(Copy).Where(record => record is not null);
 
     /// <summary>How the next file outside names an object of the prefab, where no stripped document gives it an id.</summary>
     long OutsideId(long id) => (_id ^ id) & PositiveMask;
@@ -108,7 +114,9 @@ internal sealed class PrefabInstance
         }
         ObjectRecord father = table.Find(parent.FileId)
             ?? throw new GlintException($"{table.ShownPath}: PrefabInstance &{_id} lies under object &{parent.FileId}, which is not in the file: restore the file");
-        if (!father.Fields.References("m_Children").Any(child => table.Find(child.FileId) == root))
+        // Behind the others, if it is not among them: a child that is listed twice stands where it is listed first.
+        YamlNode children = father.Fields.Node.Child("m_Children");
+        if (children.IsEmpty() || children is YamlSequenceNode)
             father.Fields.Node.ListAt("m_Children").Add(new ObjectReference(root.Id).ToNode());
     }
 
@@ -125,49 +133,13 @@ internal sealed class PrefabInstance
             YamlMappingNode entry = new();
             entry.Set("component", node);
             node = entry;
+            if (list.Children.Contains(node))
+                return;
         }
-        if (list.Children.Contains(node))
-            return;
         long index = added.Integer("insertIndex", -1);
         if (index < 0 || index > list.Children.Count)
             list.Children.Add(node);
         else
             list.Children.Insert((int)index, node);
-    }
-
-    void Remove(ObjectTable table)
-    {
-        HashSet<ObjectRecord> removed = _modification.References("m_RemovedComponents").Concat(_modification.References("m_RemovedGameObjects"))
-            .Select(Copy).Where(record => record is not null).ToHashSet();
-        if (removed.Count == 0)
-            return;
-        // What belongs to a removed object, or lies below it, goes with it.
-        int before;
-        do
-        {
-            before = removed.Count;
-            foreach (ObjectRecord record in table.Records)
-            {
-                if (table.Find(record.Fields.Reference("m_GameObject").FileId) is ObjectRecord owner && removed.Contains(owner)
-                    || record.IsTransform && table.Find(record.Fields.Reference("m_Father").FileId) is ObjectRecord father && removed.Contains(father))
-                    removed.Add(record);
-                if (record.IsTransform && removed.Contains(record) && table.Find(record.Fields.Reference("m_GameObject").FileId) is ObjectRecord held)
-                    removed.Add(held);
-            }
-        }
-        while (removed.Count > before);
-        foreach (ObjectRecord record in table.Records.Where(record => !removed.Contains(record)))
-            Unlist(record, table, removed);
-        table.Remove(removed);
-    }
-
-    static void Unlist(ObjectRecord record, ObjectTable table, HashSet<ObjectRecord> removed)
-    {
-        bool IsRemoved(YamlNode item) => ObjectReference.TryRead(item, out ObjectReference reference)
-            && table.Find(reference.FileId) is ObjectRecord found && removed.Contains(found);
-        foreach (YamlNode item in record.Fields.Node.Items("m_Component").Where(item => item is YamlMappingNode map && IsRemoved(map.Child("component"))).ToList())
-            record.Fields.Node.ListAt("m_Component").Children.Remove(item);
-        foreach (YamlNode item in record.Fields.Node.Items("m_Children").Where(IsRemoved).ToList())
-            record.Fields.Node.ListAt("m_Children").Children.Remove(item);
     }
 }

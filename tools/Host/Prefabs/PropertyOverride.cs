@@ -7,16 +7,19 @@ namespace Glint.Host;
 internal sealed class PropertyOverride
 {
     // Far beyond what anybody overrides by hand; a damaged file must not fill the memory.
-    const int LargestArray = 1_000_000;
+    internal const int LargestArray = 1_000_000;
 
     readonly FieldMap _source;
+    readonly ObjectTable _table;
     readonly string _value;
     readonly ObjectReference _reference;
     readonly IReadOnlyList<PropertyStep> _steps;
 
-    internal PropertyOverride(FieldMap source)
+    /// <param name="table">Is asked for room when an array grows.</param>
+    internal PropertyOverride(FieldMap source, ObjectTable table)
     {
         _source = source;
+        _table = table;
         Target = source.Reference("target");
         _value = source.Text("value");
         _reference = source.Reference("objectReference");
@@ -52,7 +55,9 @@ internal sealed class PropertyOverride
         YamlMappingNode map = node as YamlMappingNode;
         if (map is null && !node.IsEmpty())
             return node;
-        map ??= new YamlMappingNode();
+        // The object's own map is its alone; another may be the prefab's too.
+        if (at > 0)
+            map = map is null ? new YamlMappingNode() : new YamlMappingNode(map.Children);
         map.Set(name, Apply(map.Child(name), at + 1));
         return map;
     }
@@ -79,12 +84,17 @@ internal sealed class PropertyOverride
     int Size()
     {
         int size = _source.Count("value");
-        return size <= LargestArray ? size : throw _source.Wrong("value", $"an array size of at most {LargestArray}", _value);
+        if (size > LargestArray)
+            throw _source.Wrong("value", $"an array size of at most {LargestArray}", _value);
+        _table.Reserve(size);
+        return size;
     }
 
     // Unity fills a grown array with copies of its last element.
-    static void Resize(YamlSequenceNode list, int size)
+    void Resize(YamlSequenceNode list, int size)
     {
+        if (size > list.Children.Count && list.Children.Count > 0)
+            _table.Reserve((size - list.Children.Count) * list.Children[^1].CopySize());
         while (list.Children.Count > size)
             list.Children.RemoveAt(list.Children.Count - 1);
         while (list.Children.Count < size)

@@ -9,6 +9,9 @@ internal readonly record struct PropertyStep(string Name, int Index)
 {
     const int SizeMark = -1;
 
+    // Unity nests serialized classes at most ten deep; far longer paths would overflow the stack.
+    const int MostSteps = 100;
+
     internal bool IsName => Name is not null;
 
     internal bool IsSize => !IsName && Index == SizeMark;
@@ -21,6 +24,8 @@ internal readonly record struct PropertyStep(string Name, int Index)
         const string DataStart = "data[";
         List<PropertyStep> steps = new();
         string[] parts = path.Split('.');
+        if (parts.Length > MostSteps)
+            return null;
         for (int i = 0; i < parts.Length; i++)
         {
             bool isArray = parts[i] == "Array" && i > 0 && i + 1 < parts.Length;

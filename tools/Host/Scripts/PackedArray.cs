@@ -28,7 +28,7 @@ internal static class PackedArray
     {
         int width = Width(element);
         string hex = PackedOverrides.IsOne(node) ? PackedOverrides.Hex((YamlMappingNode)node) : ((YamlScalarNode)node).Value ?? "";
-        if (hex.Length % (2 * width) != 0 || !hex.All(char.IsAsciiHexDigit))
+        if (hex is null || hex.Length % (2 * width) != 0 || !hex.All(char.IsAsciiHexDigit))
             return null;
         byte[] bytes = Convert.FromHexString(hex);
         List<Int128> values = new(bytes.Length / width);
@@ -53,7 +53,7 @@ internal static class PackedArray
     {
         foreach ((int index, string text) in edits)
         {
-            if (!Scalars.TryInteger(text, out Int128 value))
+            if (!Scalars.TryInteger(text, out Int128 value) || index < 0 && (value < 0 || value > PropertyOverride.LargestArray))
                 return false;
             if (index < 0)
                 Resize(values, (int)value);

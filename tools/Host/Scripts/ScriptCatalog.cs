@@ -74,7 +74,7 @@ internal sealed partial class ScriptCatalog
         {
             return Assembly.Load(new AssemblyName(name));
         }
-        catch (Exception error) when (error is IOException or BadImageFormatException)
+        catch (Exception error) when (error is IOException or BadImageFormatException or ArgumentException)
         {
             return null;
         }
@@ -89,6 +89,6 @@ internal sealed partial class ScriptCatalog
             Messages.Of(type).Order = order;
     }
 
-    [GeneratedRegex(@"^\s*executionOrder:\s*(-?\d+)\s*$", RegexOptions.Multiline)]
+    [GeneratedRegex(@"^[ \t]*executionOrder:[ \t]*(-?\d+)[ \t\r]*$", RegexOptions.Multiline)]
     private static partial Regex ExecutionOrder();
 }

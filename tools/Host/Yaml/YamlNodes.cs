@@ -29,21 +29,27 @@ internal static class YamlNodes
 
     internal static bool IsEmpty(this YamlNode node) => node is null or YamlScalarNode { Value: null or "" };
 
-    /// <summary>A copy that shares nothing with the original, its references within the file renamed.</summary>
-    internal static YamlNode Clone(this YamlNode node, Func<long, long> rename) => node switch
+    /// <summary>Entries of the maps and lists that <see cref="Clone"/> makes anew: what a copy takes of memory.</summary>
+    internal static long CopySize(this YamlNode node) => node switch
     {
-        YamlMappingNode map => Clone(map, rename),
-        YamlSequenceNode list => new YamlSequenceNode(list.Children.Select(item => item.Clone(rename))),
-        _ => new YamlScalarNode(((YamlScalarNode)node).Value),
+        YamlMappingNode map when !map.IsFlat() => map.Children.Sum(child => 1 + child.Value.CopySize()),
+        YamlSequenceNode list => list.Children.Sum(item => 1 + item.CopySize()),
+        _ => 0,
     };
 
-    internal static YamlMappingNode Clone(this YamlMappingNode map, Func<long, long> rename)
+    /// <summary>A copy, its references within the file renamed. Scalars and maps of scalars it shares with the original: nobody changes them in place.</summary>
+    internal static YamlNode Clone(this YamlNode node, Func<long, long> rename) => node switch
     {
-        if (ObjectReference.TryRead(map, out ObjectReference reference) && reference.IsLocal && !reference.IsNone)
-            return new ObjectReference(rename(reference.FileId)).ToNode();
-        YamlMappingNode copy = new();
-        foreach ((YamlNode key, YamlNode value) in map.Children)
-            copy.Children.Add(key, value.Clone(rename));
-        return copy;
-    }
+        YamlMappingNode map when ObjectReference.TryRead(map, out ObjectReference reference) && reference.IsLocal && !reference.IsNone
+            => new ObjectReference(rename(reference.FileId)).ToNode(),
+        YamlMappingNode map when !map.IsFlat() => map.CloneFields(rename),
+        YamlSequenceNode list => new YamlSequenceNode(list.Children.Select(item => item.Clone(rename))),
+        _ => node,
+    };
+
+    /// <summary>The fields of an object for another object: a map of its own.</summary>
+    internal static YamlMappingNode CloneFields(this YamlMappingNode map, Func<long, long> rename) =>
+        new(map.Children.Select(child => KeyValuePair.Create(child.Key, child.Value.Clone(rename))));
+
+    static bool IsFlat(this YamlMappingNode map) => map.Children.All(child => child.Value is YamlScalarNode);
 }

@@ -66,7 +66,7 @@ namespace Glint.Core
             {
                 Options.Rounds, Options.Peers, Options.Judge, Options.Json, Options.WriteScene, Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
                 Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
-                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Aim, Options.Accuracy, Options.Device
+                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Spacing, Options.Aperture, Options.Aim, Options.Accuracy, Options.Device
             },
             Notes = new[]
             {
@@ -81,6 +81,26 @@ namespace Glint.Core
             }
         };
 
+        /// <summary>Compares rays one by one with those of the double-precision tracer. Only the headless host has it.</summary>
+        public static readonly Command Verify = new Command("verify", "Trace a scene and compare its rays one by one with those of a double-precision tracer.")
+        {
+            Options = new Option[]
+            {
+                Options.Rays, Options.Json,
+                Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
+                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Spacing, Options.Aperture, Options.Aim, Options.Device
+            },
+            Notes = new[]
+            {
+                "A ray is right when it goes the same way and, if it is received, its path is as long within 10 micrometres; or when it passes the edge of a triangle so near that float32 cannot tell on which side. The exit code is 1 when a ray is not."
+            },
+            Examples = new[]
+            {
+                Example("verify Scenes/CornerReflector.unity", "Its 676 received rays, and some 100,000 of all."),
+                Example("verify ship.stl --unit mm --up z --distance 10000 --fov 0.3 --json ship.json", "A mesh from 10 km; the figures go into a file.")
+            }
+        };
+
         /// <summary>Lists devices, limits and versions.</summary>
         public static readonly Command Info = new Command("info", "List the GPUs, the limits of the one in use, and the versions.")
         {
@@ -90,7 +110,7 @@ namespace Glint.Core
         };
 
         /// <summary>Every command.</summary>
-        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Run, Bench, Info };
+        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Run, Bench, Verify, Info };
 
         /// <summary>What INPUT is for a command.</summary>
         public static string InputHelpOf(Command command) => command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}" : InputHelp;

@@ -13,6 +13,7 @@ namespace Glint.Core
         const string MeshGroup = "Mesh files (refused with a scene, which has its own camera and objects)";
         const string BuiltInGroup = "Built-in scene (refused with an INPUT)";
         const string BenchGroup = "Benchmark";
+        const string VerifyGroup = "Verification";
         const string DeviceGroup = "Device";
 
         const string InSceneInstead = "only for mesh files: a scene has its own camera and objects, change it there";
@@ -21,7 +22,7 @@ namespace Glint.Core
         // Lengths and angles go into single precision, which holds both ends.
         static readonly Interval Length = Interval.Closed(1e-6, 1e6);
         static readonly Interval Coordinate = Interval.Closed(-1e6, 1e6);
-        static readonly Interval Rays = Interval.Closed(1, RadarSettings.RaysPerAxisLimit);
+        static readonly Interval RaysOfAxis = Interval.Closed(1, RadarSettings.RaysPerAxisLimit);
         static readonly Interval RaysFromEdge = Interval.Closed(0, RadarSettings.RaysPerAxisLimit);
         static readonly Interval Triangles = Interval.Closed(1000, 50000000);
 
@@ -49,10 +50,10 @@ namespace Glint.Core
         };
 
         /// <summary>Rays across and down.</summary>
-        public static readonly Option<int2> Size = new Option<int2>("size", "WxH", text => Values.Size(text, Rays))
+        public static readonly Option<int2> Size = new Option<int2>("size", "WxH", text => Values.Size(text, RaysOfAxis))
         {
             Group = RadarGroup,
-            Range = "each " + Rays,
+            Range = "each " + RaysOfAxis,
             DefaultText = "1920x1080",
             Help = "Rays across and down, one through the centre of each pixel."
         };
@@ -178,10 +179,14 @@ namespace Glint.Core
             Help = "Which rays are traced in double precision too, for the errors: all, none, or every N-th. Without it: all, when rays and triangles are at most 4 million each."
         };
 
+        /// <summary>About as many rays are compared with the judge's.</summary>
+        public static readonly Option<int> Rays = Whole("rays", "N", "100000", Interval.Closed(1, 1000000000), VerifyGroup,
+            "About as many rays are compared, spread evenly over the picture, and as many of those received; all when there are fewer.");
+
         /// <summary>File for the figures; null when not given.</summary>
         public static readonly Option<string> Json = new Option<string>("json", "FILE", Values.Words)
         {
-            Group = BenchGroup,
+            Group = ResultGroup,
             Help = "File for the figures, as JSON."
         };
 

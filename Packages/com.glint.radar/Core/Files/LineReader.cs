@@ -44,7 +44,7 @@ namespace Glint.Core
         public bool Read()
         {
             Number = _nextNumber;
-            int scanned = 0;
+            int scanned = 0, word = 0;
             while (true)
             {
                 int found = Held.Slice(scanned).IndexOf((byte)'\n');
@@ -57,7 +57,7 @@ namespace Glint.Core
                 }
                 _nextNumber++;
                 int length = scanned + found;
-                if (!_joinsContinued || !TryBlankContinuation(length))
+                if (!_joinsContinued || !TryBlankContinuation(length, ref word))
                     return Take(length, 1);
                 scanned = length + 1;
             }
@@ -76,13 +76,16 @@ namespace Glint.Core
             return true;
         }
 
-        // Overwrites backslash and line end by blanks, so that the joined line lies in one piece.
-        bool TryBlankContinuation(int length)
+        // Overwrites backslash and line end by blanks, so that the joined line lies in one piece. Where its first word begins is not looked for twice.
+        bool TryBlankContinuation(int length, ref int word)
         {
             int last = length - 1;
             if (last >= 0 && Held[last] == '\r')
                 last--;
-            if (last < 0 || Held[last] != '\\' || new Words(Held.Slice(0, last)).IsComment)
+            if (last < 0 || Held[last] != '\\')
+                return false;
+            word = Words.StartOf(Held.Slice(0, last), word);
+            if (word < last && Held[word] == '#')
                 return false;
             for (int i = last; i <= length; i++)
                 _buffer[_start + i] = (byte)' ';

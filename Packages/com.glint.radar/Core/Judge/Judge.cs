@@ -37,7 +37,7 @@ namespace Glint.Core
         /// <summary>Distance between the rays of neighbouring pixels where they have gone <paramref name="length"/> metres, metres.</summary>
         public double RaySpacing(double length) => 2 * _halfHeight / _settings.RaysDown * (_view.IsParallel ? 1 : length);
 
-        /// <summary>Every ray of the region (of the whole picture when none is set), row by row from its left and bottom edge; rows are shared among processors.</summary>
+        /// <summary>Every ray of the region (of the whole picture when none is set), row by row from its left and bottom edge.</summary>
         /// <param name="progress">Told how much is done, 0 to 1, from any thread; may be null.</param>
         /// <param name="cancel">Ends the work.</param>
         /// <exception cref="OperationCanceledException">It was cancelled.</exception>
@@ -47,14 +47,26 @@ namespace Glint.Core
             if (region.IsWhole)
                 region = new RayRegion { Width = _settings.RaysAcross, Height = _settings.RaysDown };
             var rays = new JudgeRay[_settings.RaysEmitted];
-            int rowsDone = 0;
-            Parallel.For(0, region.Height, new ParallelOptions { CancellationToken = cancel }, row =>
+            ForAll(region.Height, row =>
             {
                 for (int i = 0; i < region.Width; i++)
                     rays[(long)row * region.Width + i] = Trace(region.Left + i, region.Bottom + row);
-                progress?.Report(Interlocked.Increment(ref rowsDone) / (double)region.Height);
-            });
+            }, progress, cancel);
             return rays;
+        }
+
+        /// <summary>The rays of the same pixels as the kernel's.</summary>
+        /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+        public JudgeRay[] TraceSame(RayData[] rays, IProgress<double> progress = null, CancellationToken cancel = default)
+        {
+            const int Together = 256;
+            var same = new JudgeRay[rays.Length];
+            ForAll((rays.Length + Together - 1) / Together, part =>
+            {
+                for (int i = part * Together; i < math.min(rays.Length, (part + 1) * Together); i++)
+                    same[i] = Trace(ColumnOf(rays[i]), RowOf(rays[i]));
+            }, progress, cancel);
+            return same;
         }
 
         /// <summary>The sums over rays as <see cref="TraceAll"/> gives them; carries no rays and no timings.</summary>
@@ -106,6 +118,8 @@ namespace Glint.Core
                 length += distance;
                 place += distance * direction;
                 ray.Bounces++;
+                if (ray.Bounces == 1)
+                    ray.LengthToFirstHit = length;
                 ray.LengthToLastHit = length;
                 ray.LastHit = _tree.Middle + place;
                 ray.LastTriangle = _tree.Number(hit);
@@ -113,6 +127,21 @@ namespace Glint.Core
                 double3 normal = _tree.Normal(hit);
                 direction = math.normalize(direction - 2 * math.dot(direction, normal) * normal);
             }
+        }
+
+        internal int ColumnOf(in RayData ray) => (int)(ray.Pixel % (uint)_settings.RaysAcross);
+
+        internal int RowOf(in RayData ray) => (int)(ray.Pixel / (uint)_settings.RaysAcross);
+
+        // Parts of the work are shared among processors.
+        static void ForAll(int parts, Action<int> work, IProgress<double> progress, CancellationToken cancel)
+        {
+            int done = 0;
+            Parallel.For(0, parts, new ParallelOptions { CancellationToken = cancel }, part =>
+            {
+                work(part);
+                progress?.Report(Interlocked.Increment(ref done) / (double)parts);
+            });
         }
 
         bool CrossesReceiver(double3 origin, double3 direction, out double distance)

@@ -11,11 +11,14 @@ namespace Glint.Core
         /// <summary>True if the ray reached the receiver.</summary>
         public bool Received;
 
-        /// <summary>From the radar to the last hit, metres; 0 if nothing was hit.</summary>
-        public double LengthToLastHit;
+        /// <summary>From the radar to the first hit and to the last, metres; 0 if nothing was hit.</summary>
+        public double LengthToFirstHit, LengthToLastHit;
 
         /// <summary>From the radar over all hits to the receiver plane, metres; 0 if not received.</summary>
         public double PathLength;
+
+        /// <summary>Received: the whole path. Otherwise: to the last hit. Metres; what RayData has for a length.</summary>
+        public double LengthToEnd => Received ? PathLength : LengthToLastHit;
 
         /// <summary>Last point of reflection, metres; where the ray started if nothing was hit.</summary>
         public double3 LastHit;

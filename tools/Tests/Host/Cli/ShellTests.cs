@@ -6,9 +6,9 @@ namespace Glint.Host.Tests;
 
 public sealed class ShellTests
 {
-    [TestCase("", "glint: a command is missing: sweep, run, bench, info (see glint --help)")]
+    [TestCase("", "glint: a command is missing: sweep, run, bench, verify, info (see glint --help)")]
     [TestCase("swep x.obj", "glint: \"swep\": no such command: did you mean sweep? (see glint --help)")]
-    [TestCase("dance", "glint: \"dance\": no such command: the commands are sweep, run, bench, info (see glint --help)")]
+    [TestCase("dance", "glint: \"dance\": no such command: the commands are sweep, run, bench, verify, info (see glint --help)")]
     [TestCase("run x.obj --bounces 17", "glint: --bounces 17: must be from 1 to 16 (see glint run --help)")]
     [TestCase("run x.obj --size 0x5", "glint: --size 0x5: each number must be from 1 to 524280 (see glint run --help)")]
     [TestCase("sweep x.unity --target Ship --angles 0:45", "glint: --angles 0:45: a range has three parts: give FROM:TO:STEP, such as 0:45:1, or a list, such as 0,10,45 (see glint sweep --help)")]

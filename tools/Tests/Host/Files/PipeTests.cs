@@ -31,6 +31,17 @@ public sealed class PipeTests
         }
     }
 
+    [Test]
+    public void Scene_ThatIsAPipe_IsRefusedAtOnce()
+    {
+        using TemporaryProject project = new();
+        using (var maker = Process.Start("mkfifo", [Path.Combine(project.Root, "Assets/Scene.unity")]))
+            maker.WaitForExit();
+        var load = Task.Run(() => Assert.Throws<GlintException>(() => project.Load()));
+        Assert.That(load.Wait(TimeSpan.FromSeconds(10)));
+        Assert.That(load.Result.Message, Is.EqualTo("Assets/Scene.unity: is empty: restore the file"));
+    }
+
     static void AssertRefused(string path)
     {
         var read = Task.Run(() => Assert.Throws<GlintException>(() => MeshFileReader.Read(path, LengthUnit.Parse("m"), UpAxis.Y)));

@@ -82,6 +82,13 @@ public sealed class DamagedFileTests
         Assert.That(_project.Warnings.Single(), Does.StartWith("Assets/Scene.unity: MeshRenderer of 'Box': m_Materials[0] refers to guid " + TemporaryProject.Guid(66)));
     }
 
+    [Test]
+    public void Warning_OfANameWithALineBreak_IsOneLine()
+    {
+        _project.LoadScene(Scene(Object(10, "\"a\\nb\\x1bc\"").Replace("m_TagString: Untagged", "m_TagString: Lost"), 11));
+        Assert.That(_project.Warnings.Single(), Does.StartWith("Assets/Scene.unity: GameObject 'a b c': has the tag 'Lost'"));
+    }
+
     [TestCase("", "Assets/Scene.unity: is empty: restore the file")]
     [TestCase("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n", "Assets/Scene.unity: is a git-lfs pointer, not the file's content: run 'git lfs pull'")]
     [TestCase("\0\0\0\u0016\0\0", "Assets/Scene.unity: is serialized as binary: set Asset Serialization to Force Text (Edit, Project Settings, Editor) and save it again")]

@@ -1,0 +1,104 @@
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using static Unity.Mathematics.math;
+
+namespace Glint.Tests
+{
+    /// <summary>What counts as the judge's way, as the other side of an edge, and as wrong. The kernel's rays are the judge's, altered.</summary>
+    public sealed class RayComparisonTests
+    {
+        const double Tolerance = 1e-5; // m
+
+        // Moves the left edge of a plate of 4 m, at 20 m, to the column of rays that goes 13.5 of their distances left of the middle.
+        const double EdgeToColumn = 2 - 13.5 * 2 * 11.547005383792515 / 90;
+
+        static readonly RadarSettings s_settings = TestRadar.Settings();
+        static readonly RadarView s_view = TestRadar.LookAt(0, double3(0, 0, 1));
+
+        static RadarScene Plate(double aside = 0)
+        {
+            var place = Affine.Identity;
+            place.Origin.x = aside;
+            return new RadarScene(new MeshInstance { Mesh = TestRadar.FacingPlate(4, 20), ToWorld = place });
+        }
+
+        static RayData[] Rays(RadarScene scene) => new Judge(scene, s_settings, s_view).TraceAll().Select((ray, pixel) =>
+        {
+            double length = ray.LengthToEnd, phase = Signal.Phase(length, s_settings.Wavelength);
+            var data = new RayData
+            {
+                Pixel = (uint)pixel, Bounces = (uint)ray.Bounces, LastHit = (float3)ray.LastHit, Direction = (float3)ray.Direction,
+                PathLength = (float)length, PathLengthRest = (float)(length - (float)length),
+            };
+            if (ray.Received)
+                (data.InPhase, data.Quadrature) = ((float)cos(phase), (float)sin(phase));
+            return data;
+        }).ToArray();
+
+        static RayComparison Compare(RadarScene judged, RayData[] rays)
+        {
+            var comparison = new RayComparison(judged, s_settings, s_view, Tolerance);
+            comparison.Add(rays);
+            Assert.That(comparison.Rays, Is.EqualTo(rays.Length));
+            Assert.That(comparison.Same + comparison.AtEdge + comparison.Wrong, Is.EqualTo(rays.Length));
+            return comparison;
+        }
+
+        [Test]
+        public void Add_TheJudgesOwnRays_AreTheSame()
+        {
+            var comparison = Compare(Plate(), Rays(Plate()));
+            Assert.That(comparison.Same, Is.EqualTo(160 * 90));
+            Assert.That(comparison.KernelSums.RaysReceived, Is.GreaterThan(10));
+            Assert.That(comparison.KernelSums.RaysReceived, Is.EqualTo(comparison.JudgeSums.RaysReceived));
+            Assert.That(comparison.KernelSums.Amplitude, Is.EqualTo(comparison.JudgeSums.Amplitude).Within(1e-5));
+            Assert.That(comparison.LargestLengthDifference, Is.LessThan(1e-12));
+            Assert.That(comparison.LargestPhaseDifference, Is.LessThan(1e-6));
+        }
+
+        [TestCase(5e-6, 0)]
+        [TestCase(2e-5, 1)]
+        public void Add_ReceivedRayOfAnotherLength_IsWrongBeyondTheTolerance(double difference, int wrong)
+        {
+            var rays = Rays(Plate());
+            // The first one meets the plate where its two triangles do.
+            uint received = rays.Where(ray => ray.IsReceived).ElementAt(1).Pixel;
+            rays[received].PathLengthRest += (float)difference;
+            var comparison = Compare(Plate(), rays);
+            Assert.That(comparison.Wrong, Is.EqualTo(wrong));
+            if (wrong > 0)
+                Assert.That(comparison.WrongRays.Single().Kernel.Pixel, Is.EqualTo(received));
+            else
+                Assert.That(comparison.LargestLengthDifference, Is.EqualTo(difference).Within(1e-9));
+        }
+
+        [TestCase(5e-7, 0)]
+        [TestCase(1e-4, 16)]
+        public void Add_RaysThatPassAnEdgeOnItsOtherSide_AreWrongIfTheyPassItFarOff(double off, int wrong)
+        {
+            // Float32 places are some micrometres off here. The 16 rays of the column pass the edge between where the judge sees it and where the kernel does.
+            var comparison = Compare(Plate(EdgeToColumn + off), Rays(Plate(EdgeToColumn - off)));
+            Assert.That(comparison.AtEdge, Is.EqualTo(16 - wrong));
+            Assert.That(comparison.Wrong, Is.EqualTo(wrong));
+        }
+
+        [Test]
+        public void Add_RayThatLeftAnotherWay_IsWrong()
+        {
+            var rays = Rays(Plate());
+            uint lost = rays.Last(ray => ray.Bounces == 1 && !ray.IsReceived).Pixel;
+            rays[lost].PathLength += 0.1f;
+            Assert.That(Compare(Plate(), rays).Wrong, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Add_RayThatBouncedOffNothing_IsWrong()
+        {
+            var rays = Rays(Plate());
+            rays[0].Bounces = 1;
+            Assert.That(Compare(Plate(), rays).Wrong, Is.EqualTo(1));
+        }
+    }
+}

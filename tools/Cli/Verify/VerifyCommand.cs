@@ -1,0 +1,94 @@
+using System;
+using System.Collections.Generic;
+using Glint.Core;
+using Glint.Editor;
+using Glint.Host;
+
+namespace Glint.Cli;
+
+/// <summary>glint verify: traces a scene with the kernel, and some of its rays with the judge.</summary>
+sealed class VerifyCommand(Terminal terminal)
+{
+    /// <summary>Difference of a received ray's length that is allowed besides rounding, metres: 0.002 rad at 10 GHz.</summary>
+    public const double LengthTolerance = 1e-5;
+
+    // Rays of the kernel that are held at a time: 100 MB.
+    const int RaysAtOnce = 1 << 21;
+
+    /// <returns>The report, line by line, and the exit code: 1 if a ray went wrong.</returns>
+    /// <exception cref="GlintException">Something is wrong with a file, the scene or the device.</exception>
+    /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
+    public (string[] Report, int ExitCode) Execute(CommandLine line, IProgressSink progress)
+    {
+        var json = line.IsGiven(Options.Json) ? new OutputFile(Options.Json.Flag, line.Get(Options.Json)) : null;
+        var subjects = SceneSubjects.Open(line);
+        try
+        {
+            var result = Verify(subjects, line.Get(Options.Rays), progress);
+            json?.Write(result.WriteJson);
+            string[] written = json == null ? [] : [$"written: {json.Path}"];
+            return ([.. new VerifyReport(terminal).Lines(result), .. written], result.Comparison.Wrong == 0 ? 0 : 1);
+        }
+        finally
+        {
+            subjects.Radar.Release();
+        }
+    }
+
+    static VerifyResult Verify(SceneSubjects subjects, int raysToCompare, IProgressSink progress)
+    {
+        var radar = subjects.Radar;
+        var scene = radar.GatherScene();
+        RadarSettings settings = radar.Settings;
+        var view = radar.View();
+        using var tracer = new RayTracer(radar.Kernel, subjects.Name);
+        tracer.SetScene(scene, progress.Cancel);
+
+        RadarResult whole = null;
+        Step("kernel", progress, () => whole = tracer.Trace(settings, view, KeptRays.None, progress, progress.Cancel));
+        var sample = new RaySample(settings, whole.RaysReceived, raysToCompare);
+        var comparison = new RayComparison(scene, settings, view, LengthTolerance);
+        var bands = Bands(settings);
+        progress.Start("kernel and judge", bands.Count);
+        try
+        {
+            for (int i = 0; i < bands.Count; i++)
+            {
+                settings.Region = bands[i];
+                var rays = tracer.Trace(settings, view, KeptRays.All, new Part(progress, 0, 2), progress.Cancel).Rays;
+                comparison.Add(sample.Of(rays), new Part(progress, 1, 2), progress.Cancel);
+                progress.Advance(i + 1, null);
+            }
+        }
+        finally
+        {
+            progress.Finish();
+        }
+        return new VerifyResult(subjects, GraphicsDevice.Current.Info, whole, comparison);
+    }
+
+    // The rows of the region, as many at a time as are held.
+    static List<RayRegion> Bands(RadarSettings settings)
+    {
+        var region = settings.Region.IsWhole ? new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown } : settings.Region;
+        int rows = Math.Max(PictureTiles.Side, RaysAtOnce / region.Width);
+        var bands = new List<RayRegion>();
+        for (int row = 0; row < region.Height; row += rows)
+            bands.Add(region with { Bottom = region.Bottom + row, Height = Math.Min(rows, region.Height - row) });
+        return bands;
+    }
+
+    static void Step(string what, IProgressSink progress, Action work)
+    {
+        progress.Start(what, 1);
+        try
+        {
+            work();
+            progress.Advance(1, null);
+        }
+        finally
+        {
+            progress.Finish();
+        }
+    }
+}

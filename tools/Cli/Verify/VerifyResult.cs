@@ -1,0 +1,54 @@
+using System.IO;
+using System.Linq;
+using System.Text;
+using Glint.Core;
+using Glint.Editor;
+using Glint.Vulkan;
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+
+namespace Glint.Cli;
+
+/// <summary>What glint verify found out.</summary>
+sealed record VerifyResult(SceneSubjects Subjects, DeviceInfo Device, RadarResult Whole, RayComparison Comparison)
+{
+    /// <summary>As JSON: lengths in metres, phases in radians.</summary>
+    public void WriteJson(Stream stream)
+    {
+        using var json = new JsonTextWriter(new StreamWriter(stream, new UTF8Encoding(false)) { NewLine = "\n" }) { Formatting = Formatting.Indented };
+        Root().WriteTo(json);
+        json.WriteWhitespace("\n");
+    }
+
+    JObject Root() => new()
+    {
+        ["subject"] = Subjects.Name,
+        ["scene"] = Subjects.Scene,
+        ["device"] = Device.Name,
+        ["driver"] = Device.Driver,
+        ["glint"] = GlintVersion.Text,
+        ["rays_emitted"] = Whole.RaysEmitted,
+        ["rays_received"] = Whole.RaysReceived,
+        ["rays_compared"] = Comparison.Rays,
+        ["rays_same"] = Comparison.Same,
+        ["rays_at_edges"] = Comparison.AtEdge,
+        ["rays_wrong"] = Comparison.Wrong,
+        ["received_compared"] = Comparison.KernelSums.RaysReceived,
+        ["length_difference_m"] = Comparison.LargestLengthDifference,
+        ["length_difference_rms_m"] = Comparison.RmsLengthDifference,
+        ["length_tolerance_m"] = VerifyCommand.LengthTolerance,
+        ["phase_difference_rad"] = Comparison.LargestPhaseDifference,
+        ["amplitude"] = Comparison.KernelSums.Amplitude,
+        ["amplitude_judge"] = Comparison.JudgeSums.Amplitude,
+        ["wrong"] = new JArray(Comparison.WrongRays.Select(pair => new JObject
+        {
+            ["pixel"] = pair.Kernel.Pixel,
+            ["bounces"] = pair.Kernel.Bounces,
+            ["bounces_judge"] = pair.Judge.Bounces,
+            ["received"] = pair.Kernel.IsReceived,
+            ["received_judge"] = pair.Judge.Received,
+            ["length_m"] = pair.Kernel.ExactPathLength,
+            ["length_judge_m"] = pair.Judge.LengthToEnd,
+        })),
+    };
+}
