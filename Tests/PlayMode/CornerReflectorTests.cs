@@ -71,6 +71,23 @@ namespace Glint.Tests
             }
         }
 
+        // The turned coordinates are rounded: millimetres of a wavelength, over the paths of hundreds of rays.
+        [TestCase(0, 37, 0)]
+        [TestCase(20, 77, -35)]
+        [TestCase(-80, 190, 123)]
+        public void Trace_RadarAndTargetTurnedTogether_HasTheAmplitudeOfBefore(float x, float y, float z)
+        {
+            var before = _radar.Trace();
+            var root = new GameObject("Root").transform;
+            _radar.transform.SetParent(root, true);
+            _target.SetParent(root, true);
+            root.localRotation = Quaternion.Euler(x, y, z);
+            _radar.transform.SetParent(null, true);
+            _target.SetParent(null, true);
+            Object.Destroy(root.gameObject);
+            Assert.That(_radar.Trace().Amplitude, Is.EqualTo(before.Amplitude).Within(0.02 * before.Amplitude + 0.5));
+        }
+
         [TestCase(0)]
         [TestCase(23)]
         [TestCase(28)]

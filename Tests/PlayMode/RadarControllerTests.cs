@@ -129,6 +129,20 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Trace_RadarAndTargetApart1000KilometresAway_HasTheSameAmplitude()
+        {
+            // No common transform; float32 holds multiples of 1/16 m there.
+            var near = _radar.Trace();
+            Assert.That(near.RaysReceived, Is.GreaterThan(0));
+            var away = new Vector3(1000000.0625f, -524288.5f, 250000.125f);
+            _radar.transform.localPosition += away;
+            _plate.transform.localPosition += away;
+            var far = _radar.Trace();
+            Assert.That(far.RaysReceived, Is.EqualTo(near.RaysReceived));
+            Assert.That(far.Amplitude, Is.EqualTo(near.Amplitude).Within(0.1).Percent);
+        }
+
+        [Test]
         public void Gather_OrthographicCamera_HasAnApertureOfTwiceItsSize()
         {
             var camera = _radar.GetComponent<Camera>();
