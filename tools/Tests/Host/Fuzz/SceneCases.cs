@@ -43,7 +43,7 @@ sealed class SceneCases : IDisposable
         var all = Directory.EnumerateFiles(_project.Root, "*", SearchOption.AllDirectories).Select(path => Path.GetRelativePath(_project.Root, path)).ToArray();
         _files = all.Where(path => Path.GetExtension(path) is not (".hlsl" or ".compute" or ".cs")).Order(StringComparer.Ordinal)
             .Select(path => (path, File.ReadAllBytes(Path.Combine(_project.Root, path)))).ToArray();
-        _subjects = [.. all.Select(Path.GetFileName), "mesh.obj", "mesh.stl", "--", "results"];
+        _subjects = [.. all.Select(Path.GetFileNameWithoutExtension), "mesh", "--", "results"];
         _ = _project.Project;
         LogSink.Writer = (type, message) => _log.Add($"[{type}] {message}");
     }
@@ -115,6 +115,7 @@ sealed class SceneCases : IDisposable
         {
             var (name, content) = MeshCases.Make(random);
             File.WriteAllBytes(PathOf(name), content);
+            Keep(name);
             arguments = MeshLine(name, random);
         }
         else
@@ -142,14 +143,14 @@ sealed class SceneCases : IDisposable
 
     string[] SceneLine(string scene, Random random)
     {
-        string[] line = random.Next(2) == 0 ? ["run", PathOf(scene)]
+        string[] line = random.Next(2) == 0 ? [Pick(["run", "verify"], random), PathOf(scene)]
             : ["sweep", PathOf(scene), "--target", scene == Experiment ? "Corner Reflector" : "Deck", "--angles", Pick(["0", "0,1", "-360,1e-9", "0:1:0.5"], random), "--out", Out(random)];
         return [.. line, "--size", "16x9", .. RadarOptions(random)];
     }
 
     string[] MeshLine(string name, Random random)
     {
-        List<string> line = random.Next(4) == 0 ? ["sweep", PathOf(name), "--angles", Pick(["0", "45,90", "1e-5"], random), "--out", Out(random)] : ["run", PathOf(name)];
+        List<string> line = random.Next(4) == 0 ? ["sweep", PathOf(name), "--angles", Pick(["0", "45,90", "1e-5"], random), "--out", Out(random)] : [Pick(["run", "verify"], random), PathOf(name)];
         // Rays of a plane wave from a rectangle of their own; one fitted to any mesh may have billions.
         bool isParallel = random.Next(4) == 0;
         line.AddRange(isParallel ? ["--spacing", Pick(["0.5", "1", "0.25"], random), "--aperture", Pick(["3", "1e-6", "2x5"], random)] : ["--size", Pick(["16x9", "1x1", "5x8", "64x1"], random)]);
@@ -213,10 +214,15 @@ sealed class SceneCases : IDisposable
             var file = random.Next(2) == 0 ? _files.Single(file => file.Path == scene) : Pick(_files, random);
             File.WriteAllBytes(PathOf(file.Path), Damage.Of(file.Content, random, _files.Select(other => other.Content).ToArray()));
             damaged.Add(file);
-            if (_keepIn != null)
-                File.Copy(PathOf(file.Path), Path.Combine(_keepIn, Path.GetFileName(file.Path)), true);
+            Keep(file.Path);
         }
         return damaged;
+    }
+
+    void Keep(string path)
+    {
+        if (_keepIn != null)
+            File.Copy(PathOf(path), Path.Combine(_keepIn, Path.GetFileName(path)), true);
     }
 
     void Mend(List<(string Path, byte[] Content)> damaged)
