@@ -1,0 +1,58 @@
+using System;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// Variance of a sea's height over wave vectors, m4: its integral over them is m0. Waves run with the wind and up to a right angle from it, spread as the squared cosine;
+    /// none run against it, as in a sea that has risen where it is seen.
+    /// </summary>
+    static class SeaSpectrum
+    {
+        /// <summary>Standard gravity as the sources of the spectra round it, m/s2.</summary>
+        public const double Gravity = 9.81;
+
+        /// <summary>Density at wave number k (rad/m), the cosine being that of the angle from the wind. Phillips' has no scale of its own: its constant is 1.</summary>
+        public static double Density(in SeaSettings settings, double waveNumber, double cosine)
+        {
+            if (!(cosine > 0) || settings.ShortestWave > 0 && waveNumber * settings.ShortestWave > 2 * Math.PI)
+                return 0;
+            double squared = cosine * cosine;
+            return settings.Kind == SeaSpectrumKind.Phillips
+                ? Phillips(waveNumber, settings.WindSpeed) * squared
+                : Omnidirectional(settings, waveNumber) / waveNumber * (2 / Math.PI) * squared;
+        }
+
+        /// <summary>Radians a second of a wave in deep water, surface tension left out.</summary>
+        public static double AngularFrequency(double waveNumber) => Math.Sqrt(Gravity * waveNumber);
+
+        // Tessendorf 2001, eq. 40.
+        static double Phillips(double k, double wind)
+        {
+            double longest = wind * wind / Gravity, kL = k * longest, kk = k * k;
+            return PortableMath.Exp(-1 / (kL * kL)) / (kk * kk);
+        }
+
+        /// <summary>Variance a wave number over all directions, m3.</summary>
+        public static double Omnidirectional(in SeaSettings settings, double k) =>
+            settings.Kind == SeaSpectrumKind.PiersonMoskowitz ? PiersonMoskowitz(k, settings.WindSpeed) : Jonswap(settings, k);
+
+        // Pierson and Moskowitz 1964, with the wind at 19.5 m.
+        static double PiersonMoskowitz(double k, double wind)
+        {
+            double high = 1.026 * wind, ratio = Gravity / (k * high * high);
+            return 0.0081 / 2 / (k * k * k) * PortableMath.Exp(-0.74 * ratio * ratio);
+        }
+
+        // Hasselmann et al. 1973, from frequency to wave number by dw/dk = g / 2w.
+        static double Jonswap(in SeaSettings settings, double k)
+        {
+            double wind = settings.WindSpeed, fetch = settings.Fetch;
+            double alpha = 0.076 * PortableMath.Pow(wind * wind / (fetch * Gravity), 0.22);
+            double peak = 22 * PortableMath.Pow(Gravity * Gravity / (wind * fetch), 1.0 / 3);
+            double w = AngularFrequency(k), ratio = peak / w, ratio2 = ratio * ratio;
+            double width = (w <= peak ? 0.07 : 0.09) * peak, off = (w - peak) / width;
+            double enhancement = PortableMath.Exp(PortableMath.Exp(-0.5 * off * off) * PortableMath.Log(settings.PeakEnhancement));
+            return alpha / (2 * k * k * k) * PortableMath.Exp(-1.25 * ratio2 * ratio2) * enhancement;
+        }
+    }
+}

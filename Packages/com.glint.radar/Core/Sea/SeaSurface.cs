@@ -1,0 +1,215 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// A sea's tile at any time: waves of random amplitude and phase (Tessendorf 2001), each running with the wind at the speed of deep water.
+    /// Since none runs against it, the variance over the tile is the same at all times; it differs from seed to seed, the more so the fewer waves the tile holds.
+    /// </summary>
+    public sealed class SeaSurface
+    {
+        // Metres: stored coordinates are multiples of it, or of a coarser step where float32 has none as fine.
+        const double FinestStep = 1.0 / 65536;
+
+        // Sines of later times would be off by more than their own error.
+        const double LongestTime = 1e7;
+
+        readonly SeaSettings _settings;
+        readonly SeaMode[] _modes;
+        readonly IWaveSum _sum;
+        readonly int _reach;
+        readonly int[] _indices;
+
+        /// <summary>Draws the amplitudes, once.</summary>
+        /// <exception cref="GlintException">A setting is out of its range, or the wind raises no wave that the tile's grid holds.</exception>
+        public SeaSurface(SeaSettings settings)
+        {
+            settings.Validate();
+            _settings = settings;
+            // The wave of two grid points has no direction: the grid's last row and column are left empty.
+            _reach = settings.GridSize / 2 - 1;
+            _modes = Draw(settings, _reach, out double expected);
+            SignificantWaveHeight = 4 * Math.Sqrt(expected);
+            bool isFast = settings.Cells >= settings.GridSize && (settings.Cells & (settings.Cells - 1)) == 0;
+            _sum = isFast ? (IWaveSum)new FourierSum(settings.Cells) : new TrigonometricSum(settings.Cells, _reach);
+            _indices = MakeIndices(settings.Cells);
+        }
+
+        public SeaSettings Settings => _settings;
+
+        /// <summary>Hs of the spectrum, metres, which this sea has on average over seeds: that asked for times the factor.</summary>
+        public double SignificantWaveHeight { get; }
+
+        internal IReadOnlyList<SeaMode> Modes => _modes;
+
+        /// <summary>Hs of this very sea, metres: four standard deviations of its waves' heights over the tile.</summary>
+        public double MeasuredWaveHeight(double timeSeconds) => 4 * Math.Sqrt(Variance(timeSeconds));
+
+        /// <summary>The height factor that makes Hs of the sea at these times together (four roots of the mean variance) that asked for.</summary>
+        /// <exception cref="GlintException">As for the surface; or there are no times.</exception>
+        public static double FactorFor(SeaSettings settings, params double[] times)
+        {
+            if (times.Length == 0)
+                throw new GlintException("sea: the height factor needs at least one time");
+            settings.HeightFactor = 1;
+            var surface = new SeaSurface(settings);
+            double sum = 0;
+            foreach (double time in times)
+                sum += surface.Variance(time);
+            return settings.SignificantWaveHeight / (4 * Math.Sqrt(sum / times.Length));
+        }
+
+        /// <summary>
+        /// The tile at a time, centred on the origin: x and z from half its size below 0 to half above, y up with mean 0, all displaced sideways by the choppiness.
+        /// Opposite edges are the same but for the tile's size.
+        /// </summary>
+        /// <exception cref="GlintException">The time is not a number, or too far from 0.</exception>
+        public TriangleMesh Mesh(double timeSeconds)
+        {
+            var waves = At(timeSeconds);
+            double[] height = _sum.Sum(waves), alongX = null, alongZ = null;
+            if (_settings.Choppiness > 0)
+            {
+                alongX = _sum.Sum(Displacement(waves, mode => mode.AlongX));
+                alongZ = _sum.Sum(Displacement(waves, mode => mode.AlongZ));
+            }
+
+            int cells = _settings.Cells, side = cells + 1;
+            double tile = _settings.TileSize, step = Step(tile);
+            var vertices = new float3[side * side];
+            for (int z = 0; z < side; z++)
+                for (int x = 0; x < side; x++)
+                {
+                    // The last row and column are the first ones, a tile further on: to the bit, not only to rounding.
+                    int column = x % cells, row = z % cells, at = row * cells + column;
+                    double placeX = Rounded(tile * ((double)column / cells - 0.5) + (alongX == null ? 0 : alongX[at]), step);
+                    double placeZ = Rounded(tile * ((double)row / cells - 0.5) + (alongZ == null ? 0 : alongZ[at]), step);
+                    vertices[z * side + x] = new float3(
+                        (float)(x == cells ? placeX + tile : placeX), (float)Rounded(height[at], FinestStep), (float)(z == cells ? placeZ + tile : placeZ));
+                }
+            return new TriangleMesh(vertices, _indices);
+        }
+
+        /// <summary>Heights as <see cref="Mesh"/> has them, before they are rounded.</summary>
+        internal double[] Heights(double timeSeconds) => _sum.Sum(At(timeSeconds));
+
+        static SeaMode[] Draw(in SeaSettings settings, int reach, out double expected)
+        {
+            double number = 2 * Math.PI / settings.TileSize;
+            var (windX, windZ) = PortableMath.SinCos(settings.WindDirectionDegrees / 360);
+            ulong seed = new SplitMix64((ulong)settings.Seed).Next();
+            var modes = new List<SeaMode>();
+            var variances = new List<double>();
+            double sum = 0;
+            for (int row = -reach; row <= reach; row++)
+                for (int column = -reach; column <= reach; column++)
+                {
+                    if (row == 0 && column == 0)
+                        continue;
+                    double length = Math.Sqrt((double)row * row + (double)column * column);
+                    double variance = SeaSpectrum.Density(settings, number * length, (column * windX + row * windZ) / length);
+                    if (!(variance > 0))
+                        continue;
+                    sum += variance;
+                    variances.Add(variance);
+                    modes.Add(MakeMode(column, row, length, number, seed));
+                }
+            if (!(sum > 1e-200))
+                throw new GlintException($"sea: the wind of {RadarSettings.Text(settings.WindSpeed)} m/s raises no wave between {RadarSettings.Text(settings.TileSize / reach)} and {RadarSettings.Text(settings.TileSize)} m, which are those that the grid holds: give it more wind, a smaller tile or a larger grid");
+
+            double asked = settings.SignificantWaveHeight * settings.HeightFactor / 4, scale = asked * asked / sum;
+            var drawn = modes.ToArray();
+            expected = 0;
+            for (int i = 0; i < drawn.Length; i++)
+            {
+                // A wave 2 Re(h e^...) has the variance 2 |h|^2, and |h|^2 is 2 on average as drawn.
+                double variance = scale * variances[i], amplitude = Math.Sqrt(variance / 4);
+                drawn[i].Real *= amplitude;
+                drawn[i].Imaginary *= amplitude;
+                expected += variance;
+            }
+            return drawn;
+        }
+
+        // Real and imaginary part of normal distribution, variance 1 each, by Box and Muller. A wave's chance hangs on its own number: not on the grid, nor on the order.
+        static SeaMode MakeMode(int column, int row, double length, double number, ulong seed)
+        {
+            var random = new SplitMix64(new SplitMix64(seed + ((ulong)(uint)column << 32 | (uint)row)).Next());
+            double radius = Math.Sqrt(-2 * PortableMath.Log(random.NextAboveZero()));
+            var (sine, cosine) = PortableMath.SinCos(random.NextAboveZero());
+            int sign = row > 0 || row == 0 && column > 0 ? 1 : -1;
+            return new SeaMode
+            {
+                Column = sign * column, Row = sign * row, Real = radius * cosine, Imaginary = sign * radius * sine,
+                Frequency = sign * SeaSpectrum.AngularFrequency(number * length) / (2 * Math.PI),
+                AlongX = sign * column / length, AlongZ = sign * row / length,
+            };
+        }
+
+        WaveCoefficients At(double time)
+        {
+            if (!(Math.Abs(time) <= LongestTime))
+                throw new GlintException($"sea: time {RadarSettings.Text(time)} s must be within {RadarSettings.Text(LongestTime)} s of 0");
+            var waves = new WaveCoefficients(_reach);
+            foreach (var mode in _modes)
+            {
+                var (sine, cosine) = PortableMath.SinCos(-mode.Frequency * time);
+                int at = waves.IndexOf(mode.Column, mode.Row);
+                waves.Real[at] = mode.Real * cosine - mode.Imaginary * sine;
+                waves.Imaginary[at] = mode.Real * sine + mode.Imaginary * cosine;
+            }
+            return waves;
+        }
+
+        // i k / |k| times the height: towards the crests.
+        WaveCoefficients Displacement(WaveCoefficients height, Func<SeaMode, double> along)
+        {
+            var waves = new WaveCoefficients(_reach);
+            foreach (var mode in _modes)
+            {
+                int at = waves.IndexOf(mode.Column, mode.Row);
+                double factor = _settings.Choppiness * along(mode);
+                waves.Real[at] = -factor * height.Imaginary[at];
+                waves.Imaginary[at] = factor * height.Real[at];
+            }
+            return waves;
+        }
+
+        double Variance(double time)
+        {
+            var waves = At(time);
+            double sum = 0;
+            for (int i = 0; i < waves.Real.Length; i++)
+                sum += waves.Real[i] * waves.Real[i] + waves.Imaginary[i] * waves.Imaginary[i];
+            return 2 * sum;
+        }
+
+        // Clockwise seen from above, which is Unity's front.
+        static int[] MakeIndices(int cells)
+        {
+            var indices = new int[6 * cells * cells];
+            int at = 0, side = cells + 1;
+            for (int z = 0; z < cells; z++)
+                for (int x = 0; x < cells; x++)
+                {
+                    int corner = z * side + x;
+                    foreach (int index in new[] { corner, corner + side, corner + 1, corner + 1, corner + side, corner + side + 1 })
+                        indices[at++] = index;
+                }
+            return indices;
+        }
+
+        // float32 has 24 bits, and no place is farther from the middle than the tile's size.
+        static double Step(double tile)
+        {
+            double step = FinestStep;
+            while (tile > step * (1 << 24))
+                step *= 2;
+            return step;
+        }
+
+        static double Rounded(double value, double step) => Math.Round(value / step) * step;
+    }
+}

@@ -1,0 +1,57 @@
+namespace Glint.Core
+{
+    /// <summary>Sums waves at any number of cells a side: along x first, then along z.</summary>
+    sealed class TrigonometricSum : IWaveSum
+    {
+        readonly int _cells;
+
+        // cos and sin of 2 pi n i / cells at n * cells + i.
+        readonly double[] _cosines, _sines;
+
+        public TrigonometricSum(int cells, int reach)
+        {
+            _cells = cells;
+            _cosines = new double[(reach + 1) * cells];
+            _sines = new double[_cosines.Length];
+            for (int n = 0; n <= reach; n++)
+                for (int i = 0; i < cells; i++)
+                    (_sines[n * cells + i], _cosines[n * cells + i]) = PortableMath.SinCos((double)((long)n * i % cells) / cells);
+        }
+
+        public double[] Sum(WaveCoefficients waves)
+        {
+            double[] real = new double[(waves.Reach + 1) * _cells], imaginary = new double[real.Length];
+            for (int row = 0; row <= waves.Reach; row++)
+                SumAlongX(waves, row, real, imaginary);
+
+            var field = new double[_cells * _cells];
+            for (int z = 0; z < _cells; z++)
+                for (int row = 0; row <= waves.Reach; row++)
+                {
+                    double cosine = 2 * _cosines[row * _cells + z], sine = 2 * _sines[row * _cells + z];
+                    for (int x = 0, to = z * _cells, from = row * _cells; x < _cells; x++)
+                        field[to + x] += real[from + x] * cosine - imaginary[from + x] * sine;
+                }
+            return field;
+        }
+
+        // Columns n and -n together: their cosines are the same, their sines opposite.
+        void SumAlongX(WaveCoefficients waves, int row, double[] real, double[] imaginary)
+        {
+            int to = row * _cells;
+            for (int n = 0; n <= waves.Reach; n++)
+            {
+                int plus = waves.IndexOf(n, row), minus = waves.IndexOf(-n, row);
+                double half = n == 0 ? 0.5 : 1;
+                double sumReal = half * (waves.Real[plus] + waves.Real[minus]), sumImaginary = half * (waves.Imaginary[plus] + waves.Imaginary[minus]);
+                double differenceReal = waves.Real[plus] - waves.Real[minus], differenceImaginary = waves.Imaginary[plus] - waves.Imaginary[minus];
+                for (int x = 0, at = n * _cells; x < _cells; x++)
+                {
+                    double cosine = _cosines[at + x], sine = _sines[at + x];
+                    real[to + x] += sumReal * cosine - differenceImaginary * sine;
+                    imaginary[to + x] += sumImaginary * cosine + differenceReal * sine;
+                }
+            }
+        }
+    }
+}
