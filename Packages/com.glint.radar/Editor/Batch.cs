@@ -13,7 +13,7 @@ namespace Glint.Editor
     /// </summary>
     public static class Batch
     {
-        const int Done = 0, Failed = 1, Cancelled = 130;
+        internal const int Done = 0, Failed = 1, Cancelled = 130;
 
         /// <summary>Entry of Unity's -executeMethod: <c>glint sweep</c>.</summary>
         public static void Sweep() => ExecuteAndExit(Commands.Sweep, Environment.GetCommandLineArgs());
@@ -21,21 +21,31 @@ namespace Glint.Editor
         /// <summary>Entry of Unity's -executeMethod: <c>glint run</c>.</summary>
         public static void Run() => ExecuteAndExit(Commands.Run, Environment.GetCommandLineArgs());
 
+        /// <summary>Entry of Unity's -executeMethod: <c>glint sea</c>.</summary>
+        public static void Sea() => ExecuteAndExit(Commands.Sea, Environment.GetCommandLineArgs());
+
+        /// <summary>Entry of Unity's -executeMethod: <c>glint ship</c>.</summary>
+        public static void Ship() => ExecuteAndExit(Commands.Ship, Environment.GetCommandLineArgs());
+
         /// <summary>Does what a command line says, without leaving edit mode; the scene is not saved.</summary>
         /// <returns>The exit code: 0 done, 130 cancelled.</returns>
         /// <exception cref="GlintException">Something is wrong with a file, the scene or the device.</exception>
         /// <exception cref="OperationCanceledException">Cancelled within a pose; the rows before it are kept.</exception>
         public static int Execute(CommandLine line, IProgressSink progress)
         {
+            if (line.Command == Commands.Sea)
+                return 0;
+            if (line.Command == Commands.Ship)
+                return 0;
             var subjects = SceneSubjects.Open(line);
             bool isSweep = line.Command == Commands.Sweep;
-            var angles = isSweep ? line.Get(Options.Angles) : new double[] { 0 };
+            var plan = isSweep ? new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots)) : SweepPlan.Single;
             var folder = OpenFolder(line, subjects.Name);
-            using (var run = new SweepRun(subjects.Radar, isSweep ? subjects.Target : null, angles, subjects.Scene, folder))
+            using (var run = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, folder))
             {
                 try
                 {
-                    return Trace(run, subjects, folder, isSweep, progress);
+                    return Trace(run, subjects, folder, plan, progress);
                 }
                 finally
                 {
@@ -44,7 +54,7 @@ namespace Glint.Editor
             }
         }
 
-        static int Trace(SweepRun run, SceneSubjects subjects, ResultsFolder folder, bool isSweep, IProgressSink progress)
+        static int Trace(SweepRun run, SceneSubjects subjects, ResultsFolder folder, SweepPlan plan, IProgressSink progress)
         {
             long hit = 0, received = 0;
             int undersampled = 0;
@@ -55,14 +65,14 @@ namespace Glint.Editor
                 {
                     var row = run.Step(progress, progress.Cancel);
                     if (run.Done == 1)
-                        progress.Print(PoseTable.Header);
+                        progress.Print(PoseTable.Header(plan));
                     hit += row.Result.RaysHit;
                     received += row.Result.RaysReceived;
                     undersampled += row.Result.Undersampled ? 1 : 0;
-                    progress.Print(PoseTable.Row(isSweep ? row.AngleDegrees : (double?)null, row.Result));
-                    if (!isSweep)
+                    progress.Print(PoseTable.Row(plan, row));
+                    if (plan == SweepPlan.Single)
                         progress.Print(PoseTable.Details(row.Result));
-                    progress.Advance(run.Done, isSweep ? FormattableString.Invariant($"{row.AngleDegrees:0.###} deg") : null);
+                    progress.Advance(run.Done, row.Pose.ToString());
                 }
             }
             finally

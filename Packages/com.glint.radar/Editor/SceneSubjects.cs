@@ -12,12 +12,13 @@ namespace Glint.Editor
     {
         const string KernelPath = "Packages/com.glint.radar/Shaders/Trace.compute";
 
-        SceneSubjects(string name, string scene, RadarController radar, Transform target)
+        SceneSubjects(string name, string scene, RadarController radar, Transform target, Sea sea = null)
         {
             Name = name;
             Scene = scene;
             Radar = radar;
             Target = target;
+            Sea = sea;
         }
 
         /// <summary>Name of the scene or mesh file without folder and extension.</summary>
@@ -30,6 +31,9 @@ namespace Glint.Editor
 
         /// <summary>What a sweep turns; null when the command names none.</summary>
         public Transform Target { get; }
+
+        /// <summary>Whose snapshots a sweep shows; null when the command names none.</summary>
+        public Sea Sea { get; }
 
         /// <summary>Opens what the command line names.</summary>
         /// <exception cref="GlintException">It is not there, or holds no radar or no such target.</exception>
@@ -51,8 +55,11 @@ namespace Glint.Editor
                 throw new GlintException($"{line.Input}: there is no such scene; it was looked for at {string.Join(" and ", readings)}");
             string scene = paths.ToAssetPath(line.Input, Directory.GetCurrentDirectory());
             EditorSceneManager.OpenScene(scene, OpenSceneMode.Single);
+            // One that could not be shown only said so in the log: without it nothing would be traced aright.
+            foreach (var laid in Object.FindObjectsByType<Sea>(FindObjectsInactive.Exclude, FindObjectsSortMode.None).Where(sea => sea.isActiveAndEnabled))
+                laid.Lay();
 
-            var radar = RadarSearch.FindOnly(line.Input);
+            var radar = SceneSearch.FindRadar(line.Input);
             if (line.IsGiven(Options.Size) && radar.IsFitted)
                 throw new GlintException($"{line.Input}: its radar fits its aperture to the scene by Ray Spacing, so {Options.Size.Flag} means nothing: leave it out, or clear Fit Aperture of '{radar.name}'");
             radar.Settings = Override(radar.Settings, line);
@@ -62,7 +69,8 @@ namespace Glint.Editor
                 radar.ReceiverSize = new Vector2((float)size.x, (float)size.y);
             }
             var target = line.IsGiven(Options.Target) ? FindTarget(line.Input, line.Get(Options.Target)) : null;
-            return new SceneSubjects(Path.GetFileNameWithoutExtension(scene), scene, radar, target);
+            var sea = line.IsGiven(Options.Snapshots) ? SceneSearch.FindSea(line.Input) : null;
+            return new SceneSubjects(Path.GetFileNameWithoutExtension(scene), scene, radar, target, sea);
         }
 
         static SceneSubjects OpenMeshFile(CommandLine line)

@@ -1,7 +1,6 @@
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace Glint
 {
@@ -75,18 +74,9 @@ namespace Glint
         internal static Transform MakeObject(MeshFile file)
         {
             var made = new GameObject(file.Name);
-            made.AddComponent<MeshFilter>().sharedMesh = MakeMesh(file);
+            made.AddComponent<MeshFilter>().sharedMesh = MeshMaker.Make(file.Name, file.Vertices, file.Indices);
             made.AddComponent<MeshRenderer>();
             return made.transform;
-        }
-
-        static Mesh MakeMesh(MeshFile file)
-        {
-            var vertices = System.Array.ConvertAll(file.Vertices, v => new Vector3(v.x, v.y, v.z));
-            var mesh = new Mesh { name = file.Name, indexFormat = IndexFormat.UInt32 };
-            mesh.SetVertices(vertices);
-            mesh.SetIndices(file.Indices, MeshTopology.Triangles, 0);
-            return mesh;
         }
     }
 }

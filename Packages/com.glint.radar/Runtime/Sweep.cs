@@ -5,8 +5,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Sweeps when the scene is played: turns the target from angle to angle, one pose a frame, and writes the same files as the command.
-    /// When done it stops and puts the target's rotation back.
+    /// Sweeps when the scene is played: turns the target from angle to angle, or the sea from snapshot to snapshot, one pose a frame, and writes the same files as the command.
+    /// When done it stops and puts the target's rotation and the sea's snapshot back.
     /// </summary>
     [AddComponentMenu("Glint/Sweep")]
     [DisallowMultipleComponent]
@@ -15,11 +15,14 @@ namespace Glint
         [SerializeField, Tooltip("The radar that traces. Empty: the one of the scene.")]
         RadarController _radar;
 
-        [SerializeField, Tooltip("What is turned about the vertical through its own position.")]
+        [SerializeField, Tooltip("What is turned about the vertical through its own position. Empty: nothing, and the angles do not matter.")]
         Transform _target;
 
         [SerializeField, Tooltip("Degrees, positive as Unity's rotation about Y: FROM:TO:STEP, FROM and (when whole steps reach it) TO included, or a list with commas.")]
         string _angles = "0:45:1";
+
+        [SerializeField, Tooltip("Snapshots of the scene's Sea, from 1: FROM:TO, both included, FROM:TO:STEP or a list with commas; every angle is traced for each. Empty: the sea stays as it is.")]
+        string _snapshots = "";
 
         [SerializeField, Tooltip("Folder for results.csv and results.json, relative to the project. Empty: Results/<scene> beside Assets.")]
         string _outputFolder = "";
@@ -30,11 +33,14 @@ namespace Glint
         /// <summary>The radar that traces; null: the one of the scene.</summary>
         public RadarController Radar { get => _radar; set => _radar = value; }
 
-        /// <summary>What is turned.</summary>
+        /// <summary>What is turned; null: nothing.</summary>
         public Transform Target { get => _target; set => _target = value; }
 
         /// <summary>Degrees: FROM:TO:STEP or a list with commas.</summary>
         public string Angles { get => _angles; set => _angles = value; }
+
+        /// <summary>Snapshots of the scene's sea, from 1: FROM:TO, FROM:TO:STEP or a list with commas; empty: it stays as it is.</summary>
+        public string Snapshots { get => _snapshots; set => _snapshots = value; }
 
         /// <summary>Folder for the result files, relative to the project; empty: Results/&lt;scene&gt; beside Assets.</summary>
         public string OutputFolder { get => _outputFolder; set => _outputFolder = value; }
@@ -54,21 +60,23 @@ namespace Glint
 
         void Begin()
         {
-            if (_target == null)
-                throw new GlintException($"Sweep of '{name}' has no target: assign the object to turn to its field Target");
+            bool hasSnapshots = !string.IsNullOrWhiteSpace(_snapshots);
+            if (_target == null && !hasSnapshots)
+                throw new GlintException($"Sweep of '{name}' has no target and no snapshots: assign the object to turn to its field Target, or write the snapshots of the scene's Sea, such as 1:10, into its field Snapshots");
             if (_radar == null)
-                _radar = RadarSearch.FindOnly($"scene of Sweep '{name}'");
-            var angles = Glint.Core.Angles.Parse(_angles);
+                _radar = SceneSearch.FindRadar($"scene of Sweep '{name}'");
+            var plan = new SweepPlan(_target == null ? null : Glint.Core.Angles.Parse(_angles), hasSnapshots ? Glint.Core.Snapshots.Parse(_snapshots) : null);
+            var sea = hasSnapshots ? SceneSearch.FindSea($"scene of Sweep '{name}'") : null;
             string scene = gameObject.scene.name;
             var folder = ResultsFolder.Open(string.IsNullOrEmpty(_outputFolder) ? RunDescription.DefaultFolder(scene) : RunDescription.InProject(_outputFolder));
-            _run = new SweepRun(_radar, _target, angles, gameObject.scene.path, folder);
-            _progress.Start(scene, angles.Length);
+            _run = new SweepRun(_radar, plan, _target, sea, gameObject.scene.path, folder);
+            _progress.Start(scene, plan.Count);
         }
 
         void Continue()
         {
             var row = _run.Step();
-            _progress.Advance(_run.Done, FormattableString.Invariant($"{row.AngleDegrees:0.###} deg, amplitude {row.Result.Amplitude:g6}"));
+            _progress.Advance(_run.Done, FormattableString.Invariant($"{row.Pose}, amplitude {row.Result.Amplitude:g6}"));
             if (_run.IsComplete)
                 End();
         }

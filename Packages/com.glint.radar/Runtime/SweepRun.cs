@@ -1,7 +1,5 @@
 using System;
-using System.Collections.Generic;
 using System.Diagnostics;
-using System.Globalization;
 using System.Threading;
 using Glint.Core;
 using UnityEngine;
@@ -9,42 +7,51 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// A sweep pose by pose: turns the target about the world's vertical through its own position, traces, and writes the row.
-    /// Disposing puts the target's rotation back. Unity's play mode takes one step a frame, the commands take them in a row.
+    /// A sweep pose by pose: turns the target about the world's vertical through its own position, shows the sea's snapshot, traces, and writes the row.
+    /// Disposing puts rotation and snapshot back. Unity's play mode takes one step a frame, the commands take them in a row.
     /// </summary>
     public sealed class SweepRun : IDisposable
     {
         readonly RadarController _radar;
         readonly Transform _target;
-        readonly bool _turns;
+        readonly Sea _sea;
         readonly Quaternion _initialRotation, _initialLocalRotation;
-        readonly IReadOnlyList<double> _angles;
+        readonly int _initialSnapshot;
+        readonly SweepPlan _plan;
         readonly string _scene;
         readonly ResultsFolder _folder;
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
 
         /// <param name="radar">Traces the poses.</param>
-        /// <param name="target">What is turned; null to trace the scene as it stands.</param>
-        /// <param name="angles">Degrees, positive as Unity's rotation about Y, from the target's rotation now.</param>
+        /// <param name="plan">The poses.</param>
+        /// <param name="target">What is turned, from its rotation now; may be null when the plan turns nothing.</param>
+        /// <param name="sea">Whose snapshots are shown; may be null when the plan has none.</param>
         /// <param name="scene">Path of the scene or mesh file, for results.json.</param>
         /// <param name="folder">Takes the rows; null to write nothing.</param>
-        public SweepRun(RadarController radar, Transform target, IReadOnlyList<double> angles, string scene, ResultsFolder folder)
+        /// <exception cref="GlintException">The sea has no such snapshot.</exception>
+        public SweepRun(RadarController radar, SweepPlan plan, Transform target, Sea sea, string scene, ResultsFolder folder)
         {
             _radar = radar;
-            _target = target;
-            _turns = target != null;
-            _angles = angles;
+            _plan = plan;
+            _target = plan.Turns ? target : null;
+            _sea = plan.HasSnapshots ? sea : null;
             _scene = scene;
             _folder = folder;
-            if (!_turns)
+            if (plan.HasSnapshots)
+            {
+                _initialSnapshot = sea.Snapshot;
+                for (int i = 0; i < plan.Count; i++)
+                    sea.CheckSnapshot(plan[i].Snapshot.Value);
+            }
+            if (!plan.Turns)
                 return;
             (_initialRotation, _initialLocalRotation) = (target.rotation, target.localRotation);
             radar.ExpectMotion(target);
         }
 
         /// <summary>Poses in all.</summary>
-        public int Count => _angles.Count;
+        public int Count => _plan.Count;
 
         /// <summary>Poses traced so far.</summary>
         public int Done { get; private set; }
@@ -59,12 +66,9 @@ namespace Glint
         /// <exception cref="OperationCanceledException">The pose was cancelled; the rows before are kept, and the next step traces it again.</exception>
         public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default)
         {
-            double angle = _angles[Done];
-            if (_turns && _target == null)
-                throw new GlintException($"the target of the sweep was destroyed before {angle.ToString(CultureInfo.InvariantCulture)} deg: it must stay until the last angle");
-            if (_turns)
-                _target.rotation = Quaternion.AngleAxis((float)angle, Vector3.up) * _initialRotation;
-            var row = new SweepRow(angle, _radar.Trace(KeptRays.None, progress, cancel));
+            var pose = _plan[Done];
+            Show(pose);
+            var row = new SweepRow(pose, _radar.Trace(KeptRays.None, progress, cancel));
             _folder?.Append(row);
             Done++;
             if (IsComplete)
@@ -72,12 +76,26 @@ namespace Glint
             return row;
         }
 
-        /// <summary>Closes results.csv and puts the target's rotation back.</summary>
+        /// <summary>Closes results.csv and puts the target's rotation and the sea's snapshot back.</summary>
         public void Dispose()
         {
             _folder?.Dispose();
             if (_target != null)
                 _target.localRotation = _initialLocalRotation;
+            if (_sea != null)
+                _sea.Snapshot = _initialSnapshot;
+        }
+
+        void Show(SweepPose pose)
+        {
+            if (_plan.Turns && _target == null)
+                throw new GlintException($"the target of the sweep was destroyed before {pose}: it must stay until the last pose");
+            if (_plan.HasSnapshots && _sea == null)
+                throw new GlintException($"the Sea of the sweep was destroyed before {pose}: it must stay until the last pose");
+            if (_plan.Turns)
+                _target.rotation = Quaternion.AngleAxis((float)pose.AngleDegrees.Value, Vector3.up) * _initialRotation;
+            if (_plan.HasSnapshots)
+                _sea.Snapshot = pose.Snapshot.Value;
         }
 
         void WriteJson()

@@ -20,6 +20,50 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Sweep_OfSnapshots_NeedsNoTargetAndNoAngles()
+        {
+            var line = Parse(Commands.Sweep, "Scenes/X.unity", "--snapshots", "1:10");
+
+            Assert.That(line.Get(Options.Snapshots).Length, Is.EqualTo(10));
+            Assert.That(line.Get(Options.Angles), Is.Null);
+        }
+
+        [TestCase("--target is missing", "x.unity", "--snapshots", "1:10", "--angles", "0")]
+        [TestCase("--angles is missing", "x.unity", "--snapshots", "1:10", "--target", "Ship")]
+        [TestCase("--angles is missing: sweep needs --angles ANGLES, or --snapshots LIST", "x.unity")]
+        [TestCase("--snapshots: only for scenes", "x.obj", "--snapshots", "1:10")]
+        public void Sweep_OfHalfAnAxis_IsRefused(string part, params string[] arguments) =>
+            Assert.That(Assert.Throws<UsageException>(() => Parse(Commands.Sweep, arguments)).Message, Does.Contain(part));
+
+        [Test]
+        public void Sea_WithOptions_IsThatSea()
+        {
+            var recipe = SeaOptions.Read(Parse(Commands.Sea, "--out", "Assets/Sea", "--sea-state", "4", "--wind", "9", "--times", "0:6:3", "--tiles", "2x3", "--spectrum", "jonswap"));
+
+            Assert.That(recipe.Settings.SignificantWaveHeight, Is.EqualTo((1.25 + 2.5) / 2), "the middle of the WMO's range");
+            Assert.That((recipe.Settings.WindSpeed, recipe.Settings.Kind), Is.EqualTo((9.0, SeaSpectrumKind.Jonswap)));
+            Assert.That(recipe.Times, Is.EqualTo(new double[] { 0, 3, 6 }));
+            Assert.That(recipe.Tiles, Is.EqualTo(new int2(2, 3)));
+        }
+
+        [Test]
+        public void Sea_WithoutOptions_IsNoneOfItsOwn() => Assert.That(SeaOptions.Read(Parse(Commands.Sea)), Is.Null);
+
+        [TestCase("--out is missing", "--wind", "5")]
+        [TestCase("--sea-state: not with --wave-height: both say", "--out", "x", "--sea-state", "4", "--wave-height", "2")]
+        [TestCase("grid size 100 must be a power of two", "--out", "x", "--grid", "100")]
+        [TestCase("--wind -3: must be from 0.1 to 100", "--out", "x", "--wind", "-3")]
+        [TestCase("--wave-height 0: must be from 0.001 to 100", "--out", "x", "--wave-height", "0")]
+        [TestCase("--wave-height NaN: must be a number", "--out", "x", "--wave-height", "NaN")]
+        [TestCase("--tile 0: must be from 1 to 8192", "--out", "x", "--tile", "0")]
+        [TestCase("--sea-state 9: must be from 1 to 8", "--out", "x", "--sea-state", "9")]
+        [TestCase("--times 0:5: a range has three parts", "--out", "x", "--times", "0:5")]
+        [TestCase("tile size 10.0001 m must be a multiple of 1/1024 m", "--out", "x", "--tile", "10.0001")]
+        [TestCase("--spectrum waves: must be phillips", "--out", "x", "--spectrum", "waves")]
+        public void Sea_Unfit_IsRefused(string part, params string[] arguments) =>
+            Assert.That(Assert.Throws<UsageException>(() => SeaOptions.Read(Parse(Commands.Sea, arguments))).Message, Does.Contain(part));
+
+        [Test]
         public void Option_NotGiven_HasItsDefault()
         {
             var line = Parse(Commands.Run, "plate.stl");

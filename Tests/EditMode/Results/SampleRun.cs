@@ -6,7 +6,7 @@ namespace Glint.Tests
     /// <summary>Rows and a run with values that are easy to tell apart in a file.</summary>
     static class SampleRun
     {
-        public static SweepRow Row(double angle, double inPhase = 3, double quadrature = -4) => new SweepRow(angle, new RadarResult
+        public static SweepRow Row(double angle, double inPhase = 3, double quadrature = -4) => new SweepRow(new SweepPose(angle), new RadarResult
         {
             InPhase = inPhase,
             Quadrature = quadrature,
@@ -23,7 +23,7 @@ namespace Glint.Tests
             Timings = new Timings { GatherMs = 1, BuildMs = 2, UploadMs = 4, TraceMs = 8.5, ReadBackMs = 0.5 }
         });
 
-        public static SweepRow Miss(double angle) => new SweepRow(angle, new RadarResult { RaysEmitted = 100, PhaseHistogram = null });
+        public static SweepRow Miss(double angle) => new SweepRow(new SweepPose(angle), new RadarResult { RaysEmitted = 100, PhaseHistogram = null });
 
         public static RunInfo Info()
         {

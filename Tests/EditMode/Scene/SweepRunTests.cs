@@ -43,7 +43,7 @@ namespace Glint.Tests
         [Test]
         public void Step_PosesAfterTheFirst_BuildNoTreeAndUploadNoTriangles()
         {
-            using (var run = new SweepRun(_radar, _target.transform, new double[] { 0, 3, 40 }, "Scene", null))
+            using (var run = new SweepRun(_radar, new SweepPlan(new double[] { 0, 3, 40 }), _target.transform, null, "Scene", null))
             {
                 var first = run.Step().Result;
                 Assert.That(first.Work.TreesBuilt, Is.GreaterThan(0));
@@ -62,7 +62,7 @@ namespace Glint.Tests
         public void Step_WhateverTheRadarKeeps_CarriesNoRays()
         {
             _radar.KeptRays = KeptRays.All;
-            using (var run = new SweepRun(_radar, null, new double[] { 0 }, "Scene", null))
+            using (var run = new SweepRun(_radar, SweepPlan.Single, null, null, "Scene", null))
                 Assert.That(run.Step().Result.Rays, Is.Empty);
             Assert.That(_radar.Trace().Rays.Length, Is.EqualTo(160 * 90), "when asked");
             Assert.That(_radar.Trace(KeptRays.None).Rays, Is.Empty);
@@ -75,7 +75,7 @@ namespace Glint.Tests
             using (var cancel = new CancellationTokenSource())
             {
                 var folder = ResultsFolder.Open(temporary.PathOf("sweep"));
-                using (var run = new SweepRun(_radar, _target.transform, new double[] { 0, 10 }, "Scene", folder))
+                using (var run = new SweepRun(_radar, new SweepPlan(new double[] { 0, 10 }), _target.transform, null, "Scene", folder))
                 {
                     run.Step();
                     var before = _radar.Result;
@@ -122,6 +122,41 @@ namespace Glint.Tests
             settings.Region = new RayRegion { Left = 130, Bottom = 0, Width = 37, Height = 21 };
             _radar.Settings = settings;
             Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message, Does.Contain("region 130,0,37,21"));
+        }
+
+        [Test]
+        public void Step_OverSnapshots_ShowsEachAndPutsTheFirstBack()
+        {
+            var sea = new GameObject("Sea").AddComponent<Sea>();
+            try
+            {
+                sea.transform.SetParent(_wall.transform, false);
+                sea.transform.localPosition = new Vector3(0, -20, 0);
+                sea.Extent = new Vector2(1, 1);
+                for (int triangles = 1; triangles <= 3; triangles++)
+                {
+                    var snapshot = new GameObject("Snapshot").AddComponent<SeaSnapshot>();
+                    snapshot.transform.SetParent(sea.transform);
+                    (snapshot.Settings, snapshot.Tile) = (SeaSettings.Default, SceneBuilder.Mesh(triangles, triangles));
+                    sea.Snapshots.Add(snapshot);
+                }
+                sea.Snapshot = 2;
+                var counts = new List<(int?, long)>();
+                using (var run = new SweepRun(_radar, new SweepPlan(null, new[] { 3, 1 }), null, sea, "Scene", null))
+                    while (!run.IsComplete)
+                    {
+                        var row = run.Step();
+                        counts.Add((row.Pose.Snapshot, row.Result.Triangles));
+                    }
+                long others = counts[1].Item2 - 1;
+                Assert.That(counts, Is.EqualTo(new (int?, long)[] { (3, others + 3), (1, others + 1) }));
+                Assert.That(sea.Snapshot, Is.EqualTo(2));
+                Assert.Throws<GlintException>(() => new SweepRun(_radar, new SweepPlan(null, new[] { 1, 4 }), null, sea, "Scene", null), "before any pose");
+            }
+            finally
+            {
+                Object.DestroyImmediate(sea.gameObject);
+            }
         }
 
         static GameObject Plate(string name, float side, float distance)

@@ -33,6 +33,9 @@ namespace Glint.Core
         /// <summary>The options that must be given, each for the inputs it goes with.</summary>
         public IReadOnlyList<Option> Required { get; internal set; } = new Option[0];
 
+        /// <summary>An option that, when it is given, does in place of all those of <see cref="Required"/>; null for none.</summary>
+        public Option Instead { get; internal set; }
+
         /// <summary>Name of the method for Unity's -executeMethod; null when Unity has no such command.</summary>
         public string UnityMethod { get; internal set; }
 
@@ -42,6 +45,6 @@ namespace Glint.Core
         /// <summary>How the command is called, in one line.</summary>
         public string Usage => string.Join(" ", new[] { "glint", Name, Inputs == InputKind.None ? null : HasBuiltIn ? "[INPUT]" : "INPUT" }
             .Concat(Required.Select(option => (option.Inputs & Inputs) == Inputs ? $"{option.Flag} {option.ValueName}" : $"[{option.Flag} {option.ValueName}]"))
-            .Append("[options]").Where(word => word != null));
+            .Append(Instead == null ? null : $"| {Instead.Flag} {Instead.ValueName}").Append("[options]").Where(word => word != null));
     }
 }

@@ -132,10 +132,14 @@ namespace Glint.Core
             foreach (var option in Command.Options)
                 if (IsGiven(option) && InputKind != InputKind.None && (option.Inputs & InputKind) == 0)
                     throw new UsageException($"{option.Flag}: {option.Refusal}");
+            if (Command.Instead != null && IsGiven(Command.Instead) && !Command.Required.Any(IsGiven))
+                return;
             foreach (var option in Command.Required)
                 if (!IsGiven(option) && (option.Inputs & InputKind) != 0)
-                    throw new UsageException($"{option.Flag} is missing: {Command.Name} needs {option.Flag} {option.ValueName}");
+                    throw new UsageException($"{option.Flag} is missing: {Command.Name} needs {option.Flag} {option.ValueName}{OrInstead()}");
         }
+
+        string OrInstead() => Command.Instead == null || (Command.Instead.Inputs & InputKind) == 0 || IsGiven(Command.Instead) || Command.Required.Any(IsGiven) ? "" : $", or {Command.Instead.Flag} {Command.Instead.ValueName}";
 
         void CheckOptionsAgainstEachOther()
         {

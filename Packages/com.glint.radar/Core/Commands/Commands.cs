@@ -18,14 +18,15 @@ namespace Glint.Core
         public const string ExitCodes = "0 done; 1 something is wrong with a file, the scene or the device; 2 the command line is wrong; 130 stopped by Ctrl-C.";
 
         /// <summary>Turns a target through a list of angles and traces each pose.</summary>
-        public static readonly Command Sweep = new Command("sweep", "Turn a target step by step, trace every pose and write results.csv and results.json.")
+        public static readonly Command Sweep = new Command("sweep", "Turn a target step by step, or a sea from snapshot to snapshot, trace every pose and write results.csv and results.json.")
         {
             Options = new Option[]
             {
-                Options.Target, Options.Angles, Options.Out, Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
+                Options.Target, Options.Angles, Options.Snapshots, Options.Out, Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
                 Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Spacing, Options.Aperture, Options.Aim, Options.Device
             },
             Required = new Option[] { Options.Angles, Options.Target },
+            Instead = Options.Snapshots,
             Notes = new[]
             {
                 "The target turns about the vertical through its own position and is put back afterwards. The mesh of a file is turned as a whole, about the vertical through the origin of its coordinates.",
@@ -35,6 +36,7 @@ namespace Glint.Core
             Examples = new[]
             {
                 Example("sweep Scenes/CornerReflector.unity --target \"Corner Reflector\" --angles 0:45:1", "The published experiment, 46 poses."),
+                Example("sweep Scenes/SeaState6.unity --snapshots 1:10", "The ten stored snapshots of a sea."),
                 Example("sweep ship.stl --unit mm --up z --angles 0:345:15 --distance 500 --fov 20 --out ship", "A mesh in millimetres with z up, all round from 500 m."),
                 Example("sweep plate.obj --angles -10,-5,0,5,10 --grazing 0 --fov 5 --size 640x360", "Five angles of an upright plate seen head-on, fewer rays.")
             }
@@ -101,6 +103,34 @@ namespace Glint.Core
             }
         };
 
+        /// <summary>Makes snapshots of a sea.</summary>
+        public static readonly Command Sea = new Command("sea", "Make snapshots of a sea from a wave spectrum, as meshes and prefabs of the project.")
+        {
+            Inputs = InputKind.None,
+            Options = SeaOptions.All,
+            Notes = new[] { "Without options it makes the seas that this project stores in Meshes anew: the same numbers give the same files, on any machine." },
+            UnityMethod = "Glint.Editor.Batch.Sea",
+            Examples = new[]
+            {
+                Example("sea", "The stored seas, sea states 5 and 6."),
+                Example("sea --sea-state 4 --wind 9 --tile 256 --grid 256 --cells 256 --times 0:27:3 --out Assets/Seas/State4", "Ten snapshots of a larger, longer sea.")
+            }
+        };
+
+        /// <summary>Makes the ship.</summary>
+        public static readonly Command Ship = new Command("ship", "Make a naval vessel from its measures, as a mesh and a prefab of the project.")
+        {
+            Inputs = InputKind.None,
+            Options = SeaOptions.All,
+            Notes = new[] { "Without options it makes the ship that this project stores in Meshes anew: the same numbers give the same files, on any machine." },
+            UnityMethod = "Glint.Editor.Batch.Ship",
+            Examples = new[]
+            {
+                Example("ship", "The stored ship."),
+                Example("ship --length 90 --out Assets/Ships/Long", "A longer one.")
+            }
+        };
+
         /// <summary>Lists devices, limits and versions.</summary>
         public static readonly Command Info = new Command("info", "List the GPUs, the limits of the one in use, and the versions.")
         {
@@ -110,7 +140,7 @@ namespace Glint.Core
         };
 
         /// <summary>Every command.</summary>
-        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Run, Bench, Verify, Info };
+        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Run, Sea, Ship, Bench, Verify, Info };
 
         /// <summary>What INPUT is for a command.</summary>
         public static string InputHelpOf(Command command) => command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}" : InputHelp;

@@ -58,7 +58,7 @@ namespace Glint.Core
             if (command.UnityMethod != null)
             {
                 help.Heading("In Unity");
-                help.Paragraph(Margin, $"Unity -batchmode -projectPath DIR -executeMethod {command.UnityMethod} {CommandLine.UnityMarker} INPUT [options]");
+                help.Paragraph(Margin, $"Unity -batchmode -projectPath DIR -executeMethod {command.UnityMethod} {CommandLine.UnityMarker} {(command.Inputs == InputKind.None ? "" : "INPUT ")}[options]");
                 help.Paragraph(Margin, "The same arguments, last on the line. Neither -nographics (there would be no GPU) nor -quit (the command ends Unity itself).");
             }
             help.AddExitCodes();

@@ -32,14 +32,23 @@ namespace Glint.Core
             Group = SweepGroup,
             Inputs = InputKind.Scene,
             Refusal = "only for scenes: the mesh of a file is turned as a whole",
-            Help = "The object of the scene to turn, by its name or its path from the root (Fleet/Ship). Required with a scene."
+            Help = "The object of the scene to turn, by its name or its path from the root (Fleet/Ship). Required with a scene, except with --snapshots."
         };
 
         /// <summary>Angles of a sweep, degrees.</summary>
         public static readonly Option<double[]> Angles = new Option<double[]>("angles", "ANGLES", Glint.Core.Angles.Read)
         {
             Group = SweepGroup,
-            Help = "Turn angles in degrees, positive as Unity's rotation about Y: FROM:TO:STEP, all three, or a list with commas. FROM is included, and TO when whole steps reach it: 0:45:2 ends at 44. Required."
+            Help = "Turn angles in degrees, positive as Unity's rotation about Y: FROM:TO:STEP, all three, or a list with commas. FROM is included, and TO when whole steps reach it: 0:45:2 ends at 44. Required, except with --snapshots."
+        };
+
+        /// <summary>Snapshots of the sea, from 1; null when not given.</summary>
+        public static readonly Option<int[]> Snapshots = new Option<int[]>("snapshots", "LIST", Glint.Core.Snapshots.Read)
+        {
+            Group = SweepGroup,
+            Inputs = InputKind.Scene,
+            Refusal = "only for scenes, which may have a Sea with snapshots",
+            Help = "Snapshots of the scene's Sea, counted from 1: FROM:TO, both included, FROM:TO:STEP, or a list with commas. With --target and --angles every angle is traced for each snapshot; without them the objects stay."
         };
 
         /// <summary>Folder for the result files; null when not given.</summary>
@@ -217,7 +226,7 @@ namespace Glint.Core
             Help = "Instead: run time against error, in scenes of its own, each traced with more and more rays and compared with what endlessly many would give. FILE is for the plot, as SVG; without it: accuracy.svg."
         };
 
-        static Option<double> Number(string name, string valueName, string standard, Interval range, string group, InputKind inputs, string help) =>
+        internal static Option<double> Number(string name, string valueName, string standard, Interval range, string group, InputKind inputs, string help) =>
             new Option<double>(name, valueName, text => Values.Real(text, range))
             {
                 Group = group,
@@ -228,7 +237,7 @@ namespace Glint.Core
                 Help = help
             };
 
-        static Option<int> Whole(string name, string valueName, string standard, Interval range, string group, string help, InputKind inputs = InputKind.Any) =>
+        internal static Option<int> Whole(string name, string valueName, string standard, Interval range, string group, string help, InputKind inputs = InputKind.Any) =>
             new Option<int>(name, valueName, text => Values.Whole(text, range))
             {
                 Group = group,

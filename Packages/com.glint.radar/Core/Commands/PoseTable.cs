@@ -6,13 +6,15 @@ namespace Glint.Core
     /// <summary>The lines that a command prints, one a pose, in columns.</summary>
     public static class PoseTable
     {
-        /// <summary>Heading of the columns.</summary>
-        public const string Header = "  angle      amplitude         dB   received        hit";
+        /// <summary>Heading of the columns for the poses of a plan.</summary>
+        public static string Header(SweepPlan plan) => (plan.HasSnapshots ? "snapshot  " : "") + "  angle      amplitude         dB   received        hit";
 
         /// <summary>The line of one pose.</summary>
-        /// <param name="angle">Degrees; null for a command without angles.</param>
-        /// <param name="result">What the radar received.</param>
-        public static string Row(double? angle, RadarResult result) => string.Format(CultureInfo.InvariantCulture,
+        /// <param name="plan">Whose pose it is.</param>
+        /// <param name="row">The pose and what the radar received in it.</param>
+        public static string Row(SweepPlan plan, SweepRow row) => (plan.HasSnapshots ? string.Format(CultureInfo.InvariantCulture, "{0,8}  ", row.Pose.Snapshot) : "") + Row(row.Pose.AngleDegrees, row.Result);
+
+        static string Row(double? angle, RadarResult result) => string.Format(CultureInfo.InvariantCulture,
             "{0,7}  {1,13:0.000}  {2,9}  {3,9}  {4,9}",
             angle.HasValue ? angle.Value.ToString("0.###", CultureInfo.InvariantCulture) : "-",
             result.Amplitude,

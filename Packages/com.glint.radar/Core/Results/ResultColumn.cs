@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 
 namespace Glint.Core
 {
@@ -9,7 +8,7 @@ namespace Glint.Core
     {
         static readonly ResultColumn[] Table =
         {
-            new ResultColumn("angle_deg", "deg", row => row.AngleDegrees),
+            new ResultColumn("angle_deg", "deg", row => row.Pose.AngleDegrees ?? 0),
             new ResultColumn("amplitude", "1", row => row.Result.Amplitude),
             new ResultColumn("amplitude_db", "dB", row => row.Result.AmplitudeDb),
             new ResultColumn("in_phase", "1", row => row.Result.InPhase),
@@ -26,7 +25,8 @@ namespace Glint.Core
             new ResultColumn("sampling_error", "1", row => row.Result.SamplingError),
             new ResultColumn("largest_path_step_wavelengths", "wavelengths", row => row.Result.LargestPathStep),
             new ResultColumn("undersampled", "1", row => row.Result.Undersampled ? 1 : 0),
-            new ResultColumn("ray_area_m2", "m2", row => row.Result.RayArea)
+            new ResultColumn("ray_area_m2", "m2", row => row.Result.RayArea),
+            new ResultColumn("snapshot", "1", row => row.Pose.Snapshot)
         };
 
         readonly Func<SweepRow, double?> _value;
@@ -55,8 +55,14 @@ namespace Glint.Core
             if (value == null)
                 return null;
             if (double.IsNaN(value.Value) || double.IsInfinity(value.Value))
-                throw new GlintException($"{Name} is not finite at {Table[0].Name} {row.AngleDegrees.ToString(CultureInfo.InvariantCulture)}: check the scene for huge coordinates, and report it if there are none");
+                throw new GlintException($"{Name} is not finite{At(row.Pose)}: check the scene for huge coordinates, and report it if there are none");
             return Numbers.Format(value.Value);
+        }
+
+        static string At(SweepPose pose)
+        {
+            string where = pose.ToString();
+            return where.Length == 0 ? "" : " at " + where;
         }
     }
 }

@@ -9,14 +9,11 @@ namespace Glint.Core
         /// <summary>Metres. Tile sizes are multiples of it, so that float32 holds the edges of neighbouring tiles alike.</summary>
         public const double TileStep = 1.0 / 1024;
 
-        /// <summary>Largest tile, metres.</summary>
-        public const double LargestTile = 8192;
+        internal static readonly Interval Heights = Interval.Closed(0.001, 100), Winds = Interval.Closed(0.1, 100), Directions = Interval.Closed(-360, 360),
+            Choppinesses = Interval.Closed(0, 10), Tiles = Interval.Closed(1, 8192), Grids = Interval.Closed(4, 1024), CellCounts = Interval.Closed(1, 2048),
+            ShortestWaves = Interval.Closed(0, 4096), Fetches = Interval.Closed(100, 1e7), PeakEnhancements = Interval.Closed(1, 10);
 
-        /// <summary>Least and greatest number of grid points a side.</summary>
-        public const int LeastGrid = 4, GreatestGrid = 1024;
-
-        /// <summary>Most cells of the mesh a side.</summary>
-        public const int MostCells = 2048;
+        static readonly Interval s_factors = Interval.Closed(0.001, 1000);
 
         /// <summary>How the variance is spread over wavelengths.</summary>
         public SeaSpectrumKind Kind;
@@ -65,35 +62,36 @@ namespace Glint.Core
         };
 
         /// <summary>Refuses values that make no sea.</summary>
+        /// <param name="subject">Whose settings they are, for messages.</param>
         /// <exception cref="GlintException">A value is out of its range.</exception>
-        public void Validate()
+        public void Validate(string subject = "sea")
         {
             if (!Enum.IsDefined(typeof(SeaSpectrumKind), Kind))
-                throw new GlintException($"sea: spectrum {(int)Kind} must be {string.Join(" or ", Enum.GetNames(typeof(SeaSpectrumKind)))}");
-            Check("significant wave height", SignificantWaveHeight, "m", 0.001, 100, "for a calm take a flat plate");
-            Check("wind speed", WindSpeed, "m/s", 0.1, 100, "turn the wind by its direction, not by its sign");
-            Check("wind direction", WindDirectionDegrees, "deg", -3600, 3600, "give it as a rotation about Y");
-            Check("choppiness", Choppiness, "", 0, 10, "0 moves nothing sideways, 1 as waves in deep water do");
-            Check("tile size", TileSize, "m", 1, LargestTile, "lay several tiles side by side for a larger sea");
+                throw new GlintException($"{subject}: spectrum {(int)Kind} must be {string.Join(" or ", Enum.GetNames(typeof(SeaSpectrumKind)))}");
+            Check(subject, "significant wave height", SignificantWaveHeight, Heights, " m", "for a calm take a flat plate");
+            Check(subject, "wind speed", WindSpeed, Winds, " m/s", "turn the wind by its direction, not by its sign");
+            Check(subject, "wind direction", WindDirectionDegrees, Directions, " deg", "give it as a rotation about Y");
+            Check(subject, "choppiness", Choppiness, Choppinesses, "", "0 moves nothing sideways, 1 as waves in deep water do");
+            Check(subject, "tile size", TileSize, Tiles, " m", "lay several tiles side by side for a larger sea");
             double steps = TileSize / TileStep;
             if (steps != Math.Floor(steps))
-                throw new GlintException($"sea: tile size {Text(TileSize)} m must be a multiple of 1/1024 m, or neighbouring tiles would not meet: use {Text(Math.Floor(steps + 0.5) * TileStep)}");
-            if (GridSize < LeastGrid || GridSize > GreatestGrid || (GridSize & (GridSize - 1)) != 0)
-                throw new GlintException($"sea: grid size {GridSize} must be a power of two from {LeastGrid} to {GreatestGrid}: the mesh may have any number of cells, set that instead");
-            Check("cells", Cells, "", 1, MostCells, "lay several tiles side by side for a larger sea");
-            Check("shortest wave", ShortestWave, "m", 0, TileSize / 2, "0 leaves none out");
+                throw new GlintException($"{subject}: tile size {Text(TileSize)} m must be a multiple of 1/1024 m, or neighbouring tiles would not meet: use {Text(Math.Floor(steps + 0.5) * TileStep)}");
+            if (!Grids.Contains(GridSize) || (GridSize & (GridSize - 1)) != 0)
+                throw new GlintException($"{subject}: grid size {GridSize} must be a power of two {Grids}: the mesh may have any number of cells, set that instead");
+            Check(subject, "cells", Cells, CellCounts, "", "lay several tiles side by side for a larger sea");
+            Check(subject, "shortest wave", ShortestWave, ShortestWaves, " m", "0 leaves none out");
             if (Kind == SeaSpectrumKind.Jonswap)
             {
-                Check("fetch", Fetch, "m", 100, 1e7, "100000 is usual");
-                Check("peak enhancement", PeakEnhancement, "", 1, 10, "3.3 is usual");
+                Check(subject, "fetch", Fetch, Fetches, " m", "100000 is usual");
+                Check(subject, "peak enhancement", PeakEnhancement, PeakEnhancements, "", "3.3 is usual");
             }
-            Check("height factor", HeightFactor, "", 0.001, 1000, "1 leaves the height as asked for");
+            Check(subject, "height factor", HeightFactor, s_factors, "", "1 leaves the height as asked for");
         }
 
-        static void Check(string name, double value, string unit, double least, double greatest, string wayOut)
+        static void Check(string subject, string name, double value, Interval range, string unit, string wayOut)
         {
-            if (!(value >= least && value <= greatest))
-                throw new GlintException($"sea: {name} {Text(value)}{(unit == "" ? "" : " " + unit)} must be from {Text(least)} to {Text(greatest)}: {wayOut}");
+            if (!range.Contains(value))
+                throw new GlintException($"{subject}: {name} {Text(value)}{unit} must be {range}: {wayOut}");
         }
 
         static string Text(double value) => RadarSettings.Text(value);

@@ -49,16 +49,16 @@ namespace Glint.Core
 
         /// <summary>The height factor that makes Hs of the sea at these times together (four roots of the mean variance) that asked for.</summary>
         /// <exception cref="GlintException">As for the surface; or there are no times.</exception>
-        public static double FactorFor(SeaSettings settings, params double[] times)
+        public static double FactorFor(SeaSettings settings, IReadOnlyCollection<double> times)
         {
-            if (times.Length == 0)
+            if (times.Count == 0)
                 throw new GlintException("sea: the height factor needs at least one time");
             settings.HeightFactor = 1;
             var surface = new SeaSurface(settings);
             double sum = 0;
             foreach (double time in times)
                 sum += surface.Variance(time);
-            return settings.SignificantWaveHeight / (4 * Math.Sqrt(sum / times.Length));
+            return settings.SignificantWaveHeight / (4 * Math.Sqrt(sum / times.Count));
         }
 
         /// <summary>

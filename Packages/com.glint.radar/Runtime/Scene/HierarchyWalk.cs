@@ -60,12 +60,12 @@ namespace Glint
             return false;
         }
 
-        // What the editor keeps in a scene for itself is no part of it.
+        // What the editor keeps in a scene for itself, hidden, is no part of it.
         void AddVisible(GameObject root)
         {
             root.GetComponentsInChildren(_below);
             foreach (var renderer in _below)
-                if ((renderer.gameObject.hideFlags & HideFlags.DontSave) == 0)
+                if ((renderer.gameObject.hideFlags & HideFlags.HideInHierarchy) == 0)
                     _found.Add(renderer);
         }
     }

@@ -21,7 +21,7 @@ public sealed class ResultsFolderTests
         {
             File.CreateSymbolicLink(Path.Combine(path, "results.csv"), "/dev/full");
             using var results = ResultsFolder.Open(path);
-            var error = Assert.Throws<GlintException>(() => results.Append(new SweepRow(0, new RadarResult())));
+            var error = Assert.Throws<GlintException>(() => results.Append(new SweepRow(new SweepPose(0), new RadarResult())));
             Assert.That(error.Message, Does.StartWith(Path.Combine(path, "results.csv")).And.Contain("0 rows").And.Contain("space"));
             Assert.That(Directory.GetFileSystemEntries(path), Is.Empty);
         }

@@ -1,0 +1,96 @@
+using System;
+using System.Globalization;
+using System.Linq;
+
+namespace Glint.Core
+{
+    /// <summary>Reads the numbers of an option, written FROM:TO:STEP or as a list with commas. A <see cref="FormatException"/> says what they must be.</summary>
+    sealed class NumberList
+    {
+        /// <summary>Most numbers of one list.</summary>
+        public const int Limit = 1000000;
+
+        const double SmallestStep = 1e-9;
+
+        // In steps: a STEP written as 0.333333333 still reaches TO.
+        const decimal EndTolerance = 1e-6m;
+
+        readonly string _noun, _unit, _forms;
+        readonly Interval _range;
+
+        /// <param name="noun">What a number is: "angle".</param>
+        /// <param name="range">Of each number.</param>
+        /// <param name="unit">"degrees".</param>
+        /// <param name="examples">Of a range and of a list: "0:45:1", "0,10,45".</param>
+        public NumberList(string noun, Interval range, string unit, (string range, string list) examples)
+        {
+            _noun = noun;
+            _range = range;
+            _unit = unit;
+            _forms = $"give FROM:TO:STEP, such as {examples.range}, or a list, such as {examples.list}";
+        }
+
+        /// <summary>The numbers in the order written. FROM and TO are both included, TO when whole steps reach it.</summary>
+        /// <exception cref="FormatException">Malformed, empty, out of range or more than <see cref="Limit"/>.</exception>
+        public double[] Read(string text)
+        {
+            if (string.IsNullOrWhiteSpace(text))
+                throw new FormatException($"no {_noun}s: {_forms}");
+            return text.Contains(':') ? Range(text.Split(':')) : List(text.Split(','));
+        }
+
+        double[] List(string[] parts) => parts.Length <= Limit ? parts.Select(Value).ToArray() : throw TooMany("give fewer");
+
+        double[] Range(string[] parts)
+        {
+            if (parts.Length != 3)
+                throw new FormatException("a range has three parts: " + _forms);
+            double first = Value(parts[0]), last = Value(parts[1]), step = Number(parts[2]);
+            if (step <= 0)
+                throw new FormatException("STEP must be above 0");
+            if (first > last)
+                throw new FormatException("FROM must not be above TO");
+            if (first == last)
+                return new[] { first };
+            if ((last - first) / step >= Limit)
+                throw TooMany("take a larger STEP");
+            if (step < SmallestStep)
+                throw new FormatException("STEP must be at least " + SmallestStep.ToString(CultureInfo.InvariantCulture));
+            decimal from = Exact(parts[0]), to = Exact(parts[1]);
+            // A step beyond the range is as good as any other that is, and fits a decimal.
+            return Steps(from, to, step > 2 * (last - first) ? 2 * (to - from) : Exact(parts[2]));
+        }
+
+        // Decimal arithmetic: 0:1:0.1 has 0.3 in it, not 0.30000000000000004.
+        static double[] Steps(decimal from, decimal to, decimal step)
+        {
+            decimal steps = (to - from) / step, whole = decimal.Round(steps);
+            bool reachesEnd = whole > 0 && Math.Abs(steps - whole) <= EndTolerance;
+            int last = (int)(reachesEnd ? whole : decimal.Floor(steps));
+            var numbers = new double[last + 1];
+            for (int i = 0; i <= last; i++)
+                numbers[i] = Nearest(i == last && reachesEnd ? to : from + i * step);
+            return numbers;
+        }
+
+        double Value(string text)
+        {
+            double value = Number(text);
+            return _range.Contains(value) ? value : throw new FormatException($"each {_noun} must be {_range} {_unit}");
+        }
+
+        double Number(string text)
+        {
+            if (text.Trim().Length == 0)
+                throw new FormatException("a number is missing: " + _forms);
+            // + 0 makes -0 a plain 0.
+            return Values.TryReal(text, out double value) ? value + 0.0 : throw new FormatException($"{Values.Shown(text)} is not a number: {_forms}");
+        }
+
+        static decimal Exact(string text) => decimal.Parse(text.Trim(), NumberStyles.Float, CultureInfo.InvariantCulture);
+
+        static double Nearest(decimal value) => double.Parse(value.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture) + 0.0;
+
+        FormatException TooMany(string remedy) => new FormatException($"more than {Limit.ToString("N0", CultureInfo.InvariantCulture)} {_noun}s: {remedy}");
+    }
+}

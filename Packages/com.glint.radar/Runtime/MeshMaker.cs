@@ -1,0 +1,30 @@
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Glint
+{
+    /// <summary>Unity's meshes from triangles.</summary>
+    static class MeshMaker
+    {
+        const int Most16BitVertices = 65535;
+
+        /// <summary>A new mesh.</summary>
+        public static Mesh Make(string name, float3[] vertices, int[] indices)
+        {
+            var mesh = new Mesh { name = name };
+            Fill(mesh, vertices, indices);
+            return mesh;
+        }
+
+        /// <summary>Gives a mesh other triangles, with normals and bounds.</summary>
+        public static void Fill(Mesh mesh, float3[] vertices, int[] indices)
+        {
+            mesh.Clear();
+            mesh.indexFormat = vertices.Length > Most16BitVertices ? IndexFormat.UInt32 : IndexFormat.UInt16;
+            mesh.SetVertices(System.Array.ConvertAll(vertices, v => new Vector3(v.x, v.y, v.z)));
+            mesh.SetIndices(indices, MeshTopology.Triangles, 0);
+            mesh.RecalculateNormals();
+        }
+    }
+}

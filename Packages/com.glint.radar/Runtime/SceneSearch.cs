@@ -1,0 +1,34 @@
+using System;
+using Glint.Core;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Glint
+{
+    /// <summary>Finds the one component of a kind that a scene is meant to have.</summary>
+    static class SceneSearch
+    {
+        /// <summary>The one enabled radar of the loaded scenes.</summary>
+        /// <param name="searcher">Who looks for it, for the message.</param>
+        /// <exception cref="GlintException">There is none, or more than one.</exception>
+        public static RadarController FindRadar(string searcher) => FindOnly<RadarController>(searcher, "radar", "RadarController (Glint > Radar Controller) to a camera of the scene");
+
+        /// <summary>The one enabled sea of the loaded scenes.</summary>
+        /// <param name="searcher">Who looks for it, for the message.</param>
+        /// <exception cref="GlintException">There is none, or more than one.</exception>
+        public static Sea FindSea(string searcher) => FindOnly<Sea>(searcher, "sea", "Sea (Glint > Sea) with snapshots to an object of the scene");
+
+        static T FindOnly<T>(string searcher, string noun, string remedy) where T : Behaviour
+        {
+            var all = Object.FindObjectsByType<T>(FindObjectsInactive.Include, FindObjectsSortMode.None);
+            var enabled = Array.FindAll(all, found => found.isActiveAndEnabled);
+            if (all.Length == 0)
+                throw new GlintException($"{searcher}: has no {noun}; add a {remedy}");
+            if (enabled.Length == 0)
+                throw new GlintException($"{searcher}: its {typeof(T).Name} of '{all[0].name}' is disabled or inactive; enable it");
+            if (enabled.Length > 1)
+                throw new GlintException($"{searcher}: has {enabled.Length} {noun}s, '{string.Join("', '", Array.ConvertAll(enabled, found => found.name))}'; disable all but one");
+            return enabled[0];
+        }
+    }
+}

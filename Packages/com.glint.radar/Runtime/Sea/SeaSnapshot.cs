@@ -1,0 +1,37 @@
+using Glint.Core;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>
+    /// One stored moment of a sea: the mesh of a tile and the recipe that it was made by. It is on the root of a prefab that shows the sea; <c>glint sea</c> writes them.
+    /// </summary>
+    [AddComponentMenu("")]
+    [DisallowMultipleComponent]
+    public sealed class SeaSnapshot : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The tile, periodic over its width.")]
+        Mesh _tile;
+
+        [SerializeField, Tooltip("What the tile was made from. To change it, make another with glint sea.")]
+        SeaSettings _settings;
+
+        [SerializeField, Tooltip("Moment of the sea in seconds.")]
+        double _timeSeconds;
+
+        [SerializeField, Tooltip("Significant wave height of this moment in metres: 4 times the standard deviation of its heights. Over the snapshots of a sea it scatters about the one asked for.")]
+        double _waveHeight;
+
+        /// <summary>The tile, periodic over its width.</summary>
+        public Mesh Tile { get => _tile; internal set => _tile = value; }
+
+        /// <summary>What the tile was made from.</summary>
+        public SeaSettings Settings { get => _settings; internal set => _settings = value; }
+
+        /// <summary>Moment of the sea, seconds.</summary>
+        public double TimeSeconds { get => _timeSeconds; internal set => _timeSeconds = value; }
+
+        /// <summary>Significant wave height of this moment, metres.</summary>
+        public double WaveHeight { get => _waveHeight; internal set => _waveHeight = value; }
+    }
+}

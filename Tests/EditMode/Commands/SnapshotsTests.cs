@@ -1,0 +1,27 @@
+using Glint.Core;
+using NUnit.Framework;
+
+namespace Glint.Tests
+{
+    public sealed class SnapshotsTests
+    {
+        [TestCase("1:10", new[] { 1, 2, 3, 4, 5, 6, 7, 8, 9, 10 })]
+        [TestCase("2:9:3", new[] { 2, 5, 8 })]
+        [TestCase("4:4", new[] { 4 })]
+        [TestCase("7", new[] { 7 })]
+        [TestCase("3, 1,3", new[] { 3, 1, 3 })]
+        public void Parse_RangeOrList_CountsFromOneAndKeepsTheOrder(string text, int[] expected) => Assert.That(Snapshots.Parse(text), Is.EqualTo(expected));
+
+        [TestCase("", "no snapshots")]
+        [TestCase("0:3", "each number must be from 1")]
+        [TestCase("1:x", "each number must be a whole number")]
+        [TestCase("1.5", "each number must be a whole number")]
+        [TestCase("1,,2", "each number must be a whole number")]
+        [TestCase("5:1", "FROM must not be above TO")]
+        [TestCase("1:9:0", "each number must be from 1")]
+        [TestCase("1:2:3:4", "two or three parts")]
+        [TestCase("1:9999999999", "each number must be from 1")]
+        public void Parse_Malformed_IsRefusedWithTheWayOut(string text, string part) =>
+            Assert.That(Assert.Throws<UsageException>(() => Snapshots.Parse(text)).Message, Does.Contain(part));
+    }
+}

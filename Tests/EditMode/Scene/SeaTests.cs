@@ -1,0 +1,197 @@
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint.Tests
+{
+    /// <summary>A sea of tiles as the radar's gatherer finds it.</summary>
+    public sealed class SeaTests : GathererFixture
+    {
+        const double Tile = 32;
+        const int Cells = 16;
+
+        Sea _sea;
+
+        [SetUp]
+        public void MakeSea()
+        {
+            _sea = _scene.Empty("Sea").gameObject.AddComponent<Sea>();
+            _sea.Waves = Settings(1);
+        }
+
+        [Test]
+        public void Extent_OfWholeTiles_IsCoveredOnceAboutTheOrigin()
+        {
+            Lay(64, 128);
+
+            var scene = _scene.Gather(_gatherer);
+            Assert.That(scene.Instances.Sum(instance => instance.Mesh.TriangleCount), Is.EqualTo(2 * 4 * 2 * Cells * Cells));
+            var corners = SceneBuilder.Corners(scene);
+            Assert.That(corners.Min(p => p.x), Is.EqualTo(-32).Within(3));
+            Assert.That(corners.Max(p => p.x), Is.EqualTo(32).Within(3));
+            Assert.That(corners.Min(p => p.z), Is.EqualTo(-64).Within(3));
+            Assert.That(corners.Max(p => p.z), Is.EqualTo(64).Within(3));
+            // Seen from above, a closed surface: the signed areas of its triangles make up the rectangle, overlaps and gaps would not.
+            Assert.That(Area(corners), Is.EqualTo(64 * 128).Within(1e-3));
+        }
+
+        [Test]
+        public void Extent_Large_IsInstancesOfOneMesh()
+        {
+            Lay(1024, 1024);
+
+            var scene = _scene.Gather(_gatherer);
+            Assert.That(scene.Instances.Count, Is.EqualTo(1024));
+            Assert.That(scene.Instances.Select(instance => instance.Mesh).Distinct().Count(), Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Centre_Elsewhere_TakesTheTilesAlongAndLeavesTheWavesWhereTheyAre()
+        {
+            Lay(96, 96);
+            var before = Heights();
+            _sea.Centre = _scene.Empty("Radar");
+            _sea.Centre.localPosition = new Vector3(40, 7, -20);
+            _sea.Lay();
+            var after = Heights();
+
+            var common = before.Keys.Intersect(after.Keys).ToArray();
+            Assert.That(common.Length, Is.GreaterThan(before.Count / 4).And.LessThan(before.Count));
+            foreach (var place in common)
+                Assert.That(after[place], Is.EqualTo(before[place]));
+            Assert.That(after.Keys.Average(place => place.x), Is.EqualTo(32).Within(1), "the nearest tile to 40 m");
+        }
+
+        [Test]
+        public void TimeSeconds_Later_ShowsTheSeaOfThatMoment()
+        {
+            Lay(32, 32);
+            _sea.TimeSeconds = 2.5;
+
+            var expected = new SeaSurface(Settings(1)).Mesh(2.5);
+            Assert.That(SceneBuilder.Corners(_scene.Gather(_gatherer)), Is.EquivalentTo(expected.Indices.Select(index => (double3)expected.Vertices[index])));
+        }
+
+        [Test]
+        public void Snapshot_Chosen_ShowsItsTile()
+        {
+            AddSnapshots();
+            Lay(32, 32);
+            _sea.Snapshot = 2;
+
+            var expected = new SeaSurface(Settings(2)).Mesh(0);
+            Assert.That(SceneBuilder.Corners(_scene.Gather(_gatherer)), Is.EquivalentTo(expected.Indices.Select(index => (double3)expected.Vertices[index])));
+        }
+
+        [TestCase(0, "has no snapshot 0: it has 1 to 2")]
+        [TestCase(3, "has no snapshot 3: it has 1 to 2")]
+        public void Snapshot_ThatIsNotThere_IsRefused(int number, string part)
+        {
+            AddSnapshots();
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Snapshot = number).Message, Does.Contain("'Sea'").And.Contain(part));
+            Assert.That(_sea.Snapshot, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Snapshot_OfASeaWithout_IsRefused() =>
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Snapshot = 1).Message, Does.Contain("'Sea' has no snapshots").And.Contain("glint sea"));
+
+        [Test]
+        public void Enabled_OffAndOnAgain_LaysTheTilesOnce()
+        {
+            Lay(64, 64);
+            int triangles = Triangles();
+            _sea.enabled = false;
+            Assert.That(Triangles(), Is.Zero);
+            _sea.enabled = true;
+            Assert.That(Triangles(), Is.EqualTo(triangles));
+            _sea.Extent = new Vector2(32, 32);
+            _sea.Lay();
+            Assert.That(Triangles(), Is.EqualTo(triangles / 4));
+        }
+
+        [Test]
+        public void Copy_OfASea_LaysItsTilesOnce()
+        {
+            Lay(64, 64);
+            int triangles = Triangles();
+            Object.Instantiate(_sea.gameObject, _scene.Root);
+            Assert.That(Triangles(), Is.EqualTo(2 * triangles));
+        }
+
+        [TestCase(0, 64, "a side of 0 m")]
+        [TestCase(-5, 64, "a side of -5 m")]
+        [TestCase(float.NaN, 64, "a side of NaN m")]
+        [TestCase(1e6f, 1e6f, "takes 976562500 tiles")]
+        public void Extent_Unfit_IsRefused(float x, float z, string part)
+        {
+            _sea.Extent = new Vector2(x, z);
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Lay()).Message, Does.Contain("'Sea'").And.Contain(part));
+        }
+
+        [TestCase(float.NaN, 32, 7)]
+        [TestCase(0, 32, 7)]
+        [TestCase(1, 0, 7)]
+        [TestCase(1, 32, -7)]
+        public void Waves_Unfit_AreRefusedByName(double height, double tile, double wind)
+        {
+            var bad = Settings(1);
+            (bad.SignificantWaveHeight, bad.TileSize, bad.WindSpeed) = (height, tile, wind);
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Waves = bad).Message, Does.StartWith("Sea of 'Sea': "));
+        }
+
+        [Test]
+        public void Motion_WavesWithSnapshots_IsRefused()
+        {
+            AddSnapshots();
+            _sea.Motion = SeaMotion.Waves;
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Lay()).Message, Does.Contain("'Sea'").And.Contain("Waves"));
+        }
+
+        static SeaSettings Settings(int seed)
+        {
+            var settings = SeaSettings.Default;
+            (settings.TileSize, settings.GridSize, settings.Cells, settings.SignificantWaveHeight, settings.Seed) = (Tile, 16, Cells, 1, seed);
+            return settings;
+        }
+
+        void Lay(float x, float z)
+        {
+            _sea.Extent = new Vector2(x, z);
+            _sea.Lay();
+        }
+
+        int Triangles() => _scene.Gather(_gatherer).Instances.Sum(instance => instance.Mesh.TriangleCount);
+
+        void AddSnapshots()
+        {
+            for (int seed = 1; seed <= 2; seed++)
+            {
+                // Not part of the scene: a prefab.
+                var snapshot = new GameObject("Snapshot").AddComponent<SeaSnapshot>();
+                snapshot.transform.SetParent(_scene.Root);
+                var tile = new SeaSurface(Settings(seed)).Mesh(0);
+                (snapshot.Tile, snapshot.Settings) = (MeshMaker.Make("Tile", tile.Vertices, tile.Indices), Settings(seed));
+                _sea.Snapshots.Add(snapshot);
+            }
+        }
+
+        // By place in the plane.
+        Dictionary<double2, double> Heights() =>
+            SceneBuilder.Corners(_scene.Gather(_gatherer)).GroupBy(p => p.xz).ToDictionary(group => group.Key, group => group.First().y);
+
+        static double Area(double3[] corners)
+        {
+            double sum = 0;
+            for (int i = 0; i < corners.Length; i += 3)
+            {
+                double2 a = corners[i + 1].xz - corners[i].xz, b = corners[i + 2].xz - corners[i].xz;
+                sum += (a.y * b.x - a.x * b.y) / 2;
+            }
+            return sum;
+        }
+    }
+}
