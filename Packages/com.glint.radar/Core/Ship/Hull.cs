@@ -1,0 +1,118 @@
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>The hull: round sides that flare towards the bow, a raked stem, a flat transom, and a deck that is level but for its sheer towards the bow.</summary>
+    sealed class Hull
+    {
+        // Where the hull is widest, and where the keel begins to rise towards the stern, of the length from the stern.
+        const double Widest = 0.42, KeelRise = 0.4;
+
+        // Steps across the flat deck and the flat transom.
+        const int Across = 6;
+
+        // The deck begins to rise so far before the deckhouse, metres: a ray that grazes it by 10 degrees and returns by the house front meets a level deck.
+        const double LevelBeforeHouse = 6;
+
+        readonly ShipSettings _settings;
+
+        public Hull(in ShipSettings settings) => _settings = settings;
+
+        /// <summary>Height of the deck, z metres forward (-Z) or aft of the middle.</summary>
+        public double DeckHeight(double z)
+        {
+            double start = -_settings.HouseFront - LevelBeforeHouse, bow = -_settings.Length / 2;
+            double forward = math.max(0, (start - z) / (start - bow));
+            return _settings.Freeboard + _settings.Sheer * forward * forward;
+        }
+
+        /// <summary>Half the width of the deck there.</summary>
+        public double DeckHalfWidth(double z) => _settings.Beam / 2 * DeckWidth(0.5 - z / _settings.Length);
+
+        /// <param name="triangles">As many as whole steps along the ship allow.</param>
+        public ShipPart Build(int triangles)
+        {
+            // Cells of the sides as long as high: a side is some seven times as long as its girth.
+            int down = math.max(8, (int)math.round(math.sqrt(triangles / 34.0)));
+            int along = math.max(8, (int)math.round((triangles - 2.0 * down * Across) / (4 * down + 2 * Across)));
+            double3[][] starboard = new double3[along + 1][], port = new double3[along + 1][], deck = new double3[along + 1][];
+            for (int i = 0; i <= along; i++)
+            {
+                starboard[i] = new double3[down + 1];
+                port[i] = new double3[down + 1];
+                for (int j = 0; j <= down; j++)
+                {
+                    double3 point = Point((double)i / along, (double)j / down);
+                    starboard[i][j] = point;
+                    port[i][down - j] = new double3(-point.x, point.yz);
+                }
+                deck[i] = Crossing(starboard[i][down]);
+            }
+            var transom = new double3[down + 1][];
+            for (int j = 0; j <= down; j++)
+                transom[j] = System.Array.ConvertAll(Crossing(starboard[0][down - j]), point => new double3(-point.x, point.yz));
+
+            var part = new ShipPart();
+            part.AddPatch(starboard);
+            part.AddPatch(port);
+            part.AddPatch(deck);
+            part.AddPatch(transom);
+            return part;
+        }
+
+        // From a point on the starboard side straight across to its mirror image.
+        static double3[] Crossing(double3 starboard)
+        {
+            var points = new double3[Across + 1];
+            for (int i = 0; i <= Across; i++)
+                points[i] = new double3(starboard.x * (Across - 2 * i) / Across, starboard.yz);
+            return points;
+        }
+
+        /// <param name="along">0 at the stern, 1 at the stem.</param>
+        /// <param name="girth">0 at the keel, 1 at the deck.</param>
+        double3 Point(double along, double girth)
+        {
+            // Bow and stern of a frame between circle and square: (2u, 2u^2)/(1 + u^2) is a quarter circle from the keel to the side.
+            double quarter = 1 + girth * girth, out2 = 2 * girth / quarter, up2 = 2 * girth * girth / quarter;
+            double width = (out2 + math.sqrt(out2)) / 2, height = 1 - (1 - up2 + math.sqrt(1 - up2)) / 2;
+
+            // Towards the stem the frame becomes a V.
+            double towardsBow = math.max(0, (along - Widest) / (1 - Widest)), vee = towardsBow * towardsBow;
+            width += vee * (height - width);
+
+            double deck = DeckWidth(along), keel = deck * (1 - 0.06 - _settings.Flare * vee);
+            double x = _settings.Beam / 2 * width * (keel + (deck - keel) * height * height);
+
+            double z = _settings.Length / 2 - along * (_settings.Length - Overhang(height));
+            double deckAtStation = DeckHeight(_settings.Length * (0.5 - along)), bottom = KeelHeight(along);
+            return new double3(x, bottom + (deckAtStation - bottom) * height, z);
+        }
+
+        // From the tip of the bow back to the stem at a height, 0 keel to 1 deck.
+        double Overhang(double height)
+        {
+            double above = _settings.Freeboard + _settings.Sheer;
+            double down = (1 - height) * (above + _settings.Draught) / above;
+            return _settings.Rake * down * (0.8 + 0.2 * down);
+        }
+
+        double KeelHeight(double along)
+        {
+            double aft = math.max(0, (KeelRise - along) / KeelRise), forward = math.max(0, (along - 0.75) / 0.25);
+            return -_settings.Draught * (1 - 0.75 * aft * aft - 0.35 * forward * forward * forward);
+        }
+
+        // Of the beam.
+        double DeckWidth(double along)
+        {
+            if (along < Widest)
+            {
+                double aft = (Widest - along) / Widest;
+                return 1 - (1 - _settings.Transom) * aft * aft;
+            }
+            double forward = (along - Widest) / (1 - Widest);
+            return 1 - forward * forward * forward;
+        }
+    }
+}

@@ -1,0 +1,46 @@
+using System.Collections.Generic;
+using System.Linq;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// A procedural naval vessel of closed solids that reach into each other. Bow towards -Z, y up, the water at y = 0, x = z = 0 in the middle of its length.
+    /// The same settings give the same bits on every machine: sums, products, quotients and square roots in double, rounded to 2^-16 m.
+    /// </summary>
+    public static class ShipModel
+    {
+        /// <summary>Each patch of a surface has vertices of its own: normals recalculated from the triangles are smooth on it and sharp at its edges.</summary>
+        /// <exception cref="GlintException">A setting is out of its range.</exception>
+        public static TriangleMesh Build(in ShipSettings settings)
+        {
+            settings.Validate();
+            // Round parts get steps as the hull does: both ways by the square root of the triangles.
+            double fineness = math.sqrt(settings.Triangles / 44000.0);
+            int Steps(int standard) => math.max(1, (int)math.round(standard * fineness));
+            double2[] fine = Circle.Points(Steps(5)), coarse = Circle.Points(Steps(2));
+
+            var hull = new Hull(settings);
+            var house = new Deckhouse(settings, hull);
+            var bridge = new Bridge(settings, house);
+
+            double3 OnHouse(double x, double z) => new double3(x, house.Roof, z);
+            var parts = new List<ShipPart> { house.Build(), bridge.Build(), bridge.BuildRoof() };
+            parts.AddRange(Gun.Build(OnHouse(0, -0.82 * settings.HouseFront), coarse));
+            parts.AddRange(Mast.Build(OnHouse(0, bridge.Aft + 1), settings.MastHeight, coarse));
+            parts.AddRange(Funnel.Build(OnHouse(0, bridge.Aft + 8), 4, fine, Steps(14)));
+            foreach (var part in LifeBoat.Build(OnHouse(house.RoofHalfWidth - 0.9, bridge.Aft + 8), fine, Steps(24)))
+            {
+                parts.Add(part);
+                parts.Add(part.Mirrored());
+            }
+            parts.Add(hull.Build(settings.Triangles - parts.Sum(part => part.TriangleCount)));
+
+            var vertices = new List<float3>();
+            var indices = new List<int>();
+            foreach (var part in parts)
+                part.AddTo(vertices, indices);
+            return new TriangleMesh(vertices.ToArray(), indices.ToArray());
+        }
+    }
+}
