@@ -34,9 +34,9 @@ namespace Glint.Editor
         public static int Execute(CommandLine line, IProgressSink progress)
         {
             if (line.Command == Commands.Sea)
-                return 0;
+                return SeaAssets.Write(line, progress);
             if (line.Command == Commands.Ship)
-                return 0;
+                return ShipAssets.Write(line, progress);
             var subjects = SceneSubjects.Open(line);
             bool isSweep = line.Command == Commands.Sweep;
             var plan = isSweep ? new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots)) : SweepPlan.Single;

@@ -121,7 +121,7 @@ namespace Glint.Core
         public static readonly Command Ship = new Command("ship", "Make a naval vessel from its measures, as a mesh and a prefab of the project.")
         {
             Inputs = InputKind.None,
-            Options = SeaOptions.All,
+            Options = ShipOptions.All,
             Notes = new[] { "Without options it makes the ship that this project stores in Meshes anew: the same numbers give the same files, on any machine." },
             UnityMethod = "Glint.Editor.Batch.Ship",
             Examples = new[]

@@ -6,6 +6,13 @@ namespace Glint.Core
     [Serializable]
     public struct ShipSettings
     {
+        internal static readonly Interval Lengths = Interval.Closed(40, 100), Flares = Interval.Closed(0, 1), Transoms = Interval.Closed(0.4, 1), Storeys = Interval.Closed(2, 4),
+            WindowCounts = Interval.Closed(1, 15), WindowDepths = Interval.Closed(0.02, 0.5), TriangleCounts = Interval.Closed(10000, 2000000);
+
+        // Of the length.
+        internal static readonly Interval Beams = Interval.Closed(0.12, 0.25), Freeboards = Interval.Closed(0.03, 0.1), Draughts = Interval.Closed(0.03, 0.1), Sheers = Interval.Closed(0, 0.05),
+            Rakes = Interval.Closed(0, 0.1), HouseEnds = Interval.Closed(0.2, 0.34), MastHeights = Interval.Closed(0.2, 0.5);
+
         /// <summary>From the stern to the tip of the bow, metres: 40 to 100.</summary>
         public double Length;
 
@@ -62,33 +69,34 @@ namespace Glint.Core
         /// <exception cref="GlintException">A value is out of its range.</exception>
         public void Validate()
         {
-            Check("length", Length, "m", 40, 100);
-            CheckPart("beam", Beam, 0.12, 0.25);
-            CheckPart("freeboard", Freeboard, 0.03, 0.1);
-            CheckPart("draught", Draught, 0.03, 0.1);
-            CheckPart("sheer", Sheer, 0, 0.05);
-            CheckPart("rake", Rake, 0, 0.1);
-            Check("flare", Flare, "", 0, 1);
-            Check("transom", Transom, "of the beam", 0.4, 1);
-            CheckPart("house front", HouseFront, 0.2, 0.34);
-            CheckPart("house aft", HouseAft, 0.2, 0.34);
-            Check("storey height", StoreyHeight, "m", 2, 4);
-            Check("windows", Windows, "", 1, 15);
-            Check("window depth", WindowDepth, "m", 0.02, 0.5);
-            CheckPart("mast height", MastHeight, 0.2, 0.5);
-            Check("triangles", Triangles, "", 10000, 2000000);
+            Check("length", Length, Lengths, " m");
+            CheckPart("beam", Beam, Beams);
+            CheckPart("freeboard", Freeboard, Freeboards);
+            CheckPart("draught", Draught, Draughts);
+            CheckPart("sheer", Sheer, Sheers);
+            CheckPart("rake", Rake, Rakes);
+            Check("flare", Flare, Flares);
+            Check("transom", Transom, Transoms, " of the beam");
+            CheckPart("house front", HouseFront, HouseEnds);
+            CheckPart("house aft", HouseAft, HouseEnds);
+            Check("storey height", StoreyHeight, Storeys, " m");
+            Check("windows", Windows, WindowCounts);
+            Check("window depth", WindowDepth, WindowDepths, " m");
+            CheckPart("mast height", MastHeight, MastHeights);
+            Check("triangles", Triangles, TriangleCounts);
+        }
+
+        static void Check(string name, double value, Interval range, string unit = "")
+        {
+            if (!range.Contains(value))
+                throw new GlintException($"ship: {name} {RadarSettings.Text(value)}{unit} must be {range}{unit}");
         }
 
         // A length that must suit the ship's.
-        void CheckPart(string name, double value, double low, double high) =>
-            Check(name, value, "m", low * Length, high * Length, $" ({RadarSettings.Text(low)} to {RadarSettings.Text(high)} of the length)");
-
-        static void Check(string name, double value, string unit, double low, double high, string why = "")
+        void CheckPart(string name, double value, Interval range)
         {
-            if (value >= low && value <= high)
-                return;
-            string space = unit == "" ? "" : " ";
-            throw new GlintException($"ship: {name} {RadarSettings.Text(value)}{space}{unit} must be from {RadarSettings.Text(low)} to {RadarSettings.Text(high)}{space}{unit}{why}");
+            if (!range.Contains(value / Length))
+                throw new GlintException($"ship: {name} {RadarSettings.Text(value)} m must be {range} of the length, which is {RadarSettings.Text(Length)} m");
         }
     }
 }

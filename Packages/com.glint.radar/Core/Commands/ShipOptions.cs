@@ -1,0 +1,89 @@
+using System.Linq;
+
+namespace Glint.Core
+{
+    /// <summary>The options of <c>glint ship</c>: the ship's measures, and where its files go.</summary>
+    public static class ShipOptions
+    {
+        const string Group = "Ship";
+
+        static readonly ShipSettings s_standard = ShipSettings.Default;
+        static readonly Interval s_metres = Interval.Closed(0, 1000);
+
+        /// <summary>Folder of the project for mesh and prefab; null when not given.</summary>
+        public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.Words)
+        {
+            Group = Group,
+            Help = "Folder of the project for mesh and prefab, such as Assets/Ships; made when it is not there. Required with any other option."
+        };
+
+        public static readonly Option<double> Length = Number("length", "M", s_standard.Length, ShipSettings.Lengths, "Length from the stern to the tip of the bow in metres.");
+        public static readonly Option<double> Beam = Part("beam", "M", s_standard.Beam, ShipSettings.Beams, "Greatest width of the deck in metres.");
+        public static readonly Option<double> Freeboard = Part("freeboard", "M", s_standard.Freeboard, ShipSettings.Freeboards, "Height of the deck amidships over the water in metres.");
+        public static readonly Option<double> Draught = Part("draught", "M", s_standard.Draught, ShipSettings.Draughts, "How far the keel lies below the water, in metres.");
+        public static readonly Option<double> Sheer = Part("sheer", "M", s_standard.Sheer, ShipSettings.Sheers, "How much higher the deck is at the bow than amidships, in metres.");
+        public static readonly Option<double> Rake = Part("rake", "M", s_standard.Rake, ShipSettings.Rakes, "How far the tip of the bow reaches out beyond the stem at the water, in metres.");
+        public static readonly Option<double> Flare = Number("flare", "X", s_standard.Flare, ShipSettings.Flares, "How much finer the bow is at the keel than at the deck: 0 with upright sides, 1 most flared.");
+        public static readonly Option<double> Transom = Number("transom", "X", s_standard.Transom, ShipSettings.Transoms, "Width of the flat transom at the deck over the beam.");
+        public static readonly Option<double> HouseFront = Part("house-front", "M", s_standard.HouseFront, ShipSettings.HouseEnds, "From the middle of the ship forward to the flat front of the deckhouse, in metres.");
+        public static readonly Option<double> HouseAft = Part("house-aft", "M", s_standard.HouseAft, ShipSettings.HouseEnds, "From the middle of the ship aft to the flat end of the deckhouse, in metres.");
+        public static readonly Option<double> StoreyHeight = Number("storey-height", "M", s_standard.StoreyHeight, ShipSettings.Storeys, "Height of the deckhouse over the deck, and of the bridge over the deckhouse, in metres.");
+        public static readonly Option<int> Windows = Whole("windows", "N", s_standard.Windows, ShipSettings.WindowCounts, "Windows across the front of the bridge.");
+        public static readonly Option<double> WindowDepth = Number("window-depth", "M", s_standard.WindowDepth, ShipSettings.WindowDepths, "How deep the windows are set in, in metres: the corners return to the radar.");
+        public static readonly Option<double> MastHeight = Part("mast-height", "M", s_standard.MastHeight, ShipSettings.MastHeights, "Height of the top of the mast over the water in metres.");
+        public static readonly Option<int> Triangles = Whole("triangles", "N", s_standard.Triangles, ShipSettings.TriangleCounts, "About as many triangles has the ship.");
+
+        /// <summary>All of them, in the order of the help.</summary>
+        public static readonly Option[] All =
+        {
+            Out, Length, Beam, Freeboard, Draught, Sheer, Rake, Flare, Transom, HouseFront, HouseAft, StoreyHeight, Windows, WindowDepth, MastHeight, Triangles
+        };
+
+        /// <summary>The ship that a command line asks for; null when it has no option, which means the stored one.</summary>
+        /// <exception cref="UsageException">The measures do not suit each other, or there is no folder for the files.</exception>
+        public static ShipSettings? Read(CommandLine line)
+        {
+            if (!All.Any(line.IsGiven))
+                return null;
+            if (!line.IsGiven(Out))
+                throw new UsageException($"{Out.Flag} is missing: a ship of your own needs {Out.Flag} {Out.ValueName}, such as {Out.Flag} Assets/Ships; without any option the stored ship is made");
+            var settings = new ShipSettings
+            {
+                Length = line.Get(Length),
+                Beam = line.Get(Beam),
+                Freeboard = line.Get(Freeboard),
+                Draught = line.Get(Draught),
+                Sheer = line.Get(Sheer),
+                Rake = line.Get(Rake),
+                Flare = line.Get(Flare),
+                Transom = line.Get(Transom),
+                HouseFront = line.Get(HouseFront),
+                HouseAft = line.Get(HouseAft),
+                StoreyHeight = line.Get(StoreyHeight),
+                Windows = line.Get(Windows),
+                WindowDepth = line.Get(WindowDepth),
+                MastHeight = line.Get(MastHeight),
+                Triangles = line.Get(Triangles),
+            };
+            try
+            {
+                settings.Validate();
+            }
+            catch (GlintException problem)
+            {
+                throw new UsageException(problem.Message);
+            }
+            return settings;
+        }
+
+        static Option<double> Number(string name, string valueName, double standard, Interval range, string help) =>
+            new Option<double>(name, valueName, text => Values.Real(text, range)) { Group = Group, Range = range.ToString(), DefaultText = Numbers.Format(standard), Help = help };
+
+        // Its range hangs on the length, and is judged with all of them.
+        static Option<double> Part(string name, string valueName, double standard, Interval range, string help) =>
+            new Option<double>(name, valueName, text => Values.Real(text, s_metres)) { Group = Group, Range = $"{range} of the length", DefaultText = Numbers.Format(standard), Help = help };
+
+        static Option<int> Whole(string name, string valueName, int standard, Interval range, string help) =>
+            new Option<int>(name, valueName, text => Values.Whole(text, range)) { Group = Group, Range = range.ToString(), DefaultText = Numbers.Format(standard), Help = help };
+    }
+}

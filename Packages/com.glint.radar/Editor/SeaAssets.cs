@@ -1,0 +1,66 @@
+using System.Globalization;
+using System.Linq;
+using Glint.Core;
+using UnityEngine;
+
+namespace Glint.Editor
+{
+    /// <summary><c>glint sea</c>: snapshots of a sea, each a mesh and a prefab that lays its tiles and carries its recipe.</summary>
+    static class SeaAssets
+    {
+        /// <summary>Writes the sea that a command line asks for, or the stored ones.</summary>
+        /// <returns>The exit code: 0 done, 130 cancelled.</returns>
+        /// <exception cref="GlintException">A setting is out of its range, or a file cannot be written.</exception>
+        public static int Write(CommandLine line, IProgressSink progress)
+        {
+            var asked = SeaOptions.Read(line);
+            var seas = asked != null ? new[] { (folder: ProjectAssets.Folder(line.Get(SeaOptions.Out)), asked) } : StoredSeas.All.Select(stored => (folder: ProjectAssets.StoredFolder(stored.Name), stored)).ToArray();
+            progress.Start("sea", seas.Sum(sea => sea.Item2.Times.Count));
+            try
+            {
+                int done = 0;
+                foreach (var (folder, recipe) in seas)
+                    if (!Write(folder, recipe, progress, ref done))
+                        return Batch.Cancelled;
+            }
+            finally
+            {
+                progress.Finish();
+            }
+            return Batch.Done;
+        }
+
+        static bool Write(string folder, SeaRecipe recipe, IProgressSink progress, ref int done)
+        {
+            var surface = new SeaSurface(recipe.Settings);
+            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}: height factor {1:g6}", folder, recipe.Settings.HeightFactor));
+            progress.Print("  snapshot  seconds  wave height m");
+            for (int i = 0; i < recipe.Times.Count; i++)
+            {
+                if (progress.Cancel.IsCancellationRequested)
+                    return false;
+                double time = recipe.Times[i], height = surface.MeasuredWaveHeight(time);
+                Write(folder, SnapshotName(i + 1), surface, time, height, recipe);
+                progress.Print(string.Format(CultureInfo.InvariantCulture, "  {0,8}  {1,7}  {2,13:0.000}", i + 1, time, height));
+                progress.Advance(++done, SnapshotName(i + 1));
+            }
+            return true;
+        }
+
+        static void Write(string folder, string name, SeaSurface surface, double time, double height, SeaRecipe recipe)
+        {
+            var tile = surface.Mesh(time);
+            var mesh = ProjectAssets.Save(MeshMaker.Make(name, tile.Vertices, tile.Indices), $"{folder}/{name}.asset");
+            var root = new GameObject(name);
+            var snapshot = root.AddComponent<SeaSnapshot>();
+            (snapshot.Tile, snapshot.Settings, snapshot.TimeSeconds, snapshot.WaveHeight) = (mesh, recipe.Settings, time, height);
+            for (int z = 0; z < recipe.Tiles.y; z++)
+                for (int x = 0; x < recipe.Tiles.x; x++)
+                    ProjectAssets.AddMesh(root, "Tile", SeaTiles.Place(x, z, recipe.Tiles, surface.Settings.TileSize), mesh);
+            ProjectAssets.SavePrefab(root, $"{folder}/{name}.prefab");
+        }
+
+        // Two digits at least: in the order of their names the first ten are in their own.
+        static string SnapshotName(int number) => "Snapshot " + number.ToString("00", CultureInfo.InvariantCulture);
+    }
+}

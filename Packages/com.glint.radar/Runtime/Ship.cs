@@ -1,0 +1,17 @@
+using Glint.Core;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>Says what a ship's mesh was made from. <c>glint ship</c> writes both into a prefab.</summary>
+    [AddComponentMenu("")]
+    [DisallowMultipleComponent]
+    public sealed class Ship : MonoBehaviour
+    {
+        [SerializeField, Tooltip("The measures that the mesh was made from. To change it, make another with glint ship.")]
+        ShipSettings _settings = ShipSettings.Default;
+
+        /// <summary>The measures that the mesh was made from.</summary>
+        public ShipSettings Settings { get => _settings; internal set => _settings = value; }
+    }
+}
