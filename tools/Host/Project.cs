@@ -1,14 +1,16 @@
 using System;
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using Glint.Core;
+using UnityEngine;
 using UnityEngine.SceneManagement;
 using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
 /// <summary>A Unity project on disk, as the stand-ins ask for its scenes and assets.</summary>
-public sealed class Project : IAssetSource
+public sealed class Project : IAssetSource, IAssetStore
 {
     const string SceneExtension = ".unity";
     const int ShownScenes = 5;
@@ -18,6 +20,7 @@ public sealed class Project : IAssetSource
     readonly ScriptCatalog _scripts;
     readonly LoadWarnings _warnings = new();
     readonly AssetLibrary _assets;
+    readonly AssetWriter _writer;
 
     Project(string root)
     {
@@ -25,6 +28,7 @@ public sealed class Project : IAssetSource
         _flattener = new Flattener(_files);
         _scripts = new ScriptCatalog(_files);
         _assets = new AssetLibrary(_files, _flattener, _scripts, _warnings);
+        _writer = new AssetWriter(_files, _scripts);
     }
 
     public string ProjectRoot => _files.Paths.Root;
@@ -69,6 +73,37 @@ public sealed class Project : IAssetSource
         _warnings.Tell();
         return asset;
     }
+
+    public void CreateAsset(Object asset, string path)
+    {
+        _writer.WriteAsset(asset, path);
+        _assets.Put(path, asset, AssetWriter.RecordOf(asset, _files.Shown(path)));
+    }
+
+    public void SaveAsset(Object asset)
+    {
+        // Nobody's file holds them.
+        if (BuiltInAssets.GuidOf(asset.AssetPath) is not null)
+            return;
+        if (_assets.LostIfWritten(asset) is string lost)
+            throw new UnityException($"{_files.Shown(asset.AssetPath)}: holds {lost}, which only Unity writes: save it there");
+        _writer.WriteAsset(asset, asset.AssetPath);
+    }
+
+    public GameObject SavePrefab(GameObject root, string path)
+    {
+        _writer.WritePrefab(root, path);
+        _assets.ForgetPrefabs();
+        return (GameObject)LoadAsset(path, typeof(GameObject));
+    }
+
+    public bool IsFolder(string path) => !string.IsNullOrEmpty(path) && path[^1] != '/'
+        && (path == "Assets" || path.StartsWith("Assets/", StringComparison.Ordinal) || path.StartsWith("Packages/", StringComparison.Ordinal))
+        && Directory.Exists(_files.Physical(path));
+
+    public string CreateFolder(string path) => _writer.CreateFolder(path);
+
+    public void Refresh() => _files.Guids.Forget();
 
     public string GuidToPath(string guid) => _files.Guids.PathOf(guid.ToLowerInvariant());
 

@@ -15,12 +15,12 @@ internal sealed class GuidIndex
     static readonly EnumerationOptions _all = new() { IgnoreInaccessible = true, AttributesToSkip = FileAttributes.None };
 
     readonly ProjectPaths _paths;
-    readonly Lazy<Dictionary<string, List<string>>> _pathsByGuid;
+    Lazy<Dictionary<string, List<string>>> _pathsByGuid;
 
     internal GuidIndex(ProjectPaths paths)
     {
         _paths = paths;
-        _pathsByGuid = new Lazy<Dictionary<string, List<string>>>(Scan);
+        Forget();
     }
 
     /// <summary>Asset paths of all files and folders with a .meta.</summary>
@@ -39,6 +39,14 @@ internal sealed class GuidIndex
 
     /// <summary>Guid of an asset; null when it has no .meta.</summary>
     internal string GuidOf(string assetPath) => MetaFile.ReadGuid(_paths.ToPhysicalPath(assetPath) + MetaFile.Extension);
+
+    internal bool IsTaken(string guid) => _pathsByGuid.Value.ContainsKey(guid);
+
+    /// <summary>A new file's guid, which no other has.</summary>
+    internal void Add(string guid, string assetPath) => _pathsByGuid.Value[guid] = [assetPath];
+
+    /// <summary>The files are looked through again when a guid is next asked for.</summary>
+    internal void Forget() => _pathsByGuid = new Lazy<Dictionary<string, List<string>>>(Scan);
 
     Dictionary<string, List<string>> Scan()
     {

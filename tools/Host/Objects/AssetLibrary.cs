@@ -74,6 +74,36 @@ internal sealed class AssetLibrary
         return type.IsInstanceOfType(root) ? root : typeof(Component).IsAssignableFrom(type) ? root.GetComponent(type) : null;
     }
 
+    /// <summary>Takes an object for the asset at a path from now on.</summary>
+    internal void Put(string path, Object asset, ObjectRecord record)
+    {
+        LoadedFile file = new(new ObjectTable(_files.Shown(path), _files.Guids.GuidOf(path)));
+        file.Table.Add(record);
+        file.Add(record, asset);
+        _loaded[path] = file;
+        (asset.AssetPath, asset.FileId) = (path, record.Id);
+    }
+
+    /// <summary>What else than this object its file holds, or what of it is not read here, and so would be lost if it were written; null for nothing.</summary>
+    internal string LostIfWritten(Object asset)
+    {
+        LoadedFile file = Open(asset.AssetPath);
+        if (file.Table.Records.Count + file.Table.Skipped.Count > 1)
+            return "further objects";
+        FieldMap fields = file.Table.Records[0].Fields;
+        if (asset is not Mesh)
+            return null;
+        return fields.Map("m_Shapes").Maps("vertices").Count > 0 ? "blend shapes" : fields.Maps("m_BindPose").Count > 0 ? "a skin" : null;
+    }
+
+    /// <summary>All prefabs are made anew when they are next asked for.</summary>
+    internal void ForgetPrefabs()
+    {
+        _flattener.ForgetPrefabs();
+        foreach (string path in _loaded.Keys.Where(IsPrefab).ToList())
+            _loaded.Remove(path);
+    }
+
     LoadedFile Open(string path)
     {
         if (_loaded.TryGetValue(path, out LoadedFile file))
@@ -94,8 +124,8 @@ internal sealed class AssetLibrary
             _loaded.Remove(path);
             throw;
         }
-        foreach (Object made in file.Objects.Values)
-            made.AssetPath = path;
+        foreach ((ObjectRecord record, Object made) in file.Objects)
+            (made.AssetPath, made.FileId) = (path, record.Id);
         return file;
     }
 

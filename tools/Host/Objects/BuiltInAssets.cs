@@ -1,4 +1,3 @@
-using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace Glint.Host;
@@ -6,24 +5,19 @@ namespace Glint.Host;
 /// <summary>What comes with Unity instead of lying in the project.</summary>
 internal static class BuiltInAssets
 {
-    const string ExtraGuid = "0000000000000000e000000000000000", ResourceGuid = "0000000000000000f000000000000000";
-    const long DefaultMaterial = 10303;
+    const string ResourceGuid = "0000000000000000e000000000000000", ExtraGuid = "0000000000000000f000000000000000";
 
-    static Material _defaultMaterial;
-
-    internal static bool IsOne(ObjectReference reference) => reference.Guid is ExtraGuid or ResourceGuid;
+    internal static bool IsOne(ObjectReference reference) => reference.Guid is ResourceGuid or ExtraGuid;
 
     /// <summary>Null for what the host leaves out: skyboxes, fonts, shaders.</summary>
-    internal static Object Find(ObjectReference reference) => reference.Guid == ExtraGuid
-        ? BuiltinMeshes.ByFileId(reference.FileId) : reference.FileId == DefaultMaterial ? Default() : null;
+    internal static Object Find(ObjectReference reference) => reference.Guid == ResourceGuid
+        ? BuiltinMeshes.ByFileId(reference.FileId) : reference.FileId == BuiltinMaterial.FileId ? BuiltinMaterial.Get() : null;
 
-    static Material Default()
+    /// <summary>The guid of a path that stands for all built-in assets of a kind; null for a project's own.</summary>
+    internal static string GuidOf(string assetPath) => assetPath switch
     {
-        if (_defaultMaterial == null)
-        {
-            _defaultMaterial = ObjectFactory.NewAsset<Material>();
-            _defaultMaterial.name = "Default-Material";
-        }
-        return _defaultMaterial;
-    }
+        BuiltinMeshes.AssetPath => ResourceGuid,
+        BuiltinMaterial.AssetPath => ExtraGuid,
+        _ => null,
+    };
 }

@@ -4,20 +4,30 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Calls of a script's own code while loading: what it throws is logged, as in Unity, and loading goes on.</summary>
+/// <summary>Calls of a script's own code while loading and saving: what it throws is logged, as in Unity, and the work goes on.</summary>
 internal static class Callbacks
 {
     internal static void AfterDeserialize(object target)
     {
-        if (target is not ISerializationCallbackReceiver receiver)
-            return;
+        if (target is ISerializationCallbackReceiver receiver)
+            Call(receiver.OnAfterDeserialize, target);
+    }
+
+    internal static void BeforeSerialize(object source)
+    {
+        if (source is ISerializationCallbackReceiver sender)
+            Call(sender.OnBeforeSerialize, source);
+    }
+
+    static void Call(Action callback, object script)
+    {
         try
         {
-            receiver.OnAfterDeserialize();
+            callback();
         }
         catch (Exception exception)
         {
-            Debug.LogException(exception, target as Object);
+            Debug.LogException(exception, script as Object);
         }
     }
 }

@@ -11,6 +11,8 @@ namespace Glint.Host;
 /// <summary>Assets that an importer makes of a file in a format of its own: compute shaders and text.</summary>
 internal static class ImportedAssets
 {
+    const long ComputeShaderId = 7200000, TextId = 4900000;
+
     /// <summary>Null for kinds that the host leaves out, such as textures.</summary>
     internal static Object Make(ProjectFiles files, string path)
     {
@@ -18,13 +20,21 @@ internal static class ImportedAssets
         switch (Path.GetExtension(path).ToLowerInvariant())
         {
             case ".compute":
-                return ObjectRegistry.Make(true, () => new ComputeShader(Path.GetFileNameWithoutExtension(path), files.Paths.Root, shown, Kernels(shown)));
+                return WithId(ComputeShaderId, () => new ComputeShader(Path.GetFileNameWithoutExtension(path), files.Paths.Root, shown, Kernels(shown)));
             case ".txt" or ".json" or ".csv" or ".xml" or ".md" or ".bytes" or ".html" or ".htm" or ".yaml" or ".fnt":
                 byte[] bytes = AssetText.ReadBytes(files.Physical(path), shown);
-                return ObjectRegistry.Make(true, () => new TextAsset(bytes.AsSpan()));
+                return WithId(TextId, () => new TextAsset(bytes.AsSpan()));
             default:
                 return null;
         }
+    }
+
+    static Object WithId<T>(long fileId, Func<T> constructor)
+        where T : Object
+    {
+        T made = ObjectRegistry.Make(true, constructor);
+        made.FileId = fileId;
+        return made;
     }
 
     static IReadOnlyList<string> Kernels(string computePath)

@@ -53,6 +53,9 @@ internal sealed class Flattener
         return table;
     }
 
+    /// <summary>All prefabs are read anew, for one that has changed may be part of others.</summary>
+    internal void ForgetPrefabs() => _prefabs.Clear();
+
     ObjectTable Flatten(UnityFile file, string guid)
     {
         ObjectTable table = new(file.ShownPath, guid);

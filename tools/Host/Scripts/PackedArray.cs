@@ -1,6 +1,9 @@
 using System;
+using System.Buffers.Binary;
+using System.Collections;
 using System.Collections.Generic;
 using System.Linq;
+using System.Text;
 using YamlDotNet.RepresentationModel;
 
 namespace Glint.Host;
@@ -36,6 +39,29 @@ internal static class PackedArray
             values.Add(Element(bytes.AsSpan(start, width), Type.GetTypeCode(element)));
         return !PackedOverrides.IsOne(node) || Apply(PackedOverrides.Edits((YamlMappingNode)node), values) ? values : null;
     }
+
+    /// <summary>The hexadecimal bytes of a list, which may be null.</summary>
+    internal static string Encode(IList list, Type element)
+    {
+        StringBuilder hex = new();
+        int width = Width(element);
+        Span<byte> bytes = stackalloc byte[sizeof(long)];
+        for (int index = 0; index < (list?.Count ?? 0); index++)
+        {
+            BinaryPrimitives.WriteInt64LittleEndian(bytes, unchecked((long)Whole(list[index], element)));
+            hex.Append(Convert.ToHexStringLower(bytes[..width]));
+        }
+        return hex.ToString();
+    }
+
+    /// <summary>A whole number, enum, bool or character as a number.</summary>
+    internal static Int128 Whole(object value, Type type) => Type.GetTypeCode(type) switch
+    {
+        TypeCode.Boolean => (bool)value ? 1 : 0,
+        TypeCode.Char => (char)value,
+        TypeCode.UInt64 => Convert.ToUInt64(value),
+        _ => Convert.ToInt64(value),
+    };
 
     static Int128 Element(ReadOnlySpan<byte> bytes, TypeCode type) => type switch
     {

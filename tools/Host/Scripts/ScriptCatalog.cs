@@ -14,6 +14,7 @@ internal sealed partial class ScriptCatalog
     readonly ProjectFiles _files;
     readonly AssemblyDefinitions _assemblies;
     readonly Dictionary<string, (Type Type, string Problem)> _byGuid = new();
+    readonly Dictionary<Type, string> _guids = new();
 
     internal ScriptCatalog(ProjectFiles files)
     {
@@ -33,6 +34,19 @@ internal sealed partial class ScriptCatalog
         else
             record.TypeName = type.Name;
         return type;
+    }
+
+    /// <summary>The guid of the .cs file that a class is in.</summary>
+    /// <exception cref="UnityException">There is none that Unity would find it by.</exception>
+    internal string GuidOf(Type type)
+    {
+        if (_guids.TryGetValue(type, out string guid))
+            return guid;
+        guid = _files.Guids.Paths.Where(path => Path.GetFileName(path) == type.Name + ".cs" && _files.Exists(path))
+            .Select(_files.Guids.GuidOf).FirstOrDefault(found => Find(found).Type == type)
+            ?? throw new UnityException($"the script {type.FullName} is in no file {type.Name}.cs of the project: give the class a file of its own, named as it");
+        _guids.Add(type, guid);
+        return guid;
     }
 
     (Type Type, string Problem) Find(string guid)

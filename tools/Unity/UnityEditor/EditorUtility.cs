@@ -1,9 +1,10 @@
 using Glint.Host;
+using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>There is no window to draw a progress bar in, and nothing is saved.</summary>
+/// <summary>There is no window to draw a progress bar in.</summary>
 public class EditorUtility
 {
     public static void DisplayProgressBar(string title, string info, float progress)
@@ -17,8 +18,23 @@ public class EditorUtility
     {
     }
 
-    public static void SetDirty(Object target)
+    /// <summary>AssetDatabase writes the asset when it is next told to.</summary>
+    public static void SetDirty(Object target) => target.IsDirty = true;
+
+    public static bool IsDirty(Object target) => !Object.IsNull(target) && target.IsDirty;
+
+    public static void ClearDirty(Object target) => target.IsDirty = false;
+
+    /// <summary>All serialized contents, the name too; the target is dirty then.</summary>
+    public static void CopySerialized(Object source, Object dest)
     {
+        if (source.GetType() != dest.GetType() || source is GameObject)
+        {
+            Debug.LogError($"Source and Destination Types do not match, or are GameObjects: {source} and {dest}");
+            return;
+        }
+        dest.CopyFrom(source, new CloneMap());
+        dest.IsDirty = true;
     }
 
     public static bool IsPersistent(Object target) => AssetDatabase.Contains(target);

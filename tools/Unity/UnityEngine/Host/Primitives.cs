@@ -9,7 +9,7 @@ internal static class Primitives
     {
         var item = new GameObject(type.ToString());
         item.AddComponent<MeshFilter>().sharedMesh = BuiltinMeshes.Get(type);
-        item.AddComponent<MeshRenderer>();
+        item.AddComponent<MeshRenderer>().sharedMaterial = BuiltinMaterial.Get();
         return item;
     }
 }

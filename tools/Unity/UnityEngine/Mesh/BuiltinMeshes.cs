@@ -13,6 +13,16 @@ internal static class BuiltinMeshes
 
     static readonly Dictionary<PrimitiveType, Mesh> _meshes = new();
 
+    static readonly Dictionary<PrimitiveType, long> _fileIds = new()
+    {
+        [PrimitiveType.Cube] = 10202,
+        [PrimitiveType.Cylinder] = 10206,
+        [PrimitiveType.Sphere] = 10207,
+        [PrimitiveType.Capsule] = 10208,
+        [PrimitiveType.Plane] = 10209,
+        [PrimitiveType.Quad] = 10210,
+    };
+
     internal static Mesh Get(PrimitiveType type)
     {
         if (!_meshes.TryGetValue(type, out Mesh mesh) || mesh.IsDestroyed)
@@ -21,16 +31,15 @@ internal static class BuiltinMeshes
     }
 
     /// <summary>By the fileID that scenes refer to; null for one that is no mesh.</summary>
-    internal static Mesh ByFileId(long fileId) => fileId switch
+    internal static Mesh ByFileId(long fileId)
     {
-        10202 => Get(PrimitiveType.Cube),
-        10206 => Get(PrimitiveType.Cylinder),
-        10207 => Get(PrimitiveType.Sphere),
-        10208 => Get(PrimitiveType.Capsule),
-        10209 => Get(PrimitiveType.Plane),
-        10210 => Get(PrimitiveType.Quad),
-        _ => null,
-    };
+        foreach ((PrimitiveType type, long id) in _fileIds)
+        {
+            if (id == fileId)
+                return Get(type);
+        }
+        return null;
+    }
 
     static Mesh Make(PrimitiveType type)
     {
@@ -46,6 +55,7 @@ internal static class BuiltinMeshes
         };
         builder.Fill(mesh);
         mesh.AssetPath = AssetPath;
+        mesh.FileId = _fileIds[type];
         return mesh;
     }
 }

@@ -44,6 +44,12 @@ public partial class Object
     /// <summary>Asset path of an object that a project file holds; null for those made at run time.</summary>
     internal string AssetPath { get; set; }
 
+    /// <summary>The number by which others refer to the object within its asset's file.</summary>
+    internal long FileId { get; set; }
+
+    /// <summary>Changed since its asset was last written, as far as anybody said so.</summary>
+    internal bool IsDirty { get; set; }
+
     internal virtual string Name
     {
         get => _name;

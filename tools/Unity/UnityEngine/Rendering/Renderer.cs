@@ -7,7 +7,8 @@ namespace UnityEngine;
 
 public class Renderer : Component
 {
-    Material[] _materials = Array.Empty<Material>();
+    // A new renderer has room for one material, and none in it.
+    Material[] _materials = new Material[1];
     bool _enabled = true;
 
     public bool enabled

@@ -1,0 +1,134 @@
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Glint.Host;
+
+/// <summary>Writes GameObjects and their components with all the keys that Unity 6000.0 has, those that nothing here knows with Unity's defaults.</summary>
+internal sealed class ComponentWriter
+{
+    // All of the editor's static flags: GameObject.isStatic knows them only together.
+    const int AllStatic = int.MaxValue;
+
+    readonly YamlWriter _yaml;
+    readonly ReferenceText _references;
+    readonly IReadOnlyDictionary<Object, long> _ids;
+    readonly ScriptCatalog _scripts;
+
+    internal ComponentWriter(YamlWriter yaml, ReferenceText references, IReadOnlyDictionary<Object, long> ids, ScriptCatalog scripts)
+    {
+        _yaml = yaml;
+        _references = references;
+        _ids = ids;
+        _scripts = scripts;
+    }
+
+    /// <param name="name">The object's, or another that it is to have in the file.</param>
+    internal void Write(GameObject item, string name)
+    {
+        Begin(item, ClassId.GameObject, "GameObject");
+        _yaml.Field("serializedVersion", 6);
+        _yaml.List("m_Component", item.Components.Count, index => _yaml.Field("component", Own(item.Components[index])));
+        _yaml.Field("m_Layer", item.layer);
+        _yaml.Field("m_Name", ScalarText.Of(name));
+        _yaml.Field("m_TagString", ScalarText.Of(item.tag));
+        _yaml.Field("m_Icon", ReferenceText.None);
+        _yaml.Field("m_NavMeshLayer", 0);
+        _yaml.Field("m_StaticEditorFlags", item.isStatic ? AllStatic : 0);
+        _yaml.Field("m_IsActive", item.activeSelf);
+    }
+
+    /// <exception cref="UnityException">A component of a kind that only Unity writes.</exception>
+    internal void Write(Component component, bool isRoot)
+    {
+        switch (component)
+        {
+            case Transform transform:
+                BeginComponent(component, ClassId.Transform, "Transform");
+                Write(transform, isRoot);
+                break;
+            case MeshFilter filter:
+                BeginComponent(component, ClassId.MeshFilter, "MeshFilter");
+                _yaml.Field("m_Mesh", _references.Of(filter.sharedMesh, filter, "m_Mesh"));
+                break;
+            case MeshRenderer renderer:
+                BeginComponent(component, ClassId.MeshRenderer, "MeshRenderer");
+                Write(renderer);
+                break;
+            case MonoBehaviour script:
+                BeginComponent(component, ClassId.MonoBehaviour, "MonoBehaviour");
+                Script(_yaml, script, script.enabled, _scripts.GuidOf(script.GetType()), "");
+                FieldWriter.Write(_yaml, _references, script);
+                break;
+            default:
+                throw new UnityException($"{component.GetType().Name} of '{component.name}' is not written outside of Unity: leave it out, or save the prefab in Unity");
+        }
+    }
+
+    /// <summary>What comes before the fields of a script's own.</summary>
+    internal static void Script(YamlWriter yaml, Object script, bool isEnabled, string guid, string name)
+    {
+        yaml.Field("m_Enabled", isEnabled);
+        yaml.Field("m_EditorHideFlags", 0);
+        yaml.Field("m_Script", ReferenceText.Script(guid));
+        yaml.Field("m_Name", ScalarText.Of(name));
+        yaml.Field("m_EditorClassIdentifier", "");
+    }
+
+    /// <summary>What every object begins with.</summary>
+    internal static void Head(YamlWriter yaml, Object item)
+    {
+        yaml.Field("m_ObjectHideFlags", (int)item.hideFlags);
+        yaml.Field("m_CorrespondingSourceObject", ReferenceText.None);
+        yaml.Field("m_PrefabInstance", ReferenceText.None);
+        yaml.Field("m_PrefabAsset", ReferenceText.None);
+    }
+
+    void Begin(Object item, int classId, string typeName)
+    {
+        _yaml.Object(classId, _ids[item], typeName);
+        Head(_yaml, item);
+    }
+
+    void BeginComponent(Component component, int classId, string typeName)
+    {
+        Begin(component, classId, typeName);
+        _yaml.Field("m_GameObject", Own(component.gameObject));
+    }
+
+    void Write(Transform transform, bool isRoot)
+    {
+        _yaml.Field("serializedVersion", 2);
+        _yaml.Field("m_LocalRotation", EngineValueWriter.Line(transform.localRotation));
+        _yaml.Field("m_LocalPosition", EngineValueWriter.Line(transform.localPosition));
+        _yaml.Field("m_LocalScale", EngineValueWriter.Line(transform.localScale));
+        _yaml.Field("m_ConstrainProportionsScale", 0);
+        _yaml.List("m_Children", transform.childCount, index => _yaml.Item(Own(transform.GetChild(index))));
+        _yaml.Field("m_Father", isRoot ? ReferenceText.None : Own(transform.parent));
+        _yaml.Field("m_LocalEulerAnglesHint", EngineValueWriter.Line(Vector3.zero));
+    }
+
+    void Write(MeshRenderer renderer)
+    {
+        _yaml.Field("m_Enabled", renderer.enabled);
+        Defaults("m_CastShadows: 1", "m_ReceiveShadows: 1", "m_DynamicOccludee: 1", "m_StaticShadowCaster: 0", "m_MotionVectors: 1", "m_LightProbeUsage: 1",
+            "m_ReflectionProbeUsage: 1", "m_RayTracingMode: 2", "m_RayTraceProcedural: 0", "m_RenderingLayerMask: 1", "m_RendererPriority: 0");
+        Material[] materials = renderer.sharedMaterials;
+        _yaml.List("m_Materials", materials.Length, index => _yaml.Item(_references.Of(materials[index], renderer, $"m_Materials[{index}]")));
+        _yaml.Map("m_StaticBatchInfo", () => Defaults("firstSubMesh: 0", "subMeshCount: 0"));
+        Defaults("m_StaticBatchRoot: {fileID: 0}", "m_ProbeAnchor: {fileID: 0}", "m_LightProbeVolumeOverride: {fileID: 0}", "m_ScaleInLightmap: 1", "m_ReceiveGI: 1",
+            "m_PreserveUVs: 0", "m_IgnoreNormalsForChartDetection: 0", "m_ImportantGI: 0", "m_StitchLightmapSeams: 1", "m_SelectedEditorRenderState: 3",
+            "m_MinimumChartSize: 4", "m_AutoUVMaxDistance: 0.5", "m_AutoUVMaxAngle: 89", "m_LightmapParameters: {fileID: 0}", "m_SortingLayerID: 0",
+            "m_SortingLayer: 0", "m_SortingOrder: 0", "m_AdditionalVertexStreams: {fileID: 0}", "m_RayTracingAccelStructBuildFlagsOverride: 0",
+            "m_RayTracingAccelStructBuildFlags: 1", "m_SmallMeshCulling: 1");
+    }
+
+    void Defaults(params string[] lines)
+    {
+        foreach (string line in lines)
+            _yaml.Item(line);
+    }
+
+    string Own(Object item) => $"{{fileID: {_ids[item]}}}";
+}

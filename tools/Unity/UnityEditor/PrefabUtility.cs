@@ -1,0 +1,38 @@
+using System;
+using Glint.Host;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+/// <summary>Prefabs are written as plain hierarchies: what came from another prefab is written out.</summary>
+public sealed class PrefabUtility
+{
+    const string Extension = ".prefab";
+
+    public static GameObject SaveAsPrefabAsset(GameObject instanceRoot, string assetPath) =>
+        SaveAsPrefabAsset(instanceRoot, assetPath, out _);
+
+    /// <summary>The prefab; null, with an error in the log, where it could not be written.</summary>
+    public static GameObject SaveAsPrefabAsset(GameObject instanceRoot, string assetPath, out bool success)
+    {
+        if (Object.IsNull(instanceRoot))
+            throw new ArgumentNullException(nameof(instanceRoot), "Parameter root is null");
+        if (AssetDatabase.Contains(instanceRoot))
+            throw new ArgumentException($"Can't save persistent object as a Prefab asset: '{instanceRoot.name}' is of {instanceRoot.AssetPath}");
+        if (string.IsNullOrEmpty(assetPath) || !assetPath.EndsWith(Extension, StringComparison.OrdinalIgnoreCase))
+            throw new ArgumentException($"Given path is not valid: '{assetPath}': a prefab's path ends in {Extension}");
+        try
+        {
+            GameObject prefab = AssetDatabase.OpenStore.SavePrefab(instanceRoot, assetPath);
+            success = true;
+            return prefab;
+        }
+        catch (UnityException refusal)
+        {
+            Debug.LogError(refusal.Message, instanceRoot);
+            success = false;
+            return null;
+        }
+    }
+}
