@@ -1,0 +1,31 @@
+using System.Collections;
+using NUnit.Framework;
+using UnityEngine;
+using UnityEngine.TestTools;
+
+namespace Glint.Tests
+{
+    /// <summary>The ship on a sea of 2 x 2 km, a thousand instances of one tile.</summary>
+    public sealed class LargeSeaTests
+    {
+        [UnityTest]
+        public IEnumerator ShipLargeSea_TensOfMillionsOfTriangles_TakesTheMemoryOfOneTile()
+        {
+            yield return PlayScene.Load("ShipLargeSea");
+            var radar = Object.FindFirstObjectByType<RadarController>();
+            var sea = Object.FindFirstObjectByType<Sea>();
+
+            var large = radar.Trace();
+            Assert.That(large.Triangles, Is.GreaterThan(30_000_000));
+            Assert.That(large.RaysEmitted, Is.EqualTo(1920 * 1080));
+
+            sea.Extent = new Vector2(64, 64);
+            sea.Lay();
+            radar.Release();
+            var small = radar.Trace();
+            Assert.That(small.Triangles, Is.LessThan(100_000));
+            Assert.That(small.RaysHit, Is.LessThan(large.RaysHit));
+            Assert.That(large.Work.BytesOnDevice, Is.LessThan(1.1 * small.Work.BytesOnDevice));
+        }
+    }
+}
