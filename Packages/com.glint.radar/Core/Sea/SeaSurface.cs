@@ -195,8 +195,12 @@ namespace Glint.Core
                 for (int x = 0; x < cells; x++)
                 {
                     int corner = z * side + x;
-                    foreach (int index in new[] { corner, corner + side, corner + 1, corner + 1, corner + side, corner + side + 1 })
-                        indices[at++] = index;
+                    indices[at++] = corner;
+                    indices[at++] = corner + side;
+                    indices[at++] = corner + 1;
+                    indices[at++] = corner + 1;
+                    indices[at++] = corner + side;
+                    indices[at++] = corner + side + 1;
                 }
             return indices;
         }
