@@ -72,7 +72,7 @@ namespace Glint.Editor
                     progress.Print(PoseTable.Row(plan, row));
                     if (plan == SweepPlan.Single)
                         progress.Print(PoseTable.Details(row.Result));
-                    progress.Advance(run.Done, row.Pose.ToString());
+                    progress.Advance(run.Done, plan == SweepPlan.Single ? null : row.Pose.ToString());
                 }
             }
             finally

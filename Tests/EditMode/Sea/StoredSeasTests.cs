@@ -35,7 +35,7 @@ namespace Glint.Tests
             for (int i = 0; i < 10; i++)
             {
                 var stored = Load(recipe, i);
-                var tiles = stored.GetComponentsInChildren<MeshFilter>();
+                var tiles = stored.GetComponentsInChildren<MeshFilter>(true);
                 Assert.That(tiles.Select(tile => tile.transform.localPosition), Is.EqualTo(new[] { new Vector3(0, 0, -32), new Vector3(0, 0, 32) }));
                 Assert.That(tiles.Select(tile => tile.sharedMesh), Is.All.SameAs(stored.Tile));
                 Assert.That(tiles.Sum(tile => tile.sharedMesh.triangles.Length / 3), Is.EqualTo(35344));

@@ -60,7 +60,7 @@ namespace Glint.Core
         public static readonly Option<int> Cells = Whole("cells", "N", s_standard.Cells, SeaSettings.CellCounts, "Cells of the mesh along a side of the tile, two triangles each.");
 
         /// <summary>Shortest wave, metres.</summary>
-        public static readonly Option<double> ShortestWave = Number("shortest-wave", "M", s_standard.ShortestWave, SeaSettings.ShortestWaves, "Waves shorter than this, in metres, are left out; 0: none are.");
+        public static readonly Option<double> ShortestWave = Number("shortest-wave", "M", s_standard.ShortestWave, Interval.Closed(0, 4096), "Waves shorter than this, in metres, are left out; at most half the tile. 0: none are.");
 
         /// <summary>Fetch, metres.</summary>
         public static readonly Option<double> Fetch = Number("fetch", "M", s_standard.Fetch, SeaSettings.Fetches, "Metres of water that the wind has blown over; jonswap only.");

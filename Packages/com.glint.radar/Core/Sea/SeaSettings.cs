@@ -11,7 +11,7 @@ namespace Glint.Core
 
         internal static readonly Interval Heights = Interval.Closed(0.001, 100), Winds = Interval.Closed(0.1, 100), Directions = Interval.Closed(-360, 360),
             Choppinesses = Interval.Closed(0, 10), Tiles = Interval.Closed(1, 8192), Grids = Interval.Closed(4, 1024), CellCounts = Interval.Closed(1, 2048),
-            ShortestWaves = Interval.Closed(0, 4096), Fetches = Interval.Closed(100, 1e7), PeakEnhancements = Interval.Closed(1, 10);
+            Fetches = Interval.Closed(100, 1e7), PeakEnhancements = Interval.Closed(1, 10);
 
         static readonly Interval s_factors = Interval.Closed(0.001, 1000);
 
@@ -79,7 +79,7 @@ namespace Glint.Core
             if (!Grids.Contains(GridSize) || (GridSize & (GridSize - 1)) != 0)
                 throw new GlintException($"{subject}: grid size {GridSize} must be a power of two {Grids}: the mesh may have any number of cells, set that instead");
             Check(subject, "cells", Cells, CellCounts, "", "lay several tiles side by side for a larger sea");
-            Check(subject, "shortest wave", ShortestWave, ShortestWaves, " m", "0 leaves none out");
+            Check(subject, "shortest wave", ShortestWave, Interval.Closed(0, TileSize / 2), " m", "0 leaves none out");
             if (Kind == SeaSpectrumKind.Jonswap)
             {
                 Check(subject, "fetch", Fetch, Fetches, " m", "100000 is usual");

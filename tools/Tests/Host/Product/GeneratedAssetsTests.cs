@@ -1,0 +1,116 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Runtime.CompilerServices;
+using Glint.Core;
+using Glint.Editor;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Glint.Host.Tests;
+
+/// <summary>glint sea and glint ship in a project that has the product and no generated mesh yet.</summary>
+public sealed class GeneratedAssetsTests
+{
+    TemporaryProject _project;
+    string _real, _workingFolder;
+
+    [SetUp]
+    public void MakeProject()
+    {
+        _workingFolder = Directory.GetCurrentDirectory();
+        _real = Project.FindRoot(ThisFolder());
+        _project = new TemporaryProject();
+        _project.Write("Packages/manifest.json", """{ "dependencies": { "com.glint.meshes": "file:../Meshes" } }""");
+        _project.Write("Meshes/package.json", """{ "name": "com.glint.meshes", "version": "1.0.0" }""");
+        Directory.CreateSymbolicLink(Path.Combine(_project.Root, "Packages/com.glint.radar"), Path.Combine(_real, "Packages/com.glint.radar"));
+        _ = _project.Project;
+        Directory.SetCurrentDirectory(_project.Root);
+    }
+
+    [TearDown]
+    public void RemoveProject()
+    {
+        Directory.SetCurrentDirectory(_workingFolder);
+        _project.Dispose();
+    }
+
+    [Test]
+    public void Commands_WithoutOptions_WriteTheFilesThatAreStored()
+    {
+        Execute(Commands.Sea);
+        Execute(Commands.Ship);
+
+        string[] made = Files(_project.Root);
+        Assert.That(made, Is.EqualTo(Files(_real)));
+        Assert.That(made.Length, Is.EqualTo(3 + 2 * 10 * 4 + 4), "three folders' .meta; mesh, prefab and their .meta of each");
+        foreach (string file in made)
+            Assert.That(Same(file), $"{file} is not what the command writes: run glint sea and glint ship");
+    }
+
+    [Test]
+    public void Sea_OfOnesOwn_IsWrittenWhereAskedForAndHasItsHeight()
+    {
+        Execute(Commands.Sea, "--out", "Assets/Seas/Breeze", "--wave-height", "1.5", "--tile", "100", "--cells", "40", "--grid", "32", "--times", "0,5", "--tiles", "3x2");
+
+        var snapshot = AssetDatabase.LoadAssetAtPath<GameObject>("Assets/Seas/Breeze/Snapshot 02.prefab").GetComponent<SeaSnapshot>();
+        Assert.That(snapshot.WaveHeight, Is.EqualTo(1.5).Within(1e-9), "no wave runs against the wind: all moments are as high");
+        Assert.That(snapshot.TimeSeconds, Is.EqualTo(5));
+        Assert.That(snapshot.GetComponentsInChildren<MeshFilter>(true).Select(tile => tile.transform.localPosition.x).Distinct(), Is.EquivalentTo(new[] { -100f, 0, 100 }));
+        Assert.That(snapshot.Tile.vertexCount, Is.EqualTo(41 * 41));
+    }
+
+    [Test]
+    public void Sea_WrittenOverAnother_KeepsItsGuid()
+    {
+        Execute(Commands.Sea, "--out", "Assets/Sea", "--cells", "8");
+        string guid = AssetDatabase.AssetPathToGUID("Assets/Sea/Snapshot 01.asset");
+        Execute(Commands.Sea, "--out", "Assets/Sea", "--cells", "16");
+
+        Assert.That(AssetDatabase.AssetPathToGUID("Assets/Sea/Snapshot 01.asset"), Is.EqualTo(guid));
+        Assert.That(AssetDatabase.LoadAssetAtPath<Mesh>("Assets/Sea/Snapshot 01.asset").vertexCount, Is.EqualTo(17 * 17));
+    }
+
+    [Test]
+    public void Ship_OfOnesOwn_HasItsMeasures()
+    {
+        Execute(Commands.Ship, "--out", "Assets/Ship", "--length", "80", "--beam", "13", "--triangles", "20000");
+
+        var ship = AssetDatabase.LoadAssetAtPath<GameObject>("Assets/Ship/Ship.prefab");
+        Assert.That(ship.GetComponent<Ship>().Settings.Beam, Is.EqualTo(13));
+        var mesh = ship.GetComponent<MeshFilter>().sharedMesh;
+        Assert.That(mesh.bounds.size.z, Is.EqualTo(80).Within(1));
+        Assert.That(mesh.triangles.Length / 3, Is.EqualTo(20000).Within(5).Percent);
+    }
+
+    [Test]
+    public void Sea_OutsideOfTheProject_IsRefused() =>
+        Assert.That(Assert.Throws<GlintException>(() => Execute(Commands.Sea, "--out", Path.GetTempPath())).Message, Does.Contain("outside of the Unity project"));
+
+    static void Execute(Command command, params string[] arguments) => Assert.That(Batch.Execute(CommandLine.Parse(command, arguments), new Silent()), Is.Zero);
+
+    bool Same(string file) => File.ReadAllBytes(Path.Combine(_project.Root, file)).AsSpan().SequenceEqual(File.ReadAllBytes(Path.Combine(_real, file)));
+
+    static string[] Files(string root) => [.. new[] { "SeaState5", "SeaState6", "Ship" }
+        .SelectMany(name => Directory.GetFiles(Path.Combine(root, "Meshes", name)).Append(Path.Combine(root, "Meshes", name + ".meta")))
+        .Select(file => Path.GetRelativePath(root, file)).OrderBy(file => file, StringComparer.Ordinal)];
+
+    static string ThisFolder([CallerFilePath] string file = "") => Path.GetDirectoryName(file);
+
+    sealed class Silent : IProgressSink
+    {
+        public System.Threading.CancellationToken Cancel => default;
+
+        public void Start(string what, int total) { }
+
+        public void Report(double value) { }
+
+        public void Advance(int done, string note) { }
+
+        public void Finish() { }
+
+        public void Print(string line) { }
+    }
+}
