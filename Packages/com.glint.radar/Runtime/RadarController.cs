@@ -179,9 +179,9 @@ namespace Glint
                 if (_warned.Add(warning))
                     Debug.LogWarning($"{Subject}: {warning}", this);
 
-            var stand = _gatherer.StandOf(transform);
+            var stand = StandOf(transform, "the radar");
             (pose.View.Position, pose.View.Right, pose.View.Up, pose.View.Forward) = (stand.Origin, stand.X, stand.Y, stand.Z);
-            stand = _gatherer.StandOf(_receiver);
+            stand = StandOf(_receiver, $"its receiver '{_receiver.name}'");
             (pose.View.ReceiverCentre, pose.View.ReceiverRight, pose.View.ReceiverUp, pose.View.ReceiverForward) = (stand.Origin, stand.X, stand.Y, stand.Z);
             if (IsFitted)
                 ApertureFit.Cover(ref pose, _raySpacing, Subject);
@@ -208,6 +208,13 @@ namespace Glint
 
         /// <summary>Whether each pose has an aperture of its own.</summary>
         internal bool IsFitted => _fitAperture && GetComponent<Camera>().orthographic;
+
+        Affine StandOf(Transform place, string role)
+        {
+            var stand = _gatherer.StandOf(place);
+            StandCheck.RefuseNowhere(stand, place, $"{Subject}: {role}");
+            return stand;
+        }
 
         bool MatchesAperture(in RadarView view) => view.IsParallel && _receiverSize.x == 0 && _receiverSize.y == 0;
 

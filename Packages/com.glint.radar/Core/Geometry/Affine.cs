@@ -14,11 +14,11 @@ namespace Glint.Core
 
         public static Affine Identity => new Affine { X = new double3(1, 0, 0), Y = new double3(0, 1, 0), Z = new double3(0, 0, 1) };
 
-        /// <summary>Scale first, then rotation, then shift, as a Transform has them from its parent. The rotation need not be normalised; a zero one counts as none.</summary>
+        /// <summary>Scale first, then rotation, then shift, as a Transform has them from its parent. The rotation need not be normalised; a zero one counts as none, and one that is not finite leaves nothing finite.</summary>
         public static Affine FromTransform(double3 position, double4 rotation, double3 scale)
         {
             double square = math.dot(rotation, rotation);
-            double4 q = square > 0 ? rotation / math.sqrt(square) : new double4(0, 0, 0, 1);
+            double4 q = square == 0 ? new double4(0, 0, 0, 1) : rotation / math.sqrt(square);
             return new Affine
             {
                 X = scale.x * new double3(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)),

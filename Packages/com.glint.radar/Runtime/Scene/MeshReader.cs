@@ -79,7 +79,7 @@ namespace Glint
                 if (math.all(math.abs(place) <= TriangleMesh.LargestCoordinate))
                     continue;
                 var position = (float3)place;
-                throw new GlintException(FormattableString.Invariant($"{Subject(mesh, owner)}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the scene, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: mend the mesh, or the scale of the object and its parents"));
+                throw new GlintException(FormattableString.Invariant($"{Subject(mesh, owner)}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the scene, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: mend the mesh, or the position, rotation or scale of the object or of one above it"));
             }
         }
 

@@ -35,6 +35,8 @@ public sealed class SubjectsTests
     [TestCase("rays across -5", "_raysAcross: 1920", "_raysAcross: -5")]
     [TestCase("maximum bounces 17", "_maxBounces: 4", "_maxBounces: 17")]
     [TestCase("receiver size -3 x 3 m", "_receiverSize: {x: 3, y: 3}", "_receiverSize: {x: -3, y: 3}")]
+    [TestCase("RadarController of 'Radar Camera': the radar stands nowhere: the rotation of 'Radar Camera' is not finite: set it anew", "m_LocalRotation: {x: 0.087155744", "m_LocalRotation: {x: .nan")]
+    [TestCase("RadarController of 'Radar Camera': its receiver 'Receiver' stands nowhere: the position of 'Receiver' is not finite: set it anew", "y: 0, z: -0.2}", "y: 0, z: -.inf}")]
     [TestCase("RadarController of 'Radar Camera' has no kernel", "_kernel: {fileID: 7200000", "_kernel: {fileID: 0} # {fileID: 7200000")]
     public void Run_OfASceneWithABadRadar_IsRefusedByName(string message, params string[] replacements)
     {
@@ -53,6 +55,45 @@ public sealed class SubjectsTests
 
         var problem = Assert.Throws<GlintException>(() => Batch.Execute(CommandLine.Parse(Commands.Run, new[] { Path.Combine(project.Root, "Assets/Bad.unity") }), new LogProgress()));
         Assert.That(problem.Message, Does.Contain(message));
+    }
+
+    [Test]
+    public void Gather_ReceiverBelowARotationThatIsNone_IsRefusedByBothNames()
+    {
+        Transform mast = new GameObject("Mast").transform, receiver = new GameObject("Antenna").transform;
+        receiver.SetParent(mast, false);
+        mast.Load(Vector3.zero, new Quaternion(0f, float.PositiveInfinity, 0f, 1f), Vector3.one);
+        var radar = new GameObject("Radar", typeof(Camera)).AddComponent<RadarController>();
+        radar.Receiver = receiver;
+        radar.Roots.Add(receiver);
+        try
+        {
+            Assert.That(Assert.Throws<GlintException>(() => radar.Gather()).Message, Is.EqualTo(
+                "RadarController of 'Radar': its receiver 'Antenna' stands nowhere: the rotation of 'Mast', above it, is not finite: set it anew"));
+        }
+        finally
+        {
+            Object.DestroyImmediate(radar.gameObject);
+            Object.DestroyImmediate(mast.gameObject);
+        }
+    }
+
+    // A rotation that is none would else count as no rotation, and the target be traced as nobody meant it.
+    [Test]
+    public void Gather_ObjectWithARotationThatIsNone_IsRefusedByName()
+    {
+        var wall = GameObject.CreatePrimitive(PrimitiveType.Cube);
+        wall.name = "Wall";
+        wall.transform.Load(Vector3.zero, new Quaternion(float.NaN, 0f, 0f, 1f), Vector3.one);
+        try
+        {
+            var problem = Assert.Throws<GlintException>(() => new SceneGatherer().Gather(~0, new[] { wall.transform }, null));
+            Assert.That(problem.Message, Does.Contain("'Wall'").And.Contain("mend the mesh, or the position, rotation or scale of the object or of one above it"));
+        }
+        finally
+        {
+            Object.DestroyImmediate(wall);
+        }
     }
 
     [Test]
