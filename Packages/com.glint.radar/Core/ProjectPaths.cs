@@ -158,6 +158,9 @@ namespace Glint.Core
         {
             try
             {
+                // A pipe or device has no length either; to open one can take for ever.
+                if (new FileInfo(file).Length == 0)
+                    throw new GlintException($"{file}: is empty, or a pipe or device and no file: restore the file");
                 return JObject.Parse(File.ReadAllText(file));
             }
             catch (JsonException error)

@@ -21,7 +21,7 @@ internal static class AssetText
     {
         string text = Read(physicalPath, shownPath);
         if (text.Length == 0)
-            throw new GlintException($"{shownPath}: is empty: restore the file");
+            throw new GlintException($"{shownPath}: is empty, or a pipe or device and no file: restore the file");
         if (text.AsSpan(0, Math.Min(text.Length, ProbeBytes)).Contains('\0'))
             throw new GlintException(
                 $"{shownPath}: is serialized as binary: set Asset Serialization to Force Text (Edit, Project Settings, Editor) and save it again");

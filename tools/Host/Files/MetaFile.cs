@@ -16,6 +16,9 @@ internal static class MetaFile
     {
         try
         {
+            // A pipe or device has no length either; to open one can take for ever.
+            if (new FileInfo(physicalPath).Length == 0)
+                return null;
             using FileStream stream = new(physicalPath, FileMode.Open, FileAccess.Read, FileShare.ReadWrite, bufferSize: 0);
             Span<byte> head = stackalloc byte[UsualBytes];
             int length = stream.ReadAtLeast(head, UsualBytes, throwOnEndOfStream: false);

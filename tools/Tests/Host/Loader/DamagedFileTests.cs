@@ -89,7 +89,7 @@ public sealed class DamagedFileTests
         Assert.That(_project.Warnings.Single(), Does.StartWith("Assets/Scene.unity: GameObject 'a b c': has the tag 'Lost'"));
     }
 
-    [TestCase("", "Assets/Scene.unity: is empty: restore the file")]
+    [TestCase("", "Assets/Scene.unity: is empty, or a pipe or device and no file: restore the file")]
     [TestCase("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n", "Assets/Scene.unity: is a git-lfs pointer, not the file's content: run 'git lfs pull'")]
     [TestCase("\0\0\0\u0016\0\0", "Assets/Scene.unity: is serialized as binary: set Asset Serialization to Force Text (Edit, Project Settings, Editor) and save it again")]
     [TestCase("solid hull\n", "Assets/Scene.unity: is no Unity YAML file, it does not begin with '%YAML 1.1': restore the file")]
