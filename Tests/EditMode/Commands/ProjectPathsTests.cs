@@ -81,7 +81,7 @@ namespace Glint.Tests
 
         [TestCase("{ nonsense", "malformed JSON")]
         [TestCase("[]", "malformed JSON")]
-        [TestCase("", "malformed JSON")]
+        [TestCase("", "is empty")]
         [TestCase("{ \"dependencies\": [] }", "\"dependencies\" must be an object")]
         [TestCase("{ \"dependencies\": { \"com.a.x\": 1 } }", "the version of com.a.x must be a string")]
         [TestCase("{ \"dependencies\": { \"com.a.x\": \"file:../None\" } }", "com.a.x is at file:../None, but there is no ")]
