@@ -65,6 +65,30 @@ namespace Glint.Tests
                     Assert.That(seen.Add(Of(new Vector3[points].ToList(), new int[numbers].ToList())), $"{points} points, {numbers} numbers");
         }
 
+        // Several chunks, the last one short: numbers at the chunks' ends and some between.
+        [Test]
+        public void Value_OneNumberOfALongList_Matters()
+        {
+            const int count = 3 * ContentHash.ChunkSize + 5;
+            List<Vector3> points = Points(count);
+            List<int> numbers = Numbers(count);
+            var seen = new HashSet<ulong> { Of(points, numbers) };
+            foreach (int chunk in new[] { 0, 1, 2, 3 })
+                foreach (int i in new[] { 0, 1, 4, ContentHash.ChunkSize / 2, ContentHash.ChunkSize - 1 }.Select(i => chunk * ContentHash.ChunkSize + i).Where(i => i < count))
+                {
+                    numbers[i] ^= 1;
+                    Assert.That(seen.Add(Of(points, numbers)), $"number {i}");
+                    numbers[i] ^= 1;
+                    var point = points[i];
+                    points[i] += Vector3.forward;
+                    Assert.That(seen.Add(Of(points, numbers)), $"point {i}");
+                    points[i] = point;
+                }
+            Assert.That(seen, Has.Member(Of(points, numbers)));
+            (numbers[0], numbers[ContentHash.ChunkSize]) = (numbers[ContentHash.ChunkSize], numbers[0]);
+            Assert.That(seen.Add(Of(points, numbers)), "two numbers of different chunks");
+        }
+
         static ulong Of(List<Vector3> points, List<int> numbers)
         {
             var hash = new ContentHash();

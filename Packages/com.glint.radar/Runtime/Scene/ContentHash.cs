@@ -1,5 +1,7 @@
+using System;
 using System.Collections.Generic;
 using System.Runtime.CompilerServices;
+using System.Threading.Tasks;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -13,6 +15,9 @@ namespace Glint
     {
         const ulong Factor = 0x9E3779B97F4A7C15; // odd, bits without a pattern: 2^64 over the golden ratio
 
+        // As many numbers or points are worth another core. Not to depend on how many cores there are.
+        public const int ChunkSize = 1 << 16;
+
         // Independent, so that the processor need not wait for one product before it starts the next.
         ulong _a, _b, _c, _d;
 
@@ -22,10 +27,36 @@ namespace Glint
 
         public void Add(List<Vector3> points)
         {
-            int count = points.Count, i = 0;
-            Add(count);
-            ulong a = _a, b = _b, c = _c, d = _d;
-            for (; i + 1 < count; i += 2)
+            Add(points.Count);
+            if (points.Count > ChunkSize)
+                AddChunks(points.Count, (from, to) => Of(points, from, to));
+            else
+                _a = Mix(_a, Of(points, 0, points.Count));
+        }
+
+        public void Add(List<int> numbers)
+        {
+            Add(numbers.Count);
+            if (numbers.Count > ChunkSize)
+                AddChunks(numbers.Count, (from, to) => Of(numbers, from, to));
+            else
+                _a = Mix(_a, Of(numbers, 0, numbers.Count));
+        }
+
+        // Chunks are summed up on all cores, and their sums in order.
+        void AddChunks(int count, Func<int, int, ulong> sumOf)
+        {
+            var sums = new ulong[(count + ChunkSize - 1) / ChunkSize];
+            Parallel.For(0, sums.Length, chunk => sums[chunk] = sumOf(chunk * ChunkSize, Math.Min(count, (chunk + 1) * ChunkSize)));
+            foreach (ulong sum in sums)
+                _a = Mix(_a, sum);
+        }
+
+        static ulong Of(List<Vector3> points, int from, int to)
+        {
+            ulong a = 0, b = 0, c = 0, d = 0;
+            int i = from;
+            for (; i + 1 < to; i += 2)
             {
                 Vector3 p = points[i], q = points[i + 1];
                 a = Mix(a, Pair(math.asuint(p.x), math.asuint(p.y)));
@@ -33,32 +64,28 @@ namespace Glint
                 c = Mix(c, Pair(math.asuint(q.x), math.asuint(q.y)));
                 d = Mix(d, math.asuint(q.z));
             }
-            (_a, _b, _c, _d) = (a, b, c, d);
-            if (i < count)
-                Add(points[i]);
+            if (i < to)
+            {
+                a = Mix(a, Pair(math.asuint(points[i].x), math.asuint(points[i].y)));
+                b = Mix(b, math.asuint(points[i].z));
+            }
+            return new ContentHash { _a = a, _b = b, _c = c, _d = d }.Value;
         }
 
-        public void Add(List<int> numbers)
+        static ulong Of(List<int> numbers, int from, int to)
         {
-            int count = numbers.Count, i = 0;
-            Add(count);
-            ulong a = _a, b = _b, c = _c, d = _d;
-            for (; i + 7 < count; i += 8)
+            ulong a = 0, b = 0, c = 0, d = 0;
+            int i = from;
+            for (; i + 7 < to; i += 8)
             {
                 a = Mix(a, Pair((uint)numbers[i], (uint)numbers[i + 1]));
                 b = Mix(b, Pair((uint)numbers[i + 2], (uint)numbers[i + 3]));
                 c = Mix(c, Pair((uint)numbers[i + 4], (uint)numbers[i + 5]));
                 d = Mix(d, Pair((uint)numbers[i + 6], (uint)numbers[i + 7]));
             }
-            (_a, _b, _c, _d) = (a, b, c, d);
-            for (; i < count; i++)
-                Add(numbers[i]);
-        }
-
-        void Add(Vector3 point)
-        {
-            _a = Mix(_a, Pair(math.asuint(point.x), math.asuint(point.y)));
-            _b = Mix(_b, math.asuint(point.z));
+            for (; i < to; i++)
+                a = Mix(a, (uint)numbers[i]);
+            return new ContentHash { _a = a, _b = b, _c = c, _d = d }.Value;
         }
 
         static ulong Pair(uint low, uint high) => low | (ulong)high << 32;
