@@ -8,7 +8,7 @@ using UnityEngine;
 namespace Glint.Tests
 {
     /// <summary>What is stored in Meshes is what its recipe gives. If not: glint sea makes it anew.</summary>
-    public sealed class StoredSeasTests
+    public sealed class StoredSnapshotsTests
     {
         [Test]
         public void Snapshots_OfEachStoredSea_AreWhatTheirRecipesGive([Values(0, 1)] int number)
