@@ -9,6 +9,9 @@ namespace Glint.Core
         // Sill and head of the windows over the foot, of the storey's height; the wall between two windows, of a window's width.
         const double Sill = 0.42, Head = 0.78, Post = 0.25;
 
+        // At the corners the wall is wider than the windows of the other wall are deep, metres.
+        const double Corner = 0.15;
+
         // The row of the walls' cells that has the windows.
         const int WindowRow = 1;
 
@@ -18,13 +21,13 @@ namespace Glint.Core
         public Bridge(in ShipSettings settings, Deckhouse house)
         {
             _settings = settings;
-            HalfWidth = 0.85 * house.RoofHalfWidth;
-            Front = -0.62 * settings.HouseFront;
-            Aft = Front + 1.5 * HalfWidth;
-            Roof = house.Roof + settings.StoreyHeight;
-            _x = WindowEdges(-HalfWidth, HalfWidth, settings.Windows);
-            _z = WindowEdges(Front, Aft, (2 * settings.Windows + 2) / 3);
-            _y = new[] { house.Roof - Deckhouse.Overlap, house.Roof + Sill * settings.StoreyHeight, house.Roof + Head * settings.StoreyHeight, Roof };
+            HalfWidth = house.UpperHalfWidth + 0.4;
+            Front = house.UpperFront + 1;
+            Aft = Front + 2.2 * HalfWidth;
+            Roof = house.UpperRoof + settings.StoreyHeight;
+            _x = WindowEdges(-HalfWidth, HalfWidth, settings.Windows, settings.WindowDepth + Corner);
+            _z = WindowEdges(Front, Aft, (2 * settings.Windows + 2) / 3, settings.WindowDepth + Corner);
+            _y = new[] { house.UpperRoof - Deckhouse.Overlap, house.UpperRoof + Sill * settings.StoreyHeight, house.UpperRoof + Head * settings.StoreyHeight, Roof };
         }
 
         public double HalfWidth { get; }
@@ -79,16 +82,16 @@ namespace Glint.Core
             Array.ConvertAll(rows, row => Array.ConvertAll(columns, column => place(row, column)));
 
         // Where a wall's cells begin and end: wall, window, wall, ..., window, wall.
-        static double[] WindowEdges(double from, double to, int windows)
+        static double[] WindowEdges(double from, double to, int windows, double corner)
         {
-            double width = (to - from) / (windows + Post * (windows + 1));
+            double width = (to - from - 2 * corner) / (windows + Post * (windows - 1));
             var edges = new double[2 * windows + 2];
-            for (int i = 0; i <= windows; i++)
+            for (int i = 0; i < windows; i++)
             {
-                edges[2 * i] = from + i * (1 + Post) * width;
-                edges[2 * i + 1] = edges[2 * i] + Post * width;
+                edges[2 * i + 1] = from + corner + i * (1 + Post) * width;
+                edges[2 * i + 2] = edges[2 * i + 1] + width;
             }
-            edges[edges.Length - 1] = to;
+            (edges[0], edges[edges.Length - 1]) = (from, to);
             return edges;
         }
 

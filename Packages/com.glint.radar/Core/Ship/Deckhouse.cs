@@ -1,12 +1,16 @@
+using System;
 using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>The first storey: upright flat front and end, sides that lean inwards.</summary>
+    /// <summary>The lower two storeys, the deckhouse and on it what carries bridge and funnel: upright flat fronts and ends, sides that lean inwards.</summary>
     sealed class Deckhouse
     {
-        // Parts of different solids reach so far into each other, metres: no two faces lie in one plane.
+        // Parts reach so far into each other, metres: no two faces lie in one plane.
         public const double Overlap = 0.05;
+
+        /// <summary>Where the deckhouse is as wide as it gets, of the way from the middle to its front.</summary>
+        public const double Shoulder = 0.62;
 
         // How far the sides lean inwards, of their height.
         const double Lean = 0.14;
@@ -20,29 +24,60 @@ namespace Glint.Core
             _hull = hull;
         }
 
-        public double Roof => _settings.Freeboard + _settings.StoreyHeight;
+        /// <summary>Heights of the roofs of the deckhouse and, on it, of the house below the bridge and of the casing below the funnel.</summary>
+        public double LowerRoof => _settings.Freeboard + _settings.Forecastle + _settings.StoreyHeight;
 
-        /// <summary>Half the width of the roof amidships.</summary>
-        public double RoofHalfWidth => HalfWidth(0) - Lean * (_settings.StoreyHeight + Overlap);
+        public double UpperRoof => LowerRoof + _settings.StoreyHeight;
 
-        public ShipPart Build()
+        public double CasingRoof => UpperRoof + 0.5;
+
+        /// <summary>Half their widths, that of the deckhouse amidships. Beside the casing stand life boats.</summary>
+        public double LowerHalfWidth => HalfWidth(0);
+
+        public double UpperHalfWidth => HalfWidth(UpperFront) - Lean * _settings.StoreyHeight - 0.1;
+
+        public double CasingHalfWidth => LowerHalfWidth - 2.4;
+
+        /// <summary>Where the upper house begins, where the casing takes over, and where that ends.</summary>
+        public double UpperFront => -Shoulder * _settings.HouseFront;
+
+        public double CasingFront => UpperFront + 2.7 * UpperHalfWidth;
+
+        public double CasingAft => 0.7 * _settings.HouseAft;
+
+        public ShipPart[] Build()
         {
-            double front = -_settings.HouseFront, shoulder = 0.4 * front, aft = _settings.HouseAft, foot = _settings.Freeboard - Overlap;
-            double[] z = { front, shoulder, aft };
-            double3[] Outline(double height, double inwards)
+            double front = -_settings.HouseFront, aft = _settings.HouseAft, onRoof = LowerRoof - Overlap;
+            double quarterdeck = _settings.Freeboard - Overlap, foredeck = quarterdeck + _settings.Forecastle;
+            return new[]
             {
-                var outline = new double3[2 * z.Length];
-                for (int i = 0; i < z.Length; i++)
+                // Its foot stays below the deck, which slopes from the shoulder to the end, and inside the hull.
+                Storey(LowerRoof, At(front, foredeck), At(UpperFront, foredeck), At(0, quarterdeck), At(aft, quarterdeck)),
+                Storey(UpperRoof, new double3(UpperHalfWidth, onRoof, UpperFront), new double3(UpperHalfWidth, onRoof, CasingFront)),
+                Storey(CasingRoof, new double3(CasingHalfWidth, onRoof, CasingFront - Overlap), new double3(CasingHalfWidth, onRoof, CasingAft)),
+            };
+        }
+
+        double3 At(double z, double foot) => new double3(HalfWidth(z), foot, z);
+
+        // (Half the width at the roof, height of the foot, z) from front to end.
+        static ShipPart Storey(double roof, params double3[] stations)
+        {
+            double3[] Outline(Func<double3, double3> starboard)
+            {
+                var outline = new double3[2 * stations.Length];
+                for (int i = 0; i < stations.Length; i++)
                 {
-                    outline[i] = new double3(HalfWidth(z[i]) - inwards, height, z[i]);
-                    outline[outline.Length - 1 - i] = new double3(-outline[i].x, height, z[i]);
+                    double3 point = starboard(stations[i]);
+                    outline[i] = point;
+                    outline[outline.Length - 1 - i] = new double3(-point.x, point.yz);
                 }
                 return outline;
             }
-            return ShipPart.Block(Outline(foot, 0), Outline(Roof, Lean * (Roof - foot)));
+            return ShipPart.Block(Outline(at => new double3(at.x + Lean * (roof - at.y), at.yz)), Outline(at => new double3(at.x, roof, at.z)));
         }
 
-        // Side decks are left free to walk on.
-        double HalfWidth(double z) => 0.8 * _hull.DeckHalfWidth(z);
+        // Leaves side decks to walk on.
+        double HalfWidth(double z) => 0.82 * _hull.DeckHalfWidth(z) - Lean * _settings.StoreyHeight;
     }
 }

@@ -5,12 +5,14 @@ namespace Glint.Core
     /// <summary>A funnel that leans aft, longer than wide, with a rim.</summary>
     static class Funnel
     {
-        const double HalfWidth = 1.3, HalfLength = 2.4, Rake = 0.35;
+        // How far it leans aft, of its height; and its length, of its width.
+        const double Lean = 0.35, Length = 2.2;
 
+        /// <param name="halfWidth">At its foot.</param>
         /// <param name="rings">Steps up its side.</param>
-        public static ShipPart[] Build(double3 foot, double height, double2[] circle, int rings)
+        public static ShipPart[] Build(double3 foot, double height, double halfWidth, double2[] circle, int rings)
         {
-            double3[] Ring(double up, double size) => Circle.Level(circle, foot + new double3(0, up, Rake * up), size * HalfWidth, size * HalfLength);
+            double3[] Ring(double up, double size) => Circle.Level(circle, foot + new double3(0, up, Lean * up), size * halfWidth, size * Length * halfWidth);
             var side = new double3[rings + 1][];
             for (int i = 0; i <= rings; i++)
             {

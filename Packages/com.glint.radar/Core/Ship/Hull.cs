@@ -6,24 +6,27 @@ namespace Glint.Core
     sealed class Hull
     {
         // Where the hull is widest, and where the keel begins to rise towards the stern, of the length from the stern.
-        const double Widest = 0.42, KeelRise = 0.4;
+        const double Widest = 0.42, KeelRise = 0.45;
 
         // Steps across the flat deck and the flat transom.
         const int Across = 6;
 
         // The deck begins to rise so far before the deckhouse, metres: a ray that grazes it by 10 degrees and returns by the house front meets a level deck.
-        const double LevelBeforeHouse = 6;
+        const double LevelBeforeHouse = 4;
 
         readonly ShipSettings _settings;
 
         public Hull(in ShipSettings settings) => _settings = settings;
 
-        /// <summary>Height of the deck, z metres forward (-Z) or aft of the middle.</summary>
+        /// <summary>Height of the deck, z metres aft of the middle (before it: negative).</summary>
         public double DeckHeight(double z)
         {
             double start = -_settings.HouseFront - LevelBeforeHouse, bow = -_settings.Length / 2;
             double forward = math.max(0, (start - z) / (start - bow));
-            return _settings.Freeboard + _settings.Sheer * forward * forward;
+            // Beside the deckhouse it rises from the quarterdeck to the foredeck.
+            double low = _settings.HouseAft, high = Deckhouse.Shoulder * -_settings.HouseFront;
+            double rise = math.clamp((low - z) / (low - high), 0, 1);
+            return _settings.Freeboard + _settings.Forecastle * rise * rise * (3 - 2 * rise) + _settings.Sheer * forward * forward;
         }
 
         /// <summary>Half the width of the deck there.</summary>
@@ -92,7 +95,7 @@ namespace Glint.Core
         // From the tip of the bow back to the stem at a height, 0 keel to 1 deck.
         double Overhang(double height)
         {
-            double above = _settings.Freeboard + _settings.Sheer;
+            double above = DeckHeight(-_settings.Length / 2);
             double down = (1 - height) * (above + _settings.Draught) / above;
             return _settings.Rake * down * (0.8 + 0.2 * down);
         }
@@ -100,7 +103,7 @@ namespace Glint.Core
         double KeelHeight(double along)
         {
             double aft = math.max(0, (KeelRise - along) / KeelRise), forward = math.max(0, (along - 0.75) / 0.25);
-            return -_settings.Draught * (1 - 0.75 * aft * aft - 0.35 * forward * forward * forward);
+            return -_settings.Draught * (1 - 0.92 * aft * aft - 0.35 * forward * forward * forward);
         }
 
         // Of the beam.
@@ -112,7 +115,7 @@ namespace Glint.Core
                 return 1 - (1 - _settings.Transom) * aft * aft;
             }
             double forward = (along - Widest) / (1 - Widest);
-            return 1 - forward * forward * forward;
+            return 1 - forward * forward * forward * (0.4 + 0.6 * forward);
         }
     }
 }

@@ -24,12 +24,18 @@ namespace Glint.Core
             var house = new Deckhouse(settings, hull);
             var bridge = new Bridge(settings, house);
 
-            double3 OnHouse(double x, double z) => new double3(x, house.Roof, z);
-            var parts = new List<ShipPart> { house.Build(), bridge.Build(), bridge.BuildRoof() };
-            parts.AddRange(Gun.Build(OnHouse(0, -0.82 * settings.HouseFront), coarse));
-            parts.AddRange(Mast.Build(OnHouse(0, bridge.Aft + 1), settings.MastHeight, coarse));
-            parts.AddRange(Funnel.Build(OnHouse(0, bridge.Aft + 8), 4, fine, Steps(14)));
-            foreach (var part in LifeBoat.Build(OnHouse(house.RoofHalfWidth - 0.9, bridge.Aft + 8), fine, Steps(24)))
+            double3 OnLower(double x, double z) => new double3(x, house.LowerRoof, z);
+            double3 OnCasing(double z) => new double3(0, house.CasingRoof, z);
+            var parts = new List<ShipPart>();
+            parts.AddRange(house.Build());
+            parts.Add(bridge.Build());
+            parts.Add(bridge.BuildRoof());
+            parts.AddRange(Radome.Build(new double3(0, bridge.Roof, bridge.Front + 2), 0.8, fine));
+            parts.AddRange(Gun.Build(OnLower(0, -0.84 * settings.HouseFront), coarse));
+            parts.AddRange(Mast.Build(OnCasing(house.CasingFront + 2), bridge.Roof + settings.MastHeight, coarse));
+            parts.AddRange(Funnel.Build(OnCasing(house.CasingAft - 5), 5.5, 0.65 * house.CasingHalfWidth, fine, Steps(14)));
+            parts.AddRange(Radome.Build(OnLower(0, settings.HouseAft - 4), 0.9, fine));
+            foreach (var part in LifeBoat.Build(OnLower(house.LowerHalfWidth - 1, house.CasingAft - 7), fine))
             {
                 parts.Add(part);
                 parts.Add(part.Mirrored());
