@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
@@ -15,21 +16,21 @@ namespace Glint.Tests
             var welded = Welded(mesh);
             var edges = new HashSet<(int, int)>();
             for (int i = 0; i < welded.Length; i++)
-                Assert.That(edges.Add((welded[i], welded[i % 3 == 2 ? i - 2 : i + 1])), $"the edge of triangle {i / 3} is walked twice the same way");
+                if (!edges.Add((welded[i], welded[i % 3 == 2 ? i - 2 : i + 1])))
+                    Assert.Fail($"an edge of triangle {i / 3} is walked twice the same way, at {mesh.Vertices[welded[i]]}");
             Assert.That(edges.Count(edge => !edges.Contains((edge.Item2, edge.Item1))), Is.Zero, "edges of one triangle only");
             Assert.That(BodyVolumes(mesh, welded), Is.All.GreaterThan(0.001), "m3");
         }
 
-        /// <summary>Number of the first vertex at the same place, three a triangle.</summary>
+        /// <summary>For each corner the first vertex at the same place, three a triangle.</summary>
         public static int[] Welded(TriangleMesh mesh)
         {
             var first = new Dictionary<float3, int>();
-            return mesh.Indices.Select(index =>
-            {
-                if (!first.TryGetValue(mesh.Vertices[index], out int vertex))
-                    first.Add(mesh.Vertices[index], vertex = index);
-                return vertex;
-            }).ToArray();
+            var welded = new int[mesh.Vertices.Length];
+            for (int i = 0; i < welded.Length; i++)
+                if (!first.TryGetValue(mesh.Vertices[i], out welded[i]))
+                    first.Add(mesh.Vertices[i], welded[i] = i);
+            return Array.ConvertAll(mesh.Indices, index => welded[index]);
         }
 
         /// <summary>Of each body that hangs together, a sixth of the sum of triple products.</summary>

@@ -127,7 +127,7 @@ namespace Glint.Core
             Examples = new[]
             {
                 Example("ship", "The stored ship."),
-                Example("ship --length 70 --house-front 22 --out Assets/Ships/Longer", "A longer one.")
+                Example("ship --length 70 --out Assets/Ships/Longer", "A longer one.")
             }
         };
 

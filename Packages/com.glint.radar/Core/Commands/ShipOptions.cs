@@ -8,7 +8,6 @@ namespace Glint.Core
         const string Group = "Ship";
 
         static readonly ShipSettings s_standard = ShipSettings.Default;
-        static readonly Interval s_metres = Interval.Closed(0, 1000);
 
         /// <summary>Folder of the project for mesh and prefab; null when not given.</summary>
         public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.Words)
@@ -44,11 +43,11 @@ namespace Glint.Core
         /// <summary>Width of the flat transom at the deck over the beam.</summary>
         public static readonly Option<double> Transom = Number("transom", "X", s_standard.Transom, ShipSettings.Transoms, "Width of the flat transom at the deck over the beam.");
 
-        /// <summary>From the middle of the ship forward to the flat front of the deckhouse, in metres.</summary>
-        public static readonly Option<double> HouseFront = Part("house-front", "M", s_standard.HouseFront, ShipSettings.HouseFronts, "From the middle of the ship forward to the flat front of the deckhouse, in metres.");
+        /// <summary>From the middle of the ship forward to the flat front of the deckhouse, of the length.</summary>
+        public static readonly Option<double> HouseFront = Number("house-front", "X", s_standard.HouseFront, ShipSettings.HouseFronts, "From the middle of the ship forward to the flat front of the deckhouse, of the length.");
 
-        /// <summary>From the middle of the ship aft to the flat end of the deckhouse, in metres.</summary>
-        public static readonly Option<double> HouseAft = Part("house-aft", "M", s_standard.HouseAft, ShipSettings.HouseAfts, "From the middle of the ship aft to the flat end of the deckhouse, in metres.");
+        /// <summary>From the middle of the ship aft to the flat end of the deckhouse, of the length.</summary>
+        public static readonly Option<double> HouseAft = Number("house-aft", "X", s_standard.HouseAft, ShipSettings.HouseAfts, "From the middle of the ship aft to the flat end of the deckhouse, of the length.");
 
         /// <summary>Height of each of the three storeys, deckhouse, upper house and bridge, in metres.</summary>
         public static readonly Option<double> StoreyHeight = Number("storey-height", "M", s_standard.StoreyHeight, ShipSettings.Storeys, "Height of each of the three storeys, deckhouse, upper house and bridge, in metres.");
@@ -72,14 +71,14 @@ namespace Glint.Core
         };
 
         /// <summary>The ship that a command line asks for; null when it has no option, which means the stored one.</summary>
-        /// <exception cref="UsageException">The measures do not suit each other, or there is no folder for the files.</exception>
+        /// <exception cref="UsageException">There is no folder for the files.</exception>
         public static ShipSettings? Read(CommandLine line)
         {
             if (!All.Any(line.IsGiven))
                 return null;
             if (!line.IsGiven(Out))
                 throw new UsageException($"{Out.Flag} is missing: a ship of your own needs {Out.Flag} {Out.ValueName}, such as {Out.Flag} Assets/Ships; without any option the stored ship is made");
-            var settings = new ShipSettings
+            return new ShipSettings
             {
                 Length = line.Get(Length),
                 Beam = line.Get(Beam),
@@ -98,23 +97,10 @@ namespace Glint.Core
                 MastHeight = line.Get(MastHeight),
                 Triangles = line.Get(Triangles),
             };
-            try
-            {
-                settings.Validate();
-            }
-            catch (GlintException problem)
-            {
-                throw new UsageException(problem.Message);
-            }
-            return settings;
         }
 
         static Option<double> Number(string name, string valueName, double standard, Interval range, string help) =>
             new Option<double>(name, valueName, text => Values.Real(text, range)) { Group = Group, Range = range.ToString(), DefaultText = Numbers.Format(standard), Help = help };
-
-        // Its range hangs on the length, and is judged with all of them.
-        static Option<double> Part(string name, string valueName, double standard, Interval range, string help) =>
-            new Option<double>(name, valueName, text => Values.Real(text, s_metres)) { Group = Group, Range = $"{range} of the length", DefaultText = Numbers.Format(standard), Help = help };
 
         static Option<int> Whole(string name, string valueName, int standard, Interval range, string help) =>
             new Option<int>(name, valueName, text => Values.Whole(text, range)) { Group = Group, Range = range.ToString(), DefaultText = Numbers.Format(standard), Help = help };

@@ -39,15 +39,15 @@ namespace Glint.Core
         public double CasingHalfWidth => LowerHalfWidth - 2.4;
 
         /// <summary>Where the upper house begins, where the casing takes over, and where that ends.</summary>
-        public double UpperFront => -Shoulder * _settings.HouseFront;
+        public double UpperFront => Shoulder * _settings.HouseFrontZ;
 
         public double CasingFront => UpperFront + 2.7 * UpperHalfWidth;
 
-        public double CasingAft => 0.7 * _settings.HouseAft;
+        public double CasingAft => 0.7 * _settings.HouseAftZ;
 
         public ShipPart[] Build()
         {
-            double front = -_settings.HouseFront, aft = _settings.HouseAft, onRoof = LowerRoof - Overlap;
+            double front = _settings.HouseFrontZ, aft = _settings.HouseAftZ, onRoof = LowerRoof - Overlap;
             double quarterdeck = _settings.Freeboard - Overlap, foredeck = quarterdeck + _settings.Forecastle;
             return new[]
             {

@@ -21,10 +21,10 @@ namespace Glint.Core
         /// <summary>Height of the deck, z metres aft of the middle (before it: negative).</summary>
         public double DeckHeight(double z)
         {
-            double start = -_settings.HouseFront - LevelBeforeHouse, bow = -_settings.Length / 2;
+            double start = _settings.HouseFrontZ - LevelBeforeHouse, bow = -_settings.Length / 2;
             double forward = math.max(0, (start - z) / (start - bow));
             // Beside the deckhouse it rises from the quarterdeck to the foredeck.
-            double low = _settings.HouseAft, high = Deckhouse.Shoulder * -_settings.HouseFront;
+            double low = _settings.HouseAftZ, high = Deckhouse.Shoulder * _settings.HouseFrontZ;
             double rise = math.clamp((low - z) / (low - high), 0, 1);
             return _settings.Freeboard + _settings.Forecastle * rise * rise * (3 - 2 * rise) + _settings.Sheer * forward * forward;
         }

@@ -31,10 +31,10 @@ namespace Glint.Core
             parts.Add(bridge.Build());
             parts.Add(bridge.BuildRoof());
             parts.AddRange(Radome.Build(new double3(0, bridge.Roof, bridge.Front + 2), 0.8, fine));
-            parts.AddRange(Gun.Build(OnLower(0, -0.84 * settings.HouseFront), coarse));
+            parts.AddRange(Gun.Build(OnLower(0, 0.84 * settings.HouseFrontZ), coarse));
             parts.AddRange(Mast.Build(OnCasing(house.CasingFront + 2), bridge.Roof + settings.MastHeight, coarse));
             parts.AddRange(Funnel.Build(OnCasing(house.CasingAft - 5), 5.5, 0.65 * house.CasingHalfWidth, fine, Steps(14)));
-            parts.AddRange(Radome.Build(OnLower(0, settings.HouseAft - 4), 0.9, fine));
+            parts.AddRange(Radome.Build(OnLower(0, settings.HouseAftZ - 4), 0.9, fine));
             foreach (var part in LifeBoat.Build(OnLower(house.LowerHalfWidth - 1, house.CasingAft - 7), fine))
             {
                 parts.Add(part);

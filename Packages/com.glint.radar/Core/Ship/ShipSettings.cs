@@ -10,10 +10,7 @@ namespace Glint.Core
             Forecastles = Interval.Closed(0, 3), Draughts = Interval.Closed(2, 8), Sheers = Interval.Closed(0, 3), Rakes = Interval.Closed(0, 6),
             Flares = Interval.Closed(0, 0.9), Transoms = Interval.Closed(0.4, 1), Storeys = Interval.Closed(2, 4),
             WindowCounts = Interval.Closed(1, 15), WindowDepths = Interval.Closed(0.02, 0.5), MastHeights = Interval.Closed(5, 20),
-            TriangleCounts = Interval.Closed(15000, 2000000);
-
-        // Of the length.
-        internal static readonly Interval HouseFronts = Interval.Closed(0.28, 0.36), HouseAfts = Interval.Closed(0.2, 0.34);
+            HouseFronts = Interval.Closed(0.28, 0.36), HouseAfts = Interval.Closed(0.2, 0.34), TriangleCounts = Interval.Closed(15000, 2000000);
 
         /// <summary>From the stern to the tip of the bow, metres: 55 to 90.</summary>
         public double Length;
@@ -42,10 +39,10 @@ namespace Glint.Core
         /// <summary>Width of the flat transom at the deck, of the beam: 0.4 to 1.</summary>
         public double Transom;
 
-        /// <summary>From the middle of the ship forward to the flat front of the deckhouse, 0.28 to 0.36 of the length, metres. With the deck before it it is a dihedral: the peak bow-on.</summary>
+        /// <summary>From the middle of the ship forward to the flat front of the deckhouse, of the length: 0.28 to 0.36. With the deck before it it is a dihedral: the peak bow-on.</summary>
         public double HouseFront;
 
-        /// <summary>From the middle of the ship aft to the flat end of the deckhouse, 0.2 to 0.34 of the length, metres. With the deck behind it it is a dihedral: the peak stern-on.</summary>
+        /// <summary>From the middle of the ship aft to the flat end of the deckhouse, of the length: 0.2 to 0.34. With the deck behind it it is a dihedral: the peak stern-on.</summary>
         public double HouseAft;
 
         /// <summary>Height of each of the three storeys over the one below (deckhouse, upper house, bridge), metres: 2 to 4.</summary>
@@ -67,8 +64,13 @@ namespace Glint.Core
         public static ShipSettings Default => new ShipSettings
         {
             Length = 62, Beam = 13.4, Freeboard = 2.4, Forecastle = 2.2, Draught = 5.6, Sheer = 1, Rake = 3.4, Flare = 0.5, Transom = 0.55,
-            HouseFront = 22, HouseAft = 14.5, StoreyHeight = 3.5, Windows = 9, WindowDepth = 0.15, MastHeight = 12, Triangles = 44000,
+            HouseFront = 0.355, HouseAft = 0.234, StoreyHeight = 3.5, Windows = 9, WindowDepth = 0.15, MastHeight = 12, Triangles = 44000,
         };
+
+        // Where front and end of the deckhouse stand: z, metres.
+        internal double HouseFrontZ => -HouseFront * Length;
+
+        internal double HouseAftZ => HouseAft * Length;
 
         /// <summary>Refuses ships that cannot be built.</summary>
         /// <exception cref="GlintException">A value is out of its range.</exception>
@@ -83,8 +85,8 @@ namespace Glint.Core
             Check("rake", Rake, Rakes, " m");
             Check("flare", Flare, Flares);
             Check("transom", Transom, Transoms, " of the beam");
-            CheckPart("house front", HouseFront, HouseFronts);
-            CheckPart("house aft", HouseAft, HouseAfts);
+            Check("house front", HouseFront, HouseFronts, " of the length");
+            Check("house aft", HouseAft, HouseAfts, " of the length");
             Check("storey height", StoreyHeight, Storeys, " m");
             Check("windows", Windows, WindowCounts);
             Check("window depth", WindowDepth, WindowDepths, " m");
@@ -96,13 +98,6 @@ namespace Glint.Core
         {
             if (!range.Contains(value))
                 throw new GlintException($"ship: {name} {RadarSettings.Text(value)}{unit} must be {range}{unit}");
-        }
-
-        // A length that must suit the ship's.
-        void CheckPart(string name, double value, Interval range)
-        {
-            if (!range.Contains(value / Length))
-                throw new GlintException($"ship: {name} {RadarSettings.Text(value)} m must be {range} of the length, which is {RadarSettings.Text(Length)} m");
         }
     }
 }
