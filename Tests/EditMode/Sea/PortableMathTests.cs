@@ -10,7 +10,7 @@ namespace Glint.Tests
 {
     public sealed class PortableMathTests
     {
-        const int Steps = 200001;
+        const int Steps = 50001;
 
         // System.Math is itself off by up to one unit in the last place, 1.1e-16 to 2.2e-16 of the value.
         const double OfSystem = 2.3e-16;
@@ -63,7 +63,7 @@ namespace Glint.Tests
         [Test]
         public void Pow_OfARoot_EqualsSystems() => Assert.That(PortableMath.Pow(2, 0.5), Is.EqualTo(Math.Sqrt(2)).Within(1e-15));
 
-        // The first five outputs that the authors' C code prints for these seeds.
+        // The first five outputs for these seeds, as published with implementations in many languages.
         [TestCase(1234567UL, 6457827717110365317UL, 3203168211198807973UL, 9817491932198370423UL, 4593380528125082431UL, 16408922859458223821UL)]
         [TestCase(0UL, 0xE220A8397B1DCDAFUL, 0x6E789E6AA1B965F4UL, 0x06C45D188009454FUL, 0xF88BB8A8724C81ECUL, 0x1B39896A51A8749BUL)]
         public void SplitMix64_OfAKnownSeed_GivesThePublishedNumbers(ulong seed, ulong a, ulong b, ulong c, ulong d, ulong e)
@@ -88,7 +88,7 @@ namespace Glint.Tests
         public void Sources_OfTheSea_UseOnlyWhatIsTheSameEverywhere()
         {
             string folder = Path.Combine(Application.dataPath, "../Packages/com.glint.radar/Core/Sea");
-            var allowed = new[] { "Math.Sqrt", "Math.Floor", "Math.Round", "Math.Abs", "Math.PI" };
+            var allowed = new[] { "Math.Sqrt", "Math.Floor", "Math.Abs", "Math.PI" };
             foreach (string file in Directory.GetFiles(folder, "*.cs"))
             {
                 string text = File.ReadAllText(file);

@@ -45,7 +45,7 @@ namespace Glint.Tests
         public void Jonswap_WithoutEnhancement_HasItsKnownVariance(double wind, double fetch)
         {
             var settings = Jonswap(wind, fetch, 1);
-            double alpha = 0.076 * Math.Pow(wind * wind / (fetch * Gravity), 0.22), peak = Peak(wind, fetch);
+            double alpha = 0.076 * Math.Pow(wind * wind / (fetch * Gravity), 0.22), peak = PrintedSpectra.Peak(wind, fetch);
             double variance = alpha * Gravity * Gravity / (5 * Math.Pow(peak, 4));
             Assert.That(Integral(settings), Is.EqualTo(variance).Within(1e-4 * variance));
         }
@@ -59,7 +59,7 @@ namespace Glint.Tests
                 double k = frequency * frequency / Gravity;
                 return SeaSpectrum.Omnidirectional(sharp, k) / SeaSpectrum.Omnidirectional(flat, k);
             }
-            double peak = Peak(10, 1e5);
+            double peak = PrintedSpectra.Peak(10, 1e5);
             Assert.That(Ratio(peak), Is.EqualTo(3.3).Within(1e-12));
             Assert.That(Ratio(2 * peak), Is.EqualTo(1).Within(1e-9));
             // One width off, exp(-1/2) of its logarithm: 7 % of the peak's frequency below it, 9 % above.
@@ -103,7 +103,7 @@ namespace Glint.Tests
             (phillips.WindDirectionDegrees, settings.WindDirectionDegrees) = (direction, direction);
             var drawn = Powers(settings);
             var first = Powers(phillips);
-            Dictionary<(int, int), double> expected = Expected(settings), expectedFirst = Expected(phillips);
+            Dictionary<(int, int), double> expected = PrintedSpectra.Variances(settings), expectedFirst = PrintedSpectra.Variances(phillips);
 
             Assert.That(drawn.Keys, Is.EquivalentTo(expected.Keys));
             foreach (var wave in drawn.Keys)
@@ -113,51 +113,12 @@ namespace Glint.Tests
         static Dictionary<(int, int), double> Powers(in SeaSettings settings) =>
             new SeaSurface(settings).Modes.ToDictionary(mode => (mode.Column, mode.Row), mode => mode.Real * mode.Real + mode.Imaginary * mode.Imaginary);
 
-        // Variance of each wave by the formulas as they are printed, brought to the height asked for: of each pair k, -k the one that runs with the wind.
-        static Dictionary<(int, int), double> Expected(SeaSettings s)
-        {
-            double wx = Math.Sin(s.WindDirectionDegrees * Math.PI / 180), wz = Math.Cos(s.WindDirectionDegrees * Math.PI / 180);
-            int reach = s.GridSize / 2 - 1;
-            var waves = new Dictionary<(int, int), double>();
-            for (int row = 0; row <= reach; row++)
-                for (int column = -reach; column <= reach; column++)
-                {
-                    if (row == 0 && column <= 0)
-                        continue;
-                    double k = 2 * Math.PI / s.TileSize * Math.Sqrt(row * row + column * column), cosine = 2 * Math.PI / s.TileSize * (column * wx + row * wz) / k;
-                    if (Math.Abs(cosine) > 1e-12)
-                        waves[(column, row)] = Printed(s, k) * cosine * cosine;
-                }
-            double scale = s.SignificantWaveHeight * s.SignificantWaveHeight / 16 / waves.Values.Sum();
-            return waves.ToDictionary(wave => wave.Key, wave => scale * wave.Value);
-        }
-
-        static double Printed(in SeaSettings s, double k)
-        {
-            double u = s.WindSpeed, u19 = 1.026 * u, w = Math.Sqrt(Gravity * k);
-            if (s.Kind == SeaSpectrumKind.Phillips)
-                return Math.Exp(-Math.Pow(k * u * u / Gravity, -2)) * Math.Pow(k, -4);
-            double perFrequency;
-            if (s.Kind == SeaSpectrumKind.PiersonMoskowitz)
-                perFrequency = Math.Pow(w, -5) * Math.Exp(-0.74 * Math.Pow(Gravity / (u19 * w), 4));
-            else
-            {
-                double peak = Peak(u, s.Fetch), width = w <= peak ? 0.07 : 0.09;
-                double r = Math.Exp(-(w - peak) * (w - peak) / (2 * width * width * peak * peak));
-                perFrequency = Math.Pow(w, -5) * Math.Exp(-1.25 * Math.Pow(peak / w, 4)) * Math.Pow(s.PeakEnhancement, r);
-            }
-            // dw/dk = g / 2w, and a ring's area.
-            return perFrequency * Gravity / (2 * w) / k;
-        }
-
         static SeaSettings Jonswap(double wind, double fetch, double enhancement)
         {
             var settings = SeaFields.Settings(wind: wind);
             (settings.Kind, settings.Fetch, settings.PeakEnhancement) = (SeaSpectrumKind.Jonswap, fetch, enhancement);
             return settings;
         }
-
-        static double Peak(double wind, double fetch) => 22 * Math.Pow(Gravity * Gravity / (wind * fetch), 1 / 3.0);
 
         // Over 1 mm to 10 km of wavelength, in equal ratios.
         static double Integral(in SeaSettings settings)

@@ -21,23 +21,28 @@ namespace Glint.Tests
             Assert.That(new SeaSurface(settings).SignificantWaveHeight, Is.EqualTo(1.25 * height).Within(1e-9));
         }
 
-        // Each wave's variance has the spread of an exponential distribution; that of their sum, seeds' mean, is 1.1 % here.
+        // Each wave's variance has the spread of an exponential distribution; that of their sum, seeds' mean, is 1.1 % here, that of all waves' mean, each in parts of its own, 0.2 %.
         [Test]
         public void WaveHeight_OverTwoThousandSeeds_IsThatAskedForOnAverage()
         {
             const int seeds = 2000;
             var settings = SeaFields.Settings(16, 16, 9);
+            var byWave = PrintedSpectra.Variances(settings);
             var variances = new double[seeds];
+            double parts = 0;
             for (int seed = 0; seed < seeds; seed++)
             {
                 settings.Seed = seed;
-                variances[seed] = math.square(new SeaSurface(settings).MeasuredWaveHeight(3)) / 16;
+                var surface = new SeaSurface(settings);
+                variances[seed] = math.square(surface.MeasuredWaveHeight(3)) / 16;
+                parts += surface.Modes.Average(mode => 2 * (mode.Real * mode.Real + mode.Imaginary * mode.Imaginary) / byWave[(mode.Column, mode.Row)]) / seeds;
             }
             double expected = math.square(settings.SignificantWaveHeight) / 16, mean = variances.Average();
-            Assert.That(mean, Is.EqualTo(expected).Within(0.03 * expected));
+            Assert.That(mean, Is.EqualTo(expected).Within(3).Percent);
+            Assert.That(parts, Is.EqualTo(1).Within(0.01));
 
-            double spread = Math.Sqrt(variances.Average(v => math.square(v - mean))), byWaves = Math.Sqrt(Expected(settings).Sum(math.square));
-            Assert.That(spread, Is.EqualTo(byWaves).Within(0.1 * byWaves), "four independent normal numbers a pair of waves");
+            double spread = Math.Sqrt(variances.Average(v => math.square(v - mean))), ofAll = Math.Sqrt(byWave.Values.Sum(math.square));
+            Assert.That(spread, Is.EqualTo(ofAll).Within(10).Percent, "two normal numbers a wave");
         }
 
         [Test]
@@ -245,18 +250,6 @@ namespace Glint.Tests
             var settings = SeaFields.Settings(grid, cells);
             settings.Choppiness = 1;
             return new SeaSurface(settings);
-        }
-
-        // Variance of each wave of a Phillips spectrum with the wind along z.
-        static double[] Expected(SeaSettings s)
-        {
-            int reach = s.GridSize / 2 - 1;
-            double step = 2 * Math.PI / s.TileSize, longest = s.WindSpeed * s.WindSpeed / Gravity;
-            var waves = (from row in Enumerable.Range(1, reach) from column in Enumerable.Range(-reach, 2 * reach + 1)
-                         let k = step * Math.Sqrt(row * row + column * column)
-                         select Math.Exp(-1 / math.square(k * longest)) / Math.Pow(k, 4) * math.square(step * row / k)).ToArray();
-            double scale = math.square(s.SignificantWaveHeight) / 16 / waves.Sum();
-            return waves.Select(wave => scale * wave).ToArray();
         }
 
         static WaveCoefficients RandomWaves(int reach)

@@ -56,17 +56,6 @@ namespace Glint.Tests
             Assert.That(4 * math.sqrt(heights.Average(y => y * y)), Is.EqualTo(asked).Within(2).Percent);
         }
 
-        [Test]
-        public void StoredSeas_DifferInTheirHeightOnly()
-        {
-            SeaSettings low = StoredSeas.All[0].Settings, high = StoredSeas.All[1].Settings;
-            Assert.That(StoredSeas.All[0].Times, Is.EqualTo(StoredSeas.All[1].Times));
-            high.SignificantWaveHeight = low.SignificantWaveHeight;
-            Assert.That(high.HeightFactor, Is.EqualTo(low.HeightFactor).Within(1e-9));
-            high.HeightFactor = low.HeightFactor;
-            Assert.That(high, Is.EqualTo(low));
-        }
-
         static SeaSnapshot Load(SeaRecipe recipe, int index)
         {
             string path = $"Packages/com.glint.meshes/{recipe.Name}/Snapshot {index + 1:00}.prefab";

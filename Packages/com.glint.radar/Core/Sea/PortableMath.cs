@@ -12,7 +12,7 @@ namespace Glint.Core
         public const double RelativeError = 4e-16;
 
         /// <summary>Error of <see cref="SinCos"/>, of a turn that is exact.</summary>
-        public const double SinCosError = 3e-16;
+        public const double SinCosError = 2e-16;
 
         /// <summary>Arguments of <see cref="Exp"/> below it give 0, those above its negative are not for it.</summary>
         public const double LeastExponent = -708;

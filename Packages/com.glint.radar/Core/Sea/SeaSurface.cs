@@ -92,9 +92,6 @@ namespace Glint.Core
             return new TriangleMesh(vertices, _indices);
         }
 
-        /// <summary>Heights as <see cref="Mesh"/> has them, before they are rounded.</summary>
-        internal double[] Heights(double timeSeconds) => _sum.Sum(At(timeSeconds));
-
         static SeaMode[] Draw(in SeaSettings settings, int reach, out double expected)
         {
             double number = 2 * Math.PI / settings.TileSize;
@@ -214,6 +211,7 @@ namespace Glint.Core
             return step;
         }
 
-        static double Rounded(double value, double step) => Math.Round(value / step) * step;
+        // System.Math's own rounding is not the same in every runtime just below a half.
+        static double Rounded(double value, double step) => Math.Floor(value / step + 0.5) * step;
     }
 }
