@@ -23,6 +23,11 @@ static class Product
                 (report, int code) = new VerifyCommand(terminal).Execute(line, progress);
                 return code;
             }
+            if (line.Command == Commands.Experiments)
+            {
+                report = new ExperimentsCommand(terminal).Execute(line, progress);
+                return 0;
+            }
             if (line.Command != Commands.Bench)
                 return Batch.Execute(line, progress);
             report = new BenchCommand(terminal).Execute(line, progress);

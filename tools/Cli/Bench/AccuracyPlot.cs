@@ -3,8 +3,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
-using System.Text;
-using System.Xml;
+using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
@@ -12,17 +11,16 @@ namespace Glint.Cli;
 sealed class AccuracyPlot
 {
     const int Width = 1000, Height = 560, Left = 80, Right = 290, Top = 40, Bottom = 64;
-    const string Namespace = "http://www.w3.org/2000/svg";
 
     // No error below is drawn lower, relative: the converged results are not known better.
     const double LeastError = 1e-4;
 
     static readonly string[] s_colours = ["#0072b2", "#56b4e9", "#009e73", "#cc79a7", "#e69f00", "#d55e00", "#7f3c8d", "#555555"];
 
-    readonly XmlWriter _svg;
+    readonly Svg _svg;
     readonly int _firstTime, _lastTime, _firstError, _lastError; // powers of ten
 
-    AccuracyPlot(XmlWriter svg, AccuracyResult result)
+    AccuracyPlot(Svg svg, AccuracyResult result)
     {
         _svg = svg;
         (_firstTime, _lastTime) = Decades(result.Rows.Select(row => row.Times.Median));
@@ -31,24 +29,20 @@ sealed class AccuracyPlot
 
     public static void Write(Stream stream, AccuracyResult result)
     {
-        using var svg = XmlWriter.Create(stream, new XmlWriterSettings { Encoding = new UTF8Encoding(false), Indent = true, NewLineChars = "\n", OmitXmlDeclaration = true });
+        using var svg = new Svg(stream, Width, Height);
         new AccuracyPlot(svg, result).Draw(result);
     }
 
     void Draw(AccuracyResult result)
     {
-        _svg.WriteStartElement("svg", Namespace);
-        Attributes(("viewBox", $"0 0 {Width} {Height}"), ("width", Width), ("height", Height), ("font-family", "sans-serif"), ("font-size", 13));
-        Element("rect", ("width", Width), ("height", Height), ("fill", "white"));
-        Write(Left, 24, "Error of the amplitude against time of a pose, " + result.Device.Name, "start");
+        _svg.Write(Left, 24, "Error of the amplitude against time of a pose, " + result.Device.Name, "start");
         DrawAxes();
         int number = 0;
         foreach (var scene in result.Rows.GroupBy(row => row.Scene))
             DrawScene(scene.Key.Name, [.. scene], number++);
         int y = Top + 28 + 22 * number;
         foreach (string line in new[] { "filled: error", "hollow: error, flagged as undersampled", "cross: estimate of the error", "left to right: " + Range(result) })
-            Write(Width - Right + 20, y += 20, line, "start");
-        _svg.WriteEndElement();
+            _svg.Write(Width - Right + 20, y += 20, line, "start");
     }
 
     void DrawAxes()
@@ -56,35 +50,35 @@ sealed class AccuracyPlot
         for (int power = _firstTime; power <= _lastTime; power++)
         {
             double x = X(Math.Pow(10, power));
-            Line(x, Top, x, Height - Bottom, "#dddddd");
-            Write(x, Height - Bottom + 20, Power(power), "middle");
+            _svg.Line(x, Top, x, Height - Bottom, "#dddddd");
+            _svg.Write(x, Height - Bottom + 20, Power(power), "middle");
         }
         for (int power = _firstError; power <= _lastError; power++)
         {
             double y = Y(Math.Pow(10, power));
-            Line(Left, y, Width - Right, y, "#dddddd");
-            Write(Left - 8, y + 4, Power(power), "end");
+            _svg.Line(Left, y, Width - Right, y, "#dddddd");
+            _svg.Write(Left - 8, y + 4, Power(power), "end");
         }
-        Write((Left + Width - Right) / 2.0, Height - 18, "time of a pose, milliseconds", "middle");
+        _svg.Write((Left + Width - Right) / 2.0, Height - 18, "time of a pose, milliseconds", "middle");
         double middle = (Top + Height - Bottom) / 2.0;
-        Write(22, middle, "error of the amplitude, relative", "middle", ("transform", Text($"rotate(-90 22 {middle})")));
+        _svg.Write(22, middle, "error of the amplitude, relative", "middle", ("transform", Text($"rotate(-90 22 {middle})")));
     }
 
     void DrawScene(string name, AccuracyRow[] rows, int number)
     {
         string colour = s_colours[number % s_colours.Length];
         var places = rows.Select(row => (x: X(row.Times.Median), y: Y(Relative(row, row.AmplitudeError)), estimate: Y(Relative(row, row.Result.SamplingError)), row)).ToArray();
-        Element("polyline", ("points", string.Join(" ", places.Select(place => Text($"{place.x:0.0},{place.y:0.0}")))), ("fill", "none"), ("stroke", colour), ("stroke-width", 1.5));
+        _svg.Polyline(places.Select(place => (place.x, place.y)), colour);
         foreach (var (x, y, estimate, row) in places)
         {
-            Dot(x, y, colour, row.Result.Undersampled);
-            Line(x - 4, estimate - 4, x + 4, estimate + 4, colour);
-            Line(x - 4, estimate + 4, x + 4, estimate - 4, colour);
+            _svg.Dot(x, y, colour, row.Result.Undersampled);
+            _svg.Line(x - 4, estimate - 4, x + 4, estimate + 4, colour);
+            _svg.Line(x - 4, estimate + 4, x + 4, estimate - 4, colour);
         }
         int legend = Top + 14 + 22 * number;
-        Line(Width - Right + 20, legend - 4, Width - Right + 44, legend - 4, colour, 1.5);
-        Dot(Width - Right + 32, legend - 4, colour, false);
-        Write(Width - Right + 52, legend, name, "start");
+        _svg.Line(Width - Right + 20, legend - 4, Width - Right + 44, legend - 4, colour, 1.5);
+        _svg.Dot(Width - Right + 32, legend - 4, colour, false);
+        _svg.Write(Width - Right + 52, legend, name, "start");
     }
 
     static double Relative(AccuracyRow row, double error) => Math.Max(LeastError, Math.Abs(error) / row.Converged.Sum.Magnitude);
@@ -100,35 +94,4 @@ sealed class AccuracyPlot
     double X(double time) => Left + (Math.Log10(time) - _firstTime) / (_lastTime - _firstTime) * (Width - Right - Left);
 
     double Y(double error) => Height - Bottom - (Math.Log10(error) - _firstError) / (_lastError - _firstError) * (Height - Bottom - Top);
-
-    void Dot(double x, double y, string colour, bool isHollow) =>
-        Element("circle", ("cx", Rounded(x)), ("cy", Rounded(y)), ("r", 4), ("stroke", colour), ("stroke-width", 1.5), ("fill", isHollow ? "white" : colour));
-
-    void Line(double x1, double y1, double x2, double y2, string colour, double thickness = 1) =>
-        Element("line", ("x1", Rounded(x1)), ("y1", Rounded(y1)), ("x2", Rounded(x2)), ("y2", Rounded(y2)), ("stroke", colour), ("stroke-width", thickness));
-
-    void Write(double x, double y, string text, string anchor, params (string name, object value)[] more)
-    {
-        _svg.WriteStartElement("text", Namespace);
-        Attributes([("x", Rounded(x)), ("y", Rounded(y)), ("text-anchor", anchor), .. more]);
-        _svg.WriteString(text);
-        _svg.WriteEndElement();
-    }
-
-    void Element(string name, params (string name, object value)[] attributes)
-    {
-        _svg.WriteStartElement(name, Namespace);
-        Attributes(attributes);
-        _svg.WriteEndElement();
-    }
-
-    void Attributes(params (string name, object value)[] attributes)
-    {
-        foreach (var (name, value) in attributes)
-            _svg.WriteAttributeString(name, Convert.ToString(value, CultureInfo.InvariantCulture));
-    }
-
-    static double Rounded(double place) => Math.Round(place, 1);
-
-    static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 }

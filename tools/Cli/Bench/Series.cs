@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Glint.Cli;
 
-/// <summary>Measurements of one thing, milliseconds.</summary>
+/// <summary>Measurements of one thing.</summary>
 sealed class Series
 {
     readonly List<double> _values = [];
@@ -27,6 +27,9 @@ sealed class Series
 
     /// <summary>NaN when there are none.</summary>
     public double Lowest => Count == 0 ? double.NaN : _values.Min();
+
+    /// <summary>NaN when there are none.</summary>
+    public double Highest => Count == 0 ? double.NaN : _values.Max();
 
     public void Add(double value) => _values.Add(value);
 }

@@ -103,6 +103,23 @@ namespace Glint.Core
             }
         };
 
+        /// <summary>Repeats the published experiments. Only the headless host has it.</summary>
+        public static readonly Command Experiments = new Command("experiments", "Repeat the published experiments and write tables and plots of the results beside the published ones.")
+        {
+            Inputs = InputKind.None,
+            Options = new Option[] { ExperimentOptions.Out, ExperimentOptions.Seeds, Options.Device },
+            Notes = new[]
+            {
+                "It sweeps the scenes that this project stores: the corner reflector, both seas, the ship alone and on each sea. Then it turns the ship on every stored snapshot, and makes other seas with other seeds, winds and choppinesses, to tell how often a sea returns anything.",
+                "Without --out the files go to Results/experiments beside the project's Assets. An experiments.md that is there already keeps its words: only what stands between its markers is replaced."
+            },
+            Examples = new[]
+            {
+                Example("experiments", "All of it."),
+                Example("experiments --seeds 1 --out figures", "One seed: the stored seas and their neighbours in wind and choppiness; the files go to figures.")
+            }
+        };
+
         /// <summary>Makes snapshots of a sea.</summary>
         public static readonly Command Sea = new Command("sea", "Make snapshots of a sea from a wave spectrum, as meshes and prefabs of the project.")
         {
@@ -140,7 +157,7 @@ namespace Glint.Core
         };
 
         /// <summary>Every command.</summary>
-        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Run, Sea, Ship, Bench, Verify, Info };
+        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Run, Sea, Ship, Experiments, Bench, Verify, Info };
 
         /// <summary>What INPUT is for a command.</summary>
         public static string InputHelpOf(Command command) => command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}" : InputHelp;

@@ -1,0 +1,50 @@
+using System;
+using System.Linq;
+using Glint.Core;
+
+namespace Glint.Cli;
+
+/// <summary>How far a sweep and its published table agree, in a few numbers.</summary>
+sealed class Agreement
+{
+    /// <exception cref="InvalidOperationException">No table was published.</exception>
+    public Agreement(SweepResult sweep)
+    {
+        if (sweep.Published == null)
+            throw new InvalidOperationException($"{sweep.Experiment.Title}: no table was published");
+        var poses = sweep.Poses.ToArray();
+        Poses = poses.Length;
+        Hit = new Series(poses.Where(pose => pose.Theirs.RaysHit > 0).Select(pose => (double)pose.Ours.RaysHit / pose.Theirs.RaysHit));
+        var both = poses.Where(pose => pose.Theirs.RaysReceived > 0 && pose.Ours.RaysReceived > 0).ToArray();
+        (Both, Neither) = (both.Length, poses.Count(pose => pose.Theirs.RaysReceived == 0 && pose.Ours.RaysReceived == 0));
+        Received = new Series(both.Select(pose => (double)pose.Ours.RaysReceived / pose.Theirs.RaysReceived));
+        AmplitudeDb = new Series(both.Where(pose => pose.Ours.Amplitude > 0 && pose.Theirs.Amplitude > 0)
+            .Select(pose => Signal.Decibels(pose.Ours.Amplitude).Value - Signal.Decibels(pose.Theirs.Amplitude).Value));
+        AmplitudeCorrelation = Correlation([.. poses.Select(pose => pose.Ours.Amplitude)], [.. poses.Select(pose => pose.Theirs.Amplitude)]);
+    }
+
+    public int Poses { get; }
+
+    /// <summary>Ours over theirs, where theirs is above 0.</summary>
+    public Series Hit { get; }
+
+    /// <summary>Poses in which both received rays, and in which neither did.</summary>
+    public int Both { get; }
+    public int Neither { get; }
+
+    /// <summary>Ours over theirs, where both received rays.</summary>
+    public Series Received { get; }
+
+    /// <summary>Ours over theirs in decibels, where both received rays.</summary>
+    public Series AmplitudeDb { get; }
+
+    /// <summary>Pearson's, of the linear amplitudes of all poses; NaN where one never changes.</summary>
+    public double AmplitudeCorrelation { get; }
+
+    static double Correlation(double[] a, double[] b)
+    {
+        double meanA = a.Average(), meanB = b.Average();
+        double both = a.Zip(b, (x, y) => (x - meanA) * (y - meanB)).Sum();
+        return both / Math.Sqrt(a.Sum(x => (x - meanA) * (x - meanA)) * b.Sum(y => (y - meanB) * (y - meanB)));
+    }
+}

@@ -1,0 +1,103 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using static Glint.Cli.TableText;
+
+namespace Glint.Cli;
+
+/// <summary>Lines over the steps of a sweep as an SVG picture: panels side by side, with the same lines and steps.</summary>
+sealed class Chart
+{
+    const int Width = 1000, Height = 340, Left = 78, Right = 12, Top = 76, Bottom = 56;
+
+    readonly Svg _svg;
+    readonly IReadOnlyList<double> _steps;
+    readonly double _panelWidth;
+
+    Chart(Svg svg, IReadOnlyList<double> steps, int panels)
+    {
+        _svg = svg;
+        _steps = steps;
+        _panelWidth = (double)Width / panels;
+    }
+
+    /// <param name="steps">Angles or snapshots, ascending.</param>
+    /// <param name="stepTitle">What the steps are.</param>
+    public static void Write(Stream stream, string title, IReadOnlyList<double> steps, string stepTitle, params Panel[] panels)
+    {
+        using var svg = new Svg(stream, Width, Height);
+        var chart = new Chart(svg, steps, panels.Length);
+        svg.Write(Left, 24, title, "start");
+        chart.DrawLegend(panels[0].Lines);
+        for (int i = 0; i < panels.Length; i++)
+            chart.DrawPanel(panels[i], i * chart._panelWidth, stepTitle);
+    }
+
+    void DrawLegend(IReadOnlyList<ChartLine> lines)
+    {
+        const int length = 230;
+        for (int i = 0; i < lines.Count; i++)
+        {
+            double x = Width - Right - length * (lines.Count - i);
+            _svg.Line(x, 20, x + 24, 20, lines[i].Colour, 1.5);
+            _svg.Dot(x + 12, 20, lines[i].Colour, false, 2.5);
+            _svg.Write(x + 32, 24, lines[i].Name, "start");
+        }
+    }
+
+    void DrawPanel(Panel panel, double left, string stepTitle)
+    {
+        double from = left + Left, to = left + _panelWidth - Right;
+        _svg.Write((from + to) / 2, Top - 18, panel.Title, "middle");
+        foreach (var (place, label) in panel.Scale.Marks)
+        {
+            _svg.Line(from, Y(place), to, Y(place), "#dddddd");
+            _svg.Write(from - 8, Y(place) + 4, label, "end");
+        }
+        foreach (double step in MarkedSteps())
+        {
+            _svg.Line(X(step, left), Y(0), X(step, left), Y(0) + 4, "#888888");
+            _svg.Write(X(step, left), Y(0) + 20, Text($"{step}"), "middle");
+        }
+        _svg.Write((from + to) / 2, Height - 12, stepTitle, "middle");
+        foreach (var line in panel.Lines)
+            Draw(line, panel.Scale, left);
+    }
+
+    void Draw(ChartLine line, ValueScale scale, double left)
+    {
+        if (line.Lowest != null)
+        {
+            // What cannot be shown is at the foot: the band reaches down to it.
+            var edge = Places(line.Highest).Concat(Places(line.Lowest).Reverse());
+            _svg.Area(edge.Select(place => (place.x, double.IsNaN(place.y) ? Y(0) : place.y)), line.Colour);
+        }
+        var run = new List<(double, double)>();
+        foreach (var place in Places(line.Values).Append((double.NaN, double.NaN)))
+        {
+            if (!double.IsNaN(place.Item2))
+            {
+                run.Add(place);
+                _svg.Dot(place.Item1, place.Item2, line.Colour, false, 2);
+                continue;
+            }
+            if (run.Count > 1)
+                _svg.Polyline(run, line.Colour);
+            run.Clear();
+        }
+
+        IEnumerable<(double x, double y)> Places(IReadOnlyList<double> values) => _steps.Select((step, i) => (X(step, left), Y(scale.Of(values[i]))));
+    }
+
+    // A handful, at round steps.
+    IEnumerable<double> MarkedSteps()
+    {
+        double span = _steps[^1] - _steps[0], every = span > 180 ? 90 : span > 20 ? 15 : 1;
+        for (double step = _steps[0]; step <= _steps[^1]; step += every)
+            yield return step;
+    }
+
+    double X(double step, double left) => left + Left + (_steps.Count < 2 ? 0.5 : (step - _steps[0]) / (_steps[^1] - _steps[0])) * (_panelWidth - Left - Right);
+
+    static double Y(double place) => Height - Bottom - place * (Height - Bottom - Top);
+}

@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text;
+using Glint.Core;
+
+namespace Glint.Cli;
+
+/// <summary>The files of glint experiments: a page of tables and plots, the plots, and all figures.</summary>
+sealed class ExperimentFiles
+{
+    const string PageName = "experiments.md", JsonName = "experiments.json", Summary = "summary", Seas = "seas";
+
+    static readonly string[] s_plots = [.. Experiment.All.Select(experiment => experiment.Name), .. Experiment.Seas.Select(pair => SnapshotsResult.NameOf(pair.Ship)), Seas];
+
+    readonly string _path;
+    readonly OutputFile _page, _json;
+    readonly Dictionary<string, OutputFile> _plots;
+    readonly MarkedPage _words;
+
+    /// <summary>Makes sure, before any work is done, that all can be written.</summary>
+    /// <param name="flag">Option that names the folder, for messages.</param>
+    /// <exception cref="GlintException">The folder cannot be made, a file in it not be written, or the page that is there lacks a marker.</exception>
+    public ExperimentFiles(string flag, string path)
+    {
+        _path = path;
+        string page = Path.Combine(path, PageName);
+        try
+        {
+            Directory.CreateDirectory(Path.Combine(path, Path.GetDirectoryName(PlotName(Seas))));
+            _words = new MarkedPage(page, File.Exists(page) ? File.ReadAllText(page) : "");
+        }
+        catch (Exception error) when (error is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        {
+            throw new GlintException($"{flag} {path}: cannot be used: {error.Message.TrimEnd('.')}; name another folder", error);
+        }
+        _page = new OutputFile(flag, page);
+        _json = new OutputFile(flag, Path.Combine(path, JsonName));
+        _plots = s_plots.ToDictionary(name => name, name => new OutputFile(flag, Path.Combine(path, PlotName(name))));
+        foreach (string name in s_plots.Append(Summary))
+            _words.Check(name);
+    }
+
+    /// <returns>What was written, for the report.</returns>
+    /// <exception cref="GlintException">A file cannot be written.</exception>
+    public string Write(ExperimentsResult result)
+    {
+        _json.Write(stream => ExperimentsJson.Write(stream, result));
+        _words.Put(Summary, "How far they agree", ExperimentTables.Summary(result));
+        foreach (var sweep in result.Sweeps)
+            Add(sweep.Experiment.Name, sweep.Experiment.Title, ExperimentTables.Of(sweep), stream => ExperimentPlots.Write(stream, sweep));
+        foreach (var ship in result.Ships)
+            Add(ship.Name, ship.Title, ExperimentTables.Of(ship), stream => ExperimentPlots.Write(stream, ship));
+        Add(Seas, "Other seas", ExperimentTables.OfSeas(result), stream => SeaPlot.Write(stream, result.Seas, result.PublishedReturning));
+        _page.Write(stream => stream.Write(Encoding.UTF8.GetBytes(_words.Text)));
+        return $"{_page.Path}, {_json.Path}, {_plots.Count} plots in {Path.Combine(_path, Path.GetDirectoryName(PlotName(Seas)))}";
+    }
+
+    void Add(string name, string title, string tables, Action<Stream> plot)
+    {
+        _plots[name].Write(plot);
+        _words.Put(name, title, $"![{title}]({PlotName(name)})\n\n{tables}");
+    }
+
+    // As Markdown has it, and from the folder.
+    static string PlotName(string name) => $"images/experiments-{name}.svg";
+}

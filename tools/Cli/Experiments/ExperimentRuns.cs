@@ -1,0 +1,85 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Glint.Core;
+using Glint.Editor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace Glint.Cli;
+
+/// <summary>Runs the experiments in the open project. The scenes are not saved.</summary>
+sealed class ExperimentRuns(IProgressSink progress)
+{
+    static string Project => Path.GetDirectoryName(Application.dataPath);
+
+    /// <summary>An experiment's scene swept as it is stored.</summary>
+    /// <exception cref="GlintException">The scene or the published table is not there, or cannot be traced or read.</exception>
+    /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
+    public SweepResult Sweep(Experiment experiment)
+    {
+        var published = Published(experiment);
+        var line = experiment.Line;
+        return InScene(line, subjects => new SweepResult(experiment, published,
+            Trace(experiment.Title, subjects, new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots)), subjects.Sea)));
+    }
+
+    /// <summary>The ship of the free space turned on every snapshot of a sea.</summary>
+    /// <exception cref="GlintException">As for a sweep.</exception>
+    /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
+    public SnapshotsResult SweepAllSnapshots(Experiment sea, Experiment ship)
+    {
+        var published = Published(ship);
+        return InScene(Experiment.ShipInFreeSpace.Line, subjects =>
+        {
+            EditorSceneManager.OpenScene(new ProjectPaths(Project).ToAssetPath(sea.Scene, Directory.GetCurrentDirectory()), OpenSceneMode.Additive);
+            var shown = SceneSearch.FindSea(sea.Scene);
+            var plan = new SweepPlan(ship.Line.Get(Options.Angles), [.. Enumerable.Range(1, shown.Snapshots.Count)]);
+            string title = SnapshotsResult.TitleOf(ship);
+            return new SnapshotsResult(SnapshotsResult.NameOf(ship), title, published, Trace(title, subjects, plan, shown));
+        });
+    }
+
+    /// <summary>Seas like a stored one, with other seeds, winds and choppinesses.</summary>
+    /// <param name="sea">The stored sea's experiment, whose radar looks at them all.</param>
+    /// <exception cref="GlintException">As for a sweep.</exception>
+    /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
+    public IReadOnlyList<SeaFamily> Study(Experiment sea, SeaRecipe stored, int seeds) =>
+        InScene(sea.Line, subjects => new SeaStudy(subjects.Radar, subjects.Sea, progress).Run(stored, seeds));
+
+    static IReadOnlyList<PublishedRow> Published(Experiment experiment) => experiment.Published == null ? null : PublishedTable.Read(Project, experiment.Published);
+
+    IReadOnlyList<SweepRow> Trace(string title, SceneSubjects subjects, SweepPlan plan, Sea sea)
+    {
+        using var run = new SweepRun(subjects.Radar, plan, subjects.Target, sea, subjects.Scene, null);
+        var rows = new List<SweepRow>();
+        progress.Start(title, run.Count);
+        try
+        {
+            while (!run.IsComplete)
+            {
+                rows.Add(run.Step(progress, progress.Cancel));
+                progress.Advance(run.Done, rows[^1].Pose.ToString());
+            }
+        }
+        finally
+        {
+            progress.Finish();
+        }
+        return rows;
+    }
+
+    static T InScene<T>(CommandLine line, Func<SceneSubjects, T> work)
+    {
+        var subjects = SceneSubjects.Open(line);
+        try
+        {
+            return work(subjects);
+        }
+        finally
+        {
+            subjects.Radar.Release();
+        }
+    }
+}

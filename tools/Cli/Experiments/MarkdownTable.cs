@@ -1,0 +1,25 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Text;
+
+namespace Glint.Cli;
+
+/// <summary>A table in Markdown, numbers to the right.</summary>
+sealed class MarkdownTable
+{
+    readonly StringBuilder _text = new();
+
+    /// <param name="titles">The first column is a name, the others are numbers.</param>
+    public MarkdownTable(params string[] titles)
+    {
+        Add(titles);
+        _text.Append("| --- ").Append(string.Concat(Enumerable.Repeat("| ---: ", titles.Length - 1))).Append("|\n");
+    }
+
+    public void Add(params IEnumerable<string> cells) => _text.Append("| ").AppendJoin(" | ", cells.Select(Escaped)).Append(" |\n");
+
+    /// <summary>With a line's end behind each row.</summary>
+    public override string ToString() => _text.ToString();
+
+    static string Escaped(string cell) => cell.Replace("\\", "\\\\").Replace("|", "\\|").Replace("<", "&lt;");
+}

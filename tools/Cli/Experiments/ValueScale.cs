@@ -1,0 +1,58 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using static Glint.Cli.TableText;
+
+namespace Glint.Cli;
+
+/// <summary>An axis of values: where each is shown, from 0 at the foot to 1 at the head, and what is written beside it.</summary>
+sealed class ValueScale
+{
+    readonly Func<double, double> _place;
+
+    ValueScale(Func<double, double> place, IEnumerable<(double value, string label)> marks)
+    {
+        _place = place;
+        Marks = [.. marks.Select(mark => (Of(mark.value), mark.label))];
+    }
+
+    /// <summary>Place and label.</summary>
+    public IReadOnlyList<(double Place, string Label)> Marks { get; }
+
+    /// <summary>NaN where the value cannot be shown.</summary>
+    public double Of(double value) => _place(value);
+
+    /// <summary>From 0 on.</summary>
+    public static ValueScale Linear(double greatest)
+    {
+        double step = Step(greatest), end = Math.Max(step, Math.Ceiling(greatest / step) * step);
+        return new ValueScale(value => value / end, Enumerable.Range(0, (int)Math.Round(end / step) + 1).Select(i => (i * step, Text($"{i * step:#,0.##}"))));
+    }
+
+    /// <summary>Whole numbers, logarithmic, with 0 a decade below 1.</summary>
+    public static ValueScale Counts(double greatest)
+    {
+        int decades = Math.Max(1, (int)Math.Ceiling(Math.Log10(Math.Max(1, greatest))));
+        return new ValueScale(value => value < 1 ? 0 : (1 + Math.Log10(value)) / (1 + decades),
+            Enumerable.Range(0, decades + 1).Select(power => Math.Pow(10, power)).Prepend(0).Select(count => (count, Text($"{count:#,0}"))));
+    }
+
+    /// <summary>Amplitudes in decibels. One below the lowest mark is shown at the foot, 0 not at all.</summary>
+    public static ValueScale Decibels(double greatest)
+    {
+        const int lowest = -20, step = 20;
+        int highest = Math.Max(0, step * (int)Math.Ceiling((Signal.Decibels(greatest) ?? lowest) / step));
+        return new ValueScale(value => Signal.Decibels(value) is double decibels ? Math.Max(0, (decibels - lowest) / (highest - lowest)) : double.NaN,
+            Enumerable.Range(0, (highest - lowest) / step + 1).Select(i => lowest + step * i).Select(decibels => (Math.Pow(10, decibels / 20.0), Text($"{decibels}"))));
+    }
+
+    // 1, 2 or 5 times a power of ten: three to seven steps.
+    static double Step(double greatest)
+    {
+        if (!(greatest > 0))
+            return 1;
+        double power = Math.Pow(10, Math.Floor(Math.Log10(greatest)));
+        return power * (greatest / power < 1.5 ? 0.2 : greatest / power < 3.5 ? 0.5 : greatest / power < 7 ? 1 : 2);
+    }
+}

@@ -1,0 +1,68 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text;
+using System.Xml;
+using static Glint.Cli.TableText;
+
+namespace Glint.Cli;
+
+/// <summary>An SVG picture on white: lines, dots and words. Places count from the upper left corner and are rounded to a tenth.</summary>
+sealed class Svg : IDisposable
+{
+    const string Namespace = "http://www.w3.org/2000/svg";
+
+    readonly XmlWriter _svg;
+
+    public Svg(Stream stream, int width, int height)
+    {
+        _svg = XmlWriter.Create(stream, new XmlWriterSettings { Encoding = new UTF8Encoding(false), Indent = true, NewLineChars = "\n", OmitXmlDeclaration = true });
+        _svg.WriteStartElement("svg", Namespace);
+        Attributes(("viewBox", $"0 0 {width} {height}"), ("width", width), ("height", height), ("font-family", "sans-serif"), ("font-size", 13));
+        Element("rect", ("width", width), ("height", height), ("fill", "white"));
+    }
+
+    /// <summary>Ends the picture; the stream stays open.</summary>
+    public void Dispose() => _svg.Dispose();
+
+    public void Dot(double x, double y, string colour, bool isHollow, double radius = 4) =>
+        Element("circle", ("cx", Rounded(x)), ("cy", Rounded(y)), ("r", radius), ("stroke", colour), ("stroke-width", 1.5), ("fill", isHollow ? "white" : colour));
+
+    public void Line(double x1, double y1, double x2, double y2, string colour, double thickness = 1) =>
+        Element("line", ("x1", Rounded(x1)), ("y1", Rounded(y1)), ("x2", Rounded(x2)), ("y2", Rounded(y2)), ("stroke", colour), ("stroke-width", thickness));
+
+    public void Polyline(IEnumerable<(double x, double y)> places, string colour) =>
+        Element("polyline", ("points", Points(places)), ("fill", "none"), ("stroke", colour), ("stroke-width", 1.5));
+
+    /// <summary>A surface that lets through what is drawn below it.</summary>
+    public void Area(IEnumerable<(double x, double y)> outline, string colour) =>
+        Element("polygon", ("points", Points(outline)), ("fill", colour), ("fill-opacity", 0.2));
+
+    /// <param name="anchor">Which end of the text is at the place: start, middle or end.</param>
+    public void Write(double x, double y, string text, string anchor, params (string name, object value)[] more)
+    {
+        _svg.WriteStartElement("text", Namespace);
+        Attributes([("x", Rounded(x)), ("y", Rounded(y)), ("text-anchor", anchor), .. more]);
+        _svg.WriteString(text);
+        _svg.WriteEndElement();
+    }
+
+    void Element(string name, params (string name, object value)[] attributes)
+    {
+        _svg.WriteStartElement(name, Namespace);
+        Attributes(attributes);
+        _svg.WriteEndElement();
+    }
+
+    void Attributes(params (string name, object value)[] attributes)
+    {
+        foreach (var (name, value) in attributes)
+            _svg.WriteAttributeString(name, Convert.ToString(value, CultureInfo.InvariantCulture));
+    }
+
+    static string Points(IEnumerable<(double x, double y)> places) => string.Join(" ", places.Select(place => Text($"{place.x:0.0},{place.y:0.0}")));
+
+    static double Rounded(double place) => Math.Round(place, 1);
+}
