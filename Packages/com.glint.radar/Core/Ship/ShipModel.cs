@@ -7,6 +7,7 @@ namespace Glint.Core
     /// <summary>
     /// A procedural naval vessel of closed solids that reach into each other. Bow towards -Z, y up, the water at y = 0, x = z = 0 in the middle of its length.
     /// The same settings give the same bits on every machine: sums, products, quotients and square roots in double, rounded to 2^-16 m.
+    /// A new part is a class that returns a ShipPart, and a line in Build; the hull takes the triangles that the other parts leave.
     /// </summary>
     public static class ShipModel
     {
