@@ -80,9 +80,9 @@ namespace Glint.Core
             double quarter = 1 + girth * girth, out2 = 2 * girth / quarter, up2 = 2 * girth * girth / quarter;
             double width = (out2 + math.sqrt(out2)) / 2, height = 1 - (1 - up2 + math.sqrt(1 - up2)) / 2;
 
-            // Towards the stem the frame becomes a V.
+            // Towards the stem the frame becomes a V, its foot a little round: no two points of it fall together on the keel.
             double towardsBow = math.max(0, (along - Widest) / (1 - Widest)), vee = towardsBow * towardsBow;
-            width += vee * (height - width);
+            width += 0.9 * vee * (height - width);
 
             double deck = DeckWidth(along), keel = deck * (1 - 0.06 - _settings.Flare * vee);
             double x = _settings.Beam / 2 * width * (keel + (deck - keel) * height * height);

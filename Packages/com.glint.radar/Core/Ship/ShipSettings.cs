@@ -8,9 +8,9 @@ namespace Glint.Core
     {
         internal static readonly Interval Lengths = Interval.Closed(55, 90), Beams = Interval.Closed(11, 16), Freeboards = Interval.Closed(1.5, 6),
             Forecastles = Interval.Closed(0, 3), Draughts = Interval.Closed(2, 8), Sheers = Interval.Closed(0, 3), Rakes = Interval.Closed(0, 6),
-            Flares = Interval.Closed(0, 0.9), Transoms = Interval.Closed(0.4, 1), Storeys = Interval.Closed(2, 4),
+            Flares = Interval.Closed(0, 0.8), Transoms = Interval.Closed(0.4, 1), Storeys = Interval.Closed(2, 4),
             WindowCounts = Interval.Closed(1, 15), WindowDepths = Interval.Closed(0.02, 0.5), MastHeights = Interval.Closed(5, 20),
-            HouseFronts = Interval.Closed(0.28, 0.36), HouseAfts = Interval.Closed(0.2, 0.34), TriangleCounts = Interval.Closed(15000, 2000000);
+            HouseFronts = Interval.Closed(0.28, 0.36), HouseAfts = Interval.Closed(0.2, 0.34), TriangleCounts = Interval.Closed(15000, 200000);
 
         /// <summary>From the stern to the tip of the bow, metres: 55 to 90.</summary>
         public double Length;
@@ -33,7 +33,7 @@ namespace Glint.Core
         /// <summary>How far the tip of the bow reaches out over the stem at the water, metres: 0 to 6.</summary>
         public double Rake;
 
-        /// <summary>How much finer the bow is at the keel than at the deck: 0 (as upright as amidships) to 0.9.</summary>
+        /// <summary>How much finer the bow is at the keel than at the deck: 0 (as upright as amidships) to 0.8.</summary>
         public double Flare;
 
         /// <summary>Width of the flat transom at the deck, of the beam: 0.4 to 1.</summary>
@@ -57,7 +57,7 @@ namespace Glint.Core
         /// <summary>Height of the mast's top over the bridge's roof, metres: 5 to 20.</summary>
         public double MastHeight;
 
-        /// <summary>Triangles of the whole ship, 15,000 to 2,000,000, met within 2 %. Most are the hull's; round parts are the rounder the more there are.</summary>
+        /// <summary>Triangles of the whole ship, 15,000 to 200,000, met within 2 %. Most are the hull's; round parts are the rounder the more there are.</summary>
         public int Triangles;
 
         /// <summary>A patrol vessel that fills the radar's picture about as the published experiment's ship does, from the bow, the sides and the stern.</summary>
