@@ -22,6 +22,7 @@ namespace Glint.Core
 
         readonly RadarSettings _settings;
         readonly RadarView _view;
+        readonly double2 _halfSize; // of the picture
         readonly int2 _first, _end; // tiles of the region, first and one past the last
         readonly double3[] _corners = new double3[8];
         readonly int[] _steps;      // by how many more boxes a tile is covered than those before it, in both directions
@@ -30,6 +31,7 @@ namespace Glint.Core
         {
             _settings = settings;
             _view = view;
+            _halfSize = view.HalfSize(settings);
             Range(settings, out _first, out _end);
             _steps = new int[(_end.y - _first.y + 1) * Stride];
         }
@@ -152,7 +154,7 @@ namespace Glint.Core
         double3 Seen(double3 point)
         {
             double3 v = point - _view.Position;
-            return new double3(new double2(math.dot(v, _view.Right), math.dot(v, _view.Up)) / _view.HalfSize(_settings), math.dot(v, _view.Forward));
+            return new double3(new double2(math.dot(v, _view.Right), math.dot(v, _view.Up)) / _halfSize, math.dot(v, _view.Forward));
         }
 
         // The tile of the ray that passes nearest, kept within bounds that an int holds.
