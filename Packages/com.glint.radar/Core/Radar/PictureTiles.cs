@@ -14,8 +14,8 @@ namespace Glint.Core
         // Rays by which a box's outline is widened: many times the rounding of the kernel's directions.
         const double Margin = 0.05;
 
-        // Of a mesh that is seen in no more tiles, the outlines of its parts would cost more than they save: there may be thousands of such.
-        const int FewTiles = 16;
+        // Of a mesh that is seen in no more tiles than it has parts, the outlines of its parts would cost more than they save: there may be thousands of such.
+        const int FewTiles = 64;
 
         // Tiles that stay neighbours when the order is spread over processors: they share much of the tree.
         const int Run = 32;
