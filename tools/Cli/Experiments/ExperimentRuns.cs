@@ -31,11 +31,12 @@ sealed class ExperimentRuns(IProgressSink progress)
     public SnapshotsResult SweepAllSnapshots(Experiment sea, Experiment ship)
     {
         var published = Published(ship);
-        return InScene(Experiment.ShipInFreeSpace.Line, subjects =>
+        var turned = Experiment.ShipInFreeSpace with { Options = ship.Options };
+        return InScene(turned.Line, subjects =>
         {
             EditorSceneManager.OpenScene(new ProjectPaths(Project).ToAssetPath(sea.Scene, Directory.GetCurrentDirectory()), OpenSceneMode.Additive);
             var shown = SceneSearch.FindSea(sea.Scene);
-            var plan = new SweepPlan(ship.Line.Get(Options.Angles), [.. Enumerable.Range(1, shown.Snapshots.Count)]);
+            var plan = new SweepPlan(turned.Line.Get(Options.Angles), [.. Enumerable.Range(1, shown.Snapshots.Count)]);
             string title = SnapshotsResult.TitleOf(ship);
             return new SnapshotsResult(SnapshotsResult.NameOf(ship), title, published, Trace(title, subjects, plan, shown));
         });

@@ -20,7 +20,7 @@ static class ExperimentTables
                 Range(agreement.Received, "0.00"), Range(agreement.AmplitudeDb, "+0.0;-0.0;0.0"), double.IsNaN(agreement.AmplitudeCorrelation) ? None : Text($"{agreement.AmplitudeCorrelation:0.000}"));
         }
         return $"{table}\nMedian (lowest to highest). Amplitudes and rays received are compared where both return rays, the correlation is over all poses. "
-            + Text($"{result.Device.Name}, driver {result.Device.Driver}, Glint {GlintVersion.Text}; all of it took {result.Elapsed.TotalSeconds:0} s.\n");
+            + Text($"{result.Device.Name}, driver {result.Device.Driver}, Glint {GlintVersion.Text}.\n");
     }
 
     /// <summary>Every pose, theirs beside ours.</summary>
