@@ -62,13 +62,14 @@ namespace Glint
         /// <summary>Traces the next pose and writes its row; after the last one results.json.</summary>
         /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
         /// <param name="cancel">Ends the pose.</param>
+        /// <param name="keep">Which rays the row's result carries.</param>
         /// <exception cref="GlintException">The pose cannot be traced or its row not be written; the rows before are kept.</exception>
         /// <exception cref="OperationCanceledException">The pose was cancelled; the rows before are kept, and the next step traces it again.</exception>
-        public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default)
+        public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default, KeptRays keep = KeptRays.None)
         {
             var pose = _plan[Done];
             Show(pose);
-            var row = new SweepRow(pose, _radar.Trace(KeptRays.None, progress, cancel));
+            var row = new SweepRow(pose, _radar.Trace(keep, progress, cancel));
             _folder?.Append(row);
             Done++;
             if (IsComplete)

@@ -38,7 +38,7 @@ sealed class ExperimentFiles
         _page = new OutputFile(flag, page);
         _json = new OutputFile(flag, Path.Combine(path, JsonName));
         _plots = s_plots.ToDictionary(name => name, name => new OutputFile(flag, Path.Combine(path, PlotName(name))));
-        foreach (string name in s_plots.Append(Summary))
+        foreach (string name in s_plots.Append(Summary).Concat(Experiment.Seas.Select(pair => ShareOf(pair.Ship))))
             _words.Check(name);
     }
 
@@ -50,6 +50,8 @@ sealed class ExperimentFiles
         _words.Put(Summary, "How far they agree", ExperimentTables.Summary(result));
         foreach (var sweep in result.Sweeps)
             Add(sweep.Experiment.Name, sweep.Experiment.Title, ExperimentTables.Of(sweep), stream => ExperimentPlots.Write(stream, sweep));
+        foreach (var (ship, angles) in result.Shares)
+            _words.Put(ShareOf(ship), $"{ship.Title}: what the sea adds", ExperimentTables.Of(angles));
         foreach (var ship in result.Ships)
             Add(ship.Name, ship.Title, ExperimentTables.Of(ship), stream => ExperimentPlots.Write(stream, ship));
         Add(Seas, "Other seas", ExperimentTables.OfSeas(result), stream => SeaPlot.Write(stream, result.Seas, result.PublishedReturning));
@@ -62,6 +64,8 @@ sealed class ExperimentFiles
         _plots[name].Write(plot);
         _words.Put(name, title, $"![{title}]({PlotName(name)})\n\n{tables}");
     }
+
+    static string ShareOf(Experiment ship) => $"{ship.Name}-share";
 
     // As Markdown has it, and from the folder.
     static string PlotName(string name) => $"images/experiments-{name}.svg";

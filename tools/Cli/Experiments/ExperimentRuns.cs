@@ -22,7 +22,7 @@ sealed class ExperimentRuns(IProgressSink progress)
         var published = Published(experiment);
         var line = experiment.Line;
         return InScene(line, subjects => new SweepResult(experiment, published,
-            Trace(experiment.Title, subjects, new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots)), subjects.Sea)));
+            Trace(experiment.Title, subjects, new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots)), subjects.Sea, KeptRays.Received)));
     }
 
     /// <summary>The ship of the free space turned on every snapshot of a sea.</summary>
@@ -38,7 +38,7 @@ sealed class ExperimentRuns(IProgressSink progress)
             var shown = SceneSearch.FindSea(sea.Scene);
             var plan = new SweepPlan(turned.Line.Get(Options.Angles), [.. Enumerable.Range(1, shown.Snapshots.Count)]);
             string title = SnapshotsResult.TitleOf(ship);
-            return new SnapshotsResult(SnapshotsResult.NameOf(ship), title, published, Trace(title, subjects, plan, shown));
+            return new SnapshotsResult(SnapshotsResult.NameOf(ship), title, published, Trace(title, subjects, plan, shown, KeptRays.None));
         });
     }
 
@@ -51,7 +51,7 @@ sealed class ExperimentRuns(IProgressSink progress)
 
     static IReadOnlyList<PublishedRow> Published(Experiment experiment) => experiment.Published == null ? null : PublishedTable.Read(Project, experiment.Published);
 
-    IReadOnlyList<SweepRow> Trace(string title, SceneSubjects subjects, SweepPlan plan, Sea sea)
+    IReadOnlyList<SweepRow> Trace(string title, SceneSubjects subjects, SweepPlan plan, Sea sea, KeptRays keep)
     {
         using var run = new SweepRun(subjects.Radar, plan, subjects.Target, sea, subjects.Scene, null);
         var rows = new List<SweepRow>();
@@ -60,7 +60,7 @@ sealed class ExperimentRuns(IProgressSink progress)
         {
             while (!run.IsComplete)
             {
-                rows.Add(run.Step(progress, progress.Cancel));
+                rows.Add(run.Step(progress, progress.Cancel, keep));
                 progress.Advance(run.Done, rows[^1].Pose.ToString());
             }
         }

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
 using static Glint.Cli.TableText;
@@ -38,6 +39,16 @@ static class ExperimentTables
         foreach (var (at, theirs, ours) in sweep.Poses)
             table.Add(Step(at), Amplitude(theirs.Amplitude), Amplitude(ours.Amplitude), Count(theirs.RaysReceived), Count(ours.RaysReceived),
                 Count(theirs.RaysHit), Count(ours.RaysHit), Ratio(theirs.Ratio), Ratio(ours.Ratio));
+        return table.ToString();
+    }
+
+    /// <summary>Every angle: the ship's own rays and those that met the sea.</summary>
+    public static string Of(IReadOnlyList<SeaShare> angles)
+    {
+        var table = new MarkdownTable(["deg", "amplitude in free space", "on the sea", "on the sea, rays of the ship alone", "these rays", "lost", "rays that met the sea",
+            .. Enumerable.Range(1, angles[0].Added.Length).Select(bounces => bounces == 1 ? "by 1 bounce" : Text($"by {bounces}"))]);
+        foreach (var angle in angles)
+            table.Add([Step(angle.Step), Amplitude(angle.FreeSpace), Amplitude(angle.OnSea), Amplitude(angle.ShipAlone), Count(angle.Kept), Count(angle.Lost), Count(angle.Added.Sum()), .. angle.Added.Select(count => Count(count))]);
         return table.ToString();
     }
 

@@ -14,6 +14,16 @@ sealed class ExperimentsResult
     /// <summary>In the order of <see cref="Experiment.All"/>.</summary>
     public List<SweepResult> Sweeps { get; } = [];
 
+    /// <summary>What each sea takes from the ship's rays and adds to them, angle by angle.</summary>
+    public IEnumerable<(Experiment Ship, IReadOnlyList<SeaShare> Angles)> Shares
+    {
+        get
+        {
+            var freeSpace = Sweeps.Single(sweep => sweep.Experiment == Experiment.ShipInFreeSpace);
+            return Experiment.Seas.Select(pair => (pair.Ship, (IReadOnlyList<SeaShare>)[.. SeaShare.Of(freeSpace, Sweeps.Single(sweep => sweep.Experiment == pair.Ship))]));
+        }
+    }
+
     /// <summary>The ship on every snapshot of each stored sea.</summary>
     public List<SnapshotsResult> Ships { get; } = [];
 

@@ -5,12 +5,12 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>How often seas return anything: those like a stored one, and others with less and more wind and with less choppiness, seed by seed.</summary>
+/// <summary>How often seas return anything: those like a stored one, and others with less and more wind and choppiness, seed by seed.</summary>
 /// <param name="sea">Before the radar, its extent as it is; its snapshots are taken away, and it is made of waves instead.</param>
 sealed class SeaStudy(RadarController radar, Sea sea, IProgressSink progress)
 {
-    // Times the stored sea's, which are the first. The stored choppiness is that of deep water already: there is only less to try.
-    static readonly (double wind, double choppiness)[] s_variants = [(1, 1), (0.8, 1), (1.25, 1), (1, 0.8)];
+    // Times the stored sea's, which are the first.
+    static readonly (double wind, double choppiness)[] s_variants = [(1, 1), (0.8, 1), (1.25, 1), (1, 0), (1, 1.6)];
 
     /// <returns>That of the stored wind and choppiness first.</returns>
     /// <exception cref="GlintException">A sea cannot be made or traced.</exception>
