@@ -276,12 +276,12 @@ public sealed class ExperimentsTests
     {
         var (sea, ship) = (Experiment.Seas[1].Sea, Experiment.Seas[1].Ship);
         var runs = new ExperimentRuns(new LogProgress());
-        ship = Few(ship with { Options = ["--target", "Ship", "--angles", "0,60"] });
+        ship = Few(ship with { Options = ["--target", "Ship", "--angles", "60"] });
         var all = runs.SweepAllSnapshots(sea, ship).Rows;
         var alone = runs.Sweep(ship).Rows;
 
-        Assert.That(all.Count, Is.EqualTo(20));
-        Assert.That(all.Where(row => row.Pose.AngleDegrees == 60).Select(row => (row.Result.RaysHit, row.Result.Bounces)), Does.Contain((alone[1].Result.RaysHit, alone[1].Result.Bounces)));
+        Assert.That(all.Count, Is.EqualTo(10));
+        Assert.That(all.Select(row => (row.Result.RaysHit, row.Result.Bounces)), Does.Contain((alone[0].Result.RaysHit, alone[0].Result.Bounces)));
     }
 
     // What users read, against what was published.
