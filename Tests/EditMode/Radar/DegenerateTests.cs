@@ -1,0 +1,157 @@
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using static Unity.Mathematics.math;
+
+namespace Glint.Tests
+{
+    /// <summary>Where float32 cannot tell what is met: what a ray may do there, and that nothing else comes of it. The cases are those of method.md, Known limits.</summary>
+    public sealed class DegenerateTests
+    {
+        const double LengthTolerance = 1e-5; // m
+
+        // How far float32 may be off in a scene of so many metres: what RayComparison allows a place.
+        static double Step(double sceneSize) => sceneSize / (1 << 22);
+
+        [Test]
+        public void Trace_RadarInATriangle_MeetsItAtOnceOrNotAtAll([Values] bool asSoftware)
+        {
+            var wall = TestRadar.FacingPlate(10, 20);
+            var scene = new RadarScene(TestRadar.Join(TestRadar.FacingPlate(4, 0), wall));
+            var settings = TestRadar.Settings();
+            var view = TestRadar.LookAt(double3(0.1, 0.2, 0), double3(3, 1, 2));
+            var rays = Trace(scene, settings, view, asSoftware).Rays;
+            var expected = new Judge(scene, settings, view).TraceSame(rays);
+            int atOnce = 0;
+            for (int i = 0; i < rays.Length; i++)
+            {
+                AssertFinite(rays[i]);
+                double3 direction = TestRadar.Direction(settings, view, (int)rays[i].Pixel);
+                if (rays[i].Bounces == expected[i].Bounces)
+                {
+                    Assert.That(rays[i].ExactPathLength, Is.EqualTo(expected[i].LengthToEnd).Within(LengthTolerance), $"ray {i}");
+                    continue;
+                }
+                // The judge's ray begins on the triangle and leaves it; this one is mirrored by it where it begins.
+                atOnce++;
+                Assert.That(rays[i].Bounces, Is.EqualTo(1), $"ray {i}");
+                Assert.That(distance(rays[i].LastHit, view.Position), Is.LessThan(Step(50)), $"ray {i}");
+                Assert.That(distance(rays[i].Direction, direction * double3(1, 1, -1)), Is.LessThan(1e-6), $"ray {i}");
+            }
+            Assert.That(atOnce, Is.GreaterThan(0), "a limit that is none any more: mend method.md");
+
+            // The remedy: a millimetre off the surface.
+            view.Position.z += 1e-3;
+            var comparison = new RayComparison(scene, settings, view, LengthTolerance);
+            comparison.Add(Trace(scene, settings, view, asSoftware).Rays);
+            Assert.That(comparison.Wrong, Is.Zero);
+            Assert.That(comparison.KernelSums.RaysHit, Is.GreaterThan(100));
+        }
+
+        // A thousand slivers 40 micrometres wide and 4 m high before a wall, each once or twice in the same place.
+        [TestCase(1, true, 0)]
+        [TestCase(1, false, 0)]
+        [TestCase(2, true, 0.3)]
+        [TestCase(2, false, 0.3)]
+        public void Trace_CoplanarSlivers_AreMetAgainNowAndThenWhenTheyAreDuplicates(int copies, bool asSoftware, double mostWrong)
+        {
+            var slivers = Enumerable.Range(0, 1000 * copies).Select(i => -2 + 0.004f * (i / copies)).Select(x =>
+                new TriangleMesh(new[] { float3(x, -2.05f, 0.13f * x), float3(x + 4e-5f, -2.05f, 0.13f * (x + 4e-5f) + 1e-7f), float3(x + 0.7f, 2.05f, 0.13f * x + 1.3f) }, new[] { 0, 1, 2 }));
+            var scene = new RadarScene(TestRadar.Join(slivers.Append(TestRadar.FacingPlate(30, -12)).ToArray()));
+            var settings = TestRadar.Settings(320, 180);
+            var view = TestRadar.LookAt(double3(0.3, 0.2, -10), 0, fov: 20);
+            var result = Trace(scene, settings, view, asSoftware);
+            var comparison = new RayComparison(scene, settings, view, LengthTolerance);
+            comparison.Add(result.Rays);
+            foreach (var ray in result.Rays)
+            {
+                AssertFinite(ray);
+                Assert.That(ray.Bounces, Is.LessThanOrEqualTo(settings.MaxBounces));
+            }
+            // What is met first is right in any case.
+            Assert.That(result.RaysHit, Is.EqualTo(new Judge(scene, settings, view).TraceAll().Count(ray => ray.Bounces > 0)).Within(3));
+            Assert.That(result.RaysHit, Is.GreaterThan(100));
+            Assert.That(comparison.Wrong, Is.LessThanOrEqualTo(mostWrong * result.RaysHit));
+        }
+
+        // A hundred-millionth and a ten-millionth of the distance, before a wall of 130 m.
+        [TestCase(1e-6f, true)]
+        [TestCase(1e-6f, false)]
+        [TestCase(1e-5f, true)]
+        [TestCase(1e-5f, false)]
+        public void Trace_TriangleSmallerThanAStep_IsMetNearItOrNotAtAll(float size, bool asSoftware)
+        {
+            float3 corner = float3(31.7f, 12.3f, 45.1f);
+            var tiny = new TriangleMesh(new[] { corner, corner + size * float3(1, 0, 0.1f), corner + size * float3(0, 1, 0.2f) }, new[] { 0, 1, 2 });
+            var scene = new RadarScene(TestRadar.Join(tiny, TestRadar.FacingPlate(130, 65)));
+            double3 from = double3(-20, 5, -60), to = (double3)corner - from;
+            double there = length(to), step = Step(2 * new Judge(scene, TestRadar.Settings(), default).SceneRadius);
+            var settings = TestRadar.Settings(100, 100, 1);
+            var view = TestRadar.LookAt(from, corner, fov: degrees(4 * step / there));
+            int met = 0;
+            foreach (var ray in Trace(scene, settings, view, asSoftware).Rays)
+            {
+                AssertFinite(ray);
+                Assert.That(ray.Bounces, Is.EqualTo(1));
+                double3 direction = TestRadar.Direction(settings, view, (int)ray.Pixel);
+                double toWall = (65 - from.z) / direction.z;
+                if (abs(ray.ExactPathLength - toWall) < 10 * step)
+                    continue;
+                met++;
+                Assert.That(ray.ExactPathLength, Is.EqualTo(there).Within(10 * step), "neither the triangle nor the wall");
+                Assert.That(length(cross(direction, to)), Is.LessThan(2 * size + step), "aside of the triangle");
+            }
+            // Rays are so near to each other that the larger triangle fills some of the picture.
+            Assert.That(met, size > 5e-6f ? Is.GreaterThan(0) : Is.GreaterThanOrEqualTo(0));
+        }
+
+        // 3e-10 m from ray to ray, across the edges of trihedrals of any turn.
+        [Test]
+        public void Trace_RaysFarNearerToAnEdgeThanAStep_GoTheWayOfARayBeside([Values] bool asSoftware)
+        {
+            const double spacing = 3e-10;
+            var random = new System.Random(1);
+            double Next() => random.NextDouble();
+            var settings = TestRadar.Settings(32, 18);
+            long rays = 0, received = 0;
+            using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
+                for (int pose = 0; pose < 40; pose++)
+                {
+                    var place = Affine.FromTransform(double3(1, -2, 3), double4(Next() - 0.5, Next() - 0.5, Next() - 0.5, Next() - 0.5), 1);
+                    double3 onEdge = 0;
+                    onEdge[pose % 3] = 0.2 + 3 * Next();
+                    double3 at = place.Point(onEdge), back = place.Vector(normalize(0.3 + double3(Next(), Next(), Next())));
+                    var view = TestRadar.LookAt(at + 10 * back, at);
+                    view.ApertureHeight = settings.RaysDown * spacing;
+                    view.ReceiverSize = 10;
+                    var scene = new RadarScene(new MeshInstance { Mesh = TestRadar.Trihedral(0, 4), ToWorld = place });
+                    tracer.SetScene(scene);
+                    var comparison = new RayComparison(scene, settings, view, LengthTolerance);
+                    var result = tracer.Trace(settings, view, KeptRays.All);
+                    foreach (var ray in result.Rays)
+                        AssertFinite(ray);
+                    comparison.Add(result.Rays);
+                    Assert.That(comparison.Wrong, Is.Zero, $"pose {pose}");
+                    Assert.That(comparison.LargestLengthDifference, Is.LessThan(1e-7), $"pose {pose}");
+                    rays += comparison.Rays;
+                    received += comparison.KernelSums.RaysReceived;
+                }
+            Assert.That(received, Is.GreaterThan(rays / 4));
+        }
+
+        static RadarResult Trace(RadarScene scene, in RadarSettings settings, in RadarView view, bool asSoftware)
+        {
+            using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
+            {
+                tracer.SetScene(scene);
+                var result = tracer.Trace(settings, view, KeptRays.All);
+                Assert.That(double.IsNaN(result.InPhase) || double.IsNaN(result.Quadrature) || double.IsInfinity(result.PathLengthMeters) || double.IsNaN(result.PathLengthMeters), Is.False);
+                return result;
+            }
+        }
+
+        static void AssertFinite(in RayData ray) =>
+            Assert.That(all(isfinite(ray.LastHit)) && all(isfinite(ray.Direction)) && isfinite(ray.ExactPathLength), Is.True, "a number that is none");
+    }
+}
