@@ -97,6 +97,14 @@ namespace Glint
         /// <summary>What happens while the scene plays.</summary>
         public SeaMotion Motion { get => _motion; set => _motion = value; }
 
+        /// <summary>How long each snapshot is shown when the motion is <see cref="SeaMotion.Snapshots"/>, seconds.</summary>
+        /// <exception cref="GlintException">It is not above 0.</exception>
+        public float SecondsPerSnapshot
+        {
+            get => _secondsPerSnapshot;
+            set => _secondsPerSnapshot = value > 0 ? value : throw new GlintException(FormattableString.Invariant($"{Subject}: {value} seconds a snapshot: must be above 0"));
+        }
+
         string Subject => $"Sea of '{name}'";
 
         /// <summary>Lays the tiles as everything stands now.</summary>
