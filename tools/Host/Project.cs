@@ -76,6 +76,8 @@ public sealed class Project : IAssetSource, IAssetStore
 
     public void CreateAsset(Object asset, string path)
     {
+        // As in Unity, a new asset is called as its file.
+        asset.name = Path.GetFileNameWithoutExtension(path);
         _writer.WriteAsset(asset, path);
         _assets.Put(path, asset, AssetWriter.RecordOf(asset, _files.Shown(path)));
     }

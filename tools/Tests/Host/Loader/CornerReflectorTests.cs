@@ -18,6 +18,7 @@ public sealed class CornerReflectorTests
     public void Load()
     {
         _before = Engine.Assets;
+        Engine.Reset(); // whatever tests before have left open
         Project.Open(Project.FindRoot(ThisFolder()));
         SceneData scene = SceneRegistry.AddFile("Packages/com.glint.scenes/CornerReflector.unity");
         SceneRegistry.Fill(scene);

@@ -186,6 +186,7 @@ public sealed class MeshWritingTests : WritingFixture
         AssetDatabase.CreateAsset(second, "Assets/Second.asset");
         MarkerOptions read = Reopened<MarkerOptions>("Assets/Second.asset");
         Assert.That((read.Frequency, read.Next.Frequency), Is.EqualTo((1f, 9.4e9f)));
+        Assert.That((read.name, read.Next.name), Is.EqualTo(("Second", "First")), "an asset is called as its file");
     }
 
     [TestCase("Elsewhere/A.asset", "'Elsewhere/A.asset': no place for an asset: give a path below Assets, or below Packages and the name of an embedded or local package")]
@@ -213,11 +214,11 @@ public sealed class MeshWritingTests : WritingFixture
     public void CreateAsset_OfWhatIsNotWritten_IsRefused()
     {
         string message = Assert.Throws<UnityException>(() => AssetDatabase.CreateAsset(new Material((Shader)null), "Assets/M.mat")).Message;
-        Assert.That(message, Is.EqualTo("the Material '' is not written outside of Unity: only meshes, ScriptableObjects and prefabs are"));
+        Assert.That(message, Is.EqualTo("the Material 'M' is not written outside of Unity: only meshes, ScriptableObjects and prefabs are"));
         Mesh mesh = Triangle();
         AssetDatabase.CreateAsset(mesh, "Assets/A.asset");
         message = Assert.Throws<UnityException>(() => AssetDatabase.CreateAsset(mesh, "Assets/B.asset")).Message;
-        Assert.That(message, Does.StartWith("Creating asset at path Assets/B.asset failed: 'Triangle' is the asset Assets/A.asset already"));
+        Assert.That(message, Does.StartWith("Creating asset at path Assets/B.asset failed: 'A' is the asset Assets/A.asset already"));
     }
 
     [Test]
