@@ -1,5 +1,4 @@
 using System.IO;
-using System.Linq;
 using Glint.Core;
 using UnityEditor;
 using UnityEngine;

@@ -14,8 +14,10 @@ namespace Glint.Editor
         public static int Write(CommandLine line, IProgressSink progress)
         {
             var asked = SeaOptions.Read(line);
-            var seas = asked != null ? new[] { (folder: ProjectAssets.Folder(line.Get(SeaOptions.Out)), asked) } : StoredSeas.All.Select(stored => (folder: ProjectAssets.StoredFolder(stored.Name), stored)).ToArray();
-            progress.Start("sea", seas.Sum(sea => sea.Item2.Times.Count));
+            var seas = asked == null
+                ? StoredSeas.All.Select(stored => (folder: ProjectAssets.StoredFolder(stored.Name), recipe: stored)).ToArray()
+                : new[] { (folder: ProjectAssets.Folder(line.Get(Options.AssetFolder)), recipe: asked) };
+            progress.Start("sea", seas.Sum(sea => sea.recipe.Times.Count));
             try
             {
                 int done = 0;

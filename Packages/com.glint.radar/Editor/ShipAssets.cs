@@ -15,7 +15,7 @@ namespace Glint.Editor
         public static int Write(CommandLine line, IProgressSink progress)
         {
             var asked = ShipOptions.Read(line);
-            string folder = asked.HasValue ? ProjectAssets.Folder(line.Get(ShipOptions.Out)) : ProjectAssets.StoredFolder(Name);
+            string folder = asked.HasValue ? ProjectAssets.Folder(line.Get(Options.AssetFolder)) : ProjectAssets.StoredFolder(Name);
             var settings = asked ?? ShipSettings.Default;
             var made = ShipModel.Build(settings);
             var mesh = ProjectAssets.Save(MeshMaker.Make(Name, made.Vertices, made.Indices), $"{folder}/{Name}.asset");

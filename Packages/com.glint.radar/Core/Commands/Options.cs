@@ -58,6 +58,13 @@ namespace Glint.Core
             Help = "Folder for results.csv and results.json, made with its parents when it is not there."
         };
 
+        /// <summary>Folder of the project for meshes and prefabs; null when not given.</summary>
+        public static readonly Option<string> AssetFolder = new Option<string>("out", "DIR", Values.Words)
+        {
+            Group = ResultGroup,
+            Help = "Folder of the project for mesh and prefab, such as Assets/Mine; made with its parents when it is not there. Required with any other option."
+        };
+
         /// <summary>Rays across and down.</summary>
         public static readonly Option<int2> Size = new Option<int2>("size", "WxH", text => Values.Size(text, RaysOfAxis))
         {

@@ -13,13 +13,6 @@ namespace Glint.Core
         static readonly Interval s_seconds = Interval.Closed(-1e6, 1e6);
         static readonly NumberList s_times = new NumberList("time", s_seconds, "seconds", ("0:45:5", "0,3.5,60"));
 
-        /// <summary>Folder of the project for meshes and prefabs; null when not given.</summary>
-        public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.Words)
-        {
-            Group = Group,
-            Help = "Folder of the project for meshes and prefabs, such as Assets/Seas/Breeze; made when it is not there. Required with any other option."
-        };
-
         /// <summary>Hs in metres.</summary>
         public static readonly Option<double> WaveHeight = Number("wave-height", "M", s_standard.SignificantWaveHeight, SeaSettings.Heights, "Significant wave height in metres, which the snapshots have together: 4 times the standard deviation of the heights.");
 
@@ -92,7 +85,7 @@ namespace Glint.Core
         /// <summary>All of them, in the order of the help.</summary>
         public static readonly Option[] All =
         {
-            Out, WaveHeight, State, Spectrum, Wind, WindDirection, Choppiness, Tile, Grid, Cells, ShortestWave, Fetch, PeakEnhancement, Seed, Times, Tiles
+            Options.AssetFolder, WaveHeight, State, Spectrum, Wind, WindDirection, Choppiness, Tile, Grid, Cells, ShortestWave, Fetch, PeakEnhancement, Seed, Times, Tiles
         };
 
         /// <summary>The sea that a command line asks for; null when it has no option, which means the stored ones.</summary>
@@ -101,8 +94,8 @@ namespace Glint.Core
         {
             if (!All.Any(line.IsGiven))
                 return null;
-            if (!line.IsGiven(Out))
-                throw new UsageException($"{Out.Flag} is missing: a sea of your own needs {Out.Flag} {Out.ValueName}, such as {Out.Flag} Assets/Seas/Breeze; without any option the stored seas are made");
+            if (!line.IsGiven(Options.AssetFolder))
+                throw new UsageException($"{Options.AssetFolder.Flag} is missing: a sea of your own needs {Options.AssetFolder.Flag} {Options.AssetFolder.ValueName}, such as {Options.AssetFolder.Flag} Assets/Seas/Breeze; without any option the stored seas are made");
             var settings = new SeaSettings
             {
                 Kind = line.Get(Spectrum),
@@ -142,9 +135,9 @@ namespace Glint.Core
         }
 
         static Option<double> Number(string name, string valueName, double standard, Interval range, string help) =>
-            new Option<double>(name, valueName, text => Values.Real(text, range)) { Group = Group, Range = range.ToString(), DefaultText = Numbers.Format(standard), Help = help };
+            Options.Number(name, valueName, Numbers.Format(standard), range, Group, InputKind.Any, help);
 
         static Option<int> Whole(string name, string valueName, int standard, Interval range, string help) =>
-            new Option<int>(name, valueName, text => Values.Whole(text, range)) { Group = Group, Range = range.ToString(), DefaultText = Numbers.Format(standard), Help = help };
+            Options.Whole(name, valueName, Numbers.Format(standard), range, Group, help);
     }
 }

@@ -9,13 +9,6 @@ namespace Glint.Core
 
         static readonly ShipSettings s_standard = ShipSettings.Default;
 
-        /// <summary>Folder of the project for mesh and prefab; null when not given.</summary>
-        public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.Words)
-        {
-            Group = Group,
-            Help = "Folder of the project for mesh and prefab, such as Assets/Ships; made when it is not there. Required with any other option."
-        };
-
         /// <summary>Length from the stern to the tip of the bow in metres.</summary>
         public static readonly Option<double> Length = Number("length", "M", s_standard.Length, ShipSettings.Lengths, "Length from the stern to the tip of the bow in metres.");
 
@@ -67,7 +60,7 @@ namespace Glint.Core
         /// <summary>All of them, in the order of the help.</summary>
         public static readonly Option[] All =
         {
-            Out, Length, Beam, Freeboard, Forecastle, Draught, Sheer, Rake, Flare, Transom, HouseFront, HouseAft, StoreyHeight, Windows, WindowDepth, MastHeight, Triangles
+            Options.AssetFolder, Length, Beam, Freeboard, Forecastle, Draught, Sheer, Rake, Flare, Transom, HouseFront, HouseAft, StoreyHeight, Windows, WindowDepth, MastHeight, Triangles
         };
 
         /// <summary>The ship that a command line asks for; null when it has no option, which means the stored one.</summary>
@@ -76,8 +69,8 @@ namespace Glint.Core
         {
             if (!All.Any(line.IsGiven))
                 return null;
-            if (!line.IsGiven(Out))
-                throw new UsageException($"{Out.Flag} is missing: a ship of your own needs {Out.Flag} {Out.ValueName}, such as {Out.Flag} Assets/Ships; without any option the stored ship is made");
+            if (!line.IsGiven(Options.AssetFolder))
+                throw new UsageException($"{Options.AssetFolder.Flag} is missing: a ship of your own needs {Options.AssetFolder.Flag} {Options.AssetFolder.ValueName}, such as {Options.AssetFolder.Flag} Assets/Ships; without any option the stored ship is made");
             return new ShipSettings
             {
                 Length = line.Get(Length),
@@ -100,9 +93,9 @@ namespace Glint.Core
         }
 
         static Option<double> Number(string name, string valueName, double standard, Interval range, string help) =>
-            new Option<double>(name, valueName, text => Values.Real(text, range)) { Group = Group, Range = range.ToString(), DefaultText = Numbers.Format(standard), Help = help };
+            Options.Number(name, valueName, Numbers.Format(standard), range, Group, InputKind.Any, help);
 
         static Option<int> Whole(string name, string valueName, int standard, Interval range, string help) =>
-            new Option<int>(name, valueName, text => Values.Whole(text, range)) { Group = Group, Range = range.ToString(), DefaultText = Numbers.Format(standard), Help = help };
+            Options.Whole(name, valueName, Numbers.Format(standard), range, Group, help);
     }
 }
