@@ -37,11 +37,10 @@ namespace Glint.Editor
                 return SeaAssets.Write(line, progress);
             if (line.Command == Commands.Ship)
                 return ShipAssets.Write(line, progress);
+            var plan = PlanOf(line);
             var subjects = SceneSubjects.Open(line);
-            bool isSweep = line.Command == Commands.Sweep;
-            var plan = isSweep ? new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots)) : SweepPlan.Single;
-            var folder = OpenFolder(line, subjects.Name);
-            using (var run = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, folder))
+            using (var folder = OpenFolder(line, subjects.Name))
+            using (var run = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, folder, subjects.Mount))
             {
                 try
                 {
@@ -52,6 +51,19 @@ namespace Glint.Editor
                     subjects.Radar.Release();
                 }
             }
+        }
+
+        static SweepPlan PlanOf(CommandLine line)
+        {
+            if (line.Command != Commands.Sweep)
+                return SweepPlan.Single;
+            var snapshots = line.Get(Options.Snapshots);
+            return new SweepPlan(
+                (SweepAxis.Angle, line.Get(Options.Angles)),
+                (SweepAxis.Grazing, line.Get(Options.GrazingAngles)),
+                (SweepAxis.Range, line.Get(Options.Distances)),
+                (SweepAxis.Frequency, line.Get(Options.Frequencies)),
+                (SweepAxis.Snapshot, snapshots == null ? null : Array.ConvertAll(snapshots, number => (double)number)));
         }
 
         static int Trace(SweepRun run, SceneSubjects subjects, ResultsFolder folder, SweepPlan plan, IProgressSink progress)

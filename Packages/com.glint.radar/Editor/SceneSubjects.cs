@@ -12,13 +12,14 @@ namespace Glint.Editor
     {
         const string KernelPath = "Packages/com.glint.radar/Shaders/Trace.compute";
 
-        SceneSubjects(string name, string scene, RadarController radar, Transform target, Sea sea = null)
+        SceneSubjects(string name, string scene, RadarController radar, Transform target, Sea sea = null, RadarMount mount = null)
         {
             Name = name;
             Scene = scene;
             Radar = radar;
             Target = target;
             Sea = sea;
+            Mount = mount;
         }
 
         /// <summary>Name of the scene or mesh file without folder and extension.</summary>
@@ -29,11 +30,14 @@ namespace Glint.Editor
 
         public RadarController Radar { get; }
 
-        /// <summary>What a sweep turns; null when the command names none.</summary>
+        /// <summary>What a sweep turns or moves the radar about; null when the command names none.</summary>
         public Transform Target { get; }
 
         /// <summary>Whose snapshots a sweep shows; null when the command names none.</summary>
         public Sea Sea { get; }
+
+        /// <summary>Moves the radar that looks at a mesh file; null with a scene.</summary>
+        public RadarMount Mount { get; }
 
         /// <summary>Opens what the command line names.</summary>
         /// <exception cref="GlintException">It is not there, or holds no radar or no such target.</exception>
@@ -98,8 +102,8 @@ namespace Glint.Editor
             var stand = new RadarStand
             {
                 Aim = line.Get(Options.Aim),
-                Distance = line.Get(Options.Distance),
-                GrazingDegrees = line.Get(Options.Grazing),
+                Distance = line.Get(Options.Distances)?[0] ?? line.Get(Options.Distance),
+                GrazingDegrees = line.Get(Options.GrazingAngles)?[0] ?? line.Get(Options.Grazing),
                 AzimuthDegrees = line.Get(Options.Azimuth),
                 VerticalFovDegrees = line.Get(Options.Fov),
                 RaySpacing = line.Get(Options.Spacing),
@@ -109,7 +113,7 @@ namespace Glint.Editor
             if (!line.IsGiven(Options.Spacing) || line.IsGiven(Options.Receiver))
                 stand.ReceiverSize = line.Get(Options.Receiver);
             var scene = MeshFileScene.Create(file, stand, Override(RadarSettings.Default, line), AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath));
-            return new SceneSubjects(file.Name, line.Input, scene.Radar, scene.Target);
+            return new SceneSubjects(file.Name, line.Input, scene.Radar, scene.Target, null, scene.Mount);
         }
 
         // What is not given stays: a scene's own settings, or the standard ones, which are the options' defaults too.

@@ -10,16 +10,20 @@ namespace Glint
         // As in the published experiment.
         const float ReceiverBehindCamera = 0.2f;
 
-        MeshFileScene(Transform target, RadarController radar)
+        MeshFileScene(Transform target, RadarController radar, RadarMount mount)
         {
             Target = target;
             Radar = radar;
+            Mount = mount;
         }
 
         /// <summary>The mesh; its origin is the file's.</summary>
         public Transform Target { get; }
 
         public RadarController Radar { get; }
+
+        /// <summary>Moves the radar about the point that it is aimed at.</summary>
+        public RadarMount Mount { get; }
 
         /// <summary>Makes the objects in the active scene.</summary>
         /// <param name="file">Triangles in metres.</param>
@@ -31,11 +35,9 @@ namespace Glint
         {
             var target = MakeObject(file);
 
-            // Turned where it is aimed at and held out by the distance: single precision turns both, it does not move the aim.
             var aim = new GameObject("Radar Aim").transform;
             aim.localPosition = new Vector3((float)stand.Aim.x, (float)stand.Aim.y, (float)stand.Aim.z);
-            aim.localRotation = Quaternion.Euler((float)stand.GrazingDegrees, (float)stand.AzimuthDegrees, 0);
-            var camera = MakeChild("Radar Camera", aim, -(float)stand.Distance).gameObject.AddComponent<Camera>();
+            var camera = MakeChild("Radar Camera", aim, 0).gameObject.AddComponent<Camera>();
 
             var radar = camera.gameObject.AddComponent<RadarController>();
             radar.Settings = settings;
@@ -46,7 +48,7 @@ namespace Glint
                 MakeParallel(radar, camera, stand);
             else
                 camera.fieldOfView = (float)stand.VerticalFovDegrees;
-            return new MeshFileScene(target, radar);
+            return new MeshFileScene(target, radar, RadarMount.Standing(aim, camera.transform, stand));
         }
 
         static void MakeParallel(RadarController radar, Camera camera, in RadarStand stand)

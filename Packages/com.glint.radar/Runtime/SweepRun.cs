@@ -7,17 +7,15 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// A sweep pose by pose: turns the target about the world's vertical through its own position, shows the sea's snapshot, traces, and writes the row.
-    /// Disposing puts rotation and snapshot back. Unity's play mode takes one step a frame, the commands take them in a row.
+    /// A sweep pose by pose: shows the pose, traces, and writes the row.
+    /// Disposing puts everything back that was moved. Unity's play mode takes one step a frame, the commands take them in a row.
     /// </summary>
     public sealed class SweepRun : IDisposable
     {
         readonly RadarController _radar;
         readonly Transform _target;
-        readonly Sea _sea;
-        readonly Quaternion _initialRotation, _initialLocalRotation;
-        readonly int _initialSnapshot;
         readonly SweepPlan _plan;
+        readonly AxisMotions _motions;
         readonly string _scene;
         readonly ResultsFolder _folder;
         readonly DateTime _startedUtc = DateTime.UtcNow;
@@ -25,29 +23,20 @@ namespace Glint
 
         /// <param name="radar">Traces the poses.</param>
         /// <param name="plan">The poses.</param>
-        /// <param name="target">What is turned, from its rotation now; may be null when the plan turns nothing.</param>
+        /// <param name="target">What is turned, from its rotation now, or what the radar is moved about; may be null when the plan does neither.</param>
         /// <param name="sea">Whose snapshots are shown; may be null when the plan has none.</param>
         /// <param name="scene">Path of the scene or mesh file, for results.json.</param>
         /// <param name="folder">Takes the rows; null to write nothing.</param>
-        /// <exception cref="GlintException">The sea has no such snapshot.</exception>
-        public SweepRun(RadarController radar, SweepPlan plan, Transform target, Sea sea, string scene, ResultsFolder folder)
+        /// <param name="mount">Moves the radar; null: about the target, as RadarMount.About says.</param>
+        /// <exception cref="GlintException">An axis has nothing that it could move, or not so: the sea has no such snapshot, the radar cannot be moved about the target.</exception>
+        public SweepRun(RadarController radar, SweepPlan plan, Transform target, Sea sea, string scene, ResultsFolder folder, RadarMount mount = null)
         {
             _radar = radar;
             _plan = plan;
-            _target = plan.Turns ? target : null;
-            _sea = plan.HasSnapshots ? sea : null;
+            _target = target;
             _scene = scene;
             _folder = folder;
-            if (plan.HasSnapshots)
-            {
-                _initialSnapshot = sea.Snapshot;
-                for (int i = 0; i < plan.Count; i++)
-                    sea.CheckSnapshot(plan[i].Snapshot.Value);
-            }
-            if (!plan.Turns)
-                return;
-            (_initialRotation, _initialLocalRotation) = (target.rotation, target.localRotation);
-            radar.ExpectMotion(target);
+            _motions = new AxisMotions(plan, radar, target, sea, mount);
         }
 
         /// <summary>Poses in all.</summary>
@@ -68,7 +57,7 @@ namespace Glint
         public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default, KeptRays keep = KeptRays.None)
         {
             var pose = _plan[Done];
-            Show(pose);
+            _motions.Show(pose);
             var row = new SweepRow(pose, _radar.Trace(keep, progress, cancel));
             _folder?.Append(row);
             Done++;
@@ -77,26 +66,11 @@ namespace Glint
             return row;
         }
 
-        /// <summary>Closes results.csv and puts the target's rotation and the sea's snapshot back.</summary>
+        /// <summary>Closes results.csv and puts back what was moved.</summary>
         public void Dispose()
         {
             _folder?.Dispose();
-            if (_target != null)
-                _target.localRotation = _initialLocalRotation;
-            if (_sea != null)
-                _sea.Snapshot = _initialSnapshot;
-        }
-
-        void Show(SweepPose pose)
-        {
-            if (_plan.Turns && _target == null)
-                throw new GlintException($"the target of the sweep was destroyed before {pose}: it must stay until the last pose");
-            if (_plan.HasSnapshots && _sea == null)
-                throw new GlintException($"the Sea of the sweep was destroyed before {pose}: it must stay until the last pose");
-            if (_plan.Turns)
-                _target.rotation = Quaternion.AngleAxis((float)pose.AngleDegrees.Value, Vector3.up) * _initialRotation;
-            if (_plan.HasSnapshots)
-                _sea.Snapshot = pose.Snapshot.Value;
+            _motions.Dispose();
         }
 
         void WriteJson()

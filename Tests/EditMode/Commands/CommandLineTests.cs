@@ -29,11 +29,31 @@ namespace Glint.Tests
         }
 
         [TestCase("--target is missing", "x.unity", "--snapshots", "1:10", "--angles", "0")]
-        [TestCase("--angles is missing", "x.unity", "--snapshots", "1:10", "--target", "Ship")]
-        [TestCase("--angles is missing: sweep needs --angles ANGLES, or --snapshots LIST", "x.unity")]
+        [TestCase("--target: needs --angles ANGLES, --grazing LIST or --distance LIST", "x.unity", "--snapshots", "1:10", "--target", "Ship")]
+        [TestCase("sweep: nothing to step through: give --angles ANGLES, --grazing LIST, --distance LIST, --frequency LIST or --snapshots LIST", "x.unity")]
+        [TestCase("sweep: nothing to step through: give --angles ANGLES, --grazing LIST, --distance LIST or --frequency LIST", "x.obj")]
+        [TestCase("--target is missing: sweep needs --target NAME", "x.unity", "--grazing", "1:10:1")]
+        [TestCase("--target is missing: sweep needs --target NAME", "x.unity", "--distance", "100")]
         [TestCase("--snapshots: only for scenes", "x.obj", "--snapshots", "1:10")]
         public void Sweep_OfHalfAnAxis_IsRefused(string part, params string[] arguments) =>
             Assert.That(Assert.Throws<UsageException>(() => Parse(Commands.Sweep, arguments)).Message, Does.Contain(part));
+
+        [TestCase("x.obj", "--grazing", "-10:10:5")]
+        [TestCase("x.obj", "--distance", "1,2,3,5")]
+        [TestCase("x.unity", "--frequency", "9e9:10e9:0.25e9")]
+        [TestCase("x.unity", "--frequency", "1e9,2e9", "--snapshots", "1,2")]
+        public void Sweep_OfAnyAxis_NeedsNoOther(params string[] arguments) => Assert.That(() => Parse(Commands.Sweep, arguments), Throws.Nothing);
+
+        [Test]
+        public void Sweep_OfLists_HasTheirNumbers()
+        {
+            var line = Parse(Commands.Sweep, "x.unity", "--target", "Ship", "--grazing", "1,2", "--distance=50:100:25", "--frequency", "9e9:9.2e9:0.1e9");
+
+            Assert.That(line.Get(Options.GrazingAngles), Is.EqualTo(new double[] { 1, 2 }));
+            Assert.That(line.Get(Options.Distances), Is.EqualTo(new double[] { 50, 75, 100 }));
+            Assert.That(line.Get(Options.Frequencies), Is.EqualTo(new[] { 9e9, 9.1e9, 9.2e9 }));
+            Assert.That(line.Get(Options.Angles), Is.Null);
+        }
 
         [Test]
         public void Sea_WithOptions_IsThatSea()
@@ -170,7 +190,7 @@ namespace Glint.Tests
             AssertRefused(Commands.Run, "--fov: given twice", "x.obj", "--fov", "50", "--fov", "50");
             AssertRefused(Commands.Run, "b.obj: one argument too many: INPUT is a.obj already (put names with blanks in quotes)", "a.obj", "b.obj");
             AssertRefused(Commands.Info, "x.obj: one argument too many: info takes none (put names with blanks in quotes)", "x.obj");
-            AssertRefused(Commands.Sweep, "--angles is missing: sweep needs --angles ANGLES", "x.unity", "--target", "Ship");
+            AssertRefused(Commands.Sweep, "--target: needs --angles ANGLES, --grazing LIST or --distance LIST", "x.unity", "--target", "Ship");
             AssertRefused(Commands.Sweep, "--target is missing: sweep needs --target NAME", "x.unity", "--angles", "0:45:1");
             AssertRefused(Commands.Sweep, "--target: only for scenes: the mesh of a file is turned as a whole", "x.obj", "--angles", "0:45:1", "--target", "x");
         }

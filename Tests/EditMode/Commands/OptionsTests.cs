@@ -173,6 +173,14 @@ namespace Glint.Tests
             }
         }
 
-        static Option Find(string name) => Commands.All.SelectMany(command => command.Options).First(option => option.Name == name);
+        [TestCase("grazing", "1,91", "--grazing 1,91: each angle must be from -90 to 90 degrees")]
+        [TestCase("distance", "0:10:1", "--distance 0:10:1: each distance must be from 1e-6 to 1e6 metres")]
+        [TestCase("frequency", "", "--frequency \"\": no frequencies: give FROM:TO:STEP, such as 9e9:11e9:0.1e9, or a list, such as 9.4e9,10e9")]
+        [TestCase("frequency", "9e9:1e10:0", "--frequency 9e9:1e10:0: STEP must be above 0")]
+        public void List_OfASweepOutOfItsRange_IsRefusedByName(string name, string text, string message) =>
+            Assert.That(Assert.Throws<UsageException>(() => Commands.Sweep.Options.Single(option => option.Name == name).ParseValue(text)).Message, Is.EqualTo(message));
+
+        // A sweep takes lists where other commands take a number.
+        static Option Find(string name) => Commands.All.OrderBy(command => command == Commands.Sweep).SelectMany(command => command.Options).First(option => option.Name == name);
     }
 }

@@ -11,7 +11,7 @@ namespace Glint.Tests
     public sealed class ResultsFolderTests
     {
         const string Header = "angle_deg,amplitude,amplitude_db,in_phase,quadrature,rays_emitted,rays_hit,rays_received,ratio,bounces,segments,path_length_m,trace_ms,"
-            + "amplitude_normalised,sampling_error,largest_path_step_wavelengths,undersampled,ray_area_m2,snapshot\n";
+            + "amplitude_normalised,sampling_error,largest_path_step_wavelengths,undersampled,ray_area_m2,snapshot,grazing_deg,range_m,frequency_hz\n";
 
         TemporaryFolder _folder;
         string _path;
@@ -54,10 +54,10 @@ namespace Glint.Tests
             {
                 results.Append(SampleRun.Row(0));
                 // 20 log10 5, 300 / 900, 2073600 + 1200 segments, and half of 5 for a picture of twice 2073600 rays.
-                string first = "0,5,13.979400086720377,3,-4,2073600,900,300,0.3333333333333333,1200,2074800,41.25,8.5,2.5,0.25,0.125,1,0.0625,\n";
+                string first = "0,5,13.979400086720377,3,-4,2073600,900,300,0.3333333333333333,1200,2074800,41.25,8.5,2.5,0.25,0.125,1,0.0625,,,,\n";
                 Assert.That(Csv(), Is.EqualTo(Header + first));
                 results.Append(SampleRun.Miss(0.1));
-                Assert.That(Csv(), Is.EqualTo(Header + first + "0.1,0,,0,0,100,0,0,0,0,100,0,0,0,0,0,0,,\n"), "no decibels of 0, ratio 0 of no hits, no area of perspective rays, no snapshot");
+                Assert.That(Csv(), Is.EqualTo(Header + first + "0.1,0,,0,0,100,0,0,0,0,100,0,0,0,0,0,0,,,,,\n"), "no decibels of 0, ratio 0 of no hits, no area of perspective rays, none of the axes left alone");
             }
         }
 

@@ -159,6 +159,100 @@ namespace Glint.Tests
             }
         }
 
+        [Test]
+        public void Step_OverGrazingAnglesAndRanges_MovesTheRadarAboutThePointItLooksAt()
+        {
+            var owner = new GameObject("Owner").transform;
+            try
+            {
+                owner.SetPositionAndRotation(new Vector3(3, 1, -2), Quaternion.Euler(0, 90, 0));
+                _camera.transform.SetParent(owner, false);
+                _camera.transform.localRotation = Quaternion.Euler(10, 0, 5);
+                // Half a metre off the axis, which is 20 m long where it passes by.
+                _target.transform.position = _camera.transform.TransformPoint(new Vector3(0.3f, -0.4f, 20));
+                var aim = _camera.transform.TransformPoint(new Vector3(0, 0, 20));
+                var (place, rotation) = (_camera.transform.localPosition, _camera.transform.localRotation);
+                var plan = new SweepPlan((SweepAxis.Grazing, new double[] { 10, -30, 80 }), (SweepAxis.Range, new double[] { 20, 4000 }));
+                using (var run = new SweepRun(_radar, plan, _target.transform, null, "Scene", null))
+                    while (!run.IsComplete)
+                    {
+                        var pose = run.Step().Pose;
+                        double grazing = pose[SweepAxis.Grazing].Value * Math.PI / 180, range = pose[SweepAxis.Range].Value;
+                        var forward = new Vector3((float)Math.Cos(grazing), -(float)Math.Sin(grazing), 0);
+                        Assert.That(Vector3.Distance(_camera.transform.forward, forward), Is.LessThan(1e-5), pose.ToString());
+                        Assert.That(Vector3.Distance(_camera.transform.position, aim - (float)range * forward), Is.LessThan(1e-5 * range), pose.ToString());
+                        Assert.That(Vector3.Angle(_camera.transform.right, Quaternion.AngleAxis(90, Vector3.up) * Quaternion.Euler((float)pose[SweepAxis.Grazing].Value, 0, 5) * Vector3.right), Is.LessThan(0.1), "tilted as it was");
+                        Assert.That(Vector3.Distance(_radar.Receiver.position, _camera.transform.position - 0.2f * forward), Is.LessThan(1e-5 * range + 1e-4), "the receiver moves with it");
+                    }
+                Assert.That((_camera.transform.parent, _camera.transform.localPosition, _camera.transform.localRotation), Is.EqualTo((owner, place, rotation)));
+                Assert.That(owner.childCount, Is.EqualTo(1));
+            }
+            finally
+            {
+                _camera.transform.SetParent(null);
+                Object.DestroyImmediate(owner.gameObject);
+            }
+        }
+
+        [Test]
+        public void Step_OverRangesOnly_LeavesTheDirection()
+        {
+            var rotation = Quaternion.Euler(1, 2, 3);
+            _camera.transform.rotation = rotation;
+            using (var run = new SweepRun(_radar, new SweepPlan((SweepAxis.Range, new double[] { 7, 70 })), _target.transform, null, "Scene", null))
+                while (!run.IsComplete)
+                {
+                    run.Step();
+                    Assert.That(_camera.transform.rotation, Is.EqualTo(rotation));
+                }
+        }
+
+        [Test]
+        public void Step_OverFrequencies_GivesWhatARadarOfEachReceives()
+        {
+            var alone = new List<(double, double)>();
+            foreach (double frequency in new[] { 9e9, 9.5e9 })
+            {
+                SetFrequency(frequency);
+                alone.Add((_radar.Trace().InPhase, _radar.Result.Quadrature));
+            }
+            Assert.That(alone[0], Is.Not.EqualTo(alone[1]));
+            SetFrequency(3e9);
+            var swept = new List<(double, double)>();
+            using (var run = new SweepRun(_radar, new SweepPlan((SweepAxis.Frequency, new[] { 9e9, 9.5e9 })), null, null, "Scene", null))
+                while (!run.IsComplete)
+                    swept.Add((run.Step().Result.InPhase, _radar.Result.Quadrature));
+            Assert.That(swept, Is.EqualTo(alone));
+            Assert.That(_radar.Settings.FrequencyHz, Is.EqualTo(3e9));
+        }
+
+        [Test]
+        public void Sweep_OfARadarThatCannotBeMoved_IsRefusedWithTheWayOut()
+        {
+            _camera.transform.rotation = Quaternion.Euler(0, 180, 0);
+            AssertUnmovable("'Target', which is not before it: turn the radar");
+            _camera.transform.SetPositionAndRotation(new Vector3(0, 50, 20), Quaternion.Euler(90, 0, 0));
+            AssertUnmovable("looks straight down");
+            _radar.Receiver.SetParent(_wall.transform);
+            AssertUnmovable("its receiver 'Receiver' would stay behind");
+            _radar.Receiver.SetParent(_camera.transform);
+            _camera.transform.SetParent(_wall.transform);
+            AssertUnmovable("'Wall', above it, is scaled");
+            _camera.transform.SetParent(_target.transform);
+            AssertUnmovable("one is below the other");
+            _camera.transform.SetParent(null);
+        }
+
+        void AssertUnmovable(string part) => Assert.That(Assert.Throws<GlintException>(() => new SweepRun(_radar, new SweepPlan((SweepAxis.Grazing, new double[] { 1 })), _target.transform, null, "Scene", null)).Message,
+            Does.StartWith("RadarController of 'Radar'").And.Contain(part).And.Not.Contain("\n"));
+
+        void SetFrequency(double hertz)
+        {
+            var settings = _radar.Settings;
+            settings.FrequencyHz = hertz;
+            _radar.Settings = settings;
+        }
+
         static GameObject Plate(string name, float side, float distance)
         {
             var plate = GameObject.CreatePrimitive(PrimitiveType.Quad);

@@ -30,11 +30,11 @@ namespace Glint.Core
         /// <summary>The options, in the order of the help.</summary>
         public IReadOnlyList<Option> Options { get; internal set; }
 
-        /// <summary>The options that must be given, each for the inputs it goes with.</summary>
+        /// <summary>The options that must be given, each for the inputs it goes with; one that needs others, only with one of these.</summary>
         public IReadOnlyList<Option> Required { get; internal set; } = new Option[0];
 
-        /// <summary>An option that, when it is given, does in place of all those of <see cref="Required"/>; null for none.</summary>
-        public Option Instead { get; internal set; }
+        /// <summary>Options of which one at least must be given; empty when there are none.</summary>
+        public IReadOnlyList<Option> OneOf { get; internal set; } = new Option[0];
 
         /// <summary>Name of the method for Unity's -executeMethod; null when Unity has no such command.</summary>
         public string UnityMethod { get; internal set; }
@@ -44,7 +44,6 @@ namespace Glint.Core
 
         /// <summary>How the command is called, in one line.</summary>
         public string Usage => string.Join(" ", new[] { "glint", Name, Inputs == InputKind.None ? null : HasBuiltIn ? "[INPUT]" : "INPUT" }
-            .Concat(Required.Select(option => (option.Inputs & Inputs) == Inputs ? $"{option.Flag} {option.ValueName}" : $"[{option.Flag} {option.ValueName}]"))
-            .Append(Instead == null ? null : $"| {Instead.Flag} {Instead.ValueName}").Append("[options]").Where(word => word != null));
+            .Append(OneOf.Count == 0 ? null : $"{OneOf[0].Flag} {OneOf[0].ValueName}").Append("[options]").Where(word => word != null));
     }
 }

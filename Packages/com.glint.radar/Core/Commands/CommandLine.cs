@@ -132,21 +132,26 @@ namespace Glint.Core
             foreach (var option in Command.Options)
                 if (IsGiven(option) && InputKind != InputKind.None && (option.Inputs & InputKind) == 0)
                     throw new UsageException($"{option.Flag}: {option.Refusal}");
-            if (Command.Instead != null && IsGiven(Command.Instead) && !Command.Required.Any(IsGiven))
-                return;
             foreach (var option in Command.Required)
-                if (!IsGiven(option) && (option.Inputs & InputKind) != 0)
-                    throw new UsageException($"{option.Flag} is missing: {Command.Name} needs {option.Flag} {option.ValueName}{OrInstead()}");
+                if (!IsGiven(option) && (option.Inputs & InputKind) != 0 && (option.Needs.Count == 0 || option.Needs.Any(IsGiven)))
+                    throw new UsageException($"{option.Flag} is missing: {Command.Name} needs {option.Flag} {option.ValueName}");
+            if (Command.OneOf.Count > 0 && !Command.OneOf.Any(IsGiven) && !Command.Required.Any(IsGiven))
+                throw new UsageException($"{Command.Name}: nothing to step through: give {Either(Command.OneOf.Where(option => (option.Inputs & InputKind) != 0))}");
         }
 
-        string OrInstead() => Command.Instead == null || (Command.Instead.Inputs & InputKind) == 0 || IsGiven(Command.Instead) || Command.Required.Any(IsGiven) ? "" : $", or {Command.Instead.Flag} {Command.Instead.ValueName}";
+        // "--angles ANGLES, --grazing LIST or --distance LIST"
+        static string Either(IEnumerable<Option> options)
+        {
+            var forms = options.Select(option => $"{option.Flag} {option.ValueName}").ToArray();
+            return forms.Length == 1 ? forms[0] : $"{string.Join(", ", forms.Take(forms.Length - 1))} or {forms[forms.Length - 1]}";
+        }
 
         void CheckOptionsAgainstEachOther()
         {
             foreach (var option in Command.Options.Where(IsGiven))
             {
-                if (option.Needs != null && !IsGiven(option.Needs))
-                    throw new UsageException($"{option.Flag}: needs {option.Needs.Flag} {option.Needs.ValueName}");
+                if (option.Needs.Count > 0 && !option.Needs.Any(IsGiven))
+                    throw new UsageException($"{option.Flag}: needs {Either(option.Needs)}");
                 foreach (var (excluded, reason) in option.Excludes)
                     if (IsGiven(excluded))
                         throw new UsageException($"{option.Flag}: not with {excluded.Flag}: {reason}");

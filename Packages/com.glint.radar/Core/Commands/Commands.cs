@@ -17,19 +17,20 @@ namespace Glint.Core
         /// <summary>What the exit codes mean.</summary>
         public const string ExitCodes = "0 done; 1 something is wrong with a file, the scene or the device; 2 the command line is wrong; 130 stopped by Ctrl-C.";
 
-        /// <summary>Turns a target through a list of angles and traces each pose.</summary>
-        public static readonly Command Sweep = new Command("sweep", "Turn a target step by step, or a sea from snapshot to snapshot, trace every pose and write results.csv and results.json.")
+        /// <summary>Traces every pose of a plan.</summary>
+        public static readonly Command Sweep = new Command("sweep", "Step through angles, grazing angles, distances, frequencies or snapshots of a sea, trace every pose and write results.csv and results.json.")
         {
             Options = new Option[]
             {
-                Options.Target, Options.Angles, Options.Snapshots, Options.Out, Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
-                Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov, Options.Spacing, Options.Aperture, Options.Aim, Options.Device
+                Options.Angles, Options.GrazingAngles, Options.Distances, Options.Frequencies, Options.Snapshots, Options.Target, Options.Out, Options.Size, Options.Region, Options.Bounces, Options.Receiver,
+                Options.Unit, Options.Up, Options.Azimuth, Options.Fov, Options.Spacing, Options.Aperture, Options.Aim, Options.Device
             },
-            Required = new Option[] { Options.Angles, Options.Target },
-            Instead = Options.Snapshots,
+            Required = new Option[] { Options.Target },
+            OneOf = new Option[] { Options.Angles, Options.GrazingAngles, Options.Distances, Options.Frequencies, Options.Snapshots },
             Notes = new[]
             {
                 "The target turns about the vertical through its own position and is put back afterwards. The mesh of a file is turned as a whole, about the vertical through the origin of its coordinates.",
+                "Of several lists every value is traced with every value of the others: the angle changes from pose to pose, then the grazing angle, the distance, the frequency, and the snapshot slowest.",
                 "Without --out the files go to Results/<name of the input> beside the project's Assets."
             },
             UnityMethod = "Glint.Editor.Batch.Sweep",
@@ -38,6 +39,7 @@ namespace Glint.Core
                 Example("sweep Scenes/CornerReflector.unity --target \"Corner Reflector\" --angles 0:45:1", "The published experiment, 46 poses."),
                 Example("sweep Scenes/SeaState6.unity --snapshots 1:10", "The ten stored snapshots of a sea."),
                 Example("sweep ship.stl --unit mm --up z --angles 0:345:15 --distance 500 --fov 20 --out ship", "A mesh in millimetres with z up, all round from 500 m."),
+                Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:345:15 --grazing 1,2,5 --distance 500:2000:500", "A ship all round, at three grazing angles and four ranges: 288 poses."),
                 Example("sweep plate.obj --angles -10,-5,0,5,10 --grazing 0 --fov 5 --size 640x360", "Five angles of an upright plate seen head-on, fewer rays.")
             }
         };

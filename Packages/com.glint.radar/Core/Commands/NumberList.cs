@@ -15,16 +15,18 @@ namespace Glint.Core
         // In steps: a STEP written as 0.333333333 still reaches TO.
         const decimal EndTolerance = 1e-6m;
 
-        readonly string _noun, _unit, _forms;
+        readonly string _noun, _nouns, _unit, _forms;
         readonly Interval _range;
 
         /// <param name="noun">What a number is: "angle".</param>
         /// <param name="range">Of each number.</param>
         /// <param name="unit">"degrees".</param>
         /// <param name="examples">Of a range and of a list: "0:45:1", "0,10,45".</param>
-        public NumberList(string noun, Interval range, string unit, (string range, string list) examples)
+        /// <param name="nouns">Several of them, when that is not the noun with an s.</param>
+        public NumberList(string noun, Interval range, string unit, (string range, string list) examples, string nouns = null)
         {
             _noun = noun;
+            _nouns = nouns ?? noun + "s";
             _range = range;
             _unit = unit;
             _forms = $"give FROM:TO:STEP, such as {examples.range}, or a list, such as {examples.list}";
@@ -35,7 +37,7 @@ namespace Glint.Core
         public double[] Read(string text)
         {
             if (string.IsNullOrWhiteSpace(text))
-                throw new FormatException($"no {_noun}s: {_forms}");
+                throw new FormatException($"no {_nouns}: {_forms}");
             return text.Contains(':') ? Range(text.Split(':')) : List(text.Split(','));
         }
 
@@ -91,6 +93,6 @@ namespace Glint.Core
 
         static double Nearest(decimal value) => double.Parse(value.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture) + 0.0;
 
-        FormatException TooMany(string remedy) => new FormatException($"more than {Limit.ToString("N0", CultureInfo.InvariantCulture)} {_noun}s: {remedy}");
+        FormatException TooMany(string remedy) => new FormatException($"more than {Limit.ToString("N0", CultureInfo.InvariantCulture)} {_nouns}: {remedy}");
     }
 }

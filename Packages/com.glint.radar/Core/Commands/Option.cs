@@ -42,8 +42,8 @@ namespace Glint.Core
         /// <summary>Why the option is refused with the other inputs, and what to do instead.</summary>
         public string Refusal { get; internal set; }
 
-        /// <summary>An option that this one means nothing without; null for none.</summary>
-        public Option Needs { get; internal set; }
+        /// <summary>Options without all of which this one means nothing: one of them must be given with it. Empty for none.</summary>
+        public IReadOnlyList<Option> Needs { get; internal set; } = Array.Empty<Option>();
 
         /// <summary>Options that cannot be given with this one, each with the reason.</summary>
         public IReadOnlyList<(Option option, string reason)> Excludes { get; internal set; } = Array.Empty<(Option, string)>();

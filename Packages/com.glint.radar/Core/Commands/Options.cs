@@ -22,24 +22,38 @@ namespace Glint.Core
         // Lengths and angles go into single precision, which holds both ends.
         static readonly Interval Length = Interval.Closed(1e-6, 1e6);
         static readonly Interval Coordinate = Interval.Closed(-1e6, 1e6);
+        static readonly Interval GrazingAngle = Interval.Closed(-90, 90);
+        static readonly Interval CarrierFrequency = Interval.Closed(RadarSettings.LowestFrequencyHz, RadarSettings.HighestFrequencyHz);
         static readonly Interval RaysOfAxis = Interval.Closed(1, RadarSettings.RaysPerAxisLimit);
         static readonly Interval RaysFromEdge = Interval.Closed(0, RadarSettings.RaysPerAxisLimit);
         static readonly Interval Triangles = Interval.Closed(1000, 50000000);
 
-        /// <summary>The object that a sweep turns, by its name in the scene.</summary>
-        public static readonly Option<string> Target = new Option<string>("target", "NAME", Values.Words)
-        {
-            Group = SweepGroup,
-            Inputs = InputKind.Scene,
-            Refusal = "only for scenes: the mesh of a file is turned as a whole",
-            Help = "The object of the scene to turn, by its name or its path from the root (Fleet/Ship). Required with a scene, except with --snapshots."
-        };
-
-        /// <summary>Angles of a sweep, degrees.</summary>
+        /// <summary>Angles of a sweep, degrees; null when not given.</summary>
         public static readonly Option<double[]> Angles = new Option<double[]>("angles", "ANGLES", Glint.Core.Angles.Read)
         {
             Group = SweepGroup,
-            Help = "Turn angles in degrees, positive as Unity's rotation about Y: FROM:TO:STEP, all three, or a list with commas. FROM is included, and TO when whole steps reach it: 0:45:2 ends at 44. Required, except with --snapshots."
+            Help = "Turn angles in degrees, positive as Unity's rotation about Y: FROM:TO:STEP, all three, or a list with commas. FROM is included, and TO when whole steps reach it: 0:45:2 ends at 44."
+        };
+
+        /// <summary>Grazing angles of a sweep, degrees; null when not given.</summary>
+        public static readonly Option<double[]> GrazingAngles = new Option<double[]>("grazing", "LIST", new NumberList("angle", GrazingAngle, "degrees", ("1:10:0.5", "1,2,5")).Read)
+        {
+            Group = SweepGroup,
+            Help = "Grazing angles in degrees, how far the radar looks down, as a range or list like --angles. It moves about the point that it looks at: for a mesh file that of --aim, 10 degrees without the option; in a scene the point of its view axis nearest to the target."
+        };
+
+        /// <summary>Ranges of a sweep, metres; null when not given.</summary>
+        public static readonly Option<double[]> Distances = new Option<double[]>("distance", "LIST", new NumberList("distance", Length, "metres", ("50:500:50", "50,100,500")).Read)
+        {
+            Group = SweepGroup,
+            Help = "Distances from the radar to the same point in metres, as a range or list. For a mesh file 50 without the option."
+        };
+
+        /// <summary>Carrier frequencies of a sweep, hertz; null when not given.</summary>
+        public static readonly Option<double[]> Frequencies = new Option<double[]>("frequency", "LIST", new NumberList("frequency", CarrierFrequency, "hertz", ("9e9:11e9:0.1e9", "9.4e9,10e9"), "frequencies").Read)
+        {
+            Group = SweepGroup,
+            Help = "Carrier frequencies in hertz, as a range or list. Without the option that of the scene, or 10e9 for a mesh file."
         };
 
         /// <summary>Snapshots of the sea, from 1; null when not given.</summary>
@@ -48,7 +62,17 @@ namespace Glint.Core
             Group = SweepGroup,
             Inputs = InputKind.Scene,
             Refusal = "only for scenes, which may have a Sea with snapshots",
-            Help = "Snapshots of the scene's Sea, counted from 1: FROM:TO, both included, FROM:TO:STEP, or a list with commas. With --target and --angles every angle is traced for each snapshot; without them the objects stay."
+            Help = "Snapshots of the scene's Sea, counted from 1: FROM:TO, both included, FROM:TO:STEP, or a list with commas."
+        };
+
+        /// <summary>The object of the scene that a sweep turns or moves the radar about, by its name.</summary>
+        public static readonly Option<string> Target = new Option<string>("target", "NAME", Values.Words)
+        {
+            Group = SweepGroup,
+            Inputs = InputKind.Scene,
+            Refusal = "only for scenes: the mesh of a file is turned as a whole",
+            Needs = new Option[] { Angles, GrazingAngles, Distances },
+            Help = "The object of the scene that --angles turn, and that --grazing and --distance move the radar about, by its name or its path from the root (Fleet/Ship). With a scene these need it."
         };
 
         /// <summary>Folder for the result files; null when not given.</summary>
@@ -83,7 +107,7 @@ namespace Glint.Core
         };
 
         /// <summary>Carrier frequency, hertz.</summary>
-        public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", Interval.Closed(RadarSettings.LowestFrequencyHz, RadarSettings.HighestFrequencyHz), RadarGroup, InputKind.Any, "Carrier frequency in hertz.");
+        public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", CarrierFrequency, RadarGroup, InputKind.Any, "Carrier frequency in hertz.");
 
         /// <summary>Most reflections a ray may make.</summary>
         public static readonly Option<int> Bounces = Whole("bounces", "N", "4", Interval.Closed(1, RadarSettings.BounceLimit), RadarGroup, "Most reflections a ray may make.");
@@ -123,7 +147,7 @@ namespace Glint.Core
         public static readonly Option<double> Distance = Number("distance", "M", "50", Length, MeshGroup, InputKind.MeshFile, "From the radar to the point it is aimed at, in metres.");
 
         /// <summary>Elevation of the radar above the horizontal through the point it is aimed at, degrees.</summary>
-        public static readonly Option<double> Grazing = Number("grazing", "DEG", "10", Interval.Closed(-90, 90), MeshGroup, InputKind.MeshFile,
+        public static readonly Option<double> Grazing = Number("grazing", "DEG", "10", GrazingAngle, MeshGroup, InputKind.MeshFile,
             "Grazing angle in degrees: how far the radar looks down. Below 0 it looks up.");
 
         /// <summary>Compass direction in which the radar stands, degrees.</summary>
@@ -151,7 +175,7 @@ namespace Glint.Core
             Group = MeshGroup,
             Inputs = InputKind.MeshFile,
             Refusal = InSceneInstead,
-            Needs = Spacing,
+            Needs = new Option[] { Spacing },
             Range = "each " + Length,
             Help = "With --spacing: side of the square that parallel rays start from, or its width and height, in metres, enlarged to whole spacings. Its middle is the radar's place."
         };

@@ -1,22 +1,28 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
+using System.Linq;
 
 namespace Glint.Core
 {
     /// <summary>The lines that a command prints, one a pose, in columns.</summary>
     public static class PoseTable
     {
-        /// <summary>Heading of the columns for the poses of a plan.</summary>
-        public static string Header(SweepPlan plan) => (plan.HasSnapshots ? "snapshot  " : "") + "  angle      amplitude         dB   received        hit";
+        /// <summary>Heading of the columns for the poses of a plan: the axes that have more than one value, the angle always.</summary>
+        public static string Header(SweepPlan plan) =>
+            string.Concat(Columns(plan).Select(axis => axis.Name.PadLeft(axis.Width) + "  ")) + "    amplitude         dB   received        hit";
 
         /// <summary>The line of one pose.</summary>
         /// <param name="plan">Whose pose it is.</param>
         /// <param name="row">The pose and what the radar received in it.</param>
-        public static string Row(SweepPlan plan, SweepRow row) => (plan.HasSnapshots ? string.Format(CultureInfo.InvariantCulture, "{0,8}  ", row.Pose.Snapshot) : "") + Row(row.Pose.AngleDegrees, row.Result);
+        public static string Row(SweepPlan plan, SweepRow row) => string.Concat(Columns(plan).Select(axis => Cell(axis, row.Pose[axis]))) + Row(row.Result);
 
-        static string Row(double? angle, RadarResult result) => string.Format(CultureInfo.InvariantCulture,
-            "{0,7}  {1,13:0.000}  {2,9}  {3,9}  {4,9}",
-            angle.HasValue ? angle.Value.ToString("0.###", CultureInfo.InvariantCulture) : "-",
+        static IEnumerable<SweepAxis> Columns(SweepPlan plan) => SweepAxis.All.Where(axis => axis == SweepAxis.Angle || plan.Varies(axis));
+
+        static string Cell(SweepAxis axis, double? value) => (value?.ToString("0.###", CultureInfo.InvariantCulture) ?? "-").PadLeft(axis.Width) + "  ";
+
+        static string Row(RadarResult result) => string.Format(CultureInfo.InvariantCulture,
+            "{0,13:0.000}  {1,9}  {2,9}  {3,9}",
             result.Amplitude,
             result.AmplitudeDb.HasValue ? Decibels(result.AmplitudeDb.Value) : "-",
             result.RaysReceived,

@@ -8,7 +8,7 @@ namespace Glint.Core
     {
         static readonly ResultColumn[] Table =
         {
-            new ResultColumn("angle_deg", "deg", row => row.Pose.AngleDegrees ?? 0),
+            new ResultColumn(SweepAxis.Angle.Column, SweepAxis.Angle.Unit, row => row.Pose.AngleDegrees ?? 0),
             new ResultColumn("amplitude", "1", row => row.Result.Amplitude),
             new ResultColumn("amplitude_db", "dB", row => row.Result.AmplitudeDb),
             new ResultColumn("in_phase", "1", row => row.Result.InPhase),
@@ -26,7 +26,10 @@ namespace Glint.Core
             new ResultColumn("largest_path_step_wavelengths", "wavelengths", row => row.Result.LargestPathStep),
             new ResultColumn("undersampled", "1", row => row.Result.Undersampled ? 1 : 0),
             new ResultColumn("ray_area_m2", "m2", row => row.Result.RayArea),
-            new ResultColumn("snapshot", "1", row => row.Pose.Snapshot)
+            new ResultColumn(SweepAxis.Snapshot),
+            new ResultColumn(SweepAxis.Grazing),
+            new ResultColumn(SweepAxis.Range),
+            new ResultColumn(SweepAxis.Frequency)
         };
 
         readonly Func<SweepRow, double?> _value;
@@ -36,6 +39,10 @@ namespace Glint.Core
             Name = name;
             Unit = unit;
             _value = value;
+        }
+
+        ResultColumn(SweepAxis axis) : this(axis.Column, axis.Unit, row => row.Pose[axis])
+        {
         }
 
         /// <summary>Every column, in the order of the files.</summary>

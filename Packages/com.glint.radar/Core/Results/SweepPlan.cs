@@ -1,36 +1,73 @@
 using System.Collections.Generic;
+using System.Globalization;
+using System.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>The poses of a sweep, in order: every angle for each snapshot.</summary>
+    /// <summary>
+    /// The poses of a sweep, in order: every value of each axis with every value of the others.
+    /// The last of <see cref="SweepAxis.All"/> changes from pose to pose, the first slowest: every angle for each grazing angle, all these for each range, and so on.
+    /// </summary>
     public sealed class SweepPlan
     {
-        /// <summary>One pose that moves nothing.</summary>
-        public static readonly SweepPlan Single = new SweepPlan(null);
+        /// <summary>Most poses of a sweep.</summary>
+        public const int Limit = 10000000;
 
-        readonly SweepPose[] _poses;
+        /// <summary>One pose that moves nothing.</summary>
+        public static readonly SweepPlan Single = new SweepPlan();
+
+        // In the order of SweepAxis.All; null for what is left alone.
+        readonly IReadOnlyList<double>[] _values = new IReadOnlyList<double>[SweepAxis.All.Count];
 
         /// <param name="angles">Turns of the target in degrees; null when it is not turned.</param>
         /// <param name="snapshots">Snapshots of the sea, from 1; null when it is left as it is.</param>
         public SweepPlan(IReadOnlyList<double> angles, IReadOnlyList<int> snapshots = null)
+            : this((SweepAxis.Angle, angles), (SweepAxis.Snapshot, snapshots?.Select(number => (double)number).ToArray()))
         {
-            Turns = angles != null;
-            HasSnapshots = snapshots != null;
-            int inner = angles?.Count ?? 1, outer = snapshots?.Count ?? 1;
-            _poses = new SweepPose[inner * outer];
-            for (int i = 0; i < _poses.Length; i++)
-                _poses[i] = new SweepPose(angles?[i % inner], snapshots?[i / inner]);
+        }
+
+        /// <param name="axes">Each axis once, with its values in its unit; an axis without values (null) is left alone.</param>
+        /// <exception cref="UsageException">There are more than <see cref="Limit"/> poses.</exception>
+        public SweepPlan(params (SweepAxis axis, IReadOnlyList<double> values)[] axes)
+        {
+            foreach (var (axis, values) in axes)
+                _values[axis.Index] = values;
+            long count = 1;
+            foreach (var values in _values.Where(values => values != null))
+            {
+                count *= values.Count;
+                if (count > Limit)
+                    throw new UsageException($"the sweep has more than {Limit.ToString("N0", CultureInfo.InvariantCulture)} poses: shorten a list");
+            }
+            Count = (int)count;
         }
 
         /// <summary>Poses in all.</summary>
-        public int Count => _poses.Length;
+        public int Count { get; }
 
-        /// <summary>Whether the target is turned.</summary>
-        public bool Turns { get; }
+        public SweepPose this[int pose]
+        {
+            get
+            {
+                var values = new double?[_values.Length];
+                for (int i = _values.Length - 1; i >= 0; i--)
+                {
+                    if (_values[i] == null)
+                        continue;
+                    values[i] = _values[i][pose % _values[i].Count];
+                    pose /= _values[i].Count;
+                }
+                return new SweepPose(values);
+            }
+        }
 
-        /// <summary>Whether the sea steps from snapshot to snapshot.</summary>
-        public bool HasSnapshots { get; }
+        /// <summary>The values on an axis, in its unit; null when it is left alone.</summary>
+        public IReadOnlyList<double> Values(SweepAxis axis) => _values[axis.Index];
 
-        public SweepPose this[int pose] => _poses[pose];
+        /// <summary>Whether an axis has values.</summary>
+        public bool Has(SweepAxis axis) => Values(axis) != null;
+
+        /// <summary>Whether an axis has more than one value.</summary>
+        internal bool Varies(SweepAxis axis) => Has(axis) && Values(axis).Count > 1;
     }
 }

@@ -1,27 +1,37 @@
+using System.Linq;
+
 namespace Glint.Core
 {
-    /// <summary>Where a sweep stands: a value for each thing that it moves, null for what it leaves alone.</summary>
+    /// <summary>Where a sweep stands: a value for each axis that it steps through, null for what it leaves alone.</summary>
     public readonly struct SweepPose
     {
+        readonly double?[] _values;
+
         /// <param name="angleDegrees">Turn of the target about the world's vertical, positive as Unity's Y rotation.</param>
         /// <param name="snapshot">Which snapshot of the sea, from 1.</param>
-        public SweepPose(double? angleDegrees, int? snapshot = null)
+        public SweepPose(double? angleDegrees, int? snapshot = null) : this(new double?[SweepAxis.All.Count])
         {
-            AngleDegrees = angleDegrees;
-            Snapshot = snapshot;
+            _values[SweepAxis.Angle.Index] = angleDegrees;
+            _values[SweepAxis.Snapshot.Index] = snapshot;
         }
 
+        /// <param name="values">In the order of <see cref="SweepAxis.All"/>; kept, not copied.</param>
+        internal SweepPose(double?[] values) => _values = values;
+
+        /// <summary>The value on an axis, in its unit.</summary>
+        public double? this[SweepAxis axis] => _values?[axis.Index];
+
         /// <summary>Turn of the target in degrees.</summary>
-        public double? AngleDegrees { get; }
+        public double? AngleDegrees => this[SweepAxis.Angle];
 
         /// <summary>Which snapshot of the sea, from 1.</summary>
-        public int? Snapshot { get; }
+        public int? Snapshot => (int?)this[SweepAxis.Snapshot];
 
         /// <summary>The pose in a few words: "15 deg", "snapshot 3", "snapshot 3, 15 deg"; empty for a pose that moves nothing.</summary>
         public override string ToString()
         {
-            string snapshot = Snapshot.HasValue ? $"snapshot {Numbers.Format(Snapshot.Value)}" : "", angle = AngleDegrees.HasValue ? $"{Numbers.Format(AngleDegrees.Value)} deg" : "";
-            return snapshot.Length > 0 && angle.Length > 0 ? $"{snapshot}, {angle}" : snapshot + angle;
+            var pose = this;
+            return string.Join(", ", SweepAxis.All.Where(axis => pose[axis].HasValue).Select(axis => axis.Describe(pose[axis].Value)));
         }
     }
 }

@@ -86,6 +86,26 @@ public sealed class CommandRunTests
         Assert.That(File.Exists(Path.Combine(results, "results.json")));
     }
 
+    /// <summary>Each pose of a sweep over several axes is that of a run with these numbers, bit for bit.</summary>
+    [Test]
+    public void Sweep_OverSeveralAxes_HasThePosesOfSingleRuns()
+    {
+        string results = Path.Combine(_folder, "results");
+        string[] common = [Plate, "--fov", "3", "--size", "64x64"];
+        Assert.That(Run(["sweep", .. common, "--distance", "40,5000", "--grazing", "0,0.3", "--frequency", "9e9,10e9", "--out", results]).code, Is.Zero);
+        var rows = JObject.Parse(File.ReadAllText(Path.Combine(results, "results.json")))["rows"];
+        Assert.That(rows.Count(), Is.EqualTo(8));
+        foreach (var row in rows)
+        {
+            string single = Path.Combine(_folder, "single");
+            Run(["run", .. common, "--distance", (string)row["range_m"], "--grazing", (string)row["grazing_deg"], "--frequency", (string)row["frequency_hz"], "--out", single]);
+            var alone = JObject.Parse(File.ReadAllText(Path.Combine(single, "results.json")))["rows"][0];
+            foreach (string column in new[] { "in_phase", "quadrature", "rays_hit", "rays_received", "path_length_m", "sampling_error" })
+                Assert.That((double)row[column], Is.EqualTo((double)alone[column]), $"{column} of {row}");
+        }
+        Assert.That(rows.Select(row => (double)row["in_phase"]).Distinct().Count(), Is.GreaterThan(4), "the poses differ");
+    }
+
     [TestCase("run", "Scenes/None.unity")]
     [TestCase("run", "none.obj")]
     [TestCase("sweep", "Scenes/CornerReflector.unity", "--target", "Nobody", "--angles", "0:1:1")]

@@ -1,0 +1,32 @@
+using Glint.Core;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>Turns the target about the world's vertical through its own position, from its rotation at the beginning.</summary>
+    sealed class TargetTurn : AxisMotion
+    {
+        readonly Transform _target;
+        readonly Quaternion _rotation, _localRotation;
+
+        public TargetTurn(Transform target, RadarController radar)
+        {
+            _target = target;
+            (_rotation, _localRotation) = (target.rotation, target.localRotation);
+            radar.ExpectMotion(target);
+        }
+
+        internal override void Show(SweepPose pose)
+        {
+            if (_target == null)
+                throw new GlintException($"the target of the sweep was destroyed before {pose}: it must stay until the last pose");
+            _target.rotation = Quaternion.AngleAxis((float)pose.AngleDegrees.Value, Vector3.up) * _rotation;
+        }
+
+        internal override void PutBack()
+        {
+            if (_target != null)
+                _target.localRotation = _localRotation;
+        }
+    }
+}
