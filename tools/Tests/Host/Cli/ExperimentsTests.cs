@@ -107,8 +107,8 @@ public sealed class ExperimentsTests
     {
         var result = OddResult();
         string text = ExperimentTables.OfSeas(result);
-        // 1 of 2, 2 of 2 and 0 of 2 snapshots return.
-        Assert.That(Cells(text)[0], Is.EqualTo(new[] { "Odd, as stored", "9", "1", "3 of 6", "50.0", "1 (0 to 2)", "1 of 3", "1 of 2", "1, 0, 1" }));
+        // 1 of 2 snapshots returns, then 2, 0 and 1.
+        Assert.That(Cells(text)[0], Is.EqualTo(new[] { "Odd, as stored", "9", "1", "4 of 8", "50.0", "1 (0 to 2)", "1 of 4", "1 of 2", "1, 1, 1" }));
         Assert.That(text, Does.Contain("| 7 (stored) | 1 | 0 5 |"));
     }
 
@@ -178,7 +178,7 @@ public sealed class ExperimentsTests
         Assert.That(json["sweeps"][0]["published"][2]["amplitude"].ToObject<double>(), Is.EqualTo(6));
         Assert.That(json["ships"][0]["rows"].Count(), Is.EqualTo(6));
         Assert.That(json["ships"][0]["rows"][5]["snapshot"].ToObject<int>(), Is.EqualTo(3));
-        Assert.That(json["seas"][0]["seeds"].Select(seed => seed["returning"].ToObject<int>()), Is.EqualTo(new[] { 1, 2, 0 }));
+        Assert.That(json["seas"][0]["seeds"].Select(seed => seed["returning"].ToObject<int>()), Is.EqualTo(new[] { 1, 2, 0, 1 }));
         Assert.That(json["seas"][0]["seeds"][1]["rays_received"].ToObject<long[]>(), Is.EqualTo(new[] { 3, 4 }));
     }
 
@@ -360,7 +360,7 @@ public sealed class ExperimentsTests
             new(SeaSettings.Default with { WindSpeed = 9, Seed = seed }, [.. received.Select(count => Received(count, count))]);
         var result = new ExperimentsResult { Device = GraphicsDevice.Current.Info };
         result.Sweeps.Add(Odd((10, 4), (0, 0), (6, 2)));
-        result.Seas.Add(new SeaFamily("Odd", true, [Trial(7, 0, 5), Trial(1, 3, 4), Trial(2, 0, 0)]));
+        result.Seas.Add(new SeaFamily("Odd", true, [Trial(7, 0, 5), Trial(1, 3, 4), Trial(2, 0, 0), Trial(3, 1, 0)]));
         return result;
     }
 
