@@ -49,9 +49,9 @@ sealed class CommandTree
     {
         var built = new Command(command.Name, command.Summary);
         if (command.Inputs != Core.InputKind.None)
-            built.Add(new Argument<string[]>("INPUT") { Description = Core.Commands.InputHelpOf(command), Arity = Any });
+            built.Add(new Argument<string[]>(command.InputName) { Description = Core.Commands.InputHelpOf(command), Arity = Any });
         foreach (var option in command.Options)
-            built.Add(new Option<string[]>(option.Flag) { Description = option.Help, HelpName = option.ValueName, Arity = Any });
+            built.Add(new Option<string[]>(option.Flag) { Description = option.Help, HelpName = option.ValueName, Arity = option.IsSwitch ? ArgumentArity.Zero : Any });
         _commands.Add(built, command);
         return built;
     }

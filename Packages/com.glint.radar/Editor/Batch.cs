@@ -21,6 +21,9 @@ namespace Glint.Editor
         /// <summary>Entry of Unity's -executeMethod: <c>glint run</c>.</summary>
         public static void Run() => ExecuteAndExit(Commands.Run, Environment.GetCommandLineArgs());
 
+        /// <summary>Entry of Unity's -executeMethod: <c>glint merge</c>.</summary>
+        public static void Merge() => ExecuteAndExit(Commands.Merge, Environment.GetCommandLineArgs());
+
         /// <summary>Entry of Unity's -executeMethod: <c>glint sea</c>.</summary>
         public static void Sea() => ExecuteAndExit(Commands.Sea, Environment.GetCommandLineArgs());
 
@@ -37,20 +40,27 @@ namespace Glint.Editor
                 return SeaAssets.Write(line, progress);
             if (line.Command == Commands.Ship)
                 return ShipAssets.Write(line, progress);
+            if (line.Command == Commands.Merge)
+                return MergeParts(line, progress);
             var plan = PlanOf(line);
             var subjects = SceneSubjects.Open(line);
-            using (var folder = OpenFolder(line, subjects.Name))
-            using (var run = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, folder, subjects.Mount))
+            try
             {
-                try
-                {
+                using (var folder = OpenFolder(line, subjects.Name))
+                using (var run = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, folder, subjects.Mount, line.Get(Options.Shard), line.Get(Options.Resume)))
                     return Trace(run, subjects, folder, plan, progress);
-                }
-                finally
-                {
-                    subjects.Radar.Release();
-                }
             }
+            finally
+            {
+                subjects.Radar.Release();
+            }
+        }
+
+        static int MergeParts(CommandLine line, IProgressSink progress)
+        {
+            var folder = ResultsMerge.Merge(line.Folders, Path.GetFullPath(line.Get(Options.Out)));
+            progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
+            return Done;
         }
 
         static SweepPlan PlanOf(CommandLine line)
@@ -58,25 +68,32 @@ namespace Glint.Editor
             if (line.Command != Commands.Sweep)
                 return SweepPlan.Single;
             var snapshots = line.Get(Options.Snapshots);
-            return new SweepPlan(
+            var plan = new SweepPlan(
                 (SweepAxis.Angle, line.Get(Options.Angles)),
                 (SweepAxis.Grazing, line.Get(Options.GrazingAngles)),
                 (SweepAxis.Range, line.Get(Options.Distances)),
                 (SweepAxis.Frequency, line.Get(Options.Frequencies)),
                 (SweepAxis.Snapshot, snapshots == null ? null : Array.ConvertAll(snapshots, number => (double)number)));
+            if (line.Get(Options.Shard) is SweepShard shard && shard.Count > plan.Count)
+                throw new UsageException($"{Options.Shard.Flag} {shard}: the sweep has {plan.Count} poses: divide it into so many parts at most");
+            return plan;
         }
 
         static int Trace(SweepRun run, SceneSubjects subjects, ResultsFolder folder, SweepPlan plan, IProgressSink progress)
         {
             long hit = 0, received = 0;
-            int undersampled = 0;
+            int undersampled = 0, before = run.Done;
+            if (before > 0)
+                progress.Print(run.IsComplete ? "complete already: nothing is left to do" : FormattableString.Invariant($"resumed: {before} of {run.Count} poses are done"));
             progress.Start(subjects.Name, run.Count);
             try
             {
+                if (before > 0)
+                    progress.Advance(before, null);
                 while (!run.IsComplete && !progress.Cancel.IsCancellationRequested)
                 {
                     var row = run.Step(progress, progress.Cancel);
-                    if (run.Done == 1)
+                    if (run.Done == before + 1)
                         progress.Print(PoseTable.Header(plan));
                     hit += row.Result.RaysHit;
                     received += row.Result.RaysReceived;
@@ -90,13 +107,16 @@ namespace Glint.Editor
             finally
             {
                 progress.Finish();
+                if (!run.IsComplete && run.Done > 0)
+                    Debug.Log(FormattableString.Invariant($"{run.Done} of {run.Count} poses are done and kept; the same command with {Options.Resume.Flag} goes on"));
             }
             if (!run.IsComplete)
                 return Cancelled;
-            WarnOfSilence(subjects.Name, hit, received);
+            if (run.Done > before)
+                WarnOfSilence(subjects.Name, hit, received);
             if (received > 0)
-                WarnOfUndersampling(subjects.Name, undersampled, run.Count);
-            if (folder != null)
+                WarnOfUndersampling(subjects.Name, undersampled, run.Count - before);
+            if (folder != null && run.Done > before)
                 progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
             return Done;
         }

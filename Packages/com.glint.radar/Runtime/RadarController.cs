@@ -190,6 +190,9 @@ namespace Glint
             return pose;
         }
 
+        /// <summary>Objects with a mesh that <see cref="Gather"/> last found.</summary>
+        internal int ObjectCount => _gatherer.ObjectCount;
+
         /// <summary>The scene of <see cref="Gather"/>.</summary>
         public RadarScene GatherScene() => Gather().Scene;
 

@@ -1,4 +1,5 @@
 using System.IO;
+using System.Linq;
 using System.Runtime.InteropServices;
 using Glint.Core;
 using Unity.Mathematics;
@@ -17,12 +18,13 @@ namespace Glint
 
         public static RunInfo Of(RadarController radar, string scene, Transform target)
         {
+            var pose = radar.Gather();
             var info = new RunInfo
             {
                 ScenePath = scene,
                 TargetName = target == null ? null : target.name,
-                Objects = radar.Result.Objects,
-                Triangles = radar.Result.Triangles,
+                Objects = radar.ObjectCount,
+                Triangles = pose.Scene.TriangleCount,
                 DeviceName = SystemInfo.graphicsDeviceName,
                 GraphicsApi = SystemInfo.graphicsDeviceVersion,
                 GlintVersion = GlintVersion.Text,
@@ -30,7 +32,6 @@ namespace Glint
                 Host = RuntimeInformation.FrameworkDescription,
                 OperatingSystem = SystemInfo.operatingSystem,
             };
-            var pose = radar.Gather();
             AddPicture(info, pose.Settings, pose.View, radar.IsFitted);
             info.Settings.Add(new RunSetting("receiver_width", pose.View.ReceiverSize.x, "m"));
             info.Settings.Add(new RunSetting("receiver_height", pose.View.ReceiverSize.y, "m"));
@@ -41,6 +42,45 @@ namespace Glint
             Add(info, "receiver_forward", pose.View.ReceiverForward, "1");
             Add(info, "receiver_up", pose.View.ReceiverUp, "1");
             return info;
+        }
+
+        /// <summary>What makes a sweep the one it is, as it stands in its first pose.</summary>
+        /// <param name="sea">Whose snapshots the plan shows; null when it shows none.</param>
+        public static SweepIdentity IdentityOf(RadarController radar, string scene, Transform target, Sea sea, SweepPlan plan)
+        {
+            var info = Of(radar, scene, target);
+            var identity = new SweepIdentity();
+            foreach (var axis in SweepAxis.All)
+                if (plan.Has(axis))
+                    identity.Add(axis.Column, string.Join(",", plan.Values(axis).Select(Numbers.Format)));
+            identity.Add("scene", info.ScenePath);
+            identity.Add("target", info.TargetName);
+            identity.Add("content", ContentOf(radar, sea, plan));
+            foreach (var setting in info.Settings)
+                identity.Add(setting.Name, setting.Unit == null ? setting.Text : $"{Numbers.Format(setting.Number)} {setting.Unit}");
+            identity.Add("device", info.DeviceName);
+            identity.Add("graphics_api", info.GraphicsApi);
+            identity.Add("glint", info.GlintVersion);
+            identity.Add("unity", info.UnityVersion);
+            return identity;
+        }
+
+        // The scene of the first pose, and the snapshots that come after it.
+        static string ContentOf(RadarController radar, Sea sea, SweepPlan plan)
+        {
+            using (var hash = new SceneHash())
+            {
+                hash.Add(radar.Gather().Scene);
+                foreach (double snapshot in plan.Values(SweepAxis.Snapshot)?.Distinct() ?? Enumerable.Empty<double>())
+                {
+                    var tile = sea.Snapshots[(int)snapshot - 1].Tile;
+                    if (!tile.isReadable) // refused, by name, when it is traced
+                        continue;
+                    hash.Add(tile.vertices);
+                    hash.Add(tile.triangles);
+                }
+                return hash.Text();
+            }
         }
 
         static void AddPicture(RunInfo info, in RadarSettings settings, in RadarView view, bool isFitted)

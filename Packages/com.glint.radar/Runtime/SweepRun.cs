@@ -17,9 +17,11 @@ namespace Glint
         readonly SweepPlan _plan;
         readonly AxisMotions _motions;
         readonly string _scene;
+        readonly int _first;
         readonly ResultsFolder _folder;
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
+        SweepIdentity _identity;
 
         /// <param name="radar">Traces the poses.</param>
         /// <param name="plan">The poses.</param>
@@ -28,21 +30,38 @@ namespace Glint
         /// <param name="scene">Path of the scene or mesh file, for results.json.</param>
         /// <param name="folder">Takes the rows; null to write nothing.</param>
         /// <param name="mount">Moves the radar; null: about the target, as RadarMount.About says.</param>
-        /// <exception cref="GlintException">An axis has nothing that it could move, or not so: the sea has no such snapshot, the radar cannot be moved about the target.</exception>
-        public SweepRun(RadarController radar, SweepPlan plan, Transform target, Sea sea, string scene, ResultsFolder folder, RadarMount mount = null)
+        /// <param name="shard">The part to do; null: all of it.</param>
+        /// <param name="resume">Goes on where the same sweep was ended in the folder.</param>
+        /// <exception cref="GlintException">An axis has nothing that it could move, or not so: the sea has no such snapshot, the radar cannot be moved about the target. Or another sweep is in the folder.</exception>
+        public SweepRun(RadarController radar, SweepPlan plan, Transform target, Sea sea, string scene, ResultsFolder folder, RadarMount mount = null, SweepShard? shard = null, bool resume = false)
         {
             _radar = radar;
             _plan = plan;
             _target = target;
             _scene = scene;
             _folder = folder;
+            _first = shard?.First(plan.Count) ?? 0;
+            Count = (shard?.End(plan.Count) ?? plan.Count) - _first;
             _motions = new AxisMotions(plan, radar, target, sea, mount);
+            if (plan == SweepPlan.Single)
+                return;
+            try
+            {
+                Rehearse();
+                if (folder != null)
+                    Begin(RunDescription.IdentityOf(radar, scene, target, sea, plan), shard, resume);
+            }
+            catch
+            {
+                _motions.Dispose();
+                throw;
+            }
         }
 
-        /// <summary>Poses in all.</summary>
-        public int Count => _plan.Count;
+        /// <summary>Poses to trace: those of the plan, or of the part.</summary>
+        public int Count { get; }
 
-        /// <summary>Poses traced so far.</summary>
+        /// <summary>Poses traced so far, those before a resumption included.</summary>
         public int Done { get; private set; }
 
         /// <summary>True when every pose is traced.</summary>
@@ -56,7 +75,7 @@ namespace Glint
         /// <exception cref="OperationCanceledException">The pose was cancelled; the rows before are kept, and the next step traces it again.</exception>
         public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default, KeptRays keep = KeptRays.None)
         {
-            var pose = _plan[Done];
+            var pose = _plan[_first + Done];
             _motions.Show(pose);
             var row = new SweepRow(pose, _radar.Trace(keep, progress, cancel));
             _folder?.Append(row);
@@ -73,13 +92,40 @@ namespace Glint
             _motions.Dispose();
         }
 
+        void Begin(SweepIdentity identity, SweepShard? shard, bool resume)
+        {
+            identity.Shard = shard;
+            _identity = identity;
+            _folder.Begin(identity, _startedUtc);
+            if (resume)
+                Done = _folder.Resume(Count);
+        }
+
+        // How a scene is divided depends on what was seen to change. So that no row depends on the rows before it,
+        // which a resumed sweep or a part of one has not, everything changes once before the first row. Ends at the first pose.
+        void Rehearse()
+        {
+            Gather(0);
+            foreach (var axis in SweepAxis.All)
+                if (_plan.FirstChange(axis) is var pose && pose > 0)
+                    Gather(pose);
+            Gather(0);
+        }
+
+        void Gather(int pose)
+        {
+            _motions.Show(_plan[pose]);
+            _radar.Gather();
+        }
+
         void WriteJson()
         {
             if (_folder == null)
                 return;
             var info = RunDescription.Of(_radar, _scene, _target);
-            info.StartedUtc = _startedUtc;
-            info.ElapsedMs = _watch.Elapsed.TotalMilliseconds;
+            info.Sweep = _identity;
+            info.StartedUtc = _folder.StartedUtc ?? _startedUtc;
+            info.ElapsedMs = (_startedUtc - info.StartedUtc).TotalMilliseconds + _watch.Elapsed.TotalMilliseconds;
             _folder.Finish(info);
         }
     }

@@ -14,7 +14,7 @@ namespace Glint.Tests
                 string help = Flat(HelpText.Of(command, 100));
                 foreach (var option in command.Options)
                 {
-                    Assert.That(help, Does.Contain($"{option.Flag} {option.ValueName} {option.Help}"));
+                    Assert.That(help, Does.Contain(Flat($"{option.Flag} {option.ValueName} {option.Help}")));
                     if (option.DefaultText != null)
                         Assert.That(help, Does.Contain($"[default {option.DefaultText}; {option.Range}]"));
                 }

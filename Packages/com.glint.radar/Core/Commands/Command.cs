@@ -42,8 +42,11 @@ namespace Glint.Core
         /// <summary>Examples: what follows "glint", and what it does.</summary>
         public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }
 
+        /// <summary>What its arguments are called: INPUT, [INPUT] or DIR...; null when it takes none.</summary>
+        public string InputName => Inputs == InputKind.None ? null : Inputs == InputKind.Folders ? "DIR..." : HasBuiltIn ? "[INPUT]" : "INPUT";
+
         /// <summary>How the command is called, in one line.</summary>
-        public string Usage => string.Join(" ", new[] { "glint", Name, Inputs == InputKind.None ? null : HasBuiltIn ? "[INPUT]" : "INPUT" }
-            .Append(OneOf.Count == 0 ? null : $"{OneOf[0].Flag} {OneOf[0].ValueName}").Append("[options]").Where(word => word != null));
+        public string Usage => string.Join(" ", new[] { "glint", Name, InputName }
+            .Concat(OneOf.Take(1).Concat(Required.Where(option => option.Needs.Count == 0)).Select(option => $"{option.Flag} {option.ValueName}")).Append("[options]").Where(word => word != null));
     }
 }

@@ -21,6 +21,9 @@ namespace Glint.Core
         /// <summary>The scene or mesh file as given; null when there is none.</summary>
         public string Input { get; private set; }
 
+        /// <summary>The folders as given, of a command that takes folders.</summary>
+        public IReadOnlyList<string> Folders { get; private set; } = Array.Empty<string>();
+
         /// <summary>What <see cref="Input"/> is, by the end of its name.</summary>
         public InputKind InputKind { get; private set; }
 
@@ -66,6 +69,8 @@ namespace Glint.Core
                     inputs.Add(argument);
                 else if (equals >= 0)
                     options.Add(Pair(argument.Substring(0, equals), argument.Substring(equals + 1)));
+                else if (Find(command, argument)?.IsSwitch == true)
+                    options.Add(Pair(argument, null));
                 else if (i + 1 < arguments.Count && !arguments[i + 1].StartsWith("--", StringComparison.Ordinal) && Find(command, argument) != null)
                     options.Add(Pair(argument, arguments[++i]));
                 else
@@ -111,6 +116,11 @@ namespace Glint.Core
 
         void SetInput(IReadOnlyList<string> inputs)
         {
+            if (Command.Inputs == InputKind.Folders)
+            {
+                SetFolders(inputs);
+                return;
+            }
             int expected = Command.Inputs == InputKind.None ? 0 : 1;
             if (inputs.Count > expected)
                 throw new UsageException($"{Values.Shown(inputs[expected])}: one argument too many: {(expected == 0 ? Command.Name + " takes none" : $"INPUT is {Values.Shown(inputs[0])} already")} (put names with blanks in quotes)");
@@ -127,13 +137,22 @@ namespace Glint.Core
             InputKind = KindOf(Input);
         }
 
+        void SetFolders(IReadOnlyList<string> folders)
+        {
+            if (folders.Count == 0)
+                throw new UsageException($"{Command.Name}: DIR is missing: give the results folders of all parts");
+            if (folders.Any(string.IsNullOrWhiteSpace))
+                throw new UsageException($"{Command.Name}: a DIR is empty: give the name of a folder");
+            Folders = folders;
+        }
+
         void CheckOptionsAgainstInput()
         {
             foreach (var option in Command.Options)
                 if (IsGiven(option) && InputKind != InputKind.None && (option.Inputs & InputKind) == 0)
                     throw new UsageException($"{option.Flag}: {option.Refusal}");
             foreach (var option in Command.Required)
-                if (!IsGiven(option) && (option.Inputs & InputKind) != 0 && (option.Needs.Count == 0 || option.Needs.Any(IsGiven)))
+                if (!IsGiven(option) && (InputKind == InputKind.None || (option.Inputs & InputKind) != 0) && (option.Needs.Count == 0 || option.Needs.Any(IsGiven)))
                     throw new UsageException($"{option.Flag} is missing: {Command.Name} needs {option.Flag} {option.ValueName}");
             if (Command.OneOf.Count > 0 && !Command.OneOf.Any(IsGiven) && !Command.Required.Any(IsGiven))
                 throw new UsageException($"{Command.Name}: nothing to step through: give {Either(Command.OneOf.Where(option => (option.Inputs & InputKind) != 0))}");

@@ -12,6 +12,8 @@ namespace Glint.Core
         public const string InputHelp =
             "A scene (.unity) or a mesh file (.obj, .stl). A scene is given by its path on disk or by its asset path: Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity.";
 
+        const string FoldersHelp = "The results folders of all parts, in any order.";
+
         const string WithoutInputHelp = "Without it: a rough sea with a ship on it, before the camera of the published experiment.";
 
         /// <summary>What the exit codes mean.</summary>
@@ -22,7 +24,7 @@ namespace Glint.Core
         {
             Options = new Option[]
             {
-                Options.Angles, Options.GrazingAngles, Options.Distances, Options.Frequencies, Options.Snapshots, Options.Target, Options.Out, Options.Size, Options.Region, Options.Bounces, Options.Receiver,
+                Options.Angles, Options.GrazingAngles, Options.Distances, Options.Frequencies, Options.Snapshots, Options.Target, Options.Shard, Options.Out, Options.Resume, Options.Size, Options.Region, Options.Bounces, Options.Receiver,
                 Options.Unit, Options.Up, Options.Azimuth, Options.Fov, Options.Spacing, Options.Aperture, Options.Aim, Options.Device
             },
             Required = new Option[] { Options.Target },
@@ -40,8 +42,20 @@ namespace Glint.Core
                 Example("sweep Scenes/SeaState6.unity --snapshots 1:10", "The ten stored snapshots of a sea."),
                 Example("sweep ship.stl --unit mm --up z --angles 0:345:15 --distance 500 --fov 20 --out ship", "A mesh in millimetres with z up, all round from 500 m."),
                 Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:345:15 --grazing 1,2,5 --distance 500:2000:500", "A ship all round, at three grazing angles and four ranges: 288 poses."),
+                Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:359:1 --shard 2/4 --device 1 --out ship/2", "The second quarter, on the second GPU; with --resume on from where it was killed."),
                 Example("sweep plate.obj --angles -10,-5,0,5,10 --grazing 0 --fov 5 --size 640x360", "Five angles of an upright plate seen head-on, fewer rays.")
             }
+        };
+
+        /// <summary>Joins the parts of a sweep.</summary>
+        public static readonly Command Merge = new Command("merge", "Join the parts of a sweep (sweep --shard) to the files of the whole.")
+        {
+            Inputs = InputKind.Folders,
+            Options = new Option[] { Options.Out },
+            Required = new Option[] { Options.Out },
+            Notes = new[] { "The files are those that the sweep would have written in one piece, timings aside. All parts must be there, each once, finished, and traced with the same options, scene, kind of device and version." },
+            UnityMethod = "Glint.Editor.Batch.Merge",
+            Examples = new[] { Example("merge ship/1 ship/2 ship/3 ship/4 --out ship/all", "Four parts, in any order.") }
         };
 
         /// <summary>Traces one pose.</summary>
@@ -159,10 +173,10 @@ namespace Glint.Core
         };
 
         /// <summary>Every command.</summary>
-        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Run, Sea, Ship, Experiments, Bench, Verify, Info };
+        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Merge, Run, Sea, Ship, Experiments, Bench, Verify, Info };
 
         /// <summary>What INPUT is for a command.</summary>
-        public static string InputHelpOf(Command command) => command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}" : InputHelp;
+        public static string InputHelpOf(Command command) => command.Inputs == InputKind.Folders ? FoldersHelp : command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}" : InputHelp;
 
         static KeyValuePair<string, string> Example(string line, string meaning) => new KeyValuePair<string, string>(line, meaning);
     }

@@ -46,7 +46,7 @@ namespace Glint.Core
             if (command.Inputs != InputKind.None)
             {
                 help._text.Append('\n');
-                help.Table(new[] { ("INPUT", Commands.InputHelpOf(command)) });
+                help.Table(new[] { (command.InputName.Trim('[', ']'), Commands.InputHelpOf(command)) });
             }
             int nameWidth = command.Options.Max(option => Form(option).Length);
             foreach (var group in command.Options.GroupBy(option => option.Group))
@@ -58,14 +58,14 @@ namespace Glint.Core
             if (command.UnityMethod != null)
             {
                 help.Heading("In Unity");
-                help.Paragraph(Margin, $"Unity -batchmode -projectPath DIR -executeMethod {command.UnityMethod} {CommandLine.UnityMarker} {(command.Inputs == InputKind.None ? "" : "INPUT ")}[options]");
+                help.Paragraph(Margin, $"Unity -batchmode -projectPath DIR -executeMethod {command.UnityMethod} {CommandLine.UnityMarker} {(command.InputName == null ? "" : command.InputName + " ")}[options]");
                 help.Paragraph(Margin, "The same arguments, last on the line. Neither -nographics (there would be no GPU) nor -quit (the command ends Unity itself).");
             }
             help.AddExitCodes();
             return help._text.ToString();
         }
 
-        static string Form(Option option) => $"{option.Flag} {option.ValueName}";
+        static string Form(Option option) => $"{option.Flag} {option.ValueName}".TrimEnd();
 
         static string Explanation(Option option)
         {

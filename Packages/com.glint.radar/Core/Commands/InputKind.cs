@@ -21,7 +21,10 @@ namespace Glint.Core
         /// <summary>The generated scene of a command that may be called without an input.</summary>
         BuiltIn = 4,
 
-        /// <summary>Whatever there is.</summary>
-        Any = File | BuiltIn
+        /// <summary>Whatever there is to trace.</summary>
+        Any = File | BuiltIn,
+
+        /// <summary>Results folders, one or more.</summary>
+        Folders = 8
     }
 }

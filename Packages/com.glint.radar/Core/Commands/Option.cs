@@ -33,6 +33,9 @@ namespace Glint.Core
         /// <summary>The value when the option is given without one, as it would be written; null when it needs one.</summary>
         public string ImpliedText { get; internal set; }
 
+        /// <summary>Whether it stands alone, without a value.</summary>
+        public bool IsSwitch { get; internal set; }
+
         /// <summary>Heading of the help under which the option stands.</summary>
         public string Group { get; internal set; }
 

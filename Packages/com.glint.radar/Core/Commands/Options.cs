@@ -89,6 +89,22 @@ namespace Glint.Core
             Help = "Folder of the project for mesh and prefab, such as Assets/Mine; made with its parents when it is not there. Required with any other option."
         };
 
+        /// <summary>Whether a sweep goes on where it was ended.</summary>
+        public static readonly Option<bool> Resume = new Option<bool>("resume", "", Values.Given)
+        {
+            Group = ResultGroup,
+            IsSwitch = true,
+            ImpliedText = Values.GivenText,
+            Help = "Go on with the same sweep where it was ended, killed or not: poses that are done stay. Refused when the folder holds another sweep; where nothing was begun the sweep begins."
+        };
+
+        /// <summary>The part of a sweep to do; null when not given.</summary>
+        public static readonly Option<SweepShard?> Shard = new Option<SweepShard?>("shard", "K/N", text => SweepShard.Parse(text))
+        {
+            Group = SweepGroup,
+            Help = "Only part K of N, poses that follow each other, K from 1: for N processes, each with an --out and perhaps a --device of its own. glint merge joins the parts."
+        };
+
         /// <summary>Rays across and down.</summary>
         public static readonly Option<int2> Size = new Option<int2>("size", "WxH", text => Values.Size(text, RaysOfAxis))
         {

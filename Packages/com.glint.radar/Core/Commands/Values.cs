@@ -79,6 +79,11 @@ namespace Glint.Core
             }
         }
 
+        /// <summary>What stands for the value of an option that has none.</summary>
+        public const string GivenText = "given";
+
+        public static bool Given(string text) => text == GivenText ? true : throw new FormatException("takes no value");
+
         public static string Words(string text) => string.IsNullOrWhiteSpace(text) ? throw new FormatException("must not be empty") : text;
 
         /// <summary>A finite number, blanks around it allowed.</summary>

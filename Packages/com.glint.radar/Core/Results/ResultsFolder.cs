@@ -8,6 +8,7 @@ namespace Glint.Core
 {
     /// <summary>
     /// The folder that a run or sweep writes: results.csv, row by row as they are done, and results.json at the end.
+    /// Until then a sweep also keeps results.partial there, from which it can be resumed.
     /// Before the first row only a lock file is there, and older results stay. One run at a time has the folder, until it is disposed or finished.
     /// </summary>
     public sealed class ResultsFolder : IDisposable
@@ -18,12 +19,18 @@ namespace Glint.Core
         /// <summary>File of the rows and of everything about the run.</summary>
         public const string JsonName = "results.json";
 
+        /// <summary>File of a sweep that is not finished.</summary>
+        public const string PartialName = "results.partial";
+
+        const string StartAnew = "take the same as before, choose another results folder, or leave --resume out to replace what is there";
+
         static readonly UTF8Encoding Utf8 = new UTF8Encoding(false);
 
         readonly List<StoredRow> _rows = new List<StoredRow>();
         readonly FolderLock _lock;
-        FileStream _csv;
-        long _csvLength;
+        SweepIdentity _sweep;
+        FileStream _csv, _partial;
+        long _csvLength, _partialLength;
         bool _finished;
 
         ResultsFolder(string path)
@@ -40,6 +47,12 @@ namespace Glint.Core
 
         /// <summary>Path of the JSON file.</summary>
         public string JsonPath => Path.Combine(FolderPath, JsonName);
+
+        /// <summary>Path of the file of an unfinished sweep.</summary>
+        public string PartialPath => Path.Combine(FolderPath, PartialName);
+
+        /// <summary>When the sweep whose rows these are was first begun, UTC; null when it is not known.</summary>
+        public DateTime? StartedUtc { get; private set; }
 
         static string Header => string.Join(",", ResultColumn.All.Select(column => column.Name)) + "\n";
 
@@ -59,6 +72,7 @@ namespace Glint.Core
             {
                 CheckReplaceable(folder.CsvPath);
                 CheckReplaceable(folder.JsonPath);
+                CheckReplaceable(folder.PartialPath);
                 return folder;
             }
             catch
@@ -68,20 +82,52 @@ namespace Glint.Core
             }
         }
 
+        /// <summary>Says, before the first row, which sweep the rows are of, so that it can be resumed.</summary>
+        public void Begin(SweepIdentity sweep, DateTime startedUtc)
+        {
+            RequireUnfinished();
+            _sweep = sweep;
+            StartedUtc = startedUtc;
+        }
+
+        /// <summary>
+        /// Goes on, after <see cref="Begin(SweepIdentity, DateTime)"/>, with the same sweep where it was ended. Whole rows are kept, but at least the last pose of all is left to do.
+        /// Where nothing was begun the sweep begins.
+        /// </summary>
+        /// <param name="poses">Poses of the sweep, or of its part.</param>
+        /// <returns>The poses that are done: all of them when results.json is there too.</returns>
+        /// <exception cref="GlintException">Another sweep's results are there, or they are damaged; the message says what differs. Nothing is changed then.</exception>
+        public int Resume(int poses)
+        {
+            RequireUnfinished();
+            if (File.Exists(PartialPath))
+                return GoOn(UnfinishedSweep.Read(PartialPath), poses);
+            if (File.Exists(JsonPath))
+            {
+                var done = StoredResults.Read(JsonPath);
+                Require(done.Info.Sweep, JsonPath);
+                return done.Rows.Count == poses ? poses : throw new GlintException($"{JsonPath}: has {done.Rows.Count} rows of {poses}: it was changed; restore it, or leave --resume out");
+            }
+            if (File.Exists(CsvPath))
+                throw new GlintException($"{CsvPath}: {PartialName} is not beside it, so that the sweep cannot be resumed: restore it, or leave --resume out");
+            return 0;
+        }
+
         /// <summary>
         /// Writes one row to results.csv, so that it is there even if the program is ended at once.
         /// The first row makes the folder, replaces an older results.csv and removes an older results.json.
         /// </summary>
         /// <exception cref="GlintException">The disk is full or the file cannot be written; earlier rows stay. Or a value is not finite.</exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
-        public void Append(SweepRow row)
+        public void Append(SweepRow row) => Append(new StoredRow(row));
+
+        internal void Append(StoredRow row)
         {
             RequireUnfinished();
-            var stored = new StoredRow(row);
             if (_csv == null)
-                Begin();
-            Write((_rows.Count == 0 ? Header : "") + stored.ToCsv());
-            _rows.Add(stored);
+                Create();
+            Write(_sweep == null ? "" : ResultsJson.Line(row) + "\n", (_rows.Count == 0 ? Header : "") + row.ToCsv());
+            _rows.Add(row);
         }
 
         /// <summary>Writes results.json, whole or not at all, and closes results.csv.</summary>
@@ -92,15 +138,16 @@ namespace Glint.Core
             RequireUnfinished();
             if (_csv == null)
             {
-                Begin();
-                Write(Header);
+                Create();
+                Write("", Header);
             }
-            CloseCsv();
+            Close();
             try
             {
                 var text = new StringWriter { NewLine = "\n" };
                 ResultsJson.Write(text, info, _rows);
                 Try($"{JsonPath}: cannot be written ({CsvPath} is complete)", () => ReplaceJson(Utf8.GetBytes(text.ToString())));
+                Try($"{PartialPath}: cannot be removed (the results are complete)", () => File.Delete(PartialPath));
             }
             finally
             {
@@ -113,15 +160,16 @@ namespace Glint.Core
         {
             if (_finished)
                 return;
-            CloseCsv();
+            Close();
             _lock.Dispose();
             _finished = true;
         }
 
-        void CloseCsv()
+        void Close()
         {
             _csv?.Dispose();
-            _csv = null;
+            _partial?.Dispose();
+            _csv = _partial = null;
         }
 
         void RequireUnfinished()
@@ -130,22 +178,72 @@ namespace Glint.Core
                 throw new InvalidOperationException($"{CsvPath} is finished");
         }
 
-        void Begin() => Try($"{CsvPath}: cannot be written", () =>
+        void Create() => Try($"{CsvPath}: cannot be written", () =>
         {
             Directory.CreateDirectory(FolderPath);
+            // First: whoever is ended between these lines has begun, and done nothing.
+            if (_sweep == null)
+                File.Delete(PartialPath);
+            else
+            {
+                _partial = Open(PartialPath, FileMode.Create);
+                _partialLength += Put(_partial, ResultsJson.Line(StartedUtc.Value, _sweep) + "\n");
+            }
             File.Delete(JsonPath);
-            // Without a buffer a row that failed is not written again on closing.
-            _csv = new FileStream(CsvPath, FileMode.Create, FileAccess.Write, FileShare.Read, 1);
-        });
+            _csv = Open(CsvPath, FileMode.Create);
+        }, KeepWholeRows);
 
-        void Write(string lines)
+        int GoOn(UnfinishedSweep earlier, int poses)
         {
-            var bytes = Utf8.GetBytes(lines);
+            if (earlier == null)
+                return 0;
+            Require(earlier.Identity, PartialPath);
+            // The pose at which the last one stands is what results.json describes.
+            int kept = Math.Min(earlier.Rows.Count, poses - 1);
+            if (kept == 0)
+                return 0;
+            var csv = Utf8.GetBytes(Header + string.Concat(earlier.Rows.Select(row => row.ToCsv())));
+            int length = Utf8.GetByteCount(Header + string.Concat(earlier.Rows.Take(kept).Select(row => row.ToCsv())));
+            Try($"{CsvPath}: cannot be written", () =>
+            {
+                var there = File.Exists(CsvPath) ? File.ReadAllBytes(CsvPath) : Array.Empty<byte>();
+                int same = 0;
+                while (same < there.Length && same < csv.Length && there[same] == csv[same])
+                    same++;
+                if (same < there.Length)
+                    throw new GlintException($"{CsvPath}, line {1 + there.Take(same).Count(letter => letter == '\n')}: differs from what {PartialName} holds: restore it, or delete it to have it written anew");
+                _partial = Open(PartialPath, FileMode.Open);
+                _partial.SetLength(_partialLength = earlier.Ends[kept]);
+                _partial.Seek(0, SeekOrigin.End);
+                _csv = Open(CsvPath, FileMode.OpenOrCreate);
+                _csv.SetLength(_csvLength = Math.Min(same, length));
+                _csv.Seek(0, SeekOrigin.End);
+                _csv.Write(csv, (int)_csvLength, length - (int)_csvLength);
+                _csv.Flush();
+                _csvLength = length;
+            }, Dispose);
+            _rows.AddRange(earlier.Rows.Take(kept));
+            StartedUtc = earlier.StartedUtc;
+            return kept;
+        }
+
+        void Require(SweepIdentity earlier, string path)
+        {
+            if (earlier == null)
+                throw new GlintException($"{path}: is of a single pose, no sweep: {StartAnew}");
+            string difference = _sweep.DifferenceFrom(earlier);
+            if (difference != null)
+                throw new GlintException($"{path}: is of another sweep: {difference}: {StartAnew}");
+        }
+
+        // First what a sweep is resumed from. Half a row in either file is cut off.
+        void Write(string partial, string lines)
+        {
             try
             {
-                _csv.Write(bytes, 0, bytes.Length);
-                _csv.Flush();
-                _csvLength += bytes.Length;
+                int more = partial.Length == 0 ? 0 : Put(_partial, partial);
+                _csvLength += Put(_csv, lines);
+                _partialLength += more;
             }
             catch (IOException error)
             {
@@ -154,6 +252,17 @@ namespace Glint.Core
             }
         }
 
+        static int Put(FileStream file, string text)
+        {
+            var bytes = Utf8.GetBytes(text);
+            file.Write(bytes, 0, bytes.Length);
+            file.Flush();
+            return bytes.Length;
+        }
+
+        // Without a buffer a row that failed is not written again on closing.
+        static FileStream Open(string path, FileMode mode) => new FileStream(path, mode, FileAccess.Write, FileShare.Read, 1);
+
         // Half a row must not stay, nor a file without rows. If even this fails, the first failure is the one to tell.
         void KeepWholeRows()
         {
@@ -161,11 +270,16 @@ namespace Glint.Core
             {
                 if (_csvLength > 0)
                     _csv.SetLength(_csvLength);
-                CloseCsv();
-                if (_csvLength == 0)
+                if (_partialLength > 0)
+                    _partial.SetLength(_partialLength);
+                bool hasCsv = _csv != null, hasPartial = _partial != null;
+                Close();
+                if (_rows.Count == 0 && hasCsv)
                     File.Delete(CsvPath);
+                if (_rows.Count == 0 && hasPartial)
+                    File.Delete(PartialPath);
             }
-            catch (IOException)
+            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException)
             {
             }
             finally
@@ -198,7 +312,7 @@ namespace Glint.Core
                 Try($"{path}: cannot be replaced (is it open in another program?)", () => new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.Read).Dispose());
         }
 
-        static void Try(string failure, Action work)
+        static void Try(string failure, Action work, Action afterFailure = null)
         {
             try
             {
@@ -206,6 +320,7 @@ namespace Glint.Core
             }
             catch (Exception error) when (error is IOException || error is UnauthorizedAccessException || error is ArgumentException || error is NotSupportedException)
             {
+                afterFailure?.Invoke();
                 throw Failure(failure, error);
             }
         }

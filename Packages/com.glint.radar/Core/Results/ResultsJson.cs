@@ -9,6 +9,8 @@ namespace Glint.Core
     /// <summary>Writes results.json. Numbers have the same digits as in results.csv.</summary>
     sealed class ResultsJson
     {
+        public const string TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'", ShardName = "shard";
+
         readonly JsonTextWriter _json;
 
         ResultsJson(JsonTextWriter json) => _json = json;
@@ -20,13 +22,35 @@ namespace Glint.Core
             output.Write('\n');
         }
 
+        /// <summary>The first line of an unfinished sweep, without its end.</summary>
+        public static string Line(DateTime startedUtc, SweepIdentity sweep) => Line(json =>
+        {
+            json._json.WriteStartObject();
+            json.Time(startedUtc);
+            json.WriteSweep(sweep);
+            json._json.WriteEndObject();
+        });
+
+        /// <summary>A row in one line, without its end.</summary>
+        public static string Line(StoredRow row) => Line(json => json.WriteRow(row));
+
+        static string Line(Action<ResultsJson> write)
+        {
+            var text = new StringWriter(CultureInfo.InvariantCulture);
+            using (var json = new JsonTextWriter(text) { Formatting = Formatting.None })
+                write(new ResultsJson(json));
+            return text.ToString();
+        }
+
         void Write(RunInfo info, IReadOnlyList<StoredRow> rows)
         {
             _json.WriteStartObject();
-            Text("started_utc", info.StartedUtc.ToString("yyyy-MM-dd'T'HH:mm:ss'Z'", CultureInfo.InvariantCulture));
+            Time(info.StartedUtc);
             Number("elapsed_ms", info.ElapsedMs);
             WriteScene(info);
             WriteSettings(info.Settings);
+            if (info.Sweep != null)
+                WriteSweep(info.Sweep);
             WriteMachine(info);
             WriteTimings(Sum(rows));
             WriteUnits();
@@ -62,6 +86,16 @@ namespace Glint.Core
                 Text("unit", setting.Unit);
                 _json.WriteEndObject();
             }
+            _json.WriteEndObject();
+        }
+
+        void WriteSweep(SweepIdentity sweep)
+        {
+            Open("sweep");
+            foreach (var entry in sweep.Entries)
+                Text(entry.Key, entry.Value);
+            if (sweep.Shard.HasValue)
+                Text(ShardName, sweep.Shard.ToString());
             _json.WriteEndObject();
         }
 
@@ -102,11 +136,12 @@ namespace Glint.Core
         void WriteHistogram(int[] bins)
         {
             Open("phase_histogram", array: true);
+            var formatting = _json.Formatting;
             _json.Formatting = Formatting.None;
             foreach (int bin in bins)
                 _json.WriteValue(bin);
             _json.WriteEndArray();
-            _json.Formatting = Formatting.Indented;
+            _json.Formatting = formatting;
         }
 
         void WriteTimings(Timings timings)
@@ -142,6 +177,8 @@ namespace Glint.Core
             else
                 _json.WriteStartObject();
         }
+
+        void Time(DateTime startedUtc) => Text("started_utc", startedUtc.ToString(TimeFormat, CultureInfo.InvariantCulture));
 
         void Text(string name, string text)
         {

@@ -29,6 +29,9 @@ namespace Glint.Core
         /// <summary>Wall time of the whole run in milliseconds.</summary>
         public double ElapsedMs;
 
+        /// <summary>What the rows are of; null for a single pose.</summary>
+        public SweepIdentity Sweep;
+
         /// <summary>Radar, receiver and sweep settings, in the order of the file; each name once.</summary>
         public readonly List<RunSetting> Settings = new List<RunSetting>();
     }

@@ -67,6 +67,19 @@ namespace Glint.Core
         /// <summary>Whether an axis has values.</summary>
         public bool Has(SweepAxis axis) => Values(axis) != null;
 
+        /// <summary>The first pose with another value on an axis than the pose that a sweep begins with; 0 when there is none.</summary>
+        internal int FirstChange(SweepAxis axis)
+        {
+            if (!Has(axis))
+                return 0;
+            int inner = 1, change = 1;
+            for (int i = axis.Index + 1; i < _values.Length; i++)
+                inner *= _values[i]?.Count ?? 1;
+            while (change < Values(axis).Count && Values(axis)[change] == Values(axis)[0])
+                change++;
+            return change < Values(axis).Count ? change * inner : 0;
+        }
+
         /// <summary>Whether an axis has more than one value.</summary>
         internal bool Varies(SweepAxis axis) => Has(axis) && Values(axis).Count > 1;
     }

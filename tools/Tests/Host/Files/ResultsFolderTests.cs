@@ -12,17 +12,19 @@ namespace Glint.Host.Tests;
 [Platform("Linux")]
 public sealed class ResultsFolderTests
 {
-    [Test]
-    public void Append_DiskFull_NamesTheFileAndLeavesNothing()
+    [TestCase("results.csv")]
+    [TestCase("results.partial")]
+    public void Append_DiskFull_NamesTheFileAndLeavesNothing(string full)
     {
         string path = Path.Combine(Path.GetTempPath(), "glint-tests-" + Guid.NewGuid().ToString("N"));
         Directory.CreateDirectory(path);
         try
         {
-            File.CreateSymbolicLink(Path.Combine(path, "results.csv"), "/dev/full");
+            File.CreateSymbolicLink(Path.Combine(path, full), "/dev/full");
             using var results = ResultsFolder.Open(path);
+            results.Begin(new SweepIdentity(), DateTime.UtcNow);
             var error = Assert.Throws<GlintException>(() => results.Append(new SweepRow(new SweepPose(0), new RadarResult())));
-            Assert.That(error.Message, Does.StartWith(Path.Combine(path, "results.csv")).And.Contain("0 rows").And.Contain("space"));
+            Assert.That(error.Message, Does.StartWith(Path.Combine(path, "results.csv")).And.Contain("cannot be written").And.Contain("space"));
             Assert.That(Directory.GetFileSystemEntries(path), Is.Empty);
         }
         finally

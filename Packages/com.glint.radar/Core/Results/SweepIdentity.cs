@@ -1,0 +1,49 @@
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// What makes a sweep the one it is: its poses, scene and settings, the device and the versions, each as a name and a text.
+    /// Rows of equal identities belong together.
+    /// </summary>
+    public sealed class SweepIdentity
+    {
+        readonly List<KeyValuePair<string, string>> _entries = new List<KeyValuePair<string, string>>();
+
+        /// <summary>Names and texts in the order of the file; each name once, a text may be null.</summary>
+        public IReadOnlyList<KeyValuePair<string, string>> Entries => _entries;
+
+        /// <summary>The part of the sweep; null for all of it.</summary>
+        public SweepShard? Shard { get; set; }
+
+        /// <summary>Adds an entry.</summary>
+        public void Add(string name, string text) => _entries.Add(new KeyValuePair<string, string>(name, text));
+
+        /// <summary>The same sweep, another part of it.</summary>
+        internal SweepIdentity WithShard(SweepShard? shard)
+        {
+            var other = new SweepIdentity { Shard = shard };
+            other._entries.AddRange(_entries);
+            return other;
+        }
+
+        /// <summary>The first thing in which another sweep differs, as "frequency was 9 and is 10"; null when it is the same.</summary>
+        /// <param name="earlier">The sweep that was.</param>
+        public string DifferenceFrom(SweepIdentity earlier)
+        {
+            if (!Equals(Shard, earlier.Shard))
+                return Difference("shard", earlier.Shard?.ToString(), Shard?.ToString());
+            foreach (string name in _entries.Concat(earlier._entries).Select(entry => entry.Key).Distinct())
+                if (earlier.Find(name) != Find(name))
+                    return Difference(name, earlier.Find(name), Find(name));
+            return null;
+        }
+
+        string Find(string name) => _entries.FirstOrDefault(entry => entry.Key == name).Value;
+
+        static string Difference(string name, string was, string now) => $"{name} was {Shown(was)} and is {Shown(now)}";
+
+        static string Shown(string text) => text == null ? "not given" : Values.Shown(text);
+    }
+}

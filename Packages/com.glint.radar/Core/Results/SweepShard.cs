@@ -1,0 +1,54 @@
+using System;
+using System.Globalization;
+
+namespace Glint.Core
+{
+    /// <summary>Part K of N of a sweep: poses that follow each other, as many in each part or one more.</summary>
+    public readonly struct SweepShard : IEquatable<SweepShard>
+    {
+        /// <summary>Most parts of a sweep.</summary>
+        public const int Limit = 100000;
+
+        /// <param name="number">From 1 to <paramref name="count"/>.</param>
+        public SweepShard(int number, int count)
+        {
+            Number = number;
+            Count = count;
+        }
+
+        /// <summary>Which part, from 1.</summary>
+        public int Number { get; }
+
+        /// <summary>Parts in all.</summary>
+        public int Count { get; }
+
+        /// <summary>The first pose of the part.</summary>
+        /// <param name="poses">Poses of the whole sweep.</param>
+        public int First(int poses) => (int)((long)poses * (Number - 1) / Count);
+
+        /// <summary>The first pose after the part.</summary>
+        /// <param name="poses">Poses of the whole sweep.</param>
+        public int End(int poses) => (int)((long)poses * Number / Count);
+
+        /// <summary>Reads K/N.</summary>
+        /// <exception cref="FormatException">Malformed or out of range.</exception>
+        internal static SweepShard Parse(string text)
+        {
+            var parts = text.Split('/');
+            if (parts.Length != 2 || !TryRead(parts[0], out int number) || !TryRead(parts[1], out int count) || number < 1 || number > count || count > Limit)
+                throw new FormatException(FormattableString.Invariant($"must be K/N, part K of N, such as 2/8, with K from 1 to N and N at most {Limit}"));
+            return new SweepShard(number, count);
+        }
+
+        public bool Equals(SweepShard other) => Number == other.Number && Count == other.Count;
+
+        public override bool Equals(object other) => other is SweepShard shard && Equals(shard);
+
+        public override int GetHashCode() => Number * 397 ^ Count;
+
+        /// <summary>"2/8".</summary>
+        public override string ToString() => FormattableString.Invariant($"{Number}/{Count}");
+
+        static bool TryRead(string text, out int number) => int.TryParse(text.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out number);
+    }
+}

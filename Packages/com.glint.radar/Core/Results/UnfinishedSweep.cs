@@ -1,0 +1,59 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Text;
+using Newtonsoft.Json.Linq;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// results.partial of a sweep that is not finished: its identity in the first line, a row in each line after it, as JSON.
+    /// It holds all that results.json will say of the rows, so that a killed sweep loses nothing.
+    /// </summary>
+    sealed class UnfinishedSweep
+    {
+        UnfinishedSweep(DateTime startedUtc, SweepIdentity identity)
+        {
+            StartedUtc = startedUtc;
+            Identity = identity;
+        }
+
+        /// <summary>When the sweep was first begun.</summary>
+        public DateTime StartedUtc { get; }
+
+        public SweepIdentity Identity { get; }
+
+        public List<StoredRow> Rows { get; } = new List<StoredRow>();
+
+        /// <summary>Bytes up to the end of the first line, and of each row.</summary>
+        public List<long> Ends { get; } = new List<long>();
+
+        /// <summary>Reads the file. A last line without its end, at which the program was ended, counts as not written.</summary>
+        /// <returns>Null when not even the first line is whole.</returns>
+        /// <exception cref="GlintException">It cannot be read, or a whole line is damaged; the message names it.</exception>
+        public static UnfinishedSweep Read(string path)
+        {
+            UnfinishedSweep sweep = null;
+            int line = 0;
+            try
+            {
+                var bytes = File.ReadAllBytes(path);
+                for (int from = 0, end; (end = Array.IndexOf(bytes, (byte)'\n', from)) >= 0; from = end + 1)
+                {
+                    line++;
+                    var json = StoredResults.Parse(Encoding.UTF8.GetString(bytes, from, end - from));
+                    if (sweep == null)
+                        sweep = new UnfinishedSweep(StoredResults.Time(json), StoredResults.Identity(json["sweep"] as JObject ?? throw new FormatException("it names no sweep")));
+                    else
+                        sweep.Rows.Add(new StoredRow(json));
+                    sweep.Ends.Add(end + 1);
+                }
+                return sweep;
+            }
+            catch (Exception error) when (StoredResults.IsUnreadable(error))
+            {
+                throw StoredResults.Damaged(line == 0 ? path : FormattableString.Invariant($"{path}, line {line}"), error);
+            }
+        }
+    }
+}

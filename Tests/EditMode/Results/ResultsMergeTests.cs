@@ -1,0 +1,95 @@
+using System.IO;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+
+namespace Glint.Tests
+{
+    /// <summary>Parts of a sweep joined: the files of the whole, or one line that says what is wrong.</summary>
+    public sealed class ResultsMergeTests
+    {
+        const int Poses = 7;
+
+        TemporaryFolder _folder;
+
+        [SetUp]
+        public void SetUp() => _folder = new TemporaryFolder();
+
+        [TearDown]
+        public void TearDown() => _folder.Dispose();
+
+        [Test]
+        public void Shards_OfAnySweep_AreAllItsPosesOnceAndInOrder()
+        {
+            foreach (int poses in new[] { 1, 2, 7, 46, 1000, SweepPlan.Limit })
+                for (int count = 1; count <= System.Math.Min(poses, 12); count++)
+                {
+                    var parts = Enumerable.Range(1, count).Select(number => new SweepShard(number, count)).ToArray();
+                    Assert.That(parts[0].First(poses), Is.Zero);
+                    Assert.That(parts[count - 1].End(poses), Is.EqualTo(poses));
+                    for (int i = 1; i < count; i++)
+                        Assert.That(parts[i].First(poses), Is.EqualTo(parts[i - 1].End(poses)));
+                    var sizes = parts.Select(part => part.End(poses) - part.First(poses)).ToArray();
+                    Assert.That(sizes.Min(), Is.GreaterThan(0));
+                    Assert.That(sizes.Max() - sizes.Min(), Is.LessThanOrEqualTo(1));
+                }
+        }
+
+        [Test]
+        public void Merge_OfAnyNumberOfParts_IsTheUndividedSweep()
+        {
+            SampleSweep.Write(_folder.PathOf("whole"), SampleSweep.Identity(), Poses, Poses);
+            for (int count = 1; count <= Poses; count++)
+            {
+                string[] parts = Enumerable.Range(1, count).Select(number => Part(number, count)).ToArray();
+                ResultsMerge.Merge(parts.Reverse().ToArray(), _folder.PathOf("merged"));
+                foreach (string name in new[] { "results.csv", "results.json" })
+                    Assert.That(Text("merged", name), Is.EqualTo(Text("whole", name)), $"{count} parts");
+            }
+        }
+
+        [Test]
+        public void Merge_OfWhatDoesNotBelongTogether_IsRefusedByName()
+        {
+            string one = Part(1, 3), two = Part(2, 3), three = Part(3, 3);
+            AssertRefused("a part is missing: 2/3", one, three);
+            AssertRefused($"{two} and {two} are both part 2/3", one, two, two, three);
+            AssertRefused("divided otherwise", one, two, Part(2, 2));
+            AssertRefused("there is no such folder", one, two, _folder.PathOf("nothing"));
+            AssertRefused("holds a part", one, two, three, _folder.PathOf("merged"));
+
+            SampleSweep.Write(_folder.PathOf("other"), SampleSweep.Identity("9000000000 Hz", new SweepShard(3, 3)), 3, 3);
+            AssertRefused("frequency was \"10000000000 Hz\" and is \"9000000000 Hz\"", one, two, _folder.PathOf("other"));
+            SampleSweep.Write(_folder.PathOf("undivided"), SampleSweep.Identity(), Poses, Poses);
+            AssertRefused("is no part of a sweep", _folder.PathOf("undivided"));
+            SampleSweep.Write(_folder.PathOf("unfinished"), SampleSweep.Identity(shard: new SweepShard(3, 3)), 3, 2, first: 4);
+            AssertRefused("is not finished: finish it with --resume", one, two, _folder.PathOf("unfinished"));
+            SampleSweep.Write(_folder.PathOf("short"), SampleSweep.Identity(shard: new SweepShard(3, 3)), 1, 1, first: 6);
+            AssertRefused("a file was changed", one, two, _folder.PathOf("short"));
+
+            string json = Path.Combine(two, "results.json");
+            File.WriteAllText(json, File.ReadAllText(json).Replace("\"amplitude\":", "\"altitude\":"));
+            AssertRefused(json + ": cannot be read as results, it is damaged: a row has no amplitude", one, two, three);
+            File.Delete(json);
+            AssertRefused($"{two}: has no results.json", one, two, three);
+        }
+
+        string Part(int number, int count)
+        {
+            var shard = new SweepShard(number, count);
+            string path = _folder.PathOf($"part {number} of {count}");
+            int poses = shard.End(Poses) - shard.First(Poses);
+            SampleSweep.Write(path, SampleSweep.Identity(shard: shard), poses, poses, first: shard.First(Poses));
+            return path;
+        }
+
+        void AssertRefused(string part, params string[] folders)
+        {
+            string merged = _folder.PathOf("merged");
+            Assert.That(Assert.Throws<GlintException>(() => ResultsMerge.Merge(folders, merged)).Message, Does.Contain(part).And.Not.Contain("\n"));
+            Assert.That(Directory.Exists(merged), Is.False);
+        }
+
+        string Text(string folder, string name) => File.ReadAllText(Path.Combine(_folder.PathOf(folder), name));
+    }
+}

@@ -1,0 +1,65 @@
+using System;
+using System.Linq;
+using Glint.Core;
+
+namespace Glint.Tests
+{
+    /// <summary>A sweep whose rows are known before they are traced, to be ended anywhere.</summary>
+    static class SampleSweep
+    {
+        public static readonly DateTime Started = new DateTime(2025, 3, 4, 15, 6, 7, DateTimeKind.Utc);
+
+        public static SweepIdentity Identity(string frequency = "10000000000 Hz", SweepShard? shard = null)
+        {
+            var identity = new SweepIdentity { Shard = shard };
+            identity.Add("angle_deg", "0,1,2,3");
+            identity.Add("target", null);
+            identity.Add("frequency", frequency);
+            return identity;
+        }
+
+        public static SweepRow Row(int pose)
+        {
+            var row = pose % 3 == 2 ? SampleRun.Miss(pose) : SampleRun.Row(pose, 3 + pose / 7.0, -4);
+            if (pose % 3 == 0)
+                row.Result.PhaseHistogram = Enumerable.Range(pose, Signal.PhaseBins).ToArray();
+            return row;
+        }
+
+        /// <summary>Writes the first rows, and when these are all poses of the part the rest too.</summary>
+        public static void Write(string path, SweepIdentity identity, int poses, int rows, bool finish = true, int first = 0)
+        {
+            using (var folder = ResultsFolder.Open(path))
+            {
+                folder.Begin(identity, Started);
+                for (int i = 0; i < rows; i++)
+                    folder.Append(Row(first + i));
+                if (rows == poses && finish)
+                    Finish(folder, identity);
+            }
+        }
+
+        /// <summary>Resumes and does what is left.</summary>
+        /// <returns>The rows that were there.</returns>
+        public static int GoOn(string path, SweepIdentity identity, int poses)
+        {
+            using (var folder = ResultsFolder.Open(path))
+            {
+                folder.Begin(identity, Started);
+                int done = folder.Resume(poses);
+                for (int i = done; i < poses; i++)
+                    folder.Append(Row(i));
+                if (done < poses)
+                    Finish(folder, identity);
+                return done;
+            }
+        }
+
+        static void Finish(ResultsFolder folder, SweepIdentity identity)
+        {
+            var info = SampleRun.Info();
+            info.Sweep = identity;
+            folder.Finish(info);
+        }
+    }
+}

@@ -1,0 +1,91 @@
+using System;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using System.Threading;
+using Glint.Cli;
+using NUnit.Framework;
+
+namespace Glint.Host.Tests;
+
+/// <summary>glint sweep as a process of its own, killed; and its parts joined.</summary>
+[Platform("Linux")]
+public sealed class KilledSweepTests
+{
+    const int Poses = 11 * 2 * 3;
+
+    static readonly string[] s_sweep = ["--angles", "-3:2:0.5", "--grazing", "0,0.5", "--frequency", "9e9,10e9,11e9", "--fov", "2.3", "--size", "320x240"];
+
+    string _folder;
+
+    [SetUp]
+    public void MakeCorner()
+    {
+        _folder = Directory.CreateTempSubdirectory("glint-killed-").FullName;
+        File.WriteAllText(Corner, "v 0 0 0\nv -1 0 -1\nv 1 0 -1\nv 0 1.4 0\nf 1 2 3\nf 1 4 2\nf 1 3 4\n");
+    }
+
+    [TearDown]
+    public void RemoveCorner() => Directory.Delete(_folder, true);
+
+    /// <summary>Moments are chosen by what is on the disk, so that a slow machine kills no earlier: a number of bytes of results.partial.</summary>
+    [Test]
+    public void Sweep_KilledTwice_ResumesToTheFilesOfAnUndisturbedOne()
+    {
+        Run(["sweep", Corner, .. s_sweep, "--out", At("whole")]);
+        int seed = Environment.TickCount;
+        var random = new Random(seed);
+        foreach (int from in new[] { 500, 15000 })
+            KillAt(from + random.Next(12000), ["sweep", Corner, .. s_sweep, "--out", At("killed"), "--resume"]);
+
+        Assert.That(File.Exists(Path.Combine(At("killed"), "results.partial")), "killed before its end");
+        string output = Run(["sweep", Corner, .. s_sweep, "--out", At("killed"), "--resume"]);
+        Assert.That(output, Does.Match($"resumed: [0-9]+ of {Poses} poses are done"));
+        AssertSame("killed", $"seed {seed}");
+    }
+
+    [Test]
+    public void Sweep_InParts_MergesToTheFilesOfAnUndividedOne()
+    {
+        Run(["sweep", Corner, .. s_sweep, "--out", At("whole")]);
+        for (int number = 1; number <= 3; number++)
+            Run(["sweep", Corner, .. s_sweep, "--shard", $"{number}/3", "--out", At($"{number}")]);
+        Run(["merge", At("3"), At("1"), At("2"), "--out", At("merged")]);
+        AssertSame("merged", "three parts");
+    }
+
+    void KillAt(int bytes, string[] arguments)
+    {
+        string partial = Path.Combine(At("killed"), "results.partial");
+        var start = new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), .. arguments]) { RedirectStandardOutput = true, RedirectStandardError = true };
+        using var process = Process.Start(start);
+        process.OutputDataReceived += (_, _) => { };
+        process.ErrorDataReceived += (_, _) => { };
+        process.BeginOutputReadLine();
+        process.BeginErrorReadLine();
+        while (!process.HasExited && !(File.Exists(partial) && new FileInfo(partial).Length >= bytes))
+            Thread.Sleep(1);
+        process.Kill(); // SIGKILL
+        process.WaitForExit();
+    }
+
+    void AssertSame(string folder, string message)
+    {
+        Assert.That(Directory.GetFiles(At(folder)).Select(Path.GetFileName), Is.EquivalentTo(new[] { "results.csv", "results.json" }), message);
+        Assert.That(Timeless.Csv(At(folder)), Is.EqualTo(Timeless.Csv(At("whole"))), message);
+        Assert.That(Timeless.Json(At(folder)), Is.EqualTo(Timeless.Json(At("whole"))), message);
+        Assert.That(Timeless.Csv(At("whole")).Split('\n').Length, Is.EqualTo(Poses + 2));
+    }
+
+    string Corner => At("corner.obj");
+
+    string At(string name) => Path.Combine(_folder, name);
+
+    static string Run(string[] arguments)
+    {
+        var (output, error) = (new StringWriter(), new StringWriter());
+        int code = new Shell(new Terminal { Out = output, Error = error, Live = null, Width = 100 }).Run(arguments);
+        Assert.That(code, Is.Zero, error.ToString());
+        return output.ToString();
+    }
+}
