@@ -61,6 +61,9 @@ sealed class CommandTree
         var options = new List<KeyValuePair<string, string>>();
         foreach (var result in parsed.CommandResult.Children.OfType<OptionResult>().Where(result => !result.Implicit))
         {
+            // The library takes what follows the "=" of a switch for an argument.
+            if (command.Options.Any(option => option.IsSwitch && option.Flag == result.Option.Name))
+                options.AddRange(raw.Where(word => word.StartsWith(result.Option.Name + "=")).Select(word => Pair(result.Option.Name, word[(word.IndexOf('=') + 1)..])));
             // The library takes the next word for the value of "--name=".
             if (raw.Contains(result.Option.Name + "="))
                 options.Add(Pair(result.Option.Name, ""));

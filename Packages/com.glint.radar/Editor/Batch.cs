@@ -47,8 +47,11 @@ namespace Glint.Editor
             try
             {
                 using (var folder = OpenFolder(line, subjects.Name))
-                using (var run = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, folder, subjects.Mount, line.Get(Options.Shard), line.Get(Options.Resume)))
-                    return Trace(run, subjects, folder, plan, progress);
+                {
+                    WarnOfUnfinished(line, folder);
+                    using (var run = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, folder, subjects.Mount, line.Get(Options.Shard), line.Get(Options.Resume)))
+                        return Trace(run, subjects, folder, plan, progress);
+                }
             }
             finally
             {
@@ -119,6 +122,12 @@ namespace Glint.Editor
             if (folder != null && run.Done > before)
                 progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
             return Done;
+        }
+
+        static void WarnOfUnfinished(CommandLine line, ResultsFolder folder)
+        {
+            if (folder != null && !line.Get(Options.Resume) && File.Exists(folder.PartialPath))
+                Debug.LogWarning($"{folder.FolderPath}: holds a sweep that is not finished; the first row replaces it ({Options.Resume.Flag} would go on with it)");
         }
 
         // Nothing in any pose is a valid result, and more often a wrong aim.

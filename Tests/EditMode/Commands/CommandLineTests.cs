@@ -56,6 +56,37 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Sweep_InAPartOrResumed_IsTaken()
+        {
+            // A switch takes no value: what follows is the input.
+            var line = Parse(Commands.Sweep, "--resume", "x.obj", "--angles", "0:9:1", "--shard", "2/3");
+
+            Assert.That((line.Input, line.Get(Options.Resume), line.Get(Options.Shard)), Is.EqualTo(("x.obj", true, (SweepShard?)new SweepShard(2, 3))));
+            line = Parse(Commands.Sweep, "x.obj", "--angles", "0:9:1");
+            Assert.That((line.Get(Options.Resume), line.Get(Options.Shard)), Is.EqualTo((false, (SweepShard?)null)));
+        }
+
+        [TestCase("--resume yes: takes no value", "--resume=yes")]
+        [TestCase("--resume: given twice", "--resume", "--resume")]
+        [TestCase("--shard 0/3: must be K/N", "--shard", "0/3")]
+        [TestCase("--shard 4/3: must be K/N", "--shard", "4/3")]
+        [TestCase("--shard 1: must be K/N", "--shard", "1")]
+        [TestCase("--shard 1/2/3: must be K/N", "--shard", "1/2/3")]
+        [TestCase("--shard 1/100001: must be K/N", "--shard", "1/100001")]
+        public void Sweep_InAPartOrResumedWrongly_IsRefused(string part, params string[] arguments) =>
+            Assert.That(Assert.Throws<UsageException>(() => Parse(Commands.Sweep, arguments.Concat(new[] { "--angles", "0:9:1", "x.obj" }).ToArray())).Message, Does.StartWith(part));
+
+        [Test]
+        public void Merge_OfFolders_HasThemInOrder()
+        {
+            Assert.That(Parse(Commands.Merge, "b", "a.obj", "--out", "c", "d").Folders, Is.EqualTo(new[] { "b", "a.obj", "d" }));
+            AssertRefused(Commands.Merge, "merge: DIR is missing: give the results folders of all parts", "--out", "c");
+            AssertRefused(Commands.Merge, "merge: a DIR is empty: give the name of a folder", "", "--out", "c");
+            AssertRefused(Commands.Merge, "--out is missing: merge needs --out DIR", "a");
+            AssertRefused(Commands.Merge, "--resume: merge has no such option", "a", "--out", "c", "--resume");
+        }
+
+        [Test]
         public void Sea_WithOptions_IsThatSea()
         {
             var recipe = SeaOptions.Read(Parse(Commands.Sea, "--out", "Assets/Sea", "--sea-state", "4", "--wind", "9", "--times", "0:6:3", "--tiles", "2x3", "--spectrum", "jonswap"));

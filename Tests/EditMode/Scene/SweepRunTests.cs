@@ -91,6 +91,43 @@ namespace Glint.Tests
             }
         }
 
+        /// <summary>Whatever goes wrong within a pose: a device that disappears shows as an exception from it.</summary>
+        [Test]
+        public void Step_ThatFails_LeavesRowsFromWhichTheSweepResumes()
+        {
+            using (var temporary = new TemporaryFolder())
+            {
+                var plan = new SweepPlan(new double[] { 0, 10, 20, 30 });
+                using (var run = new SweepRun(_radar, plan, _target.transform, null, "Scene", ResultsFolder.Open(temporary.PathOf("whole"))))
+                    while (!run.IsComplete)
+                        run.Step();
+                using (var run = new SweepRun(_radar, plan, _target.transform, null, "Scene", ResultsFolder.Open(temporary.PathOf("sweep"))))
+                {
+                    run.Step();
+                    run.Step();
+                    Assert.Throws<NotSupportedException>(() => run.Step(new Disappearance()));
+                }
+                Assert.That(_target.transform.rotation, Is.EqualTo(Quaternion.identity), "put back");
+                using (var run = new SweepRun(_radar, plan, _target.transform, null, "Scene", ResultsFolder.Open(temporary.PathOf("sweep")), resume: true))
+                {
+                    Assert.That(run.Done, Is.EqualTo(2));
+                    run.Step();
+                    run.Step();
+                    Assert.That(run.IsComplete);
+                }
+                var (whole, resumed) = (Amplitudes(temporary.PathOf("whole")), Amplitudes(temporary.PathOf("sweep")));
+                Assert.That(whole.Length, Is.EqualTo(5));
+                Assert.That(resumed, Is.EqualTo(whole));
+            }
+        }
+
+        static string[] Amplitudes(string folder) => Array.ConvertAll(File.ReadAllLines(Path.Combine(folder, "results.csv")), line => string.Join(",", line.Split(','), 0, 5));
+
+        sealed class Disappearance : IProgress<double>
+        {
+            public void Report(double value) => throw new NotSupportedException("the device is gone");
+        }
+
         [Test]
         public void Trace_WithProgress_EndsAtOne()
         {

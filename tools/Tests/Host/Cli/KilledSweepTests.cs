@@ -54,6 +54,40 @@ public sealed class KilledSweepTests
         AssertSame("merged", "three parts");
     }
 
+    /// <summary>A part has not seen the snapshots and the radar's places before it, by which a scene is divided otherwise.</summary>
+    [Test]
+    public void Sweep_OverASeaInParts_MergesToTheFilesOfAnUndividedOne()
+    {
+        string[] sweep = ["sweep", "Scenes/SeaState6.unity", "--target", "Sea", "--snapshots", "2,1,2,3", "--grazing", "15,20", "--size", "160x90", "--out"];
+        Run([.. sweep, At("whole")]);
+        Run([.. sweep, At("1"), "--shard", "1/2"]);
+        Run([.. sweep, At("2"), "--shard", "2/2"]);
+        Run(["merge", At("1"), At("2"), "--out", At("merged")]);
+        Assert.That(Timeless.Csv(At("merged")), Is.EqualTo(Timeless.Csv(At("whole"))));
+        Assert.That(Timeless.Json(At("merged")), Is.EqualTo(Timeless.Json(At("whole"))));
+    }
+
+    [Test]
+    public void Sweep_OfAMeshThatChanged_IsNotResumed()
+    {
+        string[] sweep = ["sweep", Corner, "--angles", "0,1", "--size", "16x9", "--out", At("swept"), "--resume"];
+        Run(sweep);
+        Assert.That(Run(sweep), Does.Contain("complete already"));
+        File.WriteAllText(Corner, File.ReadAllText(Corner).Replace("1.4", "1.5"));
+        var (code, _, error) = Execute(sweep);
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(error, Does.StartWith($"glint: {At("swept")}/results.json: is of another sweep: content was "));
+    }
+
+    [TestCase("--shard 3/3: the sweep has 2 poses", "--shard", "3/3")]
+    [TestCase("--resume yes: takes no value", "--resume=yes")]
+    public void Sweep_InAPartOrResumedWrongly_ExitsWithTwo(string message, params string[] options)
+    {
+        var (code, _, error) = Execute(["sweep", Corner, "--angles", "0,1", .. options]);
+        Assert.That(code, Is.EqualTo(2));
+        Assert.That(error, Does.StartWith("glint: " + message).And.EndsWith("(see glint sweep --help)" + Environment.NewLine));
+    }
+
     void KillAt(int bytes, string[] arguments)
     {
         string partial = Path.Combine(At("killed"), "results.partial");
@@ -83,9 +117,15 @@ public sealed class KilledSweepTests
 
     static string Run(string[] arguments)
     {
+        var (code, output, error) = Execute(arguments);
+        Assert.That(code, Is.Zero, error);
+        return output;
+    }
+
+    static (int code, string output, string error) Execute(string[] arguments)
+    {
         var (output, error) = (new StringWriter(), new StringWriter());
         int code = new Shell(new Terminal { Out = output, Error = error, Live = null, Width = 100 }).Run(arguments);
-        Assert.That(code, Is.Zero, error.ToString());
-        return output.ToString();
+        return (code, output.ToString(), error.ToString());
     }
 }
