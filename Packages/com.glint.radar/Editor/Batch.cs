@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using Glint.Core;
 using UnityEditor;
 using UnityEngine;
@@ -24,6 +25,9 @@ namespace Glint.Editor
         /// <summary>Entry of Unity's -executeMethod: <c>glint merge</c>.</summary>
         public static void Merge() => ExecuteAndExit(Commands.Merge, Environment.GetCommandLineArgs());
 
+        /// <summary>Entry of Unity's -executeMethod: <c>glint report</c>.</summary>
+        public static void Report() => ExecuteAndExit(Commands.Report, Environment.GetCommandLineArgs());
+
         /// <summary>Entry of Unity's -executeMethod: <c>glint sea</c>.</summary>
         public static void Sea() => ExecuteAndExit(Commands.Sea, Environment.GetCommandLineArgs());
 
@@ -42,6 +46,8 @@ namespace Glint.Editor
                 return ShipAssets.Write(line, progress);
             if (line.Command == Commands.Merge)
                 return MergeParts(line, progress);
+            if (line.Command == Commands.Report)
+                return ReportCommand.Write(line, progress);
             var plan = PlanOf(line);
             var subjects = SceneSubjects.Open(line);
             try
@@ -49,7 +55,7 @@ namespace Glint.Editor
                 using (var folder = OpenFolder(line, subjects.Name))
                 {
                     WarnOfUnfinished(line, folder);
-                    using (var run = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, folder, subjects.Mount, line.Get(Options.Shard), line.Get(Options.Resume)))
+                    using (var run = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, folder, subjects.Mount, line.Get(Options.Shard), line.Get(Options.Resume), WordsOf(line)))
                         return Trace(run, subjects, folder, plan, progress);
                 }
             }
@@ -58,6 +64,10 @@ namespace Glint.Editor
                 subjects.Radar.Release();
             }
         }
+
+        // What was traced: not where the files go, which part of it, or on what device.
+        static string[] WordsOf(CommandLine line) =>
+            line.Words.Where(word => new Option[] { Options.Out, Options.Shard, Options.Resume, Options.Device }.All(aside => word.Split('=')[0] != aside.Flag)).ToArray();
 
         static int MergeParts(CommandLine line, IProgressSink progress)
         {

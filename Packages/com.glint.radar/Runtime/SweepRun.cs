@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.Threading;
 using Glint.Core;
@@ -18,6 +19,7 @@ namespace Glint
         readonly AxisMotions _motions;
         readonly string _scene;
         readonly int _first;
+        readonly IReadOnlyList<string> _command;
         readonly ResultsFolder _folder;
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
@@ -32,14 +34,16 @@ namespace Glint
         /// <param name="mount">Moves the radar; null: about the target, as RadarMount.About says.</param>
         /// <param name="shard">The part to do; null: all of it.</param>
         /// <param name="resume">Goes on where the same sweep was ended in the folder.</param>
+        /// <param name="command">The command line that asks for it, for results.json; null when none does.</param>
         /// <exception cref="GlintException">An axis has nothing that it could move, or not so: the sea has no such snapshot, the radar cannot be moved about the target. Or another sweep is in the folder.</exception>
-        public SweepRun(RadarController radar, SweepPlan plan, Transform target, Sea sea, string scene, ResultsFolder folder, RadarMount mount = null, SweepShard? shard = null, bool resume = false)
+        public SweepRun(RadarController radar, SweepPlan plan, Transform target, Sea sea, string scene, ResultsFolder folder, RadarMount mount = null, SweepShard? shard = null, bool resume = false, IReadOnlyList<string> command = null)
         {
             _radar = radar;
             _plan = plan;
             _target = target;
             _scene = scene;
             _folder = folder;
+            _command = command;
             _first = shard?.First(plan.Count) ?? 0;
             Count = (shard?.End(plan.Count) ?? plan.Count) - _first;
             _motions = new AxisMotions(plan, radar, target, sea, mount);
@@ -123,6 +127,7 @@ namespace Glint
             if (_folder == null)
                 return;
             var info = RunDescription.Of(_radar, _scene, _target);
+            info.Command = _command;
             info.Sweep = _identity;
             info.StartedUtc = _folder.StartedUtc ?? _startedUtc;
             info.ElapsedMs = (_startedUtc - info.StartedUtc).TotalMilliseconds + _watch.Elapsed.TotalMilliseconds;

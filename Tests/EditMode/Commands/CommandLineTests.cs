@@ -167,6 +167,37 @@ namespace Glint.Tests
             AssertRefused(Commands.Run, "--seed: run has no such option", "x.obj", "--seed", "3");
         }
 
+        [TestCase("Results/corner")]
+        [TestCase("a b/x.unity")]
+        public void Input_OfReport_IsAFolderWhateverItsEnding(string folder)
+        {
+            var line = Parse(Commands.Report, folder);
+            Assert.That(line.Input, Is.EqualTo(folder));
+            Assert.That(line.InputKind, Is.EqualTo(InputKind.Results));
+        }
+
+        [TestCase("1", 1)]
+        [TestCase("46", 46)]
+        [TestCase("none", ReportOptions.NoPose)]
+        public void Pose_OfReport_IsARowOrNone(string text, int pose) => Assert.That(Parse(Commands.Report, "x", "--pose", text).Get(ReportOptions.Pose), Is.EqualTo(pose));
+
+        [TestCase("0")]
+        [TestCase("1.5")]
+        [TestCase("all")]
+        public void Pose_OfReport_RefusesOtherWords(string text) =>
+            Assert.That(() => Parse(Commands.Report, "x", "--pose", text), Throws.TypeOf<UsageException>().With.Message.Contain("--pose").And.Message.Contain("or none"));
+
+        [Test]
+        public void Words_OfALine_MakeTheSameLine()
+        {
+            var line = Parse(Commands.Sweep, "--angles", "-10,0", "--unit=mm", "--", "-odd=name.obj");
+            var again = CommandLine.Parse(Commands.Sweep, line.Words.Skip(1).ToArray());
+            Assert.That(line.Words[0], Is.EqualTo("sweep"));
+            Assert.That(again.Words, Is.EqualTo(line.Words));
+            Assert.That(again.Get(Options.Angles), Is.EqualTo(new[] { -10.0, 0 }));
+            Assert.That(again.Get(Options.Unit).Meters, Is.EqualTo(0.001));
+        }
+
         [TestCase(InputKind.Scene, "--size", "--frequency", "--bounces", "--receiver")]
         [TestCase(InputKind.MeshFile, "--size", "--frequency", "--bounces", "--receiver", "--unit", "--up", "--distance", "--grazing", "--azimuth", "--fov", "--aim")]
         public void RadarOptions_WithTheInputTheyGoWith_AreTaken(InputKind kind, params string[] flags)

@@ -18,14 +18,17 @@ namespace Glint.Core
         /// <summary>The command.</summary>
         public Command Command { get; }
 
-        /// <summary>The scene or mesh file as given; null when there is none.</summary>
+        /// <summary>The scene, mesh file or results folder as given; null when there is none.</summary>
         public string Input { get; private set; }
 
         /// <summary>The folders as given, of a command that takes folders.</summary>
         public IReadOnlyList<string> Folders { get; private set; } = Array.Empty<string>();
 
-        /// <summary>What <see cref="Input"/> is, by the end of its name.</summary>
+        /// <summary>What <see cref="Input"/> is: what the command takes, or by the end of its name.</summary>
         public InputKind InputKind { get; private set; }
+
+        /// <summary>The command's name, the input and the options as given: after the name, what <see cref="Parse"/> makes the same line of.</summary>
+        public IReadOnlyList<string> Words { get; private set; }
 
         /// <summary>Value of an option: as given, else its default.</summary>
         public T Get<T>(Option<T> option) => _values.TryGetValue(option, out var value) ? (T)value : option.Default;
@@ -92,6 +95,8 @@ namespace Glint.Core
             line.SetInput(inputs);
             line.CheckOptionsAgainstInput();
             line.CheckOptionsAgainstEachOther();
+            line.Words = new[] { command.Name }.Concat(options.Select(option => option.Value == null ? option.Key : $"{option.Key}={option.Value}"))
+                .Concat(inputs.Count == 0 ? inputs : inputs.Prepend("--")).ToArray();
             return line;
         }
 
@@ -132,9 +137,9 @@ namespace Glint.Core
                 return;
             }
             if (inputs.Count == 0)
-                throw new UsageException($"{Command.Name}: INPUT is missing: give a scene (.unity) or a mesh file (.obj, .stl)");
+                throw new UsageException($"{Command.Name}: INPUT is missing: give {(Command.Inputs == InputKind.Results ? "a folder with results" : "a scene (.unity) or a mesh file (.obj, .stl)")}");
             Input = inputs[0];
-            InputKind = KindOf(Input);
+            InputKind = Command.Inputs == InputKind.Results ? InputKind.Results : KindOf(Input);
         }
 
         void SetFolders(IReadOnlyList<string> folders)

@@ -14,6 +14,8 @@ namespace Glint.Core
 
         const string FoldersHelp = "The results folders of all parts, in any order.";
 
+        const string ResultsHelp = "A folder that a sweep or run has written to: one with results.json.";
+
         const string WithoutInputHelp = "Without it: a rough sea with a ship on it, before the camera of the published experiment.";
 
         /// <summary>What the exit codes mean.</summary>
@@ -76,10 +78,28 @@ namespace Glint.Core
             }
         };
 
+        /// <summary>Makes a page of results.</summary>
+        public static readonly Command Report = new Command("report", "Write one HTML file of a sweep or run that opens offline: charts, table, phase histograms, and the scene in 3-D with its received rays.")
+        {
+            Inputs = InputKind.Results,
+            Options = new Option[] { ReportOptions.Out, ReportOptions.Pose, Options.Device },
+            Notes = new[]
+            {
+                "One pose is traced again for the 3-D view and the radar's picture. When its scene or mesh file cannot be opened the report says so and has the rest; a mesh file named by a relative path is looked for from the current folder."
+            },
+            UnityMethod = "Glint.Editor.Batch.Report",
+            Examples = new[]
+            {
+                Example("report Results/corner", "Results/corner/report.html, with the strongest pose in 3-D."),
+                Example("report Results/corner --pose 10 --out corner.html", "The tenth pose in 3-D, into a file of another name."),
+                Example("report Results/corner --pose none", "Without the scene, when there is no GPU or it takes too long.")
+            }
+        };
+
         /// <summary>Times poses, and other programs beside them. Only the headless host has it.</summary>
         public static readonly Command Bench = new Command("bench", "Time what a pose costs, count what it does, and compare its sums with a double-precision tracer and its times with other programs.")
         {
-            Inputs = InputKind.Any,
+            Inputs = InputKind.File | InputKind.BuiltIn,
             Options = new Option[]
             {
                 Options.Rounds, Options.Peers, Options.Judge, Options.Json, Options.WriteScene, Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
@@ -173,10 +193,10 @@ namespace Glint.Core
         };
 
         /// <summary>Every command.</summary>
-        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Merge, Run, Sea, Ship, Experiments, Bench, Verify, Info };
+        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Merge, Run, Report, Sea, Ship, Experiments, Bench, Verify, Info };
 
         /// <summary>What INPUT is for a command.</summary>
-        public static string InputHelpOf(Command command) => command.Inputs == InputKind.Folders ? FoldersHelp : command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}" : InputHelp;
+        public static string InputHelpOf(Command command) => command.Inputs == InputKind.Folders ? FoldersHelp : command.Inputs == InputKind.Results ? ResultsHelp : command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}" : InputHelp;
 
         static KeyValuePair<string, string> Example(string line, string meaning) => new KeyValuePair<string, string>(line, meaning);
     }

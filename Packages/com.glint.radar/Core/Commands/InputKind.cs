@@ -21,10 +21,13 @@ namespace Glint.Core
         /// <summary>The generated scene of a command that may be called without an input.</summary>
         BuiltIn = 4,
 
-        /// <summary>Whatever there is to trace.</summary>
-        Any = File | BuiltIn,
-
         /// <summary>Results folders, one or more.</summary>
-        Folders = 8
+        Folders = 8,
+
+        /// <summary>A folder with results of a run or sweep.</summary>
+        Results = 16,
+
+        /// <summary>Whatever a command works on alone.</summary>
+        Any = File | BuiltIn | Results
     }
 }

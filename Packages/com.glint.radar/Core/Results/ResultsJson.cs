@@ -47,6 +47,7 @@ namespace Glint.Core
             _json.WriteStartObject();
             Time(info.StartedUtc);
             Number("elapsed_ms", info.ElapsedMs);
+            WriteCommand(info.Command);
             WriteScene(info);
             WriteSettings(info.Settings);
             if (info.Sweep != null)
@@ -59,6 +60,19 @@ namespace Glint.Core
                 WriteRow(row);
             _json.WriteEndArray();
             _json.WriteEndObject();
+        }
+
+        void WriteCommand(IReadOnlyList<string> words)
+        {
+            if (words == null)
+            {
+                Text("command", null);
+                return;
+            }
+            Open("command", array: true);
+            foreach (string word in words)
+                _json.WriteValue(word);
+            _json.WriteEndArray();
         }
 
         void WriteScene(RunInfo info)

@@ -9,6 +9,9 @@ namespace Glint.Core
         /// <summary>Scene or mesh file as an asset path or as the user gave it.</summary>
         public string ScenePath;
 
+        /// <summary>The command line that asked for it, as <see cref="CommandLine.Words"/>, without where its files go; null for a run that no command began.</summary>
+        public IReadOnlyList<string> Command;
+
         /// <summary>Object that was turned.</summary>
         public string TargetName;
 

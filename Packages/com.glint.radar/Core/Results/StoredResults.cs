@@ -31,7 +31,7 @@ namespace Glint.Core
                 var info = new RunInfo
                 {
                     StartedUtc = Time(json), ElapsedMs = Number(json, "elapsed_ms"),
-                    ScenePath = Text(json, "scene", "path"), TargetName = Text(json, "scene", "target"),
+                    Command = Words(json), ScenePath = Text(json, "scene", "path"), TargetName = Text(json, "scene", "target"),
                     Objects = (long)Number(json, "scene", "objects"), Triangles = (long)Number(json, "scene", "triangles"),
                     DeviceName = Text(json, "device", "name"), GraphicsApi = Text(json, "device", "graphics_api"),
                     GlintVersion = Text(json, "versions", "glint"), UnityVersion = Text(json, "versions", "unity"), Host = Text(json, "versions", "host"), OperatingSystem = Text(json, "versions", "operating_system"),
@@ -59,6 +59,9 @@ namespace Glint.Core
                 return json;
             }
         }
+
+        /// <summary>The command line; null where there is none.</summary>
+        public static string[] Words(JObject json) => (json["command"] as JArray)?.Select(word => (string)word).ToArray();
 
         public static DateTime Time(JObject json) =>
             DateTime.ParseExact(Text(json, "started_utc"), ResultsJson.TimeFormat, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal | DateTimeStyles.AdjustToUniversal);

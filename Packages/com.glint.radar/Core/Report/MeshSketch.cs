@@ -1,0 +1,100 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>A mesh for the eye: coordinates of 16 bits, and no more triangles than asked for. Where there are too many, points of one cube are drawn as one.</summary>
+    public sealed class MeshSketch
+    {
+        const int Steps = ushort.MaxValue;
+
+        MeshSketch(double3 low, double3 size) => (Low, Size) = (low, size);
+
+        /// <summary>Corner and size of the box that the coordinates divide into 65,535 steps an axis, metres, in the mesh's frame.</summary>
+        public double3 Low { get; }
+
+        /// <inheritdoc cref="Low"/>
+        public double3 Size { get; }
+
+        /// <summary>x, y, z of each point.</summary>
+        public List<ushort> Positions { get; } = new List<ushort>();
+
+        /// <summary>Point numbers, three a triangle.</summary>
+        public List<int> Indices { get; } = new List<int>();
+
+        public int TriangleCount => Indices.Count / 3;
+
+        /// <param name="most">Triangles at most; at least 12.</param>
+        public static MeshSketch Of(TriangleMesh mesh, int most)
+        {
+            double3 low = double.PositiveInfinity, high = double.NegativeInfinity;
+            double area = 0;
+            for (int i = 0; i < mesh.TriangleCount; i++)
+            {
+                mesh.GetTriangle(i, out var a, out var b, out var c);
+                low = math.min(low, math.min((double3)a, math.min((double3)b, (double3)c)));
+                high = math.max(high, math.max((double3)a, math.max((double3)b, (double3)c)));
+                area += math.length(math.cross((double3)b - a, (double3)c - a)) / 2;
+            }
+            if (mesh.TriangleCount == 0)
+                return new MeshSketch(0, 0);
+            if (mesh.TriangleCount <= most)
+                return Drawn(mesh, low, high - low, 0);
+            // Two triangles for each square of the side on a flat surface; more or fewer on others.
+            double side = math.max(math.sqrt(2 * area / most), 1e-3 * math.cmax(high - low));
+            while (true)
+            {
+                var sketch = Drawn(mesh, low, high - low, side);
+                if (sketch.TriangleCount <= most)
+                    return sketch;
+                side *= math.max(1.05, math.sqrt((double)sketch.TriangleCount / most));
+            }
+        }
+
+        // Points in a cube of the side are one, the first of them; with side 0 each is its own.
+        static MeshSketch Drawn(TriangleMesh mesh, double3 low, double3 size, double side)
+        {
+            var sketch = new MeshSketch(low, size);
+            var numbers = new Dictionary<int3, int>();
+            var own = new int[mesh.Vertices.Length]; // number + 1 of a vertex seen before
+            var drawn = new HashSet<int3>();
+            for (int i = 0; i < mesh.Indices.Length; i += 3)
+            {
+                var corners = new int3(sketch.Number(mesh, i, side, numbers, own), sketch.Number(mesh, i + 1, side, numbers, own), sketch.Number(mesh, i + 2, side, numbers, own));
+                if (corners.x == corners.y || corners.y == corners.z || corners.z == corners.x || side > 0 && !drawn.Add(Sorted(corners)))
+                    continue;
+                sketch.Indices.Add(corners.x);
+                sketch.Indices.Add(corners.y);
+                sketch.Indices.Add(corners.z);
+            }
+            return sketch;
+        }
+
+        int Number(TriangleMesh mesh, int corner, double side, Dictionary<int3, int> numbers, int[] own)
+        {
+            int vertex = mesh.Indices[corner];
+            if (own[vertex] > 0)
+                return own[vertex] - 1;
+            double3 place = (double3)mesh.Vertices[vertex] - Low;
+            var cube = side > 0 ? (int3)math.floor(place / side) : default;
+            int number = 0;
+            if (side == 0 || !numbers.TryGetValue(cube, out number))
+            {
+                number = Positions.Count / 3;
+                if (side > 0)
+                    numbers.Add(cube, number);
+                for (int axis = 0; axis < 3; axis++)
+                    Positions.Add((ushort)(Size[axis] > 0 ? Math.Round(place[axis] / Size[axis] * Steps) : 0));
+            }
+            own[vertex] = number + 1;
+            return number;
+        }
+
+        static int3 Sorted(int3 numbers)
+        {
+            int low = Math.Min(numbers.x, Math.Min(numbers.y, numbers.z)), high = Math.Max(numbers.x, Math.Max(numbers.y, numbers.z));
+            return new int3(low, numbers.x + numbers.y + numbers.z - low - high, high);
+        }
+    }
+}

@@ -1,0 +1,63 @@
+using System.IO;
+using System.Text;
+using Glint.Core;
+using UnityEditor;
+using UnityEngine;
+
+namespace Glint.Editor
+{
+    /// <summary><c>glint report</c>: a results folder as one HTML file.</summary>
+    static class ReportCommand
+    {
+        const string TemplatePath = "Packages/com.glint.radar/Editor/Report/Template.txt";
+
+        /// <summary>Writes the report that a command line asks for.</summary>
+        /// <returns>The exit code: 0 done.</returns>
+        /// <exception cref="GlintException">There are no results, or the report cannot be written.</exception>
+        public static int Write(CommandLine line, IProgressSink progress)
+        {
+            var run = StoredRun.Read(line.Input);
+            int pose = line.Get(ReportOptions.Pose);
+            if (pose > run.Count)
+                throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: {line.Input} has {run.Count} poses");
+            string path = line.IsGiven(ReportOptions.Out) ? line.Get(ReportOptions.Out) : Path.Combine(line.Input, ReportFile.Name);
+            Write(run, pose == ReportOptions.NoPose ? -1 : pose > 0 ? pose - 1 : run.Strongest(), path, progress);
+            progress.Print($"written: {path} ({new FileInfo(path).Length / 1e6:0.0} MB)");
+            return Batch.Done;
+        }
+
+        /// <summary>Writes a report.</summary>
+        /// <param name="pose">Which pose is shown in 3-D, from 0; -1 for none.</param>
+        /// <exception cref="GlintException">The report cannot be written.</exception>
+        public static void Write(StoredRun run, int pose, string path, IProgressSink progress)
+        {
+            ReportScene scene = null;
+            string problem = "No pose was asked for.";
+            if (pose >= 0)
+                (scene, problem) = TryCapture(run, pose, progress);
+            ReportFile.Write(path, ReportFile.Fill(Template(), run, scene, problem));
+        }
+
+        // The figures are worth a report without the scene too.
+        static (ReportScene, string) TryCapture(StoredRun run, int pose, IProgressSink progress)
+        {
+            try
+            {
+                return (SceneCapture.Of(run, pose, progress), null);
+            }
+            catch (GlintException problem)
+            {
+                Debug.LogWarning($"the report has no 3-D view: {problem.Message}");
+                return (null, problem.Message);
+            }
+        }
+
+        static string Template()
+        {
+            var asset = AssetDatabase.LoadAssetAtPath<TextAsset>(TemplatePath);
+            if (asset == null)
+                throw new GlintException($"{TemplatePath} is missing: restore the package");
+            return asset.text;
+        }
+    }
+}

@@ -1,0 +1,107 @@
+import { mkdirSync } from 'node:fs';
+import { resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import puppeteer from 'puppeteer-core';
+
+const [report, folder] = process.argv.slice(2);
+const limitMs = 2000;
+const failures = [];
+const browser = await puppeteer.launch({
+  executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--use-angle=swiftshader', '--hide-scrollbars']
+});
+try {
+  for (const width of [1280, 400])
+    for (const scheme of ['light', 'dark'])
+      await look(width, scheme);
+} finally {
+  await browser.close();
+}
+for (const failure of failures) console.error(`check: ${failure}`);
+console.log(failures.length === 0 ? 'passed' : `${failures.length} failed`);
+process.exit(failures.length === 0 ? 0 : 1);
+
+async function look(width, scheme) {
+  const at = `${width} px, ${scheme}`, fail = what => failures.push(`${at}: ${what}`);
+  const page = await browser.newPage();
+  page.on('console', message => { if (['error', 'warn'].includes(message.type())) fail(`console: ${message.text()}`); });
+  page.on('pageerror', error => fail(`script: ${error.message}`));
+  page.on('request', request => { if (!/^(file|data):/.test(request.url())) fail(`asks for ${request.url()}`); });
+  await page.setViewport({ width, height: 900, deviceScaleFactor: 1 });
+  await page.emulateMediaFeatures([{ name: 'prefers-color-scheme', value: scheme }]);
+  const readyMs = await open(page);
+  if (readyMs > limitMs) fail(`ready after ${readyMs} ms`);
+  const facts = await page.evaluate(() => {
+    const shades = canvas => {
+      const copy = document.createElement('canvas');
+      [copy.width, copy.height] = [200, 120];
+      const context = copy.getContext('2d');
+      context.drawImage(canvas, 0, 0, 200, 120);
+      const pixels = new Uint32Array(context.getImageData(0, 0, 200, 120).data.buffer);
+      return new Set(pixels).size;
+    };
+    const shown = [...document.querySelectorAll('canvas')].filter(canvas => canvas.offsetParent !== null);
+    return {
+      canvases: shown.map(canvas => ({ name: canvas.id || canvas.closest('.chart')?.id, shades: shades(canvas), label: canvas.getAttribute('aria-label') })),
+      overflow: document.documentElement.scrollWidth - innerWidth,
+      unnamed: [...document.querySelectorAll('button, input, select')].filter(control => !control.labels?.length && !control.textContent.trim() && !control.getAttribute('aria-label')).length
+    };
+  });
+  for (const { name, shades, label } of facts.canvases) {
+    if (shades < 6) fail(`${name} is not drawn: ${shades} colours`);
+    if (!label) fail(`${name} has no words for who cannot see it`);
+  }
+  if (facts.overflow > 0) fail(`the page is ${facts.overflow} px wider than the window`);
+  if (facts.unnamed > 0) fail(`${facts.unnamed} controls have no name`);
+  const has3D = facts.canvases.some(canvas => canvas.name === 'view');
+  if (has3D) await turns(page, fail);
+  console.log(`${at}: ready after ${readyMs} ms; ${facts.canvases.map(canvas => `${canvas.name} ${canvas.shades}`).join(', ')} colours`);
+  if (folder) {
+    mkdirSync(folder, { recursive: true });
+    await page.evaluate(() => { document.activeElement?.blur(); scrollTo(0, 0); });
+    await page.screenshot({ path: `${folder}/${width}-${scheme}.png`, fullPage: true });
+    if (has3D) await (await page.$('#view')).screenshot({ path: `${folder}/${width}-${scheme}-view.png` });
+  }
+  await page.close();
+}
+
+// Milliseconds until all is drawn: the best of a few, for a busy machine is not the page's doing.
+async function open(page) {
+  let best = Infinity;
+  for (let attempt = 0; attempt < 3 && best > limitMs; attempt++) {
+    await page.goto(pathToFileURL(resolve(report)).href);
+    await page.waitForFunction(() => document.documentElement.dataset.ready, { timeout: 30000 });
+    best = Math.min(best, Number(await page.evaluate(() => document.documentElement.dataset.ready)));
+  }
+  return best;
+}
+
+// The view turns by keys and by the mouse, and comes back.
+async function turns(page, fail) {
+  const frame = () => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(document.getElementById('view').toDataURL())))));
+  const first = await frame();
+  const visible = await page.evaluate(() => {
+    const copy = document.createElement('canvas'), view = document.getElementById('view');
+    [copy.width, copy.height] = [view.width, view.height];
+    const context = copy.getContext('2d');
+    context.drawImage(view, 0, 0);
+    const pixels = context.getImageData(0, 0, copy.width, copy.height).data;
+    let count = 0;
+    // Surfaces and background are grey; rays and the radar's lines are not.
+    for (let i = 0; i < pixels.length; i += 4) count += Math.max(pixels[i], pixels[i + 1], pixels[i + 2]) - Math.min(pixels[i], pixels[i + 1], pixels[i + 2]) > 90 ? 1 : 0;
+    return count;
+  });
+  if (visible < 200) fail(`no rays can be seen in the 3-D view: ${visible} coloured pixels`);
+  await page.focus('#view');
+  await page.keyboard.press('ArrowLeft');
+  if (await frame() === first) fail('the arrow keys do not turn the view');
+  await page.keyboard.press('Home');
+  await frame();
+  if (await frame() !== first) fail('Home does not bring the view back');
+  const box = await (await page.$('#view')).boundingBox();
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
+  await page.mouse.down();
+  await page.mouse.move(box.x + box.width / 2 + 60, box.y + box.height / 2 + 20, { steps: 3 });
+  await page.mouse.up();
+  if (await frame() === first) fail('the mouse does not turn the view');
+  await page.keyboard.press('Home');
+}

@@ -1,0 +1,73 @@
+import uPlot from 'uplot';
+import { number } from './text.js';
+import { theme } from './palette.js';
+
+// Series of a sweep over snapshots and angles, told apart by colour and dash.
+const colours = ['--accent', '--mark', '#009e73', '#cc79a7', '#8c6d00', '#7a5af8'];
+const dashes = [[], [8, 4], [3, 3], [10, 3, 2, 3]];
+
+export const stroke = i => colours[i % colours.length].startsWith('--') ? theme(colours[i % colours.length]) : colours[i % colours.length];
+export const dash = i => dashes[Math.floor(i / 2) % dashes.length];
+
+function axis(label, size) {
+  const font = '12px system-ui, "Segoe UI", "Liberation Sans", sans-serif';
+  return {
+    label, size, font, labelFont: font, labelSize: 20, stroke: theme('--soft'),
+    grid: { stroke: theme('--grid'), width: 1 }, ticks: { stroke: theme('--line'), width: 1 },
+    values: (plot, splits) => splits.map(split => split === null ? '' : number(split, 6))
+  };
+}
+
+/**
+ * A chart that fills its element and follows its width.
+ * @param {HTMLElement} element
+ * @param {object} what x: {label, values}, series: [{label, values, ...uPlot's}], bands, yLabel, height, marked(): x of the chosen pose, onPick(index, x)
+ */
+export function draw(element, what) {
+  element.replaceChildren();
+  const mark = plot => {
+    const x = what.marked?.();
+    if (x === undefined || x === null) return;
+    const at = Math.round(plot.valToPos(x, 'x', true));
+    const { ctx, bbox } = plot;
+    ctx.save();
+    ctx.strokeStyle = theme('--text');
+    ctx.lineWidth = devicePixelRatio;
+    ctx.setLineDash([4 * devicePixelRatio, 3 * devicePixelRatio]);
+    ctx.beginPath();
+    ctx.moveTo(at, bbox.top);
+    ctx.lineTo(at, bbox.top + bbox.height);
+    ctx.stroke();
+    ctx.restore();
+  };
+  const single = what.x.values.length === 1;
+  const plot = new uPlot({
+    width: element.clientWidth || 600,
+    height: what.height ?? 300,
+    scales: {
+      x: { time: false, range: what.xRange ?? (single ? (u, low) => [low - 1, low + 1] : undefined) },
+      y: { range: (u, low, high) => low === null ? [0, 1] : what.fromZero ? [0, high > 0 ? high * 1.08 : 1] : low === high ? [low - 1, high + 1] : uPlot.rangeNum(low, high, 0.08, true) }
+    },
+    axes: [axis(what.x.label, 46), axis(what.yLabel, 72)],
+    series: [{ label: what.x.label, value: (u, value) => number(value) }, ...what.series.map(series => ({
+      value: (u, value) => number(value), width: 2, ...series, values: undefined
+    }))],
+    bands: what.bands,
+    cursor: { drag: { x: false, y: false } },
+    hooks: { draw: [mark], ready: [u => u.over.addEventListener('click', () => u.cursor.idx !== null && what.onPick?.(u.cursor.idx))] }
+  }, [what.x.values, ...what.series.map(series => series.values)], element);
+  // Edges of a band need no name.
+  plot.root.querySelectorAll('.u-series').forEach(row => { row.hidden = row.querySelector('.u-label')?.textContent.trim() === ''; });
+  plot.root.querySelectorAll('canvas').forEach(canvas => {
+    canvas.setAttribute('role', 'img');
+    canvas.setAttribute('aria-label', what.description);
+  });
+  const watch = new ResizeObserver(() => {
+    if (!element.contains(plot.root)) watch.disconnect();
+    else if (element.clientWidth > 0 && element.clientWidth !== plot.width) plot.setSize({ width: element.clientWidth, height: what.height ?? 300 });
+  });
+  watch.observe(element);
+  return plot;
+}
+
+export const bars = () => uPlot.paths.bars({ size: [0.94, 60] });

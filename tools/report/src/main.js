@@ -1,0 +1,145 @@
+import 'uplot/dist/uPlot.min.css';
+import { byId, make, number, plural, seconds, title } from './text.js';
+import { Picture } from './picture.js';
+import { Poses } from './poses.js';
+import { PoseTable } from './table.js';
+import { SweepCharts } from './sweep.js';
+import { View } from './view.js';
+import { drawPhases } from './phase.js';
+
+const data = JSON.parse(byId('data').textContent);
+const { run, scene } = data;
+const units = run.units ?? {};
+const poses = new Poses(run.rows);
+const settings = Object.entries(run.settings);
+const name = (run.scene?.path ?? 'Built-in scene').split(/[\\/]/).pop().replace(/\.(unity|obj|stl)$/i, '');
+const strongest = poses.rows.length === 0 ? -1 : poses.rows.reduce((best, row, i) => row.amplitude > poses.rows[best].amplitude ? i : best, 0);
+poses.chosen = Math.max(0, scene?.pose ?? strongest);
+
+head();
+const charts = new SweepCharts(poses, units);
+new PoseTable(poses, units);
+tables();
+errors();
+choosePose();
+paint();
+showScene();
+matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
+// The frame after the one in which all is drawn.
+requestAnimationFrame(() => requestAnimationFrame(() => { document.documentElement.dataset.ready = Math.round(performance.now()); }));
+
+function head() {
+  document.title = `${name} - Glint report`;
+  byId('title').textContent = name;
+  const target = run.scene?.target ? `, ${run.scene.target} turned` : '';
+  byId('lead').textContent = `${plural(poses.rows.length, 'pose')}${target}; traced ${run.started_utc?.replace('T', ' ').replace('Z', ' UTC') ?? ''} with Glint ${run.versions?.glint} on ${run.device?.name ?? 'an unknown device'}.`;
+  const doubtful = poses.rows.filter(row => row.undersampled === 1).length;
+  byId('warning').hidden = doubtful === 0;
+  byId('warning').textContent = `In ${number(doubtful)} of ${plural(poses.rows.length, 'pose')} the rays are too far apart, or too few return, for amplitude and error to be trusted: trace more rays or a narrower view.`;
+  const best = poses.rows[strongest];
+  const facts = [
+    ['Poses', number(poses.rows.length)],
+    [best && poses.rows.length > 1 ? `Largest amplitude, ${poses.name(best)}` : 'Amplitude', best ? number(best.amplitude) : '-'],
+    ['Rays a pose', number(best?.rays_emitted)],
+    ['Frequency', `${number((run.settings.frequency?.value ?? NaN) / 1e9)} GHz`],
+    ['Triangles', number(run.scene?.triangles)],
+    ['Whole run', seconds(run.elapsed_ms ?? NaN)]
+  ];
+  byId('facts').append(...facts.map(([what, value]) => {
+    const fact = make('div');
+    fact.append(make('dt', what), make('dd', value));
+    return fact;
+  }));
+}
+
+function choosePose() {
+  const slider = byId('pose');
+  slider.max = Math.max(0, poses.rows.length - 1);
+  byId('pose-bar').hidden = poses.rows.length < 2;
+  byId('sweep').hidden = poses.rows.length === 0;
+  slider.addEventListener('input', () => poses.choose(Number(slider.value)));
+  const show = () => {
+    const row = poses.rows[poses.chosen];
+    if (!row) return;
+    const words = `${poses.name(row)}: amplitude ${number(row.amplitude)}, ${plural(row.rays_received, 'ray')} received`;
+    slider.value = poses.chosen;
+    slider.setAttribute('aria-valuetext', words);
+    byId('pose-text').textContent = words;
+  };
+  show();
+  poses.onChange(() => {
+    show();
+    charts.redraw();
+    drawPhases(poses);
+  });
+}
+
+function paint() {
+  charts.draw();
+  drawPhases(poses);
+}
+
+function showScene() {
+  if (!scene) {
+    byId('scene-text').textContent = `There is no 3-D view: ${data.no_scene}`;
+    byId('view-part').hidden = true;
+    byId('picture-section').hidden = true;
+    return;
+  }
+  const row = poses.rows[scene.pose], what = capital(poses.name(row));
+  const rays = `${plural(scene.received, 'ray')} received${scene.paths.counts.length < scene.received ? `, of which ${number(scene.paths.counts.length)}, evenly chosen, can be drawn` : ''}`;
+  const coarse = scene.drawn < scene.triangles ? ` Of ${number(scene.triangles)} triangles the view has ${number(scene.drawn)}: surfaces are drawn coarser than they were traced, and rays may end beside them.` : '';
+  const changed = scene.received !== row.rays_received || Math.abs(scene.amplitude - row.amplitude) > 1e-3 * Math.max(1, row.amplitude)
+    ? ` The scene has changed since the run, which received ${plural(row.rays_received, 'ray')} with amplitude ${number(row.amplitude)}.` : '';
+  byId('scene-text').textContent = `${what}: ${rays}, of ${number(row.rays_hit)} that hit. The purple lines are the receiver and the edges of the radar's view.${coarse}${changed}`;
+  if (scene.picture) new Picture(scene.picture, what);
+  else byId('picture-section').hidden = true;
+  byId('view').setAttribute('aria-label', `The scene in 3-D with ${plural(scene.paths.counts.length, 'ray')}.`);
+  try {
+    new View(scene);
+  } catch (problem) {
+    byId('view-part').hidden = true;
+    byId('scene-text').textContent += ` The 3-D view needs WebGL, which this browser does not give: ${problem.message}`;
+  }
+}
+
+function tables() {
+  const fill = (id, rows) => byId(id).tBodies[0].append(...rows.filter(([, value]) => value !== undefined && value !== null).map(([what, value]) => {
+    const row = make('tr');
+    row.append(make('th', what, { scope: 'row' }), make('td', value));
+    return row;
+  }));
+  const withUnit = value => typeof value === 'object' && value !== null ? `${number(value.value, 9)}${value.unit === '1' ? '' : ` ${value.unit}`}` : value;
+  const isPlace = key => /_(x|y|z)$/.test(key);
+  const places = [...new Set(settings.filter(([key]) => isPlace(key)).map(([key]) => key.slice(0, -2)))];
+  fill('settings', [
+    ['Scene or mesh file', run.scene?.path], ['Turned', run.scene?.target], ['Objects', number(run.scene?.objects)], ['Triangles', number(run.scene?.triangles)],
+    ['Command', run.command?.join(' ')],
+    ...settings.filter(([key]) => !isPlace(key)).map(([key, value]) => [title(key), withUnit(value)]),
+    ...places.map(key => [title(key), `${['x', 'y', 'z'].map(axis => number(run.settings[`${key}_${axis}`]?.value, 7)).join(', ')}${run.settings[`${key}_x`]?.unit === 'm' ? ' m' : ''}`]),
+    ['Device', run.device?.name], ['Interface', run.device?.graphics_api], ['Glint', run.versions?.glint], ['Unity', run.versions?.unity], ['Program', run.versions?.host], ['Operating system', run.versions?.operating_system]
+  ]);
+  const sum = run.timings ?? {}, count = Math.max(1, poses.rows.length);
+  const traces = poses.rows.map(row => row.trace_ms).sort((a, b) => a - b);
+  fill('timings', [
+    ['Whole run', seconds(run.elapsed_ms ?? NaN)],
+    ...[['gather_ms', 'Gathering the scene'], ['build_ms', 'Building trees'], ['upload_ms', 'Upload'], ['trace_ms', 'Tracing'], ['read_back_ms', 'Reading back single rays']].map(([key, what]) =>
+      [what, `${seconds(sum[key] ?? 0)} in all, ${seconds((sum[key] ?? 0) / count)} a pose`]),
+    ['Tracing, median of the poses', traces.length > 0 ? seconds(traces[traces.length >> 1]) : null]
+  ]);
+}
+
+function errors() {
+  const rows = poses.rows.filter(row => row.rays_received > 0);
+  if (rows.length === 0) {
+    byId('error-text').textContent = 'Nothing was received, so there is nothing to estimate the error of.';
+    return;
+  }
+  const worst = rows.reduce((a, b) => b.sampling_error > a.sampling_error ? b : a), step = rows.reduce((a, b) => b.largest_path_step_wavelengths > a.largest_path_step_wavelengths ? b : a);
+  byId('error-text').textContent = `The sampling error, by which the amplitude differs from that of endlessly many rays, is estimated to be ${number(worst.sampling_error, 3)} at most (${poses.name(worst)}, amplitude ${number(worst.amplitude_normalised)}). `
+    + `Neighbouring received rays differ in length by ${number(step.largest_path_step_wavelengths, 3)} wavelengths at most (${poses.name(step)}). The estimate is of the rays' spacing alone: surfaces are perfect mirrors, and diffraction is not in it.`;
+}
+
+function capital(text) {
+  return text[0].toUpperCase() + text.slice(1);
+}

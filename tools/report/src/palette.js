@@ -1,0 +1,18 @@
+// Segments and bounces from the first on: red, green, blue, yellow, as in the published experiment, in the shades of Okabe and Ito that the colour-blind tell apart.
+// The dashes (drawn, left out, in pixels) say the same without colour.
+const segments = [
+  { colour: '#ee6a24', name: 'red', dash: null, pattern: 'solid' },
+  { colour: '#00b083', name: 'green', dash: [14, 5], pattern: 'long dashes' },
+  { colour: '#56b4e9', name: 'blue', dash: [6, 5], pattern: 'short dashes' },
+  { colour: '#f0e442', name: 'yellow', dash: [2, 4], pattern: 'dots' }
+];
+
+/** From 1; after four they begin anew. */
+export const ofSegment = n => segments[(n - 1) % segments.length];
+
+export function rgb(colour) {
+  return [1, 3, 5].map(at => parseInt(colour.slice(at, at + 2), 16));
+}
+
+/** A css variable of the theme. */
+export const theme = name => getComputedStyle(document.documentElement).getPropertyValue(name).trim();

@@ -1,0 +1,84 @@
+// The charts over the poses of a sweep.
+import { byId, make, number, title } from './text.js';
+import { dash, draw, stroke } from './charts.js';
+import { theme } from './palette.js';
+
+const quantities = ['rays_received', 'ratio', 'rays_hit', 'in_phase', 'quadrature', 'largest_path_step_wavelengths', 'sampling_error', 'bounces', 'path_length_m', 'trace_ms'];
+
+export class SweepCharts {
+  /** @param {object} poses Poses. @param {object} units by column. */
+  constructor(poses, units) {
+    this.poses = poses;
+    this.units = units;
+    this.plots = [];
+    const select = byId('quantity');
+    for (const name of quantities.filter(name => poses.rows.some(row => typeof row[name] === 'number')))
+      select.append(make('option', title(name), { value: name }));
+    select.addEventListener('change', () => this.draw());
+    byId('decibels').addEventListener('change', () => this.draw());
+  }
+
+  draw() {
+    if (this.poses.rows.length === 0)
+      return;
+    this.group = this.poses.groupOf(this.poses.rows[this.poses.chosen]);
+    this.plots = [this.drawAmplitude(), this.drawOther(byId('quantity').value)];
+  }
+
+  redraw() {
+    if (this.group !== this.poses.groupOf(this.poses.rows[this.poses.chosen])) this.draw();
+    else for (const plot of this.plots) plot.redraw(false);
+  }
+
+  drawAmplitude() {
+    const inDecibels = byId('decibels').checked;
+    const level = value => !inDecibels ? value : value > 0 ? 20 * Math.log10(value) : null;
+    const series = [], bands = [];
+    const { groups, x } = this.poses;
+    if (groups.length === 1) {
+      const edge = sign => groups[0][1].map(row => row ? level(Math.max(0, row.amplitude_normalised + sign * row.sampling_error)) ?? level(row.amplitude_normalised) : null);
+      series.push({ label: ' ', values: edge(1), width: 0.5, stroke: theme('--accent'), points: { show: false } });
+      series.push({ label: ' ', values: edge(-1), width: 0.5, stroke: theme('--accent'), points: { show: false } });
+      bands.push({ series: [1, 2], fill: theme('--band') });
+    }
+    groups.forEach(([name, rows], i) => series.push({
+      label: name || 'amplitude', values: rows.map(row => row ? level(row.amplitude_normalised) : null),
+      stroke: stroke(i), dash: dash(i), points: { show: x.values.length <= 120, size: 5, fill: stroke(i) }
+    }));
+    if (this.poses.rows.some(row => row.undersampled === 1))
+      groups.forEach(([, rows], i) => series.push({
+        label: i === 0 ? 'not to be trusted' : ' ', values: rows.map(row => row?.undersampled === 1 ? level(row.amplitude_normalised) : null), stroke: theme('--mark'), paths: () => null,
+        points: { show: true, paths: squares, width: 2, stroke: theme('--mark'), fill: 'transparent' }
+      }));
+    const strongest = this.poses.rows.reduce((best, row) => row.amplitude_normalised > best.amplitude_normalised ? row : best);
+    return this.chart('amplitude', series, inDecibels ? 'dB' : 'amplitude', bands,
+      `Amplitude over ${x.label}; the largest is ${number(strongest.amplitude_normalised)} at ${this.poses.name(strongest)}. The table below has the figures.`, !inDecibels);
+  }
+
+  drawOther(name) {
+    const series = this.poses.groups.map(([group, rows], i) => ({
+      label: group || title(name), values: rows.map(row => row?.[name] ?? null), stroke: stroke(i), dash: dash(i), points: { show: this.poses.x.values.length <= 120, size: 5, fill: stroke(i) }
+    }));
+    const unit = this.units[name];
+    const values = this.poses.rows.map(row => row[name]).filter(value => typeof value === 'number');
+    return this.chart('other', series, title(name) + (unit && unit !== '1' && unit !== 'wavelengths' ? `, ${unit}` : ''), [],
+      `${title(name)} over ${this.poses.x.label}, from ${number(Math.min(...values))} to ${number(Math.max(...values))}. The table below has the figures.`, values.every(value => value >= 0));
+  }
+
+  chart(id, series, yLabel, bands, description, fromZero) {
+    return draw(byId(id), {
+      x: this.poses.x, series, yLabel, bands, description, fromZero,
+      marked: () => this.poses.xOf(this.poses.chosen), onPick: index => this.poses.choose(this.poses.at(index))
+    });
+  }
+}
+
+function squares(plot, series, from, to) {
+  const path = new Path2D(), half = 5 * devicePixelRatio;
+  for (let i = from; i <= to; i++) {
+    const value = plot.data[series][i];
+    if (value === null || value === undefined) continue;
+    path.rect(plot.valToPos(plot.data[0][i], 'x', true) - half, plot.valToPos(value, 'y', true) - half, 2 * half, 2 * half);
+  }
+  return { stroke: path, fill: null, clip: null, flags: 3 };
+}
