@@ -171,7 +171,7 @@ export class View {
     const rays = around(hits);
     if (rays) rays.radius = Math.max(1.6 * rays.radius, 0.05 * scene.radius);
     this.hits = hits;
-    this.first = rays && scene.radius > 6 * rays.radius ? 'rays' : 'scene';
+    this.first = rays && scene.radius > 2 * rays.radius ? 'rays' : 'scene';
     this.spheres = { scene, rays: rays ?? scene, radar: around([...corners, this.radarPlace]) };
   }
 
@@ -187,7 +187,7 @@ export class View {
   // The way round, in radians, from which most of a few points of reflection can be seen.
   openSide() {
     this.root.updateMatrixWorld(true);
-    const few = this.hits.filter((hit, i) => i % Math.ceil(this.hits.length / 10) === 0);
+    const few = this.hits.filter((hit, i) => i % Math.ceil(this.hits.length / 6) === 0);
     const caster = new Raycaster();
     let [best, most] = [0.5, -1];
     for (const side of [0.5, -0.5, 0.2, -0.2]) {
