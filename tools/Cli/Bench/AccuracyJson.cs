@@ -1,8 +1,6 @@
 using System.IO;
 using System.Linq;
-using System.Text;
 using Glint.Core;
-using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;
@@ -12,8 +10,7 @@ static class AccuracyJson
 {
     public static void Write(Stream stream, AccuracyResult result)
     {
-        using var json = new JsonTextWriter(new StreamWriter(stream, new UTF8Encoding(false)) { NewLine = "\n" }) { Formatting = Formatting.Indented };
-        new JObject
+        JsonText.Write(stream, new JObject
         {
             ["device"] = result.Device.Name,
             ["driver"] = result.Device.Driver,
@@ -25,8 +22,7 @@ static class AccuracyJson
             ["precision"] = new JArray(result.Precision.Select(Precision)),
             ["cost_scene"] = result.CostScene.Name,
             ["costs"] = new JArray(result.Costs.Select(Cost)),
-        }.WriteTo(json);
-        json.WriteWhitespace("\n");
+        });
     }
 
     static JObject Scene(IGrouping<AccuracyScene, AccuracyRow> rows)

@@ -1,8 +1,6 @@
 using System.IO;
 using System.Linq;
-using System.Text;
 using Glint.Core;
-using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;
@@ -12,9 +10,7 @@ static class BenchJson
 {
     public static void Write(Stream stream, BenchResult result)
     {
-        using var json = new JsonTextWriter(new StreamWriter(stream, new UTF8Encoding(false)) { NewLine = "\n" }) { Formatting = Formatting.Indented };
-        Root(result).WriteTo(json);
-        json.WriteWhitespace("\n");
+        JsonText.Write(stream, Root(result));
     }
 
     static JObject Root(BenchResult result)

@@ -1,8 +1,6 @@
 using System.IO;
 using System.Linq;
-using System.Text;
 using Glint.Core;
-using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;
@@ -12,8 +10,7 @@ static class ExperimentsJson
 {
     public static void Write(Stream stream, ExperimentsResult result)
     {
-        using var json = new JsonTextWriter(new StreamWriter(stream, new UTF8Encoding(false)) { NewLine = "\n" }) { Formatting = Formatting.Indented };
-        new JObject
+        JsonText.Write(stream, new JObject
         {
             ["device"] = result.Device.Name,
             ["driver"] = result.Device.Driver,
@@ -22,8 +19,7 @@ static class ExperimentsJson
             ["sweeps"] = new JArray(result.Sweeps.Select(Sweep)),
             ["ships"] = new JArray(result.Ships.Select(Ship)),
             ["seas"] = new JArray(result.Seas.Select(Family)),
-        }.WriteTo(json);
-        json.WriteWhitespace("\n");
+        });
     }
 
     static JObject Sweep(SweepResult sweep) => new()
