@@ -1,10 +1,8 @@
 using System.IO;
 using System.Linq;
-using System.Text;
 using Glint.Core;
 using Glint.Editor;
 using Glint.Vulkan;
-using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;
@@ -15,9 +13,7 @@ sealed record VerifyResult(SceneSubjects Subjects, DeviceInfo Device, RadarResul
     /// <summary>As JSON: lengths in metres, phases in radians.</summary>
     public void WriteJson(Stream stream)
     {
-        using var json = new JsonTextWriter(new StreamWriter(stream, new UTF8Encoding(false)) { NewLine = "\n" }) { Formatting = Formatting.Indented };
-        Root().WriteTo(json);
-        json.WriteWhitespace("\n");
+        JsonText.Write(stream, Root());
     }
 
     JObject Root() => new()
