@@ -14,6 +14,8 @@ namespace Glint
         /// <exception cref="GlintException">An axis has nothing that it could move, or not so.</exception>
         public AxisMotions(SweepPlan plan, RadarController radar, Transform target, Sea sea, RadarMount mount)
         {
+            if (target != null)
+                StandCheck.RefuseNowhere(target, $"the target '{target.name}' of the sweep");
             try
             {
                 if (plan.Has(SweepAxis.Snapshot))

@@ -58,6 +58,25 @@ public sealed class SubjectsTests
     }
 
     [Test]
+    public void Sweep_OfATargetBelowARotationThatIsNone_IsRefusedByBothNames()
+    {
+        Transform mast = new GameObject("Mast").transform, target = new GameObject("Antenna").transform;
+        target.SetParent(mast, false);
+        mast.Load(Vector3.zero, new Quaternion(0f, float.NaN, 0f, 1f), Vector3.one);
+        var radar = new GameObject("Radar", typeof(Camera)).AddComponent<RadarController>();
+        try
+        {
+            Assert.That(Assert.Throws<GlintException>(() => new AxisMotions(new SweepPlan(new[] { 0.0, 1.0 }), radar, target, null, null)).Message, Is.EqualTo(
+                "the target 'Antenna' of the sweep stands nowhere: the rotation of 'Mast', above it, is not finite: set it anew"));
+        }
+        finally
+        {
+            Object.DestroyImmediate(mast.gameObject);
+            Object.DestroyImmediate(radar.gameObject);
+        }
+    }
+
+    [Test]
     public void Gather_ReceiverBelowARotationThatIsNone_IsRefusedByBothNames()
     {
         Transform mast = new GameObject("Mast").transform, receiver = new GameObject("Antenna").transform;
