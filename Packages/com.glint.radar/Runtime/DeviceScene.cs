@@ -17,6 +17,7 @@ namespace Glint
 
         readonly DeviceTrees _trees;
         readonly DeviceBuffer<InstanceRecord> _instances = new DeviceBuffer<InstanceRecord>("instances");
+        readonly List<(int instance, TreePart part)> _parts = new List<(int, TreePart)>(); // of each record
         readonly DeviceBuffer<uint4> _top = new DeviceBuffer<uint4>("rows of the tree over instances");
         RadarScene _scene;
 
@@ -79,6 +80,14 @@ namespace Glint
                 tiles.Add(_trees[instance.Mesh].Tree, instance.ToWorld);
         }
 
+        /// <summary>The triangle of a reflection: its place among the scene's instances and its corners, as the instance's mesh has them.</summary>
+        public void TriangleOf(in HitData hit, out int instance, out float3 a, out float3 b, out float3 c)
+        {
+            TreePart part;
+            (instance, part) = _parts[(int)hit.Instance];
+            part.GetTriangle((int)(hit.Triangle >> 1), (hit.Triangle & 1) != 0, out a, out b, out c);
+        }
+
         public void Dispose()
         {
             _trees.Dispose();
@@ -117,13 +126,17 @@ namespace Glint
             Middle = IsEmpty ? 0 : (Low + High) / 2;
 
             var records = new List<InstanceRecord>();
-            foreach (var instance in scene.Instances)
+            _parts.Clear();
+            for (int i = 0; i < scene.Instances.Length; i++)
             {
-                var tree = _trees[instance.Mesh];
-                var toLocal = instance.ToWorld.Inverse();
+                var tree = _trees[scene.Instances[i].Mesh];
+                var toLocal = scene.Instances[i].ToWorld.Inverse();
                 toLocal.Origin = toLocal.Point(Middle);
                 for (int part = 0; part < tree.Tree.Parts.Length; part++)
+                {
                     records.Add(InstanceRecord.Of(toLocal, tree.BankOf(part), tree.FirstRowOf(part)));
+                    _parts.Add((i, tree.Tree.Parts[part]));
+                }
             }
             Few = records.Count <= MostFew && _trees.Banks.Count == 1 ? records : new List<InstanceRecord>();
             TopRoot = uint.MaxValue; // DONE: nothing to search

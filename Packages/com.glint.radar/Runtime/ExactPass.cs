@@ -82,6 +82,16 @@ namespace Glint
             estimate.Finish(inPhase, quadrature, result);
         }
 
+        /// <summary>Pixels of the pose's received rays, in ascending order.</summary>
+        public uint[] ReceivedPixels()
+        {
+            var pixels = new uint[_count];
+            for (int i = 0; i < _count; i++)
+                pixels[i] = _received[i].Pixel;
+            Array.Sort(pixels);
+            return pixels;
+        }
+
         public void Dispose() => _returning.Dispose();
 
         uint[] Dispatch(int first, int count, int subRays, KeptRays keep, ref WorkDone work)

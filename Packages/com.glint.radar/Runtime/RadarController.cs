@@ -158,6 +158,35 @@ namespace Glint
             return result;
         }
 
+        /// <summary>Pixels of the rays that were received in the pose last traced, in ascending order: x + y * rays across, from the lower left corner. None after <see cref="Release"/>.</summary>
+        public uint[] ReceivedPixels() => _tracer?.ReceivedPixels() ?? Array.Empty<uint>();
+
+        /// <summary>The ways of single rays through the scene as it stands now, with the objects that they meet (<see cref="ObjectAt"/>).</summary>
+        /// <param name="pixels">x + y * rays across, from the lower left corner; <see cref="ReceivedPixels"/>, say.</param>
+        /// <param name="progress">Told how much is done, 0 to 1; may be null.</param>
+        /// <param name="cancel">Ends the work between two dispatches.</param>
+        /// <returns>A way for each pixel, in their order. Places are in metres from the origin of <see cref="GatherScene"/>.</returns>
+        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced, or a pixel is outside the picture.</exception>
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public RayPath[] TracePaths(uint[] pixels, IProgress<double> progress = null, CancellationToken cancel = default)
+        {
+            var pose = GatherIntoTracer(cancel);
+            return _tracer.TracePaths(pose.Settings, pose.View, pixels, _gatherer, progress, cancel);
+        }
+
+        /// <summary>What the radar sees as everything stands now, for the eye: about 130,000 rays over the part of the view that meets anything.</summary>
+        /// <param name="cancel">Ends the work between two dispatches.</param>
+        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public RadarPicture TracePicture(CancellationToken cancel = default)
+        {
+            var pose = GatherIntoTracer(cancel);
+            return PictureTracer.Trace(_tracer, pose, _gatherer, cancel);
+        }
+
+        /// <summary>An object of the scene last gathered, by the number that a <see cref="PathHit"/> has.</summary>
+        public Transform ObjectAt(int number) => _gatherer.ObjectAt(number);
+
         /// <summary>
         /// Says that a transform will move, so that the first motion costs no more than the next: what moves as a whole is kept apart from the rest of the scene.
         /// Motion that nobody announced is noticed, at the price of one rebuild.
@@ -211,6 +240,14 @@ namespace Glint
 
         /// <summary>Whether each pose has an aperture of its own.</summary>
         internal bool IsFitted => _fitAperture && GetComponent<Camera>().orthographic;
+
+        RadarPose GatherIntoTracer(CancellationToken cancel)
+        {
+            var pose = Gather();
+            _tracer ??= new RayTracer(_kernel, Subject);
+            _tracer.SetScene(pose.Scene, cancel);
+            return pose;
+        }
 
         Affine StandOf(Transform place, string role)
         {

@@ -28,6 +28,7 @@ namespace Glint
         readonly DeviceBuffer<uint> _sums = new DeviceBuffer<uint>("sums");
         readonly DeviceBuffer<RayData> _rays = new DeviceBuffer<RayData>("rays kept one by one");
         readonly ExactPass _exact;
+        readonly PathPass _paths;
         readonly DispatchPacer _pacer = new DispatchPacer();
         readonly uint[] _zeros = new uint[RaySums.Slots * RaySums.WordsPerSlot], _words = new uint[RaySums.Slots * RaySums.WordsPerSlot];
         WorkDone _sceneWork;
@@ -54,6 +55,7 @@ namespace Glint
             _kernel = new TraceKernel(shader, _isSoftware, owner);
             _exact = new ExactPass(_kernel, _sums, _rays);
             _scene = new DeviceScene(_isSoftware ? TreeShape.Wide : TreeShape.Binary, owner, mostRowsABank);
+            _paths = new PathPass(_kernel, _scene);
             _sums.Reserve(_zeros.Length);
         }
 
@@ -127,8 +129,33 @@ namespace Glint
             return result;
         }
 
+        /// <summary>Pixels of the rays received in the pose last traced, in ascending order.</summary>
+        public uint[] ReceivedPixels() => _exact.ReceivedPixels();
+
+        /// <summary>The ways of single rays, in the order of their pixels in the list. Every ray is followed in two-float arithmetic.</summary>
+        /// <param name="pixels">x + y * rays across; x from the left, y from the bottom of the whole picture.</param>
+        /// <param name="objects">Knows the objects that the scene's triangles belong to; may be null.</param>
+        /// <param name="progress">Is told the part that is done, 0 to 1; may be null.</param>
+        /// <param name="cancel">Ends the work after the dispatch in hand.</param>
+        /// <exception cref="GlintException">A setting is out of its range, or a pixel outside the picture.</exception>
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public RayPath[] TracePaths(in RadarSettings settings, in RadarView view, uint[] pixels, IHitObjects objects = null, IProgress<double> progress = null, CancellationToken cancel = default)
+        {
+            if (_scene.Scene == null)
+                throw new InvalidOperationException("RayTracer.TracePaths without a scene: call SetScene first");
+            settings.Validate(_owner);
+            view.Validate(_owner);
+            foreach (uint pixel in pixels)
+                if (pixel >= settings.RayCount)
+                    throw new GlintException($"{_owner}: there is no pixel {pixel} in a picture of {settings.RaysAcross} x {settings.RaysDown} rays: pixels count from 0, a row after the other");
+            var grid = new RayGrid(settings, view, _scene.Low, _scene.High);
+            _kernel.SetRadar(settings, view, grid, _scene.Scene.Origin, 0, Shortcuts & ~Shortcuts.Starts);
+            return _paths.Follow(settings, view, grid, pixels, objects, progress, cancel);
+        }
+
         public void Dispose()
         {
+            _paths.Dispose();
             _exact.Dispose();
             _rays.Dispose();
             _sums.Dispose();

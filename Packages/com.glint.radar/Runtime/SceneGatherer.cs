@@ -18,7 +18,7 @@ namespace Glint
     /// Objects with a mesh of their own that changes, and those with one that is used many times, are instances of their mesh.
     /// Vertices are rounded to float32 relative to such a frame, never to the scene: its place is kept in double.
     /// </remarks>
-    sealed class SceneGatherer
+    sealed class SceneGatherer : IHitObjects
     {
         /// <summary>A mesh that would make more triangles than this when merged once for each of its objects is not: the objects are instances.</summary>
         public const long MostMergedTriangles = 200_000;
@@ -71,6 +71,16 @@ namespace Glint
 
         /// <summary>Where the radar or the receiver of the last gather stands in its scene; the columns are its right, up and forward, unit vectors.</summary>
         public Affine StandOf(Transform radarOrReceiver) => _transforms.Visit(radarOrReceiver).Stand();
+
+        /// <summary>An object with a mesh of the last gather, by its number.</summary>
+        public Transform ObjectAt(int number) => _objects[number].renderer.transform;
+
+        /// <summary>Number of the object that a triangle of the last gather's scene belongs to.</summary>
+        public int ObjectOf(int instance, float3 a, float3 b, float3 c)
+        {
+            var (body, lone) = _pieces[instance];
+            return (body != null ? body.NodeOf(a, b, c) : lone)?.ObjectNumber ?? PathHit.NoObject;
+        }
 
         /// <summary>Lets go of everything kept but what was said of motion.</summary>
         public void Forget()
@@ -147,6 +157,7 @@ namespace Glint
                 source.Update(mesh, _reader, renderer);
             source.AddObject();
             node.SetSource(source);
+            node.ObjectNumber = _objects.Count;
             _objects.Add((node, renderer));
         }
 

@@ -36,6 +36,7 @@ namespace Glint
         public static readonly int _Tiles = Shader.PropertyToID("_Tiles");
         public static readonly int _Starts = Shader.PropertyToID("_Starts");
         public static readonly int _FoundStarts = Shader.PropertyToID("_FoundStarts");
+        public static readonly int _Hits = Shader.PropertyToID("_Hits");
         public static readonly int _FirstTile = Shader.PropertyToID("_FirstTile");
         public static readonly int _TileCount = Shader.PropertyToID("_TileCount");
         public static readonly int _Shortcuts = Shader.PropertyToID("_Shortcuts");

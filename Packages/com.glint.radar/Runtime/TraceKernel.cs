@@ -15,7 +15,7 @@ namespace Glint
 
         readonly ComputeShader _shader;
         readonly string _name;
-        readonly int _startsKernel, _exactKernel;
+        readonly int _startsKernel, _exactKernel, _pathsKernel;
         int _kernel;
 
         /// <exception cref="GlintException">The shader is another one, or the device cannot run it.</exception>
@@ -30,6 +30,7 @@ namespace Glint
             _kernel = shader.FindKernel(_name);
             _startsKernel = shader.FindKernel(isSoftware ? "StartsWide" : "Starts");
             _exactKernel = shader.FindKernel(isSoftware ? "ExactWide" : "Exact");
+            _pathsKernel = shader.FindKernel(isSoftware ? "PathsWide" : "Paths");
             if (!shader.IsSupported(_kernel))
                 throw new GlintException($"kernel '{_name}' of compute shader '{shader.name}' does not run on {SystemInfo.graphicsDeviceName}: see the shader's import messages");
         }
@@ -87,15 +88,8 @@ namespace Glint
                 _shader.SetInts(ShaderIDs._FewFirstRow, firstRows);
                 _shader.SetInt(ShaderIDs._InstanceCount, scene.Few.Count);
             }
-            _shader.SetInt(ShaderIDs._TopRoot, (int)scene.TopRoot);
-            foreach (int kernel in new[] { _kernel, _exactKernel })
-            {
-                _shader.SetBuffer(kernel, ShaderIDs._Top, scene.Top.Buffer);
-                _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
-                // Every bank that a kernel declares wants a buffer, read or not.
-                for (int bank = 0; bank < DeviceTrees.MostBanks; bank++)
-                    _shader.SetBuffer(kernel, ShaderIDs._Tree[bank], scene.Banks[bank < scene.Banks.Count ? bank : 0].Rows.Buffer);
-            }
+            SetTrees(_kernel, scene);
+            SetTrees(_exactKernel, scene);
         }
 
         public void SetBuffers(DeviceBuffer<uint> tiles, DeviceBuffer<uint> sums)
@@ -137,6 +131,28 @@ namespace Glint
             _shader.SetInt(ShaderIDs._SubRays, subRays);
             SetOutput(_exactKernel, keep, returning, rays);
             DispatchThreads(_exactKernel, (long)count * subRays * subRays);
+        }
+
+        /// <summary>Follows listed rays, in two-float arithmetic, and notes their reflections.</summary>
+        /// <param name="listed">Pixel, 0; then bounces, and the bits of the length from the last one to the receiver's plane, 0 for a ray that is not received.</param>
+        /// <param name="hits">Takes <see cref="RadarSettings.MaxBounces"/> places a ray.</param>
+        public void DispatchPaths(DeviceScene scene, int count, DeviceBuffer<uint2> listed, DeviceBuffer<HitData> hits)
+        {
+            SetTrees(_pathsKernel, scene);
+            _shader.SetInt(ShaderIDs._ReturningCount, count);
+            _shader.SetBuffer(_pathsKernel, ShaderIDs._Returning, listed.Buffer);
+            _shader.SetBuffer(_pathsKernel, ShaderIDs._Hits, hits.Buffer);
+            DispatchThreads(_pathsKernel, count);
+        }
+
+        void SetTrees(int kernel, DeviceScene scene)
+        {
+            _shader.SetInt(ShaderIDs._TopRoot, (int)scene.TopRoot);
+            _shader.SetBuffer(kernel, ShaderIDs._Top, scene.Top.Buffer);
+            _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
+            // Every bank that a kernel declares wants a buffer, read or not.
+            for (int bank = 0; bank < DeviceTrees.MostBanks; bank++)
+                _shader.SetBuffer(kernel, ShaderIDs._Tree[bank], scene.Banks[bank < scene.Banks.Count ? bank : 0].Rows.Buffer);
         }
 
         void SetOutput(int kernel, KeptRays keep, DeviceBuffer<ReceivedRay> returning, DeviceBuffer<RayData> rays)

@@ -52,7 +52,8 @@ uint _SubRays;                              // along the side of a ray's place: 
 // Output.
 RWStructuredBuffer<RayData> _Rays;
 RWStructuredBuffer<uint> _Sums;             // see Sums.hlsl
-RWStructuredBuffer<uint2> _Returning;       // rays that may be received: pixel, place in the order of tiles. The exact kernels put instead: pixel, or NO_PIXEL if it is not received; length beyond twice _StartDepth, m
+RWStructuredBuffer<uint2> _Returning;       // rays that may be received: pixel, place in the order of tiles. The exact kernels put instead: pixel, or NO_PIXEL if it is not received; length beyond twice _StartDepth, m. The kernels of paths put: bounces; from the last hit to the receiver's plane, m, 0 if it is not received
+RWStructuredBuffer<HitData> _Hits;          // of the rays of _Returning, _MaxBounces places each
 RWStructuredBuffer<uint4> _FoundStarts;     // what the kernels Starts and StartsWide find for _Starts
 
 // The same numbers in C#: Shortcuts, TraceKernel, DeviceScene; a test compares them.

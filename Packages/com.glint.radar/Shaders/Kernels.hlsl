@@ -54,6 +54,30 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     _FoundStarts[tile * MOST_FEW + instance] = FindStarts(MakeBeam(record, low, TILE_SIDE - 1.0 + 2.0 * BEAM_MARGIN), record.FirstRow);
 }
 
+#elif defined(GLINT_NOTE_HITS)
+
+// Follows the rays of _Returning and notes where each is reflected.
+[numthreads(GLINT_GROUP, 1, 1)]
+void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint entry = IndexOf(group, thread);
+    if (entry >= _ReturningCount)
+        return;
+    uint pixel = _Returning[entry].x;
+    Path path = BeginPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferenceRay.xy + 0.5);
+    [loop]
+    while (Advance(path, NO_STARTS))
+    {
+        HitData hit;
+        hit.Place = Rounded(path.LastHit);
+        hit.Instance = path.Leaving.x;
+        hit.Direction = Rounded(path.Direction);
+        hit.Triangle = path.Leaving.y;
+        _Hits[entry * _MaxBounces + path.Bounces - 1] = hit;
+    }
+    _Returning[entry] = uint2(path.Bounces, path.Returns ? asuint(Rounded(path.WayBack)) : 0);
+}
+
 #elif defined(GLINT_EXACT)
 
 // Follows the rays of _Returning once more, or rays of each of their places divided evenly into smaller ones, and sums what is received.

@@ -16,6 +16,15 @@ struct RayData
     uint Bounces;
 };
 
+// GLINT_HIT_DATA: a reflection of one ray as the kernel writes it (Core/Radar/HitData.cs).
+struct HitData
+{
+    float3 Place;         // m, about the middle of the scene
+    uint Instance;        // the tree of an instance that was hit
+    float3 Direction;     // unit vector, after the reflection
+    uint Triangle;        // row of its pair in the tree, and in the lowest bit which of the two
+};
+
 // GLINT_INSTANCE: a mesh's tree at its place in the scene (Runtime/InstanceRecord.cs).
 struct InstanceRecord
 {

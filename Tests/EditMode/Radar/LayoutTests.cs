@@ -17,6 +17,7 @@ namespace Glint.Tests
         public void SharedStructs_AreWholeRowsOfSixteenBytes()
         {
             Assert.That(Marshal.SizeOf<RayData>(), Is.EqualTo(48));
+            Assert.That(Marshal.SizeOf<HitData>(), Is.EqualTo(32));
             Assert.That(Marshal.SizeOf<InstanceRecord>(), Is.EqualTo(112));
         }
 
@@ -26,9 +27,10 @@ namespace Glint.Tests
             var ray = new RayData { LastHit = float3(1, 2, 3), PathLength = 4, Direction = float3(5, 6, 7), PathLengthRest = 8, InPhase = 9, Quadrature = 10, Pixel = 11, Bounces = 12 };
             var instance = new InstanceRecord { ToLocalX = float4(13, 14, 15, 16), ToLocalY = float4(17, 18, 19, 20), ToLocalZ = float4(21, 22, 23, 24),
                 RestX = float4(25, 26, 27, 28), RestY = float4(29, 30, 31, 32), RestZ = float4(33, 34, 35, 36), FirstRow = 37, Bank = 38 };
-            var expected = Enumerable.Range(1, 38).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
+            var hit = new HitData { Place = float3(39, 40, 41), Instance = 42, Direction = float3(43, 44, 45), Triangle = 46 };
+            var expected = Enumerable.Range(1, 46).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
 
-            Assert.That(Unpack(ray, instance, expected.Length), Is.EqualTo(expected));
+            Assert.That(Unpack(ray, instance, hit, expected.Length), Is.EqualTo(expected));
         }
 
         [Test]
@@ -81,9 +83,9 @@ namespace Glint.Tests
                 .ToDictionary(match => match.Groups[1].Value, match => int.Parse(match.Groups[2].Value));
         }
 
-        static bool IsWhole(int field) => new[] { 11, 12, 37, 38 }.Contains(field);
+        static bool IsWhole(int field) => new[] { 11, 12, 37, 38, 42, 46 }.Contains(field);
 
-        static uint[] Unpack(RayData ray, InstanceRecord instance, int count)
+        static uint[] Unpack(RayData ray, InstanceRecord instance, HitData hit, int count)
         {
             var shader = TestKernels.Layout;
             int kernel = shader.FindKernel("Unpack");
@@ -99,6 +101,7 @@ namespace Glint.Tests
             {
                 Bind("_RayIn", ray);
                 Bind("_InstanceIn", instance);
+                Bind("_HitIn", hit);
                 var fields = new GraphicsBuffer(GraphicsBuffer.Target.Structured, count, sizeof(uint));
                 buffers.Add(fields);
                 shader.SetBuffer(kernel, "_Fields", fields);

@@ -13,5 +13,16 @@ namespace Glint.Core
 
         /// <summary>Upper corner of the part's triangles, metres.</summary>
         public float3 High { get; internal set; }
+
+        /// <summary>Corners of a triangle, metres; a pair is written by <see cref="PairWriter"/>.</summary>
+        /// <param name="row">Of the pair that it belongs to.</param>
+        /// <param name="second">Which of the two.</param>
+        internal void GetTriangle(int row, bool second, out float3 a, out float3 b, out float3 c)
+        {
+            float4 first = math.asfloat(Words[row]), next = math.asfloat(Words[row + 1]), last = math.asfloat(Words[row + 2]);
+            float3 corner2 = new float3(next.z, next.w, last.x);
+            a = first.xyz;
+            (b, c) = second ? (corner2, last.yzw) : (new float3(first.w, next.x, next.y), corner2);
+        }
     }
 }

@@ -45,6 +45,16 @@ namespace Glint.Core
             return new double2(height * settings.Aspect, height);
         }
 
+        /// <summary>Where the ray of a pixel (<see cref="RayData.Pixel"/>) leaves the radar.</summary>
+        public double3 StartOf(in RadarSettings settings, uint pixel)
+        {
+            if (!IsParallel)
+                return Position;
+            double2 rays = new double2(settings.RaysAcross, settings.RaysDown), place = new double2(pixel % (uint)settings.RaysAcross, pixel / (uint)settings.RaysAcross) + 0.5;
+            double2 from = (2 * place / rays - 1) * HalfSize(settings);
+            return Position + from.x * Right + from.y * Up;
+        }
+
         /// <summary>Refuses a view that no ray can leave or return to.</summary>
         /// <param name="owner">Who holds the view, for the message.</param>
         /// <exception cref="GlintException">Field of view or receiver size out of range, or a position that is not finite.</exception>

@@ -8,6 +8,8 @@ namespace Glint
     sealed class Body
     {
         List<Part> _parts = new List<Part>(), _merged = new List<Part>();
+        readonly List<TransformNode> _nodes = new List<TransformNode>();
+        PartFinder _finder;
         RigidGroup _group;
         TransformNode _first;
         TriangleMesh _mesh;
@@ -18,11 +20,26 @@ namespace Glint
         {
             (_first, _group) = (first, group);
             _parts.Clear();
+            _nodes.Clear();
             Add(first);
         }
 
         /// <summary>Adds an object of the same group.</summary>
-        public void Add(TransformNode node) => _parts.Add(new Part { Source = node.Source, Version = node.Source.Version, InFrame = _group.Into(node) });
+        public void Add(TransformNode node)
+        {
+            _parts.Add(new Part { Source = node.Source, Version = node.Source.Version, InFrame = _group.Into(node) });
+            _nodes.Add(node);
+        }
+
+        /// <summary>The object that a triangle comes from, by its corners; null if none does.</summary>
+        public TransformNode NodeOf(float3 a, float3 b, float3 c)
+        {
+            if (_nodes.Count == 1)
+                return _first;
+            _finder ??= new PartFinder(_mesh, _merged.ConvertAll(part => part.Source.TriangleCount));
+            int found = _finder.PartOf(a, b, c);
+            return found < 0 ? null : _nodes[found];
+        }
 
         /// <summary>The mesh where the group's frame stands now.</summary>
         public MeshInstance Place(MeshReader reader)
@@ -69,6 +86,7 @@ namespace Glint
             foreach (var part in _parts)
                 reader.Append(part.Source.Mesh, into * part.InFrame, vertices, ref vertexCount, indices, ref indexCount);
             _mesh = new TriangleMesh(vertices, indices);
+            _finder = null;
             (_parts, _merged) = (_merged, _parts);
         }
 

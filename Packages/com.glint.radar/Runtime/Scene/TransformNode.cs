@@ -43,6 +43,9 @@ namespace Glint
         /// <summary>True when its object is among those of this gather.</summary>
         public bool IsTaken { get; set; }
 
+        /// <summary>Then its number among them.</summary>
+        public int ObjectNumber { get; set; }
+
         /// <summary>The parent of roots.</summary>
         public static TransformNode World()
         {

@@ -1,0 +1,43 @@
+using System;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>The way of one ray through the scene. Places are in metres and the axes of the world, from the scene's origin (<see cref="RadarScene.Origin"/>).</summary>
+    public struct RayPath
+    {
+        /// <summary>x + y * rays across; x from the left, y from the bottom of the picture.</summary>
+        public uint Pixel;
+
+        /// <summary>Where the ray left the radar.</summary>
+        public double3 Start;
+
+        /// <summary>Its reflections in order; empty for a ray that hit nothing.</summary>
+        public PathHit[] Hits;
+
+        /// <summary>Where a received ray meets the receiver's plane; null for a ray that is not received.</summary>
+        public double3? End;
+
+        /// <summary>Reflections made.</summary>
+        public int Bounces => Hits.Length;
+
+        /// <summary>True for a ray that reached the receiver.</summary>
+        public bool IsReceived => End.HasValue;
+
+        /// <summary>Whether the ray meets an object.</summary>
+        /// <param name="isMeant">Asked for the numbers of the objects that it meets.</param>
+        public bool Meets(Predicate<int> isMeant) => Array.Exists(Hits, hit => isMeant(hit.Object));
+
+        /// <summary>Start, reflections and, if it is received, end: what is drawn as a line.</summary>
+        public double3[] Points()
+        {
+            var points = new double3[Hits.Length + (IsReceived ? 2 : 1)];
+            points[0] = Start;
+            for (int i = 0; i < Hits.Length; i++)
+                points[i + 1] = Hits[i].Place;
+            if (End is double3 end)
+                points[points.Length - 1] = end;
+            return points;
+        }
+    }
+}

@@ -1,0 +1,129 @@
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Glint.Tests
+{
+    /// <summary>A radar knows which object reflects, whether objects are merged, moved by themselves or share a mesh.</summary>
+    public sealed class HitObjectTests
+    {
+        // Plates of 2 m, 4 m from each other: the column tells which one a ray meets.
+        const int Plates = 5;
+        const float Apart = 4, Depth = 60;
+
+        readonly List<Transform> _plates = new List<Transform>();
+        RadarController _radar;
+
+        [SetUp]
+        public void MakeScene()
+        {
+            var mesh = new Mesh { name = "Plate", vertices = new[] { new Vector3(-1, -1, 0), new Vector3(-1, 1, 0), new Vector3(1, 1, 0), new Vector3(1, -1, 0) }, triangles = new[] { 0, 1, 2, 0, 2, 3 } };
+            var row = new GameObject("Row").transform;
+            for (int i = 0; i < Plates; i++)
+            {
+                var plate = new GameObject($"Plate {i}", typeof(MeshFilter), typeof(MeshRenderer)).transform;
+                plate.SetParent(row, false);
+                plate.localPosition = new Vector3(Apart * (i - Plates / 2), 0, Depth);
+                plate.GetComponent<MeshFilter>().sharedMesh = mesh;
+                _plates.Add(plate);
+            }
+            var camera = new GameObject("Radar", typeof(Camera));
+            camera.GetComponent<Camera>().fieldOfView = 10;
+            _radar = camera.AddComponent<RadarController>();
+            _radar.Kernel = TestKernels.Trace;
+            _radar.Receiver = new GameObject("Receiver").transform;
+            _radar.Receiver.SetParent(camera.transform, false);
+            _radar.Receiver.localPosition = new Vector3(0, 0, -0.2f);
+            _radar.Settings = TestRadar.Settings(160, 90);
+            _radar.Roots.Add(row);
+        }
+
+        [TearDown]
+        public void RemoveScene()
+        {
+            Object.DestroyImmediate(_radar.gameObject);
+            Object.DestroyImmediate(_plates[0].parent.gameObject);
+            _plates.Clear();
+        }
+
+        [Test]
+        public void TracePaths_PlatesMerged_NamesThePlateOfEachColumn()
+        {
+            Assert.That(_radar.GatherScene().Instances, Has.Length.EqualTo(1), "merged");
+            AssertEachColumnHasItsPlate();
+        }
+
+        [Test]
+        public void TracePaths_OnePlateMoves_NamesThePlateOfEachColumn()
+        {
+            _radar.ExpectMotion(_plates[3]);
+            _radar.Trace();
+            _plates[3].localPosition += new Vector3(0, 0.5f, 0);
+            AssertEachColumnHasItsPlate();
+            Assert.That(_radar.GatherScene().Instances, Has.Length.EqualTo(2), "one apart");
+        }
+
+        [Test]
+        public void TracePaths_PlateGone_NumbersAreThoseOfNow()
+        {
+            AssertEachColumnHasItsPlate();
+            _plates[1].gameObject.SetActive(false);
+            AssertEachColumnHasItsPlate();
+        }
+
+        [Test]
+        public void TracePicture_ShowsThePartThatMeetsAnything()
+        {
+            var picture = _radar.TracePicture();
+            Assert.That(picture.Objects().Select(number => _radar.ObjectAt(number)), Is.EqualTo(_plates));
+            // The plates take 18 of the view's 18.7 m across, and a tenth or so of its height.
+            Assert.That((double)picture.Part.Width / picture.RaysAcross, Is.GreaterThan(0.95));
+            Assert.That((double)picture.Part.Height / picture.RaysDown, Is.InRange(0.19, 0.4));
+            int seen = 0, received = 0;
+            for (int y = 0; y < picture.Part.Height; y++)
+                for (int x = 0; x < picture.Part.Width; x++)
+                {
+                    if (picture.Bounces(x, y) == 0)
+                    {
+                        Assert.That(picture.Object(x, y), Is.EqualTo(PathHit.NoObject));
+                        continue;
+                    }
+                    seen++;
+                    received += picture.IsReceived(x, y) ? 1 : 0;
+                    Assert.That(picture.Facing(x, y), Is.GreaterThan(math.cos(math.radians(12))), "head-on");
+                    Assert.That(_radar.ObjectAt(picture.Object(x, y)), Is.EqualTo(PlateAt((picture.Part.Left + x + 0.5) / picture.RaysAcross)));
+                }
+            // Five plates of 4 m2 in a view of 10.5 x 18.66 m.
+            double height = 2 * Depth * math.tan(math.radians(5)), share = Plates * 4 / (height * height * 16 / 9);
+            Assert.That(seen, Is.EqualTo(share * picture.RaysAcross * picture.RaysDown).Within(0.03 * seen));
+            // The receiver of 3 m takes what falls within 0.75 m of the middle: mirrors send it back to twice that.
+            Assert.That(received, Is.EqualTo(1.5 * 1.5 / (Plates * 4) * seen).Within(0.1 * received));
+        }
+
+        void AssertEachColumnHasItsPlate()
+        {
+            var settings = _radar.Settings;
+            var pixels = Enumerable.Range(0, settings.RaysAcross).Select(x => (uint)(x + settings.RaysDown / 2 * settings.RaysAcross)).ToArray();
+            var paths = _radar.TracePaths(pixels);
+            for (int x = 0; x < paths.Length; x++)
+            {
+                var expected = PlateAt((x + 0.5) / settings.RaysAcross);
+                var met = paths[x].Bounces == 0 ? null : _radar.ObjectAt(paths[x].Hits[0].Object);
+                Assert.That(met, Is.EqualTo(expected), $"column {x}");
+            }
+            Assert.That(paths.Count(path => path.Bounces > 0), Is.GreaterThan(60));
+        }
+
+        // Null between the plates. Share: of the picture's width.
+        Transform PlateAt(double share)
+        {
+            double x = (2 * share - 1) * Depth * math.tan(math.radians(5)) * 16 / 9;
+            var plate = _plates[math.clamp((int)math.round(x / Apart) + Plates / 2, 0, Plates - 1)];
+            return plate.gameObject.activeSelf && math.abs(x - plate.localPosition.x) <= 1 ? plate : null;
+        }
+    }
+}
