@@ -120,6 +120,9 @@ namespace Glint
         /// <summary>Count the nodes visited and pairs tested: <see cref="WorkDone"/>. Slower; for benchmarks.</summary>
         public bool CountVisits { get; set; }
 
+        /// <summary>After each pose traced.</summary>
+        public event Action<RadarController> Traced;
+
         /// <summary>The last pose traced; null before the first.</summary>
         public RadarResult Result { get; private set; }
 
@@ -155,6 +158,7 @@ namespace Glint
             result.Objects = _gatherer.ObjectCount;
             result.Timings.GatherMs = gatherMs;
             Result = result;
+            Traced?.Invoke(this);
             return result;
         }
 

@@ -8,5 +8,8 @@ public sealed class Shader : Object
     {
     }
 
+    /// <summary>Nothing is shaded here: every name has a shader.</summary>
+    public static Shader Find(string name) => new() { Name = name };
+
     public static int PropertyToID(string name) => PropertyIds.Get(name);
 }

@@ -18,6 +18,13 @@ public sealed partial class Camera : Behaviour
     Matrix4x4? _projection;
     Matrix4x4? _worldToCamera;
 
+    /// <summary>Nobody calls it: there is nothing to render.</summary>
+    public static CameraCallback onPreCull;
+
+    public delegate void CameraCallback(Camera cam);
+
+    public CameraType cameraType { get; set; } = CameraType.Game;
+
     public static Camera main => allCameras.FirstOrDefault(camera => camera.CompareTag("MainCamera"));
 
     /// <summary>The enabled ones, by depth.</summary>

@@ -1,0 +1,96 @@
+using System.Collections.Generic;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>Lines for the ways of rays: one mesh, however many there are. Its vertices are about the middle of all, so that float32 holds them wherever the scene stands.</summary>
+    sealed class PathLines
+    {
+        /// <summary>Colours of the segments in order, as in the published experiment; then again from the first.</summary>
+        public static readonly Color32[] SegmentColours = { new Color32(255, 0, 0, 255), new Color32(0, 255, 0, 255), new Color32(0, 64, 255, 255), new Color32(255, 255, 0, 255) };
+
+        /// <summary>Colour of the receiver and of the points of reflection.</summary>
+        public static readonly Color32 White = new Color32(255, 255, 255, 255);
+
+        // Of the size of all points: what is drawn of a ray that leaves, and half a cross.
+        const double LeavingPart = 0.05, CrossPart = 0.003;
+
+        readonly List<Vector3> _places = new List<Vector3>();
+        readonly List<Color32> _colours = new List<Color32>();
+        readonly double3 _middle;
+        readonly double _size;
+
+        /// <param name="view">The radar's, for the receiver's outline.</param>
+        /// <param name="hitPoints">Draw a cross at each point of reflection.</param>
+        public PathLines(in RadarView view, IReadOnlyList<RayPath> paths, bool hitPoints)
+        {
+            double3 low = view.ReceiverCentre, high = low;
+            foreach (var path in paths)
+                foreach (var hit in path.Hits)
+                    (low, high) = (math.min(low, hit.Place), math.max(high, hit.Place));
+            _middle = (low + high) / 2;
+            _size = math.length(high - low);
+            AddReceiver(view);
+            foreach (var path in paths)
+                Add(path, hitPoints);
+        }
+
+        /// <summary>Puts the lines into a mesh.</summary>
+        /// <returns>Where the mesh's origin stands, metres from the scene's.</returns>
+        public double3 WriteTo(Mesh mesh)
+        {
+            mesh.Clear();
+            mesh.SetVertices(_places);
+            mesh.SetColors(_colours);
+            var indices = new int[_places.Count];
+            for (int i = 0; i < indices.Length; i++)
+                indices[i] = i;
+            mesh.SetIndices(indices, MeshTopology.Lines, 0);
+            return _middle;
+        }
+
+        void Add(in RayPath path, bool hitPoints)
+        {
+            double3 from = path.Start;
+            for (int i = 0; i < path.Hits.Length; i++)
+            {
+                double3 to = path.Hits[i].Place;
+                Add(from, to, Colour(i));
+                if (hitPoints)
+                    AddCross(to);
+                from = to;
+            }
+            if (path.Bounces > 0)
+                Add(from, path.End ?? from + LeavingPart * _size * path.Hits[path.Bounces - 1].Direction, Colour(path.Bounces));
+        }
+
+        void AddReceiver(in RadarView view)
+        {
+            double3 right = view.ReceiverSize.x / 2 * view.ReceiverRight, up = view.ReceiverSize.y / 2 * view.ReceiverUp, centre = view.ReceiverCentre;
+            Add(centre - right - up, centre + right - up, White);
+            Add(centre + right - up, centre + right + up, White);
+            Add(centre + right + up, centre - right + up, White);
+            Add(centre - right + up, centre - right - up, White);
+        }
+
+        void AddCross(double3 place)
+        {
+            double half = CrossPart * _size;
+            Add(place - new double3(half, 0, 0), place + new double3(half, 0, 0), White);
+            Add(place - new double3(0, half, 0), place + new double3(0, half, 0), White);
+            Add(place - new double3(0, 0, half), place + new double3(0, 0, half), White);
+        }
+
+        static Color32 Colour(int segment) => SegmentColours[segment % SegmentColours.Length];
+
+        void Add(double3 from, double3 to, Color32 colour)
+        {
+            _places.Add((float3)(from - _middle));
+            _places.Add((float3)(to - _middle));
+            _colours.Add(colour);
+            _colours.Add(colour);
+        }
+    }
+}

@@ -1,0 +1,172 @@
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Glint.Tests
+{
+    /// <summary>The lines that Ray Paths draws of a radar before two walls that meet at a right angle, and a plate beside them.</summary>
+    public sealed class RayPathsTests
+    {
+        const float Side = 4;
+
+        GameObject _camera;
+        Transform _root, _floor, _wall, _plate;
+        RadarController _radar;
+        RayPaths _paths;
+
+        [SetUp]
+        public void MakeScene()
+        {
+            _root = new GameObject("Root").transform;
+            _floor = Plate("Floor", new Vector3(-Side / 2, 0, 40 - Side), new Vector3(Side, 0, 0), new Vector3(0, 0, Side));
+            _wall = Plate("Wall", new Vector3(-Side / 2, 0, 40), new Vector3(Side, 0, 0), new Vector3(0, Side, 0));
+            _plate = Plate("Plate", new Vector3(4, 2, 40), new Vector3(1, 0, 0), new Vector3(0, 1, 0));
+            _camera = new GameObject("Radar", typeof(Camera));
+            _camera.transform.SetParent(_root, false);
+            _camera.transform.localPosition = new Vector3(0, 12, 0);
+            _camera.transform.localRotation = Quaternion.LookRotation(new Vector3(0, -11, 39));
+            _camera.GetComponent<Camera>().fieldOfView = 12;
+            _radar = _camera.AddComponent<RadarController>();
+            _radar.Kernel = TestKernels.Trace;
+            _radar.Receiver = new GameObject("Receiver").transform;
+            _radar.Receiver.SetParent(_camera.transform, false);
+            _radar.Receiver.localPosition = new Vector3(0, 0, -0.2f);
+            _radar.Settings = TestRadar.Settings();
+            _radar.Roots.AddRange(new[] { _floor, _wall, _plate });
+            _paths = _camera.AddComponent<RayPaths>();
+        }
+
+        [TearDown]
+        public void RemoveScene() => Object.DestroyImmediate(_root.gameObject);
+
+        [Test]
+        public void Lines_BeforeAPose_AreNone()
+        {
+            Assert.That(_paths.Lines(), Is.Null);
+            Assert.That(_paths.Count, Is.Zero);
+        }
+
+        [Test]
+        public void Lines_OfReceivedRays_AreSegmentsInTheirColoursFromRadarToReceiver()
+        {
+            var result = _radar.Trace();
+            var mesh = _paths.Lines();
+            Assert.That(mesh.GetTopology(0), Is.EqualTo(MeshTopology.Lines));
+            Assert.That(_paths.Count, Is.EqualTo(result.RaysReceived).And.GreaterThan(200));
+            var lines = Lines(mesh);
+            Assert.That(Of(lines, PathLines.White).Sum(line => line.Length), Is.EqualTo(12).Within(1e-4), "around the receiver of 3 x 3 m");
+            // Only the right angle returns anything: two bounces, three segments.
+            var (first, second, third) = (Of(lines, Color.red), Of(lines, PathLines.SegmentColours[1]), Of(lines, PathLines.SegmentColours[2]));
+            Assert.That(new[] { first.Count, second.Count, third.Count }, Is.All.EqualTo(_paths.Count));
+            Assert.That(Of(lines, PathLines.SegmentColours[3]), Is.Empty);
+            double lengths = result.Rays.Sum(ray => ray.ExactPathLength);
+            Assert.That(first.Concat(second).Concat(third).Sum(line => line.Length), Is.EqualTo(lengths).Within(1e-6 * lengths));
+            for (int i = 0; i < first.Count; i++)
+                Assert.That((first[i].To, second[i].To), Is.EqualTo((second[i].From, third[i].From)), "one after the other");
+            Assert.That(first.Select(line => line.From).Distinct().Count(), Is.EqualTo(1), "from the radar");
+        }
+
+        [Test]
+        public void Lines_OfAllRays_AreOfThoseThatMeetTheObjectSoOften()
+        {
+            _radar.Trace(KeptRays.None);
+            _paths.ReceivedOnly = false;
+            _paths.Lines();
+            int all = _paths.Count;
+            Assert.That(all, Is.EqualTo(_radar.Result.RaysHit).Within(1));
+            _paths.FewestBounces = 2;
+            _paths.Lines();
+            int twice = _paths.Count;
+            Assert.That(twice, Is.EqualTo(_radar.Result.Bounces - _radar.Result.RaysHit).Within(1), "none bounces three times");
+            _paths.FewestBounces = 1;
+            _paths.MostBounces = 1;
+            _paths.Lines();
+            Assert.That(_paths.Count, Is.EqualTo(all - twice));
+            _paths.MostBounces = RadarSettings.BounceLimit;
+
+            _paths.Meeting = _plate;
+            var red = Of(Lines(_paths.Lines()), PathLines.SegmentColours[0]);
+            Assert.That(_paths.Count, Is.EqualTo(red.Count).And.InRange(1, all / 4));
+            int plate = _paths.Count;
+            _paths.Meeting = _wall;
+            _paths.Lines();
+            int wall = _paths.Count;
+            _paths.Meeting = _floor;
+            _paths.Lines();
+            Assert.That(_paths.Count + wall - twice + plate, Is.EqualTo(all), "what meets both is counted twice");
+            _paths.Meeting = _root;
+            _paths.Lines();
+            Assert.That(_paths.Count, Is.EqualTo(all));
+        }
+
+        [Test]
+        public void Lines_OfEveryThirdRay_AreAThirdOfThem()
+        {
+            _radar.Trace();
+            _paths.Lines();
+            int all = _paths.Count;
+            _paths.Every = 3;
+            _paths.HitPoints = true;
+            var lines = Lines(_paths.Lines());
+            Assert.That(_paths.Count, Is.EqualTo(all / 3));
+            Assert.That(Of(lines, PathLines.White).Count, Is.EqualTo(4 + 3 * 2 * _paths.Count), "a cross at each of two bounces");
+            Assert.That(_paths.LeftOut, Is.Zero);
+        }
+
+        [Test]
+        public void Lines_OfMoreRaysThanAreFollowed_AreTakenEvenlyInOneMesh()
+        {
+            _radar.Settings = TestRadar.Settings(640, 360);
+            _radar.Trace(KeptRays.None);
+            _paths.ReceivedOnly = false;
+            var mesh = _paths.Lines();
+            Assert.That(_paths.LeftOut, Is.EqualTo(640 * 360 - RayPaths.MostRays));
+            Assert.That(_paths.Count, Is.EqualTo(_radar.Result.RaysHit * RayPaths.MostRays / (640.0 * 360)).Within(0.02 * _paths.Count).And.GreaterThan(5000));
+            Assert.That(mesh.subMeshCount, Is.EqualTo(1));
+        }
+
+        [Test]
+        public void Lines_AfterAnotherPose_AreThoseOfThatPose()
+        {
+            _radar.Trace();
+            int before = _paths.Lines().vertexCount;
+            _wall.localRotation = Quaternion.Euler(0, 20, 0);
+            Assert.That(_paths.Lines().vertexCount, Is.EqualTo(before), "not before it is traced");
+            _radar.Trace();
+            Assert.That(_paths.Lines().vertexCount, Is.LessThan(before));
+            Assert.That(_paths.Count, Is.EqualTo(_radar.Result.RaysReceived));
+        }
+
+        [Test]
+        public void Lines_SceneFarFromTheOrigin_AreTheSame()
+        {
+            _radar.Trace();
+            var near = _paths.Lines().vertices;
+            _root.position = new Vector3(1e6f, 0, 1e6f);
+            _radar.Trace();
+            Assert.That(_paths.Lines().vertices, Is.EqualTo(near));
+        }
+
+        Transform Plate(string name, Vector3 corner, Vector3 edge1, Vector3 edge2)
+        {
+            var plate = new GameObject(name, typeof(MeshFilter), typeof(MeshRenderer)).transform;
+            plate.SetParent(_root, false);
+            plate.GetComponent<MeshFilter>().sharedMesh = new Mesh { vertices = new[] { corner, corner + edge1, corner + edge1 + edge2, corner + edge2 }, triangles = new[] { 0, 1, 2, 0, 2, 3 } };
+            return plate;
+        }
+
+        static List<(Vector3 From, Vector3 To, double Length, Color32 Colour)> Lines(Mesh mesh)
+        {
+            var (places, colours, indices) = (mesh.vertices, mesh.colors32, mesh.GetIndices(0));
+            return Enumerable.Range(0, indices.Length / 2).Select(i => (places[indices[2 * i]], places[indices[2 * i + 1]],
+                math.distance((double3)(float3)places[indices[2 * i]], (float3)places[indices[2 * i + 1]]), colours[indices[2 * i]])).ToList();
+        }
+
+        static List<(Vector3 From, Vector3 To, double Length, Color32 Colour)> Of(List<(Vector3 From, Vector3 To, double Length, Color32 Colour)> lines, Color32 colour) =>
+            lines.Where(line => line.Colour.Equals(colour)).ToList();
+    }
+}

@@ -1,0 +1,55 @@
+using Glint.Core;
+using Glint.Host.Tests.Vulkan;
+using NUnit.Framework;
+using UnityEngine;
+
+namespace Glint.Host.Tests;
+
+/// <summary>What Ray Paths hands to a camera.</summary>
+public sealed class RayPathsTests
+{
+    [Test]
+    public void Camera_OfTheSceneOrTheGame_IsGivenTheLinesWhereTheyStand()
+    {
+        GameObject wall = GameObject.CreatePrimitive(PrimitiveType.Quad), place = new("Radar", typeof(Camera));
+        wall.transform.position = new Vector3(0f, 0f, 10f);
+        var radar = place.AddComponent<RadarController>();
+        radar.Kernel = UnityEditor.AssetDatabase.LoadAssetAtPath<ComputeShader>("Packages/com.glint.radar/Shaders/Trace.compute");
+        var receiver = radar.Receiver = new GameObject("Receiver").transform;
+        receiver.position = new Vector3(0f, 0f, -1f);
+        radar.Settings = RadarSettings.Default with { RaysAcross = 64, RaysDown = 36 };
+        radar.Roots.Add(wall.transform);
+        radar.Roots.Add(receiver);
+        var paths = place.AddComponent<RayPaths>();
+        var camera = place.GetComponent<Camera>();
+
+        var before = Graphics.LastDrawn;
+        Camera.onPreCull(camera);
+        Assert.That(Graphics.LastDrawn, Is.EqualTo(before), "nothing is traced yet");
+        radar.Trace();
+        camera.cameraType = CameraType.Preview;
+        Camera.onPreCull(camera);
+        Assert.That(Graphics.LastDrawn, Is.EqualTo(before), "a preview");
+        camera.cameraType = CameraType.SceneView;
+        Camera.onPreCull(camera);
+        var drawn = Graphics.LastDrawn.Value;
+        Assert.That((drawn.Mesh, drawn.Parameters.camera), Is.EqualTo((paths.Lines(), camera)));
+        // From the receiver at -1 m to the wall at 10 m.
+        Assert.That(drawn.Parameters.worldBounds.center.z, Is.EqualTo(4.5f).Within(1e-4));
+        Assert.That(drawn.Place.MultiplyPoint3x4(drawn.Mesh.bounds.max).z, Is.EqualTo(10f).Within(1e-4));
+
+        using (var log = new LogCapture())
+        {
+            radar.Receiver = null;
+            paths.Every = 2;
+            Camera.onPreCull(camera);
+            Camera.onPreCull(camera);
+            Assert.That(log.Messages, Is.EqualTo(new[] { (LogType.Warning, "Ray Paths of 'Radar': RadarController of 'Radar' has no receiver: assign a Transform behind the camera to its field Receiver") }), "said once");
+        }
+        paths.enabled = false;
+        Assert.That(Camera.onPreCull, Is.Null);
+        Object.DestroyImmediate(wall);
+        Object.DestroyImmediate(place);
+        Object.DestroyImmediate(receiver.gameObject);
+    }
+}

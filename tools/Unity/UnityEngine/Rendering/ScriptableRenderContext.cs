@@ -1,0 +1,5 @@
+namespace UnityEngine.Rendering;
+
+public struct ScriptableRenderContext
+{
+}
