@@ -10,6 +10,12 @@ const segments = [
 /** From 1; after four they begin anew. */
 export const ofSegment = n => segments[(n - 1) % segments.length];
 
+// Okabe and Ito's, without black and the yellow that light backgrounds swallow; objects beyond begin anew.
+const objects = ['#e69f00', '#56b4e9', '#009e73', '#cc79a7', '#0072b2', '#d55e00', '#b3b300', '#999999'];
+
+/** From 1. */
+export const ofObject = n => objects[(n - 1) % objects.length];
+
 export function rgb(colour) {
   return [1, 3, 5].map(at => parseInt(colour.slice(at, at + 2), 16));
 }

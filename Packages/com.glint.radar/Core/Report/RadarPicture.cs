@@ -11,6 +11,9 @@ namespace Glint.Core
     {
         const byte ReceivedBit = 128;
 
+        // Objects that a byte tells apart; the last is for the rest.
+        const int MostNames = 255;
+
         readonly byte[] _bounces, _facing;
         readonly int[] _objects;
 
@@ -63,8 +66,17 @@ namespace Glint.Core
         // A mirror turns a direction by twice its part along the normal.
         static double Facing(in RayPath path) => math.length(path.Hits[0].Direction - math.normalize(path.Hits[0].Place - path.Start)) / 2;
 
-        // Rows from the bottom. Of a byte of bounces the highest bit says that the ray is received.
-        internal JObject ToJson() => new JObject
+        // Rows from the bottom. Of a byte of bounces the highest bit says that the ray is received; of objects the number in the list of names, from 1.
+        internal JObject ToJson(Func<int, string> nameOf)
+        {
+            var seen = Objects();
+            var places = new Dictionary<int, byte> { [PathHit.NoObject] = 0 };
+            for (int i = 0; i < seen.Count; i++)
+                places[seen[i]] = (byte)Math.Min(i + 1, MostNames);
+            return ToJson(seen.Take(MostNames).Select((number, i) => i == MostNames - 1 && seen.Count > MostNames ? "others" : nameOf(number)), Array.ConvertAll(_objects, number => places[number]));
+        }
+
+        JObject ToJson(IEnumerable<string> names, byte[] objects) => new JObject
         {
             ["across"] = RaysAcross,
             ["down"] = RaysDown,
@@ -73,7 +85,9 @@ namespace Glint.Core
             ["width"] = Part.Width,
             ["height"] = Part.Height,
             ["bounces"] = Convert.ToBase64String(_bounces),
-            ["facing"] = Convert.ToBase64String(_facing)
+            ["facing"] = Convert.ToBase64String(_facing),
+            ["objects"] = Convert.ToBase64String(objects),
+            ["names"] = new JArray(names)
         };
     }
 }

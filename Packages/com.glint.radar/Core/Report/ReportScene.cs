@@ -30,6 +30,9 @@ namespace Glint.Core
         /// <summary>The radar's picture; null for none.</summary>
         public RadarPicture Picture;
 
+        /// <summary>Names of the picture's objects by their numbers.</summary>
+        public Func<int, string> ObjectName = number => $"object {number}";
+
         /// <summary>The scene in the form that the report's page reads. Lengths in metres about the middle of what is drawn, Unity's axes; arrays of numbers as base64, little-endian.</summary>
         internal JObject ToJson()
         {
@@ -52,7 +55,7 @@ namespace Glint.Core
                     ["points"] = Base64(Paths.SelectMany(path => path).SelectMany(point => Floats(point - middle)).ToArray(), sizeof(float)),
                     ["counts"] = new JArray(Paths.Select(path => path.Length))
                 },
-                ["picture"] = Picture?.ToJson()
+                ["picture"] = Picture?.ToJson(ObjectName)
             };
         }
 

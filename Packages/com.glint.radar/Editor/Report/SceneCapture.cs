@@ -28,6 +28,7 @@ namespace Glint.Editor
                     var scene = new ReportScene { Number = number, Result = sweep.Step(progress, progress.Cancel).Result, Pose = radar.Gather() };
                     scene.Paths = Array.ConvertAll(radar.TracePaths(Chosen(radar.ReceivedPixels()), null, progress.Cancel), path => path.Points());
                     scene.Picture = radar.TracePicture(progress.Cancel);
+                    scene.ObjectName = NamesIn(radar, scene.Picture.Objects());
                     progress.Advance(1, null);
                     return scene;
                 }
@@ -46,6 +47,13 @@ namespace Glint.Editor
         {
             int count = Math.Min(pixels.Length, MostPaths);
             return Enumerable.Range(0, count).Select(i => pixels[(long)i * pixels.Length / count]).ToArray();
+        }
+
+        // Now, as the objects may not outlive the scene.
+        static Func<int, string> NamesIn(RadarController radar, IReadOnlyList<int> objects)
+        {
+            var names = objects.ToDictionary(number => number, number => radar.ObjectAt(number).name);
+            return number => names[number];
         }
 
         // The command that was given; a Sweep component's run has none, and is of the scene as it stands.
