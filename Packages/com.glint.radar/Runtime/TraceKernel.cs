@@ -61,7 +61,7 @@ namespace Glint
             SetNumber(ShaderIDs._WaveNumberTurns, 1 / settings.Wavelength);
             _shader.SetVector(ShaderIDs._ReferenceRay, new Vector4(grid.Reference.x, grid.Reference.y, 0, 0));
             double3 middle = grid.Middle + origin;
-            _shader.SetVector(ShaderIDs._Middle, new Vector4((float)middle.x, (float)middle.y, (float)middle.z, 0));
+            _shader.SetVector(ShaderIDs._Middle, new Vector4((float)middle.x, (float)middle.y, (float)middle.z, (float)grid.Size));
             _shader.SetInt(ShaderIDs._RaysAcross, settings.RaysAcross);
             var region = settings.Region;
             _shader.SetInts(ShaderIDs._Region, region.IsWhole

@@ -23,6 +23,9 @@ struct BoxRay
 {
     float3 Scale;         // distance along the ray a step along each axis
     float3 ToCentre;      // distance to the planes through the centre
+#ifdef GLINT_EXACT
+    float Slack;          // half sizes are larger by this
+#endif
 };
 
 BoxRay MakeBoxRay(SearchRay ray, float3 centre)
@@ -30,6 +33,9 @@ BoxRay MakeBoxRay(SearchRay ray, float3 centre)
     BoxRay boxRay;
     boxRay.Scale = ray.Inverse;
     boxRay.ToCentre = (centre - ray.Origin) * ray.Inverse;
+#ifdef GLINT_EXACT
+    boxRay.Slack = ray.Slack;
+#endif
     return boxRay;
 }
 
@@ -39,6 +45,9 @@ BoxRay MakeBoxRay(SearchRay ray, float3 centre)
 int2 EnterAndLeave(float3 middle, float3 halfSize, BoxRay ray, float reach)
 {
     float3 toMiddle = middle * ray.Scale + ray.ToCentre, size = abs(ray.Scale);
+#ifdef GLINT_EXACT
+    halfSize += ray.Slack;
+#endif
     int3 enter = asint(toMiddle - halfSize * size), leave = asint(toMiddle + halfSize * size);
     int leaveAll = min(min(leave.x, leave.y), min(leave.z, asint(reach)));
     return int2(max(max(enter.x, enter.y), enter.z), asint(asfloat(leaveAll) * LEAVE_LATER));

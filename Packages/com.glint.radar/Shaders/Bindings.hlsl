@@ -30,7 +30,7 @@ float4 _ReceiverRight, _ReceiverRightRest;  // unit vectors
 float4 _ReceiverUp, _ReceiverUpRest;
 float4 _ReceiverForward, _ReceiverForwardRest;
 float4 _ReceiverHalfSize;                   // x: half its width, y: the rest; z, w: the same of its height
-float4 _Middle;                             // of the scene, in the world
+float4 _Middle;                             // xyz: of the scene, in the world; w: the scene's size, as lengths that rays go in it, m
 uint _RaysAcross;
 uint _RaysDown;
 uint4 _Region;                              // rays traced: first and one past the last across, first and one past the last down

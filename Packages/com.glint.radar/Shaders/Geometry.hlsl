@@ -20,6 +20,9 @@ struct SearchRay
     float3 Inverse;       // 1 / direction
     uint Axis;            // along which the direction is longest
     float3 Shear;         // what shears that axis into the ray's direction, and scales it to distances
+#ifdef GLINT_EXACT
+    float Slack;          // boxes are larger by this, and triangles that are so near are tested exactly
+#endif
 };
 
 // The components in the order that puts the given axis last.
@@ -28,7 +31,7 @@ float3 AxisLast(float3 v, uint axis)
     return axis == 0 ? v.yzx : axis == 1 ? v.zxy : v;
 }
 
-SearchRay MakeSearchRay(float3 origin, float3 direction)
+SearchRay MakeSearchRay(float3 origin, float3 direction, float slack)
 {
     SearchRay ray;
     ray.Origin = origin;
@@ -39,6 +42,9 @@ SearchRay MakeSearchRay(float3 origin, float3 direction)
     ray.Axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     float3 d = AxisLast(direction, ray.Axis);
     ray.Shear = float3(d.xy, 1.0) / d.z;
+#ifdef GLINT_EXACT
+    ray.Slack = slack;
+#endif
     return ray;
 }
 

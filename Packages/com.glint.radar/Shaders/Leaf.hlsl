@@ -3,17 +3,27 @@
 
 #include "Bindings.hlsl"
 #include "Geometry.hlsl"
+#include "Real.hlsl"
 
 static const uint NO_INSTANCE = 0xffffffff;
+
+#ifdef GLINT_EXACT
+#include "ExactHit.hlsl"
+#endif
 
 // The nearest triangle found so far.
 struct Found
 {
-    float Distance;       // m; where the search ends as long as nothing is found
+    float Distance;       // m, from where the search began; where it ends as long as nothing is found
     uint Instance;        // NO_INSTANCE: nothing
     uint Row;             // of the pair of triangles in its tree
     bool Second;          // which of the pair
     uint2 Leaving;        // the triangle that the ray has just left, which it cannot meet again: see NumberOf
+#ifdef GLINT_EXACT
+    ExactLine Line;       // the ray itself, in the frame of the mesh searched
+    Two Exact;            // m, along it
+    bool IsAtEdge;        // nobody can tell on which side of an edge
+#endif
 };
 
 // A triangle by its instance and its number in the tree.
@@ -49,6 +59,38 @@ static uint s_pairsTested = 0;
 #define COUNT_PAIR
 #endif
 
+#ifdef GLINT_EXACT
+
+void TestTriangle(SearchRay ray, uint instance, uint row, bool second, float3 a, float3 b, float3 c, inout Found found)
+{
+    bool isLeft = instance == found.Leaving.x && 2 * row + (second ? 1 : 0) == found.Leaving.y;
+    float2 distances;
+    if (isLeft || !MayHit(ray, a, b, c, distances) || distances.x > found.Distance)
+        return;
+    Two toHit;
+    bool isAtEdge;
+    if (!Hits(found.Line, a, b, c, distances - found.Line.Back, toHit, isAtEdge) || Rounded(Minus(toHit, found.Exact)) >= 0.0)
+        return;
+    found.Exact = toHit;
+    found.IsAtEdge = isAtEdge;
+    found.Distance = toHit.Hi + found.Line.Back + found.Line.Slack;
+    found.Instance = instance;
+    found.Row = row;
+    found.Second = second;
+}
+
+// Float32 tells which triangles the ray may hit, and two-float arithmetic which it does.
+void TestPair(SearchRay ray, uint instance, uint bank, uint firstRow, uint row, inout Found found)
+{
+    COUNT_PAIR;
+    Pair pair = LoadPair(bank, firstRow + row);
+    [loop]
+    for (uint i = 0; i < 2; i++)
+        TestTriangle(ray, instance, row, i == 1, pair.Corner0, i == 0 ? pair.Corner1 : pair.Corner2, i == 0 ? pair.Corner2 : pair.Corner3, found);
+}
+
+#else
+
 void TestPair(SearchRay ray, uint instance, uint bank, uint firstRow, uint row, inout Found found)
 {
     COUNT_PAIR;
@@ -67,5 +109,7 @@ void TestPair(SearchRay ray, uint instance, uint bank, uint firstRow, uint row, 
         found.Second = toHit.y < toHit.x;
     }
 }
+
+#endif
 
 #endif

@@ -1,18 +1,18 @@
 #ifndef GLINT_PATH
 #define GLINT_PATH
 
-#include "Traversal.hlsl"
+#include "Surface.hlsl"
 
 // A ray on its way, about the middle of the scene.
 struct Path
 {
     Real3 LastHit;        // m; before the first hit the start
     Real3 Direction;      // unit vector
-    float3 Start;         // where the next search begins: on the way to the last hit, just before it
+    float3 Start;         // where the next search begins, just before the last hit: in float32 on the way to it, else on the way on
     uint2 Leaving;        // the triangle last hit
     uint Bounces;
     Real Beyond;          // length up to the last hit less _StartDepth, m
-    bool Returns;         // received; in float32: it may be
+    bool Returns;         // received; in float32: it may be, or nobody can tell
     Real WayBack;         // then from the last hit to the receiver's plane, m
 };
 
@@ -65,10 +65,12 @@ bool Advance(inout Path path, uint firstStart)
     bool isLast = path.Bounces == _MaxBounces;
     if (isLast && !meetsReceiver && (_Shortcuts & SHORTCUT_LAST) != 0)
         return false;
-    float3 direction = Rounded(path.Direction);
+#ifndef GLINT_EXACT
+    float3 direction = path.Direction;
+#endif
     float reach = meetsReceiver && (_Shortcuts & SHORTCUT_REACH) != 0 ? Rounded(toReceiver) : MISS;
-    Found found = FindNearest(path.Start, direction, reach, path.Bounces == 0 ? firstStart : NO_STARTS, path.Leaving);
-    if (meetsReceiver && Rounded(toReceiver) <= found.Distance)
+    Found found = FindNearest(path.Start, path.LastHit, path.Direction, reach, path.Bounces == 0 ? firstStart : NO_STARTS, path.Leaving);
+    if (meetsReceiver && Rounded(Minus(toReceiver, ToNearest(found))) <= 0.0)
     {
         path.Returns = true;
         path.WayBack = toReceiver;
@@ -86,9 +88,19 @@ bool Advance(inout Path path, uint firstStart)
     }
     path.Bounces++;
     path.Leaving = NumberOf(found.Instance, found.Row, found.Second);
+#ifndef GLINT_EXACT
     path.Start = StartBefore(surface, path.Start, direction, found.Distance);
+    if (surface.IsInDoubt)
+    {
+        path.Returns = true;
+        return false;
+    }
+#endif
     Real share = Over(Dot(surface.Normal, path.Direction), Dot(surface.Normal, surface.Normal));
     path.Direction = UnitAgain(Minus(path.Direction, Times(surface.Normal, Plus(share, share))));
+#ifdef GLINT_EXACT
+    path.Start = Rounded(Minus(path.LastHit, Times(path.Direction, SLACK * _Middle.w)));
+#endif
     return true;
 }
 

@@ -65,14 +65,18 @@ float4 Planes(uint bytes, float step, float at)
 uint4 ChildKeys(uint4 a, uint4 b, uint4 c, SearchRay ray, float reach)
 {
     uint3 exponents = uint3(a.w << 23, a.w << 15, a.w << 7) & 0x7f800000;
-    float3 at = (asfloat(a.xyz) - ray.Origin) * ray.Inverse;
+    float3 at = (asfloat(a.xyz) - ray.Origin) * ray.Inverse, enterAt = at, leaveAt = at;
+#ifdef GLINT_EXACT
+    enterAt -= ray.Slack * abs(ray.Inverse);
+    leaveAt += ray.Slack * abs(ray.Inverse);
+#endif
     float3 step = asfloat(exponents) * ray.Inverse;
     bool3 backwards = ray.Inverse < 0.0;
     uint3 lower = b.xyz, upper = uint3(b.w, c.xy);
     uint3 first = uint3(backwards.x ? upper.x : lower.x, backwards.y ? upper.y : lower.y, backwards.z ? upper.z : lower.z);
     uint3 last = uint3(backwards.x ? lower.x : upper.x, backwards.y ? lower.y : upper.y, backwards.z ? lower.z : upper.z);
-    int4 enter = max(max(asint(Planes(first.x, step.x, at.x)), asint(Planes(first.y, step.y, at.y))), max(asint(Planes(first.z, step.z, at.z)), 0));
-    int4 leave = min(min(asint(Planes(last.x, step.x, at.x)), asint(Planes(last.y, step.y, at.y))), min(asint(Planes(last.z, step.z, at.z)), asint(reach)));
+    int4 enter = max(max(asint(Planes(first.x, step.x, enterAt.x)), asint(Planes(first.y, step.y, enterAt.y))), max(asint(Planes(first.z, step.z, enterAt.z)), 0));
+    int4 leave = min(min(asint(Planes(last.x, step.x, leaveAt.x)), asint(Planes(last.y, step.y, leaveAt.y))), min(asint(Planes(last.z, step.z, leaveAt.z)), asint(reach)));
     leave = asint(asfloat(leave) * LEAVE_LATER);
 
     uint4 leaf = (a.w >> uint4(22, 23, 24, 25)) & 4;

@@ -152,7 +152,7 @@ namespace Glint.Tests
             Assert.That(none.Rays, Is.Empty);
             Assert.That(received.Rays.Length, Is.EqualTo(none.RaysReceived));
             long mayReturn = none.Work.RaysFollowedExactly;
-            Assert.That(mayReturn, Is.InRange(none.RaysReceived, 1.1 * none.RaysReceived), "few more than are received");
+            Assert.That(mayReturn, Is.InRange(none.RaysReceived, 1.1 * none.RaysReceived + 1e-3 * none.RaysEmitted), "few more than are received: those that pass an edge");
             Assert.That(none.Work.BytesReadBack, Is.EqualTo(3 * RaySums.Slots * RaySums.WordsPerSlot * 4 + 8 * mayReturn), "sums, and pixel and length of what is received");
             Assert.That(received.Work.BytesReadBack - none.Work.BytesReadBack, Is.EqualTo(48 * mayReturn), "and these rays only");
         }

@@ -49,9 +49,10 @@ namespace Glint.Tests
             escapes.Check(500_000);
         }
 
+        // Not in dented bodies: their walls lie in the rays' planes, and a ray along a wall is on neither side of it.
         [TestCase(true)]
         [TestCase(false)]
-        public void ReflectedRays_InSmoothBodies_NoneEscapes(bool asSoftware)
+        public void ReflectedRays_NoneEscapes(bool asSoftware)
         {
             var escapes = new Escapes(128, 4);
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
@@ -59,6 +60,7 @@ namespace Glint.Tests
                 {
                     escapes.Look(tracer, $"sphere of {cells}", ClosedBodies.Sphere(cells, 128));
                     escapes.Look(tracer, $"skewed body of {cells}", ClosedBodies.Skewed(cells, 128));
+                    escapes.Look(tracer, $"jagged body of {cells}", ClosedBodies.Jagged(cells, 128, cells));
                 }
             escapes.Check(500_000);
         }

@@ -34,6 +34,7 @@ namespace Glint.Core
 
             double3 aside = place.x * right + place.y * up;
             Start = view.Position - Middle + StartDepth * view.Forward;
+            Size = size + math.length(Start);
             Course = view.Forward;
             if (view.IsParallel)
             {
@@ -54,6 +55,9 @@ namespace Glint.Core
 
         /// <summary>Middle of the scene's bounds: the origin of the kernel's coordinates.</summary>
         public double3 Middle { get; }
+
+        /// <summary>How far rays go in the scene, or from a start within it: the diagonal of its bounds, and from the middle to a radar that stands near, metres.</summary>
+        public double Size { get; }
 
         /// <summary>From the radar to the plane where rays start, along the view axis, metres; 0 when the radar is in the scene.</summary>
         public double StartDepth { get; }

@@ -1,0 +1,126 @@
+#ifndef GLINT_SURFACE
+#define GLINT_SURFACE
+
+#include "Traversal.hlsl"
+
+// The triangle found, as the ray meets it.
+struct Surface
+{
+    Real Distance;        // from the ray's origin to the triangle's plane, m
+    Real3 Normal;         // in the scene, a unit vector by float32; its side is arbitrary
+#ifndef GLINT_EXACT
+    bool IsInDoubt;       // the ray passes an edge so near that it may belong to the triangle beyond it, or to none
+    float Lever;          // from the corner that the plane is known by to the hit: the lever of the normal's rounding, as a height in m
+    InstanceRecord Place; // the rest in the mesh's frame
+    float3 LocalNormal;   // unit vector
+    float3 Corner;
+    float Scale;          // height above the plane here, of 1 m in the scene
+#endif
+};
+
+// Normals go by the transpose of the inverse.
+Real3 NormalFromLocal(InstanceRecord place, Real3 normal)
+{
+#ifdef GLINT_EXACT
+    Two3 x = Times(MakeReal3(place.ToLocalX.xyz, place.RestX.xyz), normal.X);
+    Two3 y = Times(MakeReal3(place.ToLocalY.xyz, place.RestY.xyz), normal.Y);
+    Two3 z = Times(MakeReal3(place.ToLocalZ.xyz, place.RestZ.xyz), normal.Z);
+    return Plus(Plus(x, y), z);
+#else
+    return normal.x * place.ToLocalX.xyz + normal.y * place.ToLocalY.xyz + normal.z * place.ToLocalZ.xyz;
+#endif
+}
+
+#ifdef GLINT_EXACT
+
+// A ray that meets an edge or a corner turns so much before it, as a part of the scene's size: there it is on the right side of all surfaces that meet there. No farther than half the way back: there may be one behind it as well.
+static const float BEFORE_EDGE = 3.0e-9;
+
+Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction)
+{
+    InstanceRecord place = LoadInstance(found.Instance);
+    Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
+    Real3 normal = Cross(Difference(pair.Corner2, pair.Corner0), Difference(found.Second ? pair.Corner3 : pair.Corner1, pair.Corner0));
+    Real3 sceneNormal = NormalFromLocal(place, Times(normal, 1.0 / length(Rounded(normal))));
+    Surface surface;
+    surface.Normal = Times(sceneNormal, 1.0 / length(Rounded(sceneNormal)));
+    surface.Distance = found.Exact;
+    if (found.IsAtEdge)
+        surface.Distance = Minus(found.Exact, MakeTwo(min(BEFORE_EDGE * _Middle.w, 0.5 * found.Exact.Hi), 0.0));
+    return surface;
+}
+
+#else
+
+// A ray that passes an edge so near, as a fraction of the lengths that go into it, is followed once more, exactly.
+static const float NEAR_EDGE = 1.0e-6;
+
+// Between the lines of a ray and of an edge. Place: of the ray, as seen from a corner of the edge.
+float ToLine(float3 place, float3 edge, float3 direction)
+{
+    float3 across = cross(edge, direction);
+    return abs(dot(across, place)) * rsqrt(dot(across, across));
+}
+
+// A ray that grazes a plane meets it anywhere, by rounding: where the search met it counts when the plane is so much farther off, as a part of the lengths that went into it.
+static const float GRAZING = 1.0e-3;
+
+// Origin: the hit before; the search began at start, just before it.
+Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction)
+{
+    InstanceRecord place = LoadInstance(found.Instance);
+    Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
+    float3 edge1 = pair.Corner2 - pair.Corner0, edge2 = (found.Second ? pair.Corner3 : pair.Corner1) - pair.Corner0;
+    float3 normal = normalize(cross(edge1, edge2));
+    float3 localOrigin = PointToLocal(place, origin), localDirection = VectorToLocal(place, direction);
+    float3 sceneNormal = NormalFromLocal(place, normal);
+
+    Surface surface;
+    surface.Place = place;
+    surface.LocalNormal = normal;
+    surface.Corner = pair.Corner0;
+    surface.Scale = length(sceneNormal);
+    surface.Normal = sceneNormal / surface.Scale;
+    surface.Distance = ToPlane(localOrigin, localDirection, pair.Corner0, normal);
+    float3 size = abs(origin);
+    float largest = max(size.x, max(size.y, size.z));
+    float searched = found.Distance + dot(start - origin, direction);
+    if (!(abs(surface.Distance - searched) <= GRAZING * (found.Distance + largest)))
+        surface.Distance = searched;
+    float3 hit = localOrigin + surface.Distance * localDirection - pair.Corner0, lever = abs(hit);
+    surface.Lever = max(lever.x, max(lever.y, lever.z)) / surface.Scale;
+    float toEdge = min(ToLine(hit, edge1, localDirection), min(ToLine(hit, edge2, localDirection), ToLine(hit - edge1, edge2 - edge1, localDirection)));
+    surface.IsInDoubt = !(toEdge > NEAR_EDGE * surface.Scale * (found.Distance + largest));
+    return surface;
+}
+
+// Rounding of a hit, as a fraction of the lengths that went into it: 4 float32 steps.
+static const float HIT_ROUNDING = 2.4e-7;
+
+// How often the way back from a hit is doubled, at most: rays that graze a surface go farther back.
+static const uint MOST_DOUBLINGS = 16;
+
+// Where the search after a hit begins: on the ray to it from the start of the last search, as near before it as is surely on the ray's side of the plane.
+// The way there is free, of this triangle and of those that meet it at an edge: a point moved off along the normal may be behind one of them, and lost.
+float3 StartBefore(Surface surface, float3 start, float3 direction, float toHit)
+{
+    float3 place = abs(start + toHit * direction);
+    float clear = HIT_ROUNDING * surface.Lever;
+    float back = max(clear, HIT_ROUNDING * max(max(toHit, place.x), max(place.y, place.z)));
+    bool isBehind = dot(surface.Normal, direction) > 0.0;
+    float3 next = start;
+    [loop]
+    for (uint i = 0; i < MOST_DOUBLINGS; i++)
+    {
+        next = start + max(toHit - back, 0.0) * direction;
+        float height = dot(surface.LocalNormal, PointToLocal(surface.Place, next) - surface.Corner) / surface.Scale;
+        if ((isBehind ? -height : height) >= clear)
+            break;
+        back *= 2.0;
+    }
+    return next;
+}
+
+#endif
+
+#endif
