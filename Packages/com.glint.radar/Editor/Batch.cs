@@ -55,7 +55,9 @@ namespace Glint.Editor
                 using (var folder = OpenFolder(line, subjects.Name))
                 {
                     WarnOfUnfinished(line, folder);
-                    using (var run = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, folder, subjects.Mount, line.Get(Options.Shard), line.Get(Options.Resume), WordsOf(line)))
+                    var setup = subjects.Sweep(plan);
+                    setup.Command = WordsOf(line);
+                    using (var run = new SweepRun(setup, folder, line.Get(Options.Shard), line.Get(Options.Resume)))
                         return Trace(run, subjects, folder, plan, progress);
                 }
             }

@@ -51,6 +51,9 @@ namespace Glint.Editor
             }
         }
 
+        /// <summary>A sweep of these through the poses of a plan.</summary>
+        public SweepSetup Sweep(SweepPlan plan) => new SweepSetup(Radar, plan) { Target = Target, Sea = Sea, Mount = Mount, Scene = Scene };
+
         static SceneSubjects OpenScene(CommandLine line)
         {
             var paths = new ProjectPaths(Path.GetDirectoryName(Application.dataPath));

@@ -53,7 +53,7 @@ sealed class ExperimentRuns(IProgressSink progress)
 
     IReadOnlyList<SweepRow> Trace(string title, SceneSubjects subjects, SweepPlan plan, Sea sea, KeptRays keep)
     {
-        using var run = new SweepRun(subjects.Radar, plan, subjects.Target, sea, subjects.Scene, null);
+        using var run = new SweepRun(new SweepSetup(subjects.Radar, plan) { Target = subjects.Target, Sea = sea, Scene = subjects.Scene });
         var rows = new List<SweepRow>();
         progress.Start(title, run.Count);
         try

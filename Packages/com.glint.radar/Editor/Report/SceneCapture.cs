@@ -40,7 +40,7 @@ namespace Glint.Editor
             progress.Start(subjects.Name, 1);
             try
             {
-                using (var sweep = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, null, subjects.Mount))
+                using (var sweep = new SweepRun(subjects.Sweep(plan)))
                 {
                     var scene = new ReportScene { Number = number, Result = sweep.Step(progress, progress.Cancel).Result, Pose = subjects.Radar.Gather() };
                     subjects.Radar.Release(); // its trees are made once more, below
