@@ -67,15 +67,15 @@ namespace Glint.Editor
         // The command that was given; a Sweep component's run has none, and is of the scene as it stands.
         static CommandLine LineOf(StoredRun run)
         {
-            if (run.Command != null)
-                return CommandLine.Parse(run.Command.FirstOrDefault() == Commands.Run.Name ? Commands.Run : Commands.Sweep, run.Command.Skip(1).ToArray());
-            if (run.ScenePath == null)
+            if (run.Info.Command != null)
+                return CommandLine.Parse(run.Info.Command.FirstOrDefault() == Commands.Run.Name ? Commands.Run : Commands.Sweep, run.Info.Command.Skip(1).ToArray());
+            if (run.Info.ScenePath == null)
                 throw new GlintException("the results name no scene");
-            var words = new List<string> { "--", run.ScenePath };
+            var words = new List<string> { "--", run.Info.ScenePath };
             if (run.Count > 0 && run.Value(0, SweepAxis.Snapshot) != null)
                 words.Insert(0, $"{Options.Snapshots.Flag}=1");
-            if (run.TargetName != null)
-                words.InsertRange(0, new[] { $"{Options.Target.Flag}={run.TargetName}", $"{Options.Angles.Flag}=0" });
+            if (run.Info.TargetName != null)
+                words.InsertRange(0, new[] { $"{Options.Target.Flag}={run.Info.TargetName}", $"{Options.Angles.Flag}=0" });
             return CommandLine.Parse(words.Count > 2 ? Commands.Sweep : Commands.Run, words);
         }
 
