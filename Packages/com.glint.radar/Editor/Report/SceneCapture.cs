@@ -31,11 +31,11 @@ namespace Glint.Editor
 
         /// <summary>What a report shows of a pose.</summary>
         /// <param name="number">Of the pose, from 0.</param>
-        /// <exception cref="GlintException">The scene or mesh file is not there any more, or cannot be traced.</exception>
+        /// <param name="subjects">What the run was traced from.</param>
+        /// <exception cref="GlintException">It cannot be traced.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
-        public static ReportScene Of(StoredRun run, int number, IProgressSink progress)
+        public static ReportScene Of(StoredRun run, int number, SceneSubjects subjects, IProgressSink progress)
         {
-            var subjects = SceneSubjects.Open(LineOf(run));
             var plan = new SweepPlan(SweepAxis.All.Select(axis => (axis, Only(axis == SweepAxis.Angle && subjects.Target == null ? null : run.Value(number, axis)))).ToArray());
             progress.Start(subjects.Name, 1);
             try
@@ -63,6 +63,10 @@ namespace Glint.Editor
         }
 
         static IReadOnlyList<double> Only(double? value) => value.HasValue ? new[] { value.Value } : null;
+
+        /// <summary>Opens what a run was traced from.</summary>
+        /// <exception cref="GlintException">The scene or mesh file is not there any more.</exception>
+        public static SceneSubjects Open(StoredRun run) => SceneSubjects.Open(LineOf(run));
 
         // The command that was given; a Sweep component's run has none, and is of the scene as it stands.
         static CommandLine LineOf(StoredRun run)
