@@ -81,6 +81,7 @@ namespace Glint.Editor
             {
                 RequireRadar();
                 Batch.PlanOf(Line());
+                _ = FolderPath;
                 return null;
             }
             catch (GlintException problem)
@@ -90,10 +91,37 @@ namespace Glint.Editor
         }
 
         /// <summary>Where the results go.</summary>
-        public string FolderPath => string.IsNullOrWhiteSpace(Folder) ? RunDescription.DefaultFolder(Name) : RunDescription.InProject(Folder.Trim());
+        /// <exception cref="GlintException">The text is no path.</exception>
+        public string FolderPath
+        {
+            get
+            {
+                try
+                {
+                    return string.IsNullOrWhiteSpace(Folder) ? RunDescription.DefaultFolder(Name) : RunDescription.InProject(Folder.Trim());
+                }
+                catch (ArgumentException error)
+                {
+                    throw new GlintException($"results folder {Values.Shown(Folder)}: {error.Message.TrimEnd('.')}: name another", error);
+                }
+            }
+        }
 
-        /// <summary>Whether a sweep that is not finished is there, which a new one replaces.</summary>
-        public bool IsUnfinished => File.Exists(Path.Combine(FolderPath, ResultsFolder.PartialName));
+        /// <summary>The folder, and whether a sweep that is not finished is in it; or what is wrong with it.</summary>
+        /// <param name="isRunning">Whether the sweep in it is this one, at work.</param>
+        public string FolderWords(bool isRunning)
+        {
+            try
+            {
+                return !isRunning && File.Exists(Path.Combine(FolderPath, ResultsFolder.PartialName))
+                    ? $"{FolderPath} holds a sweep that is not finished: Resume goes on with it, otherwise the first row replaces it."
+                    : FolderPath;
+            }
+            catch (GlintException problem)
+            {
+                return problem.Message;
+            }
+        }
 
         /// <summary>Name of the radar's scene.</summary>
         public string Name => Radar == null || string.IsNullOrEmpty(ScenePath) ? "Untitled" : Path.GetFileNameWithoutExtension(ScenePath);

@@ -61,8 +61,10 @@ namespace Glint.Editor
         /// <exception cref="GlintException">It cannot begin; the message says why. Everything is as it was.</exception>
         public static SweepSession Sweep(SweepForm form)
         {
-            string folder = form.FolderPath;
-            return new SweepSession(form.Setup(), folder, form.Resume);
+            foreach (var other in UnityEngine.Object.FindObjectsByType<Glint.Sweep>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
+                if (other.IsRunning)
+                    throw new GlintException($"the Sweep of '{other.name}' is sweeping this scene: wait for its end, or disable it");
+            return new SweepSession(form.Setup(), form.FolderPath, form.Resume);
         }
 
         /// <summary>The pose as it stands, without files.</summary>

@@ -29,9 +29,7 @@ public sealed class SweepSessionTests
         EditorSceneManager.OpenScene(Corner, OpenSceneMode.Single);
         _form = new SweepForm { Target = GameObject.Find("Corner Reflector").transform, Angles = "0:30:10", Folder = Path.Combine(_folder, "session") };
         _form.FindRadar();
-        var settings = _form.Radar.Settings;
-        (settings.RaysAcross, settings.RaysDown) = (96, 54);
-        _form.Radar.Settings = settings;
+        SetSize();
         _rotation = _form.Target.localRotation;
     }
 
@@ -169,7 +167,7 @@ public sealed class SweepSessionTests
         session.Tick();
         session.Tick();
         session.Cancel();
-        Assert.That(_form.IsUnfinished);
+        Assert.That((_form.FolderWords(false), _form.FolderWords(true)), Is.EqualTo((_form.FolderPath + " holds a sweep that is not finished: Resume goes on with it, otherwise the first row replaces it.", _form.FolderPath)));
         _form.Resume = true;
         using (var resumed = SweepSession.Sweep(_form))
         {
@@ -178,7 +176,7 @@ public sealed class SweepSessionTests
                 resumed.Tick();
             Assert.That((resumed.Problem, resumed.Rows.Count), Is.EqualTo(((string)null, 4)));
         }
-        Assert.That(_form.IsUnfinished, Is.False);
+        Assert.That(_form.FolderWords(false), Is.EqualTo(_form.FolderPath));
         string whole = Timeless.Csv(_form.FolderPath);
         using (var again = SweepSession.Sweep(_form))
             Assert.That((again.IsRunning, again.Rows.Count, again.Problem), Is.EqualTo((false, 4, (string)null)), "complete already");
@@ -200,15 +198,13 @@ public sealed class SweepSessionTests
     [Test]
     public void Session_InPlayMode_SweepsAsInEditMode()
     {
-        string edit = Path.Combine(_folder, "edit");
-        _form.Folder = edit;
         var rows = Run(_form);
         Engine.EnterPlayMode();
         try
         {
-            SceneManager.LoadScene(Corner);
-            Engine.Step();
-            OpenSceneInPlay();
+            FillAgain();
+            foreach (var sweep in Object.FindObjectsByType<Sweep>(FindObjectsInactive.Include, FindObjectsSortMode.None))
+                Object.DestroyImmediate(sweep);
             Assert.That(Run(_form).Select(row => row.Amplitude), Is.EqualTo(rows.Select(row => row.Amplitude)));
         }
         finally
@@ -217,12 +213,33 @@ public sealed class SweepSessionTests
         }
     }
 
-    void OpenSceneInPlay()
+    [Test]
+    public void Session_WhileASweepComponentIsAtWork_IsRefused()
     {
-        _form = new SweepForm { Target = GameObject.Find("Corner Reflector").transform, Angles = "0:30:10", Folder = Path.Combine(_folder, "play") };
+        Engine.EnterPlayMode();
+        try
+        {
+            FillAgain();
+            Object.FindFirstObjectByType<Sweep>().OutputFolder = Path.Combine(_folder, "component");
+            Engine.Step();
+            Assert.That(() => SweepSession.Sweep(_form), Throws.TypeOf<GlintException>().With.Message.Contains("'Sweep' is sweeping this scene"));
+        }
+        finally
+        {
+            Engine.ExitPlayMode();
+        }
+    }
+
+    // Play mode has made the scene anew, and nothing of it has begun yet.
+    void FillAgain()
+    {
+        (_form.Target, _form.Radar) = (GameObject.Find("Corner Reflector").transform, null);
         _form.FindRadar();
-        foreach (var sweep in Object.FindObjectsByType<Sweep>(FindObjectsInactive.Include, FindObjectsSortMode.None))
-            Object.DestroyImmediate(sweep);
+        SetSize();
+    }
+
+    void SetSize()
+    {
         var settings = _form.Radar.Settings;
         (settings.RaysAcross, settings.RaysDown) = (96, 54);
         _form.Radar.Settings = settings;
