@@ -45,7 +45,7 @@ public sealed class SweepSessionTests
     public void Session_OfAScene_WritesTheFilesOfTheCommand()
     {
         (_form.GrazingAngles, _form.Frequencies) = ("5,10", "9e9:10e9:1e9");
-        _form.Radar.Trace(); // what was traced before does not show
+        MoveAPart();
         var rows = Run(_form);
         Assert.That(rows.Count, Is.EqualTo(16));
         Assert.That(Batch.Execute(CommandLine.Parse(Commands.Sweep, new[]
@@ -56,6 +56,26 @@ public sealed class SweepSessionTests
         // The words of the command aside: of the session they name no size.
         Assert.That(WithoutCommand(_form.FolderPath), Is.EqualTo(WithoutCommand(Path.Combine(_folder, "command"))));
         Assert.That(StoredRun.Read(_form.FolderPath).Info.Command, Is.EqualTo(new[] { "sweep", "--angles=0:30:10", "--grazing=5,10", "--frequency=9e9:10e9:1e9", "--target=Corner Reflector", "--", Corner }));
+    }
+
+    // A scene is divided by what was seen to move: what was swept or traced before must not show in the results.
+    void MoveAPart()
+    {
+        var part = GameObject.Find("Plate X").transform;
+        Run(new SweepForm { Radar = _form.Radar, Target = part, Angles = "0,5", Folder = Path.Combine(_folder, "part") });
+        var place = part.localPosition;
+        _form.Radar.Trace();
+        part.localPosition += Vector3.up;
+        _form.Radar.Trace();
+        part.localPosition = place;
+    }
+
+    [Test]
+    public void Sea_ThatCannotBeShown_IsRefused()
+    {
+        var sea = new GameObject("Sea").AddComponent<Sea>();
+        sea.Extent = Vector2.zero;
+        Assert.That(() => SweepSession.Pose(_form.Radar), Throws.TypeOf<GlintException>().With.Message.Contains("Sea of 'Sea': its extent"));
     }
 
     [Test]
