@@ -145,8 +145,10 @@ namespace Glint.Editor.Views
         void SaveReport()
         {
             string path = EditorUtility.SaveFilePanel("Export", _shown, ReportFile.Name, "html");
-            if (path.Length > 0 && _session?.IsRunning != true)
-                Attempt(() => Export.Report(_shown, _choice.Row(_rows), _form, path, new LogProgress()));
+            if (path.Length == 0 || _session?.IsRunning == true)
+                return;
+            using (var progress = new DialogProgress())
+                Attempt(() => Export.Report(_shown, _choice.Row(_rows), _form, path, progress));
         }
 
         // When the menu is closed again, and is no part of the picture.
