@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Glint.Tests
 {
-    /// <summary>A table of Tests/PlayMode/Data by angle: amplitude, rays received, rays hit.</summary>
+    /// <summary>A table of the package (Editor/Published) by angle: amplitude, rays received, rays hit.</summary>
     sealed class ReferenceTable
     {
         readonly double[][] _rows;
@@ -13,7 +13,7 @@ namespace Glint.Tests
 
         public static ReferenceTable Load(string name)
         {
-            string text = PlayAsset.ReadText($"Packages/com.glint.tests/PlayMode/Data/{name}.csv");
+            string text = PlayAsset.ReadText($"Packages/com.glint.radar/Editor/Published/{name}.csv");
             var lines = text.Split(new[] { '\n', '\r' }, StringSplitOptions.RemoveEmptyEntries);
             return new ReferenceTable(lines.Skip(1).Select(line => line.Split(',').Select(cell => double.Parse(cell, CultureInfo.InvariantCulture)).ToArray()).ToArray());
         }

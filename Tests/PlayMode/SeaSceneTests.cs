@@ -32,7 +32,7 @@ namespace Glint.Tests
             var sea = Object.FindFirstObjectByType<Sea>();
             var plan = new SweepPlan(null, Enumerable.Range(1, 10).ToArray());
             var results = new List<RadarResult>();
-            using (var run = new SweepRun(radar, plan, null, sea, "Scene", null))
+            using (var run = new SweepRun(new SweepSetup(radar, plan) { Sea = sea }))
                 while (!run.IsComplete)
                     results.Add(run.Step().Result);
             foreach (var result in results)

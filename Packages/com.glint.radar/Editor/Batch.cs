@@ -55,7 +55,9 @@ namespace Glint.Editor
                 using (var folder = OpenFolder(line, subjects.Name))
                 {
                     WarnOfUnfinished(line, folder);
-                    using (var run = new SweepRun(subjects.Radar, plan, subjects.Target, subjects.Sea, subjects.Scene, folder, subjects.Mount, line.Get(Options.Shard), line.Get(Options.Resume), WordsOf(line)))
+                    var setup = subjects.Sweep(plan);
+                    setup.Command = WordsOf(line);
+                    using (var run = new SweepRun(setup, folder, line.Get(Options.Shard), line.Get(Options.Resume)))
                         return Trace(run, subjects, folder, plan, progress);
                 }
             }
@@ -65,8 +67,8 @@ namespace Glint.Editor
             }
         }
 
-        // What was traced: not where the files go, which part of it, or on what device.
-        static string[] WordsOf(CommandLine line) =>
+        /// <summary>What was traced: not where the files go, which part of it, or on what device.</summary>
+        internal static string[] WordsOf(CommandLine line) =>
             line.Words.Where(word => new Option[] { Options.Out, Options.Shard, Options.Resume, Options.Device }.All(aside => word.Split('=')[0] != aside.Flag)).ToArray();
 
         static int MergeParts(CommandLine line, IProgressSink progress)
@@ -76,7 +78,8 @@ namespace Glint.Editor
             return Done;
         }
 
-        static SweepPlan PlanOf(CommandLine line)
+        /// <summary>The poses of a sweep; of other commands the one.</summary>
+        internal static SweepPlan PlanOf(CommandLine line)
         {
             if (line.Command != Commands.Sweep)
                 return SweepPlan.Single;

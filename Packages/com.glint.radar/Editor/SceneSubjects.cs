@@ -51,6 +51,24 @@ namespace Glint.Editor
             }
         }
 
+        /// <summary>A sweep of these through the poses of a plan.</summary>
+        public SweepSetup Sweep(SweepPlan plan) => new SweepSetup(Radar, plan) { Target = Target, Sea = Sea, Mount = Mount, Scene = Scene };
+
+        /// <summary>What stands in the open scene.</summary>
+        public static SceneSubjects InOpenScene(RadarController radar, Transform target, Sea sea)
+        {
+            string scene = radar.gameObject.scene.path;
+            return new SceneSubjects(Path.GetFileNameWithoutExtension(scene), scene, radar, target, sea);
+        }
+
+        /// <summary>Lays the seas of the open scenes. One that could not be shown only said so in the log: without it nothing would be traced aright.</summary>
+        /// <exception cref="GlintException">A sea cannot be shown.</exception>
+        public static void LaySeas()
+        {
+            foreach (var laid in Object.FindObjectsByType<Sea>(FindObjectsInactive.Exclude, FindObjectsSortMode.None).Where(sea => sea.isActiveAndEnabled))
+                laid.Lay();
+        }
+
         static SceneSubjects OpenScene(CommandLine line)
         {
             var paths = new ProjectPaths(Path.GetDirectoryName(Application.dataPath));
@@ -59,10 +77,7 @@ namespace Glint.Editor
                 throw new GlintException($"{line.Input}: there is no such scene; it was looked for at {string.Join(" and ", readings)}");
             string scene = paths.ToAssetPath(line.Input, Directory.GetCurrentDirectory());
             EditorSceneManager.OpenScene(scene, OpenSceneMode.Single);
-            // One that could not be shown only said so in the log: without it nothing would be traced aright.
-            foreach (var laid in Object.FindObjectsByType<Sea>(FindObjectsInactive.Exclude, FindObjectsSortMode.None).Where(sea => sea.isActiveAndEnabled))
-                laid.Lay();
-
+            LaySeas();
             var radar = SceneSearch.FindRadar(line.Input);
             if (line.IsGiven(Options.Size) && radar.IsFitted)
                 throw new GlintException($"{line.Input}: its radar fits its aperture to the scene by Ray Spacing, so {Options.Size.Flag} means nothing: leave it out, or clear Fit Aperture of '{radar.name}'");
@@ -151,6 +166,7 @@ namespace Glint.Editor
             return components.Length > shown ? $"{names} and {components.Length - shown} more" : names;
         }
 
-        static string PathOf(Transform transform) => transform.parent == null ? transform.name : $"{PathOf(transform.parent)}/{transform.name}";
+        /// <summary>From the root, as --target takes it: Fleet/Ship.</summary>
+        public static string PathOf(Transform transform) => transform.parent == null ? transform.name : $"{PathOf(transform.parent)}/{transform.name}";
     }
 }

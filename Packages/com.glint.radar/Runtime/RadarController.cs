@@ -223,6 +223,9 @@ namespace Glint
             return pose;
         }
 
+        /// <summary>What is known of the scene.</summary>
+        internal SceneGatherer Gatherer => _gatherer;
+
         /// <summary>Objects with a mesh that <see cref="Gather"/> last found.</summary>
         internal int ObjectCount => _gatherer.ObjectCount;
 

@@ -16,14 +16,15 @@ namespace Glint
         /// <summary>A path relative to the folder that holds Assets; an absolute path stays.</summary>
         public static string InProject(string path) => Path.Combine(Path.GetDirectoryName(Application.dataPath), path);
 
-        public static RunInfo Of(RadarController radar, string scene, Transform target)
+        public static RunInfo Of(SweepSetup setup)
         {
-            var pose = radar.Gather();
+            var pose = setup.Radar.Gather();
             var info = new RunInfo
             {
-                ScenePath = scene,
-                TargetName = target == null ? null : target.name,
-                Objects = radar.ObjectCount,
+                ScenePath = setup.Scene,
+                Command = setup.Command,
+                TargetName = setup.Target == null ? null : setup.Target.name,
+                Objects = setup.Radar.ObjectCount,
                 Triangles = pose.Scene.TriangleCount,
                 DeviceName = SystemInfo.graphicsDeviceName,
                 GraphicsApi = SystemInfo.graphicsDeviceVersion,
@@ -32,7 +33,7 @@ namespace Glint
                 Host = RuntimeInformation.FrameworkDescription,
                 OperatingSystem = SystemInfo.operatingSystem,
             };
-            AddPicture(info, pose.Settings, pose.View, radar.IsFitted);
+            AddPicture(info, pose.Settings, pose.View, setup.Radar.IsFitted);
             info.Settings.Add(new RunSetting("receiver_width", pose.View.ReceiverSize.x, "m"));
             info.Settings.Add(new RunSetting("receiver_height", pose.View.ReceiverSize.y, "m"));
             Add(info, "radar", pose.Scene.Origin + pose.View.Position, "m");
@@ -45,17 +46,16 @@ namespace Glint
         }
 
         /// <summary>What makes a sweep the one it is, as it stands in its first pose.</summary>
-        /// <param name="sea">Whose snapshots the plan shows; null when it shows none.</param>
-        public static SweepIdentity IdentityOf(RadarController radar, string scene, Transform target, Sea sea, SweepPlan plan)
+        public static SweepIdentity IdentityOf(SweepSetup setup)
         {
-            var info = Of(radar, scene, target);
+            var info = Of(setup);
             var identity = new SweepIdentity();
             foreach (var axis in SweepAxis.All)
-                if (plan.Has(axis))
-                    identity.Add(axis.Column, string.Join(",", plan.Values(axis).Select(Numbers.Format)));
+                if (setup.Plan.Has(axis))
+                    identity.Add(axis.Column, string.Join(",", setup.Plan.Values(axis).Select(Numbers.Format)));
             identity.Add("scene", info.ScenePath);
             identity.Add("target", info.TargetName);
-            identity.Add("content", ContentOf(radar, sea, plan));
+            identity.Add("content", ContentOf(setup));
             foreach (var setting in info.Settings)
                 identity.Add(setting.Name, setting.Unit == null ? setting.Text : $"{Numbers.Format(setting.Number)} {setting.Unit}");
             identity.Add("device", info.DeviceName);
@@ -66,14 +66,14 @@ namespace Glint
         }
 
         // The scene of the first pose, and the snapshots that come after it.
-        static string ContentOf(RadarController radar, Sea sea, SweepPlan plan)
+        static string ContentOf(SweepSetup setup)
         {
             using (var hash = new SceneHash())
             {
-                hash.Add(radar.Gather().Scene);
-                foreach (double snapshot in plan.Values(SweepAxis.Snapshot)?.Distinct() ?? Enumerable.Empty<double>())
+                hash.Add(setup.Radar.Gather().Scene);
+                foreach (double snapshot in setup.Plan.Values(SweepAxis.Snapshot)?.Distinct() ?? Enumerable.Empty<double>())
                 {
-                    var tile = sea.Snapshots[(int)snapshot - 1].Tile;
+                    var tile = setup.Sea.Snapshots[(int)snapshot - 1].Tile;
                     if (!tile.isReadable) // refused, by name, when it is traced
                         continue;
                     hash.Add(tile.vertices);

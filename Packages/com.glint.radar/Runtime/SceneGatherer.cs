@@ -42,7 +42,11 @@ namespace Glint
         public IReadOnlyList<string> Warnings => _warnings;
 
         /// <summary>Counts a transform as moving before it has moved, so that its first motion costs nothing.</summary>
-        public void ExpectMotion(Transform transform) => _transforms.ExpectMotion(transform);
+        /// <returns>False when it was so already.</returns>
+        public bool ExpectMotion(Transform transform) => _transforms.ExpectMotion(transform);
+
+        /// <summary>Takes <see cref="ExpectMotion"/> back. What has moved is known to move until <see cref="Forget"/>.</summary>
+        public void ExpectNoMotion(Transform transform) => _transforms.ExpectNoMotion(transform);
 
         /// <summary>The triangles of a scene.</summary>
         /// <param name="layers">Layers to trace.</param>

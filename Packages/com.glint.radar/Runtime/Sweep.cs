@@ -69,7 +69,7 @@ namespace Glint
             var sea = hasSnapshots ? SceneSearch.FindSea($"scene of Sweep '{name}'") : null;
             string scene = gameObject.scene.name;
             var folder = ResultsFolder.Open(string.IsNullOrEmpty(_outputFolder) ? RunDescription.DefaultFolder(scene) : RunDescription.InProject(_outputFolder));
-            _run = new SweepRun(_radar, plan, _target, sea, gameObject.scene.path, folder);
+            _run = new SweepRun(new SweepSetup(_radar, plan) { Target = _target, Sea = sea, Scene = gameObject.scene.path }, folder);
             _progress.Start(scene, plan.Count);
         }
 

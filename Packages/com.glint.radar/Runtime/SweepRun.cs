@@ -1,9 +1,7 @@
 using System;
-using System.Collections.Generic;
 using System.Diagnostics;
 using System.Threading;
 using Glint.Core;
-using UnityEngine;
 
 namespace Glint
 {
@@ -13,47 +11,34 @@ namespace Glint
     /// </summary>
     public sealed class SweepRun : IDisposable
     {
-        readonly RadarController _radar;
-        readonly Transform _target;
-        readonly SweepPlan _plan;
+        readonly SweepSetup _setup;
         readonly AxisMotions _motions;
-        readonly string _scene;
         readonly int _first;
-        readonly IReadOnlyList<string> _command;
         readonly ResultsFolder _folder;
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
         SweepIdentity _identity;
 
-        /// <param name="radar">Traces the poses.</param>
-        /// <param name="plan">The poses.</param>
-        /// <param name="target">What is turned, from its rotation now, or what the radar is moved about; may be null when the plan does neither.</param>
-        /// <param name="sea">Whose snapshots are shown; may be null when the plan has none.</param>
-        /// <param name="scene">Path of the scene or mesh file, for results.json.</param>
+        /// <param name="setup">What the sweep is of; not to be changed while it runs.</param>
         /// <param name="folder">Takes the rows; null to write nothing.</param>
-        /// <param name="mount">Moves the radar; null: about the target, as RadarMount.About says.</param>
         /// <param name="shard">The part to do; null: all of it.</param>
         /// <param name="resume">Goes on where the same sweep was ended in the folder.</param>
-        /// <param name="command">The command line that asks for it, for results.json; null when none does.</param>
         /// <exception cref="GlintException">An axis has nothing that it could move, or not so: the sea has no such snapshot, the radar cannot be moved about the target. Or another sweep is in the folder.</exception>
-        public SweepRun(RadarController radar, SweepPlan plan, Transform target, Sea sea, string scene, ResultsFolder folder, RadarMount mount = null, SweepShard? shard = null, bool resume = false, IReadOnlyList<string> command = null)
+        public SweepRun(SweepSetup setup, ResultsFolder folder = null, SweepShard? shard = null, bool resume = false)
         {
-            _radar = radar;
-            _plan = plan;
-            _target = target;
-            _scene = scene;
+            _setup = setup;
             _folder = folder;
-            _command = command;
-            _first = shard?.First(plan.Count) ?? 0;
-            Count = (shard?.End(plan.Count) ?? plan.Count) - _first;
-            _motions = new AxisMotions(plan, radar, target, sea, mount);
-            if (plan == SweepPlan.Single)
+            int poses = setup.Plan.Count;
+            _first = shard?.First(poses) ?? 0;
+            Count = (shard?.End(poses) ?? poses) - _first;
+            _motions = new AxisMotions(setup);
+            if (setup.Plan == SweepPlan.Single)
                 return;
             try
             {
                 Rehearse();
                 if (folder != null)
-                    Begin(RunDescription.IdentityOf(radar, scene, target, sea, plan), shard, resume);
+                    Begin(RunDescription.IdentityOf(setup), shard, resume);
             }
             catch
             {
@@ -79,9 +64,9 @@ namespace Glint
         /// <exception cref="OperationCanceledException">The pose was cancelled; the rows before are kept, and the next step traces it again.</exception>
         public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default, KeptRays keep = KeptRays.None)
         {
-            var pose = _plan[_first + Done];
+            var pose = _setup.Plan[_first + Done];
             _motions.Show(pose);
-            var row = new SweepRow(pose, _radar.Trace(keep, progress, cancel));
+            var row = new SweepRow(pose, _setup.Radar.Trace(keep, progress, cancel));
             _folder?.Append(row);
             Done++;
             if (IsComplete)
@@ -111,23 +96,22 @@ namespace Glint
         {
             Gather(0);
             foreach (var axis in SweepAxis.All)
-                if (_plan.FirstChange(axis) is var pose && pose > 0)
+                if (_setup.Plan.FirstChange(axis) is var pose && pose > 0)
                     Gather(pose);
             Gather(0);
         }
 
         void Gather(int pose)
         {
-            _motions.Show(_plan[pose]);
-            _radar.Gather();
+            _motions.Show(_setup.Plan[pose]);
+            _setup.Radar.Gather();
         }
 
         void WriteJson()
         {
             if (_folder == null)
                 return;
-            var info = RunDescription.Of(_radar, _scene, _target);
-            info.Command = _command;
+            var info = RunDescription.Of(_setup);
             info.Sweep = _identity;
             info.StartedUtc = _folder.StartedUtc ?? _startedUtc;
             info.ElapsedMs = (_startedUtc - info.StartedUtc).TotalMilliseconds + _watch.Elapsed.TotalMilliseconds;

@@ -104,7 +104,7 @@ namespace Glint.Tests
                 var second = tracer.Trace(s_settings, s_view, KeptRays.None).Work;
                 Assert.That(second.TreesBuilt, Is.Zero);
                 Assert.That(second.TrianglesBuilt, Is.Zero);
-                Assert.That(second.RaysFollowedExactly, Is.InRange(1, 1e-3 * s_settings.RayCount), "rays that may be received or pass an edge");
+                Assert.That(second.RaysFollowedExactly, Is.InRange(1, 5e-3 * s_settings.RayCount), "rays that may be received or pass an edge");
                 // A software device finds the starts of the tiles first. Rays that may be received are followed once more, and smaller ones around these.
                 Assert.That(second.Dispatches, Is.EqualTo(asSoftware ? 4 : 3));
                 Assert.That(second.BytesReadBack, Is.EqualTo(3 * SumBytes + 8 * second.RaysFollowedExactly));

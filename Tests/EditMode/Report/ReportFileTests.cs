@@ -61,23 +61,35 @@ namespace Glint.Tests
             Assert.That(run.Amplitude(1), Is.EqualTo(10));
             Assert.That(run.Value(2, SweepAxis.Angle), Is.EqualTo(2));
             Assert.That(run.Value(0, SweepAxis.Snapshot), Is.Null);
-            Assert.That(run.Command, Is.EqualTo(info.Command));
-            Assert.That(run.ScenePath, Is.EqualTo(info.ScenePath));
+            Assert.That(run.Info.Command, Is.EqualTo(info.Command));
+            Assert.That(run.Info.ScenePath, Is.EqualTo(info.ScenePath));
         }
 
         [TestCase("{\"versions\"", "is damaged")]
         [TestCase("", "is damaged")]
         [TestCase("[]", "is damaged")]
-        [TestCase("{}", "is not what")]
-        [TestCase("{\"versions\":{\"glint\":\"1\"},\"settings\":{},\"rows\":[{\"angle_deg\":\"x\",\"amplitude\":1,\"rays_received\":1}]}", "is not what")]
-        [TestCase("{\"versions\":{\"glint\":\"1\"},\"settings\":{},\"rows\":[{\"angle_deg\":0,\"amplitude\":NaN,\"rays_received\":1}]}", "not finite")]
-        [TestCase("{\"versions\":7,\"settings\":{},\"rows\":[]}", "is not what")]
+        [TestCase("{}", "it has no started_utc")]
+        [TestCase("{\"started_utc\":\"2025-03-04T15:06:07Z\",\"elapsed_ms\":NaN}", "not finite")]
         public void Run_OfADamagedFile_IsRefusedByNameInOneLine(string json, string words)
         {
             Directory.CreateDirectory(_path);
             File.WriteAllText(Path.Combine(_path, "results.json"), json);
             var problem = Assert.Throws<GlintException>(() => StoredRun.Read(_path));
             Assert.That(problem.Message, Does.Contain(Path.Combine(_path, "results.json")).And.Contain(words).And.Not.Contain("\n"));
+        }
+
+        [TestCase("\"angle_deg\": 0", "\"angle_deg\": \"x\"", "angle_deg of a row is no number")]
+        [TestCase("\"amplitude\": 5", "\"amplitude\": null", "amplitude of a row is no number")]
+        [TestCase("\"amplitude\": 5", "\"amplitude\": Infinity", "not finite")]
+        [TestCase("\"phase_histogram\": [0,", "\"phase_histogram\": [NaN,", "not finite")]
+        [TestCase("\"versions\": {", "\"versions\": 7, \"others\": {", "it has no glint")]
+        public void Run_OfADamagedRow_IsRefusedByName(string before, string after, string words)
+        {
+            Write(SampleRun.Info());
+            string path = Path.Combine(_path, "results.json"), text = File.ReadAllText(path);
+            Assert.That(text, Does.Contain(before));
+            File.WriteAllText(path, text.Replace(before, after));
+            Assert.That(() => StoredRun.Read(_path), Throws.TypeOf<GlintException>().With.Message.Contain(path).And.Message.Contain(words));
         }
 
         [Test]

@@ -43,7 +43,7 @@ namespace Glint.Tests
         [Test]
         public void Step_PosesAfterTheFirst_BuildNoTreeAndUploadNoTriangles()
         {
-            using (var run = new SweepRun(_radar, new SweepPlan(new double[] { 0, 3, 40 }), _target.transform, null, "Scene", null))
+            using (var run = Sweep(new SweepPlan(new double[] { 0, 3, 40 })))
             {
                 var first = run.Step().Result;
                 Assert.That(first.Work.TreesBuilt, Is.GreaterThan(0));
@@ -62,7 +62,7 @@ namespace Glint.Tests
         public void Step_WhateverTheRadarKeeps_CarriesNoRays()
         {
             _radar.KeptRays = KeptRays.All;
-            using (var run = new SweepRun(_radar, SweepPlan.Single, null, null, "Scene", null))
+            using (var run = new SweepRun(new SweepSetup(_radar, SweepPlan.Single)))
                 Assert.That(run.Step().Result.Rays, Is.Empty);
             Assert.That(_radar.Trace().Rays.Length, Is.EqualTo(160 * 90), "when asked");
             Assert.That(_radar.Trace(KeptRays.None).Rays, Is.Empty);
@@ -75,7 +75,7 @@ namespace Glint.Tests
             using (var cancel = new CancellationTokenSource())
             {
                 var folder = ResultsFolder.Open(temporary.PathOf("sweep"));
-                using (var run = new SweepRun(_radar, new SweepPlan(new double[] { 0, 10 }), _target.transform, null, "Scene", folder))
+                using (var run = Sweep(new SweepPlan(new double[] { 0, 10 }), folder))
                 {
                     run.Step();
                     var before = _radar.Result;
@@ -98,17 +98,17 @@ namespace Glint.Tests
             using (var temporary = new TemporaryFolder())
             {
                 var plan = new SweepPlan(new double[] { 0, 10, 20, 30 });
-                using (var run = new SweepRun(_radar, plan, _target.transform, null, "Scene", ResultsFolder.Open(temporary.PathOf("whole"))))
+                using (var run = Sweep(plan, ResultsFolder.Open(temporary.PathOf("whole"))))
                     while (!run.IsComplete)
                         run.Step();
-                using (var run = new SweepRun(_radar, plan, _target.transform, null, "Scene", ResultsFolder.Open(temporary.PathOf("sweep"))))
+                using (var run = Sweep(plan, ResultsFolder.Open(temporary.PathOf("sweep"))))
                 {
                     run.Step();
                     run.Step();
                     Assert.Throws<NotSupportedException>(() => run.Step(new Disappearance()));
                 }
                 Assert.That(_target.transform.rotation, Is.EqualTo(Quaternion.identity), "put back");
-                using (var run = new SweepRun(_radar, plan, _target.transform, null, "Scene", ResultsFolder.Open(temporary.PathOf("sweep")), resume: true))
+                using (var run = Sweep(plan, ResultsFolder.Open(temporary.PathOf("sweep")), true))
                 {
                     Assert.That(run.Done, Is.EqualTo(2));
                     run.Step();
@@ -179,7 +179,7 @@ namespace Glint.Tests
                 }
                 sea.Snapshot = 2;
                 var counts = new List<(int?, long)>();
-                using (var run = new SweepRun(_radar, new SweepPlan(null, new[] { 3, 1 }), null, sea, "Scene", null))
+                using (var run = new SweepRun(new SweepSetup(_radar, new SweepPlan(null, new[] { 3, 1 })) { Sea = sea }))
                     while (!run.IsComplete)
                     {
                         var row = run.Step();
@@ -188,7 +188,7 @@ namespace Glint.Tests
                 long others = counts[1].Item2 - 1;
                 Assert.That(counts, Is.EqualTo(new (int?, long)[] { (3, others + 3), (1, others + 1) }));
                 Assert.That(sea.Snapshot, Is.EqualTo(2));
-                Assert.Throws<GlintException>(() => new SweepRun(_radar, new SweepPlan(null, new[] { 1, 4 }), null, sea, "Scene", null), "before any pose");
+                Assert.Throws<GlintException>(() => new SweepRun(new SweepSetup(_radar, new SweepPlan(null, new[] { 1, 4 })) { Sea = sea }), "before any pose");
             }
             finally
             {
@@ -210,7 +210,7 @@ namespace Glint.Tests
                 var aim = _camera.transform.TransformPoint(new Vector3(0, 0, 20));
                 var (place, rotation) = (_camera.transform.localPosition, _camera.transform.localRotation);
                 var plan = new SweepPlan((SweepAxis.Grazing, new double[] { 10, -30, 80 }), (SweepAxis.Range, new double[] { 20, 4000 }));
-                using (var run = new SweepRun(_radar, plan, _target.transform, null, "Scene", null))
+                using (var run = Sweep(plan))
                     while (!run.IsComplete)
                     {
                         var pose = run.Step().Pose;
@@ -236,7 +236,7 @@ namespace Glint.Tests
         {
             var rotation = Quaternion.Euler(1, 2, 3);
             _camera.transform.rotation = rotation;
-            using (var run = new SweepRun(_radar, new SweepPlan((SweepAxis.Range, new double[] { 7, 70 })), _target.transform, null, "Scene", null))
+            using (var run = Sweep(new SweepPlan((SweepAxis.Range, new double[] { 7, 70 }))))
                 while (!run.IsComplete)
                 {
                     run.Step();
@@ -256,7 +256,7 @@ namespace Glint.Tests
             Assert.That(alone[0], Is.Not.EqualTo(alone[1]));
             SetFrequency(3e9);
             var swept = new List<(double, double)>();
-            using (var run = new SweepRun(_radar, new SweepPlan((SweepAxis.Frequency, new[] { 9e9, 9.5e9 })), null, null, "Scene", null))
+            using (var run = Sweep(new SweepPlan((SweepAxis.Frequency, new[] { 9e9, 9.5e9 }))))
                 while (!run.IsComplete)
                     swept.Add((run.Step().Result.InPhase, _radar.Result.Quadrature));
             Assert.That(swept, Is.EqualTo(alone));
@@ -280,8 +280,11 @@ namespace Glint.Tests
             _camera.transform.SetParent(null);
         }
 
-        void AssertUnmovable(string part) => Assert.That(Assert.Throws<GlintException>(() => new SweepRun(_radar, new SweepPlan((SweepAxis.Grazing, new double[] { 1 })), _target.transform, null, "Scene", null)).Message,
+        void AssertUnmovable(string part) => Assert.That(Assert.Throws<GlintException>(() => Sweep(new SweepPlan((SweepAxis.Grazing, new double[] { 1 })))).Message,
             Does.StartWith("RadarController of 'Radar'").And.Contain(part).And.Not.Contain("\n"));
+
+        SweepRun Sweep(SweepPlan plan, ResultsFolder folder = null, bool resume = false) =>
+            new SweepRun(new SweepSetup(_radar, plan) { Target = _target.transform, Scene = "Scene" }, folder, null, resume);
 
         void SetFrequency(double hertz)
         {

@@ -49,11 +49,11 @@ sealed class ExperimentRuns(IProgressSink progress)
     public IReadOnlyList<SeaFamily> Study(Experiment sea, SeaRecipe stored, int seeds) =>
         InScene(sea.Line, subjects => new SeaStudy(subjects.Radar, subjects.Sea, progress).Run(stored, seeds));
 
-    static IReadOnlyList<PublishedRow> Published(Experiment experiment) => experiment.Published == null ? null : PublishedTable.Read(Project, experiment.Published);
+    static IReadOnlyList<PublishedRow> Published(Experiment experiment) => experiment.Published == null ? null : PublishedTable.Read(experiment.Published);
 
     IReadOnlyList<SweepRow> Trace(string title, SceneSubjects subjects, SweepPlan plan, Sea sea, KeptRays keep)
     {
-        using var run = new SweepRun(subjects.Radar, plan, subjects.Target, sea, subjects.Scene, null);
+        using var run = new SweepRun(new SweepSetup(subjects.Radar, plan) { Target = subjects.Target, Sea = sea, Scene = subjects.Scene });
         var rows = new List<SweepRow>();
         progress.Start(title, run.Count);
         try

@@ -1,6 +1,7 @@
 using System.IO;
 using System.Linq;
 using Glint.Core;
+using Glint.Editor;
 using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;

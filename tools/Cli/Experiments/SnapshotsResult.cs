@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
+using Glint.Editor;
 
 namespace Glint.Cli;
 

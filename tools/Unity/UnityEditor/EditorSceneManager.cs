@@ -34,6 +34,8 @@ public sealed class EditorSceneManager : SceneManager
 
     public delegate void SceneOpenedCallback(Scene scene, OpenSceneMode mode);
 
+    public delegate void SceneSavingCallback(Scene scene, string path);
+
     public delegate void SceneClosingCallback(Scene scene, bool removingScene);
 
     public delegate void SceneClosedCallback(Scene scene);
@@ -43,6 +45,9 @@ public sealed class EditorSceneManager : SceneManager
     public static event SceneOpeningCallback sceneOpening;
 
     public static event SceneOpenedCallback sceneOpened;
+
+    /// <summary>Scenes are never saved here; a test raises the event itself.</summary>
+    public static event SceneSavingCallback sceneSaving;
 
     public static event SceneClosingCallback sceneClosing;
 
@@ -107,6 +112,8 @@ public sealed class EditorSceneManager : SceneManager
         LoadSceneAsync(path, parameters);
 
     public static bool MarkSceneDirty(Scene scene) => scene.IsValid() && (scene.Data.IsDirty = true);
+
+    internal static void RaiseSaving(Scene scene) => sceneSaving?.Invoke(scene, scene.path);
 
     static void Isolate(SceneData scene)
     {

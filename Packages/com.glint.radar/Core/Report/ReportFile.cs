@@ -27,7 +27,7 @@ namespace Glint.Core
             var data = new JObject
             {
                 ["glint"] = GlintVersion.Text,
-                ["run"] = run.Json,
+                ["run"] = new JRaw(ResultsJson.Line(run.Info, run.Rows)),
                 ["scene"] = scene?.ToJson(),
                 ["no_scene"] = noScene
             };

@@ -10,7 +10,7 @@ namespace Glint.Core
         {
             new ResultColumn(SweepAxis.Angle.Column, SweepAxis.Angle.Unit, row => row.Pose.AngleDegrees ?? 0),
             new ResultColumn("amplitude", "1", row => row.Result.Amplitude),
-            new ResultColumn("amplitude_db", "dB", row => row.Result.AmplitudeDb),
+            new ResultColumn("amplitude_db", "dB", row => row.Result.AmplitudeDb, true),
             new ResultColumn("in_phase", "1", row => row.Result.InPhase),
             new ResultColumn("quadrature", "1", row => row.Result.Quadrature),
             new ResultColumn("rays_emitted", "1", row => row.Result.RaysEmitted),
@@ -25,7 +25,7 @@ namespace Glint.Core
             new ResultColumn("sampling_error", "1", row => row.Result.SamplingError),
             new ResultColumn("largest_path_step_wavelengths", "wavelengths", row => row.Result.LargestPathStep),
             new ResultColumn("undersampled", "1", row => row.Result.Undersampled ? 1 : 0),
-            new ResultColumn("ray_area_m2", "m2", row => row.Result.RayArea),
+            new ResultColumn("ray_area_m2", "m2", row => row.Result.RayArea, true),
             new ResultColumn(SweepAxis.Snapshot),
             new ResultColumn(SweepAxis.Grazing),
             new ResultColumn(SweepAxis.Range),
@@ -34,14 +34,15 @@ namespace Glint.Core
 
         readonly Func<SweepRow, double?> _value;
 
-        ResultColumn(string name, string unit, Func<SweepRow, double?> value)
+        ResultColumn(string name, string unit, Func<SweepRow, double?> value, bool mayBeEmpty = false)
         {
             Name = name;
             Unit = unit;
             _value = value;
+            MayBeEmpty = mayBeEmpty;
         }
 
-        ResultColumn(SweepAxis axis) : this(axis.Column, axis.Unit, row => row.Pose[axis])
+        ResultColumn(SweepAxis axis) : this(axis.Column, axis.Unit, row => row.Pose[axis], true)
         {
         }
 
@@ -54,16 +55,17 @@ namespace Glint.Core
         /// <summary>Unit; "1" for a plain number.</summary>
         public string Unit { get; }
 
-        /// <summary>The value as text; null when the row has none, as an amplitude of 0 has no decibels.</summary>
+        /// <summary>Whether a row may have no value.</summary>
+        internal bool MayBeEmpty { get; }
+
+        /// <summary>The value; null when the row has none, as an amplitude of 0 has no decibels.</summary>
         /// <exception cref="GlintException">The value is NaN or infinite.</exception>
-        public string Text(SweepRow row)
+        public double? Value(SweepRow row)
         {
             double? value = _value(row);
-            if (value == null)
-                return null;
-            if (double.IsNaN(value.Value) || double.IsInfinity(value.Value))
+            if (value is double number && (double.IsNaN(number) || double.IsInfinity(number)))
                 throw new GlintException($"{Name} is not finite{At(row.Pose)}: check the scene for huge coordinates, and report it if there are none");
-            return Numbers.Format(value.Value);
+            return value;
         }
 
         static string At(SweepPose pose)

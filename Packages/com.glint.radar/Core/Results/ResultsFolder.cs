@@ -54,6 +54,9 @@ namespace Glint.Core
         /// <summary>When the sweep whose rows these are was first begun, UTC; null when it is not known.</summary>
         public DateTime? StartedUtc { get; private set; }
 
+        /// <summary>The rows so far, those of before a resumption too.</summary>
+        internal IReadOnlyList<StoredRow> Rows => _rows;
+
         static string Header => string.Join(",", ResultColumn.All.Select(column => column.Name)) + "\n";
 
         string TemporaryJsonPath => JsonPath + ".tmp";
@@ -104,9 +107,12 @@ namespace Glint.Core
                 return GoOn(UnfinishedSweep.Read(PartialPath), poses);
             if (File.Exists(JsonPath))
             {
-                var done = StoredResults.Read(JsonPath);
+                var done = StoredRun.ReadFile(JsonPath);
                 Require(done.Info.Sweep, JsonPath);
-                return done.Rows.Count == poses ? poses : throw new GlintException($"{JsonPath}: has {done.Rows.Count} rows of {poses}: it was changed; restore it, or leave --resume out");
+                if (done.Rows.Count != poses)
+                    throw new GlintException($"{JsonPath}: has {done.Rows.Count} rows of {poses}: it was changed; restore it, or leave --resume out");
+                _rows.AddRange(done.Rows);
+                return poses;
             }
             if (File.Exists(CsvPath))
                 throw new GlintException($"{CsvPath}: {PartialName} is not beside it, so that the sweep cannot be resumed: restore it, or leave --resume out");

@@ -22,6 +22,9 @@ namespace Glint.Core
             output.Write('\n');
         }
 
+        /// <summary>The same in one line, without its end.</summary>
+        public static string Line(RunInfo info, IReadOnlyList<StoredRow> rows) => Line(json => json.Write(info, rows));
+
         /// <summary>The first line of an unfinished sweep, without its end.</summary>
         public static string Line(DateTime startedUtc, SweepIdentity sweep) => Line(json =>
         {
@@ -138,8 +141,9 @@ namespace Glint.Core
         void WriteRow(StoredRow row)
         {
             _json.WriteStartObject();
-            for (int i = 0; i < row.Cells.Length; i++)
-                Raw(ResultColumn.All[i].Name, row.Cells[i]);
+            int column = 0;
+            foreach (string cell in row.Cells)
+                Raw(ResultColumn.All[column++].Name, cell);
             WriteTimings(row.Timings);
             if (row.PhaseHistogram != null)
                 WriteHistogram(row.PhaseHistogram);

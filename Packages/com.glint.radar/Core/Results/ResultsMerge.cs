@@ -32,7 +32,7 @@ namespace Glint.Core
             return Write(parts.Select(part => part.results).ToArray(), output);
         }
 
-        static StoredResults Read(string folder)
+        static StoredRun Read(string folder)
         {
             if (!Directory.Exists(folder))
                 throw new GlintException($"{folder}: there is no such folder: give the results folders of the parts");
@@ -41,7 +41,7 @@ namespace Glint.Core
                 throw new GlintException($"{folder}: its sweep is not finished: finish it with --resume");
             if (!File.Exists(path))
                 throw new GlintException($"{folder}: has no {ResultsFolder.JsonName}: give the results folders of the parts");
-            var results = StoredResults.Read(path);
+            var results = StoredRun.ReadFile(path);
             return results.Info.Sweep?.Shard != null ? results : throw new GlintException($"{folder}: is no part of a sweep, it was not made with --shard");
         }
 
@@ -55,7 +55,7 @@ namespace Glint.Core
         }
 
         // A part that has lost rows, or a plan that was edited.
-        static void CheckRows((string folder, StoredResults results)[] parts)
+        static void CheckRows((string folder, StoredRun results)[] parts)
         {
             int poses = parts.Sum(part => part.results.Rows.Count);
             foreach (var (folder, results) in parts)
@@ -67,7 +67,7 @@ namespace Glint.Core
             }
         }
 
-        static ResultsFolder Write(StoredResults[] parts, string output)
+        static ResultsFolder Write(StoredRun[] parts, string output)
         {
             var info = parts[parts.Length - 1].Info;
             // From the first start to the last end.

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using Newtonsoft.Json.Linq;
 
@@ -7,9 +8,14 @@ namespace Glint.Core
     /// <summary>What results.json needs of a row once it is in results.csv: not the rays, which may be millions.</summary>
     sealed class StoredRow
     {
+        static readonly Dictionary<string, int> s_places = Enumerable.Range(0, ResultColumn.All.Count).ToDictionary(i => ResultColumn.All[i].Name);
+
+        readonly double?[] _values;
+
+        /// <exception cref="GlintException">A value is NaN or infinite.</exception>
         public StoredRow(SweepRow row)
         {
-            Cells = ResultColumn.All.Select(column => column.Text(row)).ToArray();
+            _values = ResultColumn.All.Select(column => column.Value(row)).ToArray();
             Timings = row.Result.Timings;
             PhaseHistogram = (int[])row.Result.PhaseHistogram?.Clone();
         }
@@ -18,7 +24,7 @@ namespace Glint.Core
         /// <exception cref="FormatException">It lacks a value.</exception>
         public StoredRow(JObject row)
         {
-            Cells = ResultColumn.All.Select(column => Cell(row, column.Name)).ToArray();
+            _values = ResultColumn.All.Select(column => Value(row, column)).ToArray();
             Timings = new Timings
             {
                 GatherMs = Time(row, "gather_ms"), BuildMs = Time(row, "build_ms"), UploadMs = Time(row, "upload_ms"), TraceMs = Time(row, "trace_ms"), ReadBackMs = Time(row, "read_back_ms"),
@@ -26,8 +32,11 @@ namespace Glint.Core
             PhaseHistogram = row["phase_histogram"]?.ToObject<int[]>();
         }
 
-        /// <summary>Texts in the order of <see cref="ResultColumn.All"/>; null where there is no value.</summary>
-        public string[] Cells { get; }
+        /// <summary>The value of a column, by its name; null where there is none.</summary>
+        public double? this[string column] => _values[s_places[column]];
+
+        /// <summary>Texts in the order of <see cref="ResultColumn.All"/>; null where there is no value. The shortest text of a number is the one that was read.</summary>
+        public IEnumerable<string> Cells => _values.Select(value => value.HasValue ? Numbers.Format(value.Value) : null);
 
         public Timings Timings { get; }
 
@@ -36,11 +45,16 @@ namespace Glint.Core
 
         public string ToCsv() => string.Join(",", Cells) + "\n";
 
-        // The shortest text of a number is the one that was written.
-        static string Cell(JObject row, string name)
+        static double? Value(JObject row, ResultColumn column)
         {
-            var value = row[name] ?? throw new FormatException($"a row has no {name}");
-            return value.Type == JTokenType.Null ? null : Numbers.Format(value.Value<double>());
+            var value = row[column.Name] ?? throw new FormatException($"a row has no {column.Name}");
+            switch (value.Type)
+            {
+                case JTokenType.Null when column.MayBeEmpty: return null;
+                case JTokenType.Integer:
+                case JTokenType.Float: return value.Value<double>();
+                default: throw new FormatException($"{column.Name} of a row is no number");
+            }
         }
 
         static double Time(JObject row, string name) => (row["timings"]?[name] ?? throw new FormatException($"a row has no {name}")).Value<double>();

@@ -1,44 +1,41 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
+using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>A finished run as its results folder holds it: results.json, looked through.</summary>
+    /// <summary>What <see cref="ResultsJson"/> wrote, read again: the results.json of a run, for reports, to be merged or resumed; and, by its parts, the lines of a sweep that is not finished.</summary>
     public sealed class StoredRun
     {
-        readonly JToken[] _rows;
-
-        StoredRun(string path, JObject json)
+        StoredRun(JObject json)
         {
-            Json = json;
-            string version = (string)json.SelectToken("versions.glint");
-            if (version == null || !(json["settings"] is JObject) || !(json["rows"] is JArray rows) || !rows.All(IsRow))
-                throw new GlintException($"{path}: is not what a sweep or run of Glint writes: trace it again");
             if (json.Descendants().OfType<JValue>().Any(IsNotFinite))
-                throw new GlintException($"{path}: holds a number that is not finite: trace it again");
-            _rows = rows.ToArray();
-            ScenePath = (string)json.SelectToken("scene.path");
-            TargetName = (string)json.SelectToken("scene.target");
-            Command = StoredResults.Words(json);
+                throw new FormatException("it holds a number that is not finite");
+            Info = new RunInfo
+            {
+                StartedUtc = Time(json), ElapsedMs = Number(json, "elapsed_ms"),
+                Command = (json["command"] as JArray)?.Select(word => (string)word).ToArray(), ScenePath = Text(json, "scene", "path"), TargetName = Text(json, "scene", "target"),
+                Objects = (long)Number(json, "scene", "objects"), Triangles = (long)Number(json, "scene", "triangles"),
+                DeviceName = Text(json, "device", "name"), GraphicsApi = Text(json, "device", "graphics_api"),
+                GlintVersion = Text(json, "versions", "glint"), UnityVersion = Text(json, "versions", "unity"), Host = Text(json, "versions", "host"), OperatingSystem = Text(json, "versions", "operating_system"),
+                Sweep = json["sweep"] is JObject sweep ? Identity(sweep) : null,
+            };
+            foreach (var setting in ((JObject)Find(json, "settings")).Properties())
+                Info.Settings.Add(setting.Value is JObject number ? new RunSetting(setting.Name, Number(number, "value"), Text(number, "unit")) : new RunSetting(setting.Name, (string)setting.Value));
+            Rows = ((JArray)Find(json, "rows")).Select(row => new StoredRow((JObject)row)).ToArray();
         }
 
-        /// <summary>All of results.json.</summary>
-        public JObject Json { get; }
+        /// <summary>What the file says of the run besides the rows.</summary>
+        public RunInfo Info { get; }
 
-        /// <summary>Asset path of the scene or path of the mesh file; null for none.</summary>
-        public string ScenePath { get; }
-
-        /// <summary>Object that was turned; null for none.</summary>
-        public string TargetName { get; }
-
-        /// <summary>The words of the command line, its command's name first; null for a run that no command began.</summary>
-        public IReadOnlyList<string> Command { get; }
+        internal IReadOnlyList<StoredRow> Rows { get; }
 
         /// <summary>Poses traced.</summary>
-        public int Count => _rows.Length;
+        public int Count => Rows.Count;
 
         /// <summary>Reads results.json of a folder.</summary>
         /// <exception cref="GlintException">It is not there, cannot be read, or is not what a run writes.</exception>
@@ -53,17 +50,28 @@ namespace Glint.Core
                 throw new GlintException(File.Exists(Path.Combine(folder, ResultsFolder.CsvName))
                     ? $"{folder}: has no {ResultsFolder.JsonName}: the sweep was not finished, or is still at work; let it end"
                     : $"{folder}: holds no results: give the folder that a sweep or run wrote {ResultsFolder.JsonName} to");
-            return new StoredRun(path, ReadObject(path));
+            return ReadFile(path);
         }
 
-        /// <summary>Amplitude of a pose, counted from 0.</summary>
-        public double Amplitude(int pose) => (double)_rows[pose]["amplitude"];
-
-        /// <summary>Rays received in a pose, counted from 0.</summary>
-        public long RaysReceived(int pose) => (long)_rows[pose]["rays_received"];
+        /// <summary>Reads a results.json.</summary>
+        /// <exception cref="GlintException">It cannot be read or is damaged; the message names it and the way out.</exception>
+        internal static StoredRun ReadFile(string path)
+        {
+            try
+            {
+                return new StoredRun(Parse(File.ReadAllText(path)));
+            }
+            catch (Exception error) when (IsUnreadable(error))
+            {
+                throw Damaged(path, error);
+            }
+        }
 
         /// <summary>Where a pose, counted from 0, stands on an axis; null where the axis was left alone. The angle is 0 then.</summary>
-        public double? Value(int pose, SweepAxis axis) => (double?)_rows[pose][axis.Column];
+        public double? Value(int pose, SweepAxis axis) => Rows[pose][axis.Column];
+
+        /// <summary>Amplitude of a pose, counted from 0.</summary>
+        public double Amplitude(int pose) => Rows[pose]["amplitude"].Value;
 
         /// <summary>The pose with the largest amplitude, counted from 0; of equals the first; -1 without poses.</summary>
         public int Strongest()
@@ -75,22 +83,51 @@ namespace Glint.Core
             return strongest;
         }
 
-        static JObject ReadObject(string path)
+        /// <summary>One JSON object; dates stay texts.</summary>
+        internal static JObject Parse(string text)
         {
-            try
+            using (var reader = new JsonTextReader(new StringReader(text)) { DateParseHandling = DateParseHandling.None })
             {
-                return StoredResults.Parse(File.ReadAllText(path));
-            }
-            catch (Exception error) when (StoredResults.IsUnreadable(error))
-            {
-                throw StoredResults.Damaged(path, error);
+                var json = JObject.Load(reader);
+                while (reader.Read())
+                    if (reader.TokenType != JsonToken.Comment)
+                        throw new FormatException("there is something behind its end");
+                return json;
             }
         }
 
-        static bool IsRow(JToken token) => token is JObject row && IsNumber(row["amplitude"]) && IsNumber(row[SweepAxis.Angle.Column]) && row["rays_received"]?.Type == JTokenType.Integer
-            && SweepAxis.All.All(axis => row[axis.Column] == null || row[axis.Column].Type == JTokenType.Null || IsNumber(row[axis.Column]));
+        internal static DateTime Time(JObject json) =>
+            DateTime.ParseExact(Text(json, "started_utc"), ResultsJson.TimeFormat, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal | DateTimeStyles.AdjustToUniversal);
 
-        static bool IsNumber(JToken token) => token != null && (token.Type == JTokenType.Float || token.Type == JTokenType.Integer);
+        internal static SweepIdentity Identity(JObject json)
+        {
+            var identity = new SweepIdentity();
+            foreach (var entry in json.Properties())
+                if (entry.Name == ResultsJson.ShardName)
+                    identity.Shard = SweepShard.Parse((string)entry.Value);
+                else
+                    identity.Add(entry.Name, (string)entry.Value);
+            return identity;
+        }
+
+        /// <summary>Whether an error says that a file cannot be read or is not what it should be.</summary>
+        internal static bool IsUnreadable(Exception error) => error is IOException || error is UnauthorizedAccessException || error is JsonException
+            || error is FormatException || error is InvalidCastException || error is ArgumentException || error is OverflowException;
+
+        internal static GlintException Damaged(string path, Exception error) => new GlintException(
+            $"{path}: cannot be read{(error is IOException || error is UnauthorizedAccessException ? "" : " as results, it is damaged")}: {error.Message.TrimEnd('.')}; restore it, or make it anew (the sweep without --resume)", error);
+
+        static JToken Find(JObject json, params string[] path)
+        {
+            JToken at = json;
+            foreach (string name in path)
+                at = (at as JObject)?[name] ?? throw new FormatException($"it has no {name}");
+            return at;
+        }
+
+        static string Text(JObject json, params string[] path) => (string)Find(json, path);
+
+        static double Number(JObject json, params string[] path) => Find(json, path).Value<double>();
 
         static bool IsNotFinite(JValue value) => value.Value is double number && (double.IsNaN(number) || double.IsInfinity(number));
     }

@@ -41,18 +41,18 @@ namespace Glint.Core
                 for (int from = 0, end; (end = Array.IndexOf(bytes, (byte)'\n', from)) >= 0; from = end + 1)
                 {
                     line++;
-                    var json = StoredResults.Parse(Encoding.UTF8.GetString(bytes, from, end - from));
+                    var json = StoredRun.Parse(Encoding.UTF8.GetString(bytes, from, end - from));
                     if (sweep == null)
-                        sweep = new UnfinishedSweep(StoredResults.Time(json), StoredResults.Identity(json["sweep"] as JObject ?? throw new FormatException("it names no sweep")));
+                        sweep = new UnfinishedSweep(StoredRun.Time(json), StoredRun.Identity(json["sweep"] as JObject ?? throw new FormatException("it names no sweep")));
                     else
                         sweep.Rows.Add(new StoredRow(json));
                     sweep.Ends.Add(end + 1);
                 }
                 return sweep;
             }
-            catch (Exception error) when (StoredResults.IsUnreadable(error))
+            catch (Exception error) when (StoredRun.IsUnreadable(error))
             {
-                throw StoredResults.Damaged(line == 0 ? path : FormattableString.Invariant($"{path}, line {line}"), error);
+                throw StoredRun.Damaged(line == 0 ? path : FormattableString.Invariant($"{path}, line {line}"), error);
             }
         }
     }

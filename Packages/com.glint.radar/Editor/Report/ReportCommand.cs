@@ -1,3 +1,4 @@
+using System;
 using System.IO;
 using System.Text;
 using Glint.Core;
@@ -21,29 +22,30 @@ namespace Glint.Editor
             if (pose > run.Count)
                 throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: {line.Input} has {run.Count} poses");
             string path = line.IsGiven(ReportOptions.Out) ? line.Get(ReportOptions.Out) : Path.Combine(line.Input, ReportFile.Name);
-            Write(run, pose == ReportOptions.NoPose ? -1 : pose > 0 ? pose - 1 : run.Strongest(), path, progress);
+            int shown = pose > 0 ? pose - 1 : run.Strongest();
+            Write(run, pose == ReportOptions.NoPose || shown < 0 ? (Func<ReportScene>)null : () => SceneCapture.Of(run, shown, SceneCapture.Open(run), progress), path);
             progress.Print($"written: {path} ({new FileInfo(path).Length / 1e6:0.0} MB)");
             return Batch.Done;
         }
 
         /// <summary>Writes a report.</summary>
-        /// <param name="pose">Which pose is shown in 3-D, from 0; -1 for none.</param>
+        /// <param name="capture">Traces the pose that is shown in 3-D; null for none.</param>
         /// <exception cref="GlintException">The report cannot be written.</exception>
-        public static void Write(StoredRun run, int pose, string path, IProgressSink progress)
+        public static void Write(StoredRun run, Func<ReportScene> capture, string path)
         {
             ReportScene scene = null;
             string problem = "No pose was asked for.";
-            if (pose >= 0)
-                (scene, problem) = TryCapture(run, pose, progress);
+            if (capture != null)
+                (scene, problem) = TryCapture(capture);
             ReportFile.Write(path, ReportFile.Fill(Template(), run, scene, problem));
         }
 
         // The figures are worth a report without the scene too.
-        static (ReportScene, string) TryCapture(StoredRun run, int pose, IProgressSink progress)
+        static (ReportScene, string) TryCapture(Func<ReportScene> capture)
         {
             try
             {
-                return (SceneCapture.Of(run, pose, progress), null);
+                return (capture(), null);
             }
             catch (GlintException problem)
             {

@@ -13,17 +13,17 @@ namespace Glint.Editor
 
         /// <summary>What a report shows of a pose.</summary>
         /// <param name="number">Of the pose, from 0.</param>
-        /// <exception cref="GlintException">The scene or mesh file is not there any more, or cannot be traced.</exception>
+        /// <param name="subjects">What the run was traced from.</param>
+        /// <exception cref="GlintException">It cannot be traced.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
-        public static ReportScene Of(StoredRun run, int number, IProgressSink progress)
+        public static ReportScene Of(StoredRun run, int number, SceneSubjects subjects, IProgressSink progress)
         {
-            var subjects = SceneSubjects.Open(LineOf(run));
             var plan = new SweepPlan(SweepAxis.All.Select(axis => (axis, Only(axis == SweepAxis.Angle && subjects.Target == null ? null : run.Value(number, axis)))).ToArray());
             var radar = subjects.Radar;
             progress.Start(subjects.Name, 1);
             try
             {
-                using (var sweep = new SweepRun(radar, plan, subjects.Target, subjects.Sea, subjects.Scene, null, subjects.Mount))
+                using (var sweep = new SweepRun(subjects.Sweep(plan)))
                 {
                     var scene = new ReportScene { Number = number, Result = sweep.Step(progress, progress.Cancel).Result, Pose = radar.Gather() };
                     scene.Paths = Array.ConvertAll(radar.TracePaths(Chosen(radar.ReceivedPixels()), null, progress.Cancel), path => path.Points());
@@ -42,6 +42,10 @@ namespace Glint.Editor
 
         static IReadOnlyList<double> Only(double? value) => value.HasValue ? new[] { value.Value } : null;
 
+        /// <summary>Opens what a run was traced from.</summary>
+        /// <exception cref="GlintException">The scene or mesh file is not there any more.</exception>
+        public static SceneSubjects Open(StoredRun run) => SceneSubjects.Open(LineOf(run));
+
         // Evenly over the picture.
         static uint[] Chosen(uint[] pixels)
         {
@@ -59,15 +63,15 @@ namespace Glint.Editor
         // The command that was given; a Sweep component's run has none, and is of the scene as it stands.
         static CommandLine LineOf(StoredRun run)
         {
-            if (run.Command != null)
-                return CommandLine.Parse(run.Command.FirstOrDefault() == Commands.Run.Name ? Commands.Run : Commands.Sweep, run.Command.Skip(1).ToArray());
-            if (run.ScenePath == null)
+            if (run.Info.Command != null)
+                return CommandLine.Parse(run.Info.Command.FirstOrDefault() == Commands.Run.Name ? Commands.Run : Commands.Sweep, run.Info.Command.Skip(1).ToArray());
+            if (run.Info.ScenePath == null)
                 throw new GlintException("the results name no scene");
-            var words = new List<string> { "--", run.ScenePath };
+            var words = new List<string> { "--", run.Info.ScenePath };
             if (run.Count > 0 && run.Value(0, SweepAxis.Snapshot) != null)
                 words.Insert(0, $"{Options.Snapshots.Flag}=1");
-            if (run.TargetName != null)
-                words.InsertRange(0, new[] { $"{Options.Target.Flag}={run.TargetName}", $"{Options.Angles.Flag}=0" });
+            if (run.Info.TargetName != null)
+                words.InsertRange(0, new[] { $"{Options.Target.Flag}={run.Info.TargetName}", $"{Options.Angles.Flag}=0" });
             return CommandLine.Parse(words.Count > 2 ? Commands.Sweep : Commands.Run, words);
         }
     }

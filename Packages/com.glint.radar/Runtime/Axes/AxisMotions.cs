@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Glint.Core;
-using UnityEngine;
 
 namespace Glint
 {
@@ -10,22 +9,22 @@ namespace Glint
     {
         readonly List<AxisMotion> _motions = new List<AxisMotion>();
 
-        /// <param name="mount">Moves the radar; null: one about the target.</param>
         /// <exception cref="GlintException">An axis has nothing that it could move, or not so.</exception>
-        public AxisMotions(SweepPlan plan, RadarController radar, Transform target, Sea sea, RadarMount mount)
+        public AxisMotions(SweepSetup setup)
         {
-            if (target != null)
-                StandCheck.RefuseNowhere(target, $"the target '{target.name}' of the sweep");
+            var plan = setup.Plan;
+            if (setup.Target != null)
+                StandCheck.RefuseNowhere(setup.Target, $"the target '{setup.Target.name}' of the sweep");
             try
             {
                 if (plan.Has(SweepAxis.Snapshot))
-                    _motions.Add(new ShownSnapshot(sea, plan.Values(SweepAxis.Snapshot)));
+                    _motions.Add(new ShownSnapshot(setup.Sea, plan.Values(SweepAxis.Snapshot)));
                 if (plan.Has(SweepAxis.Frequency))
-                    _motions.Add(new Carrier(radar));
+                    _motions.Add(new Carrier(setup.Radar));
                 if (plan.Has(SweepAxis.Range) || plan.Has(SweepAxis.Grazing))
-                    _motions.Add(mount ?? RadarMount.About(radar, target, plan.Has(SweepAxis.Grazing)));
+                    _motions.Add(setup.Mount ?? RadarMount.About(setup.Radar, setup.Target, plan.Has(SweepAxis.Grazing)));
                 if (plan.Has(SweepAxis.Angle))
-                    _motions.Add(new TargetTurn(target, radar));
+                    _motions.Add(new TargetTurn(setup.Target, setup.Radar));
             }
             catch
             {

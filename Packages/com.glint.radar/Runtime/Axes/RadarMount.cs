@@ -77,6 +77,12 @@ namespace Glint
             aim.position = new Vector3((float)point.x, (float)point.y, (float)point.z);
             var angles = radar.rotation.eulerAngles;
             radar.SetParent(aim, false);
+            if (radar.parent != aim)
+            {
+                // In edit mode Unity leaves what is part of a prefab instance where it is, and only says so in the log.
+                Object.DestroyImmediate(aim.gameObject);
+                throw new GlintException($"RadarController of '{radar.name}' cannot be moved by a sweep: it is part of a prefab instance: unpack the prefab");
+            }
             radar.localRotation = Quaternion.identity;
             var mount = new RadarMount(aim, radar, angles.y, angles.z);
             mount.HoldOut(distance);

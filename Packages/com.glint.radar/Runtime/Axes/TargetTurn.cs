@@ -8,12 +8,15 @@ namespace Glint
     {
         readonly Transform _target;
         readonly Quaternion _rotation, _localRotation;
+        readonly RadarController _radar;
+        readonly bool _isAnnounced;
 
         public TargetTurn(Transform target, RadarController radar)
         {
             _target = target;
             (_rotation, _localRotation) = (target.rotation, target.localRotation);
-            radar.ExpectMotion(target);
+            _radar = radar;
+            _isAnnounced = radar.Gatherer.ExpectMotion(target);
         }
 
         internal override void Show(SweepPose pose)
@@ -27,6 +30,9 @@ namespace Glint
         {
             if (_target != null)
                 _target.localRotation = _localRotation;
+            // The next sweep's scene is not to be divided by this one's target.
+            if (_isAnnounced && _radar != null)
+                _radar.Gatherer.ExpectNoMotion(_target);
         }
     }
 }

@@ -14,7 +14,11 @@ namespace Glint
         public TransformNode World { get; } = TransformNode.World();
 
         /// <summary>Counts a transform as moving before it has moved.</summary>
-        public void ExpectMotion(Transform transform) => _expected.Add(transform);
+        /// <returns>False when it was so already.</returns>
+        public bool ExpectMotion(Transform transform) => _expected.Add(transform);
+
+        /// <summary>Takes <see cref="ExpectMotion"/> back. What has moved is known to move until <see cref="Forget"/>.</summary>
+        public void ExpectNoMotion(Transform transform) => _expected.Remove(transform);
 
         public void Begin()
         {

@@ -8,6 +8,7 @@ using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using Glint.Cli;
 using Glint.Core;
+using Glint.Editor;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 
@@ -31,19 +32,19 @@ public sealed class ExperimentsTests
     [TestCaseSource(nameof(Tabled))]
     public void PublishedTable_OfAnExperiment_HasARowForEachPose(object experiment)
     {
-        var rows = PublishedTable.Read(Root, ((Experiment)experiment).Published);
+        var rows = PublishedTable.Read(((Experiment)experiment).Published);
         var line = ((Experiment)experiment).Line;
         var plan = new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots));
         Assert.That(rows.Select(row => row.Step), Is.EqualTo(Enumerable.Range(0, plan.Count).Select(pose => SweepResult.StepOf(plan[pose]))));
         // The publication's own ratio, to its last digit.
-        var ratios = File.ReadLines(Path.Combine(Root, $"Tests/PlayMode/Data/{((Experiment)experiment).Published}.csv")).Skip(1).Select(row => double.Parse(row.Split(',')[4], CultureInfo.InvariantCulture));
+        var ratios = File.ReadLines(Path.Combine(Root, $"{PublishedTable.Folder}/{((Experiment)experiment).Published}.csv")).Skip(1).Select(row => double.Parse(row.Split(',')[4], CultureInfo.InvariantCulture));
         Assert.That(rows.Zip(ratios, (row, ratio) => Math.Abs(row.Ratio - ratio)).Max(), Is.LessThan(1e-8));
     }
 
     [Test]
     public void PublishedTable_OfTheSea_IsThePublishedOne()
     {
-        var rows = PublishedTable.Read(Root, Experiment.Seas[1].Sea.Published);
+        var rows = PublishedTable.Read(Experiment.Seas[1].Sea.Published);
         Assert.That(rows.Select(row => row.RaysReceived), Is.EqualTo(new[] { 387, 0, 0, 7, 0, 1240, 0, 0, 1, 0 }));
         Assert.That(rows.Min(row => row.RaysHit), Is.EqualTo(1257377));
         Assert.That(rows[0].Amplitude, Is.EqualTo(48.20876));
@@ -56,13 +57,13 @@ public sealed class ExperimentsTests
     [TestCase("")]
     public void PublishedTable_WithABadRow_IsRefusedByItsLine(string row)
     {
-        MakeTable($"step,amplitude,rays_received,rays_hit,ratio\n0,1,2,3,0.5\n{row}\n1,1,2,3,0.5\n");
-        Assert.That(() => PublishedTable.Read(_folder, "t"), Throws.TypeOf<GlintException>().With.Message.Contains("t.csv: line 3 "));
+        string text = $"step,amplitude,rays_received,rays_hit,ratio\n0,1,2,3,0.5\n{row}\n1,1,2,3,0.5\n";
+        Assert.That(() => PublishedTable.Parse(text, "t.csv"), Throws.TypeOf<GlintException>().With.Message.Contains("t.csv: line 3 "));
     }
 
     [Test]
     public void PublishedTable_ThatIsNotThere_IsNamed() =>
-        Assert.That(() => PublishedTable.Read(Root, "table_z"), Throws.TypeOf<GlintException>().With.Message.Contains("table_z.csv: the published table cannot be read"));
+        Assert.That(() => PublishedTable.Read("table_z"), Throws.TypeOf<GlintException>().With.Message.Contains("table_z.csv: the published table is missing"));
 
     // In the second pose neither receives anything.
     [Test]
@@ -290,7 +291,7 @@ public sealed class ExperimentsTests
     {
         string page = File.ReadAllText(Path.Combine(Root, "Packages/com.glint.radar/Documentation~/experiments.md")), name = ((Experiment)experiment).Name;
         string measured = Between(page, name);
-        var published = PublishedTable.Read(Root, ((Experiment)experiment).Published);
+        var published = PublishedTable.Read(((Experiment)experiment).Published);
         Assert.That(Cells(measured).Select(cells => $"{cells[0]} {cells[1]} {cells[3]} {cells[5]}"),
             Is.EqualTo(published.Select(row => FormattableString.Invariant($"{row.Step} {row.Amplitude:0.00} {row.RaysReceived:#,0} {row.RaysHit:#,0}"))));
         Assert.That(File.Exists(Path.Combine(Root, "Packages/com.glint.radar/Documentation~", Regex.Match(measured, @"\]\(([^)]*)\)").Groups[1].Value)));
@@ -317,14 +318,6 @@ public sealed class ExperimentsTests
         string begin = $"<!-- measured: {name} -->", end = $"<!-- end of {name} -->";
         Assert.That(page, Does.Contain(begin).And.Contain(end));
         return page[(page.IndexOf(begin) + begin.Length)..page.IndexOf(end)];
-    }
-
-    void MakeTable(string text)
-    {
-        string package = Directory.CreateDirectory(Path.Combine(_folder, "Packages/com.glint.tests/PlayMode/Data")).FullName;
-        File.WriteAllText(Path.Combine(_folder, "Packages/manifest.json"), "{}");
-        File.WriteAllText(Path.Combine(_folder, "Packages/com.glint.tests/package.json"), "{ \"name\": \"com.glint.tests\" }");
-        File.WriteAllText(Path.Combine(package, "t.csv"), text);
     }
 
     // Rows of the first table of a text.

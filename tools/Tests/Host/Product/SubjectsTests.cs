@@ -66,7 +66,7 @@ public sealed class SubjectsTests
         var radar = new GameObject("Radar", typeof(Camera)).AddComponent<RadarController>();
         try
         {
-            Assert.That(Assert.Throws<GlintException>(() => new AxisMotions(new SweepPlan(new[] { 0.0, 1.0 }), radar, target, null, null)).Message, Is.EqualTo(
+            Assert.That(Assert.Throws<GlintException>(() => new AxisMotions(new SweepSetup(radar, new SweepPlan(new[] { 0.0, 1.0 })) { Target = target })).Message, Is.EqualTo(
                 "the target 'Antenna' of the sweep stands nowhere: the rotation of 'Mast', above it, is not finite: set it anew"));
         }
         finally

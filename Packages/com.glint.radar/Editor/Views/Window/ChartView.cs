@@ -1,0 +1,98 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using UnityEngine;
+using UnityEngine.UIElements;
+
+namespace Glint.Editor.Views
+{
+    /// <summary>Draws a <see cref="SweepChart"/>. The pointer over it asks for the nearest pose, a click chooses it.</summary>
+    sealed class ChartView : PlotArea
+    {
+        // With more poses the markers would hide the lines.
+        const int MostMarkers = 400;
+
+        SweepChart _chart;
+        PoseFigures _marked;
+
+        public ChartView()
+        {
+            RegisterCallback<PointerMoveEvent>(move => Find(move.localPosition, (series, point) => Hovered?.Invoke(series, point)));
+            RegisterCallback<PointerLeaveEvent>(leave => Left?.Invoke());
+            RegisterCallback<ClickEvent>(click => Find(click.localPosition, (series, point) =>
+            {
+                if (!series.IsCompared)
+                    Chosen?.Invoke(point.Row);
+            }));
+        }
+
+        /// <summary>The pose nearest to the pointer.</summary>
+        public event Action<ChartSeries, ChartPoint> Hovered;
+
+        /// <summary>The pointer is elsewhere now.</summary>
+        public event Action Left;
+
+        /// <summary>Number of the pose that was clicked, from 0.</summary>
+        public event Action<int> Chosen;
+
+        /// <param name="marked">The chosen pose; may be null.</param>
+        public void Show(SweepChart chart, PoseFigures marked)
+        {
+            (_chart, _marked) = (chart, marked);
+            SetAxes(chart.X, chart.Y, chart.XTitle, chart.YTitle, chart.IsPolar);
+        }
+
+        void Find(Vector2 place, Action<ChartSeries, ChartPoint> found)
+        {
+            var (x, y) = From(place);
+            if (_chart?.Nearest(x, y, Aspect) is var nearest && nearest.HasValue)
+                found(nearest.Value.Series, nearest.Value.Point);
+        }
+
+        protected override void DrawContent(Painter2D painter)
+        {
+            bool hasMarkers = _chart.Series.Sum(series => series.Runs.Sum(run => run.Count)) <= MostMarkers;
+            for (int i = 0; i < _chart.Series.Count; i++)
+                foreach (var run in _chart.Series[i].Runs)
+                {
+                    DrawBand(painter, run, Colours.Line(i));
+                    DrawLine(painter, run, Colours.Line(i));
+                    // A pose alone is no line.
+                    if (hasMarkers || run.Count == 1)
+                        foreach (var point in run)
+                            Markers.Draw(painter, At(point.X, point.Y), i, 3, Colours.Line(i), _chart.Series[i].IsCompared);
+                    foreach (var point in run.Where(point => point.Pose.IsUndersampled))
+                        Markers.Draw(painter, At(point.X, point.Y), 1, 7, Colours.Doubt, true);
+                    foreach (var point in run.Where(point => point.Pose == _marked))
+                        Markers.Draw(painter, At(point.X, point.Y), 0, 6, Colours.Mark, true);
+                }
+        }
+
+        void DrawBand(Painter2D painter, IReadOnlyList<ChartPoint> run, Color colour)
+        {
+            if (run.All(point => point.Low == point.High))
+                return;
+            colour.a = 0.2f;
+            painter.fillColor = colour;
+            painter.BeginPath();
+            painter.MoveTo(At(run[0].High.X, run[0].High.Y));
+            foreach (var point in run.Skip(1))
+                painter.LineTo(At(point.High.X, point.High.Y));
+            foreach (var point in run.Reverse())
+                painter.LineTo(At(point.Low.X, point.Low.Y));
+            painter.ClosePath();
+            painter.Fill();
+        }
+
+        void DrawLine(Painter2D painter, IReadOnlyList<ChartPoint> run, Color colour)
+        {
+            painter.strokeColor = colour;
+            painter.lineWidth = 1.5f;
+            painter.BeginPath();
+            painter.MoveTo(At(run[0].X, run[0].Y));
+            foreach (var point in run.Skip(1))
+                painter.LineTo(At(point.X, point.Y));
+            painter.Stroke();
+        }
+    }
+}

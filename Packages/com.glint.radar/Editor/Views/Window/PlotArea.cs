@@ -1,0 +1,140 @@
+using UnityEngine;
+using UnityEngine.UIElements;
+
+namespace Glint.Editor.Views
+{
+    /// <summary>The ground of a chart: grid, ticks with labels, titles; what it shows is drawn over it.</summary>
+    abstract class PlotArea : VisualElement
+    {
+        const float TickGap = 5;
+
+        ChartScale _x, _y;
+        string _xTitle, _yTitle;
+        bool _isPolar;
+
+        protected PlotArea()
+        {
+            AddToClassList("glint-plot");
+            Colours = new ChartColours(this);
+            generateVisualContent = Draw;
+            RegisterCallback<GeometryChangedEvent>(changed => Write());
+        }
+
+        protected ChartColours Colours { get; }
+
+        /// <summary>Draws what is shown.</summary>
+        protected abstract void DrawContent(Painter2D painter);
+
+        protected void SetAxes(ChartScale x, ChartScale y, string xTitle, string yTitle, bool isPolar)
+        {
+            (_x, _y, _xTitle, _yTitle, _isPolar) = (x, y, xTitle, yTitle, isPolar);
+            EnableInClassList("glint-plot-polar", isPolar);
+            Write();
+            MarkDirtyRepaint();
+        }
+
+        /// <summary>From chart coordinates, 0 to 1 with y up, to the element's.</summary>
+        protected Vector2 At(double x, double y)
+        {
+            var area = Area();
+            return new Vector2(area.x + area.width * (float)x, area.yMax - area.height * (float)y);
+        }
+
+        /// <summary>From the element's coordinates to the chart's.</summary>
+        protected (double X, double Y) From(Vector2 place)
+        {
+            var area = Area();
+            return ((place.x - area.x) / area.width, (area.yMax - place.y) / area.height);
+        }
+
+        /// <summary>Width over height.</summary>
+        protected double Aspect => Area().width / Area().height;
+
+        Rect Area()
+        {
+            var all = contentRect;
+            if (!_isPolar)
+                return all;
+            float side = Mathf.Min(all.width, all.height);
+            return new Rect(all.x + (all.width - side) / 2, all.y + (all.height - side) / 2, side, side);
+        }
+
+        void Draw(MeshGenerationContext context)
+        {
+            if (_x == null || !(contentRect.width > 1 && contentRect.height > 1))
+                return;
+            var painter = context.painter2D;
+            painter.lineWidth = 1;
+            painter.strokeColor = Colours.Grid;
+            foreach (var (place, _) in _y.Ticks)
+                if (_isPolar)
+                    Circle(painter, (float)place);
+                else
+                    Line(painter, At(0, place), At(1, place));
+            foreach (var (place, _) in _x.Ticks)
+                if (_isPolar)
+                    Line(painter, At(0.5, 0.5), Around(place, 1));
+                else
+                    Line(painter, At(place, 0), At(place, 1));
+            if (!_isPolar)
+            {
+                painter.strokeColor = Colours.Frame;
+                Line(painter, At(0, 0), At(1, 0));
+                Line(painter, At(0, 0), At(0, 1));
+            }
+            DrawContent(painter);
+        }
+
+        // A place on the rim of a polar chart, by the part of a turn clockwise from the top.
+        Vector2 Around(double turn, double radius)
+        {
+            float angle = 2 * Mathf.PI * (float)turn;
+            return At(0.5 + 0.5 * radius * Mathf.Sin(angle), 0.5 + 0.5 * radius * Mathf.Cos(angle));
+        }
+
+        void Circle(Painter2D painter, float radius)
+        {
+            painter.BeginPath();
+            painter.Arc(At(0.5, 0.5), radius * Area().width / 2, Angle.Degrees(0), Angle.Degrees(360));
+            painter.Stroke();
+        }
+
+        protected static void Line(Painter2D painter, Vector2 from, Vector2 to)
+        {
+            painter.BeginPath();
+            painter.MoveTo(from);
+            painter.LineTo(to);
+            painter.Stroke();
+        }
+
+        void Write()
+        {
+            Clear();
+            if (_x == null || !(contentRect.width > 1))
+                return;
+            foreach (var (place, label) in _y.Ticks)
+                if (_isPolar)
+                    Put(label, "glint-tick", At(0.5, 0.5 + 0.5 * place), 0, -50);
+                else
+                    Put(label, "glint-tick", At(0, place) + TickGap * Vector2.left, -100, -50);
+            foreach (var (place, label) in _x.Ticks)
+                if (_isPolar)
+                    Put(label, "glint-tick", Around(place, 1.06), -50, -50);
+                else
+                    Put(label, "glint-tick", At(place, 0) + TickGap * Vector2.up, -50, 0);
+            Put(_yTitle, "glint-axis-title", _isPolar ? new Vector2(0, 0) : At(0, 1) + 2 * TickGap * Vector2.down, 0, _isPolar ? 0 : -60);
+            if (!_isPolar)
+                Put(_xTitle, "glint-axis-title", At(0.5, 0) + 4 * TickGap * Vector2.up, -50, 0);
+        }
+
+        // The part of its own size, in percent, by which a label is moved: -50 is its middle.
+        void Put(string text, string kind, Vector2 at, float right, float down)
+        {
+            var label = new Label(text) { pickingMode = PickingMode.Ignore };
+            label.AddToClassList(kind);
+            (label.style.left, label.style.top) = (at.x, at.y);
+            label.style.translate = new Translate(Length.Percent(right), Length.Percent(down));
+            Add(label);
+        }
+    }
+}

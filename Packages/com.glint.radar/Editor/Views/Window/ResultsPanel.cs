@@ -1,0 +1,112 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using UnityEditor;
+using UnityEditor.UIElements;
+using UnityEngine.UIElements;
+
+namespace Glint.Editor.Views
+{
+    /// <summary>The window's right side: what is shown of the rows, and the charts.</summary>
+    sealed class ResultsPanel : VisualElement
+    {
+        readonly ChartChoice _choice;
+        readonly Action _redraw;
+        readonly DropdownField _axis = new DropdownField("Over", new List<string> { SweepAxis.Angle.Name }, 0);
+        readonly ToolbarMenu _compare = new ToolbarMenu { text = "Compare" };
+        readonly ChartView _amplitude = new ChartView(), _received = new ChartView(), _hit = new ChartView();
+        readonly ChartLegend _legend = new ChartLegend();
+        readonly PhaseView _phases = new PhaseView();
+        readonly Label _readout = new Label(), _differences = new Label(), _phaseWords = new Label();
+        PoseFigures _chosen;
+
+        /// <param name="redraw">Called when the choice has changed.</param>
+        /// <param name="compare">Called with the folder or the published table's name to lay over; empty for none.</param>
+        /// <param name="saveFile">Called with the name of the results file to export.</param>
+        public ResultsPanel(ChartChoice choice, Action redraw, Action<string> compare, Action<string> saveFile, Action saveReport, Action savePicture)
+        {
+            (_choice, _redraw) = (choice, redraw);
+            var bar = new Toolbar();
+            _axis.RegisterValueChangedCallback(change => Choose(() => choice.Axis = change.newValue));
+            bar.Add(_axis);
+            bar.Add(Switch("Decibels", choice.InDecibels, value => choice.InDecibels = value));
+            bar.Add(Switch("Polar", choice.IsPolar, value => choice.IsPolar = value));
+            bar.Add(Switch("Raw", choice.IsRaw, value => choice.IsRaw = value));
+            _compare.menu.AppendAction("Nothing", action => compare(""));
+            foreach (var table in PublishedTable.All)
+                _compare.menu.AppendAction(table.Title, action => compare(table.Name));
+            _compare.menu.AppendAction("Results folder...", action =>
+            {
+                string folder = EditorUtility.OpenFolderPanel("Results folder", "", "");
+                if (folder.Length > 0)
+                    compare(folder);
+            });
+            bar.Add(_compare);
+            var export = new ToolbarMenu { text = "Export" };
+            foreach (string name in new[] { ResultsFolder.CsvName, ResultsFolder.JsonName })
+                export.menu.AppendAction(name, action => saveFile(name));
+            export.menu.AppendAction("HTML report", action => saveReport());
+            export.menu.AppendAction("Charts as PNG", action => savePicture());
+            bar.Add(export);
+            Add(bar);
+            _readout.AddToClassList("glint-readout");
+            _differences.AddToClassList("glint-words");
+            _phaseWords.AddToClassList("glint-words");
+            Add(_readout);
+            Charts = new ScrollView { style = { flexGrow = 1 } };
+            Charts.Add(_amplitude);
+            Charts.Add(_legend);
+            Charts.Add(_differences);
+            Charts.Add(_phases);
+            Charts.Add(_phaseWords);
+            Charts.Add(_received);
+            Charts.Add(_hit);
+            // The place for the radar's view of the chosen pose.
+            Charts.Add(new VisualElement { name = "radar-view" });
+            Add(Charts);
+            foreach (var chart in new[] { _amplitude, _received, _hit })
+            {
+                chart.Hovered += (series, point) => _readout.text = series.Name.Length > 0 ? $"{series.Name}: {point.Pose.Words()}" : point.Pose.Words();
+                chart.Left += () => _readout.text = _chosen?.Words() ?? "";
+                chart.Chosen += row => Choose(() => choice.Pose = row);
+            }
+        }
+
+        /// <summary>All charts, for a picture of them.</summary>
+        public ScrollView Charts { get; }
+
+        /// <param name="comparison">Laid over; may be null.</param>
+        public void Show(IReadOnlyList<PoseFigures> rows, Comparison comparison)
+        {
+            var axes = SweepChart.AxesOf(rows);
+            _axis.choices = axes.Select(axis => axis.Name).ToList();
+            _axis.SetValueWithoutNotify(_choice.AxisOf(rows).Name);
+            _compare.text = comparison == null ? "Compare" : "Compare: " + comparison.Title;
+            _chosen = _choice.Chosen(rows);
+            _readout.text = _chosen?.Words() ?? "";
+            var amplitude = _choice.Amplitude(rows, comparison);
+            _amplitude.Show(amplitude, _chosen);
+            _legend.Show(amplitude);
+            _received.Show(_choice.Received(rows, comparison), _chosen);
+            _hit.Show(_choice.Hit(rows, comparison), _chosen);
+            _differences.text = comparison?.Words(rows) ?? "";
+            var phases = new PhaseChart(_chosen);
+            _phases.Show(phases);
+            _phaseWords.text = phases.Words;
+        }
+
+        void Choose(Action choose)
+        {
+            choose();
+            _redraw();
+        }
+
+        ToolbarToggle Switch(string text, bool value, Action<bool> set)
+        {
+            var toggle = new ToolbarToggle { text = text, value = value };
+            toggle.RegisterValueChangedCallback(change => Choose(() => set(change.newValue)));
+            return toggle;
+        }
+    }
+}

@@ -1,0 +1,131 @@
+using System;
+using System.Collections.Generic;
+using Glint.Core;
+using UnityEditor;
+using UnityEditor.UIElements;
+using UnityEngine;
+using UnityEngine.UIElements;
+
+namespace Glint.Editor.Views
+{
+    /// <summary>The window's left side: what is swept, and the buttons.</summary>
+    sealed class SweepPanel : ScrollView
+    {
+        static readonly (SweepAxis axis, string label)[] s_lists =
+        {
+            (SweepAxis.Angle, "Angles, deg"), (SweepAxis.Grazing, "Grazing angles, deg"), (SweepAxis.Range, "Distances, m"), (SweepAxis.Frequency, "Frequencies, Hz"), (SweepAxis.Snapshot, "Snapshots")
+        };
+
+        readonly SweepForm _form;
+        readonly Dictionary<SweepAxis, Label> _axisProblems = new Dictionary<SweepAxis, Label>();
+        readonly ObjectField _radar, _target;
+        readonly Toggle _resume;
+        readonly Button _trace, _sweep, _cancel;
+        readonly ProgressBar _progress = new ProgressBar { lowValue = 0 };
+        readonly Label _folder = Words("glint-status"), _problem = Words("glint-problem"), _status = Words("glint-problem");
+        bool _isRunning;
+
+        /// <param name="form">Filled in here.</param>
+        public SweepPanel(SweepForm form, Action trace, Action sweep, Action cancel)
+        {
+            AddToClassList("glint-controls");
+            _form = form;
+            _radar = AddObject<RadarController>("Radar", form.Radar, "The radar that traces.", chosen => form.Radar = chosen);
+            _target = AddObject<Transform>("Target", form.Target, Options.Target.Help, chosen => form.Target = chosen);
+            foreach (var (axis, label) in s_lists)
+            {
+                AddText(label, form[axis], SweepForm.OptionOf(axis).Help, text => form[axis] = text);
+                Add(_axisProblems[axis] = Words("glint-problem"));
+            }
+            AddText("Results folder", form.Folder, "For results.csv and results.json, relative to the project. Empty: Results/<scene> beside Assets.", text => form.Folder = text);
+            Add(_folder);
+            _resume = new Toggle("Resume") { value = form.Resume, tooltip = Options.Resume.Help };
+            _resume.RegisterValueChangedCallback(change => form.Resume = change.newValue);
+            Add(_resume);
+            var buttons = new VisualElement();
+            buttons.AddToClassList("glint-buttons");
+            buttons.Add(_trace = new Button(trace) { text = "Trace", tooltip = "One pose, the scene as it stands; no files." });
+            buttons.Add(_sweep = new Button(sweep) { text = "Sweep" });
+            buttons.Add(_cancel = new Button(cancel) { text = "Cancel", tooltip = "The poses that are done are kept; Resume goes on." });
+            Add(buttons);
+            Add(_problem);
+            Add(_progress);
+            Add(_status);
+        }
+
+        /// <summary>Shows what the form holds now, when something else has changed it.</summary>
+        public void Reload()
+        {
+            _radar.SetValueWithoutNotify(_form.Radar);
+            _target.SetValueWithoutNotify(_form.Target);
+            Check();
+        }
+
+        /// <summary>Says what has gone wrong.</summary>
+        /// <param name="mishap">Null for nothing.</param>
+        public void Tell(string mishap) => Say(_status, mishap);
+
+        // What is wrong with the form, and which buttons it leaves.
+        void Check()
+        {
+            foreach (var entry in _axisProblems)
+                Say(entry.Value, _form.ProblemOf(entry.Key));
+            string problem = _form.Problem();
+            Say(_problem, problem);
+            _folder.text = _form.FolderWords(_isRunning);
+            _trace.SetEnabled(!_isRunning && _form.Radar != null);
+            _sweep.SetEnabled(!_isRunning && problem == null);
+            _cancel.SetEnabled(_isRunning);
+        }
+
+        /// <summary>Shows where a session stands.</summary>
+        /// <param name="session">Null for none.</param>
+        public void Show(SweepSession session)
+        {
+            bool wasRunning = _isRunning;
+            _isRunning = session?.IsRunning == true;
+            _progress.highValue = session == null ? 1 : session.Count;
+            _progress.value = session?.Done ?? 0;
+            _progress.title = session?.Status() ?? "";
+            Tell(session?.Problem);
+            if (_isRunning != wasRunning)
+                Check();
+        }
+
+        ObjectField AddObject<T>(string label, T value, string help, Action<T> set) where T : Component
+        {
+            var field = new ObjectField(label) { objectType = typeof(T), allowSceneObjects = true, value = value, tooltip = help };
+            field.RegisterValueChangedCallback(change =>
+            {
+                set(change.newValue as T);
+                Check();
+            });
+            Add(field);
+            return field;
+        }
+
+        void AddText(string label, string value, string help, Action<string> set)
+        {
+            var field = new TextField(label) { value = value, tooltip = help };
+            field.RegisterValueChangedCallback(change =>
+            {
+                set(change.newValue);
+                Check();
+            });
+            Add(field);
+        }
+
+        static Label Words(string kind)
+        {
+            var label = new Label();
+            label.AddToClassList(kind);
+            return label;
+        }
+
+        static void Say(Label label, string text)
+        {
+            label.text = text ?? "";
+            label.style.display = string.IsNullOrEmpty(text) ? DisplayStyle.None : DisplayStyle.Flex;
+        }
+    }
+}

@@ -1,0 +1,28 @@
+using UnityEditor;
+using UnityEditorInternal;
+using UnityEngine;
+using UnityEngine.UIElements;
+
+namespace Glint.Editor.Views
+{
+    /// <summary>A part of a window as it is on the screen.</summary>
+    static class WindowPicture
+    {
+        /// <summary>PNG of an element, as large as it is shown.</summary>
+        public static byte[] Png(EditorWindow window, VisualElement element)
+        {
+            var (place, bound, scale) = (window.position, element.worldBound, EditorGUIUtility.pixelsPerPoint);
+            int width = Mathf.RoundToInt(bound.width * scale), height = Mathf.RoundToInt(bound.height * scale);
+            var picture = new Texture2D(width, height, TextureFormat.RGB24, false);
+            try
+            {
+                picture.SetPixels(InternalEditorUtility.ReadScreenPixel((place.position + bound.position) * scale, width, height));
+                return picture.EncodeToPNG();
+            }
+            finally
+            {
+                Object.DestroyImmediate(picture);
+            }
+        }
+    }
+}

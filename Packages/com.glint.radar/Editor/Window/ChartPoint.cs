@@ -1,0 +1,30 @@
+namespace Glint.Editor
+{
+    /// <summary>A pose in a chart, by chart coordinates: x and y from 0 at the left and the bottom to 1.</summary>
+    readonly struct ChartPoint
+    {
+        public ChartPoint(PoseFigures pose, int row, (double, double) place, (double, double) low, (double, double) high)
+        {
+            Pose = pose;
+            Row = row;
+            (X, Y) = place;
+            Low = low;
+            High = high;
+        }
+
+        public PoseFigures Pose { get; }
+
+        /// <summary>Number of the pose in its run, from 0.</summary>
+        public int Row { get; }
+
+        public double X { get; }
+
+        public double Y { get; }
+
+        /// <summary>Ends of the band of the sampling error; the point itself where there is none.</summary>
+        public (double X, double Y) Low { get; }
+
+        /// <inheritdoc cref="Low"/>
+        public (double X, double Y) High { get; }
+    }
+}

@@ -1,0 +1,168 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Glint.Core;
+using UnityEngine;
+
+namespace Glint.Editor
+{
+    /// <summary>What a user fills in for a sweep of the open scene: the options of <c>glint sweep</c>, as text, read by the same parsers.</summary>
+    [Serializable]
+    sealed class SweepForm
+    {
+        /// <summary>Traces. Null: the one radar of the scene.</summary>
+        public RadarController Radar;
+
+        /// <summary>What is turned, or what the radar is moved about.</summary>
+        public Transform Target;
+
+        /// <summary>FROM:TO:STEP or a list with commas; empty where the axis is left alone.</summary>
+        public string Angles = "0:45:1", GrazingAngles = "", Distances = "", Frequencies = "", Snapshots = "";
+
+        /// <summary>For the result files, relative to the project; empty: Results/&lt;scene&gt; beside Assets.</summary>
+        public string Folder = "";
+
+        /// <summary>Go on with a sweep that was ended.</summary>
+        public bool Resume;
+
+        /// <summary>Takes the one radar of the scene where none is chosen or the chosen one is gone.</summary>
+        public void FindRadar()
+        {
+            if (Radar != null)
+                return;
+            var all = UnityEngine.Object.FindObjectsByType<RadarController>(FindObjectsInactive.Exclude, FindObjectsSortMode.None);
+            Radar = all.Length == 1 ? all[0] : null;
+        }
+
+        /// <summary>The text for an axis.</summary>
+        public string this[SweepAxis axis]
+        {
+            get => axis == SweepAxis.Angle ? Angles : axis == SweepAxis.Grazing ? GrazingAngles : axis == SweepAxis.Range ? Distances : axis == SweepAxis.Frequency ? Frequencies : Snapshots;
+            set
+            {
+                if (axis == SweepAxis.Angle)
+                    Angles = value;
+                else if (axis == SweepAxis.Grazing)
+                    GrazingAngles = value;
+                else if (axis == SweepAxis.Range)
+                    Distances = value;
+                else if (axis == SweepAxis.Frequency)
+                    Frequencies = value;
+                else
+                    Snapshots = value;
+            }
+        }
+
+        /// <summary>The option whose values an axis takes.</summary>
+        public static Option OptionOf(SweepAxis axis) =>
+            axis == SweepAxis.Angle ? Options.Angles : axis == SweepAxis.Grazing ? Options.GrazingAngles : axis == SweepAxis.Range ? Options.Distances : axis == SweepAxis.Frequency ? Options.Frequencies : (Option)Options.Snapshots;
+
+        /// <summary>What is wrong with the text for an axis, in the command's words; null when nothing is.</summary>
+        public string ProblemOf(SweepAxis axis)
+        {
+            if (!IsGiven(axis))
+                return null;
+            try
+            {
+                OptionOf(axis).ParseValue(this[axis]);
+                return null;
+            }
+            catch (UsageException problem)
+            {
+                return problem.Message;
+            }
+        }
+
+        /// <summary>What is wrong with all of it; null when a sweep can begin.</summary>
+        public string Problem()
+        {
+            try
+            {
+                RequireRadar();
+                Batch.PlanOf(Line());
+                _ = FolderPath;
+                return null;
+            }
+            catch (GlintException problem)
+            {
+                return problem.Message;
+            }
+        }
+
+        /// <summary>Where the results go.</summary>
+        /// <exception cref="GlintException">The text is no path.</exception>
+        public string FolderPath
+        {
+            get
+            {
+                try
+                {
+                    return string.IsNullOrWhiteSpace(Folder) ? RunDescription.DefaultFolder(Name) : RunDescription.InProject(Folder.Trim());
+                }
+                catch (ArgumentException error)
+                {
+                    throw new GlintException($"results folder {Values.Shown(Folder)}: {error.Message.TrimEnd('.')}: name another", error);
+                }
+            }
+        }
+
+        /// <summary>The folder, and whether a sweep that is not finished is in it; or what is wrong with it.</summary>
+        /// <param name="isRunning">Whether the sweep in it is this one, at work.</param>
+        public string FolderWords(bool isRunning)
+        {
+            try
+            {
+                return !isRunning && File.Exists(Path.Combine(FolderPath, ResultsFolder.PartialName))
+                    ? $"{FolderPath} holds a sweep that is not finished: Resume goes on with it, otherwise the first row replaces it."
+                    : FolderPath;
+            }
+            catch (GlintException problem)
+            {
+                return problem.Message;
+            }
+        }
+
+        /// <summary>Name of the radar's scene.</summary>
+        public string Name => Radar == null || string.IsNullOrEmpty(ScenePath) ? "Untitled" : Path.GetFileNameWithoutExtension(ScenePath);
+
+        string ScenePath => Radar.gameObject.scene.path;
+
+        /// <summary>The sweep, ready to be run.</summary>
+        /// <exception cref="GlintException">Something is wrong with it; the message says what.</exception>
+        public SweepSetup Setup()
+        {
+            RequireRadar();
+            var line = Line();
+            var setup = new SweepSetup(Radar, Batch.PlanOf(line)) { Scene = ScenePath, Command = string.IsNullOrEmpty(ScenePath) ? null : Batch.WordsOf(line) };
+            if (line.IsGiven(Options.Target))
+                setup.Target = Target;
+            if (line.IsGiven(Options.Snapshots))
+                setup.Sea = SceneSearch.FindSea($"scene '{Name}'");
+            return setup;
+        }
+
+        void RequireRadar()
+        {
+            if (Radar == null)
+                throw new GlintException("no radar: choose the RadarController of the scene, or add one to a camera (Glint > Radar Controller)");
+            if (!Radar.isActiveAndEnabled)
+                throw new GlintException($"RadarController of '{Radar.name}' is disabled or inactive: enable it");
+        }
+
+        // The command that would do the same: it checks everything in its own words, and is stored with the results.
+        CommandLine Line()
+        {
+            var words = new List<string>();
+            foreach (var axis in SweepAxis.All.Reverse().Where(IsGiven))
+                words.Add($"{OptionOf(axis).Flag}={this[axis].Trim()}");
+            if (Target != null && Options.Target.Needs.Any(option => words.Any(word => word.StartsWith(option.Flag + "=", StringComparison.Ordinal))))
+                words.Add($"{Options.Target.Flag}={SceneSubjects.PathOf(Target)}");
+            words.Add("--");
+            words.Add(string.IsNullOrEmpty(ScenePath) ? "Untitled.unity" : ScenePath);
+            return CommandLine.Parse(Commands.Sweep, words);
+        }
+
+        bool IsGiven(SweepAxis axis) => !string.IsNullOrWhiteSpace(this[axis]);
+    }
+}

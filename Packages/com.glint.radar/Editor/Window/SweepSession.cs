@@ -1,0 +1,185 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Linq;
+using System.Threading;
+using Glint.Core;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+using UnityEngine.SceneManagement;
+using Debug = UnityEngine.Debug;
+
+namespace Glint.Editor
+{
+    /// <summary>
+    /// A sweep, or a single pose, of the open scene, in edit mode or in play mode: a pose a tick, the files those of the command.
+    /// However it ends, everything that was moved is put back, also before scripts are reloaded, play mode changes, or the scene is saved or closed.
+    /// </summary>
+    sealed class SweepSession : IDisposable
+    {
+        readonly List<PoseFigures> _rows = new List<PoseFigures>();
+        readonly CancellationTokenSource _cancel = new CancellationTokenSource();
+        readonly Stopwatch _watch = Stopwatch.StartNew();
+        readonly RadarController _radar;
+        readonly int _before;
+        readonly ResultsFolder _folder;
+        SweepRun _run;
+        string _reason;
+        bool _isTracing;
+
+        SweepSession(SweepSetup setup, string folder, bool resume)
+        {
+            _radar = setup.Radar;
+            FolderPath = folder;
+            try
+            {
+                SceneSubjects.LaySeas();
+                // How a scene is divided depends on what was seen to move. Nothing of what was traced before is to show in the rows, which are those of the command.
+                _radar.Release();
+                _folder = folder == null ? null : ResultsFolder.Open(folder);
+                _run = new SweepRun(setup, _folder, null, resume);
+            }
+            catch
+            {
+                PutBack();
+                throw;
+            }
+            Count = _run.Count;
+            Done = _before = _run.Done;
+            if (_folder != null)
+                _rows.AddRange(_folder.Rows.Select(row => new PoseFigures(row)));
+            AssemblyReloadEvents.beforeAssemblyReload += EndBeforeReload;
+            EditorApplication.playModeStateChanged += EndBeforePlayMode;
+            EditorSceneManager.sceneSaving += EndBeforeSaving;
+            EditorSceneManager.sceneClosing += EndBeforeClosing;
+            if (_run.IsComplete)
+                End(null);
+        }
+
+        /// <summary>Begins a sweep; the first tick traces its first pose.</summary>
+        /// <exception cref="GlintException">It cannot begin; the message says why. Everything is as it was.</exception>
+        public static SweepSession Sweep(SweepForm form)
+        {
+            foreach (var other in UnityEngine.Object.FindObjectsByType<Glint.Sweep>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
+                if (other.IsRunning)
+                    throw new GlintException($"the Sweep of '{other.name}' is sweeping this scene: wait for its end, or disable it");
+            return new SweepSession(form.Setup(), form.FolderPath, form.Resume);
+        }
+
+        /// <summary>The pose as it stands, without files.</summary>
+        /// <exception cref="GlintException">It cannot be traced.</exception>
+        public static SweepSession Pose(RadarController radar) => new SweepSession(new SweepSetup(radar, SweepPlan.Single), null, false);
+
+        /// <summary>Poses in all, and those that are traced; those before a resumption count.</summary>
+        public int Count { get; }
+
+        /// <inheritdoc cref="Count"/>
+        public int Done { get; private set; }
+
+        /// <summary>The rows so far.</summary>
+        public IReadOnlyList<PoseFigures> Rows => _rows;
+
+        /// <summary>Where the files are; null for a single pose.</summary>
+        public string FolderPath { get; }
+
+        /// <summary>Whether there is a pose left to trace.</summary>
+        public bool IsRunning => _run != null;
+
+        /// <summary>Why it ended before the last pose; null while it runs and when all are traced.</summary>
+        public string Problem { get; private set; }
+
+        /// <summary>Seconds until the last pose is traced, by those so far; null before the first.</summary>
+        public double? SecondsLeft => Done > _before ? _watch.Elapsed.TotalSeconds / (Done - _before) * (Count - Done) : (double?)null;
+
+        /// <summary>Where it stands, in a line.</summary>
+        public string Status()
+        {
+            string count = FormattableString.Invariant($"{Done} of {Count} poses");
+            if (IsRunning)
+                return SecondsLeft is double left ? FormattableString.Invariant($"{count}, {left:0} s left") : count;
+            return Done == Count ? count : $"{count} are done and kept; Resume goes on";
+        }
+
+        /// <summary>Traces the next pose.</summary>
+        /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null. It may call <see cref="Cancel"/>.</param>
+        public void Tick(IProgress<double> progress = null)
+        {
+            if (!IsRunning || _isTracing)
+                return;
+            _isTracing = true;
+            try
+            {
+                if (_radar == null)
+                    throw new GlintException("the radar of the sweep was destroyed: it must stay until the last pose");
+                var row = _run.Step(progress, _cancel.Token);
+                Done = _run.Done;
+                _rows.Add(new PoseFigures(new StoredRow(row)));
+                if (_run.IsComplete)
+                    End(null);
+                else if (_cancel.IsCancellationRequested)
+                    End(_reason);
+            }
+            catch (OperationCanceledException)
+            {
+                End(_reason);
+            }
+            catch (GlintException problem)
+            {
+                End(problem.Message);
+            }
+            catch (Exception fault)
+            {
+                End($"{fault.GetType().Name}: {fault.Message}");
+                Debug.LogException(fault);
+            }
+            finally
+            {
+                _isTracing = false;
+            }
+        }
+
+        /// <summary>Ends the pose in hand at once, and the sweep; the rows stay. Between two poses everything is put back when this returns.</summary>
+        public void Cancel() => Stop("cancelled");
+
+        /// <summary>As <see cref="Cancel"/>.</summary>
+        public void Dispose() => Stop("cancelled");
+
+        void Stop(string reason)
+        {
+            _reason = reason;
+            _cancel.Cancel();
+            if (!_isTracing && IsRunning)
+                End(reason);
+        }
+
+        void End(string problem)
+        {
+            Problem = problem;
+            AssemblyReloadEvents.beforeAssemblyReload -= EndBeforeReload;
+            EditorApplication.playModeStateChanged -= EndBeforePlayMode;
+            EditorSceneManager.sceneSaving -= EndBeforeSaving;
+            EditorSceneManager.sceneClosing -= EndBeforeClosing;
+            PutBack();
+        }
+
+        void PutBack()
+        {
+            _run?.Dispose();
+            _folder?.Dispose();
+            _run = null;
+            // In play mode the radar keeps its buffers for the next pose and lets them go with its object.
+            if (_radar != null && !Application.isPlaying)
+                _radar.Release();
+        }
+
+        void EndBeforeReload() => Stop("ended: scripts are reloaded");
+
+        void EndBeforePlayMode(PlayModeStateChange change) => Stop("ended: play mode begins or ends");
+
+        // What is saved is the scene as it was.
+        void EndBeforeSaving(Scene scene, string path) => Stop("ended: the scene is saved");
+
+        void EndBeforeClosing(Scene scene, bool isRemoved) => Stop("ended: the scene is closed");
+    }
+}

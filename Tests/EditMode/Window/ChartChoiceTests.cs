@@ -1,0 +1,43 @@
+using System;
+using System.Linq;
+using Glint.Core;
+using Glint.Editor;
+using NUnit.Framework;
+
+namespace Glint.Tests
+{
+    public sealed class ChartChoiceTests
+    {
+        [Test]
+        public void Axis_ThatTheRunDoesNotStepThrough_IsTheFastest()
+        {
+            var rows = new[] { SamplePoses.At(SweepAxis.Angle, 0, SweepAxis.Range, 50), SamplePoses.At(SweepAxis.Angle, 0, SweepAxis.Range, 60) };
+            Assert.That(new ChartChoice { Axis = "angle" }.AxisOf(rows), Is.EqualTo(SweepAxis.Range));
+            Assert.That(new ChartChoice { Axis = "range" }.AxisOf(rows), Is.EqualTo(SweepAxis.Range));
+            Assert.That(new ChartChoice().AxisOf(Array.Empty<PoseFigures>()), Is.EqualTo(SweepAxis.Angle));
+        }
+
+        // A choice outlives the run that it was made in.
+        [TestCase(-1, 1)]
+        [TestCase(0, 0)]
+        [TestCase(2, 1)]
+        public void Pose_ThatTheRunDoesNotHave_IsTheStrongest(int chosen, int shown)
+        {
+            var rows = new[] { SamplePoses.At(0, 1), SamplePoses.At(1, 3) };
+            var choice = new ChartChoice { Pose = chosen };
+            Assert.That(choice.Chosen(rows), Is.SameAs(rows[shown]));
+            Assert.That(choice.Chosen(Array.Empty<PoseFigures>()), Is.Null);
+        }
+
+        [Test]
+        public void Charts_OfRays_AreNeverInDecibels()
+        {
+            var rows = Enumerable.Range(0, 3).Select(i => SamplePoses.At(new SweepPose(i), i, 0, 7, 100)).ToArray();
+            var choice = new ChartChoice { InDecibels = true };
+            Assert.That(choice.Amplitude(rows, null).YTitle, Does.EndWith("dB"));
+            Assert.That((choice.Received(rows, null).YTitle, choice.Hit(rows, null).Y.High), Is.EqualTo(("Rays received", 100.0)));
+            choice.IsRaw = true;
+            Assert.That(choice.Amplitude(rows, null).YTitle, Is.EqualTo("Amplitude, dB"));
+        }
+    }
+}
