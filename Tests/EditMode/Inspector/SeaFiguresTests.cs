@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>What an inspector says of seas and ships.</summary>
+    /// <summary>What an inspector says of a sea.</summary>
     public sealed class SeaFiguresTests
     {
         Sea _sea;
@@ -53,13 +53,6 @@ namespace Glint.Tests
             _sea.Snapshots.Add(null);
             var refused = Assert.Throws<GlintException>(() => _sea.Lay());
             Assert.That(SeaFigures.Check(_sea).Text, Is.EqualTo(refused.Message));
-        }
-
-        [Test]
-        public void Rows_OfAShip_AreItsMeasures()
-        {
-            var ship = _sea.gameObject.AddComponent<Ship>();
-            Assert.That(SeaFigures.Rows(ship, 44000).Single().value, Is.EqualTo("62 x 13.4 m, 5.6 m deep, 44,000 triangles"));
         }
 
         string Row(string label) => SeaFigures.Rows(_sea).Single(row => row.label == label).value;

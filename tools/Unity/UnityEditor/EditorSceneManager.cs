@@ -106,6 +106,9 @@ public sealed class EditorSceneManager : SceneManager
     public static AsyncOperation LoadSceneAsyncInPlayMode(string path, LoadSceneParameters parameters) =>
         LoadSceneAsync(path, parameters);
 
+    /// <summary>There are no other scenes than those that SceneManager knows.</summary>
+    public static bool IsPreviewSceneObject(UnityEngine.Object obj) => false;
+
     public static bool MarkSceneDirty(Scene scene) => scene.IsValid() && (scene.Data.IsDirty = true);
 
     static void Isolate(SceneData scene)

@@ -3,6 +3,8 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Linq;
 using Glint.Core;
+using UnityEditor;
+using UnityEditor.SceneManagement;
 using UnityEngine;
 
 namespace Glint.Editor
@@ -17,6 +19,9 @@ namespace Glint.Editor
         readonly List<Finding> _findings = new List<Finding>();
 
         public RadarCheck(RadarController radar) => _radar = radar;
+
+        /// <summary>Whether there is a scene to look at: a prefab that is no scene's, or one that is open by itself, traces nothing.</summary>
+        public static bool CanLook(RadarController radar) => !EditorUtility.IsPersistent(radar) && !EditorSceneManager.IsPreviewSceneObject(radar);
 
         /// <summary>What was found last, errors first.</summary>
         public IReadOnlyList<Finding> Findings => _findings;

@@ -5,7 +5,7 @@ using Glint.Core;
 
 namespace Glint.Editor
 {
-    /// <summary>What an inspector says of a Sea and of a Ship.</summary>
+    /// <summary>What an inspector says of a Sea.</summary>
     static class SeaFigures
     {
         /// <summary>Why the sea cannot be shown; null when it can.</summary>
@@ -40,14 +40,6 @@ namespace Glint.Editor
             var snapshot = sea.Snapshots.ElementAtOrDefault(number - 1);
             return snapshot == null ? FormattableString.Invariant($"{number} (empty)")
                 : FormattableString.Invariant($"{number}: {snapshot.name}, {snapshot.TimeSeconds:0.###} s, {snapshot.WaveHeight:0.00} m high");
-        }
-
-        /// <summary>Label, value and meaning of a ship.</summary>
-        /// <param name="triangles">Of its mesh.</param>
-        public static IEnumerable<(string label, string value, string tooltip)> Rows(Ship ship, int triangles)
-        {
-            var measures = ship.Settings;
-            yield return ("Ship", FormattableString.Invariant($"{measures.Length:0.##} x {measures.Beam:0.##} m, {measures.Draught:0.##} m deep, {triangles:N0} triangles"), "Length, beam, draught and triangles. The bow points to -Z, the water is at y = 0.");
         }
     }
 }

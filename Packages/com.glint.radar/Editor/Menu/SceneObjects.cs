@@ -70,11 +70,8 @@ namespace Glint.Editor
         /// <param name="parent">May be null.</param>
         public static Ship MakeShip(GameObject parent)
         {
-            var settings = ShipSettings.Default;
-            var made = ShipModel.Build(settings);
             var ship = new GameObject("Ship", typeof(MeshFilter), typeof(MeshRenderer)).AddComponent<Ship>();
-            ship.Settings = settings;
-            ProjectAssets.Show(ship.gameObject, MeshMaker.Make("Ship", made.Vertices, made.Indices));
+            ProjectAssets.Show(ship.gameObject, ShipFigures.Make(ship.Settings));
             Place(ship.gameObject, parent);
             return ship;
         }

@@ -114,8 +114,7 @@ namespace Glint
         /// <summary>Tiles that are shown.</summary>
         internal int TileCount => _tiles.Shown;
 
-        /// <summary>Who it is, in messages.</summary>
-        internal string Subject => $"Sea of '{name}'";
+        string Subject => $"Sea of '{name}'";
 
         /// <summary>Lays the tiles as everything stands now.</summary>
         /// <exception cref="GlintException">A setting is out of its range, or a snapshot is missing.</exception>

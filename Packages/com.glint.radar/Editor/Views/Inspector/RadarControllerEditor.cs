@@ -26,7 +26,7 @@ namespace Glint.Editor.Views
             _findings = new VisualElement();
             inspector.Add(_findings);
             AddSettings(inspector);
-            if (targets.Length == 1)
+            if (targets.Length == 1 && RadarCheck.CanLook(Radar))
                 AddLook(inspector);
             return inspector;
         }
@@ -95,7 +95,7 @@ namespace Glint.Editor.Views
         // The scene that plays, a sweep or the window may have traced as well.
         void ShowResult()
         {
-            _problem.text = _tracing.Problem;
+            _problem.text = _tracing.Problem ?? "";
             _problem.style.display = _tracing.Problem == null ? DisplayStyle.None : DisplayStyle.Flex;
             if (target == null || Radar.Result == _shown)
                 return;

@@ -1,31 +1,49 @@
 using System.Linq;
 using UnityEditor;
-using UnityEngine;
 using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The inspector of a Ship: the measures that its mesh was made from, to be read.</summary>
+    /// <summary>The inspector of a Ship: its measures, and a button that makes its mesh from them.</summary>
     [CustomEditor(typeof(Ship)), CanEditMultipleObjects]
     sealed class ShipEditor : UnityEditor.Editor
     {
+        VisualElement _findings, _figures;
+        Button _remake;
+
+        Ship Ship => (Ship)target;
+
         public override VisualElement CreateInspectorGUI()
         {
             var inspector = new VisualElement();
-            var figures = new VisualElement();
-            var measures = Parts.Field("_settings", "Measures");
-            measures.SetEnabled(false); // another ship is another mesh
-            inspector.Add(figures);
-            inspector.Add(measures);
-            if (targets.Length == 1)
-                Parts.ShowRows(figures, SeaFigures.Rows((Ship)target, TriangleCount()));
+            _findings = new VisualElement();
+            _figures = new VisualElement();
+            _remake = new Button(Remake) { text = ShipFigures.Remake(Ship).Label, tooltip = "From the measures above. The mesh is stored with the scene." };
+            inspector.Add(_findings);
+            inspector.Add(Parts.Field("_settings", "Measures (m)"));
+            if (targets.Length != 1)
+                return inspector;
+            inspector.Add(_remake);
+            inspector.Add(_figures);
+            new Watch(inspector, serializedObject, Look);
             return inspector;
         }
 
-        int TriangleCount()
+        void Look()
         {
-            var mesh = ((Ship)target).TryGetComponent<MeshFilter>(out var filter) ? filter.sharedMesh : null;
-            return mesh == null ? 0 : Enumerable.Range(0, mesh.subMeshCount).Sum(submesh => (int)mesh.GetIndexCount(submesh) / 3);
+            if (target == null)
+                return;
+            var finding = ShipFigures.Check(Ship);
+            Parts.ShowFindings(_findings, finding == null ? Enumerable.Empty<Finding>() : new[] { finding }, () => { });
+            _remake.SetEnabled(finding == null);
+            Parts.ShowRows(_figures, ShipFigures.Rows(Ship));
+        }
+
+        void Remake()
+        {
+            if (ShipFigures.Check(Ship) == null)
+                ShipFigures.Remake(Ship).Apply();
+            Look();
         }
     }
 }
