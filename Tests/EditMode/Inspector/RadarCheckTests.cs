@@ -64,7 +64,7 @@ namespace Glint.Tests
             yield return Case("small receiver", test => test._radar.ReceiverSize = new Vector2(0.5f, 0.5f), "fewer than the 16 that an amplitude takes");
             yield return Case("few rays", test => test.Change(settings => { (settings.RaysAcross, settings.RaysDown) = (16, 9); return settings; }), "fewer than 16 can hit it");
             // Turned by 25 degrees: neighbours return 2 * 0.26 m apart, and their paths differ by that times sin(25 degrees).
-            yield return Case("coarse rays", test => test._radar.transform.rotation = Quaternion.Euler(0, 25, 0), "the paths of most neighbours differ by 0.5 wavelengths or more");
+            yield return Case("coarse rays", test => test._radar.transform.rotation = Quaternion.Euler(0, 25, 0), "most of whose neighbours' paths differ by 0.5 wavelengths or more");
         }
 
         [TestCaseSource(nameof(LeftToTheUser))]

@@ -154,7 +154,7 @@ namespace Glint.Editor
             else if (forecast.IsTooFew)
                 Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: a mirror at the target, facing the radar, would send {forecast.RaysReceived:0.#} rays to its receiver, fewer than the {SamplingEstimate.FewestRays} that an amplitude takes to be trusted: give it a larger receiver, or {remedy}"));
             else if (forecast.IsTooCoarse)
-                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: its rays are {forecast.RaySpacing:g3} m apart at the target: even where a mirror there, facing the radar, returns them, the paths of most neighbours differ by {SamplingEstimate.StepApart} wavelengths or more (up to {forecast.LargestPathStep:0.##}), too much for the amplitude to be trusted: {remedy}"));
+                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: its rays are {forecast.RaySpacing:g3} m apart at the target: a mirror there, facing the radar, would return rays most of whose neighbours' paths differ by {SamplingEstimate.StepApart} wavelengths or more (up to {forecast.LargestPathStep:0.##}), too much for the amplitude to be trusted; other returns may do better: {remedy}"));
         }
     }
 }
