@@ -27,6 +27,17 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void OfATargetBesideTheAxis_AreThoseInItsPlane()
+        {
+            _plate.transform.position = new Vector3(15, 0, 20);
+            Assert.That(Figures().Distance, Is.EqualTo(25).Within(1e-6));
+            Assert.That(Figures().Footprint.Value.y, Is.EqualTo(40 * tan(radians(30.0))).Within(1e-6));
+            // A mirror there that faces the radar lies on a circle of 25 m about it, and sends neighbours back 2 x 20 m x 2 tan(30 deg) / 90 apart, under an angle of asin(15 / 25).
+            double step = 2 * 40 * tan(radians(30.0)) / 90 * 0.6 * 10e9 / Signal.SpeedOfLight;
+            Assert.That(Figures().Forecast.Value.LargestPathStep, Is.EqualTo(step).Within(25).Percent, "at the middle of the receiver");
+        }
+
+        [Test]
         public void OfParallelRays_AreThoseOfTheAperture()
         {
             _radar.GetComponent<Camera>().orthographic = true;

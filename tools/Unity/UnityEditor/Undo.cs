@@ -34,7 +34,7 @@ public class Undo
     }
 
     public static void RegisterCreatedObjectUndo(Object objectToUndo, string name) =>
-        Add(objectToUndo, name, () => Object.DestroyImmediate(objectToUndo));
+        Add(objectToUndo, name, () => Destruction.Now(objectToUndo)); // also what another component requires
 
     public static T AddComponent<T>(GameObject gameObject)
         where T : Component => (T)AddComponent(gameObject, typeof(T));

@@ -7,8 +7,8 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Findings of what Unity alone can make: static batches and imported models.</summary>
-public sealed class MeshFindingsTests
+/// <summary>Findings of what a test in Unity cannot make: static batches, imported models, other devices, a radar without what it requires.</summary>
+public sealed class RadarFindingsTests
 {
     RadarController _radar;
     GameObject _plate;
@@ -30,8 +30,35 @@ public sealed class MeshFindingsTests
     public void RemoveScene()
     {
         AssetImporter.Known.Clear();
+        GraphicsDevice.IsNull = false;
         Object.DestroyImmediate(_radar.gameObject);
         Object.DestroyImmediate(_plate);
+    }
+
+    [Test]
+    public void Update_WithoutGraphicsDevice_SaysToLeaveOutNographics()
+    {
+        GraphicsDevice.IsNull = true;
+        Assert.That(Found(), Has.Some.StartsWith("Error: there is no graphics device"));
+    }
+
+    [Test]
+    public void Fix_OfARadarWithoutACamera_AddsOneAndUndoTakesItAway()
+    {
+        var bare = ObjectFactory.NewGameObject("Bare", _radar.gameObject.scene);
+        ObjectFactory.Attach(bare, typeof(Transform));
+        var radar = (RadarController)ObjectFactory.Attach(bare, typeof(RadarController));
+        bare.ActiveCached = true;
+        (radar.Kernel, radar.Receiver) = (_radar.Kernel, _radar.Receiver);
+        radar.Roots.Add(_plate.transform);
+        _check = new RadarCheck(radar);
+
+        Assert.That(Found(), Is.EqualTo(new[] { "Error: " + radar.HasNoCamera }));
+        _check.Findings[0].Fix.Apply();
+        Assert.That(Found(), Has.None.Contains("Camera"));
+        Undo.PerformUndo();
+        Assert.That(Found(), Has.Exactly(1).Contains("Camera"));
+        Object.DestroyImmediate(bare);
     }
 
     [Test]
