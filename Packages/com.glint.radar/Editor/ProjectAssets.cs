@@ -8,7 +8,14 @@ namespace Glint.Editor
     /// <summary>Meshes and prefabs written into the project. What is replaced keeps its guid, so that scenes still find it.</summary>
     static class ProjectAssets
     {
+        const string KernelPath = "Packages/com.glint.radar/Shaders/Trace.compute";
         const string MeshesPackage = "Packages/com.glint.meshes";
+
+        /// <summary>The kernel that every radar needs; null where its import failed.</summary>
+        public static ComputeShader Kernel => AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath);
+
+        /// <summary>What Unity gives new objects to look like.</summary>
+        public static Material StandardMaterial => AssetDatabase.GetBuiltinExtraResource<Material>("Default-Material.mat");
 
         /// <summary>The asset path of a folder as a user names it; made, with its parents, when it is not there.</summary>
         /// <exception cref="GlintException">It is outside of the project, or cannot be made.</exception>
@@ -67,7 +74,7 @@ namespace Glint.Editor
         public static void Show(GameObject shown, Mesh mesh)
         {
             shown.GetComponent<MeshFilter>().sharedMesh = mesh;
-            shown.GetComponent<MeshRenderer>().sharedMaterial = AssetDatabase.GetBuiltinExtraResource<Material>("Default-Material.mat");
+            shown.GetComponent<MeshRenderer>().sharedMaterial = StandardMaterial;
         }
 
         static void Make(string folder)

@@ -1,7 +1,6 @@
 using System.IO;
 using System.Linq;
 using Glint.Core;
-using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;
 
@@ -10,8 +9,6 @@ namespace Glint.Editor
     /// <summary>The radar that a command traces with and what it turns, from a scene of the project, from a mesh file, or the built-in ones.</summary>
     sealed class SceneSubjects
     {
-        const string KernelPath = "Packages/com.glint.radar/Shaders/Trace.compute";
-
         SceneSubjects(string name, string scene, RadarController radar, Transform target, Sea sea = null, RadarMount mount = null)
         {
             Name = name;
@@ -127,7 +124,7 @@ namespace Glint.Editor
             // Parallel rays come back to the rectangle that they left, unless another is given.
             if (!line.IsGiven(Options.Spacing) || line.IsGiven(Options.Receiver))
                 stand.ReceiverSize = line.Get(Options.Receiver);
-            var scene = MeshFileScene.Create(file, stand, Override(RadarSettings.Default, line), AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath));
+            var scene = MeshFileScene.Create(file, stand, Override(RadarSettings.Default, line), ProjectAssets.Kernel);
             return new SceneSubjects(file.Name, line.Input, scene.Radar, scene.Target, null, scene.Mount);
         }
 

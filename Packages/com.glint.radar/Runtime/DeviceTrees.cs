@@ -142,11 +142,14 @@ namespace Glint
 
         double MostBytes => Math.Min((double)MostBanks * _mostRowsABank * 16, SystemInfo.graphicsMemorySize * 1048576.0);
 
+        /// <summary>What the trees over some meshes take if every triangle reflects and all are in pairs.</summary>
+        public static double LeastBytes(IEnumerable<TriangleMesh> meshes, TreeShape shape) => meshes.Sum(mesh => (double)mesh.TriangleCount) * MeshTree.LeastRowsPerTriangle(shape) * 16;
+
         // By what the trees take at least, before they are built. Triangles that reflect nothing are not in them; they are counted only if it matters.
         void RefuseBefore(ICollection<TriangleMesh> meshes)
         {
             double least = MeshTree.LeastRowsPerTriangle(_shape);
-            if (meshes.Sum(mesh => (double)mesh.TriangleCount) * least * 16 > MostBytes)
+            if (LeastBytes(meshes, _shape) > MostBytes)
                 Refuse(meshes.Sum(mesh => (double)MeshTree.CountReflecting(mesh)) * least, "at least ");
         }
 

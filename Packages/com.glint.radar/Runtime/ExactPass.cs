@@ -10,7 +10,7 @@ namespace Glint
     sealed class ExactPass : IDisposable
     {
         // Rays of a dispatch: some hundredths of a second on a software device.
-        const int MostRays = 1 << 18;
+        public const int MostRays = 1 << 18;
 
         const uint NoPixel = uint.MaxValue;
 
@@ -37,10 +37,13 @@ namespace Glint
         /// <summary>Begins a pose.</summary>
         public void Begin() => _count = 0;
 
+        /// <summary>Tiles that one dispatch may take at most.</summary>
+        public static int MostTiles => (int)Math.Min(int.MaxValue, DeviceBuffer<ReceivedRay>.Most / PictureTiles.Rays);
+
         /// <summary>As many of the tiles as one dispatch may take, and room for all their rays.</summary>
         public int Limit(int tiles)
         {
-            tiles = (int)Math.Min(tiles, DeviceBuffer<ReceivedRay>.Most / PictureTiles.Rays);
+            tiles = Math.Min(tiles, MostTiles);
             _returning.Reserve((long)tiles * PictureTiles.Rays);
             return tiles;
         }

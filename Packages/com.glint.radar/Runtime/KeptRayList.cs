@@ -45,11 +45,14 @@ namespace Glint
                 throw TooMany($"all of {settings.RaysEmitted} rays", settings.RaysEmitted * (double)s_rayBytes, owner);
         }
 
+        /// <summary>Tiles that one dispatch may take at most when all rays are kept.</summary>
+        public static int MostTiles => (int)Math.Min(DeviceBuffer<RayData>.Most, MostOfAll) / PictureTiles.Rays;
+
         /// <summary>As many of the tiles as one dispatch may take for what is kept of them; makes room for all of their rays if all are kept.</summary>
         public int Limit(int tiles, DeviceBuffer<RayData> rays)
         {
             if (Keep == KeptRays.All)
-                tiles = (int)Math.Min(tiles, Math.Min(DeviceBuffer<RayData>.Most, MostOfAll) / PictureTiles.Rays);
+                tiles = Math.Min(tiles, MostTiles);
             rays.Reserve(Keep == KeptRays.All ? tiles * PictureTiles.Rays : 1); // a binding must not be empty
             return tiles;
         }

@@ -41,7 +41,7 @@ namespace Glint
 
             var radar = camera.gameObject.AddComponent<RadarController>();
             radar.Settings = settings;
-            radar.Receiver = MakeChild("Receiver", camera.transform, stand.RaySpacing > 0 ? 0 : -ReceiverBehindCamera);
+            radar.Receiver = MakeReceiver(camera.transform, stand.RaySpacing > 0);
             radar.ReceiverSize = new Vector2((float)stand.ReceiverSize.x, (float)stand.ReceiverSize.y);
             radar.Kernel = kernel;
             if (stand.RaySpacing > 0)
@@ -63,6 +63,9 @@ namespace Glint
             radar.Settings = pose.Settings;
             camera.orthographicSize = (float)(pose.View.ApertureHeight / 2);
         }
+
+        /// <summary>A receiver below a camera, where the published experiment has it; that of parallel rays stands in the aperture.</summary>
+        internal static Transform MakeReceiver(Transform camera, bool isParallel) => MakeChild("Receiver", camera, isParallel ? 0 : -ReceiverBehindCamera);
 
         static Transform MakeChild(string name, Transform parent, float z)
         {

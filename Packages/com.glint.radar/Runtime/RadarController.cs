@@ -204,17 +204,28 @@ namespace Glint
         /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>
         public RadarPose Gather()
         {
+            try
+            {
+                return Gather(_gatherer);
+            }
+            finally
+            {
+                foreach (string warning in _gatherer.Warnings)
+                    if (_warned.Add(warning))
+                        Debug.LogWarning($"{Subject}: {warning}", this);
+            }
+        }
+
+        /// <summary>The same by a gatherer of the caller's, which warns of what is left out: what this radar keeps and knows of motion is neither used nor changed.</summary>
+        internal RadarPose Gather(SceneGatherer gatherer)
+        {
             var pose = Describe();
             if (_roots.Exists(root => root == null))
-                throw new GlintException($"{Subject}: an entry of Roots is empty: assign an object or remove the entry");
-            pose.Scene = _gatherer.Gather(_layers, _roots, _receiver, transform);
-            foreach (string warning in _gatherer.Warnings)
-                if (_warned.Add(warning))
-                    Debug.LogWarning($"{Subject}: {warning}", this);
-
-            var stand = StandOf(transform, "the radar");
+                throw new GlintException(HasEmptyRoot);
+            pose.Scene = gatherer.Gather(_layers, _roots, _receiver, transform);
+            var stand = StandOf(gatherer, transform, "the radar");
             (pose.View.Position, pose.View.Right, pose.View.Up, pose.View.Forward) = (stand.Origin, stand.X, stand.Y, stand.Z);
-            stand = StandOf(_receiver, $"its receiver '{_receiver.name}'");
+            stand = StandOf(gatherer, _receiver, $"its receiver '{_receiver.name}'");
             (pose.View.ReceiverCentre, pose.View.ReceiverRight, pose.View.ReceiverUp, pose.View.ReceiverForward) = (stand.Origin, stand.X, stand.Y, stand.Z);
             if (IsFitted)
                 ApertureFit.Cover(ref pose, _raySpacing, Subject);
@@ -243,7 +254,16 @@ namespace Glint
             _tracer = null;
         }
 
-        string Subject => $"RadarController of '{name}'";
+        /// <summary>Who it is, in messages.</summary>
+        internal string Subject => $"RadarController of '{name}'";
+
+        internal string HasNoReceiver => $"{Subject} has no receiver: assign a Transform behind the camera to its field Receiver";
+
+        internal string HasNoCamera => $"'{name}' has a RadarController and no Camera: add one, its position, rotation and field of view are the radar's";
+
+        internal string HasNoHeight => FormattableString.Invariant($"the Camera of '{name}' is orthographic and its Size is {GetComponent<Camera>().orthographicSize}: give it half the aperture's height in metres, above 0");
+
+        internal string HasEmptyRoot => $"{Subject}: an entry of Roots is empty: assign an object or remove the entry";
 
         /// <summary>Whether each pose has an aperture of its own.</summary>
         internal bool IsFitted => _fitAperture && GetComponent<Camera>().orthographic;
@@ -256,9 +276,9 @@ namespace Glint
             return pose;
         }
 
-        Affine StandOf(Transform place, string role)
+        Affine StandOf(SceneGatherer gatherer, Transform place, string role)
         {
-            var stand = _gatherer.StandOf(place);
+            var stand = gatherer.StandOf(place);
             StandCheck.RefuseNowhere(stand, place, $"{Subject}: {role}");
             return stand;
         }
@@ -269,13 +289,13 @@ namespace Glint
         RadarPose Describe()
         {
             if (_receiver == null)
-                throw new GlintException($"{Subject} has no receiver: assign a Transform behind the camera to its field Receiver");
+                throw new GlintException(HasNoReceiver);
             if (!TryGetComponent<Camera>(out var camera))
-                throw new GlintException($"'{name}' has a RadarController and no Camera: add one, its position, rotation and field of view are the radar's");
+                throw new GlintException(HasNoCamera);
             if (IsFitted)
                 ApertureFit.CheckSpacing(_raySpacing, Subject);
             else if (camera.orthographic && !(camera.orthographicSize > 0))
-                throw new GlintException(FormattableString.Invariant($"the Camera of '{name}' is orthographic and its Size is {camera.orthographicSize}: give it half the aperture's height in metres, above 0"));
+                throw new GlintException(HasNoHeight);
 
             var pose = new RadarPose { Settings = Settings };
             pose.View.VerticalFovDegrees = camera.fieldOfView;

@@ -5,7 +5,6 @@ using Glint.Core;
 using Unity.Mathematics;
 using Unity.Profiling;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace Glint
 {
@@ -46,10 +45,6 @@ namespace Glint
         /// <param name="mostRowsABank">Rows of trees that one buffer may hold, as if the device took no more.</param>
         internal RayTracer(ComputeShader shader, string owner, bool asSoftware, long mostRowsABank = long.MaxValue)
         {
-            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
-                throw new GlintException("there is no graphics device (graphics device type Null): start Unity without -nographics");
-            if (!SystemInfo.supportsComputeShaders)
-                throw new GlintException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) runs no compute shaders: use Direct3D 11 or 12, Vulkan or Metal");
             _owner = owner;
             _isSoftware = asSoftware;
             _kernel = new TraceKernel(shader, _isSoftware, owner);
@@ -87,12 +82,14 @@ namespace Glint
 
         /// <summary>Refuses what does not fit, before a scene is gathered or built for it.</summary>
         /// <exception cref="GlintException">The device cannot hold as many tiles, or this computer as many rays as are to be kept.</exception>
-        public void CheckRoom(in RadarSettings settings, KeptRays keep)
+        public void CheckRoom(in RadarSettings settings, KeptRays keep) => CheckRoom(settings, keep, _owner);
+
+        internal static void CheckRoom(in RadarSettings settings, KeptRays keep, string owner)
         {
-            KeptRayList.Refuse(keep, settings, _owner);
+            KeptRayList.Refuse(keep, settings, owner);
             long tiles = PictureTiles.CountIn(settings), most = DeviceBuffer<uint>.Most;
             if (tiles > most)
-                throw new GlintException($"{_owner}: the list of the picture's {tiles} tiles of 64 rays takes {Text.Mebibytes(tiles * 4.0)}, and {SystemInfo.graphicsDeviceName} holds {Text.Mebibytes(most * 4.0)} in one buffer: trace a region or fewer rays");
+                throw new GlintException($"{owner}: the list of the picture's {tiles} tiles of 64 rays takes {Text.Mebibytes(tiles * 4.0)}, and {SystemInfo.graphicsDeviceName} holds {Text.Mebibytes(most * 4.0)} in one buffer: trace a region or fewer rays");
         }
 
         /// <summary>One pose: dispatches the kernel and sums what comes back.</summary>
@@ -252,6 +249,8 @@ namespace Glint
         }
 
         // Finding starts pays when it fills the device: a GPU with few tiles spends on it what it saves.
-        bool UsesStarts(int tiles) => _scene.HasFewInstances && (Shortcuts & Shortcuts.Starts) != 0 && (_isSoftware || tiles >= TilesToFillAGpu);
+        bool UsesStarts(int tiles) => _scene.HasFewInstances && (Shortcuts & Shortcuts.Starts) != 0 && StartsPay(tiles, _isSoftware);
+
+        internal static bool StartsPay(long tiles, bool isSoftware) => isSoftware || tiles >= TilesToFillAGpu;
     }
 }

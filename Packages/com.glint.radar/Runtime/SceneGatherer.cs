@@ -23,7 +23,7 @@ namespace Glint
         /// <summary>A mesh that would make more triangles than this when merged once for each of its objects is not: the objects are instances.</summary>
         public const long MostMergedTriangles = 200_000;
 
-        readonly HierarchyWalk _walk = new HierarchyWalk();
+        readonly VisibleRenderers _visible = new VisibleRenderers();
         readonly TransformTree _transforms = new TransformTree();
         readonly Kept<Mesh, MeshSource> _sources = new Kept<Mesh, MeshSource>();
         readonly Kept<TransformNode, Body> _bodies = new Kept<TransformNode, Body>();
@@ -105,16 +105,9 @@ namespace Glint
             _objects.Clear();
             _warnings.Clear();
             var skinned = new List<string>();
-            var lowerDetail = LowerDetail();
-            foreach (var renderer in _walk.Find(roots))
+            foreach (var renderer in _visible.Find(layers, roots, receiver))
             {
-                var owner = renderer.gameObject;
-                if (!renderer.enabled || !owner.activeInHierarchy || (layers.value & (1 << owner.layer)) == 0 || lowerDetail.Contains(renderer))
-                    continue;
-                var transform = renderer.transform;
-                if (receiver != null && transform.IsChildOf(receiver))
-                    continue;
-                var node = _transforms.Visit(transform);
+                var node = _transforms.Visit(renderer.transform);
                 if (node.IsTaken) // below nested roots
                     continue;
                 node.IsTaken = true;
@@ -125,20 +118,6 @@ namespace Glint
             }
             if (skinned.Count > 0)
                 _warnings.Add($"skinned meshes are not traced: '{string.Join("', '", skinned)}'. Bake them to a Mesh (SkinnedMeshRenderer.BakeMesh) to include them");
-        }
-
-        static HashSet<Renderer> LowerDetail()
-        {
-            var first = new HashSet<Renderer>();
-            var lower = new HashSet<Renderer>();
-            foreach (var group in Object.FindObjectsByType<LODGroup>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
-            {
-                var lods = group.GetLODs();
-                lower.UnionWith(lods.Skip(1).SelectMany(lod => lod.renderers));
-                first.UnionWith(lods.Take(1).SelectMany(lod => lod.renderers));
-            }
-            lower.ExceptWith(first);
-            return lower;
         }
 
         void AddObject(TransformNode node, Renderer renderer)
@@ -152,9 +131,9 @@ namespace Glint
                 return;
             }
             if (renderer.isPartOfStaticBatch)
-                throw new GlintException($"'{renderer.name}' is part of a static batch, whose meshes Unity has merged: clear Batching Static among the static flags of '{renderer.name}'");
+                throw new GlintException(InStaticBatch(renderer));
             if (!mesh.isReadable)
-                throw new GlintException($"mesh '{mesh.name}' of '{renderer.name}' is not readable: tick Read/Write in the mesh's import settings");
+                throw new GlintException(NotReadable(mesh, renderer));
 
             var source = _sources.Get(mesh, out bool first);
             if (first)
@@ -164,6 +143,14 @@ namespace Glint
             node.ObjectNumber = _objects.Count;
             _objects.Add((node, renderer));
         }
+
+        /// <summary>Why an object of a static batch is refused.</summary>
+        public static string InStaticBatch(Renderer renderer) =>
+            $"'{renderer.name}' is part of a static batch, whose meshes Unity has merged: clear Batching Static among the static flags of '{renderer.name}'";
+
+        /// <summary>Why a mesh that scripts cannot read is refused.</summary>
+        public static string NotReadable(Mesh mesh, Renderer renderer) =>
+            $"mesh '{mesh.name}' of '{renderer.name}' is not readable: tick Read/Write in the mesh's import settings";
 
         // The transform at which the scene's origin stands.
         TransformNode FindCentre(Transform radar, Transform receiver)

@@ -18,6 +18,9 @@ namespace Glint
         /// <exception cref="GlintException">There is none, or more than one.</exception>
         public static Sea FindSea(string searcher) => FindOnly<Sea>(searcher, "sea", "Sea (Glint > Sea) with snapshots to an object of the scene");
 
+        /// <summary>Why a component is not found that is there.</summary>
+        public static string IsDisabled(Behaviour component) => $"{component.GetType().Name} of '{component.name}' is disabled or inactive; enable it";
+
         static T FindOnly<T>(string searcher, string noun, string remedy) where T : Behaviour
         {
             var all = Object.FindObjectsByType<T>(FindObjectsInactive.Include, FindObjectsSortMode.None);
@@ -25,7 +28,7 @@ namespace Glint
             if (all.Length == 0)
                 throw new GlintException($"{searcher}: has no {noun}; add a {remedy}");
             if (enabled.Length == 0)
-                throw new GlintException($"{searcher}: its {typeof(T).Name} of '{all[0].name}' is disabled or inactive; enable it");
+                throw new GlintException($"{searcher}: its {IsDisabled(all[0])}");
             if (enabled.Length > 1)
                 throw new GlintException($"{searcher}: has {enabled.Length} {noun}s, '{string.Join("', '", Array.ConvertAll(enabled, found => found.name))}'; disable all but one");
             return enabled[0];

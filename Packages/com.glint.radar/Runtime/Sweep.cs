@@ -48,6 +48,24 @@ namespace Glint
         /// <summary>True from the first pose until all are traced and written.</summary>
         public bool IsRunning => _run != null;
 
+        /// <summary>Who looks for a radar or a sea, in messages.</summary>
+        internal string Searcher => $"scene of Sweep '{name}'";
+
+        bool HasSnapshots => !string.IsNullOrWhiteSpace(_snapshots);
+
+        /// <summary>The poses.</summary>
+        /// <exception cref="GlintException">There is nothing to sweep, angles or snapshots are malformed, or there are too many.</exception>
+        internal SweepPlan Plan()
+        {
+            if (_target == null && !HasSnapshots)
+                throw new GlintException($"Sweep of '{name}' has no target and no snapshots: assign the object to turn to its field Target, or write the snapshots of the scene's Sea, such as 1:10, into its field Snapshots");
+            return new SweepPlan(_target == null ? null : Glint.Core.Angles.Parse(_angles), HasSnapshots ? Glint.Core.Snapshots.Parse(_snapshots) : null);
+        }
+
+        /// <summary>Whose snapshots are shown; null when none are.</summary>
+        /// <exception cref="GlintException">The scene has no sea, or several.</exception>
+        internal Sea FindSea() => HasSnapshots ? SceneSearch.FindSea(Searcher) : null;
+
         void Start() => Attempt(Begin);
 
         void Update()
@@ -60,13 +78,10 @@ namespace Glint
 
         void Begin()
         {
-            bool hasSnapshots = !string.IsNullOrWhiteSpace(_snapshots);
-            if (_target == null && !hasSnapshots)
-                throw new GlintException($"Sweep of '{name}' has no target and no snapshots: assign the object to turn to its field Target, or write the snapshots of the scene's Sea, such as 1:10, into its field Snapshots");
+            var plan = Plan();
             if (_radar == null)
-                _radar = SceneSearch.FindRadar($"scene of Sweep '{name}'");
-            var plan = new SweepPlan(_target == null ? null : Glint.Core.Angles.Parse(_angles), hasSnapshots ? Glint.Core.Snapshots.Parse(_snapshots) : null);
-            var sea = hasSnapshots ? SceneSearch.FindSea($"scene of Sweep '{name}'") : null;
+                _radar = SceneSearch.FindRadar(Searcher);
+            var sea = FindSea();
             string scene = gameObject.scene.name;
             var folder = ResultsFolder.Open(string.IsNullOrEmpty(_outputFolder) ? RunDescription.DefaultFolder(scene) : RunDescription.InProject(_outputFolder));
             _run = new SweepRun(new SweepSetup(_radar, plan) { Target = _target, Sea = sea, Scene = gameObject.scene.path }, folder);

@@ -1,6 +1,7 @@
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Glint
 {
@@ -18,9 +19,13 @@ namespace Glint
         readonly int _startsKernel, _exactKernel, _pathsKernel;
         int _kernel;
 
-        /// <exception cref="GlintException">The shader is another one, or the device cannot run it.</exception>
+        /// <exception cref="GlintException">There is no graphics device, the shader is another one, or the device cannot run it.</exception>
         public TraceKernel(ComputeShader shader, bool isSoftware, string owner)
         {
+            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
+                throw new GlintException("there is no graphics device (graphics device type Null): start Unity without -nographics");
+            if (!SystemInfo.supportsComputeShaders)
+                throw new GlintException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) runs no compute shaders: use Direct3D 11 or 12, Vulkan or Metal");
             if (shader == null)
                 throw new GlintException($"{owner} has no kernel: assign Packages/com.glint.radar/Shaders/Trace.compute");
             _name = isSoftware ? "TraceWide" : "Trace";

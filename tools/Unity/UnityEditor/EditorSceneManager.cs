@@ -111,6 +111,9 @@ public sealed class EditorSceneManager : SceneManager
     public static AsyncOperation LoadSceneAsyncInPlayMode(string path, LoadSceneParameters parameters) =>
         LoadSceneAsync(path, parameters);
 
+    /// <summary>There are no other scenes than those that SceneManager knows.</summary>
+    public static bool IsPreviewSceneObject(UnityEngine.Object obj) => false;
+
     public static bool MarkSceneDirty(Scene scene) => scene.IsValid() && (scene.Data.IsDirty = true);
 
     internal static void RaiseSaving(Scene scene) => sceneSaving?.Invoke(scene, scene.path);

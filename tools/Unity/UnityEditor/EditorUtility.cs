@@ -4,19 +4,15 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>There is no window to draw a progress bar in.</summary>
+/// <summary>There is no window to draw a progress bar in; a test may look at it and press its button.</summary>
 public class EditorUtility
 {
-    public static void DisplayProgressBar(string title, string info, float progress)
-    {
-    }
+    public static void DisplayProgressBar(string title, string info, float progress) => EditorHooks.ProgressBar(progress);
 
-    /// <summary>Nobody can press cancel.</summary>
-    public static bool DisplayCancelableProgressBar(string title, string info, float progress) => false;
+    /// <summary>True when cancel was pressed.</summary>
+    public static bool DisplayCancelableProgressBar(string title, string info, float progress) => EditorHooks.ProgressBar(progress);
 
-    public static void ClearProgressBar()
-    {
-    }
+    public static void ClearProgressBar() => EditorHooks.ProgressBar(null);
 
     /// <summary>AssetDatabase writes the asset when it is next told to.</summary>
     public static void SetDirty(Object target) => target.IsDirty = true;

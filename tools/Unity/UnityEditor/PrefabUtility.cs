@@ -10,6 +10,13 @@ public sealed class PrefabUtility
 {
     const string Extension = ".prefab";
 
+    /// <summary>There are no overrides to record: an instance is a plain copy here.</summary>
+    public static void RecordPrefabInstancePropertyModifications(Object targetObject)
+    {
+        if (Object.IsNull(targetObject))
+            throw new ArgumentNullException(nameof(targetObject));
+    }
+
     public static GameObject SaveAsPrefabAsset(GameObject instanceRoot, string assetPath) =>
         SaveAsPrefabAsset(instanceRoot, assetPath, out _);
 

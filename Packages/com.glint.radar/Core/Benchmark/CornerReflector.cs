@@ -24,20 +24,36 @@ namespace Glint.Core
         /// <summary>Turned by so much about the vertical, positive as Unity's rotation about Y.</summary>
         public static RadarScene Turned(double degrees) => AccuracyScene.Turned(Mesh, degrees);
 
+        /// <summary>From the reflector's own axes, whose origin is its vertex; they turn and do not mirror.</summary>
+        internal static Affine Axes
+        {
+            get
+            {
+                double lean = math.radians(LeanDegrees);
+                double3 across = new double3(1, 0, 0), along = new double3(0, -math.sin(lean), -math.cos(lean));
+                var axes = new Affine { X = (along + across) / math.sqrt(2.0), Y = (along - across) / math.sqrt(2.0), Z = new double3(0, math.cos(lean), -math.sin(lean)) };
+                axes.Origin = axes.Vector(-Centre);
+                return axes;
+            }
+        }
+
+        /// <summary>Corners of the plate across an axis of the reflector: 0, 1 or 2 for x, y or z.</summary>
+        internal static (double3 low, double3 high) Plate(int normal)
+        {
+            double3 low = Near, high = Far;
+            low[normal] = -Thickness;
+            high[normal] = 0;
+            return (low, high);
+        }
+
         static TriangleMesh Make()
         {
-            double lean = math.radians(LeanDegrees);
-            double3 across = new double3(1, 0, 0), along = new double3(0, -math.sin(lean), -math.cos(lean));
-            var axes = new Affine { X = (along + across) / math.sqrt(2.0), Y = (along - across) / math.sqrt(2.0), Z = new double3(0, math.cos(lean), -math.sin(lean)) };
-            axes.Origin = axes.Vector(-Centre);
             var vertices = new List<float3>();
             var indices = new List<int>();
             for (int normal = 0; normal < 3; normal++)
             {
-                double3 low = Near, high = Far;
-                low[normal] = -Thickness;
-                high[normal] = 0;
-                AddBox(vertices, indices, axes, low, high);
+                var (low, high) = Plate(normal);
+                AddBox(vertices, indices, Axes, low, high);
             }
             return new TriangleMesh(vertices.ToArray(), indices.ToArray());
         }

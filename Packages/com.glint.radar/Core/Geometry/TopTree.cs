@@ -5,6 +5,9 @@ namespace Glint.Core
     /// <summary>A tree over boxes, such as those of instances, in the nodes of a mesh's tree.</summary>
     public static class TopTree
     {
+        /// <summary>Rows that a box takes at least, with its share of the nodes.</summary>
+        public static double LeastRowsPerBox(TreeShape shape) => TreeRows.LeastRowsPerLeaf(shape);
+
         /// <summary>Rows of 16 bytes of the tree over the boxes; a leaf holds a box's number in its first component. No boxes: no rows.</summary>
         public static uint4[] Build(float3[] low, float3[] high, TreeShape shape)
         {

@@ -25,6 +25,15 @@ namespace Glint.Core
 
         public int TriangleCount => Indices.Length / 3;
 
+        /// <summary>The box around all triangles; empty without any. A vertex without a triangle is nothing to see.</summary>
+        internal Box Bound()
+        {
+            var box = Box.Empty;
+            foreach (int index in Indices)
+                box.Add(Vertices[index]);
+            return box;
+        }
+
         /// <summary>The corners of triangle <paramref name="triangle"/> in metres.</summary>
         public void GetTriangle(int triangle, out float3 a, out float3 b, out float3 c)
         {

@@ -25,7 +25,7 @@ namespace Glint.Core
         readonly double2 _halfSize; // of the picture
         readonly int2 _first, _end; // tiles of the region, first and one past the last
         readonly double3[] _corners = new double3[8];
-        readonly int[] _steps;      // by how many more boxes a tile is covered than those before it, in both directions
+        int[] _steps; // by how many more boxes a tile is covered than those before it, in both directions; null before the first box
 
         public PictureTiles(in RadarSettings settings, in RadarView view)
         {
@@ -33,7 +33,6 @@ namespace Glint.Core
             _view = view;
             _halfSize = view.HalfSize(settings);
             Range(settings, out _first, out _end);
-            _steps = new int[(_end.y - _first.y + 1) * Stride];
         }
 
         int Stride => _end.x - _first.x + 1;
@@ -47,6 +46,11 @@ namespace Glint.Core
             Range(settings, out var first, out var end);
             return (long)(end.x - first.x) * (end.y - first.y);
         }
+
+        /// <summary>Whether a box's outline meets any tile; takes none.</summary>
+        /// <param name="toWorld">From the box's axes to the world.</param>
+        internal bool CanSee(in Box box, in Affine toWorld) =>
+            FindOutline(box.Low, box.High, toWorld, out var from, out var to) && math.all(from < _end & to >= _first);
 
         /// <summary>Takes every tile.</summary>
         public void AddAll() => Cover(_first, _end - 1);
@@ -128,6 +132,8 @@ namespace Glint.Core
         /// Otherwise they go from the top of the picture down: what is far off takes longest, and begun last it would keep a GPU waiting.</param>
         public uint[] ToArray(bool spread)
         {
+            if (_steps == null)
+                return Array.Empty<uint>();
             int width = _end.x - _first.x, height = _end.y - _first.y;
             var tiles = new uint[width * height];
             var above = new int[width];
@@ -170,6 +176,7 @@ namespace Glint.Core
             to = math.min(to, _end - 1) - _first + 1;
             if (math.any(from >= to))
                 return;
+            _steps ??= new int[(_end.y - _first.y + 1) * Stride];
             _steps[from.y * Stride + from.x]++;
             _steps[from.y * Stride + to.x]--;
             _steps[to.y * Stride + from.x]--;

@@ -17,11 +17,14 @@ namespace Glint.Core
         /// <summary>Sub-rays a pixel. Those of one number, of all pixels, are a grid as dense as the picture's.</summary>
         public const int SubGrids = SubRays * SubRays;
 
-        // Fewer received rays say little about what lies between them.
-        const int FewestRays = 16;
+        /// <summary>Fewer received rays say little about what lies between them.</summary>
+        internal const int FewestRays = 16;
 
-        // Share of neighbours half a wavelength or more apart, and of rays without any, at which the sum is no integral any more.
-        const double MostApart = 0.5;
+        /// <summary>Wavelengths by which the paths of neighbours differ that are too far apart to say what lies between them.</summary>
+        internal const double StepApart = 0.5;
+
+        /// <summary>Share of neighbours so far apart, and of rays without any, beyond which the sum is no integral any more.</summary>
+        internal const double MostApart = 0.5;
 
         // Pixels that are refined in any case; beyond, as many as make the sub-rays as many as the rays of the pose.
         const int RefinedAlways = 1 << 16;
@@ -123,7 +126,7 @@ namespace Glint.Core
             double step = Math.Abs((double)_picture[ray].Length - _picture[neighbour].Length);
             tally.LargestStep = Math.Max(tally.LargestStep, step);
             tally.Pairs++;
-            if (step >= _wavelength / 2)
+            if (step >= StepApart * _wavelength)
                 tally.Apart++;
         }
 

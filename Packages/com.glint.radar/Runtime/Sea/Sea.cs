@@ -105,6 +105,15 @@ namespace Glint
             set => _secondsPerSnapshot = value > 0 ? value : throw new GlintException(FormattableString.Invariant($"{Subject}: {value} seconds a snapshot: must be above 0"));
         }
 
+        /// <summary>What it looks like. Call <see cref="Lay"/> after a change.</summary>
+        internal Material Material { set => _material = value; }
+
+        /// <summary>The snapshot that is shown; null when there is none of that number.</summary>
+        internal SeaSnapshot ShownSnapshot => _snapshot >= 1 && _snapshot <= _snapshots.Count ? _snapshots[_snapshot - 1] : null;
+
+        /// <summary>Tiles that are shown.</summary>
+        internal int TileCount => _tiles.Shown;
+
         string Subject => $"Sea of '{name}'";
 
         /// <summary>Lays the tiles as everything stands now.</summary>
@@ -112,11 +121,22 @@ namespace Glint
         public void Lay()
         {
             _isStale = false;
-            if (_motion == SeaMotion.Waves && _snapshots.Count > 0)
-                throw new GlintException($"{Subject}: its motion is Waves and it has snapshots, which stand still: choose Snapshots or Still, or remove the snapshots");
+            Check();
             var tile = Tile(out double size);
             _middle = Middle();
             _tiles.Lay(transform, tile, _material, size, _extent, _middle, Subject);
+        }
+
+        /// <summary>Refuses what cannot be shown.</summary>
+        /// <exception cref="GlintException">A setting of the waves is out of its range, a snapshot is missing, or it is to move as it cannot.</exception>
+        internal void Check()
+        {
+            if (_motion == SeaMotion.Waves && _snapshots.Count > 0)
+                throw new GlintException($"{Subject}: its motion is Waves and it has snapshots, which stand still: choose Snapshots or Still, or remove the snapshots");
+            if (_snapshots.Count > 0)
+                CheckSnapshot(_snapshot);
+            else
+                _waves.Validate(Subject);
         }
 
         /// <summary>Refuses a number that no snapshot has.</summary>
@@ -135,15 +155,10 @@ namespace Glint
         {
             if (_snapshots.Count > 0)
             {
-                CheckSnapshot(_snapshot);
                 size = _snapshots[_snapshot - 1].Settings.TileSize;
                 return _snapshots[_snapshot - 1].Tile;
             }
-            if (_surface == null)
-            {
-                _waves.Validate(Subject);
-                _surface = new SeaSurface(_waves);
-            }
+            _surface ??= new SeaSurface(_waves);
             if (_made == null)
                 _made = new Mesh { name = "Sea", hideFlags = HideFlags.DontSave };
             var tile = _surface.Mesh(_timeSeconds);

@@ -16,6 +16,9 @@ namespace Glint
 
         readonly List<MeshFilter> _tiles = new List<MeshFilter>();
 
+        /// <summary>Tiles last laid that are not hidden.</summary>
+        public int Shown { get; private set; }
+
         /// <summary>Shows a tile over an extent; objects that are there already are taken again, those left over are hidden.</summary>
         /// <param name="parent">Has the tiles as children.</param>
         /// <param name="size">Side of the tile in metres.</param>
@@ -59,6 +62,7 @@ namespace Glint
 
         void Hide(int first)
         {
+            Shown = first;
             for (int i = first; i < _tiles.Count; i++)
                 _tiles[i].GetComponent<MeshRenderer>().enabled = false;
         }

@@ -1,0 +1,118 @@
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// How densely rays would return, before any is traced: as a large mirror returns them that stands at a point and faces the radar.
+    /// Neighbours that a curved surface sends apart lie farther apart than these, and those that are focused nearer.
+    /// </summary>
+    public struct SamplingForecast
+    {
+        // Points of the receiver at which returns are looked at, across and down.
+        const int Points = 16;
+
+        static readonly double2[] s_neighbours = { new double2(1, 0), new double2(-1, 1), new double2(0, 1), new double2(1, 1) };
+
+        /// <summary>From ray to ray at the mirror, across and down, metres.</summary>
+        public double RaySpacing;
+
+        /// <summary>Rays that the receiver takes.</summary>
+        public double RaysReceived;
+
+        /// <summary>Largest difference of path length between received rays that are neighbours in the picture, wavelengths: <see cref="RadarResult.LargestPathStep"/>.</summary>
+        public double LargestPathStep;
+
+        /// <summary>Whether neighbouring paths differ so much that even a mirror's return would be <see cref="RadarResult.Undersampled"/>.</summary>
+        public bool IsTooCoarse;
+
+        /// <summary>Whether fewer rays return than say anything: <see cref="RadarResult.Undersampled"/> for that reason.</summary>
+        public bool IsTooFew => RaysReceived < SamplingEstimate.FewestRays;
+
+        /// <summary>The forecast; null where the point is not before the radar, or the receiver does not face it.</summary>
+        /// <param name="middle">Where the mirror stands.</param>
+        public static SamplingForecast? Of(in RadarSettings settings, in RadarView view, double3 middle)
+        {
+            double depth = math.dot(middle - view.Position, view.Forward);
+            if (!(depth > 0))
+                return null;
+            var mirror = new Mirror(settings, view, middle);
+            var forecast = new SamplingForecast { RaySpacing = mirror.Step * (view.IsParallel ? 1 : depth) };
+            int lit = 0, pairs = 0, apart = 0;
+            for (int i = 0; i < Points * Points; i++)
+            {
+                double2 place = (new double2(i % Points + 0.5, i / Points + 0.5) / Points - 0.5) * view.ReceiverSize;
+                double3 point = view.ReceiverCentre + place.x * view.ReceiverRight + place.y * view.ReceiverUp;
+                if (!mirror.Find(point, out double2 ray) || !mirror.Meet(ray, out double3 here, out double length))
+                    continue;
+                lit++;
+                foreach (double2 neighbour in s_neighbours)
+                    if (mirror.Meet(ray + neighbour * mirror.Step, out double3 there, out double other) && mirror.IsReceived(there))
+                    {
+                        double step = math.abs(other - length) / settings.Wavelength;
+                        forecast.LargestPathStep = math.max(forecast.LargestPathStep, step);
+                        pairs++;
+                        apart += step >= SamplingEstimate.StepApart ? 1 : 0;
+                    }
+                if (mirror.Meet(ray + new double2(mirror.Step, 0), out double3 right, out _) && mirror.Meet(ray + new double2(0, mirror.Step), out double3 above, out _))
+                    forecast.RaysReceived += view.ReceiverSize.x * view.ReceiverSize.y / (Points * Points) / math.length(math.cross(right - here, above - here));
+            }
+            forecast.IsTooCoarse = apart > SamplingEstimate.MostApart * pairs;
+            return lit > 0 ? forecast : (SamplingForecast?)null;
+        }
+
+        // Rays as they come back from the mirror. A ray is named by its place in the picture, as RadarView.HalfSize measures it.
+        readonly struct Mirror
+        {
+            readonly RadarView _view;
+            readonly double2 _half;
+            readonly double3 _normal, _middle;
+
+            public Mirror(in RadarSettings settings, in RadarView view, double3 middle)
+            {
+                _view = view;
+                _half = view.HalfSize(settings);
+                _middle = middle;
+                _normal = view.IsParallel ? view.Forward : math.normalize(middle - view.Position);
+                Step = 2 * _half.y / settings.RaysDown;
+            }
+
+            /// <summary>From ray to ray in the picture.</summary>
+            public double Step { get; }
+
+            /// <summary>The ray that comes back to a point; false if it is not in the picture.</summary>
+            public bool Find(double3 point, out double2 ray)
+            {
+                double3 seen = point - _view.Position;
+                if (!_view.IsParallel)
+                {
+                    // Where the mirror image of the point is seen.
+                    seen = Mirrored(point - _middle) + _middle - _view.Position;
+                    seen /= math.dot(seen, _view.Forward);
+                }
+                ray = new double2(math.dot(seen, _view.Right), math.dot(seen, _view.Up));
+                return math.all(math.abs(ray) <= _half);
+            }
+
+            /// <summary>Where a ray comes back to the plane of the receiver, and how long its way from the mirror image of the radar is; false if it does not.</summary>
+            public bool Meet(double2 ray, out double3 point, out double length)
+            {
+                double3 aside = ray.x * _view.Right + ray.y * _view.Up;
+                double3 course = Mirrored(_view.IsParallel ? _view.Forward : _view.Forward + aside);
+                double3 start = Mirrored(_view.Position + (_view.IsParallel ? aside : 0) - _middle) + _middle;
+                double against = -math.dot(course, _view.ReceiverForward);
+                double way = math.dot(start - _view.ReceiverCentre, _view.ReceiverForward) / against;
+                (point, length) = (start + way * course, way * math.length(course));
+                return against > 0 && way > 0;
+            }
+
+            /// <summary>Whether a point of the receiver's plane lies on it.</summary>
+            public bool IsReceived(double3 point)
+            {
+                double3 aside = point - _view.ReceiverCentre;
+                return math.all(math.abs(new double2(math.dot(aside, _view.ReceiverRight), math.dot(aside, _view.ReceiverUp))) <= _view.ReceiverSize / 2);
+            }
+
+            double3 Mirrored(double3 v) => v - 2 * math.dot(v, _normal) * _normal;
+        }
+    }
+}

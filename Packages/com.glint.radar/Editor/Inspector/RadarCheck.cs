@@ -1,0 +1,160 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Linq;
+using Glint.Core;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace Glint.Editor
+{
+    /// <summary>Looks at a radar and the scene as they stand: what keeps it from tracing or would mislead, and its figures. It has a gatherer of its own, so that the radar's knows nothing of it.</summary>
+    sealed class RadarCheck
+    {
+        readonly RadarController _radar;
+        readonly SceneGatherer _gatherer = new SceneGatherer();
+        readonly VisibleRenderers _visible = new VisibleRenderers();
+        readonly SceneBoxes _boxes = new SceneBoxes();
+        readonly List<Finding> _findings = new List<Finding>();
+
+        public RadarCheck(RadarController radar) => _radar = radar;
+
+        /// <summary>Whether there is a scene to look at: a prefab that is no scene's, or one that is open by itself, traces nothing.</summary>
+        public static bool CanLook(RadarController radar) => !EditorUtility.IsPersistent(radar) && !EditorSceneManager.IsPreviewSceneObject(radar);
+
+        /// <summary>What was found last, errors first.</summary>
+        public IReadOnlyList<Finding> Findings => _findings;
+
+        /// <summary>The figures of then; null when it cannot be traced or nothing is.</summary>
+        public RadarFigures Figures { get; private set; }
+
+        /// <summary>How long the last look took: who looks often may wait as long in between.</summary>
+        public double Seconds { get; private set; }
+
+        /// <summary>Looks anew: at every mesh once, as <see cref="RadarController.Gather()"/> does.</summary>
+        public void Update()
+        {
+            var watch = Stopwatch.StartNew();
+            _findings.Clear();
+            Figures = null;
+            CheckRadar();
+            CheckKernel();
+            CheckMeshes();
+            if (_findings.All(finding => finding.Severity != Severity.Error))
+                CheckPose();
+            var ordered = _findings.OrderByDescending(finding => finding.Severity).ToList();
+            _findings.Clear();
+            _findings.AddRange(ordered);
+            Seconds = watch.Elapsed.TotalSeconds;
+        }
+
+        void Add(Severity severity, string text, Fix fix = null, UnityEngine.Object where = null) => _findings.Add(new Finding(severity, text, fix, where));
+
+        void CheckRadar()
+        {
+            if (!_radar.isActiveAndEnabled)
+                Add(Severity.Warning, SceneSearch.IsDisabled(_radar), RadarFixes.Enable(_radar));
+            if (_radar.Receiver == null)
+                Add(Severity.Error, _radar.HasNoReceiver, RadarFixes.MakeReceiver(_radar));
+            if (!_radar.TryGetComponent<Camera>(out var camera))
+                Add(Severity.Error, _radar.HasNoCamera, RadarFixes.AddCamera(_radar));
+            else if (camera.orthographic && !_radar.IsFitted && !(camera.orthographicSize > 0))
+                Add(Severity.Error, _radar.HasNoHeight, RadarFixes.FitAperture(_radar));
+            if (_radar.Roots.Exists(root => root == null))
+                Add(Severity.Error, _radar.HasEmptyRoot, RadarFixes.RemoveEmptyRoots(_radar));
+        }
+
+        void CheckKernel()
+        {
+            try
+            {
+                _ = new TraceKernel(_radar.Kernel, SoftwareDevice.IsInUse, _radar.Subject);
+            }
+            catch (GlintException problem)
+            {
+                Add(Severity.Error, problem.Message, RadarFixes.AssignKernel(_radar));
+            }
+        }
+
+        void CheckMeshes()
+        {
+            var roots = _radar.Roots.FindAll(root => root != null);
+            var seen = _visible.Find(_radar.Layers, roots, _radar.Receiver).OfType<MeshRenderer>()
+                .Select(renderer => (renderer, mesh: renderer.TryGetComponent<MeshFilter>(out var filter) ? filter.sharedMesh : null))
+                .Where(pair => pair.mesh != null).Distinct().ToList();
+            var batched = seen.FindAll(pair => pair.renderer.isPartOfStaticBatch).ConvertAll(pair => pair.renderer);
+            if (batched.Count > 0)
+                Add(Severity.Error, SceneGatherer.InStaticBatch(batched[0]) + More(batched.Count), MeshFixes.ClearBatching(batched), batched[0]);
+            var marked = seen.FindAll(pair => !pair.renderer.isPartOfStaticBatch && MeshFixes.IsBatchingStatic(pair.renderer)).ConvertAll(pair => pair.renderer);
+            if (marked.Count > 0)
+                Add(Severity.Warning, $"'{marked[0].name}' is marked Batching Static, and cannot be traced once Unity has merged it with others when the scene is played: clear Batching Static among its static flags{More(marked.Count)}", MeshFixes.ClearBatching(marked), marked[0]);
+            var unreadable = seen.FindAll(pair => !pair.renderer.isPartOfStaticBatch && !pair.mesh.isReadable).GroupBy(pair => pair.mesh).Select(group => group.First()).ToList();
+            if (unreadable.Count > 0)
+                Add(Severity.Error, SceneGatherer.NotReadable(unreadable[0].mesh, unreadable[0].renderer) + More(unreadable.Count), MeshFixes.MakeReadable(unreadable.ConvertAll(pair => pair.mesh)), unreadable[0].renderer);
+            if (seen.Count == 0)
+                CheckLayers(roots);
+        }
+
+        void CheckLayers(List<Transform> roots)
+        {
+            string where = roots.Count == 0 ? "in the loaded scenes" : "below its Roots";
+            if (_visible.Find(~0, roots, _radar.Receiver).OfType<MeshRenderer>().Any())
+                Add(Severity.Warning, $"{_radar.Subject} traces nothing: no active object {where} with an enabled MeshRenderer is on its Layers: choose others", RadarFixes.TraceAllLayers(_radar));
+            else
+                Add(Severity.Warning, $"{_radar.Subject} traces nothing: there is no active object {where} with an enabled MeshRenderer and a mesh: add one");
+        }
+
+        static string More(int count) => count > 1 ? $" (and {count - 1} more)" : "";
+
+        // Whatever else the product refuses, in its own words, and what can be seen from a pose.
+        void CheckPose()
+        {
+            RadarPose pose;
+            try
+            {
+                pose = _radar.Gather(_gatherer);
+                RayTracer.CheckRoom(pose.Settings, _radar.KeptRays, _radar.Subject);
+            }
+            catch (GlintException problem)
+            {
+                Add(Severity.Error, problem.Message);
+                return;
+            }
+            foreach (string warning in _gatherer.Warnings)
+                Add(Severity.Warning, $"{_radar.Subject}: {warning}");
+            _boxes.Update(pose.Scene);
+            if (_boxes.IsEmpty)
+                return;
+            Figures = new RadarFigures(pose, _boxes, _gatherer.ObjectCount, _radar.KeptRays);
+            if (_boxes.AreSeen(pose))
+                CheckSampling();
+            else
+                CheckAim(pose);
+        }
+
+        void CheckAim(RadarPose pose)
+        {
+            pose.Settings.Region = default;
+            if (_boxes.AreSeen(pose))
+                Add(Severity.Warning, $"{_radar.Subject}: nothing that is traced lies in the region of its picture: choose another, or trace the whole picture", RadarFixes.TraceWholePicture(_radar));
+            else
+                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: nothing that is traced lies in its picture; the middle of it is {Figures.Distance:g4} m away: turn the radar towards it"),
+                    RadarFixes.LookAt(_radar, Figures.Middle - pose.View.Position));
+        }
+
+        // As SamplingEstimate judges a result, where that is plain before.
+        void CheckSampling()
+        {
+            string remedy = _radar.IsFitted ? "take a smaller Ray Spacing" : "give it more rays or a narrower view";
+            if (Figures.MostRaysHit < SamplingEstimate.FewestRays)
+                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: its rays are {Figures.RaySpacing:g3} m apart at the target, which is {Figures.TargetSize:g3} m large: fewer than {SamplingEstimate.FewestRays} can hit it, too few for the amplitude to be trusted: {remedy}"));
+            else if (!(Figures.Forecast is SamplingForecast forecast))
+                Add(Severity.Warning, $"{_radar.Subject}: no ray that a mirror at the target sends straight back comes to its receiver '{_radar.Receiver.name}': put it behind the camera, facing as the camera does", RadarFixes.AlignReceiver(_radar), _radar.Receiver);
+            else if (forecast.IsTooFew)
+                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: a mirror at the target, facing the radar, would send {forecast.RaysReceived:0.#} rays to its receiver, fewer than the {SamplingEstimate.FewestRays} that an amplitude takes to be trusted: give it a larger receiver, or {remedy}"));
+            else if (forecast.IsTooCoarse)
+                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: its rays are {forecast.RaySpacing:g3} m apart at the target: a mirror there, facing the radar, would return rays most of whose neighbours' paths differ by {SamplingEstimate.StepApart} wavelengths or more (up to {forecast.LargestPathStep:0.##}), too much for the amplitude to be trusted; other returns may do better: {remedy}"));
+        }
+    }
+}

@@ -1,0 +1,83 @@
+using System;
+using System.Collections.Generic;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint.Editor
+{
+    /// <summary>What follows from a radar and the scene as they stand, without tracing. The target is the middle of the box around all that is traced.</summary>
+    sealed class RadarFigures
+    {
+        readonly RadarPose _pose;
+
+        /// <param name="pose">What would be traced.</param>
+        /// <param name="boxes">Of the pose's scene, which is not empty.</param>
+        /// <param name="objects">Objects with a mesh.</param>
+        public RadarFigures(in RadarPose pose, SceneBoxes boxes, int objects, KeptRays keep)
+        {
+            _pose = pose;
+            Objects = objects;
+            Middle = boxes.Middle;
+            TargetSize = math.length(boxes.High - boxes.Low);
+            double3 toMiddle = Middle - pose.View.Position;
+            Distance = math.length(toMiddle);
+            double depth = math.dot(toMiddle, pose.View.Forward);
+            if (depth > 0 || pose.View.IsParallel)
+                Footprint = 2 * pose.View.HalfSize(pose.Settings) * (pose.View.IsParallel ? 1 : depth);
+            Forecast = SamplingForecast.Of(pose.Settings, pose.View, Middle);
+            Memory = PoseMemory.Of(pose, keep, SoftwareDevice.IsInUse);
+        }
+
+        public RadarSettings Settings => _pose.Settings;
+
+        /// <summary>The target, in the scene's metres.</summary>
+        public double3 Middle { get; }
+
+        /// <summary>Diagonal of the box around all that is traced, metres.</summary>
+        public double TargetSize { get; }
+
+        /// <summary>From the radar to the target, metres.</summary>
+        public double Distance { get; }
+
+        /// <summary>Width and height of the view in the plane of the target, metres; of the aperture where rays are parallel. Null when the target is behind the radar.</summary>
+        public double2? Footprint { get; }
+
+        /// <summary>From ray to ray at the target, across the view axis, metres.</summary>
+        public double? RaySpacing => Footprint?.y / Settings.RaysDown;
+
+        /// <summary>Objects with a mesh, and triangles.</summary>
+        public long Objects { get; }
+
+        public long Triangles => _pose.Scene.TriangleCount;
+
+        /// <summary>How densely a mirror at the target would return the rays; null where it returns none.</summary>
+        public SamplingForecast? Forecast { get; }
+
+        public PoseMemory Memory { get; }
+
+        /// <summary>More rays than this cannot hit: those through the ball around the target.</summary>
+        public double MostRaysHit => RaySpacing is double spacing ? math.pow(TargetSize / spacing + 1, 2) : 0;
+
+        /// <summary>The figures as an inspector shows them: label, value, what it means.</summary>
+        public IEnumerable<(string label, string value, string tooltip)> Rows()
+        {
+            yield return ("Wavelength", Length(Settings.Wavelength), "Speed of light over frequency.");
+            yield return ("Rays", FormattableString.Invariant($"{Settings.RaysAcross} x {Settings.RaysDown}, {Settings.RaysEmitted:N0} emitted"), "Of the whole picture; those outside of its region are not emitted.");
+            yield return ("Distance", Length(Distance), "From the radar to the middle of the box around all that is traced.");
+            yield return (_pose.View.IsParallel ? "Aperture" : "Footprint", Footprint is double2 size ? $"{Length(size.x)} x {Length(size.y)}" : "behind the radar",
+                _pose.View.IsParallel ? "Width and height of the rectangle that the rays leave." : "Width and height of the view at that distance.");
+            if (RaySpacing is double spacing)
+                yield return ("Ray spacing", FormattableString.Invariant($"{Length(spacing)}, {spacing / Settings.Wavelength:0.##} wavelengths"), "From ray to ray at that distance, across the view axis.");
+            if (Forecast is SamplingForecast forecast)
+                yield return ("Path step", FormattableString.Invariant($"{forecast.LargestPathStep:0.###} wavelengths"),
+                    "Between neighbouring rays that a mirror at that distance, facing the radar, returns to the receiver. From half a wavelength on the sum is no integral any more.");
+            yield return ("Traced", FormattableString.Invariant($"{Triangles:N0} triangles of {Objects:N0} objects"), "Everything active on the radar's layers and below its roots.");
+            yield return ("Memory", $"{Text.Mebibytes(Memory.DeviceBytes)} on the device, {Text.Mebibytes(Memory.HostBytes)} here",
+                "About. On the device: trees, tiles, and the buffers of one dispatch at most. Here: meshes and trees, and all rays if all are kept; each received ray takes some 130 bytes more.");
+        }
+
+        // Three digits or more.
+        static string Length(double metres) =>
+            metres < 1 ? FormattableString.Invariant($"{1000 * metres:0.###} mm") : metres < 10000 ? FormattableString.Invariant($"{metres:0.##} m") : FormattableString.Invariant($"{metres / 1000:0.###} km");
+    }
+}

@@ -1,0 +1,64 @@
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEditor;
+using UnityEngine;
+
+namespace Glint.Editor
+{
+    /// <summary>What the buttons beside findings of a radar do.</summary>
+    static class RadarFixes
+    {
+        public static Fix Enable(RadarController radar) => new Fix("Enable", () =>
+        {
+            if (!radar.enabled)
+                Fix.Change(radar, "Enable", it => it.enabled = true);
+            for (var at = radar.transform; at != null; at = at.parent)
+                if (!at.gameObject.activeSelf)
+                    Fix.Change(at.gameObject, "Enable", it => it.SetActive(true));
+        });
+
+        public static Fix MakeReceiver(RadarController radar) => new Fix("Make a receiver", () =>
+        {
+            var receiver = MeshFileScene.MakeReceiver(radar.transform, radar.TryGetComponent<Camera>(out var camera) && camera.orthographic);
+            Undo.RegisterCreatedObjectUndo(receiver.gameObject, "Make a receiver");
+            Fix.Change(radar, "Make a receiver", it => it.Receiver = receiver);
+        });
+
+        public static Fix AlignReceiver(RadarController radar) => new Fix("Align the receiver", () => Fix.Change(radar.Receiver, "Align the receiver", it =>
+        {
+            var model = MeshFileScene.MakeReceiver(radar.transform, radar.GetComponent<Camera>().orthographic);
+            it.SetPositionAndRotation(model.position, model.rotation);
+            Object.DestroyImmediate(model.gameObject);
+        }));
+
+        public static Fix AddCamera(RadarController radar) => new Fix("Add a Camera", () => Undo.AddComponent<Camera>(radar.gameObject));
+
+        public static Fix FitAperture(RadarController radar) => new Fix("Fit the aperture to what is traced", () => Fix.Change(radar, "Fit the aperture", it => it.FitAperture = true));
+
+        public static Fix RemoveEmptyRoots(RadarController radar) => new Fix("Remove empty entries", () => Fix.Change(radar, "Remove empty entries", it => it.Roots.RemoveAll(root => root == null)));
+
+        public static Fix TraceAllLayers(RadarController radar) => new Fix("Trace all layers", () => Fix.Change(radar, "Trace all layers", it => it.Layers = ~0));
+
+        public static Fix TraceWholePicture(RadarController radar) => new Fix("Trace the whole picture", () => Fix.Change(radar, "Trace the whole picture", it =>
+        {
+            var settings = it.Settings;
+            settings.Region = default;
+            it.Settings = settings;
+        }));
+
+        /// <param name="way">Where to look, in the world's axes.</param>
+        public static Fix LookAt(RadarController radar, double3 way)
+        {
+            var forward = math.normalize(way);
+            return new Fix("Turn the radar towards it", () =>
+                Fix.Change(radar.transform, "Turn the radar", it => it.rotation = Quaternion.LookRotation(new Vector3((float)forward.x, (float)forward.y, (float)forward.z))));
+        }
+
+        /// <summary>Null when the radar has the kernel already, or the project has none.</summary>
+        public static Fix AssignKernel(RadarController radar)
+        {
+            var kernel = ProjectAssets.Kernel;
+            return kernel == null || radar.Kernel == kernel ? null : new Fix("Assign Trace.compute", () => Fix.Change(radar, "Assign Trace.compute", it => it.Kernel = kernel));
+        }
+    }
+}

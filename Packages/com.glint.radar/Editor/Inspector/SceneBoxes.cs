@@ -1,0 +1,56 @@
+using System.Collections.Generic;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint.Editor
+{
+    /// <summary>Boxes around what is traced. That of a mesh is found once.</summary>
+    sealed class SceneBoxes
+    {
+        Dictionary<TriangleMesh, Box> _boxes = new Dictionary<TriangleMesh, Box>();
+
+        /// <summary>Corners of the box around all triangles, in the scene's axes and metres.</summary>
+        public double3 Low { get; private set; }
+
+        public double3 High { get; private set; }
+
+        public bool IsEmpty => !(Low.x <= High.x);
+
+        public double3 Middle => (Low + High) / 2;
+
+        /// <summary>Looks at a scene.</summary>
+        public void Update(RadarScene scene)
+        {
+            var before = _boxes;
+            _boxes = new Dictionary<TriangleMesh, Box>();
+            (Low, High) = (double.PositiveInfinity, double.NegativeInfinity);
+            foreach (var instance in scene.Instances)
+            {
+                if (!_boxes.TryGetValue(instance.Mesh, out var box))
+                    _boxes.Add(instance.Mesh, box = before.TryGetValue(instance.Mesh, out var known) ? known : instance.Mesh.Bound());
+                if (instance.Mesh.TriangleCount > 0)
+                    Add(box, instance.ToWorld);
+            }
+        }
+
+        /// <summary>Whether anything of the scene last looked at can lie in the picture, or in its region.</summary>
+        public bool AreSeen(in RadarPose pose)
+        {
+            var tiles = new PictureTiles(pose.Settings, pose.View);
+            foreach (var instance in pose.Scene.Instances)
+                if (instance.Mesh.TriangleCount > 0 && tiles.CanSee(_boxes[instance.Mesh], instance.ToWorld))
+                    return true;
+            return false;
+        }
+
+        void Add(in Box box, in Affine toWorld)
+        {
+            for (int corner = 0; corner < 8; corner++)
+            {
+                double3 p = toWorld.Point(box.Corner(corner));
+                Low = math.min(Low, p);
+                High = math.max(High, p);
+            }
+        }
+    }
+}

@@ -1,0 +1,45 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+
+namespace Glint.Editor
+{
+    /// <summary>What an inspector says of a Sea.</summary>
+    static class SeaFigures
+    {
+        /// <summary>Why the sea cannot be shown; null when it can.</summary>
+        public static Finding Check(Sea sea)
+        {
+            try
+            {
+                sea.Check();
+                return null;
+            }
+            catch (GlintException problem)
+            {
+                return new Finding(Severity.Error, problem.Message);
+            }
+        }
+
+        /// <summary>Label, value and meaning of what is shown.</summary>
+        public static IEnumerable<(string label, string value, string tooltip)> Rows(Sea sea)
+        {
+            var shown = sea.ShownSnapshot;
+            var waves = shown == null ? sea.Waves : shown.Settings;
+            yield return ("Shown", shown == null ? FormattableString.Invariant($"waves at {sea.TimeSeconds:0.###} s") : $"snapshot {Name(sea, sea.Snapshot)}", "A stored snapshot, or a tile made from Waves where there are none.");
+            yield return ("Waves", FormattableString.Invariant($"{waves.Kind}, {waves.SignificantWaveHeight:0.###} m high, wind {waves.WindSpeed:0.###} m/s to {waves.WindDirectionDegrees:0.###} deg"),
+                "Spectrum, significant wave height asked for, and wind that shapes it.");
+            yield return ("Tile", FormattableString.Invariant($"{waves.TileSize:0.###} m, {2L * waves.Cells * waves.Cells:N0} triangles"), "Side of the tile that repeats, and its triangles.");
+            yield return ("Tiles", FormattableString.Invariant($"{sea.TileCount:N0}, {2L * waves.Cells * waves.Cells * sea.TileCount:N0} triangles"), "All are instances of one mesh and take little more memory than one.");
+        }
+
+        /// <summary>Number, moment and wave height of a snapshot, from 1.</summary>
+        public static string Name(Sea sea, int number)
+        {
+            var snapshot = sea.Snapshots.ElementAtOrDefault(number - 1);
+            return snapshot == null ? FormattableString.Invariant($"{number} (empty)")
+                : FormattableString.Invariant($"{number}: {snapshot.name}, {snapshot.TimeSeconds:0.###} s, {snapshot.WaveHeight:0.00} m high");
+        }
+    }
+}

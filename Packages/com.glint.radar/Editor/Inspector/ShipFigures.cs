@@ -1,0 +1,51 @@
+using System;
+using System.Collections.Generic;
+using Glint.Core;
+using UnityEditor;
+using UnityEngine;
+
+namespace Glint.Editor
+{
+    /// <summary>A ship's mesh and the measures that it is made from, as an inspector shows them.</summary>
+    static class ShipFigures
+    {
+        /// <summary>Why the measures make no ship; null when they do.</summary>
+        public static Finding Check(Ship ship)
+        {
+            try
+            {
+                ship.Settings.Validate();
+                return null;
+            }
+            catch (GlintException problem)
+            {
+                return new Finding(Severity.Error, problem.Message);
+            }
+        }
+
+        /// <summary>Label, value and meaning.</summary>
+        public static IEnumerable<(string label, string value, string tooltip)> Rows(Ship ship)
+        {
+            var mesh = ship.TryGetComponent<MeshFilter>(out var filter) ? filter.sharedMesh : null;
+            if (mesh == null)
+                yield break;
+            var size = mesh.bounds.size;
+            yield return ("Mesh", FormattableString.Invariant($"{size.z:0.##} x {size.x:0.##} x {size.y:0.##} m, {mesh.GetIndexCount(0) / 3:N0} triangles"), "Length, width and height of what is traced. The bow points to -Z, the water is at y = 0.");
+        }
+
+        /// <summary>Makes the mesh anew from measures that <see cref="Check"/> finds nothing wrong with. It is stored with the scene.</summary>
+        public static Fix Remake(Ship ship) => new Fix("Make the mesh anew", () =>
+        {
+            var mesh = Make(ship.Settings);
+            Undo.RegisterCreatedObjectUndo(mesh, "Make the mesh anew");
+            Fix.Change(ship.GetComponent<MeshFilter>(), "Make the mesh anew", it => it.sharedMesh = mesh);
+        });
+
+        /// <exception cref="GlintException">The measures make no ship.</exception>
+        public static Mesh Make(in ShipSettings measures)
+        {
+            var made = ShipModel.Build(measures);
+            return MeshMaker.Make("Ship", made.Vertices, made.Indices);
+        }
+    }
+}

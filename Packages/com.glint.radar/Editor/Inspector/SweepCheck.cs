@@ -1,0 +1,74 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace Glint.Editor
+{
+    /// <summary>Looks at a Sweep as it would begin when the scene is played.</summary>
+    sealed class SweepCheck
+    {
+        readonly Sweep _sweep;
+        readonly List<Finding> _findings = new List<Finding>();
+
+        public SweepCheck(Sweep sweep) => _sweep = sweep;
+
+        public IReadOnlyList<Finding> Findings => _findings;
+
+        /// <summary>The poses; null when what is written makes none.</summary>
+        public SweepPlan Plan { get; private set; }
+
+        /// <summary>Looks anew.</summary>
+        public void Update()
+        {
+            _findings.Clear();
+            Plan = null;
+            if (!_sweep.isActiveAndEnabled)
+                _findings.Add(new Finding(Severity.Warning, SceneSearch.IsDisabled(_sweep)));
+            if (_sweep.Radar == null)
+                Attempt(() => SceneSearch.FindRadar(_sweep.Searcher), FindRadar());
+            Attempt(CheckPoses);
+        }
+
+        /// <summary>The figures as an inspector shows them: label, value, what it means.</summary>
+        public IEnumerable<(string label, string value, string tooltip)> Rows()
+        {
+            if (Plan != null)
+                yield return ("Poses", FormattableString.Invariant($"{Plan.Count:N0}"), "Every angle for each snapshot.");
+        }
+
+        void CheckPoses()
+        {
+            Plan = _sweep.Plan();
+            if (!(_sweep.FindSea() is Sea sea))
+                return;
+            foreach (int number in Snapshots.Parse(_sweep.Snapshots))
+                sea.CheckSnapshot(number);
+        }
+
+        void Attempt(Action look, Fix fix = null)
+        {
+            try
+            {
+                look();
+            }
+            catch (GlintException problem)
+            {
+                _findings.Add(new Finding(Severity.Error, problem.Message, fix));
+            }
+        }
+
+        // Of several enabled radars the first; one is made where there is none at all.
+        Fix FindRadar()
+        {
+            var all = Object.FindObjectsByType<RadarController>(FindObjectsInactive.Include, FindObjectsSortMode.InstanceID);
+            var radar = all.FirstOrDefault(found => found.isActiveAndEnabled);
+            if (radar != null)
+                return new Fix($"Take '{radar.name}'", () => Fix.Change(_sweep, "Take a radar", it => it.Radar = radar));
+            return all.Length > 0 ? RadarFixes.Enable(all[0])
+                : new Fix("Make a radar", () => SceneObjects.MakeRadar(_sweep.Target == null ? null : _sweep.Target.gameObject));
+        }
+    }
+}

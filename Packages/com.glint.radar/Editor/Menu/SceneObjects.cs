@@ -1,0 +1,109 @@
+using System.Linq;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace Glint.Editor
+{
+    /// <summary>New objects of the menu GameObject > Glint, made by code, with nothing stored beside the scene; each is one step of Undo, and selected.</summary>
+    static class SceneObjects
+    {
+        // Of a ball around the target: seen so from so far it fills two thirds of a view of 60 degrees.
+        const double RadiiAway = 3;
+
+        // The radar's camera is no window onto the scene: others draw over it.
+        const float DrawnFirst = -10;
+
+        /// <summary>A radar with its receiver. It looks down on an object as the radar of the published experiment does, from as far as takes it all in; on none, at the world's origin from where that radar stands.</summary>
+        /// <param name="target">May be null.</param>
+        public static RadarController MakeRadar(GameObject target)
+        {
+            var camera = new GameObject("Radar").AddComponent<Camera>();
+            camera.depth = DrawnFirst;
+            var radar = camera.gameObject.AddComponent<RadarController>();
+            radar.Kernel = ProjectAssets.Kernel;
+            radar.Receiver = MeshFileScene.MakeReceiver(camera.transform, false);
+            FindTarget(target, out var middle, out double distance);
+            camera.transform.rotation = Quaternion.Euler((float)CornerReflector.GrazingDegrees, 0, 0);
+            camera.transform.position = middle - (float)distance * camera.transform.forward;
+            Place(radar.gameObject, null);
+            return radar;
+        }
+
+        /// <summary>The corner reflector of the published experiment: three plates of 16 x 16 x 0.2 m, open towards -Z, about the point they turn about.</summary>
+        /// <param name="parent">May be null.</param>
+        public static GameObject MakeCornerReflector(GameObject parent)
+        {
+            var reflector = new GameObject("Corner Reflector");
+            var axes = CornerReflector.Axes;
+            var frame = new GameObject("Frame").transform;
+            frame.SetParent(reflector.transform, false);
+            frame.localPosition = ToVector(axes.Origin);
+            frame.localRotation = Quaternion.LookRotation(ToVector(axes.Z), ToVector(axes.Y));
+            for (int normal = 0; normal < 3; normal++)
+            {
+                var (low, high) = CornerReflector.Plate(normal);
+                var plate = GameObject.CreatePrimitive(PrimitiveType.Cube).transform;
+                plate.name = $"Plate {"XYZ"[normal]}";
+                plate.SetParent(frame, false);
+                plate.localPosition = ToVector((low + high) / 2);
+                plate.localScale = ToVector(high - low);
+            }
+            Place(reflector, parent);
+            return reflector;
+        }
+
+        /// <summary>A sea of the standard waves, made from them: it needs no stored snapshots.</summary>
+        /// <param name="parent">May be null.</param>
+        public static Sea MakeSea(GameObject parent)
+        {
+            var sea = new GameObject("Sea").AddComponent<Sea>();
+            sea.Material = ProjectAssets.StandardMaterial;
+            Place(sea.gameObject, parent);
+            sea.Lay();
+            return sea;
+        }
+
+        /// <summary>The standard ship. Its mesh is stored with the scene.</summary>
+        /// <param name="parent">May be null.</param>
+        public static Ship MakeShip(GameObject parent)
+        {
+            var ship = new GameObject("Ship", typeof(MeshFilter), typeof(MeshRenderer)).AddComponent<Ship>();
+            ProjectAssets.Show(ship.gameObject, ShipFigures.Make(ship.Settings));
+            Place(ship.gameObject, parent);
+            return ship;
+        }
+
+        static void Place(GameObject made, GameObject parent)
+        {
+            if (parent == null)
+                StageUtility.PlaceGameObjectInCurrentStage(made); // the scene, or the prefab that is open
+            else
+                GameObjectUtility.SetParentAndAlign(made, parent);
+            GameObjectUtility.EnsureUniqueNameForSibling(made);
+            Fix.AsOneStep($"Create {made.name}", () => Undo.RegisterCreatedObjectUndo(made, $"Create {made.name}"));
+            Selection.activeGameObject = made;
+        }
+
+        static void FindTarget(GameObject target, out Vector3 middle, out double distance)
+        {
+            (middle, distance) = (Vector3.zero, CornerReflector.Distance);
+            if (target == null)
+                return;
+            middle = target.transform.position;
+            var boxes = target.GetComponentsInChildren<Renderer>().Select(renderer => renderer.bounds).ToArray();
+            if (boxes.Length == 0)
+                return;
+            var box = boxes[0];
+            foreach (var other in boxes)
+                box.Encapsulate(other);
+            middle = box.center;
+            if (box.extents.magnitude > 0)
+                distance = RadiiAway * box.extents.magnitude;
+        }
+
+        static Vector3 ToVector(double3 v) => new Vector3((float)v.x, (float)v.y, (float)v.z);
+    }
+}

@@ -1,0 +1,52 @@
+using System;
+using System.Collections.Generic;
+using UnityEditor;
+using UnityEditor.UIElements;
+using UnityEngine.UIElements;
+
+namespace Glint.Editor.Views
+{
+    /// <summary>What the inspectors are put together from.</summary>
+    static class Parts
+    {
+        /// <summary>A group that folds, open or closed as the user left it.</summary>
+        public static Foldout Group(string title, params VisualElement[] parts)
+        {
+            var group = new Foldout { text = title, viewDataKey = "Glint." + title };
+            foreach (var part in parts)
+                group.Add(part);
+            return group;
+        }
+
+        /// <summary>A serialized field of the object inspected; its tooltip is the field's.</summary>
+        public static PropertyField Field(string name, string label) => new PropertyField { bindingPath = name, label = label };
+
+        /// <summary>Shows figures, in the columns of the fields, to be selected and copied.</summary>
+        public static void ShowRows(VisualElement parent, IEnumerable<(string label, string value, string tooltip)> rows)
+        {
+            parent.Clear();
+            foreach (var (label, value, tooltip) in rows)
+            {
+                var row = new TextField(label) { value = value, tooltip = tooltip, isReadOnly = true };
+                row.AddToClassList(TextField.alignedFieldUssClassName);
+                parent.Add(row);
+            }
+        }
+
+        /// <summary>Shows findings, each with the button that mends it.</summary>
+        /// <param name="mended">Called after a button was pressed.</param>
+        public static void ShowFindings(VisualElement parent, IEnumerable<Finding> findings, Action mended)
+        {
+            parent.Clear();
+            foreach (var finding in findings)
+            {
+                var box = new HelpBox(finding.Text, finding.Severity == Severity.Error ? HelpBoxMessageType.Error : HelpBoxMessageType.Warning);
+                if (finding.Where != null)
+                    box.Add(new Button(() => EditorGUIUtility.PingObject(finding.Where)) { text = "Show", tooltip = $"Shows '{finding.Where.name}' in the Hierarchy." });
+                if (finding.Fix != null)
+                    box.Add(new Button(() => { finding.Fix.Apply(); mended(); }) { text = finding.Fix.Label });
+                parent.Add(box);
+            }
+        }
+    }
+}

@@ -1,0 +1,49 @@
+using System.Linq;
+using UnityEditor;
+using UnityEngine.UIElements;
+
+namespace Glint.Editor.Views
+{
+    /// <summary>The inspector of a Ship: its measures, and a button that makes its mesh from them.</summary>
+    [CustomEditor(typeof(Ship)), CanEditMultipleObjects]
+    sealed class ShipEditor : UnityEditor.Editor
+    {
+        VisualElement _findings, _figures;
+        Button _remake;
+
+        Ship Ship => (Ship)target;
+
+        public override VisualElement CreateInspectorGUI()
+        {
+            var inspector = new VisualElement();
+            _findings = new VisualElement();
+            _figures = new VisualElement();
+            _remake = new Button(Remake) { text = ShipFigures.Remake(Ship).Label, tooltip = "From the measures above. The mesh is stored with the scene." };
+            inspector.Add(_findings);
+            inspector.Add(Parts.Field("_settings", "Measures (m)"));
+            if (targets.Length != 1)
+                return inspector;
+            inspector.Add(_remake);
+            inspector.Add(_figures);
+            new Watch(inspector, serializedObject, Look);
+            return inspector;
+        }
+
+        void Look()
+        {
+            if (target == null)
+                return;
+            var finding = ShipFigures.Check(Ship);
+            Parts.ShowFindings(_findings, finding == null ? Enumerable.Empty<Finding>() : new[] { finding }, () => { });
+            _remake.SetEnabled(finding == null);
+            Parts.ShowRows(_figures, ShipFigures.Rows(Ship));
+        }
+
+        void Remake()
+        {
+            if (ShipFigures.Check(Ship) == null)
+                ShipFigures.Remake(Ship).Apply();
+            Look();
+        }
+    }
+}

@@ -1,0 +1,36 @@
+using System;
+using UnityEditor;
+using UnityEditor.UIElements;
+using UnityEngine.UIElements;
+
+namespace Glint.Editor.Views
+{
+    /// <summary>Calls when something in the open scenes or in the object inspected has changed and then has been still for a moment; at once when an inspector is shown.</summary>
+    sealed class Watch
+    {
+        const long StillForMs = 300;
+
+        // Of the time that a look takes: so much is left for everything else.
+        const double PauseInLooks = 5;
+
+        readonly IVisualElementScheduledItem _look;
+        readonly Func<double> _seconds;
+
+        /// <param name="inspector">Watches as long as it is shown.</param>
+        /// <param name="look">Called.</param>
+        /// <param name="seconds">How long it took the last time; null if that is nothing.</param>
+        public Watch(VisualElement inspector, SerializedObject inspected, Action look, Func<double> seconds = null)
+        {
+            _seconds = seconds;
+            _look = inspector.schedule.Execute(look);
+            inspector.TrackSerializedObjectValue(inspected, _ => LookSoon());
+            inspector.RegisterCallback<AttachToPanelEvent>(_ => ObjectChangeEvents.changesPublished += Hear);
+            inspector.RegisterCallback<DetachFromPanelEvent>(_ => ObjectChangeEvents.changesPublished -= Hear);
+        }
+
+        /// <summary>Looks anew soon; a change before then puts it off.</summary>
+        public void LookSoon() => _look.ExecuteLater(Math.Max(StillForMs, (long)(1000 * PauseInLooks * (_seconds?.Invoke() ?? 0))));
+
+        void Hear(ref ObjectChangeEventStream changes) => LookSoon();
+    }
+}

@@ -1,0 +1,60 @@
+using System.Linq;
+using Glint.Core;
+using Glint.Editor;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Glint.Tests
+{
+    /// <summary>What an inspector says of a sea.</summary>
+    public sealed class SeaFiguresTests
+    {
+        Sea _sea;
+
+        [SetUp]
+        public void MakeSea() => _sea = new GameObject("Sea").AddComponent<Sea>();
+
+        [TearDown]
+        public void RemoveSea() => Object.DestroyImmediate(_sea.gameObject);
+
+        [Test]
+        public void Rows_OfWaves_CountTilesAndTriangles()
+        {
+            _sea.Extent = new Vector2(128, 192);
+            _sea.Lay();
+            // 2 x 3 tiles of 64 m, 64 x 64 cells of two triangles each.
+            Assert.That(Row("Tiles"), Is.EqualTo("6, 49,152 triangles"));
+            Assert.That(Row("Tile"), Is.EqualTo("64 m, 8,192 triangles"));
+            Assert.That(Row("Waves"), Is.EqualTo("Phillips, 2 m high, wind 7 m/s to 0 deg"));
+            Assert.That(Row("Shown"), Is.EqualTo("waves at 0 s"));
+            _sea.enabled = false;
+            Assert.That(Row("Tiles"), Is.EqualTo("0, 0 triangles"));
+        }
+
+        [Test]
+        public void Rows_OfSnapshots_SayWhichIsShown()
+        {
+            foreach (int number in new[] { 1, 2 })
+                _sea.Snapshots.Add(AssetDatabase.LoadAssetAtPath<GameObject>($"Packages/com.glint.meshes/SeaState5/Snapshot 0{number}.prefab").GetComponent<SeaSnapshot>());
+            _sea.Snapshots.Add(null);
+            _sea.Snapshot = 2;
+            var settings = StoredSeas.SeaState5.Settings;
+            Assert.That(Row("Shown"), Does.StartWith("snapshot 2: Snapshot 02, 10 s, "));
+            Assert.That(Row("Waves"), Does.StartWith("Phillips, 2.5 m high"));
+            Assert.That(Row("Tile"), Is.EqualTo($"64 m, {2 * settings.Cells * settings.Cells:N0} triangles"));
+            Assert.That(SeaFigures.Name(_sea, 3), Is.EqualTo("3 (empty)"));
+        }
+
+        [Test]
+        public void Check_WhatCannotBeShown_IsSaidAsLaySaysIt()
+        {
+            Assert.That(SeaFigures.Check(_sea), Is.Null);
+            _sea.Snapshots.Add(null);
+            var refused = Assert.Throws<GlintException>(() => _sea.Lay());
+            Assert.That(SeaFigures.Check(_sea).Text, Is.EqualTo(refused.Message));
+        }
+
+        string Row(string label) => SeaFigures.Rows(_sea).Single(row => row.label == label).value;
+    }
+}

@@ -1,0 +1,54 @@
+using System.Linq;
+using Glint.Core;
+using Glint.Editor;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Glint.Tests
+{
+    /// <summary>A ship's mesh made anew from its measures.</summary>
+    public sealed class ShipFiguresTests
+    {
+        Ship _ship;
+
+        [SetUp]
+        public void MakeShip()
+        {
+            _ship = SceneObjects.MakeShip(null);
+            Undo.ClearAll();
+        }
+
+        [TearDown]
+        public void RemoveShip() => Object.DestroyImmediate(_ship.gameObject);
+
+        [Test]
+        public void Remake_FromOtherMeasures_IsThatShipAndUndoBringsTheOneBeforeBack()
+        {
+            var before = Mesh;
+            var measures = ShipSettings.Default;
+            measures.Length = 70;
+            _ship.Settings = measures;
+            ShipFigures.Remake(_ship).Apply();
+
+            Assert.That(Mesh, Is.Not.SameAs(before));
+            Assert.That(Mesh.bounds.size.z, Is.EqualTo(70).Within(0.5));
+            Assert.That(ShipFigures.Rows(_ship).Single().value, Does.Contain($"{ShipModel.Build(measures).TriangleCount:N0} triangles"));
+            Undo.PerformUndo();
+            Assert.That(Mesh, Is.SameAs(before));
+        }
+
+        [Test]
+        public void Check_MeasuresThatMakeNoShip_IsSaidAsTheModelSaysIt()
+        {
+            Assert.That(ShipFigures.Check(_ship), Is.Null);
+            var measures = ShipSettings.Default;
+            measures.Length = 10;
+            _ship.Settings = measures;
+            var refused = Assert.Throws<GlintException>(() => ShipModel.Build(measures));
+            Assert.That(ShipFigures.Check(_ship).Text, Is.EqualTo(refused.Message));
+        }
+
+        Mesh Mesh => _ship.GetComponent<MeshFilter>().sharedMesh;
+    }
+}

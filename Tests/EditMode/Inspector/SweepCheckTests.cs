@@ -1,0 +1,97 @@
+using System.Linq;
+using Glint.Core;
+using Glint.Editor;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace Glint.Tests
+{
+    /// <summary>A Sweep looked at before it is played.</summary>
+    public sealed class SweepCheckTests
+    {
+        Sweep _sweep;
+        Transform _target;
+        SweepCheck _check;
+
+        [SetUp]
+        public void MakeScene()
+        {
+            EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
+            _target = new GameObject("Target").transform;
+            _sweep = new GameObject("Sweep").AddComponent<Sweep>();
+            (_sweep.Target, _sweep.Angles) = (_target, "0:45:1");
+            _check = new SweepCheck(_sweep);
+        }
+
+        [Test]
+        public void Update_OneRadar_CountsThePoses()
+        {
+            AddRadar("Radar");
+            Assert.That(Found(), Is.Empty);
+            Assert.That(_check.Plan.Count, Is.EqualTo(46));
+            Assert.That(_check.Rows().Single().value, Is.EqualTo("46"));
+        }
+
+        [TestCase("0:45:x", "step x")]
+        [TestCase("", "no angles")]
+        [TestCase("0:4000:1", "4000")]
+        public void Update_AnglesThatAreNone_SaysWhy(string angles, string text)
+        {
+            AddRadar("Radar");
+            _sweep.Angles = angles;
+            var refused = Assert.Throws<UsageException>(() => Angles.Parse(angles));
+            Assert.That(Found().Single(), Is.EqualTo("Error: " + refused.Message));
+            Assert.That(_check.Plan, Is.Null);
+        }
+
+        [Test]
+        public void Update_NeitherTargetNorSnapshots_IsFound()
+        {
+            AddRadar("Radar");
+            _sweep.Target = null;
+            Assert.That(Found().Single(), Does.StartWith("Error: Sweep of 'Sweep' has no target and no snapshots"));
+        }
+
+        [Test]
+        public void Update_SnapshotsOfNoSea_IsFound()
+        {
+            AddRadar("Radar");
+            _sweep.Snapshots = "1:3";
+            Assert.That(Found().Single(), Does.Contain("has no sea"));
+            new GameObject("Sea").AddComponent<Sea>();
+            Assert.That(Found().Single(), Does.Contain("Sea of 'Sea' has no snapshots"));
+        }
+
+        [Test]
+        public void Fix_WithoutRadar_MakesOneThatLooksAtTheTarget()
+        {
+            Assert.That(Found().Single(), Does.Contain("has no radar"));
+            _check.Findings[0].Fix.Apply();
+            Assert.That(Found(), Is.Empty);
+            Undo.PerformUndo();
+            Assert.That(Found(), Has.Exactly(1).Items);
+        }
+
+        [Test]
+        public void Fix_WithSeveralRadars_TakesAnEnabledOne()
+        {
+            AddRadar("Off").enabled = false;
+            var radar = AddRadar("First");
+            AddRadar("Second");
+            Assert.That(Found().Single(), Does.Contain("has 2 radars"));
+            _check.Findings[0].Fix.Apply();
+            Assert.That(_sweep.Radar == radar || _sweep.Radar.name == "Second");
+            Assert.That(Found(), Is.Empty);
+        }
+
+        string[] Found()
+        {
+            _check.Update();
+            return _check.Findings.Select(finding => finding.ToString()).ToArray();
+        }
+
+        static RadarController AddRadar(string name) => new GameObject(name, typeof(Camera)).AddComponent<RadarController>();
+    }
+}

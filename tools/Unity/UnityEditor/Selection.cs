@@ -1,0 +1,37 @@
+using System;
+using UnityEngine;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor;
+
+/// <summary>One object at most.</summary>
+public sealed class Selection
+{
+    public static Action selectionChanged;
+
+    static Object _active;
+
+    public static Object activeObject
+    {
+        get => Object.IsNull(_active) ? null : _active;
+        set
+        {
+            if (activeObject == value)
+                return;
+            _active = value;
+            selectionChanged?.Invoke();
+        }
+    }
+
+    public static GameObject activeGameObject
+    {
+        get => activeObject as GameObject ?? (activeObject as Component)?.gameObject;
+        set => activeObject = value;
+    }
+
+    public static Transform activeTransform
+    {
+        get => activeGameObject == null ? null : activeGameObject.transform;
+        set => activeObject = value;
+    }
+}
