@@ -69,8 +69,8 @@ namespace Glint.Editor
         {
             if (run.Command != null)
                 return CommandLine.Parse(run.Command.FirstOrDefault() == Commands.Run.Name ? Commands.Run : Commands.Sweep, run.Command.Skip(1).ToArray());
-            if (run.ScenePath == null)
-                throw new GlintException("the results name no scene");
+            if (string.IsNullOrEmpty(run.ScenePath))
+                throw new GlintException("the results name no scene: it was not saved when it was traced");
             var words = new List<string> { "--", run.ScenePath };
             if (run.Count > 0 && run.Value(0, SweepAxis.Snapshot) != null)
                 words.Insert(0, $"{Options.Snapshots.Flag}=1");
