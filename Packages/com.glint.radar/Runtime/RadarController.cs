@@ -14,7 +14,7 @@ namespace Glint
     /// A radar at a camera: one ray a pixel, bounced through the scene on the GPU, and what returns to the receiver summed coherently.
     /// Position, rotation and vertical field of view are the Camera's; rays across and down set the aspect ratio.
     /// An orthographic Camera makes parallel rays: they leave an aperture twice its Size high.
-    /// It traces one pose when the scene starts and whenever <see cref="Trace"/> is called.
+    /// It traces one pose when the scene starts and whenever <see cref="Trace(IProgress{double}, CancellationToken)"/> is called.
     /// </summary>
     [AddComponentMenu("Glint/Radar Controller")]
     [RequireComponent(typeof(Camera))]

@@ -127,6 +127,7 @@ namespace Glint
             return result;
         }
 
+        /// <summary>Releases all buffers on the device.</summary>
         public void Dispose()
         {
             _exact.Dispose();

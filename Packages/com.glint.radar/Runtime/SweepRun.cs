@@ -25,6 +25,7 @@ namespace Glint
         readonly Stopwatch _watch = Stopwatch.StartNew();
         SweepIdentity _identity;
 
+        /// <summary>Begins a sweep, or goes on with one; nothing is traced before the first <see cref="Step"/>.</summary>
         /// <param name="radar">Traces the poses.</param>
         /// <param name="plan">The poses.</param>
         /// <param name="target">What is turned, from its rotation now, or what the radar is moved about; may be null when the plan does neither.</param>

@@ -23,8 +23,10 @@ namespace Glint.Core
         /// <summary>Point numbers, three a triangle.</summary>
         public List<int> Indices { get; } = new List<int>();
 
+        /// <summary>Triangles drawn.</summary>
         public int TriangleCount => Indices.Count / 3;
 
+        /// <summary>A mesh in at most so many triangles.</summary>
         /// <param name="most">Triangles at most; at least 12.</param>
         public static MeshSketch Of(TriangleMesh mesh, int most)
         {

@@ -8,7 +8,9 @@ namespace Glint.Core
     {
         readonly byte[] _bounces, _facing;
 
-        /// <param name="all">The whole picture's rays across and down.</param>
+        /// <summary>A picture in which nothing is seen yet.</summary>
+        /// <param name="raysAcross">Rays across the whole picture.</param>
+        /// <param name="raysDown">Rays down the whole picture.</param>
         /// <param name="part">The part that is shown, in these rays.</param>
         public RadarPicture(int raysAcross, int raysDown, RayRegion part)
         {
