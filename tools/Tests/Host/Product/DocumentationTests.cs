@@ -43,13 +43,13 @@ public sealed class DocumentationTests
         string sources = string.Concat(new[] { Path.Combine(s_package, "Core"), Path.Combine(s_package, "Runtime"), Path.Combine(s_package, "Editor"), Path.Combine(s_root, "tools/Vulkan"), Path.Combine(s_root, "tools/Cli") }
             .SelectMany(folder => Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories)).Select(File.ReadAllText)).Replace("\\\"", "\"");
         // What a message takes from a constant or an option stands in the text itself.
-        foreach (var (name, value) in new[] { ("Options.Resume.Flag", "--resume"), ("StartAnew", "take the same as before, choose another results folder, or leave --resume out to replace what is there") })
+        foreach (var (name, value) in new[] { ("Options.Resume.Flag", "--resume"), ("noun", "radar"), ("remedy", "RadarController (Glint > Radar Controller) to a camera of the scene"), ("StartAnew", "take the same as before, choose another results folder, or leave --resume out to replace what is there") })
             sources = sources.Replace("{" + name + "}", value);
         var quotes = File.ReadLines(Path.Combine(s_pages, "troubleshooting.md")).Where(line => line.StartsWith("> ")).Select(line => line[2..].Trim()).ToArray();
         Assert.That(quotes, Has.Length.GreaterThan(20));
         foreach (string quote in quotes)
             foreach (string part in quote.Split("...").Select(part => part.Trim(' ', '\'', ':', ';')).Where(part => part.Length > 3))
-                Assert.That(sources, Does.Contain(part), quote);
+                Assert.That(sources.Contains(part), $"\"{part}\" of: {quote}");
     }
 
     [Test]
