@@ -36,11 +36,14 @@ sealed class CommandTree
     /// <exception cref="Core.UsageException">The first thing that is wrong.</exception>
     public int Invoke(string[] arguments, Action<Core.Command> onCommand)
     {
+        // A command comes first: the library would find one behind a word that it does not know.
+        if (arguments.Length > 0 && !arguments[0].StartsWith('-') && Core.Commands.All.All(command => command.Name != arguments[0]))
+            throw NoCommand(arguments[0]);
         var parsed = _root.Parse(arguments, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
         if (parsed.Action is not (null or ParseErrorAction))
             return parsed.Invoke(new InvocationConfiguration { Output = _terminal.Out, Error = _terminal.Error, EnableDefaultExceptionHandler = false });
         if (!_commands.TryGetValue(parsed.CommandResult.Command, out var command))
-            throw NoCommand(parsed);
+            throw NoCommand(parsed.UnmatchedTokens.FirstOrDefault());
         onCommand(command);
         return _execute(Read(command, parsed, arguments));
     }
@@ -69,8 +72,7 @@ sealed class CommandTree
                 options.Add(Pair(result.Option.Name, ""));
             // A word that begins with "--" is a misspelt option and no value; --name=--value is one.
             options.AddRange(result.Tokens.Select(token => Pair(result.Option.Name, token.Value.StartsWith("--") && raw.Contains(token.Value) ? null : token.Value)));
-            if (result.Tokens.Count < result.IdentifierTokenCount)
-                options.Add(Pair(result.Option.Name, null));
+            options.AddRange(Enumerable.Repeat(Pair(result.Option.Name, null), Math.Max(0, result.IdentifierTokenCount - result.Tokens.Count)));
         }
 
         // What the tree has no option for arrives as argument; after "--" it is meant as one.
@@ -84,13 +86,12 @@ sealed class CommandTree
 
     static KeyValuePair<string, string> Pair(string flag, string value) => KeyValuePair.Create(flag, value);
 
-    static Core.UsageException NoCommand(ParseResult parsed)
+    static Core.UsageException NoCommand(string word)
     {
         var names = Core.Commands.All.Select(command => command.Name).ToArray();
         string list = string.Join(", ", names);
-        if (parsed.UnmatchedTokens.Count == 0)
+        if (word == null)
             return new Core.UsageException($"a command is missing: {list}");
-        string word = parsed.UnmatchedTokens[0];
         string nearest = Core.Spelling.Nearest(word, names);
         return new Core.UsageException($"\"{word}\": no such command: {(nearest == null ? "the commands are " + list : $"did you mean {nearest}?")}");
     }

@@ -41,7 +41,15 @@ sealed class Shell(Terminal terminal)
         }
     }
 
-    int Execute(CommandLine line) => line.Command == Commands.Info ? new InfoReport(terminal).Write(line) : Product.Execute(line, terminal);
+    int Execute(CommandLine line)
+    {
+        if (line.Command == Commands.Info)
+            return new InfoReport(terminal).Write(line);
+        if (line.Command != Commands.Completion)
+            return Product.Execute(line, terminal);
+        terminal.Out.Write(new CompletionScript(line.Input).Write());
+        return 0;
+    }
 
     int Fail(string message, Exception error, int exitCode)
     {

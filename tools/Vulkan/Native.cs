@@ -18,7 +18,7 @@ static unsafe class Native
     internal const int Uint4Format = 107;                                               // VkFormat: R32G32B32A32_UINT
     internal const int TimestampQuery = 2;                                              // VkQueryType
     internal const uint Query64Bit = 1, QueryWait = 2;                                  // VkQueryResultFlags
-    internal const int Timeout = 2, OutOfPoolMemory = -1000069000, FragmentedPool = -12; // VkResult
+    internal const int Timeout = 2, DeviceLost = -4, OutOfPoolMemory = -1000069000, FragmentedPool = -12; // VkResult
 
     [DllImport(Loader)] internal static extern int vkCreateInstance(InstanceCreateInfo* info, void* allocator, out nint instance);
     [DllImport(Loader)] internal static extern void vkDestroyInstance(nint instance, void* allocator);

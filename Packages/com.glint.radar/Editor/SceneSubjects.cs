@@ -70,6 +70,8 @@ namespace Glint.Editor
         {
             var paths = new ProjectPaths(Path.GetDirectoryName(Application.dataPath));
             var readings = paths.Readings(line.Input, Directory.GetCurrentDirectory());
+            if (!readings.Any(File.Exists) && readings.FirstOrDefault(Directory.Exists) is string folder)
+                throw new GlintException($"{line.Input}: {folder} is a folder: give a scene in it");
             if (!readings.Any(File.Exists))
                 throw new GlintException($"{line.Input}: there is no such scene; it was looked for at {string.Join(" and ", readings)}");
             string scene = paths.ToAssetPath(line.Input, Directory.GetCurrentDirectory());

@@ -17,8 +17,10 @@ namespace Glint
         int _total, _done;
         double _stepStart, _lastLine;
 
+        /// <inheritdoc/>
         public CancellationToken Cancel => CancellationToken.None;
 
+        /// <inheritdoc/>
         public void Start(string what, int total)
         {
             (_what, _total, _done) = (what, total, 0);
@@ -27,6 +29,7 @@ namespace Glint
             _lastLine = double.NegativeInfinity;
         }
 
+        /// <inheritdoc/>
         public void Report(double value)
         {
             double now = _sinceStart.Elapsed.TotalSeconds;
@@ -36,6 +39,7 @@ namespace Glint
             Debug.Log(FormattableString.Invariant($"Glint {_what}: {_done} of {_total}, the next {100 * value:0} % done"));
         }
 
+        /// <inheritdoc/>
         public void Advance(int done, string note)
         {
             double now = _sinceStart.Elapsed.TotalSeconds;
@@ -48,8 +52,10 @@ namespace Glint
             Debug.Log($"Glint {_what}: {done} of {_total}{(note == null ? "" : $" ({note})")}{rest}");
         }
 
+        /// <inheritdoc/>
         public void Finish() { }
 
+        /// <inheritdoc/>
         public void Print(string line) => Debug.Log(line);
     }
 }

@@ -20,6 +20,7 @@ namespace Glint
         /// <summary>The mesh; its origin is the file's.</summary>
         public Transform Target { get; }
 
+        /// <summary>The radar that looks at it; its receiver is below it in the hierarchy.</summary>
         public RadarController Radar { get; }
 
         /// <summary>Moves the radar about the point that it is aimed at.</summary>

@@ -14,7 +14,7 @@ namespace Glint
     /// A radar at a camera: one ray a pixel, bounced through the scene on the GPU, and what returns to the receiver summed coherently.
     /// Position, rotation and vertical field of view are the Camera's; rays across and down set the aspect ratio.
     /// An orthographic Camera makes parallel rays: they leave an aperture twice its Size high.
-    /// It traces one pose when the scene starts and whenever <see cref="Trace"/> is called.
+    /// It traces one pose when the scene starts and whenever <see cref="Trace(IProgress{double}, CancellationToken)"/> is called.
     /// </summary>
     [AddComponentMenu("Glint/Radar Controller")]
     [RequireComponent(typeof(Camera))]
@@ -237,13 +237,13 @@ namespace Glint
         /// <summary>What is known of the scene.</summary>
         internal SceneGatherer Gatherer => _gatherer;
 
-        /// <summary>Objects with a mesh that <see cref="Gather"/> last found.</summary>
+        /// <summary>Objects with a mesh that <see cref="Gather()"/> last found.</summary>
         internal int ObjectCount => _gatherer.ObjectCount;
 
-        /// <summary>The scene of <see cref="Gather"/>.</summary>
+        /// <summary>The scene of <see cref="Gather()"/>.</summary>
         public RadarScene GatherScene() => Gather().Scene;
 
-        /// <summary>The view of <see cref="Gather"/>, in the frame of its scene.</summary>
+        /// <summary>The view of <see cref="Gather()"/>, in the frame of its scene.</summary>
         public RadarView View() => Gather().View;
 
         /// <summary>Lets go of the GPU's buffers and of what was gathered; the next pose makes them anew.</summary>

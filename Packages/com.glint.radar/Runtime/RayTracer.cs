@@ -150,6 +150,7 @@ namespace Glint
             return _paths.Follow(settings, view, grid, pixels, objects, progress, cancel);
         }
 
+        /// <summary>Releases all buffers on the device.</summary>
         public void Dispose()
         {
             _paths.Dispose();

@@ -19,6 +19,7 @@ namespace Glint
         readonly Stopwatch _watch = Stopwatch.StartNew();
         SweepIdentity _identity;
 
+        /// <summary>Begins a sweep, or goes on with one; nothing is traced before the first <see cref="Step"/>.</summary>
         /// <param name="setup">What the sweep is of; not to be changed while it runs.</param>
         /// <param name="folder">Takes the rows; null to write nothing.</param>
         /// <param name="shard">The part to do; null: all of it.</param>

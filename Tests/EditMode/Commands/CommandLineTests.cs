@@ -241,7 +241,7 @@ namespace Glint.Tests
         {
             AssertRefused(Commands.Run, "run: INPUT is missing: give a scene (.unity) or a mesh file (.obj, .stl)");
             AssertRefused(Commands.Run, "x.fbx: neither a scene (.unity) nor a mesh file (.obj, .stl)", "x.fbx");
-            AssertRefused(Commands.Run, "\"\": neither a scene (.unity) nor a mesh file (.obj, .stl)", "");
+            AssertRefused(Commands.Run, "run: INPUT is empty: give a scene (.unity) or a mesh file (.obj, .stl)", "");
             AssertRefused(Commands.Run, "--angles: run has no such option", "x.obj", "--angles", "0:1:1");
             AssertRefused(Commands.Run, "--bonces: run has no such option; did you mean --bounces?", "x.obj", "--bonces", "3");
             AssertRefused(Commands.Run, "--freq: run has no such option; did you mean --frequency?", "x.obj", "--freq=1e9");

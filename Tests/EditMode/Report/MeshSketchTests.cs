@@ -38,9 +38,9 @@ namespace Glint.Tests
                 double3 a = Place(sketch, sketch.Indices[i]), b = Place(sketch, sketch.Indices[i + 1]), c = Place(sketch, sketch.Indices[i + 2]);
                 area += math.abs(math.cross(b - a, c - a).y) / 2;
             }
-            // Seen from above it is 200 x 200 m without gaps, but for a border of the width of a triangle.
-            double border = 4 * 200 / Math.Sqrt(most / 8.0);
-            Assert.That(area, Is.InRange(200 * 200 - 200 * border, 200 * 200 + 1e-3));
+            // Seen from above it is 200 x 200 m without gaps and up to its border, so that tiles meet, but for what a cube cuts off at each corner.
+            double cube = 200 / Math.Sqrt(most / 8.0);
+            Assert.That(area, Is.InRange(200 * 200 - 4 * cube * cube / 2, 200 * 200 + 1e-3));
             Assert.That(sketch.Indices.Max(), Is.LessThan(sketch.Positions.Count / 3));
         }
 

@@ -24,6 +24,8 @@ sealed class ExperimentFiles
     /// <exception cref="GlintException">The folder cannot be made, a file in it not be written, or the page that is there lacks a marker.</exception>
     public ExperimentFiles(string flag, string path)
     {
+        if (File.Exists(path))
+            throw new GlintException($"{flag} {path}: is a file, not a folder: name another folder");
         _path = path;
         string page = Path.Combine(path, PageName);
         try

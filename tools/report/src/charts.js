@@ -9,11 +9,14 @@ const dashes = [[], [8, 4], [3, 3], [10, 3, 2, 3]];
 export const stroke = i => colours[i % colours.length].startsWith('--') ? theme(colours[i % colours.length]) : colours[i % colours.length];
 export const dash = i => dashes[Math.floor(i / 2) % dashes.length];
 
-function axis(label, size) {
+const wholeSteps = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 1e4, 1e5, 1e6];
+
+function axis(label, size, isWhole = false) {
   const font = '12px system-ui, "Segoe UI", "Liberation Sans", sans-serif';
   return {
     label, size, font, labelFont: font, labelSize: 20, stroke: theme('--soft'),
     grid: { stroke: theme('--grid'), width: 1 }, ticks: { stroke: theme('--line'), width: 1 },
+    ...isWhole ? { incrs: wholeSteps } : {},
     values: (plot, splits) => splits.map(split => split === null ? '' : number(split, 6))
   };
 }
@@ -48,7 +51,7 @@ export function draw(element, what) {
       x: { time: false, range: what.xRange ?? (single ? (u, low) => [low - 1, low + 1] : undefined) },
       y: { range: (u, low, high) => low === null ? [0, 1] : what.fromZero ? [0, high > 0 ? high * 1.08 : 1] : low === high ? [low - 1, high + 1] : uPlot.rangeNum(low, high, 0.08, true) }
     },
-    axes: [axis(what.x.label, 46), axis(what.yLabel, 72)],
+    axes: [axis(what.x.label, 46, what.x.isWhole), axis(what.yLabel, 72)],
     series: [{ label: what.x.label, value: (u, value) => number(value) }, ...what.series.map(series => ({
       value: (u, value) => number(value), width: 2, ...series, values: undefined
     }))],

@@ -31,17 +31,24 @@ requestAnimationFrame(() => requestAnimationFrame(() => { document.documentEleme
 function head() {
   document.title = `${name} - Glint report`;
   byId('title').textContent = name;
-  const target = run.scene?.target ? `, ${run.scene.target} turned` : '';
-  byId('lead').textContent = `${plural(poses.rows.length, 'pose')}${target}; traced ${run.started_utc?.replace('T', ' ').replace('Z', ' UTC') ?? ''} with Glint ${run.versions?.glint} on ${run.device?.name ?? 'an unknown device'}.`;
+  const plan = poses.plan === '' ? '' : ` (${poses.plan})`, turned = poses.span('angle_deg') !== null && run.scene?.target ? `, ${run.scene.target} turned` : '';
+  byId('lead').textContent = `${plural(poses.rows.length, 'pose')}${plan}${turned}; traced ${run.started_utc?.replace('T', ' ').replace('Z', ' UTC') ?? ''} with Glint ${run.versions?.glint} on ${run.device?.name ?? 'an unknown device'}.`;
   const doubtful = poses.rows.filter(row => row.undersampled === 1).length;
   byId('warning').hidden = doubtful === 0;
-  byId('warning').textContent = `In ${number(doubtful)} of ${plural(poses.rows.length, 'pose')} the rays are too far apart, or too few return, for amplitude and error to be trusted: trace more rays or a narrower view.`;
+  const where = poses.rows.length === 1 ? 'The' : `In ${number(doubtful)} of ${plural(poses.rows.length, 'pose')} the`;
+  byId('warning').textContent = `${where} rays are too far apart, or too few return, for amplitude and error to be trusted: trace more rays or a narrower view.`;
   const best = poses.rows[strongest];
   const facts = [
-    ['Poses', number(poses.rows.length)],
-    [best && poses.rows.length > 1 ? `Largest amplitude, ${poses.name(best)}` : 'Amplitude', best ? number(best.amplitude) : '-'],
-    ['Rays a pose', number(best?.rays_emitted)],
-    ['Frequency', `${number((run.settings.frequency?.value ?? NaN) / 1e9)} GHz`],
+    ...poses.rows.length === 1 ? [
+      ['Amplitude', `${number(best.amplitude)}${typeof best.amplitude_db === 'number' ? ` (${number(best.amplitude_db, 4)} dB)` : ''}`],
+      ['As if 2,073,600 rays', `${number(best.amplitude_normalised)} ± ${number(best.sampling_error, 3)}`],
+      ['Rays received', number(best.rays_received)], ['Rays hit', number(best.rays_hit)], ['Rays', number(best.rays_emitted)]
+    ] : [
+      ['Poses', number(poses.rows.length)],
+      [best ? `Largest amplitude, ${poses.name(best)}` : 'Amplitude', best ? number(best.amplitude) : '-'],
+      ['Rays a pose', number(best?.rays_emitted)]
+    ],
+    ['Frequency', poses.span('frequency_hz') ?? `${number((run.settings.frequency?.value ?? NaN) / 1e9)} GHz`],
     ['Triangles', number(run.scene?.triangles)],
     ['Whole run', seconds(run.elapsed_ms ?? NaN)]
   ];
@@ -55,8 +62,9 @@ function head() {
 function choosePose() {
   const slider = byId('pose');
   slider.max = Math.max(0, poses.rows.length - 1);
-  byId('pose-bar').hidden = poses.rows.length < 2;
-  byId('sweep').hidden = poses.rows.length === 0;
+  // A chart of one point says nothing.
+  byId('sweep').hidden = poses.rows.length < 2;
+  byId('left-out').textContent = poses.leftOut;
   slider.addEventListener('input', () => poses.choose(Number(slider.value)));
   const show = () => {
     const row = poses.rows[poses.chosen];
@@ -75,7 +83,7 @@ function choosePose() {
 }
 
 function paint() {
-  charts.draw();
+  if (poses.rows.length > 1) charts.draw();
   drawPhases(poses);
 }
 
@@ -87,7 +95,7 @@ function showScene() {
     return;
   }
   const row = poses.rows[scene.pose], what = capital(poses.name(row));
-  const rays = `${plural(scene.received, 'ray')} received${scene.paths.counts.length < scene.received ? `, of which ${number(scene.paths.counts.length)}, evenly chosen, can be drawn` : ''}`;
+  const rays = `${scene.received === 0 ? 'no ray' : plural(scene.received, 'ray')} received${scene.paths.counts.length < scene.received ? `, of which ${number(scene.paths.counts.length)}, evenly chosen, can be drawn` : ''}`;
   const coarse = scene.drawn < scene.triangles ? ` Of ${number(scene.triangles)} triangles the view has ${number(scene.drawn)}: surfaces are drawn coarser than they were traced, and rays may end beside them.` : '';
   const changed = scene.received !== row.rays_received || Math.abs(scene.amplitude - row.amplitude) > 1e-3 * Math.max(1, row.amplitude)
     ? ` The scene has changed since the run, which received ${plural(row.rays_received, 'ray')} with amplitude ${number(row.amplitude)}.` : '';
@@ -112,8 +120,9 @@ function tables() {
   const withUnit = value => typeof value === 'object' && value !== null ? `${number(value.value, 9)}${value.unit === '1' ? '' : ` ${value.unit}`}` : value;
   const isPlace = key => /_(x|y|z)$/.test(key);
   const places = [...new Set(settings.filter(([key]) => isPlace(key)).map(([key]) => key.slice(0, -2)))];
+  byId('settings-note').hidden = poses.varying.length === 0;
   fill('settings', [
-    ['Scene or mesh file', run.scene?.path], ['Turned', run.scene?.target], ['Objects', number(run.scene?.objects)], ['Triangles', number(run.scene?.triangles)],
+    ['Scene or mesh file', run.scene?.path], ['Target', run.scene?.target], ['Objects', number(run.scene?.objects)], ['Triangles', number(run.scene?.triangles)],
     ['Command', run.command?.join(' ')],
     ...settings.filter(([key]) => !isPlace(key)).map(([key, value]) => [title(key), withUnit(value)]),
     ...places.map(key => [title(key), `${['x', 'y', 'z'].map(axis => number(run.settings[`${key}_${axis}`]?.value, 7)).join(', ')}${run.settings[`${key}_x`]?.unit === 'm' ? ' m' : ''}`]),

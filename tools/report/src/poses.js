@@ -1,13 +1,13 @@
 // The poses of a run, and which of them is chosen.
 import { number } from './text.js';
 
-// The axes of a sweep, that which changes from pose to pose first.
+// The axes of a sweep, that which changes from pose to pose first; a chart's scale counts in units of so much.
 const axes = [
-  { name: 'angle_deg', label: 'angle in degrees', words: value => `${number(value)} deg` },
-  { name: 'grazing_deg', label: 'grazing angle in degrees', words: value => `grazing ${number(value)} deg` },
-  { name: 'range_m', label: 'range in metres', words: value => `range ${number(value)} m` },
-  { name: 'frequency_hz', label: 'frequency in Hz', words: value => `${number(value / 1e9, 9)} GHz` },
-  { name: 'snapshot', label: 'snapshot', words: value => `snapshot ${value}` }
+  { name: 'angle_deg', label: 'angle in degrees', unit: 1, nouns: ['angle', 'angles'], words: value => `${number(value)} deg` },
+  { name: 'grazing_deg', label: 'grazing angle in degrees', unit: 1, nouns: ['grazing angle', 'grazing angles'], words: value => `grazing ${number(value)} deg` },
+  { name: 'range_m', label: 'range in metres', unit: 1, nouns: ['range', 'ranges'], words: value => `range ${number(value)} m` },
+  { name: 'frequency_hz', label: 'frequency in GHz', unit: 1e9, nouns: ['frequency', 'frequencies'], words: value => `${number(value / 1e9, 9)} GHz` },
+  { name: 'snapshot', label: 'snapshot', unit: 1, isWhole: true, nouns: ['snapshot', 'snapshots'], words: value => `snapshot ${value}` }
 ];
 
 const mostGroups = 8;
@@ -19,10 +19,15 @@ export class Poses {
     this.listeners = [];
     const distinct = name => [...new Set(rows.map(row => row[name]).filter(value => value !== null && value !== undefined))];
     this.varying = axes.filter(axis => distinct(axis.name).length > 1);
+    this.counts = this.varying.map(axis => [distinct(axis.name).length, axis]);
     const [first] = this.varying.length > 0 ? this.varying : axes;
-    this.x = { ...first, values: distinct(first.name).sort((a, b) => a - b) };
-    this.others = this.varying.slice(1);
-    const place = new Map(this.x.values.map((value, i) => [value, i]));
+    // The axis that changes fastest, or one with which the charts can hold all poses.
+    const lines = axis => this.counts.reduce((product, [count, other]) => other === axis ? product : product * count, 1);
+    const along = lines(first) <= mostGroups ? first : this.varying.find(axis => lines(axis) <= mostGroups) ?? first;
+    const steps = distinct(along.name).sort((a, b) => a - b);
+    this.x = { ...along, values: steps.map(value => value / along.unit) };
+    this.others = this.varying.filter(axis => axis !== along);
+    const place = new Map(steps.map((value, i) => [value, i]));
     // One list for each combination of the other axes, with a row or nothing for each x.
     const groups = new Map();
     for (const row of rows) {
@@ -35,6 +40,23 @@ export class Poses {
 
   groupOf(row) {
     return this.others.map(axis => axis.words(row[axis.name])).reverse().join(', ');
+  }
+
+  /** "12 angles, 2 frequencies" of a sweep over more than one axis. */
+  get plan() {
+    return this.counts.length < 2 ? '' : this.counts.map(([count, axis]) => `${number(count)} ${axis.nouns[1]}`).join(', ');
+  }
+
+  /** Of an axis that the sweep steps through, "9 GHz to 10 GHz"; null of another. */
+  span(name) {
+    const axis = this.varying.find(axis => axis.name === name);
+    const values = this.rows.map(row => row[name]);
+    return axis ? `${axis.words(values.reduce((a, b) => Math.min(a, b)))} to ${axis.words(values.reduce((a, b) => Math.max(a, b)))}` : null;
+  }
+
+  /** Why the charts leave poses out; empty when they have all. */
+  get leftOut() {
+    return this.all.size <= mostGroups ? '' : `Of ${number(this.all.size)} lines the charts show that of the chosen pose.`;
   }
 
   /** The groups to draw, by name: all, or where they are too many that of the chosen pose. */
@@ -50,7 +72,8 @@ export class Poses {
   }
 
   xOf(pose) {
-    return this.rows[pose]?.[this.x.name];
+    const value = this.rows[pose]?.[this.x.name];
+    return typeof value === 'number' ? value / this.x.unit : value;
   }
 
   /** The pose at a place of the x axis, of the chosen pose's group. */

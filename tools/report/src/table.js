@@ -6,7 +6,9 @@ const most = 5000;
 export class PoseTable {
   constructor(poses, units) {
     this.poses = poses;
-    this.columns = Object.keys(units).filter(name => poses.rows.some(row => row[name] !== null && row[name] !== undefined));
+    // The angle is 0 in every row where nothing was turned.
+    const says = name => poses.rows.some(row => row[name] !== null && row[name] !== undefined && (name !== 'angle_deg' || row[name] !== 0));
+    this.columns = Object.keys(units).filter(says);
     this.sorted = null;
     const head = make('tr');
     head.append(make('th', 'Pose', { scope: 'col' }));

@@ -108,6 +108,7 @@ export class View {
     count.max = Math.max(1, this.paths.length);
     count.value = Math.min(this.paths.length, drawnAtFirst);
     count.addEventListener('input', () => this.update());
+    document.querySelectorAll('[data-of=rays]').forEach(control => { control.hidden = this.paths.length === 0; });
     this.segmentCount = Math.max(0, ...kinds) + (kinds.length > 0 ? 1 : 0);
     this.chosenPaths = () => {
       const fitting = this.paths.filter(path => select.value === 'all' || bounces(path) === Number(select.value));
@@ -169,7 +170,8 @@ export class View {
     this.radarPlace = flip(...this.scene.radar.place);
     const scene = around(corners) ?? new Sphere(new Vector3(), 1);
     const rays = around(hits);
-    if (rays) rays.radius = Math.max(1.6 * rays.radius, 0.05 * scene.radius);
+    // With enough around the rays to tell what they meet.
+    if (rays) rays.radius = Math.max(3 * rays.radius, 0.02 * scene.radius);
     this.hits = hits;
     this.first = rays && scene.radius > 2 * rays.radius ? 'rays' : 'scene';
     this.spheres = { scene, rays: rays ?? scene, radar: around([...corners, this.radarPlace]) };

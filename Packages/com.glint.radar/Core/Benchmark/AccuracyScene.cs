@@ -15,10 +15,13 @@ namespace Glint.Core
             View = view;
         }
 
+        /// <summary>What is traced and from where, in a few words.</summary>
         public string Name { get; }
 
+        /// <summary>What is traced.</summary>
         public RadarScene Scene { get; }
 
+        /// <summary>Where radar and receiver stand.</summary>
         public RadarView View { get; }
 
         /// <summary>True if there is enough to see for pieces of the work to be told apart.</summary>

@@ -10,6 +10,8 @@ namespace Glint.Core
     {
         const int BufferBytes = 1 << 20;
 
+        /// <summary>Writes a mesh.</summary>
+        /// <exception cref="System.IO.IOException">The stream takes no more.</exception>
         public static void Write(Stream stream, TriangleMesh mesh)
         {
             // Neither is disposed: that would close the stream, which is the caller's.

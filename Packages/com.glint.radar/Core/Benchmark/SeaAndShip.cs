@@ -18,6 +18,7 @@ namespace Glint.Core
         // Amplitude over wavelength of the steepest waves: the longest is 0.4 m high.
         const double Steepness = 0.0085;
 
+        /// <summary>Makes the sea and the ship.</summary>
         /// <param name="seed">Which sea.</param>
         /// <param name="seaTriangles">Triangles of the sea, met within the steps of a square grid.</param>
         /// <param name="shipTriangles">Triangles of the ship, met within the steps of its bodies' meshes.</param>

@@ -42,8 +42,8 @@ namespace Glint.Core
         /// <summary>Examples: what follows "glint", and what it does.</summary>
         public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }
 
-        /// <summary>What its arguments are called: INPUT, [INPUT] or DIR...; null when it takes none.</summary>
-        public string InputName => Inputs == InputKind.None ? null : Inputs == InputKind.Folders ? "DIR..." : HasBuiltIn ? "[INPUT]" : "INPUT";
+        /// <summary>What its arguments are called: INPUT, [INPUT], DIR... or SHELL; null when it takes none.</summary>
+        public string InputName => Inputs == InputKind.None ? null : Inputs == InputKind.Shell ? "SHELL" : Inputs == InputKind.Folders ? "DIR..." : HasBuiltIn ? "[INPUT]" : "INPUT";
 
         /// <summary>How the command is called, in one line.</summary>
         public string Usage => string.Join(" ", new[] { "glint", Name, InputName }

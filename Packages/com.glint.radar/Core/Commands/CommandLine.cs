@@ -18,7 +18,7 @@ namespace Glint.Core
         /// <summary>The command.</summary>
         public Command Command { get; }
 
-        /// <summary>The scene, mesh file or results folder as given; null when there is none.</summary>
+        /// <summary>The scene, mesh file, results folder or shell as given; null when there is none.</summary>
         public string Input { get; private set; }
 
         /// <summary>The folders as given, of a command that takes folders.</summary>
@@ -128,7 +128,7 @@ namespace Glint.Core
             }
             int expected = Command.Inputs == InputKind.None ? 0 : 1;
             if (inputs.Count > expected)
-                throw new UsageException($"{Values.Shown(inputs[expected])}: one argument too many: {(expected == 0 ? Command.Name + " takes none" : $"INPUT is {Values.Shown(inputs[0])} already")} (put names with blanks in quotes)");
+                throw new UsageException($"{Values.Shown(inputs[expected])}: one argument too many: {(expected == 0 ? Command.Name + " takes none" : $"{Command.InputName.Trim('[', ']')} is {Values.Shown(inputs[0])} already")} (put names with blanks in quotes)");
             if (expected == 0)
                 return;
             if (inputs.Count == 0 && Command.HasBuiltIn)
@@ -137,10 +137,16 @@ namespace Glint.Core
                 return;
             }
             if (inputs.Count == 0)
-                throw new UsageException($"{Command.Name}: INPUT is missing: give {(Command.Inputs == InputKind.Results ? "a folder with results" : "a scene (.unity) or a mesh file (.obj, .stl)")}");
+                throw new UsageException($"{Command.Name}: {Command.InputName} is missing: give {WhatInputIs}");
+            if (string.IsNullOrWhiteSpace(inputs[0]))
+                throw new UsageException($"{Command.Name}: {Command.InputName.Trim('[', ']')} is empty: give {WhatInputIs}");
             Input = inputs[0];
-            InputKind = Command.Inputs == InputKind.Results ? InputKind.Results : KindOf(Input);
+            if (Command.Inputs == InputKind.Shell && !Commands.Shells.Contains(Input))
+                throw new UsageException($"{Command.Name}: {Values.Shown(Input)}: no such shell: give {WhatInputIs}");
+            InputKind = Command.Inputs == InputKind.Results || Command.Inputs == InputKind.Shell ? Command.Inputs : KindOf(Input);
         }
+
+        string WhatInputIs => Command.Inputs == InputKind.Results ? "a folder with results" : Command.Inputs == InputKind.Shell ? string.Join(", ", Commands.Shells) : "a scene (.unity) or a mesh file (.obj, .stl)";
 
         void SetFolders(IReadOnlyList<string> folders)
         {

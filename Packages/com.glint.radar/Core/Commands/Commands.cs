@@ -14,6 +14,9 @@ namespace Glint.Core
 
         const string FoldersHelp = "The results folders of all parts, in any order.";
 
+        /// <summary>The shells that <see cref="Completion"/> knows.</summary>
+        public static readonly IReadOnlyList<string> Shells = new[] { "bash", "zsh", "fish" };
+
         const string ResultsHelp = "A folder that a sweep or run has written to: one with results.json.";
 
         const string WithoutInputHelp = "Without it: a rough sea with a ship on it, before the camera of the published experiment.";
@@ -192,11 +195,24 @@ namespace Glint.Core
             Examples = new[] { Example("info", "What Glint would use."), Example("info --device llvmpipe", "The limits of Mesa's software device.") }
         };
 
+        /// <summary>Prints a script for a shell. Only the headless host has it.</summary>
+        public static readonly Command Completion = new Command("completion", "Print a script with which a shell completes commands, options, choices and file names of glint.")
+        {
+            Inputs = InputKind.Shell,
+            Options = new Option[0],
+            Examples = new[]
+            {
+                Example("completion bash", "To have it in every bash: put  source <(glint completion bash)  into ~/.bashrc."),
+                Example("completion zsh", "For zsh: put  source <(glint completion zsh)  into ~/.zshrc, after compinit."),
+                Example("completion fish", "For fish: glint completion fish > ~/.config/fish/completions/glint.fish")
+            }
+        };
+
         /// <summary>Every command.</summary>
-        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Merge, Run, Report, Sea, Ship, Experiments, Bench, Verify, Info };
+        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Merge, Run, Report, Sea, Ship, Experiments, Bench, Verify, Info, Completion };
 
         /// <summary>What INPUT is for a command.</summary>
-        public static string InputHelpOf(Command command) => command.Inputs == InputKind.Folders ? FoldersHelp : command.Inputs == InputKind.Results ? ResultsHelp : command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}" : InputHelp;
+        public static string InputHelpOf(Command command) => command.Inputs == InputKind.Folders ? FoldersHelp : command.Inputs == InputKind.Results ? ResultsHelp : command.Inputs == InputKind.Shell ? string.Join(", ", Shells) + "." : command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}" : InputHelp;
 
         static KeyValuePair<string, string> Example(string line, string meaning) => new KeyValuePair<string, string>(line, meaning);
     }

@@ -48,7 +48,7 @@ namespace Glint.Core
                 help._text.Append('\n');
                 help.Table(new[] { (command.InputName.Trim('[', ']'), Commands.InputHelpOf(command)) });
             }
-            int nameWidth = command.Options.Max(option => Form(option).Length);
+            int nameWidth = command.Options.Select(option => Form(option).Length).DefaultIfEmpty(0).Max();
             foreach (var group in command.Options.GroupBy(option => option.Group))
             {
                 help.Heading(group.Key);

@@ -27,6 +27,9 @@ namespace Glint.Core
         /// <summary>A folder with results of a run or sweep.</summary>
         Results = 16,
 
+        /// <summary>The name of a shell.</summary>
+        Shell = 32,
+
         /// <summary>Whatever a command works on alone.</summary>
         Any = File | BuiltIn | Results
     }

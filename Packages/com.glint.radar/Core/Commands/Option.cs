@@ -27,6 +27,9 @@ namespace Glint.Core
         /// <summary>Range of the value in words; null when any will do.</summary>
         public string Range { get; internal set; }
 
+        /// <summary>Values to offer while a command line is typed; empty when there are too many, or only names of files.</summary>
+        public IReadOnlyList<string> Choices { get; internal set; } = Array.Empty<string>();
+
         /// <summary>The value when the option is not given, as it would be written; null when there is none.</summary>
         public string DefaultText { get; internal set; }
 

@@ -144,6 +144,7 @@ namespace Glint.Core
             Inputs = InputKind.MeshFile,
             Refusal = InSceneInstead,
             Range = "one of " + string.Join(", ", LengthUnit.All.Select(unit => unit.Name)),
+            Choices = LengthUnit.All.Select(unit => unit.Name).ToArray(),
             DefaultText = "m",
             Help = "Unit of the file's coordinates."
         };
@@ -155,6 +156,7 @@ namespace Glint.Core
             Inputs = InputKind.MeshFile,
             Refusal = InSceneInstead,
             Range = "y or z",
+            Choices = new[] { "y", "z" },
             DefaultText = "y",
             Help = "Axis of the file that points up. y takes the coordinates as Unity's (x right, y up, z forward); z maps (x, y, z) to (x, z, y)."
         };
@@ -231,6 +233,7 @@ namespace Glint.Core
         /// <summary>Which rays the judge traces as well: 0 none, 1 all, N every N-th.</summary>
         public static readonly Option<int> Judge = new Option<int>("judge", "all|none|N", text => Values.Share(text, Interval.Closed(1, 1000000)))
         {
+            Choices = new[] { "all", "none" },
             Group = BenchGroup,
             Help = "Which rays are traced in double precision too, for the errors: all, none, or every N-th. Without it: all, when rays and triangles are at most 4 million each."
         };

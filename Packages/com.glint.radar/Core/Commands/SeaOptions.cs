@@ -30,6 +30,7 @@ namespace Glint.Core
         {
             Group = Group,
             Range = "phillips, pierson-moskowitz or jonswap",
+            Choices = new[] { "phillips", "pierson-moskowitz", "jonswap" },
             DefaultText = "phillips",
             Help = "How the waves' energy is spread over their lengths; how high they are is --wave-height's."
         };

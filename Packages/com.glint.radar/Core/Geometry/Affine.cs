@@ -12,6 +12,7 @@ namespace Glint.Core
         /// <summary>Where the origin goes, metres.</summary>
         public double3 Origin;
 
+        /// <summary>Leaves every point where it is.</summary>
         public static Affine Identity => new Affine { X = new double3(1, 0, 0), Y = new double3(0, 1, 0), Z = new double3(0, 0, 1) };
 
         /// <summary>Scale first, then rotation, then shift, as a Transform has them from its parent. The rotation need not be normalised; a zero one counts as none, and one that is not finite leaves nothing finite.</summary>
@@ -31,8 +32,10 @@ namespace Glint.Core
         /// <summary>How much volumes grow; negative when it mirrors, 0 when it flattens.</summary>
         public double Determinant => math.dot(X, math.cross(Y, Z));
 
+        /// <summary>Whether every number is the same.</summary>
         public bool Equals(Affine other) => X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z) && Origin.Equals(other.Origin);
 
+        /// <summary>Where a point goes, metres.</summary>
         public double3 Point(double3 p) => Vector(p) + Origin;
 
         /// <summary>A direction or difference of points: not shifted.</summary>

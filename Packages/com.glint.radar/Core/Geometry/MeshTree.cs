@@ -15,6 +15,7 @@ namespace Glint.Core
         {
         }
 
+        /// <summary>The trees; together they hold every triangle that reflects, each once.</summary>
         public TreePart[] Parts { get; private set; }
 
         /// <summary>Lower corner of the box around all triangles, metres.</summary>

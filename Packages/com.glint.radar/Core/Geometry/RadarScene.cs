@@ -6,6 +6,8 @@ namespace Glint.Core
     /// <summary>What the radar sees: meshes, each at one or more places. Trees over a mesh are kept as long as the same TriangleMesh comes again; a place may change at no cost.</summary>
     public sealed class RadarScene
     {
+        /// <summary>A scene of meshes at places.</summary>
+        /// <param name="instances">Kept, not copied.</param>
         public RadarScene(params MeshInstance[] instances) => Instances = instances;
 
         /// <summary>A scene of one mesh in the world's axes.</summary>
@@ -14,6 +16,7 @@ namespace Glint.Core
         {
         }
 
+        /// <summary>The meshes, each at its place; in the order in which triangles are counted.</summary>
         public MeshInstance[] Instances { get; }
 
         /// <summary>Where in the world the origin of the places stands, metres: for what is written out, as the axes are the world's. Tracing needs none.</summary>

@@ -23,6 +23,7 @@ namespace Glint.Core
         /// <summary>Vertex numbers, three a triangle.</summary>
         public int[] Indices { get; }
 
+        /// <summary>Triangles, those without area included.</summary>
         public int TriangleCount => Indices.Length / 3;
 
         /// <summary>The box around all triangles; empty without any. A vertex without a triangle is nothing to see.</summary>

@@ -20,6 +20,7 @@ namespace Glint.Core
         readonly double3 _receiver; // its middle, in the tree's coordinates
         readonly double _halfWidth, _halfHeight; // of the picture: at distance 1 in perspective, of the aperture for parallel rays
 
+        /// <summary>A tracer of a scene from a place.</summary>
         /// <param name="scene">Places in the coordinates of the view.</param>
         public Judge(RadarScene scene, in RadarSettings settings, in RadarView view)
         {

@@ -35,6 +35,7 @@ namespace Glint.Core
         readonly List<(RayData Kernel, JudgeRay Judge)> _wrongRays = new List<(RayData, JudgeRay)>();
         double _sumOfSquares;
 
+        /// <summary>A comparison in which no ray has been compared yet.</summary>
         /// <param name="scene">Places in the coordinates of the view.</param>
         /// <param name="lengthTolerance">Difference of a received ray's length that is allowed besides rounding, metres.</param>
         public RayComparison(RadarScene scene, in RadarSettings settings, in RadarView view, double lengthTolerance)
@@ -47,29 +48,34 @@ namespace Glint.Core
             JudgeSums = new RadarResult { RaysOfPicture = settings.RayCount };
         }
 
-        /// <summary>Rays compared; of them those that went the judge's way, that pass an edge on its other side, and that went wrong.</summary>
+        /// <summary>Rays compared.</summary>
         public long Rays { get; private set; }
 
+        /// <summary>Of these, those that went the judge's way.</summary>
         public long Same { get; private set; }
 
+        /// <summary>Of these, those that passed an edge on its other side, so near that float32 cannot tell.</summary>
         public long AtEdge { get; private set; }
 
+        /// <summary>Of these, those that went another way, or whose length differs by more than the tolerance.</summary>
         public long Wrong { get; private set; }
 
         /// <summary>The first rays that went wrong.</summary>
         public IReadOnlyList<(RayData Kernel, JudgeRay Judge)> WrongRays => _wrongRays;
 
-        /// <summary>The sums over the rays that went the judge's way.</summary>
+        /// <summary>The kernel's sums over the rays that went the judge's way.</summary>
         public RadarResult KernelSums { get; }
 
+        /// <summary>The judge's sums over the same rays.</summary>
         public RadarResult JudgeSums { get; }
 
-        /// <summary>Of the lengths of received rays that went the judge's way, metres.</summary>
+        /// <summary>Largest difference between the lengths of received rays that went the judge's way, metres.</summary>
         public double LargestLengthDifference { get; private set; }
 
+        /// <summary>Root of the mean square of these differences, metres; 0 when no ray was received.</summary>
         public double RmsLengthDifference => KernelSums.RaysReceived > 0 ? math.sqrt(_sumOfSquares / KernelSums.RaysReceived) : 0;
 
-        /// <summary>Of their phases, radians.</summary>
+        /// <summary>Largest difference between their phases, radians.</summary>
         public double LargestPhaseDifference { get; private set; }
 
         /// <summary>Compares rays; those added before count too.</summary>

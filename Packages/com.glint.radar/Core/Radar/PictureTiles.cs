@@ -27,6 +27,9 @@ namespace Glint.Core
         readonly double3[] _corners = new double3[8];
         int[] _steps; // by how many more boxes a tile is covered than those before it, in both directions; null before the first box
 
+        /// <summary>The tiles of a picture, of which none can be seen yet.</summary>
+        /// <param name="settings">Rays and region.</param>
+        /// <param name="view">Where the radar stands, in the frame of the boxes that are added.</param>
         public PictureTiles(in RadarSettings settings, in RadarView view)
         {
             _settings = settings;

@@ -8,7 +8,7 @@ namespace Glint.Core
         /// <summary>Rays of the published experiment, 1920 x 1080: the number that <see cref="NormalisedAmplitude"/> is for.</summary>
         public const double NormalRays = 2073600;
 
-        /// <summary>Sum over received rays of cos(phase), and of sin(phase). Each ray has amplitude 1.</summary>
+        /// <summary>I and Q: the sum over received rays of cos(phase), and of sin(phase), phase as <see cref="RayData.Phase"/>. Each ray has amplitude 1.</summary>
         public double InPhase, Quadrature;
 
         /// <summary>Rays of the whole picture, of which those of the region are emitted.</summary>
@@ -20,7 +20,7 @@ namespace Glint.Core
         /// <summary>Area of the wavefront that each ray stands for, square metres; null in perspective, where it grows with the distance.</summary>
         public double? RayArea;
 
-        /// <summary>About how far the normalised amplitude is from that of endlessly many rays.</summary>
+        /// <summary>About how far <see cref="NormalisedAmplitude"/> is from that of endlessly many rays, in its unit: Documentation~/accuracy.md.</summary>
         public double SamplingError;
 
         /// <summary>Largest difference of path length between received rays that are neighbours in the picture, wavelengths.</summary>
@@ -50,7 +50,7 @@ namespace Glint.Core
         /// <summary>Milliseconds of each phase of the work.</summary>
         public Timings Timings;
 
-        /// <summary>Length of the summed phasor: 1 for one ray. Linear, not decibels.</summary>
+        /// <summary>Length of the summed phasor, sqrt(I^2 + Q^2): 1 for one ray. Linear, not decibels.</summary>
         public double Amplitude => Math.Sqrt(InPhase * InPhase + Quadrature * Quadrature);
 
         /// <summary>The amplitude as if the same field of view had <see cref="NormalRays"/> rays: the one to compare when the number of rays differs.</summary>

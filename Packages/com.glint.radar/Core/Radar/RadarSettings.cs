@@ -15,10 +15,10 @@ namespace Glint.Core
         /// <summary>Carrier frequency in hertz.</summary>
         public double FrequencyHz;
 
-        /// <summary>Rays across the view; with <see cref="RaysDown"/> they set the aspect ratio.</summary>
+        /// <summary>Rays across the view, 1 to 524,280; with <see cref="RaysDown"/> they set the aspect ratio.</summary>
         public int RaysAcross;
 
-        /// <summary>Rays down the view.</summary>
+        /// <summary>Rays down the view, 1 to 524,280.</summary>
         public int RaysDown;
 
         /// <summary>Most specular reflections a ray may make, 1 to 16.</summary>

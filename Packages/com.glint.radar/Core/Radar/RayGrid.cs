@@ -11,6 +11,7 @@ namespace Glint.Core
         // Of the scene's size: so far before the scene the rays start at least.
         const double Clearance = 1e-3;
 
+        /// <summary>The rays of a picture that go through a box.</summary>
         /// <param name="low">Lower corner of the box around the scene, metres; above <paramref name="high"/> when it is empty.</param>
         public RayGrid(in RadarSettings settings, in RadarView view, double3 low, double3 high)
         {
@@ -65,18 +66,22 @@ namespace Glint.Core
         /// <summary>The place in the picture, in rays from its left and bottom edge, that others are counted from.</summary>
         public int2 Reference { get; }
 
-        /// <summary>Start of the ray through <see cref="Reference"/>, from <see cref="Middle"/>, and how it changes by one ray to the right and up; metres.</summary>
+        /// <summary>Start of the ray through <see cref="Reference"/>, from <see cref="Middle"/>, metres.</summary>
         public double3 Start { get; }
 
+        /// <summary>How the start changes by one ray to the right, metres.</summary>
         public double3 StartRight { get; }
 
+        /// <summary>How the start changes by one ray up, metres.</summary>
         public double3 StartUp { get; }
 
-        /// <summary>Course of the ray through <see cref="Reference"/>, its component along the view axis being 1, and how it changes by one ray to the right and up.</summary>
+        /// <summary>Course of the ray through <see cref="Reference"/>: its direction, with 1 along the view axis.</summary>
         public double3 Course { get; }
 
+        /// <summary>How the course changes by one ray to the right.</summary>
         public double3 CourseRight { get; }
 
+        /// <summary>How the course changes by one ray up.</summary>
         public double3 CourseUp { get; }
 
         /// <summary>No path up to a last hit is longer than this and <see cref="StartDepth"/>, metres.</summary>

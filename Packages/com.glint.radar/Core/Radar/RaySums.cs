@@ -7,7 +7,9 @@ namespace Glint.Core
     /// </summary>
     public sealed class RaySums
     {
+        /// <summary>Slots that the kernel spreads its sums over, and words of 32 bits in each.</summary>
         public const int Slots = 64, WordsPerSlot = 64;
+        /// <summary>Places in a slot, in words. A sum that 32 bits may not hold takes two words, the lower one first; the histogram takes one a bin.</summary>
         public const int Hits = 0, Bounces = 1, Received = 2, Returning = 3, Length = 4, InPhase = 6, Quadrature = 8, Nodes = 10, Pairs = 12, Histogram = 16;
 
         /// <summary>Units of the sums of cos and sin.</summary>
@@ -23,6 +25,7 @@ namespace Glint.Core
 
         readonly double _startDepth;
 
+        /// <summary>Sums of no dispatch yet.</summary>
         /// <param name="grid">How long paths may be.</param>
         public RaySums(RayGrid grid)
         {

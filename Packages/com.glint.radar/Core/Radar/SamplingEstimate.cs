@@ -42,6 +42,7 @@ namespace Glint.Core
         readonly Complex _refined; // sum of the refined pixels' own rays
         readonly double _share; // what the refined pixels stand for, when there are too many to refine all
 
+        /// <summary>Looks at the received rays of a pose, and chooses the pixels to refine.</summary>
         /// <param name="settings">Of the pose.</param>
         /// <param name="received">The received rays, each pixel once, in any order, which is lost.</param>
         /// <param name="count">How many there are in the array.</param>

@@ -6,7 +6,7 @@ namespace Glint.Core
         /// <summary>Trees built because a mesh was new or had changed, and the triangles in them.</summary>
         public long TreesBuilt, TrianglesBuilt;
 
-        /// <summary>Written to the device, and read back from it.</summary>
+        /// <summary>Bytes written to the device, and read back from it.</summary>
         public long BytesUploaded, BytesReadBack;
 
         /// <summary>Bytes of all the radar's buffers on the device.</summary>

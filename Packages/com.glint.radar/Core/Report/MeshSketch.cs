@@ -23,8 +23,10 @@ namespace Glint.Core
         /// <summary>Point numbers, three a triangle.</summary>
         public List<int> Indices { get; } = new List<int>();
 
+        /// <summary>Triangles drawn.</summary>
         public int TriangleCount => Indices.Count / 3;
 
+        /// <summary>A mesh in at most so many triangles.</summary>
         /// <param name="most">Triangles at most; at least 12.</param>
         public static MeshSketch Of(TriangleMesh mesh, int most)
         {
@@ -52,16 +54,17 @@ namespace Glint.Core
             }
         }
 
-        // Points in a cube of the side are one, the first of them; with side 0 each is its own.
+        // Points in a cube of the side are one, the one nearest to the border of the mesh, so that tiles laid side by side still meet; with side 0 each is its own.
         static MeshSketch Drawn(TriangleMesh mesh, double3 low, double3 size, double side)
         {
             var sketch = new MeshSketch(low, size);
             var numbers = new Dictionary<int3, int>();
+            var outward = new List<double>();
             var own = new int[mesh.Vertices.Length]; // number + 1 of a vertex seen before
             var drawn = new HashSet<int3>();
             for (int i = 0; i < mesh.Indices.Length; i += 3)
             {
-                var corners = new int3(sketch.Number(mesh, i, side, numbers, own), sketch.Number(mesh, i + 1, side, numbers, own), sketch.Number(mesh, i + 2, side, numbers, own));
+                var corners = new int3(sketch.Number(mesh, i, side, numbers, outward, own), sketch.Number(mesh, i + 1, side, numbers, outward, own), sketch.Number(mesh, i + 2, side, numbers, outward, own));
                 if (corners.x == corners.y || corners.y == corners.z || corners.z == corners.x || side > 0 && !drawn.Add(Sorted(corners)))
                     continue;
                 sketch.Indices.Add(corners.x);
@@ -71,7 +74,7 @@ namespace Glint.Core
             return sketch;
         }
 
-        int Number(TriangleMesh mesh, int corner, double side, Dictionary<int3, int> numbers, int[] own)
+        int Number(TriangleMesh mesh, int corner, double side, Dictionary<int3, int> numbers, List<double> outward, int[] own)
         {
             int vertex = mesh.Indices[corner];
             if (own[vertex] > 0)
@@ -84,8 +87,15 @@ namespace Glint.Core
                 number = Positions.Count / 3;
                 if (side > 0)
                     numbers.Add(cube, number);
+                outward.Add(-1);
+                Positions.AddRange(new ushort[3]);
+            }
+            double reach = math.cmax(math.abs(place - Size / 2) / math.max(Size, double.Epsilon));
+            if (reach > outward[number])
+            {
+                outward[number] = reach;
                 for (int axis = 0; axis < 3; axis++)
-                    Positions.Add((ushort)(Size[axis] > 0 ? Math.Round(place[axis] / Size[axis] * Steps) : 0));
+                    Positions[3 * number + axis] = (ushort)(Size[axis] > 0 ? Math.Round(place[axis] / Size[axis] * Steps) : 0);
             }
             own[vertex] = number + 1;
             return number;

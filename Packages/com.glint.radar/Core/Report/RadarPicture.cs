@@ -17,6 +17,7 @@ namespace Glint.Core
         readonly byte[] _bounces, _facing;
         readonly int[] _objects;
 
+        /// <summary>A picture in which nothing is seen yet.</summary>
         /// <param name="raysAcross">The whole picture's rays across.</param>
         /// <param name="raysDown">The whole picture's rays down.</param>
         /// <param name="part">The part that is shown, in these rays.</param>

@@ -40,9 +40,14 @@ namespace Glint.Core
         /// <exception cref="GlintException">It cannot be written.</exception>
         public static void Write(string path, string page)
         {
+            if (Directory.Exists(path))
+                throw new GlintException($"{path}: is a folder: name a file in it with {ReportOptions.Out.Flag}");
             string draft = path + ".tmp";
             try
             {
+                string folder = Path.GetDirectoryName(Path.GetFullPath(path));
+                if (!Directory.Exists(folder))
+                    throw new GlintException($"{path}: the folder {folder} is not there: make it, or name another file with {ReportOptions.Out.Flag}");
                 try
                 {
                     File.WriteAllText(draft, page, new UTF8Encoding(false));

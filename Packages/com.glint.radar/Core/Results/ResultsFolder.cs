@@ -251,7 +251,7 @@ namespace Glint.Core
                 _csvLength += Put(_csv, lines);
                 _partialLength += more;
             }
-            catch (IOException error)
+            catch (Exception error) when (error is IOException || error is ArgumentException) // the second where a file may not grow further
             {
                 KeepWholeRows();
                 throw Failure($"{CsvPath}: cannot be written ({_rows.Count} rows are in it)", error);

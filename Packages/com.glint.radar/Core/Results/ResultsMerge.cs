@@ -34,6 +34,8 @@ namespace Glint.Core
 
         static StoredRun Read(string folder)
         {
+            if (File.Exists(folder))
+                throw new GlintException($"{folder}: is a file: give the folder that holds {ResultsFolder.JsonName}");
             if (!Directory.Exists(folder))
                 throw new GlintException($"{folder}: there is no such folder: give the results folders of the parts");
             string path = Path.Combine(folder, ResultsFolder.JsonName);

@@ -24,6 +24,7 @@ namespace Glint.Core
         /// <summary>Versions: of Glint, of Unity's API, and name and version of the program that ran.</summary>
         public string GlintVersion, UnityVersion, Host;
 
+        /// <summary>Name and version of the operating system.</summary>
         public string OperatingSystem;
 
         /// <summary>When the run began, UTC.</summary>

@@ -3,6 +3,7 @@ namespace Glint.Core
     /// <summary>One setting of a run: a number with its unit, or a text.</summary>
     public readonly struct RunSetting
     {
+        /// <summary>A setting that is a number.</summary>
         /// <param name="unit">Unit such as "Hz"; "1" for a plain number.</param>
         public RunSetting(string name, double number, string unit)
         {
@@ -12,6 +13,9 @@ namespace Glint.Core
             Text = null;
         }
 
+        /// <summary>A setting in words.</summary>
+        /// <param name="name">As in results.json.</param>
+        /// <param name="text">Its value.</param>
         public RunSetting(string name, string text)
         {
             Name = name;
@@ -20,6 +24,7 @@ namespace Glint.Core
             Text = text;
         }
 
+        /// <summary>As in results.json: "max_bounces".</summary>
         public string Name { get; }
 
         /// <summary>The value in <see cref="Unit"/>, when <see cref="Unit"/> is given.</summary>

@@ -19,6 +19,7 @@ namespace Glint.Core
         // In the order of SweepAxis.All; null for what is left alone.
         readonly IReadOnlyList<double>[] _values = new IReadOnlyList<double>[SweepAxis.All.Count];
 
+        /// <summary>A plan over angles, snapshots, or both.</summary>
         /// <param name="angles">Turns of the target in degrees; null when it is not turned.</param>
         /// <param name="snapshots">Snapshots of the sea, from 1; null when it is left as it is.</param>
         public SweepPlan(IReadOnlyList<double> angles, IReadOnlyList<int> snapshots = null)
@@ -26,6 +27,7 @@ namespace Glint.Core
         {
         }
 
+        /// <summary>A plan over any of the axes.</summary>
         /// <param name="axes">Each axis once, with its values in its unit; an axis without values (null) is left alone.</param>
         /// <exception cref="UsageException">There are more than <see cref="Limit"/> poses.</exception>
         public SweepPlan(params (SweepAxis axis, IReadOnlyList<double> values)[] axes)
@@ -45,6 +47,8 @@ namespace Glint.Core
         /// <summary>Poses in all.</summary>
         public int Count { get; }
 
+        /// <summary>A pose.</summary>
+        /// <param name="pose">Its number, from 0 to <see cref="Count"/> - 1.</param>
         public SweepPose this[int pose]
         {
             get

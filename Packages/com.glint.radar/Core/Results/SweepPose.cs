@@ -7,6 +7,7 @@ namespace Glint.Core
     {
         readonly double?[] _values;
 
+        /// <summary>A pose of a sweep over angles, snapshots, or both.</summary>
         /// <param name="angleDegrees">Turn of the target about the world's vertical, positive as Unity's Y rotation.</param>
         /// <param name="snapshot">Which snapshot of the sea, from 1.</param>
         public SweepPose(double? angleDegrees, int? snapshot = null) : this(new double?[SweepAxis.All.Count])

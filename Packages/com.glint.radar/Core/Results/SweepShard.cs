@@ -9,6 +9,7 @@ namespace Glint.Core
         /// <summary>Most parts of a sweep.</summary>
         public const int Limit = 100000;
 
+        /// <summary>A part.</summary>
         /// <param name="number">From 1 to <paramref name="count"/>.</param>
         public SweepShard(int number, int count)
         {
@@ -40,10 +41,13 @@ namespace Glint.Core
             return new SweepShard(number, count);
         }
 
+        /// <summary>Whether it is the same part of as many.</summary>
         public bool Equals(SweepShard other) => Number == other.Number && Count == other.Count;
 
+        /// <inheritdoc/>
         public override bool Equals(object other) => other is SweepShard shard && Equals(shard);
 
+        /// <inheritdoc/>
         public override int GetHashCode() => Number * 397 ^ Count;
 
         /// <summary>"2/8".</summary>

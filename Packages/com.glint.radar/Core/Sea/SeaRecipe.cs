@@ -6,6 +6,7 @@ namespace Glint.Core
     /// <summary>What the stored snapshots of a sea are made from.</summary>
     public sealed class SeaRecipe
     {
+        /// <summary>A sea to be stored.</summary>
         /// <param name="name">Of the sea, for files and messages.</param>
         /// <param name="settings">Its height factor is found here: the one that makes Hs of all snapshots together that asked for.</param>
         /// <param name="times">Moments of the snapshots, seconds.</param>

@@ -37,6 +37,7 @@ namespace Glint.Core
             _indices = MakeIndices(settings.Cells);
         }
 
+        /// <summary>What the sea was made from.</summary>
         public SeaSettings Settings => _settings;
 
         /// <summary>Hs of the spectrum, metres, which this sea has on average over seeds: that asked for times the factor.</summary>

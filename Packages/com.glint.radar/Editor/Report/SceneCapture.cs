@@ -65,8 +65,8 @@ namespace Glint.Editor
         {
             if (run.Info.Command != null)
                 return CommandLine.Parse(run.Info.Command.FirstOrDefault() == Commands.Run.Name ? Commands.Run : Commands.Sweep, run.Info.Command.Skip(1).ToArray());
-            if (run.Info.ScenePath == null)
-                throw new GlintException("the results name no scene");
+            if (string.IsNullOrEmpty(run.Info.ScenePath))
+                throw new GlintException("the results name no scene: it was not saved when it was traced");
             var words = new List<string> { "--", run.Info.ScenePath };
             if (run.Count > 0 && run.Value(0, SweepAxis.Snapshot) != null)
                 words.Insert(0, $"{Options.Snapshots.Flag}=1");

@@ -80,6 +80,12 @@ namespace Glint.Editor
         /// <summary>The rows so far.</summary>
         public IReadOnlyList<PoseFigures> Rows => _rows;
 
+        /// <summary>Whether the radar's view of each pose is traced as well.</summary>
+        public bool Looks { get; set; }
+
+        /// <summary>The radar's view of the last pose that it was traced of; null for none.</summary>
+        public RadarSight Sight { get; private set; }
+
         /// <summary>Where the files are; null for a single pose.</summary>
         public string FolderPath { get; }
 
@@ -115,6 +121,8 @@ namespace Glint.Editor
                 var row = _run.Step(progress, _cancel.Token);
                 Done = _run.Done;
                 _rows.Add(new PoseFigures(new StoredRow(row)));
+                if (Looks)
+                    Sight = RadarSight.Of(_radar, _cancel.Token);
                 if (_run.IsComplete)
                     End(null);
                 else if (_cancel.IsCancellationRequested)

@@ -8,7 +8,7 @@ namespace Glint
 {
     /// <summary>
     /// Draws the ways of the radar's rays in Scene and Game view: the segments red, green, blue and yellow in this order, and the receiver white.
-    /// They are those of the pose last traced, and traced once more when a camera is to show them.
+    /// They are those of the pose last traced. As long as no camera shows them, as in batch mode, they are not traced.
     /// </summary>
     [AddComponentMenu("Glint/Ray Paths")]
     [RequireComponent(typeof(RadarController))]
@@ -39,11 +39,12 @@ namespace Glint
 
         RadarController _radar;
         RayPath[] _paths = Array.Empty<RayPath>();
+        uint[] _received = Array.Empty<uint>();
         RadarPose _pose;
         Mesh _lines;
         Material _material;
         double3 _middle;
-        bool _isTraced, _isBuilt;
+        bool _isTraced, _isBuilt, _isSeen;
 
         /// <summary>Only rays that reach the receiver; otherwise rays from all over the picture.</summary>
         public bool ReceivedOnly { get => _receivedOnly; set => (_receivedOnly, _isTraced) = (value, false); }
@@ -83,15 +84,15 @@ namespace Glint
         void OnEnable()
         {
             _radar = GetComponent<RadarController>();
-            _radar.Traced += Outdate;
+            _radar.Traced += Follow;
             Camera.onPreCull += Draw;
             RenderPipelineManager.beginCameraRendering += Draw;
-            Outdate(_radar);
+            _isTraced = _isSeen = false;
         }
 
         void OnDisable()
         {
-            _radar.Traced -= Outdate;
+            _radar.Traced -= Follow;
             Camera.onPreCull -= Draw;
             RenderPipelineManager.beginCameraRendering -= Draw;
             Free(_lines);
@@ -101,7 +102,13 @@ namespace Glint
 
         void OnValidate() => _isTraced = false;
 
-        void Outdate(RadarController radar) => _isTraced = false;
+        // At once, if they are seen: the next pose of a sweep, or its end, moves the scene on.
+        void Follow(RadarController radar)
+        {
+            _isTraced = false;
+            if (_isSeen)
+                Prepare();
+        }
 
         void Draw(ScriptableRenderContext context, Camera camera) => Draw(camera);
 
@@ -109,20 +116,26 @@ namespace Glint
         {
             if (camera.cameraType != CameraType.Game && camera.cameraType != CameraType.SceneView)
                 return;
+            _isSeen = true;
+            if (Prepare() == null)
+                return;
+            double3 place = _pose.Scene.Origin + _middle;
+            Graphics.RenderMesh(new RenderParams(Lit()) { camera = camera, layer = gameObject.layer, worldBounds = new Bounds((float3)place, _lines.bounds.size) }, _lines, 0, Matrix4x4.Translate((float3)place));
+        }
+
+        // The lines; null if there are none, and if the radar cannot be traced, which is said once: the next pose, or another setting, tries again.
+        Mesh Prepare()
+        {
             try
             {
-                if (Lines() == null)
-                    return;
+                return Lines();
             }
             catch (GlintException problem)
             {
-                // The next pose, or another setting, tries again.
                 (_isTraced, _isBuilt) = (true, true);
                 Debug.LogWarning($"Ray Paths of '{name}': {problem.Message}", this);
-                return;
+                return null;
             }
-            double3 place = _pose.Scene.Origin + _middle;
-            Graphics.RenderMesh(new RenderParams(Lit()) { camera = camera, layer = gameObject.layer, worldBounds = new Bounds((float3)place, _lines.bounds.size) }, _lines, 0, Matrix4x4.Translate((float3)place));
         }
 
         // Of a radar that has traced nothing there is nothing to show.
@@ -132,8 +145,11 @@ namespace Glint
             if (_radar.Result == null)
                 return;
             _pose = _radar.Gather();
-            var pixels = Chosen(_receivedOnly ? _radar.ReceivedPixels() : null);
-            _paths = pixels.Length > 0 ? _radar.TracePaths(pixels) : Array.Empty<RayPath>();
+            var received = _radar.ReceivedPixels();
+            if (received.Length > 0 || _radar.Result.RaysReceived == 0) // a radar that was released knows them no more
+                _received = received;
+            var pixels = Chosen(_receivedOnly ? _received : null);
+            _paths = pixels.Length > 0 ? Array.FindAll(_radar.TracePaths(pixels), IsMeant) : Array.Empty<RayPath>();
         }
 
         // Every n-th, and evenly as many as are followed. Pixels: null for the whole picture's.
@@ -162,9 +178,10 @@ namespace Glint
             _middle = new PathLines(_pose.View, shown, _hitPoints).WriteTo(_lines);
         }
 
-        bool IsShown(RayPath path) =>
-            path.Bounces >= _fewestBounces && path.Bounces <= _mostBounces && (path.IsReceived || !_receivedOnly)
-            && (_meeting == null || path.Meets(number => number != PathHit.NoObject && _radar.ObjectAt(number).IsChildOf(_meeting)));
+        bool IsMeant(RayPath path) =>
+            (path.IsReceived || !_receivedOnly) && (_meeting == null || path.Meets(number => number != PathHit.NoObject && _radar.ObjectAt(number).IsChildOf(_meeting)));
+
+        bool IsShown(RayPath path) => path.Bounces >= _fewestBounces && path.Bounces <= _mostBounces;
 
         // Unity's own material for coloured lines: of every render pipeline but HDRP.
         Material Lit()

@@ -38,6 +38,15 @@ public sealed class RayPathsTests
         Assert.That(drawn.Parameters.worldBounds.center.z, Is.EqualTo(4.5f).Within(1e-4));
         Assert.That(drawn.Place.MultiplyPoint3x4(drawn.Mesh.bounds.max).z, Is.EqualTo(10f).Within(1e-4));
 
+        // The scene moves on, but what is shown stays that of the pose.
+        radar.Trace();
+        int shown = paths.Lines().vertexCount;
+        wall.SetActive(false);
+        radar.Release();
+        Camera.onPreCull(camera);
+        Assert.That(Graphics.LastDrawn.Value.Mesh.vertexCount, Is.EqualTo(shown).And.GreaterThan(8));
+        wall.SetActive(true);
+
         using (var log = new LogCapture())
         {
             radar.Receiver = null;

@@ -116,6 +116,67 @@ public sealed class ReportTests
     }
 
     [Test]
+    public void Report_OfOnePoseOfAnStlFile_ShowsThatPose()
+    {
+        string plate = Path.Combine(_folder, "plate.stl");
+        string Facet(string corners) => $"facet normal 0 0 0\nouter loop\n{string.Concat(corners.Split(';').Select(corner => $"vertex {corner}\n"))}endloop\nendfacet\n";
+        File.WriteAllText(plate, $"solid plate\n{Facet("-500 -500 0;500 -500 0;500 500 0")}{Facet("-500 -500 0;500 500 0;-500 500 0")}endsolid plate\n");
+        Execute(Commands.Run, plate, "--unit", "mm", "--grazing", "0", "--fov", "2.29153", "--size", "64x64");
+        Report();
+
+        // The plate covers 32 x 32 rays, and returns all.
+        AssertShown(0);
+        Assert.That((long)Data()["scene"]["received"], Is.EqualTo(1024));
+    }
+
+    [Test]
+    public void Report_OfOnePoseOfAScene_ShowsThatPose()
+    {
+        Execute(Commands.Run, "Scenes/CornerReflector.unity", "--size", "192x108");
+        Report();
+        AssertShown(0);
+    }
+
+    // At this number of rays some of them come back in the fourth of these snapshots only.
+    [Test]
+    public void Report_OfASweepOverSnapshots_ShowsTheSnapshotOfThePose()
+    {
+        Execute(Commands.Sweep, "Scenes/SeaState6.unity", "--snapshots", "2:4", "--size", "384x216");
+        Report();
+
+        var received = Data()["run"]["rows"].Select(row => (long)row["rays_received"]).ToArray();
+        Assert.That(received[2], Is.GreaterThan(received[0] + received[1]));
+        AssertShown(2);
+    }
+
+    // Every pose of the plan differs from the others in figures, so that none is taken for another.
+    [TestCase(1)]
+    [TestCase(4)]
+    [TestCase(8)]
+    public void Report_OfASweepOverSeveralAxes_PutsThePoseUpAgain(int pose)
+    {
+        Execute(Commands.Sweep, Corner.Concat(new[] { "--angles", "0,8", "--grazing", "10,12", "--frequency", "9e9,10e9" }).ToArray());
+        Assert.That(Data(Path.Combine(_folder, "results.json"))["rows"].Select(row => (double)row["in_phase"]).Distinct().Count(), Is.EqualTo(8));
+        Report("--pose", $"{pose}");
+        AssertShown(pose - 1);
+    }
+
+    // As the component Sweep writes results: no command line tells what was traced.
+    [Test]
+    public void Report_OfASweepThatNoCommandBegan_OpensItsScene()
+    {
+        var subjects = SceneSubjects.Open(CommandLine.Parse(Commands.Sweep, Corner.Take(3).Concat(new[] { "--angles", "0" }).ToArray()));
+        using (var folder = ResultsFolder.Open(_folder))
+        using (var run = new SweepRun(new SweepSetup(subjects.Radar, new SweepPlan(new[] { 0.0, 20 })) { Target = subjects.Target, Scene = subjects.Scene }, folder))
+            while (!run.IsComplete)
+                run.Step();
+        Report("--pose", "2");
+
+        Assert.That(Data()["run"]["command"]?.HasValues ?? false, Is.False);
+        AssertShown(1);
+    }
+
+    [Test]
     public void Report_WhenTheMeshFileIsGone_SaysSoAndHasTheRest()
     {
         string plate = Path.Combine(_folder, "plate.obj");
@@ -174,6 +235,19 @@ public sealed class ReportTests
         Assert.That(File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "tools/report/package-lock.json")), Does.Not.Contain("\"resolved\""), "no registry's name");
     }
 
+    // The pose of a row, traced again from what the results say of it, with the row's very figures.
+    void AssertShown(int pose)
+    {
+        var (scene, row) = (Data()["scene"], Data()["run"]["rows"][pose]);
+        Assert.That((int)scene["pose"], Is.EqualTo(pose));
+        Assert.That((long)row["rays_received"], Is.Positive);
+        Assert.That((long)scene["received"], Is.EqualTo((long)row["rays_received"]));
+        Assert.That((double)scene["amplitude"], Is.EqualTo((double)row["amplitude"]).Within(1e-9));
+        Assert.That(Paths(scene), Is.Not.Empty);
+    }
+
+    void Execute(Command command, params string[] words) => Batch.Execute(CommandLine.Parse(command, words.Concat(new[] { "--out", _folder }).ToArray()), new LogProgress());
+
     void Sweep(string angles) => Batch.Execute(CommandLine.Parse(Commands.Sweep, Corner.Concat(new[] { "--angles", angles, "--out", _folder }).ToArray()), new LogProgress());
 
     void Report(params string[] options)
@@ -183,6 +257,8 @@ public sealed class ReportTests
     }
 
     string ReportPath => Path.Combine(_folder, "report.html");
+
+    static JObject Data(string path) => JObject.Parse(File.ReadAllText(path));
 
     JObject Data() => JObject.Parse(Regex.Match(File.ReadAllText(ReportPath), "<script type=\"application/json\" id=\"data\">(.*?)</script>", RegexOptions.Singleline).Groups[1].Value);
 

@@ -1,6 +1,7 @@
 using System.Linq;
 using Glint.Core;
 using UnityEditor;
+using UnityEditorInternal;
 using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
@@ -89,6 +90,7 @@ namespace Glint.Editor.Views
         void Trace()
         {
             _tracing.Trace();
+            InternalEditorUtility.RepaintAllViews(); // the ray paths
             ShowResult();
         }
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using Glint.Core;
 using UnityEditor;
+using UnityEditorInternal;
 using UnityEngine;
 using UnityEngine.UIElements;
 
@@ -66,7 +67,7 @@ namespace Glint.Editor.Views
                 rootVisualElement.styleSheets.Add(style);
             rootVisualElement.AddToClassList(EditorGUIUtility.isProSkin ? "glint-dark" : "glint-light");
             _panel = new SweepPanel(_form, () => Begin(() => SweepSession.Pose(_form.Radar)), () => Begin(() => SweepSession.Sweep(_form)), () => _session?.Cancel());
-            _results = new ResultsPanel(_choice, Draw, Compare, SaveFile, SaveReport, SavePicture);
+            _results = new ResultsPanel(_choice, Draw, Compare, SaveFile, SaveReport, SavePicture, Look, SaveSight);
             var split = new TwoPaneSplitView(0, 300, TwoPaneSplitViewOrientation.Horizontal);
             split.Add(_panel);
             split.Add(_results);
@@ -113,9 +114,12 @@ namespace Glint.Editor.Views
         {
             if (_session == null || !_session.IsRunning || _panel == null)
                 return;
+            _session.Looks = _results.Sight.value;
             using (var progress = new PoseProgress(_session))
                 _session.Tick(progress);
             _panel.Show(_session);
+            _results.Sight.Show(_session.Sight);
+            InternalEditorUtility.RepaintAllViews(); // the target's turn and the ray paths
             if (!_session.IsRunning)
                 Refresh();
             else if (EditorApplication.timeSinceStartup - _drawn > SecondsBetweenDrawings)
@@ -134,6 +138,26 @@ namespace Glint.Editor.Views
             _compared = with;
             Draw();
         });
+
+        void Look() => Attempt(() =>
+        {
+            if (_form.Radar == null)
+                throw new GlintException("choose a radar first");
+            _results.Sight.Show(RadarSight.Of(_form.Radar));
+        });
+
+        void SaveSight()
+        {
+            var png = _results.Sight.Png();
+            if (png == null)
+            {
+                _panel.Tell("there is no radar's view yet: unfold it and press Look now");
+                return;
+            }
+            string path = EditorUtility.SaveFilePanel("Export", "", "view.png", "png");
+            if (path.Length > 0)
+                Attempt(() => Export.Picture(png, path));
+        }
 
         void SaveFile(string name)
         {

@@ -24,7 +24,11 @@ namespace Glint.Editor.Views
         /// <param name="redraw">Called when the choice has changed.</param>
         /// <param name="compare">Called with the folder or the published table's name to lay over; empty for none.</param>
         /// <param name="saveFile">Called with the name of the results file to export.</param>
-        public ResultsPanel(ChartChoice choice, Action redraw, Action<string> compare, Action<string> saveFile, Action saveReport, Action savePicture)
+        /// <param name="saveReport">Called to export the HTML report.</param>
+        /// <param name="savePicture">Called to export the charts.</param>
+        /// <param name="look">Called to trace the radar's view.</param>
+        /// <param name="saveSight">Called to export it.</param>
+        public ResultsPanel(ChartChoice choice, Action redraw, Action<string> compare, Action<string> saveFile, Action saveReport, Action savePicture, Action look, Action saveSight)
         {
             (_choice, _redraw) = (choice, redraw);
             var bar = new Toolbar();
@@ -48,6 +52,7 @@ namespace Glint.Editor.Views
                 export.menu.AppendAction(name, action => saveFile(name));
             export.menu.AppendAction("HTML report", action => saveReport());
             export.menu.AppendAction("Charts as PNG", action => savePicture());
+            export.menu.AppendAction("Radar's view as PNG", action => saveSight());
             bar.Add(export);
             Add(bar);
             _readout.AddToClassList("glint-readout");
@@ -62,8 +67,8 @@ namespace Glint.Editor.Views
             Charts.Add(_phaseWords);
             Charts.Add(_received);
             Charts.Add(_hit);
-            // The place for the radar's view of the chosen pose.
-            Charts.Add(new VisualElement { name = "radar-view" });
+            Sight = new SightView(look);
+            Charts.Add(Sight);
             Add(Charts);
             foreach (var chart in new[] { _amplitude, _received, _hit })
             {
@@ -72,6 +77,9 @@ namespace Glint.Editor.Views
                 chart.Chosen += row => Choose(() => choice.Pose = row);
             }
         }
+
+        /// <summary>The radar's view.</summary>
+        public SightView Sight { get; }
 
         /// <summary>All charts, for a picture of them.</summary>
         public ScrollView Charts { get; }

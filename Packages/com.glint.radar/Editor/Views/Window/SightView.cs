@@ -1,0 +1,87 @@
+using System;
+using System.Collections.Generic;
+using Glint.Core;
+using UnityEngine;
+using UnityEngine.UIElements;
+
+namespace Glint.Editor.Views
+{
+    /// <summary>The radar's view, unfolded when somebody wants it: traced with each pose then, or at the press of a button.</summary>
+    sealed class SightView : Foldout
+    {
+        const string ByBounces = "bounces", ByObject = "object met first";
+
+        readonly Image _image = new Image { scaleMode = ScaleMode.ScaleToFit };
+        readonly DropdownField _colours = new DropdownField("Colour by", new List<string> { ByBounces, ByObject }, 0);
+        readonly VisualElement _legend = new VisualElement();
+        readonly Label _readout = new Label();
+        Texture2D _texture;
+        RadarSight _sight;
+
+        /// <param name="look">Called to trace the view as everything stands.</param>
+        public SightView(Action look)
+        {
+            text = "Radar's view";
+            value = false;
+            var bar = new VisualElement();
+            bar.AddToClassList("glint-buttons");
+            bar.Add(_colours);
+            bar.Add(new Button(look) { text = "Look now", tooltip = "Traces the view as everything stands. While this is unfolded, each pose that is traced is shown." });
+            _legend.AddToClassList("glint-legend");
+            _readout.AddToClassList("glint-words");
+            Add(bar);
+            Add(_image);
+            Add(_legend);
+            Add(_readout);
+            _colours.RegisterValueChangedCallback(change => Draw());
+            _image.RegisterCallback<PointerMoveEvent>(move => Tell(move.localPosition));
+            RegisterCallback<DetachFromPanelEvent>(detach => UnityEngine.Object.DestroyImmediate(_texture));
+        }
+
+        /// <param name="sight">Null for none.</param>
+        public void Show(RadarSight sight)
+        {
+            if (sight == null || sight == _sight)
+                return;
+            _sight = sight;
+            Draw();
+        }
+
+        /// <summary>The picture, a pixel a ray; null when nothing is shown.</summary>
+        public byte[] Png() => _texture == null ? null : _texture.EncodeToPNG();
+
+        void Draw()
+        {
+            if (_sight == null)
+                return;
+            bool byObject = _colours.value == ByObject;
+            UnityEngine.Object.DestroyImmediate(_texture);
+            _texture = new Texture2D(_sight.Width, _sight.Height, TextureFormat.RGBA32, false) { filterMode = FilterMode.Point, hideFlags = HideFlags.HideAndDontSave };
+            _texture.SetPixels32(_sight.Colours(byObject));
+            _texture.Apply();
+            _image.image = _texture;
+            _legend.Clear();
+            foreach (var (colour, words) in _sight.Legend(byObject))
+            {
+                var entry = new VisualElement();
+                entry.AddToClassList("glint-legend-entry");
+                var key = new VisualElement { style = { backgroundColor = (Color)colour } };
+                key.AddToClassList("glint-legend-key");
+                entry.Add(key);
+                entry.Add(new Label(words));
+                _legend.Add(entry);
+            }
+        }
+
+        // The picture is fitted into its element, whole and in the middle.
+        void Tell(Vector2 pointer)
+        {
+            if (_sight == null)
+                return;
+            var size = _image.contentRect.size;
+            float scale = Mathf.Min(size.x / _sight.Width, size.y / _sight.Height);
+            int x = Mathf.FloorToInt((pointer.x - (size.x - scale * _sight.Width) / 2) / scale), y = _sight.Height - 1 - Mathf.FloorToInt((pointer.y - (size.y - scale * _sight.Height) / 2) / scale);
+            _readout.text = x >= 0 && y >= 0 && x < _sight.Width && y < _sight.Height ? _sight.Words(x, y) : "";
+        }
+    }
+}
