@@ -173,7 +173,7 @@ export class View {
     // With enough around the rays to tell what they meet.
     if (rays) rays.radius = Math.max(3 * rays.radius, 0.02 * scene.radius);
     this.hits = hits;
-    this.first = rays && scene.radius > 2 * rays.radius ? 'rays' : 'scene';
+    this.first = rays && scene.radius > 6 * rays.radius ? 'rays' : 'scene';
     this.spheres = { scene, rays: rays ?? scene, radar: around([...corners, this.radarPlace]) };
   }
 

@@ -18,7 +18,7 @@ static class LineCases
         "m", "mm", "M", "y", "z", "Y", "all", "none", "ALL", "a=b", "=b", "a=", "a=b=c", "a={scene}", "Ship", "Fleet/Ship", "'", "\"", "\\", "/", ".", "..", "/dev/null/x", "/proc/x", "C:\\x", "@file", "[suggest]", "/?", "-h", "--help", "--version", "-5", "-b", "a\nb"
     ];
 
-    static readonly string[] Inputs = ["x.unity", "x.obj", "x.STL", "x.fbx", "", " ", "x", ".unity", "-.obj", "--.obj", "a b.stl", "a\nb.obj", "-"];
+    static readonly string[] Inputs = ["x.unity", "x.obj", "x.STL", "x.fbx", "", " ", "x", ".unity", "-.obj", "--.obj", "a b.stl", "a\nb.obj", "-", "zsh"];
 
     public static Outcome Parse(Random random)
     {
@@ -53,7 +53,7 @@ static class LineCases
         var words = new List<string> { random.Next(50) == 0 ? Pick(Values, random) : command.Name, Pick(Inputs, random) };
         if (random.Next(2) == 0)
             words[^1] = Inputs[random.Next(3)];
-        for (int i = random.Next(5); i > 0; i--)
+        for (int i = command.Options.Count > 0 ? random.Next(5) : 0; i > 0; i--)
         {
             var option = command.Options[random.Next(command.Options.Count)];
             string flag = random.Next(20) == 0 ? option.Flag[..^1] : option.Flag;
