@@ -14,7 +14,12 @@ namespace Glint.Editor
         static ReleaseBuffers()
         {
             AssemblyReloadEvents.beforeAssemblyReload += ReleaseAll;
-            EditorApplication.playModeStateChanged += change => ReleaseAll();
+            // Not when a mode has begun: its first poses are traced by then.
+            EditorApplication.playModeStateChanged += change =>
+            {
+                if (change == PlayModeStateChange.ExitingEditMode || change == PlayModeStateChange.ExitingPlayMode)
+                    ReleaseAll();
+            };
             EditorSceneManager.sceneClosing += (scene, removing) => ReleaseAll();
         }
 

@@ -36,8 +36,9 @@ namespace Glint
             _startsKernel = shader.FindKernel(isSoftware ? "StartsWide" : "Starts");
             _exactKernel = shader.FindKernel(isSoftware ? "ExactWide" : "Exact");
             _pathsKernel = shader.FindKernel(isSoftware ? "PathsWide" : "Paths");
-            if (!shader.IsSupported(_kernel))
-                throw new GlintException($"kernel '{_name}' of compute shader '{shader.name}' does not run on {SystemInfo.graphicsDeviceName}: see the shader's import messages");
+            foreach (int kernel in new[] { _kernel, _startsKernel, _exactKernel, _pathsKernel })
+                if (!shader.IsSupported(kernel))
+                    throw new GlintException($"a kernel of compute shader '{shader.name}' does not run on {SystemInfo.graphicsDeviceName}: see the shader's import messages");
         }
 
         /// <summary>Takes the kernel for a scene; the other calls set and run that one.</summary>

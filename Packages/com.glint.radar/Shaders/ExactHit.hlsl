@@ -11,6 +11,7 @@ struct ExactLine
     Two3 Direction;
     float Back;           // m, from where the search began, on the line, to the origin
     float Slack;          // m, in the scene
+    float Far;            // the scene's size in the mesh's frame: the origin is rounded as places in the scene are
 };
 
 static const float SLACK = 1.0e-6;
@@ -51,13 +52,13 @@ float SideOfLine(ExactLine ray, float3 a, float3 b)
 {
     Two3 between = Plus(MakeTwo3(ExactSum(a.x, b.x), ExactSum(a.y, b.y), ExactSum(a.z, b.z)), Times(ray.Origin, -2.0)), edge = Difference(b, a);
     float side = Rounded(Dot(ray.Direction, Cross(between, edge)));
-    float doubt = SIDE_ROUNDING * Sum(abs(a) + abs(b) + 2.0 * abs(Rounded(ray.Origin))) * Sum(abs(Rounded(edge))) * Sum(abs(Rounded(ray.Direction)));
+    float doubt = SIDE_ROUNDING * (Sum(abs(a) + abs(b) + 2.0 * abs(Rounded(ray.Origin))) + ray.Far) * Sum(abs(Rounded(edge))) * Sum(abs(Rounded(ray.Direction)));
     return abs(side) <= doubt ? 0.0 : side;
 }
 
 // Whether the line meets the triangle after its origin, and how far along, m.
-// Distances: least and greatest of its corners; a triangle seen edge-on is in its plane anywhere, and no farther off than they are.
-bool Hits(ExactLine ray, float3 a, float3 b, float3 c, float2 distances, out Two toHit, out bool isAtEdge)
+// Distances: least and greatest of its corners, good to the slack; a triangle seen edge-on is in its plane anywhere, and no farther off than they are.
+bool Hits(ExactLine ray, float3 a, float3 b, float3 c, float2 distances, float slack, out Two toHit, out bool isAtEdge)
 {
     toHit = MakeTwo(MISS, 0.0);
     float3 sides = float3(SideOfLine(ray, b, c), SideOfLine(ray, c, a), SideOfLine(ray, a, b));
@@ -70,12 +71,12 @@ bool Hits(ExactLine ray, float3 a, float3 b, float3 c, float2 distances, out Two
     Two height = Dot(normal, toCorner), facing = Dot(normal, ray.Direction);
     if (!(abs(facing.Hi) > 0.0)) // nor a number, of the second triangle of a pair that has but one
         return false;
-    if (abs(height.Hi) <= ON_SURFACE * Sum(abs(Rounded(toCorner)) + abs(Rounded(ray.Origin))))
+    if (abs(height.Hi) <= ON_SURFACE * (Sum(abs(Rounded(toCorner)) + abs(Rounded(ray.Origin))) + ray.Far))
         return false;
     toHit = Over(height, facing);
-    if (!(toHit.Hi >= distances.x - ray.Slack))
+    if (!(toHit.Hi >= distances.x - slack))
         toHit = MakeTwo(distances.x, 0.0);
-    if (!(toHit.Hi <= distances.y + ray.Slack))
+    if (!(toHit.Hi <= distances.y + slack))
         toHit = MakeTwo(distances.y, 0.0);
     return toHit.Hi > 0.0;
 }

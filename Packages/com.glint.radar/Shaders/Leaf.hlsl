@@ -65,11 +65,15 @@ void TestTriangle(SearchRay ray, uint instance, uint row, bool second, float3 a,
 {
     bool isLeft = instance == found.Leaving.x && 2 * row + (second ? 1 : 0) == found.Leaving.y;
     float2 distances;
-    if (isLeft || !MayHit(ray, a, b, c, distances) || distances.x > found.Distance)
+    if (isLeft || !MayHit(ray, a, b, c, distances))
+        return;
+    // In a frame that stretches, distances round as its lengths do.
+    float slack = max(found.Line.Slack, ray.Slack * abs(ray.Shear.z));
+    if (distances.x - slack > found.Distance)
         return;
     Two toHit;
     bool isAtEdge;
-    if (!Hits(found.Line, a, b, c, distances - found.Line.Back, toHit, isAtEdge) || Rounded(Minus(toHit, found.Exact)) >= 0.0)
+    if (!Hits(found.Line, a, b, c, distances - found.Line.Back, slack, toHit, isAtEdge) || Rounded(Minus(toHit, found.Exact)) >= 0.0)
         return;
     found.Exact = toHit;
     found.IsAtEdge = isAtEdge;

@@ -50,7 +50,7 @@ bool MeetsReceiver(Real3 origin, Real3 direction, out Real distance)
     Real3 centre = MakeReal3(_ReceiverCentre.xyz, _ReceiverCentreRest.xyz), forward = MakeReal3(_ReceiverForward.xyz, _ReceiverForwardRest.xyz);
     distance = ToPlane(origin, direction, centre, forward);
     Real3 place = Minus(Plus(origin, Times(direction, distance)), centre);
-    float slack = DIRECTION_ERROR * Rounded(distance);
+    float slack = DIRECTION_ERROR * (Rounded(distance) + _Middle.w); // places are as far off as the directions that led there
     return Rounded(Dot(direction, forward)) < 0.0 && Rounded(distance) > 0.0
         && IsWithin(place, MakeReal3(_ReceiverRight.xyz, _ReceiverRightRest.xyz), _ReceiverHalfSize.xy, slack)
         && IsWithin(place, MakeReal3(_ReceiverUp.xyz, _ReceiverUpRest.xyz), _ReceiverHalfSize.zw, slack);
@@ -76,11 +76,22 @@ bool Advance(inout Path path, uint firstStart)
         path.WayBack = toReceiver;
         return false;
     }
+#ifdef GLINT_EXACT
     if (found.Instance == NO_INSTANCE || isLast)
         return false;
+#else
+    // What keeps a last segment from the receiver may pass it in truth.
+    if (found.Instance == NO_INSTANCE || isLast && !meetsReceiver)
+        return false;
+#endif
 
     // The length is measured from the surface to the surface, not from the start. Next to an edge the other surface may lie behind by rounding.
     Surface surface = LoadSurface(found, path.Start, path.LastHit, path.Direction);
+#ifndef GLINT_EXACT
+    path.Returns = surface.IsInDoubt;
+    if (surface.IsInDoubt || isLast)
+        return false;
+#endif
     if (Rounded(surface.Distance) > 0.0)
     {
         path.Beyond = Plus(path.Beyond, surface.Distance);
@@ -90,11 +101,6 @@ bool Advance(inout Path path, uint firstStart)
     path.Leaving = NumberOf(found.Instance, found.Row, found.Second);
 #ifndef GLINT_EXACT
     path.Start = StartBefore(surface, path.Start, direction, found.Distance);
-    if (surface.IsInDoubt)
-    {
-        path.Returns = true;
-        return false;
-    }
 #endif
     Real share = Over(Dot(surface.Normal, path.Direction), Dot(surface.Normal, surface.Normal));
     path.Direction = UnitAgain(Minus(path.Direction, Times(surface.Normal, Plus(share, share))));

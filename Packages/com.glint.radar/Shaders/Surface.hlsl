@@ -9,7 +9,7 @@ struct Surface
     Real Distance;        // from the ray's origin to the triangle's plane, m
     Real3 Normal;         // in the scene, a unit vector by float32; its side is arbitrary
 #ifndef GLINT_EXACT
-    bool IsInDoubt;       // the ray passes an edge so near that it may belong to the triangle beyond it, or to none
+    bool IsInDoubt;       // the ray passes an edge so near that it may belong to the triangle beyond it, or to none; or float32 has no normal to speak of
     float Lever;          // from the corner that the plane is known by to the hit: the lever of the normal's rounding, as a height in m
     InstanceRecord Place; // the rest in the mesh's frame
     float3 LocalNormal;   // unit vector
@@ -34,7 +34,7 @@ Real3 NormalFromLocal(InstanceRecord place, Real3 normal)
 #ifdef GLINT_EXACT
 
 // A ray that meets an edge or a corner turns so much before it, as a part of the scene's size: there it is on the right side of all surfaces that meet there. No farther than half the way back: there may be one behind it as well.
-static const float BEFORE_EDGE = 3.0e-9;
+static const float BEFORE_EDGE = 1.0e-10;
 
 Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction)
 {
@@ -53,7 +53,10 @@ Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction)
 #else
 
 // A ray that passes an edge so near, as a fraction of the lengths that go into it, is followed once more, exactly.
-static const float NEAR_EDGE = 1.0e-6;
+static const float NEAR_EDGE = 6.0e-7;
+
+// Sine of the angle between the two shorter edges of a triangle, below which its normal is not good enough to tell what may be received.
+static const float NEEDLE = 0.1;
 
 // Between the lines of a ray and of an edge. Place: of the ray, as seen from a corner of the edge.
 float ToLine(float3 place, float3 edge, float3 direction)
@@ -70,8 +73,13 @@ Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction)
 {
     InstanceRecord place = LoadInstance(found.Instance);
     Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
-    float3 edge1 = pair.Corner2 - pair.Corner0, edge2 = (found.Second ? pair.Corner3 : pair.Corner1) - pair.Corner0;
-    float3 normal = normalize(cross(edge1, edge2));
+    float3 third = found.Second ? pair.Corner3 : pair.Corner1;
+    float3 edge1 = pair.Corner2 - pair.Corner0, edge2 = third - pair.Corner0, edge3 = third - pair.Corner2;
+    // By the two shorter edges: the normal of a long strip is as good as that of a square.
+    float size1 = dot(edge1, edge1), size2 = dot(edge2, edge2), size3 = dot(edge3, edge3);
+    bool isFirstLongest = size1 >= size2 && size1 >= size3, isSecondLongest = !isFirstLongest && size2 >= size3;
+    float3 side1 = isFirstLongest ? edge3 : edge1, side2 = isSecondLongest ? edge3 : edge2, area = cross(side1, side2);
+    float3 normal = normalize(area);
     float3 localOrigin = PointToLocal(place, origin), localDirection = VectorToLocal(place, direction);
     float3 sceneNormal = NormalFromLocal(place, normal);
 
@@ -89,8 +97,9 @@ Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction)
         surface.Distance = searched;
     float3 hit = localOrigin + surface.Distance * localDirection - pair.Corner0, lever = abs(hit);
     surface.Lever = max(lever.x, max(lever.y, lever.z)) / surface.Scale;
-    float toEdge = min(ToLine(hit, edge1, localDirection), min(ToLine(hit, edge2, localDirection), ToLine(hit - edge1, edge2 - edge1, localDirection)));
-    surface.IsInDoubt = !(toEdge > NEAR_EDGE * surface.Scale * (found.Distance + largest));
+    float toEdge = min(ToLine(hit, edge1, localDirection), min(ToLine(hit, edge2, localDirection), ToLine(hit - edge1, edge3, localDirection)));
+    bool isNeedle = dot(area, area) < NEEDLE * NEEDLE * dot(side1, side1) * dot(side2, side2);
+    surface.IsInDoubt = isNeedle || !(toEdge > NEAR_EDGE * (Stretch(place) * (found.Distance + largest) + max(lever.x, max(lever.y, lever.z))));
     return surface;
 }
 

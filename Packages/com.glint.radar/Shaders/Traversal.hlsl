@@ -14,6 +14,12 @@ float3 VectorToLocal(InstanceRecord place, float3 v)
     return float3(dot(place.ToLocalX.xyz, v), dot(place.ToLocalY.xyz, v), dot(place.ToLocalZ.xyz, v));
 }
 
+// Of lengths on the way into a mesh's frame, at most.
+float Stretch(InstanceRecord place)
+{
+    return sqrt(dot(place.ToLocalX.xyz, place.ToLocalX.xyz) + dot(place.ToLocalY.xyz, place.ToLocalY.xyz) + dot(place.ToLocalZ.xyz, place.ToLocalZ.xyz));
+}
+
 // "precise": a start is checked against the plane it leaves with the very numbers that the search then has for it.
 float3 PointToLocal(InstanceRecord place, float3 p)
 {
@@ -42,7 +48,9 @@ void SearchInstance(uint instance, float3 start, Real3 origin, Real3 direction, 
     InstanceRecord place = LoadInstance(instance);
     float slack = 0.0;
 #ifdef GLINT_EXACT
-    slack = found.Line.Slack * sqrt(dot(place.ToLocalX.xyz, place.ToLocalX.xyz) + dot(place.ToLocalY.xyz, place.ToLocalY.xyz) + dot(place.ToLocalZ.xyz, place.ToLocalZ.xyz));
+    float3 shift = abs(float3(place.ToLocalX.w, place.ToLocalY.w, place.ToLocalZ.w));
+    slack = found.Line.Slack * Stretch(place) + 2.4e-7 * (shift.x + shift.y + shift.z);
+    found.Line.Far = _Middle.w * Stretch(place);
     found.Line.Origin = PointToLocal(place, origin);
     found.Line.Direction = VectorToLocal(place, direction);
 #endif

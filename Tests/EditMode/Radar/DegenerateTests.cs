@@ -140,6 +140,45 @@ namespace Glint.Tests
             Assert.That(received, Is.GreaterThan(rays / 4));
         }
 
+        // Every triangle twice, and the whole small in its scene: the place of a hit is rounded as places in the scene are.
+        [Test]
+        public void Trace_PlateThatIsThereTwiceInASceneOfKilometres_IsMetOnce([Values] bool asSoftware, [Values(100, 1e4)] double sceneSize)
+        {
+            var plate = TestRadar.FacingPlate(10, 0);
+            var place = Affine.FromTransform(double3(-0.31, 0.17, 0.23) * sceneSize, double4(0.1, -0.2, 0.05, 0.97), 1);
+            var scene = new RadarScene(new MeshInstance { Mesh = TestRadar.Join(plate, plate), ToWorld = place }, new MeshInstance { Mesh = TestRadar.FacingPlate(1, 0), ToWorld = Affine.FromTransform(sceneSize / 2, double4(0, 0, 0, 1), 1) },
+                new MeshInstance { Mesh = TestRadar.FacingPlate(1, 0), ToWorld = Affine.FromTransform(-sceneSize / 2, double4(0, 0, 0, 1), 1) });
+            var view = TestRadar.LookAt(place.Point(double3(0.1, 0.2, -40)), place.Origin, fov: 10);
+            view.ReceiverSize = 30;
+            var result = Trace(scene, TestRadar.Settings(), view, asSoftware);
+            // Mirrored head-on, every ray that hits comes back to within twice its distance from the axis.
+            Assert.That(result.RaysHit, Is.GreaterThan(8000));
+            Assert.That(result.RaysReceived, Is.EqualTo(result.RaysHit));
+            Assert.That(result.Bounces, Is.EqualTo(result.RaysHit));
+        }
+
+        // Strips a thousand times as long as wide: their normals must be good enough to tell what may come back to a receiver 10 km away.
+        [Test]
+        public void Trace_PlateOfLongStripsFarAway_ReceivesWhatTheJudgeDoes([Values] bool asSoftware)
+        {
+            const int strips = 200;
+            const float width = 0.1f, side = 100;
+            var plates = Enumerable.Range(0, strips).Select(i => TestRadar.Plate(float3(-side / 2, width * (i - strips / 2), 0), float3(side, 0, 0), float3(0, width, 0))).ToArray();
+            var place = Affine.FromTransform(double3(3, -2, 1), double4(0.3, -0.5, 0.2, 0.7), 1);
+            // Turned in the mesh itself, so that no coordinate is a short number.
+            var joined = TestRadar.Join(plates);
+            var scene = new RadarScene(new TriangleMesh(System.Array.ConvertAll(joined.Vertices, vertex => (float3)place.Point(vertex)), joined.Indices));
+            double3 forward = normalize(place.Vector(double3(0, 0, 1)));
+            var view = TestRadar.LookAt(place.Origin - 1e4 * forward, place.Origin, fov: degrees(20 / 1e4));
+            view.ReceiverSize = 4; // rays within 1 m of the axis, but for the rounding of corners
+            var settings = TestRadar.Settings(320, 180);
+            var received = Trace(scene, settings, view, asSoftware).Rays.Where(ray => ray.IsReceived).Select(ray => (int)ray.Pixel).ToArray();
+            var judged = new Judge(scene, settings, view).TraceAll();
+            // 180 rays over 20 m: 0.11 m from ray to ray.
+            Assert.That(received, Is.EqualTo(Enumerable.Range(0, judged.Length).Where(i => judged[i].Received)));
+            Assert.That(received.Length, Is.GreaterThan(200));
+        }
+
         static RadarResult Trace(RadarScene scene, in RadarSettings settings, in RadarView view, bool asSoftware)
         {
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))

@@ -19,8 +19,8 @@ namespace Glint.Tests
             (double3(1, 0, 0), double3(0, 0, -1), double3(0, 1, 0)), (double3(1, 0, 0), double3(0, 0, 1), double3(0, -1, 0)),
         };
 
-        [TestCase(true, 512, 20_000_000)]
-        [TestCase(false, 128, 1_000_000)]
+        [TestCase(true, 440, 20_000_000)]
+        [TestCase(false, 104, 1_000_000)]
         public void RaysAtCornersAndAlongEdges_NoneEscapes(bool asSoftware, int side, long atLeast)
         {
             var escapes = new Escapes(side, 1);
@@ -54,15 +54,15 @@ namespace Glint.Tests
         [TestCase(false)]
         public void ReflectedRays_NoneEscapes(bool asSoftware)
         {
-            var escapes = new Escapes(128, 4);
+            var escapes = new Escapes(96, 4);
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
                 foreach (int cells in new[] { 2, 7, 64 })
                 {
-                    escapes.Look(tracer, $"sphere of {cells}", ClosedBodies.Sphere(cells, 128));
-                    escapes.Look(tracer, $"skewed body of {cells}", ClosedBodies.Skewed(cells, 128));
-                    escapes.Look(tracer, $"jagged body of {cells}", ClosedBodies.Jagged(cells, 128, cells));
+                    escapes.Look(tracer, $"sphere of {cells}", ClosedBodies.Sphere(cells, 96));
+                    escapes.Look(tracer, $"skewed body of {cells}", ClosedBodies.Skewed(cells, 96));
+                    escapes.Look(tracer, $"jagged body of {cells}", ClosedBodies.Jagged(cells, 96, cells));
                 }
-            escapes.Check(500_000);
+            escapes.Check(400_000);
         }
 
         sealed class Escapes

@@ -21,7 +21,7 @@ namespace Glint.Editor
         public RadarCheck(RadarController radar) => _radar = radar;
 
         /// <summary>Whether there is a scene to look at: a prefab that is no scene's, or one that is open by itself, traces nothing.</summary>
-        public static bool CanLook(RadarController radar) => !EditorUtility.IsPersistent(radar) && !EditorSceneManager.IsPreviewSceneObject(radar);
+        public static bool CanLook(Component component) => !EditorUtility.IsPersistent(component) && !EditorSceneManager.IsPreviewSceneObject(component);
 
         /// <summary>What was found last, errors first.</summary>
         public IReadOnlyList<Finding> Findings => _findings;
@@ -85,7 +85,7 @@ namespace Glint.Editor
                 .Where(pair => pair.mesh != null).Distinct().ToList();
             var batched = seen.FindAll(pair => pair.renderer.isPartOfStaticBatch).ConvertAll(pair => pair.renderer);
             if (batched.Count > 0)
-                Add(Severity.Error, SceneGatherer.InStaticBatch(batched[0]) + More(batched.Count), MeshFixes.ClearBatching(batched), batched[0]);
+                Add(Severity.Error, SceneGatherer.InStaticBatch(batched[0]) + More(batched.Count), Application.isPlaying ? null : MeshFixes.ClearBatching(batched), batched[0]);
             var marked = seen.FindAll(pair => !pair.renderer.isPartOfStaticBatch && MeshFixes.IsBatchingStatic(pair.renderer)).ConvertAll(pair => pair.renderer);
             if (marked.Count > 0)
                 Add(Severity.Warning, $"'{marked[0].name}' is marked Batching Static, and cannot be traced once Unity has merged it with others when the scene is played: clear Batching Static among its static flags{More(marked.Count)}", MeshFixes.ClearBatching(marked), marked[0]);

@@ -12,7 +12,7 @@ namespace Glint.Editor
     sealed class RadarTracing : IDisposable
     {
         readonly RadarController _radar;
-        bool _hasTraced;
+        RadarResult _result;
 
         public RadarTracing(RadarController radar) => _radar = radar;
 
@@ -23,11 +23,10 @@ namespace Glint.Editor
         public void Trace()
         {
             Problem = null;
-            _hasTraced = true;
             try
             {
                 using (var bar = new CancelBar($"Tracing '{_radar.name}'"))
-                    _radar.Trace(bar, bar.Cancel);
+                    _result = _radar.Trace(bar, bar.Cancel);
             }
             catch (OperationCanceledException)
             {
@@ -41,9 +40,10 @@ namespace Glint.Editor
 
         public void Dispose()
         {
-            if (_hasTraced && _radar != null && !Application.isPlaying)
+            // Unless somebody else, a sweep say, has traced with it since.
+            if (_result != null && _radar != null && _radar.Result == _result && !Application.isPlaying)
                 _radar.Release();
-            _hasTraced = false;
+            _result = null;
         }
 
         /// <summary>A result as an inspector shows it: label, value, what it means.</summary>

@@ -13,6 +13,8 @@ namespace Glint
         public AxisMotions(SweepSetup setup)
         {
             var plan = setup.Plan;
+            if (setup.Target != null && !setup.Target.gameObject.scene.IsValid())
+                throw new GlintException($"the target '{setup.Target.name}' of the sweep is a prefab: choose the object in the scene");
             if (setup.Target != null)
                 StandCheck.RefuseNowhere(setup.Target, $"the target '{setup.Target.name}' of the sweep");
             try

@@ -116,6 +116,9 @@ namespace Glint
         {
             if (camera.cameraType != CameraType.Game && camera.cameraType != CameraType.SceneView)
                 return;
+            // A prefab that is open shows its own scene.
+            if (camera.cameraType == CameraType.SceneView && camera.scene.IsValid() && camera.scene != gameObject.scene)
+                return;
             _isSeen = true;
             if (Prepare() == null)
                 return;

@@ -121,9 +121,9 @@ namespace Glint
         public void Lay()
         {
             _isStale = false;
+            _middle = Middle(); // before what may be refused: it is said once, until the middle or a setting changes
             Check();
             var tile = Tile(out double size);
-            _middle = Middle();
             _tiles.Lay(transform, tile, _material, size, _extent, _middle, Subject);
         }
 

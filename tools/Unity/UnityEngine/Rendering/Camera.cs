@@ -1,5 +1,6 @@
 using System.Linq;
 using Glint.Host;
+using UnityEngine.SceneManagement;
 
 namespace UnityEngine;
 
@@ -24,6 +25,9 @@ public sealed partial class Camera : Behaviour
     public delegate void CameraCallback(Camera cam);
 
     public CameraType cameraType { get; set; } = CameraType.Game;
+
+    /// <summary>The only scene that it shows; none: all.</summary>
+    public Scene scene { get; set; }
 
     public static Camera main => allCameras.FirstOrDefault(camera => camera.CompareTag("MainCamera"));
 

@@ -23,7 +23,11 @@ namespace Glint.Editor.Views
             inspector.Add(Parts.Field("_settings", "Measures (m)"));
             if (targets.Length != 1)
                 return inspector;
-            inspector.Add(_remake);
+            // A prefab cannot hold the mesh.
+            if (RadarCheck.CanLook(Ship))
+                inspector.Add(_remake);
+            else
+                inspector.Add(new HelpBox("The mesh is made where the ship stands in a scene, or by glint ship, which stores it: a prefab cannot hold it.", HelpBoxMessageType.Info));
             inspector.Add(_figures);
             new Watch(inspector, serializedObject, Look);
             return inspector;

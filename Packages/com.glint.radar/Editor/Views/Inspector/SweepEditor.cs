@@ -23,7 +23,7 @@ namespace Glint.Editor.Views
             inspector.Add(Parts.Field("_snapshots", "Snapshots"));
             inspector.Add(Parts.Field("_outputFolder", "Output Folder"));
             inspector.Add(_figures);
-            if (targets.Length != 1)
+            if (targets.Length != 1 || !RadarCheck.CanLook((Sweep)target))
                 return inspector;
             _check = new SweepCheck((Sweep)target);
             _watch = new Watch(inspector, serializedObject, Look);

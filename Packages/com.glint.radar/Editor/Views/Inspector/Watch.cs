@@ -24,7 +24,11 @@ namespace Glint.Editor.Views
             _seconds = seconds;
             _look = inspector.schedule.Execute(look);
             inspector.TrackSerializedObjectValue(inspected, _ => LookSoon());
-            inspector.RegisterCallback<AttachToPanelEvent>(_ => ObjectChangeEvents.changesPublished += Hear);
+            inspector.RegisterCallback<AttachToPanelEvent>(_ =>
+            {
+                ObjectChangeEvents.changesPublished += Hear;
+                _look.ExecuteLater(0); // what has changed while another tab was shown
+            });
             inspector.RegisterCallback<DetachFromPanelEvent>(_ => ObjectChangeEvents.changesPublished -= Hear);
         }
 

@@ -48,7 +48,7 @@ namespace Glint.Editor.Views
         void OnEnable()
         {
             titleContent = new GUIContent("Radar");
-            minSize = new Vector2(640, 400);
+            minSize = new Vector2(800, 400);
             EditorApplication.update += Tick;
         }
 
@@ -102,6 +102,7 @@ namespace Glint.Editor.Views
 
         void Begin(Func<SweepSession> begin) => Attempt(() =>
         {
+            _panel.Tell(null);
             _session?.Dispose();
             _session = begin();
             _rows = _session.Rows;

@@ -33,10 +33,12 @@ namespace Glint.Editor.Views
             (_choice, _redraw) = (choice, redraw);
             var bar = new Toolbar();
             _axis.RegisterValueChangedCallback(change => Choose(() => choice.Axis = change.newValue));
+            _axis.labelElement.style.minWidth = 0;
+            _axis.tooltip = "The axis that the charts go over.";
             bar.Add(_axis);
-            bar.Add(Switch("Decibels", choice.InDecibels, value => choice.InDecibels = value));
-            bar.Add(Switch("Polar", choice.IsPolar, value => choice.IsPolar = value));
-            bar.Add(Switch("Raw", choice.IsRaw, value => choice.IsRaw = value));
+            bar.Add(Switch("Decibels", "20 log10 of the amplitude.", choice.InDecibels, value => choice.InDecibels = value));
+            bar.Add(Switch("Polar", "Angles around a circle: 0 degrees at the top, clockwise.", choice.IsPolar, value => choice.IsPolar = value));
+            bar.Add(Switch("Raw", "The amplitude as it is summed. Otherwise as if there were 2,073,600 rays over the same view.", choice.IsRaw, value => choice.IsRaw = value));
             _compare.menu.AppendAction("Nothing", action => compare(""));
             foreach (var table in PublishedTable.All)
                 _compare.menu.AppendAction(table.Title, action => compare(table.Name));
@@ -90,7 +92,7 @@ namespace Glint.Editor.Views
             var axes = SweepChart.AxesOf(rows);
             _axis.choices = axes.Select(axis => axis.Name).ToList();
             _axis.SetValueWithoutNotify(_choice.AxisOf(rows).Name);
-            _compare.text = comparison == null ? "Compare" : "Compare: " + comparison.Title;
+            _compare.tooltip = comparison == null ? "Lays a results folder or a published table over the charts." : "Laid over: " + comparison.Title;
             _chosen = _choice.Chosen(rows);
             _readout.text = _chosen?.Words() ?? "";
             var amplitude = _choice.Amplitude(rows, comparison);
@@ -110,9 +112,9 @@ namespace Glint.Editor.Views
             _redraw();
         }
 
-        ToolbarToggle Switch(string text, bool value, Action<bool> set)
+        ToolbarToggle Switch(string text, string help, bool value, Action<bool> set)
         {
-            var toggle = new ToolbarToggle { text = text, value = value };
+            var toggle = new ToolbarToggle { text = text, tooltip = help, value = value };
             toggle.RegisterValueChangedCallback(change => Choose(() => set(change.newValue)));
             return toggle;
         }

@@ -12,7 +12,7 @@ namespace Glint.Editor.Views
         const string ByBounces = "bounces", ByObject = "object met first";
 
         readonly Image _image = new Image { scaleMode = ScaleMode.ScaleToFit };
-        readonly DropdownField _colours = new DropdownField("Colour by", new List<string> { ByBounces, ByObject }, 0);
+        readonly DropdownField _colours = new DropdownField("Colour by", new List<string> { ByBounces, ByObject }, 0) { tooltip = "How often a ray is reflected, or which object it meets first. Brightness tells how squarely it meets the first surface; white stripes are rays that are received." };
         readonly VisualElement _legend = new VisualElement();
         readonly Label _readout = new Label();
         Texture2D _texture;
@@ -35,6 +35,8 @@ namespace Glint.Editor.Views
             Add(_readout);
             _colours.RegisterValueChangedCallback(change => Draw());
             _image.RegisterCallback<PointerMoveEvent>(move => Tell(move.localPosition));
+            // A window is taken apart and put together again when its tab is left and comes back.
+            RegisterCallback<AttachToPanelEvent>(attach => Draw());
             RegisterCallback<DetachFromPanelEvent>(detach => UnityEngine.Object.DestroyImmediate(_texture));
         }
 

@@ -87,7 +87,8 @@ namespace Glint.Editor.Views
             _progress.highValue = session == null ? 1 : session.Count;
             _progress.value = session?.Done ?? 0;
             _progress.title = session?.Status() ?? "";
-            Tell(session?.Problem);
+            if (wasRunning && !_isRunning)
+                Tell(session?.Problem);
             if (_isRunning != wasRunning)
                 Check();
         }
