@@ -9,8 +9,8 @@ namespace Glint
     /// </summary>
     sealed class ExactPass : IDisposable
     {
-        // Rays of a dispatch: some hundredths of a second on a software device.
-        public const int MostRays = 1 << 18;
+        // Rays of a dispatch: some tenths of a second on a software device.
+        public const int MostRays = 1 << 16;
 
         const uint NoPixel = uint.MaxValue;
 

@@ -16,8 +16,9 @@ namespace Glint
 
         readonly ComputeShader _shader;
         readonly string _name;
-        readonly int _startsKernel, _exactKernel, _pathsKernel;
-        int _kernel;
+        readonly string _exactName;
+        readonly int _startsKernel, _pathsKernel;
+        int _kernel, _exactKernel;
 
         /// <exception cref="GlintException">There is no graphics device, the shader is another one, or the device cannot run it.</exception>
         public TraceKernel(ComputeShader shader, bool isSoftware, string owner)
@@ -34,19 +35,21 @@ namespace Glint
             _shader = shader;
             _kernel = shader.FindKernel(_name);
             _startsKernel = shader.FindKernel(isSoftware ? "StartsWide" : "Starts");
-            _exactKernel = shader.FindKernel(isSoftware ? "ExactWide" : "Exact");
+            _exactName = isSoftware ? "ExactWide" : "Exact";
+            _exactKernel = shader.FindKernel(_exactName);
             _pathsKernel = shader.FindKernel(isSoftware ? "PathsWide" : "Paths");
             foreach (int kernel in new[] { _kernel, _startsKernel, _exactKernel, _pathsKernel })
                 if (!shader.IsSupported(kernel))
                     throw new GlintException($"a kernel of compute shader '{shader.name}' does not run on {SystemInfo.graphicsDeviceName}: see the shader's import messages");
         }
 
-        /// <summary>Takes the kernel for a scene; the other calls set and run that one.</summary>
+        /// <summary>Takes the kernels for a scene; the other calls set and run those.</summary>
         public void Choose(DeviceScene scene, bool countsVisits)
         {
             string kind = !scene.HasFewInstances ? countsVisits ? "Count" : scene.Banks.Count > 1 ? "Banks" : ""
                 : countsVisits ? "FewCount" : scene.Few.Count == 1 ? "One" : "Few";
             _kernel = _shader.FindKernel(_name + kind);
+            _exactKernel = _shader.FindKernel(_exactName + (scene.Banks.Count > 1 ? "Banks" : ""));
         }
 
         public void SetRadar(in RadarSettings settings, in RadarView view, RayGrid grid, double3 origin, float lengthUnits, Shortcuts shortcuts)

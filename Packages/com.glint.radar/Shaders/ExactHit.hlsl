@@ -27,23 +27,28 @@ float Sum(float3 v)
     return v.x + v.y + v.z;
 }
 
-// Whether a ray of float32 passes an edge on the outer side of a triangle, for both ways around, by more than rounding and slack explain.
-bool2 IsOutside(float2 a, float2 b, float slack)
+// Whether a ray of float32 passes an edge on the inner side of a triangle, for both ways around, or beyond it by no more than rounding and slack explain. Not if a corner is no number.
+bool2 IsInside(float2 a, float2 b, float slack)
 {
     float side = a.x * b.y - a.y * b.x;
     float2 edge = abs(b - a);
     float doubt = slack * (edge.x + edge.y) + 2.4e-7 * (abs(a.x * b.y) + abs(a.y * b.x));
-    return bool2(side < -doubt, side > doubt);
+    return bool2(side >= -doubt, side <= doubt);
 }
 
-// Whether the line may hit the triangle. Distances: least and greatest of its corners from where the search began, m.
-bool MayHit(SearchRay ray, float3 a, float3 b, float3 c, out float2 distances)
+// In a frame that stretches, distances round as its lengths do.
+float DistanceSlack(SearchRay search, ExactLine ray)
+{
+    return max(ray.Slack, search.Slack * abs(search.Shear.z));
+}
+
+// Whether the line may hit the triangle, no farther from where the search began than reach, m.
+bool MayHit(SearchRay ray, float3 a, float3 b, float3 c, float reach)
 {
     float3 p = AsSeen(ray, a), q = AsSeen(ray, b), r = AsSeen(ray, c);
-    distances = float2(min(p.z, min(q.z, r.z)), max(p.z, max(q.z, r.z)));
     float slack = 3.0 * ray.Slack; // seen sheared
-    bool2 isOutside = IsOutside(p.xy, q.xy, slack) || IsOutside(q.xy, r.xy, slack) || IsOutside(r.xy, p.xy, slack);
-    return !isOutside.x || !isOutside.y;
+    bool2 isInside = IsInside(p.xy, q.xy, slack) && IsInside(q.xy, r.xy, slack) && IsInside(r.xy, p.xy, slack);
+    return (isInside.x || isInside.y) && min(p.z, min(q.z, r.z)) <= reach;
 }
 
 // On which side the line passes the edge between two corners, times four times the area that the edge spans with the origin; 0 where rounding leaves that open.
@@ -56,9 +61,8 @@ float SideOfLine(ExactLine ray, float3 a, float3 b)
     return abs(side) <= doubt ? 0.0 : side;
 }
 
-// Whether the line meets the triangle after its origin, and how far along, m.
-// Distances: least and greatest of its corners, good to the slack; a triangle seen edge-on is in its plane anywhere, and no farther off than they are.
-bool Hits(ExactLine ray, float3 a, float3 b, float3 c, float2 distances, float slack, out Two toHit, out bool isAtEdge)
+// Whether the line meets the triangle after its origin, and how far along, m: at its nearest or farthest corner where rounding says nearer or farther, as of a triangle seen edge-on.
+bool Hits(SearchRay search, ExactLine ray, float3 a, float3 b, float3 c, out Two toHit, out bool isAtEdge)
 {
     toHit = MakeTwo(MISS, 0.0);
     float3 sides = float3(SideOfLine(ray, b, c), SideOfLine(ray, c, a), SideOfLine(ray, a, b));
@@ -74,10 +78,12 @@ bool Hits(ExactLine ray, float3 a, float3 b, float3 c, float2 distances, float s
     if (abs(height.Hi) <= ON_SURFACE * (Sum(abs(Rounded(toCorner)) + abs(Rounded(ray.Origin))) + ray.Far))
         return false;
     toHit = Over(height, facing);
-    if (!(toHit.Hi >= distances.x - slack))
-        toHit = MakeTwo(distances.x, 0.0);
-    if (!(toHit.Hi <= distances.y + slack))
-        toHit = MakeTwo(distances.y, 0.0);
+    float3 distances = float3(AsSeen(search, a).z, AsSeen(search, b).z, AsSeen(search, c).z) - ray.Back;
+    float slack = DistanceSlack(search, ray), nearest = min(distances.x, min(distances.y, distances.z)), farthest = max(distances.x, max(distances.y, distances.z));
+    if (!(toHit.Hi >= nearest - slack))
+        toHit = MakeTwo(nearest, 0.0);
+    if (!(toHit.Hi <= farthest + slack))
+        toHit = MakeTwo(farthest, 0.0);
     return toHit.Hi > 0.0;
 }
 

@@ -23,6 +23,7 @@ struct Found
     ExactLine Line;       // the ray itself, in the frame of the mesh searched
     Two Exact;            // m, along it
     bool IsAtEdge;        // nobody can tell on which side of an edge
+    uint Waiting;         // triangles of one pair that it may hit and that are yet to be tested: 4 * row, 1 for the first, 2 for the second
 #endif
 };
 
@@ -61,39 +62,60 @@ static uint s_pairsTested = 0;
 
 #ifdef GLINT_EXACT
 
-void TestTriangle(SearchRay ray, uint instance, uint row, bool second, float3 a, float3 b, float3 c, inout Found found)
+bool Waits(Found found)
 {
-    bool isLeft = instance == found.Leaving.x && 2 * row + (second ? 1 : 0) == found.Leaving.y;
-    float2 distances;
-    if (isLeft || !MayHit(ray, a, b, c, distances))
+    return found.Waiting != 0;
+}
+
+// Float32 tells which triangles the ray may hit: its search waits for their test. Such a test is dear, and threads side by side do theirs together: when each has one or is done.
+void TestPair(SearchRay ray, uint instance, uint bank, uint firstRow, uint row, inout Found found)
+{
+    COUNT_PAIR;
+    Pair pair = LoadPair(bank, firstRow + row);
+    float reach = found.Distance + DistanceSlack(ray, found.Line);
+    bool mayHitFirst = MayHit(ray, pair.Corner0, pair.Corner1, pair.Corner2, reach), mayHitSecond = MayHit(ray, pair.Corner0, pair.Corner2, pair.Corner3, reach);
+    if (instance == found.Leaving.x && row == found.Leaving.y >> 1)
+    {
+        bool isSecond = (found.Leaving.y & 1) != 0;
+        mayHitFirst = mayHitFirst && isSecond;
+        mayHitSecond = mayHitSecond && !isSecond;
+    }
+    if (mayHitFirst || mayHitSecond)
+        found.Waiting = 4 * row + (mayHitFirst ? 1 : 0) + (mayHitSecond ? 2 : 0);
+}
+
+// Two-float arithmetic tells whether the ray hits a triangle that waits.
+void TestWaiting(SearchRay ray, uint instance, uint bank, uint firstRow, inout Found found)
+{
+    if (found.Waiting == 0)
         return;
-    // In a frame that stretches, distances round as its lengths do.
-    float slack = max(found.Line.Slack, ray.Slack * abs(ray.Shear.z));
-    if (distances.x - slack > found.Distance)
-        return;
+    uint row = found.Waiting >> 2;
+    bool isSecond = (found.Waiting & 1) == 0;
+    found.Waiting = isSecond || (found.Waiting & 2) == 0 ? 0 : found.Waiting & ~1u;
+    Pair pair = LoadPair(bank, firstRow + row);
     Two toHit;
     bool isAtEdge;
-    if (!Hits(found.Line, a, b, c, distances - found.Line.Back, slack, toHit, isAtEdge) || Rounded(Minus(toHit, found.Exact)) >= 0.0)
+    if (!Hits(ray, found.Line, pair.Corner0, isSecond ? pair.Corner2 : pair.Corner1, isSecond ? pair.Corner3 : pair.Corner2, toHit, isAtEdge) || Rounded(Minus(toHit, found.Exact)) >= 0.0)
         return;
     found.Exact = toHit;
     found.IsAtEdge = isAtEdge;
     found.Distance = toHit.Hi + found.Line.Back + found.Line.Slack;
     found.Instance = instance;
     found.Row = row;
-    found.Second = second;
-}
-
-// Float32 tells which triangles the ray may hit, and two-float arithmetic which it does.
-void TestPair(SearchRay ray, uint instance, uint bank, uint firstRow, uint row, inout Found found)
-{
-    COUNT_PAIR;
-    Pair pair = LoadPair(bank, firstRow + row);
-    [loop]
-    for (uint i = 0; i < 2; i++)
-        TestTriangle(ray, instance, row, i == 1, pair.Corner0, i == 0 ? pair.Corner1 : pair.Corner2, i == 0 ? pair.Corner2 : pair.Corner3, found);
+    found.Second = isSecond;
 }
 
 #else
+
+// Float32 tests at once.
+bool Waits(Found found)
+{
+    return false;
+}
+
+void TestWaiting(SearchRay ray, uint instance, uint bank, uint firstRow, inout Found found)
+{
+}
 
 void TestPair(SearchRay ray, uint instance, uint bank, uint firstRow, uint row, inout Found found)
 {

@@ -19,26 +19,31 @@ void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, uint4 st
     uint current = starts.x;
     BoxRay boxRay = MakeBoxRay(ray, asfloat(LoadTree(bank, firstRow).xyz));
     [loop]
-    while (current != DONE)
+    while (current != DONE || Waits(found))
     {
         [loop]
-        while ((current & LEAF) == 0)
+        while (current != DONE && !Waits(found))
         {
-            COUNT_NODE;
-            uint row = firstRow + current;
-            Entered entered = EnterChildren(LoadTree(bank, row), LoadTree(bank, row + 1), LoadTree(bank, row + 2).xyz, boxRay, found.Distance);
-            current = entered.Near;
-            if (entered.Both)
-                stack[++top] = entered.Far;
-            if (!entered.Any)
+            [loop]
+            while ((current & LEAF) == 0)
+            {
+                COUNT_NODE;
+                uint row = firstRow + current;
+                Entered entered = EnterChildren(LoadTree(bank, row), LoadTree(bank, row + 1), LoadTree(bank, row + 2).xyz, boxRay, found.Distance);
+                current = entered.Near;
+                if (entered.Both)
+                    stack[++top] = entered.Far;
+                if (!entered.Any)
+                    current = stack[top--];
+            }
+            [loop]
+            while (current >= LEAF && current != DONE && !Waits(found))
+            {
+                TestPair(ray, instance, bank, firstRow, current & ~LEAF, found);
                 current = stack[top--];
+            }
         }
-        [loop]
-        while (current >= LEAF && current != DONE)
-        {
-            TestPair(ray, instance, bank, firstRow, current & ~LEAF, found);
-            current = stack[top--];
-        }
+        TestWaiting(ray, instance, bank, firstRow, found);
     }
 }
 

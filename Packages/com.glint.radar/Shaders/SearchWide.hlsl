@@ -106,34 +106,39 @@ void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, uint4 st
     stack.A = uint4(starts.yzw == DONE ? 0 : starts.yzw, 0);
     uint current = starts.x == DONE ? DONE : NextOf(starts.x);
     [loop]
-    while (current != DONE)
+    while (current != DONE || Waits(found))
     {
         [loop]
-        while ((current & LEAF) == 0)
+        while (current != DONE && !Waits(found))
         {
-            COUNT_NODE;
-            uint row = firstRow + 3 * current;
-            uint4 a = LoadTree(bank, row), b = LoadTree(bank, row + 1), c = LoadTree(bank, row + 2);
-            uint4 keys = Sorted(ChildKeys(a, b, c, ray, found.Distance));
-            uint waiting = (keys.y & 15) | (keys.z & 15) << 4 | (keys.w & 15) << 8;
-            bool enters = (keys.x & 8) != 0;
+            [loop]
+            while ((current & LEAF) == 0)
+            {
+                COUNT_NODE;
+                uint row = firstRow + 3 * current;
+                uint4 a = LoadTree(bank, row), b = LoadTree(bank, row + 1), c = LoadTree(bank, row + 2);
+                uint4 keys = Sorted(ChildKeys(a, b, c, ray, found.Distance));
+                uint waiting = (keys.y & 15) | (keys.z & 15) << 4 | (keys.w & 15) << 8;
+                bool enters = (keys.x & 8) != 0;
 
-            // Down to the nearest child, or on to the next that waits.
-            current = NextOf(enters ? c.z << 12 | (keys.x & 15) : stack.A.x);
-            bool pushes = waiting != 0;
-            WideStack taken = stack;
-            taken.A.x = enters ? stack.A.x : WithoutNext(stack.A.x);
-            bool pops = (taken.A.x & CHILDREN) == 0;
-            stack = Choose(pushes, Pushed(stack, c.z << 12 | waiting), pops, Popped(stack), taken);
+                // Down to the nearest child, or on to the next that waits.
+                current = NextOf(enters ? c.z << 12 | (keys.x & 15) : stack.A.x);
+                bool pushes = waiting != 0;
+                WideStack taken = stack;
+                taken.A.x = enters ? stack.A.x : WithoutNext(stack.A.x);
+                bool pops = (taken.A.x & CHILDREN) == 0;
+                stack = Choose(pushes, Pushed(stack, c.z << 12 | waiting), pops, Popped(stack), taken);
+            }
+            [loop]
+            while (current >= LEAF && current != DONE && !Waits(found))
+            {
+                TestPair(ray, instance, bank, firstRow, 3 * (current & ~LEAF), found);
+                current = NextOf(stack.A.x);
+                stack.A.x = WithoutNext(stack.A.x);
+                stack = Choose(false, stack, (stack.A.x & CHILDREN) == 0, Popped(stack), stack);
+            }
         }
-        [loop]
-        while (current >= LEAF && current != DONE)
-        {
-            TestPair(ray, instance, bank, firstRow, 3 * (current & ~LEAF), found);
-            current = NextOf(stack.A.x);
-            stack.A.x = WithoutNext(stack.A.x);
-            stack = Choose(false, stack, (stack.A.x & CHILDREN) == 0, Popped(stack), stack);
-        }
+        TestWaiting(ray, instance, bank, firstRow, found);
     }
 }
 

@@ -53,7 +53,7 @@ Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction)
 #else
 
 // A ray that passes an edge so near, as a fraction of the lengths that go into it, is followed once more, exactly.
-static const float NEAR_EDGE = 6.0e-7;
+static const float NEAR_EDGE = 4.0e-7;
 
 // Sine of the angle between the two shorter edges of a triangle, below which its normal is not good enough to tell what may be received.
 static const float NEEDLE = 0.1;
