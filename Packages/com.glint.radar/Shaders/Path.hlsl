@@ -86,7 +86,7 @@ bool Advance(inout Path path, uint firstStart)
 #endif
 
     // The length is measured from the surface to the surface, not from the start. Next to an edge the other surface may lie behind by rounding.
-    Surface surface = LoadSurface(found, path.Start, path.LastHit, path.Direction);
+    Surface surface = LoadSurface(found, path.Start, path.LastHit, path.Direction, path.Bounces);
 #ifndef GLINT_EXACT
     path.Returns = surface.IsInDoubt;
     if (surface.IsInDoubt || isLast)

@@ -36,7 +36,7 @@ Real3 NormalFromLocal(InstanceRecord place, Real3 normal)
 // A ray that meets an edge or a corner turns so much before it, as a part of the scene's size: there it is on the right side of all surfaces that meet there. No farther than half the way back: there may be one behind it as well.
 static const float BEFORE_EDGE = 1.0e-10;
 
-Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction)
+Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction, uint bounces)
 {
     InstanceRecord place = LoadInstance(found.Instance);
     Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
@@ -52,8 +52,8 @@ Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction)
 
 #else
 
-// A ray that passes an edge so near, as a fraction of the lengths that go into it, is followed once more, exactly.
-static const float NEAR_EDGE = 4.0e-7;
+// A ray that passes an edge nearer than this is followed once more, exactly: a fraction of the lengths that go into it, and so much for each segment up to there, as what float32 leaves out adds up.
+static const float NEAR_EDGE = 2.0e-7;
 
 // Sine of the angle between the two shorter edges of a triangle, below which its normal is not good enough to tell what may be received.
 static const float NEEDLE = 0.1;
@@ -68,8 +68,8 @@ float ToLine(float3 place, float3 edge, float3 direction)
 // A ray that grazes a plane meets it anywhere, by rounding: where the search met it counts when the plane is so much farther off, as a part of the lengths that went into it.
 static const float GRAZING = 1.0e-3;
 
-// Origin: the hit before; the search began at start, just before it.
-Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction)
+// Origin: the hit before, after so many bounces; the search began at start, just before it.
+Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction, uint bounces)
 {
     InstanceRecord place = LoadInstance(found.Instance);
     Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
@@ -99,7 +99,7 @@ Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction)
     surface.Lever = max(lever.x, max(lever.y, lever.z)) / surface.Scale;
     float toEdge = min(ToLine(hit, edge1, localDirection), min(ToLine(hit, edge2, localDirection), ToLine(hit - edge1, edge3, localDirection)));
     bool isNeedle = dot(area, area) < NEEDLE * NEEDLE * dot(side1, side1) * dot(side2, side2);
-    surface.IsInDoubt = isNeedle || !(toEdge > NEAR_EDGE * (Stretch(place) * (found.Distance + largest) + max(lever.x, max(lever.y, lever.z))));
+    surface.IsInDoubt = isNeedle || !(toEdge > NEAR_EDGE * (1 + bounces) * (Stretch(place) * (found.Distance + largest) + max(lever.x, max(lever.y, lever.z))));
     return surface;
 }
 
