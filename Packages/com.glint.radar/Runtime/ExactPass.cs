@@ -9,8 +9,8 @@ namespace Glint
     /// </summary>
     sealed class ExactPass : IDisposable
     {
-        // Rays of a dispatch: some tenths of a second on a software device.
-        public const int MostRays = 1 << 16;
+        // Rays of a dispatch: a millisecond on a GPU, where a launch lasts as long as its longest ray; one to six seconds on a software device.
+        public const int MostRays = 1 << 18;
 
         const uint NoPixel = uint.MaxValue;
 
