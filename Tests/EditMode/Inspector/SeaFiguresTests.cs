@@ -1,4 +1,5 @@
 using System.Linq;
+using System.Reflection;
 using Glint.Core;
 using Glint.Editor;
 using NUnit.Framework;
@@ -17,6 +18,14 @@ namespace Glint.Tests
 
         [TearDown]
         public void RemoveSea() => Object.DestroyImmediate(_sea.gameObject);
+
+        [Test]
+        public void Waves_NameEveryFieldThatCanBeSet_WithALabelAndATooltip()
+        {
+            var fields = typeof(SeaSettings).GetFields(BindingFlags.Public | BindingFlags.Instance).Select(field => field.Name);
+            Assert.That(SeaFigures.Waves.Select(it => it.field), Is.EqualTo(fields));
+            Assert.That(SeaFigures.Waves, Has.All.Matches<(string field, string label, string tooltip)>(it => it.label.Length > 0 && it.tooltip.EndsWith(".")));
+        }
 
         [Test]
         public void Rows_OfWaves_CountTilesAndTriangles()

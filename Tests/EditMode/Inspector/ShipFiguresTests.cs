@@ -1,4 +1,5 @@
 using System.Linq;
+using System.Reflection;
 using Glint.Core;
 using Glint.Editor;
 using NUnit.Framework;
@@ -21,6 +22,14 @@ namespace Glint.Tests
 
         [TearDown]
         public void RemoveShip() => Object.DestroyImmediate(_ship.gameObject);
+
+        [Test]
+        public void Measures_NameEveryFieldThatCanBeSet_WithALabelAndATooltip()
+        {
+            var fields = typeof(ShipSettings).GetFields(BindingFlags.Public | BindingFlags.Instance).Select(field => field.Name);
+            Assert.That(ShipFigures.Measures.Select(it => it.field), Is.EqualTo(fields));
+            Assert.That(ShipFigures.Measures, Has.All.Matches<(string field, string label, string tooltip)>(it => it.label.Length > 0 && it.tooltip.EndsWith(".")));
+        }
 
         [Test]
         public void Remake_FromOtherMeasures_IsThatShipAndUndoBringsTheOneBeforeBack()

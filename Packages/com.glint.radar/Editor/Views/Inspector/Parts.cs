@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using UnityEditor;
 using UnityEditor.UIElements;
 using UnityEngine.UIElements;
@@ -20,6 +21,10 @@ namespace Glint.Editor.Views
 
         /// <summary>A serialized field of the object inspected; its tooltip is the field's.</summary>
         public static PropertyField Field(string name, string label) => new PropertyField { bindingPath = name, label = label };
+
+        /// <summary>A serialized struct of plain C#, whose fields have no tooltips of their own.</summary>
+        public static Foldout Struct(string name, string title, IEnumerable<(string field, string label, string tooltip)> fields) =>
+            Group(title, fields.Select(it => new PropertyField { bindingPath = name + "." + it.field, label = it.label, tooltip = it.tooltip }).ToArray());
 
         /// <summary>Shows figures, in the columns of the fields, to be selected and copied.</summary>
         public static void ShowRows(VisualElement parent, IEnumerable<(string label, string value, string tooltip)> rows)

@@ -23,7 +23,7 @@ namespace Glint.Editor.Views
             _snapshot.RegisterValueChangedCallback(_ => Choose());
             inspector.Add(_findings);
             inspector.Add(Parts.Group("Snapshots", Parts.Field("_snapshots", "Snapshots"), targets.Length == 1 ? (VisualElement)_snapshot : Parts.Field("_snapshot", "Snapshot")));
-            inspector.Add(Parts.Group("Without snapshots", Parts.Field("_waves", "Waves"), Parts.Field("_timeSeconds", "Time (s)")));
+            inspector.Add(Parts.Group("Without snapshots", Parts.Struct("_waves", "Waves", SeaFigures.Waves), Parts.Field("_timeSeconds", "Time (s)")));
             inspector.Add(Parts.Group("Extent and look", Parts.Field("_extent", "Extent (m)"), Parts.Field("_centre", "Centre"), Parts.Field("_material", "Material")));
             inspector.Add(Parts.Group("While the scene plays", Parts.Field("_motion", "Motion"), Parts.Field("_secondsPerSnapshot", "Seconds a Snapshot")));
             inspector.Add(_figures);

@@ -20,7 +20,7 @@ namespace Glint.Editor.Views
             _figures = new VisualElement();
             _remake = new Button(Remake) { text = ShipFigures.Remake(Ship).Label, tooltip = "From the measures above. The mesh is stored with the scene." };
             inspector.Add(_findings);
-            inspector.Add(Parts.Field("_settings", "Measures (m)"));
+            inspector.Add(Parts.Struct("_settings", "Measures", ShipFigures.Measures));
             if (targets.Length != 1)
                 return inspector;
             // A prefab cannot hold the mesh.
