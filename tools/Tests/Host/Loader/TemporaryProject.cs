@@ -15,6 +15,8 @@ public sealed class TemporaryProject : IDisposable
 
     public TemporaryProject()
     {
+        // Scenes that other tests have left open would be traced too.
+        Engine.Reset();
         Root = Directory.CreateTempSubdirectory("glint-loader-").FullName;
         Directory.CreateDirectory(Path.Combine(Root, "Assets"));
         Directory.CreateDirectory(Path.Combine(Root, "ProjectSettings"));
