@@ -19,7 +19,7 @@ void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, uint4 st
     uint current = starts.x;
     BoxRay boxRay = MakeBoxRay(ray, asfloat(LoadTree(bank, firstRow).xyz));
     [loop]
-    while (current != DONE || Waits(found))
+    while (current != DONE || Waits(found)) // only exact kernels ever wait
     {
         [loop]
         while (current != DONE && !Waits(found))

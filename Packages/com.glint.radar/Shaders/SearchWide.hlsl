@@ -106,7 +106,7 @@ void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, uint4 st
     stack.A = uint4(starts.yzw == DONE ? 0 : starts.yzw, 0);
     uint current = starts.x == DONE ? DONE : NextOf(starts.x);
     [loop]
-    while (current != DONE || Waits(found))
+    while (current != DONE || Waits(found)) // only exact kernels ever wait
     {
         [loop]
         while (current != DONE && !Waits(found))
