@@ -10,6 +10,9 @@ namespace Glint
     [StructLayout(LayoutKind.Sequential)]
     struct InstanceRecord
     {
+        // Of a place's coordinates: 4 float32 steps.
+        const float PlaceRounding = 2.4e-7f;
+
         /// <summary>Rows of the matrix from the middle of the scene to the mesh's frame.</summary>
         public float4 ToLocalX, ToLocalY, ToLocalZ; // 48 bytes
 
@@ -21,7 +24,11 @@ namespace Glint
 
         public uint Bank;
 
-        public uint Unused0, Unused1; // 112 bytes
+        /// <summary>How much longer lengths get on the way into the mesh's frame, at most.</summary>
+        public float Stretch;
+
+        /// <summary>By how much float32 rounds places on that way, m there.</summary>
+        public float Rounding; // 112 bytes
 
         /// <param name="toLocal">From the middle of the scene to the mesh's frame.</param>
         public static InstanceRecord Of(in Affine toLocal, int bank, int firstRow)
@@ -35,6 +42,8 @@ namespace Glint
                 RestX = TwoFloat.Rest(x), RestY = TwoFloat.Rest(y), RestZ = TwoFloat.Rest(z),
                 FirstRow = (uint)firstRow,
                 Bank = (uint)bank,
+                Stretch = (float)math.sqrt(math.lengthsq(toLocal.X) + math.lengthsq(toLocal.Y) + math.lengthsq(toLocal.Z)),
+                Rounding = PlaceRounding * (float)math.csum(math.abs(toLocal.Origin)),
             };
         }
     }

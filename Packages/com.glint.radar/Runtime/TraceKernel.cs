@@ -85,12 +85,13 @@ namespace Glint
         {
             if (scene.HasFewInstances)
             {
-                var rows = new Vector4[3 * DeviceScene.MostFew];
+                var rows = new Vector4[4 * DeviceScene.MostFew];
                 var firstRows = new int[DeviceScene.MostFew];
                 for (int i = 0; i < scene.Few.Count; i++)
                 {
                     var record = scene.Few[i];
-                    (rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]) = (record.ToLocalX, record.ToLocalY, record.ToLocalZ);
+                    (rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]) = (record.ToLocalX, record.ToLocalY, record.ToLocalZ);
+                    rows[4 * i + 3] = new Vector4(record.Stretch, record.Rounding);
                     firstRows[i] = (int)record.FirstRow;
                 }
                 _shader.SetVectorArray(ShaderIDs._FewToLocal, rows);

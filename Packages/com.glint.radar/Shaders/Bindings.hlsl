@@ -6,7 +6,7 @@
 // Input: the scene.
 #ifdef GLINT_FEW
 // Up to four instances, searched one after the other.
-float4 _FewToLocal[12];                     // three rows an instance
+float4 _FewToLocal[16];                     // an instance: three rows, then InstanceRecord.Stretch and Rounding
 uint4 _FewFirstRow;
 uint _InstanceCount;
 #else
@@ -90,9 +90,11 @@ InstanceRecord LoadInstance(uint instance)
     instance = 0;
 #endif
     InstanceRecord place = (InstanceRecord)0;
-    place.ToLocalX = _FewToLocal[3 * instance];
-    place.ToLocalY = _FewToLocal[3 * instance + 1];
-    place.ToLocalZ = _FewToLocal[3 * instance + 2];
+    place.ToLocalX = _FewToLocal[4 * instance];
+    place.ToLocalY = _FewToLocal[4 * instance + 1];
+    place.ToLocalZ = _FewToLocal[4 * instance + 2];
+    place.Stretch = _FewToLocal[4 * instance + 3].x;
+    place.Rounding = _FewToLocal[4 * instance + 3].y;
     place.FirstRow = _FewFirstRow[instance];
     return place;
 #else

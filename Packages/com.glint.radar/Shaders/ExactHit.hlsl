@@ -4,17 +4,14 @@
 #include "Geometry.hlsl"
 #include "TwoFloat.hlsl"
 
-// A ray as it is, beside the one of float32 that is searched for: that one goes this line at most SLACK of the scene's size aside.
+// A ray as it is, beside the one of float32 that is searched for.
 struct ExactLine
 {
     Two3 Origin;          // the hit before
     Two3 Direction;
     float Back;           // m, from where the search began, on the line, to the origin
-    float Slack;          // m, in the scene
     float Far;            // the scene's size in the mesh's frame: the origin is rounded as places in the scene are
 };
-
-static const float SLACK = 1.0e-6;
 
 // A triangle in whose plane the ray starts is not met: so near, as a part of the lengths that go into the height above it.
 static const float ON_SURFACE = 1.0e-13;
@@ -37,9 +34,9 @@ bool2 IsInside(float2 a, float2 b, float slack)
 }
 
 // In a frame that stretches, distances round as its lengths do.
-float DistanceSlack(SearchRay search, ExactLine ray)
+float DistanceSlack(SearchRay search, float slack)
 {
-    return max(ray.Slack, search.Slack * abs(search.Shear.z));
+    return max(slack, search.Slack * abs(search.Shear.z));
 }
 
 // Whether the line may hit the triangle, no farther from where the search began than reach, m.
@@ -62,7 +59,7 @@ float SideOfLine(ExactLine ray, float3 a, float3 b)
 }
 
 // Whether the line meets the triangle after its origin, and how far along, m: at its nearest or farthest corner where rounding says nearer or farther, as of a triangle seen edge-on.
-bool Hits(SearchRay search, ExactLine ray, float3 a, float3 b, float3 c, out Two toHit, out bool isAtEdge)
+bool Hits(SearchRay search, ExactLine ray, float slack, float3 a, float3 b, float3 c, out Two toHit, out bool isAtEdge)
 {
     toHit = MakeTwo(MISS, 0.0);
     float3 sides = float3(SideOfLine(ray, b, c), SideOfLine(ray, c, a), SideOfLine(ray, a, b));
@@ -79,7 +76,7 @@ bool Hits(SearchRay search, ExactLine ray, float3 a, float3 b, float3 c, out Two
         return false;
     toHit = Over(height, facing);
     float3 distances = float3(AsSeen(search, a).z, AsSeen(search, b).z, AsSeen(search, c).z) - ray.Back;
-    float slack = DistanceSlack(search, ray), nearest = min(distances.x, min(distances.y, distances.z)), farthest = max(distances.x, max(distances.y, distances.z));
+    float nearest = min(distances.x, min(distances.y, distances.z)), farthest = max(distances.x, max(distances.y, distances.z));
     if (!(toHit.Hi >= nearest - slack))
         toHit = MakeTwo(nearest, 0.0);
     if (!(toHit.Hi <= farthest + slack))

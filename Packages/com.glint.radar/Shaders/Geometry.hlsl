@@ -20,9 +20,8 @@ struct SearchRay
     float3 Inverse;       // 1 / direction
     uint Axis;            // along which the direction is longest
     float3 Shear;         // what shears that axis into the ray's direction, and scales it to distances
-#ifdef GLINT_EXACT
-    float Slack;          // boxes are larger by this, and triangles that are so near are tested exactly
-#endif
+    float Slack;          // in truth it may go so far beside this where it starts,
+    float SlackAMetre;    // and so much more for each m from there
 };
 
 // The components in the order that puts the given axis last.
@@ -31,7 +30,7 @@ float3 AxisLast(float3 v, uint axis)
     return axis == 0 ? v.yzx : axis == 1 ? v.zxy : v;
 }
 
-SearchRay MakeSearchRay(float3 origin, float3 direction, float slack)
+SearchRay MakeSearchRay(float3 origin, float3 direction, float slack, float slackAMetre)
 {
     SearchRay ray;
     ray.Origin = origin;
@@ -42,9 +41,8 @@ SearchRay MakeSearchRay(float3 origin, float3 direction, float slack)
     ray.Axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     float3 d = AxisLast(direction, ray.Axis);
     ray.Shear = float3(d.xy, 1.0) / d.z;
-#ifdef GLINT_EXACT
     ray.Slack = slack;
-#endif
+    ray.SlackAMetre = slackAMetre;
     return ray;
 }
 
@@ -65,22 +63,56 @@ float SideOf(float3 a, float3 b)
     return side;
 }
 
-// Distance to a triangle with these sides opposite to its corners; MISS outside. A ray through an edge or a corner, where a side is 0, is inside.
-float HitTriangle(float3 sides, float3 distances)
+float SumOfSizes(float2 v)
 {
-    bool inside = min(sides.x, min(sides.y, sides.z)) >= 0.0 || max(sides.x, max(sides.y, sides.z)) <= 0.0;
-    float sum = sides.x + sides.y + sides.z;
-    float toHit = dot(sides, distances) / sum;
-    return inside && sum != 0.0 && toHit > 0.0 ? toHit : MISS;
+    return abs(v.x) + abs(v.y);
 }
 
-// Distances to the triangles (0, 1, 2) and (0, 2, 3) of a pair. Watertight: a ray cannot pass between triangles that share corners (after Woop, Benthin and Wald 2013).
-float2 HitPair(SearchRay ray, float3 corner0, float3 corner1, float3 corner2, float3 corner3)
+float Least(float3 v)
+{
+    return min(v.x, min(v.y, v.z));
+}
+
+float Greatest(float3 v)
+{
+    return max(v.x, max(v.y, v.z));
+}
+
+// Distance to a triangle of these corners, as the ray sees them, and with these sides opposite to them; MISS outside. A ray through an edge or a corner, where a side is 0, is inside.
+// In doubt: the same if the ray is inside or outside by so little that this may be wrong, else MISS. Most doubt: no side is in doubt that is larger.
+float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float slack, float mostDoubt, out float inDoubt)
+{
+    float3 distances = float3(a.z, b.z, c.z);
+    float sum = sides.x + sides.y + sides.z;
+    float toHit = dot(sides, distances) / sum;
+    bool isInside = (Least(sides) >= 0.0 || Greatest(sides) <= 0.0) && abs(sum) > 0.0;
+    inDoubt = MISS;
+    if (Least(abs(sides)) <= mostDoubt)
+    {
+        float3 doubts = slack * float3(SumOfSizes(c.xy - b.xy), SumOfSizes(a.xy - c.xy), SumOfSizes(b.xy - a.xy));
+        bool mayBeInside = Least(sides + doubts) >= 0.0 || Greatest(sides - doubts) <= 0.0;
+        bool surelyInside = Least(sides - doubts) > 0.0 || Greatest(sides + doubts) < 0.0;
+        // Of a triangle seen edge-on rounding leaves no distance, and the ray may be in line with its edges far beside it.
+        float2 low = min(a.xy, min(b.xy, c.xy)), high = max(a.xy, max(b.xy, c.xy));
+        bool isBeside = max(low.x, low.y) > slack || min(high.x, high.y) < -slack;
+        if (mayBeInside && !surelyInside && !isBeside)
+        {
+            toHit = clamp(toHit, Least(distances), Greatest(distances));
+            inDoubt = toHit > 0.0 ? toHit : MISS;
+        }
+    }
+    return isInside && toHit > 0.0 ? toHit : MISS;
+}
+
+// Distances to the triangles (0, 1, 2) and (0, 2, 3) of a pair, and to those in doubt. Watertight: a ray cannot pass between triangles that share corners (after Woop, Benthin and Wald 2013).
+float2 HitPair(SearchRay ray, float3 corner0, float3 corner1, float3 corner2, float3 corner3, out float2 inDoubt)
 {
     float3 p0 = AsSeen(ray, corner0), p1 = AsSeen(ray, corner1), p2 = AsSeen(ray, corner2), p3 = AsSeen(ray, corner3);
     float diagonal = SideOf(p2, p0);
-    float first = HitTriangle(float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), float3(p0.z, p1.z, p2.z));
-    float second = HitTriangle(float3(SideOf(p2, p3), SideOf(p3, p0), -diagonal), float3(p0.z, p2.z, p3.z));
+    float slack = ray.Slack + ray.SlackAMetre * max(max(p0.z, p1.z), max(p2.z, p3.z));
+    float mostDoubt = 2.0 * slack * max(max(SumOfSizes(p0.xy), SumOfSizes(p1.xy)), max(SumOfSizes(p2.xy), SumOfSizes(p3.xy)));
+    float first = HitTriangle(p0, p1, p2, float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), slack, mostDoubt, inDoubt.x);
+    float second = HitTriangle(p0, p2, p3, float3(SideOf(p2, p3), SideOf(p3, p0), -diagonal), slack, mostDoubt, inDoubt.y);
     return float2(first, second);
 }
 

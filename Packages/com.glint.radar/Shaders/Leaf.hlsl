@@ -19,11 +19,15 @@ struct Found
     uint Row;             // of the pair of triangles in its tree
     bool Second;          // which of the pair
     uint2 Leaving;        // the triangle that the ray has just left, which it cannot meet again: see NumberOf
+    float Slack;          // m, in the scene: so far beside the ray searched may the ray go in truth where the search begins,
+    float SlackAMetre;    // and so much more for each m from there
 #ifdef GLINT_EXACT
     ExactLine Line;       // the ray itself, in the frame of the mesh searched
     Two Exact;            // m, along it
     bool IsAtEdge;        // nobody can tell on which side of an edge
     uint Waiting;         // triangles of one pair that it may hit and that are yet to be tested: 4 * row, 1 for the first, 2 for the second
+#else
+    float InDoubt;        // m: the nearest triangle that the ray goes by an edge of, and nobody can tell on which side
 #endif
 };
 
@@ -72,7 +76,7 @@ void TestPair(SearchRay ray, uint instance, uint bank, uint firstRow, uint row, 
 {
     COUNT_PAIR;
     Pair pair = LoadPair(bank, firstRow + row);
-    float reach = found.Distance + DistanceSlack(ray, found.Line);
+    float reach = found.Distance + DistanceSlack(ray, found.Slack);
     bool mayHitFirst = MayHit(ray, pair.Corner0, pair.Corner1, pair.Corner2, reach), mayHitSecond = MayHit(ray, pair.Corner0, pair.Corner2, pair.Corner3, reach);
     if (instance == found.Leaving.x && row == found.Leaving.y >> 1)
     {
@@ -95,11 +99,11 @@ void TestWaiting(SearchRay ray, uint instance, uint bank, uint firstRow, inout F
     Pair pair = LoadPair(bank, firstRow + row);
     Two toHit;
     bool isAtEdge;
-    if (!Hits(ray, found.Line, pair.Corner0, isSecond ? pair.Corner2 : pair.Corner1, isSecond ? pair.Corner3 : pair.Corner2, toHit, isAtEdge) || Rounded(Minus(toHit, found.Exact)) >= 0.0)
+    if (!Hits(ray, found.Line, DistanceSlack(ray, found.Slack), pair.Corner0, isSecond ? pair.Corner2 : pair.Corner1, isSecond ? pair.Corner3 : pair.Corner2, toHit, isAtEdge) || Rounded(Minus(toHit, found.Exact)) >= 0.0)
         return;
     found.Exact = toHit;
     found.IsAtEdge = isAtEdge;
-    found.Distance = toHit.Hi + found.Line.Back + found.Line.Slack;
+    found.Distance = toHit.Hi + found.Line.Back + found.Slack;
     found.Instance = instance;
     found.Row = row;
     found.Second = isSecond;
@@ -121,9 +125,14 @@ void TestPair(SearchRay ray, uint instance, uint bank, uint firstRow, uint row, 
 {
     COUNT_PAIR;
     Pair pair = LoadPair(bank, firstRow + row);
-    float2 toHit = HitPair(ray, pair.Corner0, pair.Corner1, pair.Corner2, pair.Corner3);
+    float2 inDoubt, toHit = HitPair(ray, pair.Corner0, pair.Corner1, pair.Corner2, pair.Corner3, inDoubt);
     if (instance == found.Leaving.x && row == found.Leaving.y >> 1)
-        toHit = (found.Leaving.y & 1) == 0 ? float2(MISS, toHit.y) : float2(toHit.x, MISS);
+    {
+        bool isFirst = (found.Leaving.y & 1) == 0;
+        toHit = isFirst ? float2(MISS, toHit.y) : float2(toHit.x, MISS);
+        inDoubt = isFirst ? float2(MISS, inDoubt.y) : float2(inDoubt.x, MISS);
+    }
+    found.InDoubt = min(found.InDoubt, min(inDoubt.x, inDoubt.y));
     float nearer = min(toHit.x, toHit.y);
     // Of equally near triangles the first in the tree, in whatever order they are tested.
     bool isFirst = instance < found.Instance || instance == found.Instance && row < found.Row;

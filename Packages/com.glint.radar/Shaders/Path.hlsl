@@ -69,7 +69,7 @@ bool Advance(inout Path path, uint firstStart)
     float3 direction = path.Direction;
 #endif
     float reach = meetsReceiver && (_Shortcuts & SHORTCUT_REACH) != 0 ? Rounded(toReceiver) : MISS;
-    Found found = FindNearest(path.Start, path.LastHit, path.Direction, reach, path.Bounces == 0 ? firstStart : NO_STARTS, path.Leaving);
+    Found found = FindNearest(path.Start, path.LastHit, path.Direction, reach, path.Bounces == 0 ? firstStart : NO_STARTS, path.Leaving, path.Bounces);
     if (meetsReceiver && Rounded(Minus(toReceiver, ToNearest(found))) <= 0.0)
     {
         path.Returns = true;
@@ -80,16 +80,19 @@ bool Advance(inout Path path, uint firstStart)
     if (found.Instance == NO_INSTANCE || isLast)
         return false;
 #else
+    if (isLast && !meetsReceiver)
+        return false;
     // What keeps a last segment from the receiver may pass it in truth.
-    if (found.Instance == NO_INSTANCE || isLast && !meetsReceiver)
+    path.Returns = found.InDoubt < MISS && found.InDoubt <= found.Distance || isLast;
+    if (path.Returns || found.Instance == NO_INSTANCE)
         return false;
 #endif
 
     // The length is measured from the surface to the surface, not from the start. Next to an edge the other surface may lie behind by rounding.
-    Surface surface = LoadSurface(found, path.Start, path.LastHit, path.Direction, path.Bounces);
+    Surface surface = LoadSurface(found, path.Start, path.LastHit, path.Direction);
 #ifndef GLINT_EXACT
-    path.Returns = surface.IsInDoubt;
-    if (surface.IsInDoubt || isLast)
+    path.Returns = surface.IsNeedle;
+    if (surface.IsNeedle)
         return false;
 #endif
     if (Rounded(surface.Distance) > 0.0)

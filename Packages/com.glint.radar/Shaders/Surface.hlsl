@@ -9,7 +9,7 @@ struct Surface
     Real Distance;        // from the ray's origin to the triangle's plane, m
     Real3 Normal;         // in the scene, a unit vector by float32; its side is arbitrary
 #ifndef GLINT_EXACT
-    bool IsInDoubt;       // the ray passes an edge so near that it may belong to the triangle beyond it, or to none; or float32 has no normal to speak of
+    bool IsNeedle;        // float32 has no normal to speak of
     float Lever;          // from the corner that the plane is known by to the hit: the lever of the normal's rounding, as a height in m
     InstanceRecord Place; // the rest in the mesh's frame
     float3 LocalNormal;   // unit vector
@@ -36,7 +36,7 @@ Real3 NormalFromLocal(InstanceRecord place, Real3 normal)
 // A ray that meets an edge or a corner turns so much before it, as a part of the scene's size: there it is on the right side of all surfaces that meet there. No farther than half the way back: there may be one behind it as well.
 static const float BEFORE_EDGE = 1.0e-10;
 
-Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction, uint bounces)
+Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction)
 {
     InstanceRecord place = LoadInstance(found.Instance);
     Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
@@ -52,24 +52,14 @@ Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction, ui
 
 #else
 
-// A ray that passes an edge nearer than this is followed once more, exactly: a fraction of the lengths that go into it, and so much for each segment up to there, as what float32 leaves out adds up.
-static const float NEAR_EDGE = 2.0e-7;
-
 // Sine of the angle between the two shorter edges of a triangle, below which its normal is not good enough to tell what may be received.
 static const float NEEDLE = 0.1;
-
-// Between the lines of a ray and of an edge. Place: of the ray, as seen from a corner of the edge.
-float ToLine(float3 place, float3 edge, float3 direction)
-{
-    float3 across = cross(edge, direction);
-    return abs(dot(across, place)) * rsqrt(dot(across, across));
-}
 
 // A ray that grazes a plane meets it anywhere, by rounding: where the search met it counts when the plane is so much farther off, as a part of the lengths that went into it.
 static const float GRAZING = 1.0e-3;
 
-// Origin: the hit before, after so many bounces; the search began at start, just before it.
-Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction, uint bounces)
+// Origin: the hit before; the search began at start, just before it.
+Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction)
 {
     InstanceRecord place = LoadInstance(found.Instance);
     Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
@@ -95,11 +85,9 @@ Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction, 
     float searched = found.Distance + dot(start - origin, direction);
     if (!(abs(surface.Distance - searched) <= GRAZING * (found.Distance + largest)))
         surface.Distance = searched;
-    float3 hit = localOrigin + surface.Distance * localDirection - pair.Corner0, lever = abs(hit);
+    float3 lever = abs(localOrigin + surface.Distance * localDirection - pair.Corner0);
     surface.Lever = max(lever.x, max(lever.y, lever.z)) / surface.Scale;
-    float toEdge = min(ToLine(hit, edge1, localDirection), min(ToLine(hit, edge2, localDirection), ToLine(hit - edge1, edge3, localDirection)));
-    bool isNeedle = dot(area, area) < NEEDLE * NEEDLE * dot(side1, side1) * dot(side2, side2);
-    surface.IsInDoubt = isNeedle || !(toEdge > NEAR_EDGE * (1 + bounces) * (Stretch(place) * (found.Distance + largest) + max(lever.x, max(lever.y, lever.z))));
+    surface.IsNeedle = dot(area, area) < NEEDLE * NEEDLE * dot(side1, side1) * dot(side2, side2);
     return surface;
 }
 

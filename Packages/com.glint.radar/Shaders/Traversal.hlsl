@@ -14,12 +14,6 @@ float3 VectorToLocal(InstanceRecord place, float3 v)
     return float3(dot(place.ToLocalX.xyz, v), dot(place.ToLocalY.xyz, v), dot(place.ToLocalZ.xyz, v));
 }
 
-// Of lengths on the way into a mesh's frame, at most.
-float Stretch(InstanceRecord place)
-{
-    return sqrt(dot(place.ToLocalX.xyz, place.ToLocalX.xyz) + dot(place.ToLocalY.xyz, place.ToLocalY.xyz) + dot(place.ToLocalZ.xyz, place.ToLocalZ.xyz));
-}
-
 // "precise": a start is checked against the plane it leaves with the very numbers that the search then has for it.
 float3 PointToLocal(InstanceRecord place, float3 p)
 {
@@ -42,29 +36,29 @@ Two3 PointToLocal(InstanceRecord place, Two3 p)
 }
 #endif
 
+// Beside the ray that float32 searches for goes one that is followed exactly, by no more than this part of the scene's size.
+static const float SLACK = 1.0e-6;
+
+// And one followed in float32: a part of the lengths that go into it, and so much for each segment up to there, as what float32 leaves out adds up.
+static const float SLACK_A_SEGMENT = 3.0e-7;
+
 // Start: where the search begins, on the ray or next to it; origin: the hit before.
 void SearchInstance(uint instance, float3 start, Real3 origin, Real3 direction, uint4 starts, inout Found found)
 {
     InstanceRecord place = LoadInstance(instance);
-    float slack = 0.0;
+    float slack = found.Slack * place.Stretch + place.Rounding;
 #ifdef GLINT_EXACT
-    float3 shift = abs(float3(place.ToLocalX.w, place.ToLocalY.w, place.ToLocalZ.w));
-    slack = found.Line.Slack * Stretch(place) + 2.4e-7 * (shift.x + shift.y + shift.z);
-    found.Line.Far = _Middle.w * Stretch(place);
+    found.Line.Far = _Middle.w * place.Stretch;
     found.Line.Origin = PointToLocal(place, origin);
     found.Line.Direction = VectorToLocal(place, direction);
 #endif
-    SearchMesh(MakeSearchRay(PointToLocal(place, start), VectorToLocal(place, Rounded(direction)), slack), instance, place.Bank, place.FirstRow, starts, found);
+    SearchMesh(MakeSearchRay(PointToLocal(place, start), VectorToLocal(place, Rounded(direction)), slack, found.SlackAMetre * place.Stretch), instance, place.Bank, place.FirstRow, starts, found);
 }
 
 #ifndef GLINT_FEW
 void SearchTop(float3 start, Real3 origin, Real3 direction, inout Found found)
 {
-    float slack = 0.0;
-#ifdef GLINT_EXACT
-    slack = found.Line.Slack;
-#endif
-    SearchRay ray = MakeSearchRay(start, Rounded(direction), slack);
+    SearchRay ray = MakeSearchRay(start, Rounded(direction), found.Slack, found.SlackAMetre);
     BoxRay boxRay = MakeBoxRay(ray, asfloat(_Top[0].xyz));
     uint stack[STACK_BOTTOM + BINARY_LEVELS];
     stack[0] = DONE;
@@ -97,17 +91,21 @@ void SearchTop(float3 start, Real3 origin, Real3 direction, inout Found found)
 
 // The nearest triangle that the ray meets before reach, over all instances; not the one it is leaving.
 // FirstStart: where _Starts says where to begin in the tree of each instance; NO_STARTS: at the roots.
-Found FindNearest(float3 start, Real3 origin, Real3 direction, float reach, uint firstStart, uint2 leaving)
+Found FindNearest(float3 start, Real3 origin, Real3 direction, float reach, uint firstStart, uint2 leaving, uint bounces)
 {
     Found found = (Found)0;
     found.Distance = reach;
     found.Instance = NO_INSTANCE;
     found.Leaving = leaving;
 #ifdef GLINT_EXACT
+    found.Slack = SLACK * _Middle.w;
     found.Line.Back = dot(Rounded(origin) - start, Rounded(direction));
-    found.Line.Slack = SLACK * _Middle.w;
-    found.Distance += found.Line.Back + found.Line.Slack;
+    found.Distance += found.Line.Back + found.Slack;
     found.Exact = MakeTwo(MISS, 0.0);
+#else
+    found.SlackAMetre = SLACK_A_SEGMENT * (1 + bounces);
+    found.Slack = found.SlackAMetre * Greatest(abs(start));
+    found.InDoubt = MISS;
 #endif
 #ifdef GLINT_FEW
 #ifdef GLINT_ONE

@@ -36,8 +36,8 @@ struct InstanceRecord
     float4 RestZ;
     uint FirstRow;        // where the tree starts in its bank, in rows of 16 bytes
     uint Bank;
-    uint Unused0;
-    uint Unused1;
+    float Stretch;        // of lengths on the way into the mesh's frame, at most
+    float Rounding;       // m: of places on that way
 };
 
 #endif

@@ -26,9 +26,9 @@ namespace Glint.Tests
         {
             var ray = new RayData { LastHit = float3(1, 2, 3), PathLength = 4, Direction = float3(5, 6, 7), PathLengthRest = 8, InPhase = 9, Quadrature = 10, Pixel = 11, Bounces = 12 };
             var instance = new InstanceRecord { ToLocalX = float4(13, 14, 15, 16), ToLocalY = float4(17, 18, 19, 20), ToLocalZ = float4(21, 22, 23, 24),
-                RestX = float4(25, 26, 27, 28), RestY = float4(29, 30, 31, 32), RestZ = float4(33, 34, 35, 36), FirstRow = 37, Bank = 38 };
-            var hit = new HitData { Place = float3(39, 40, 41), Instance = 42, Direction = float3(43, 44, 45), Triangle = 46 };
-            var expected = Enumerable.Range(1, 46).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
+                RestX = float4(25, 26, 27, 28), RestY = float4(29, 30, 31, 32), RestZ = float4(33, 34, 35, 36), FirstRow = 37, Bank = 38, Stretch = 39, Rounding = 40 };
+            var hit = new HitData { Place = float3(41, 42, 43), Instance = 44, Direction = float3(45, 46, 47), Triangle = 48 };
+            var expected = Enumerable.Range(1, 48).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
 
             Assert.That(Unpack(ray, instance, hit, expected.Length), Is.EqualTo(expected));
         }
@@ -42,6 +42,8 @@ namespace Glint.Tests
             var taken = double3(dot(record.ToLocalX, point), dot(record.ToLocalY, point), dot(record.ToLocalZ, point));
             Assert.That(distance(taken, place.Point(double3(0.5, -1.5, 2))), Is.LessThan(1e-5));
             var third = new Affine { X = double3(1, 2, 3) / 3, Y = double3(4, 5, 7) / 3, Z = double3(-2, 6, 1) / 3, Origin = double3(10, 20, 30) / 3 };
+            Assert.That(record.Stretch, Is.EqualTo(sqrt(1 + 4 + 9 + 16 + 25 + 49 + 4 + 36 + 1)).Within(1e-5));
+            Assert.That(record.Rounding, Is.EqualTo(60 * pow(2.0, -22)).Within(1e-6), "four steps of each coordinate");
             record = InstanceRecord.Of(third, 3, 4);
             var row = (double4)record.ToLocalX + (double4)record.RestX;
             Assert.That(length(row - double4(third.X.x, third.Y.x, third.Z.x, third.Origin.x)), Is.LessThan(1e-13));
@@ -83,7 +85,7 @@ namespace Glint.Tests
                 .ToDictionary(match => match.Groups[1].Value, match => int.Parse(match.Groups[2].Value));
         }
 
-        static bool IsWhole(int field) => new[] { 11, 12, 37, 38, 42, 46 }.Contains(field);
+        static bool IsWhole(int field) => new[] { 11, 12, 37, 38, 44, 48 }.Contains(field);
 
         static uint[] Unpack(RayData ray, InstanceRecord instance, HitData hit, int count)
         {

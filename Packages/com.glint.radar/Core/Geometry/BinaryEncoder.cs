@@ -19,14 +19,11 @@ namespace Glint.Core
         /// <summary>A leaf and a node: there is one node less than leaves.</summary>
         public const double LeastRowsPerLeaf = LeafRows + NodeRows;
 
-        // Of the size of all boxes: each plane lies outwards by this, which is what the kernels' rounding may add up to beside a part of the distance.
-        const double Margin = 1.0 / (1 << 23);
-
         readonly BoxTree _tree;
         readonly ILeafWriter _writer;
         readonly int _root, _firstLeaf, _leafCount, _nodeCount;
         readonly float3 _centre;
-        readonly double3 _margin;
+        readonly double _margin;
         readonly uint4[] _rows;
 
         BinaryEncoder(BoxTree tree, int root, ILeafWriter writer)
@@ -39,7 +36,7 @@ namespace Glint.Core
             _nodeCount = Math.Max(1, _leafCount - 1);
             var box = tree.BoxOf(root);
             _centre = (float3)(0.5 * ((double3)box.Low + box.High));
-            _margin = Margin * ((double3)box.High - box.Low);
+            _margin = tree.Margin;
             _rows = new uint4[LeafRow(_leafCount)];
         }
 
@@ -90,9 +87,9 @@ namespace Glint.Core
 
         void Measure(in Box box, out float3 middle, out uint3 halfSize)
         {
-            MeasureAxis(box.Low.x, box.High.x, _centre.x, _margin.x, out middle.x, out halfSize.x);
-            MeasureAxis(box.Low.y, box.High.y, _centre.y, _margin.y, out middle.y, out halfSize.y);
-            MeasureAxis(box.Low.z, box.High.z, _centre.z, _margin.z, out middle.z, out halfSize.z);
+            MeasureAxis(box.Low.x, box.High.x, _centre.x, _margin, out middle.x, out halfSize.x);
+            MeasureAxis(box.Low.y, box.High.y, _centre.y, _margin, out middle.y, out halfSize.y);
+            MeasureAxis(box.Low.z, box.High.z, _centre.z, _margin, out middle.z, out halfSize.z);
         }
 
         static void MeasureAxis(double low, double high, double centre, double margin, out float middle, out uint halfSize)

@@ -1,4 +1,6 @@
 using System;
+using Unity.Mathematics;
+using static Unity.Mathematics.math;
 
 namespace Glint.Core
 {
@@ -32,6 +34,9 @@ namespace Glint.Core
         }
 
         public Box BoxOf(int child) => child < 0 ? Leaves[~child].Box : Nodes[child].Box;
+
+        /// <summary>Metres: boxes are written so much larger on each side, as rays in float32 pass what they hit in truth by some parts in ten million of the scene's size.</summary>
+        public double Margin => 2e-6 * cmax((double3)BoxOf(Root).High - BoxOf(Root).Low);
 
         public int FirstLeaf(int child) => child < 0 ? ~child : Nodes[child].First;
 

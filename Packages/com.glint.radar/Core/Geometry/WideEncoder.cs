@@ -17,7 +17,7 @@ namespace Glint.Core
 
         const int LastCell = 255;
 
-        // In cells: each plane lies outwards by this at least; the kernels count on half of it.
+        // In cells: beside the tree's margin each plane lies outwards by this at least; the kernels count on half of it.
         const double Margin = 1.0 / 32;
 
         // The cell's side is at least this fraction of the largest coordinate, so that float32 places are finer than cells.
@@ -66,7 +66,8 @@ namespace Glint.Core
             var box = _tree.BoxOf(node.Binary);
             double largest = cmax(max(abs((double3)box.Low), abs((double3)box.High)));
             double least = Math.Max(LeastCell * largest, LeastNormal);
-            Axis x = new Axis(box.Low.x, box.High.x, least), y = new Axis(box.Low.y, box.High.y, least), z = new Axis(box.Low.z, box.High.z, least);
+            double margin = _tree.Margin;
+            Axis x = new Axis(box.Low.x, box.High.x, margin, least), y = new Axis(box.Low.y, box.High.y, margin, least), z = new Axis(box.Low.z, box.High.z, margin, least);
 
             uint leaves = 0, children = 0;
             uint3 low = 0, high = 0;
@@ -91,13 +92,15 @@ namespace Glint.Core
         {
             public readonly float Origin;
             public readonly uint Exponent;
-            readonly double _cellsPerMetre;
+            readonly double _cellsPerMetre, _margin;
 
-            public Axis(float low, float high, double leastCell)
+            public Axis(double low, double high, double margin, double leastCell)
             {
-                double cell = PowerOfTwoFrom(Math.Max(((double)high - low) / LastCell, leastCell));
+                low -= margin;
+                high += margin;
+                double cell = PowerOfTwoFrom(Math.Max((high - low) / LastCell, leastCell));
                 Origin = FloatUpTo(low - Margin * cell);
-                while ((high - (double)Origin) / cell + Margin > LastCell)
+                while ((high - Origin) / cell + Margin > LastCell)
                 {
                     cell *= 2;
                     Origin = FloatUpTo(low - Margin * cell);
@@ -105,11 +108,12 @@ namespace Glint.Core
                 // The bits of a float: cells are normal numbers.
                 Exponent = asuint((float)cell) >> 23;
                 _cellsPerMetre = 1 / cell;
+                _margin = margin;
             }
 
-            public uint Below(float place) => (uint)Math.Max(0, Math.Floor((place - (double)Origin) * _cellsPerMetre - Margin));
+            public uint Below(float place) => (uint)Math.Max(0, Math.Floor((place - _margin - Origin) * _cellsPerMetre - Margin));
 
-            public uint Above(float place) => (uint)Math.Min(LastCell, Math.Ceiling((place - (double)Origin) * _cellsPerMetre + Margin));
+            public uint Above(float place) => (uint)Math.Min(LastCell, Math.Ceiling((place + _margin - Origin) * _cellsPerMetre + Margin));
 
             // The least power of two that is not below a positive number.
             static double PowerOfTwoFrom(double number)
