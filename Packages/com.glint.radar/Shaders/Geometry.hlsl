@@ -63,6 +63,9 @@ float SideOf(float3 a, float3 b)
     return side;
 }
 
+// Of a corner's place across the ray: 4 float32 steps.
+static const float SEEN_ROUNDING = 2.4e-7;
+
 float SumOfSizes(float2 v)
 {
     return abs(v.x) + abs(v.y);
@@ -79,7 +82,7 @@ float Greatest(float3 v)
 }
 
 // Distance to a triangle of these corners, as the ray sees them, and with these sides opposite to them; MISS outside. A ray through an edge or a corner, where a side is 0, is inside.
-// In doubt: the same if the ray is inside or outside by so little that this may be wrong, else MISS. Most doubt: no side is in doubt that is larger.
+// In doubt: no more than the distance in truth, if the ray is inside or outside by so little that this may be wrong, else MISS. Most doubt: no side is in doubt that is larger.
 float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float slack, float mostDoubt, out float inDoubt)
 {
     float3 distances = float3(a.z, b.z, c.z);
@@ -95,10 +98,11 @@ float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float slack, float
         // Of a triangle seen edge-on rounding leaves no distance, and the ray may be in line with its edges far beside it.
         float2 low = min(a.xy, min(b.xy, c.xy)), high = max(a.xy, max(b.xy, c.xy));
         bool isBeside = max(low.x, low.y) > slack || min(high.x, high.y) < -slack;
-        if (mayBeInside && !surelyInside && !isBeside)
+        float nearest = Least(distances), farthest = Greatest(distances), doubt = doubts.x + doubts.y + doubts.z;
+        if (mayBeInside && !surelyInside && !isBeside && farthest > 0.0)
         {
-            toHit = clamp(toHit, Least(distances), Greatest(distances));
-            inDoubt = toHit > 0.0 ? toHit : MISS;
+            toHit = clamp(toHit, nearest, farthest);
+            inDoubt = max(0.0, abs(sum) > doubt ? max(nearest, toHit - (farthest - nearest) * doubt / abs(sum)) : nearest);
         }
     }
     return isInside && toHit > 0.0 ? toHit : MISS;
@@ -109,10 +113,12 @@ float2 HitPair(SearchRay ray, float3 corner0, float3 corner1, float3 corner2, fl
 {
     float3 p0 = AsSeen(ray, corner0), p1 = AsSeen(ray, corner1), p2 = AsSeen(ray, corner2), p3 = AsSeen(ray, corner3);
     float diagonal = SideOf(p2, p0);
-    float slack = ray.Slack + ray.SlackAMetre * max(max(p0.z, p1.z), max(p2.z, p3.z));
-    float mostDoubt = 2.0 * slack * max(max(SumOfSizes(p0.xy), SumOfSizes(p1.xy)), max(SumOfSizes(p2.xy), SumOfSizes(p3.xy)));
+    float farthest = max(max(p0.z, p1.z), max(p2.z, p3.z)), widest = max(max(SumOfSizes(p0.xy), SumOfSizes(p1.xy)), max(SumOfSizes(p2.xy), SumOfSizes(p3.xy)));
+    float slack = ray.Slack + ray.SlackAMetre * farthest + SEEN_ROUNDING * widest;
+    float mostDoubt = 2.0 * slack * widest;
+    bool isAlone = all(corner2 == corner3);
     float first = HitTriangle(p0, p1, p2, float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), slack, mostDoubt, inDoubt.x);
-    float second = HitTriangle(p0, p2, p3, float3(SideOf(p2, p3), SideOf(p3, p0), -diagonal), slack, mostDoubt, inDoubt.y);
+    float second = HitTriangle(p0, p2, p3, float3(SideOf(p2, p3), SideOf(p3, p0), -diagonal), slack, isAlone ? -1.0 : mostDoubt, inDoubt.y);
     return float2(first, second);
 }
 

@@ -128,9 +128,9 @@ void TestPair(SearchRay ray, uint instance, uint bank, uint firstRow, uint row, 
     float2 inDoubt, toHit = HitPair(ray, pair.Corner0, pair.Corner1, pair.Corner2, pair.Corner3, inDoubt);
     if (instance == found.Leaving.x && row == found.Leaving.y >> 1)
     {
-        bool isFirst = (found.Leaving.y & 1) == 0;
-        toHit = isFirst ? float2(MISS, toHit.y) : float2(toHit.x, MISS);
-        inDoubt = isFirst ? float2(MISS, inDoubt.y) : float2(inDoubt.x, MISS);
+        bool leavesFirst = (found.Leaving.y & 1) == 0;
+        toHit = leavesFirst ? float2(MISS, toHit.y) : float2(toHit.x, MISS);
+        inDoubt = leavesFirst ? float2(MISS, inDoubt.y) : float2(inDoubt.x, MISS);
     }
     found.InDoubt = min(found.InDoubt, min(inDoubt.x, inDoubt.y));
     float nearer = min(toHit.x, toHit.y);

@@ -10,6 +10,7 @@ struct Path
     Real3 Direction;      // unit vector
     float3 Start;         // where the next search begins, just before the last hit: in float32 on the way to it, else on the way on
     uint2 Leaving;        // the triangle last hit
+    float Slack;          // in float32: how far beside its place in truth the last hit may be, m
     uint Bounces;
     Real Beyond;          // length up to the last hit less _StartDepth, m
     bool Returns;         // received; in float32: it may be, or nobody can tell
@@ -69,7 +70,7 @@ bool Advance(inout Path path, uint firstStart)
     float3 direction = path.Direction;
 #endif
     float reach = meetsReceiver && (_Shortcuts & SHORTCUT_REACH) != 0 ? Rounded(toReceiver) : MISS;
-    Found found = FindNearest(path.Start, path.LastHit, path.Direction, reach, path.Bounces == 0 ? firstStart : NO_STARTS, path.Leaving, path.Bounces);
+    Found found = FindNearest(path.Start, path.LastHit, path.Direction, reach, path.Bounces == 0 ? firstStart : NO_STARTS, path.Leaving, path.Bounces, path.Slack);
     if (meetsReceiver && Rounded(Minus(toReceiver, ToNearest(found))) <= 0.0)
     {
         path.Returns = true;
@@ -103,6 +104,7 @@ bool Advance(inout Path path, uint firstStart)
     path.Bounces++;
     path.Leaving = NumberOf(found.Instance, found.Row, found.Second);
 #ifndef GLINT_EXACT
+    path.Slack += SLACK_A_SEGMENT * (Greatest(abs(path.Start)) + found.Distance);
     path.Start = StartBefore(surface, path.Start, direction, found.Distance);
 #endif
     Real share = Over(Dot(surface.Normal, path.Direction), Dot(surface.Normal, surface.Normal));

@@ -17,6 +17,7 @@ struct Beam
     float3 Axis;          // normals, inward
     float3 Left, Right, Below, Above;
     float2 Width;         // from the corner inward to the planes on the right and above
+    float Rounding;       // of places in that frame
 };
 
 // The plane that two rays lie in, with all between them.
@@ -43,6 +44,7 @@ Beam MakeBeam(InstanceRecord place, float2 low, float side)
     beam.Right = SideNormal(course + courseRight, up, -right);
     beam.Below = SideNormal(course, right, up);
     beam.Above = SideNormal(course + courseUp, right, -up);
+    beam.Rounding = place.Rounding;
     beam.Width = -float2(dot(beam.Right, startRight), dot(beam.Above, startUp));
     return beam;
 }
@@ -58,7 +60,7 @@ float EnterBeam(Beam beam, float3 low, float3 high)
 {
     float3 centre = 0.5 * (low + high) - beam.Corner, halfSize = 0.5 * (high - low);
     float3 size = abs(centre) + halfSize;
-    float rounding = 1.0e-5 * (size.x + size.y + size.z);
+    float rounding = 1.0e-5 * (size.x + size.y + size.z) + 2.0 * beam.Rounding;
     float least = min(Farthest(beam.Left, centre, halfSize), Farthest(beam.Right, centre, halfSize) + beam.Width.x);
     least = min(least, min(Farthest(beam.Below, centre, halfSize), Farthest(beam.Above, centre, halfSize) + beam.Width.y));
     least = min(least, Farthest(beam.Axis, centre, halfSize));

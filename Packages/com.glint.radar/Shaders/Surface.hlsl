@@ -80,13 +80,11 @@ Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction)
     surface.Scale = length(sceneNormal);
     surface.Normal = sceneNormal / surface.Scale;
     surface.Distance = ToPlane(localOrigin, localDirection, pair.Corner0, normal);
-    float3 size = abs(origin);
-    float largest = max(size.x, max(size.y, size.z));
+    float largest = Greatest(abs(origin));
     float searched = found.Distance + dot(start - origin, direction);
     if (!(abs(surface.Distance - searched) <= GRAZING * (found.Distance + largest)))
         surface.Distance = searched;
-    float3 lever = abs(localOrigin + surface.Distance * localDirection - pair.Corner0);
-    surface.Lever = max(lever.x, max(lever.y, lever.z)) / surface.Scale;
+    surface.Lever = Greatest(abs(localOrigin + surface.Distance * localDirection - pair.Corner0)) / surface.Scale;
     surface.IsNeedle = dot(area, area) < NEEDLE * NEEDLE * dot(side1, side1) * dot(side2, side2);
     return surface;
 }

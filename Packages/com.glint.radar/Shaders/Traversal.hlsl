@@ -39,7 +39,7 @@ Two3 PointToLocal(InstanceRecord place, Two3 p)
 // Beside the ray that float32 searches for goes one that is followed exactly, by no more than this part of the scene's size.
 static const float SLACK = 1.0e-6;
 
-// And one followed in float32: a part of the lengths that go into it, and so much for each segment up to there, as what float32 leaves out adds up.
+// And one followed in float32: of each segment, by this part of the lengths that go into it; of the turn at each bounce, by this part of the way from there.
 static const float SLACK_A_SEGMENT = 3.0e-7;
 
 // Start: where the search begins, on the ray or next to it; origin: the hit before.
@@ -90,8 +90,9 @@ void SearchTop(float3 start, Real3 origin, Real3 direction, inout Found found)
 #endif
 
 // The nearest triangle that the ray meets before reach, over all instances; not the one it is leaving.
+// Slack: how far beside it float32 may have brought the start, m; the exact kernels have another.
 // FirstStart: where _Starts says where to begin in the tree of each instance; NO_STARTS: at the roots.
-Found FindNearest(float3 start, Real3 origin, Real3 direction, float reach, uint firstStart, uint2 leaving, uint bounces)
+Found FindNearest(float3 start, Real3 origin, Real3 direction, float reach, uint firstStart, uint2 leaving, uint bounces, float slack)
 {
     Found found = (Found)0;
     found.Distance = reach;
@@ -104,7 +105,7 @@ Found FindNearest(float3 start, Real3 origin, Real3 direction, float reach, uint
     found.Exact = MakeTwo(MISS, 0.0);
 #else
     found.SlackAMetre = SLACK_A_SEGMENT * (1 + bounces);
-    found.Slack = found.SlackAMetre * Greatest(abs(start));
+    found.Slack = slack + SLACK_A_SEGMENT * Greatest(abs(start));
     found.InDoubt = MISS;
 #endif
 #ifdef GLINT_FEW

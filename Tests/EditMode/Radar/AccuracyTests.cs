@@ -62,6 +62,20 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Trace_SmallFurrowedWallInTheMiddleOfALargeScene_LengthsAreTheJudges([Values] bool isParallel)
+        {
+            // Rays come 60 m, and their places there are as rounded, but where they are reflected coordinates are small and ridges 2 cm apart.
+            var view = TestRadar.LookAt(50 * normalize(double3(0.3, 0, 1)), 0, degrees(2 * atan(0.5 / 50)));
+            view.ApertureHeight = isParallel ? 1 : 0;
+            view.ReceiverSize = 30;
+            var turned = Affine.FromTransform(0, double4(0.2, 0.1, -0.3, 0.9), 1);
+            MeshInstance Corner(double place) => new MeshInstance { Mesh = FurrowedWall(1, 1, 0), ToWorld = Affine.FromTransform(place, double4(0, 0, 0, 1), 1) };
+            var total = new Total(RoughTolerance, amplitude: 1e-2);
+            total.Add(new RadarScene(new MeshInstance { Mesh = FurrowedWall(200, 2, 0.2), ToWorld = turned }, Corner(-40), Corner(40)), s_settings, Turned(view, turned));
+            total.Check(leastReceived: 5000);
+        }
+
+        [Test]
         public void Trace_SeaAndShipOf80000Triangles_LengthsAreTheJudges([Values(50, 1e4)] double range)
         {
             // From high above, where waves send rays back.

@@ -35,8 +35,15 @@ namespace Glint.Core
 
         public Box BoxOf(int child) => child < 0 ? Leaves[~child].Box : Nodes[child].Box;
 
-        /// <summary>Metres: boxes are written so much larger on each side, as rays in float32 pass what they hit in truth by some parts in ten million of the scene's size.</summary>
-        public double Margin => 2e-6 * cmax((double3)BoxOf(Root).High - BoxOf(Root).Low);
+        /// <summary>Metres: boxes are written so much larger on each side, as rays in float32 pass what they hit in truth by some ten-millionths (SLACK_A_SEGMENT in the kernels) of the lengths and coordinates that go into them.</summary>
+        public double Margin
+        {
+            get
+            {
+                double3 low = BoxOf(Root).Low, high = BoxOf(Root).High;
+                return 4e-6 * cmax(high - low) + 4e-7 * cmax(max(abs(low), abs(high)));
+            }
+        }
 
         public int FirstLeaf(int child) => child < 0 ? ~child : Nodes[child].First;
 

@@ -27,6 +27,7 @@ namespace Glint.Core
         readonly BoxTree _tree;
         readonly ArraySegment<WideNode> _nodes;
         readonly ILeafWriter _writer;
+        readonly double _margin;
         readonly uint4[] _rows;
 
         WideEncoder(BoxTree tree, ArraySegment<WideNode> nodes, ILeafWriter writer)
@@ -34,6 +35,7 @@ namespace Glint.Core
             _tree = tree;
             _nodes = nodes;
             _writer = writer;
+            _margin = tree.Margin;
             _rows = new uint4[RecordRows * nodes.Count];
         }
 
@@ -66,8 +68,7 @@ namespace Glint.Core
             var box = _tree.BoxOf(node.Binary);
             double largest = cmax(max(abs((double3)box.Low), abs((double3)box.High)));
             double least = Math.Max(LeastCell * largest, LeastNormal);
-            double margin = _tree.Margin;
-            Axis x = new Axis(box.Low.x, box.High.x, margin, least), y = new Axis(box.Low.y, box.High.y, margin, least), z = new Axis(box.Low.z, box.High.z, margin, least);
+            Axis x = new Axis(box.Low.x, box.High.x, _margin, least), y = new Axis(box.Low.y, box.High.y, _margin, least), z = new Axis(box.Low.z, box.High.z, _margin, least);
 
             uint leaves = 0, children = 0;
             uint3 low = 0, high = 0;
