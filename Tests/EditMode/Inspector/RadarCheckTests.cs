@@ -35,6 +35,11 @@ namespace Glint.Tests
             yield return Case("aim of parallel rays", test => { test.MakeParallel(2); test._radar.transform.rotation = Quaternion.Euler(0, 30, 0); }, "nothing that is traced lies in its picture");
             yield return Case("region", test => test.SetRegion(0, 0, 8, 8), "Warning: RadarController of 'Radar': nothing that is traced lies in the region of its picture");
             yield return Case("receiver that faces away", test => test._radar.Receiver.localRotation = Quaternion.Euler(0, 180, 0), "comes to its receiver 'Receiver'");
+            yield return Case("small receiver", test => test._radar.ReceiverSize = new Vector2(0.5f, 0.5f), "fewer than the 16 that an amplitude takes");
+            yield return Case("few rays", test => test.Change(settings => { (settings.RaysAcross, settings.RaysDown) = (16, 9); return settings; }), "fewer than 16 can hit it");
+            // Turned by 25 degrees: neighbours return 2 * 0.26 m apart, and their paths differ by that times sin(25 degrees).
+            yield return Case("coarse rays", test => test._radar.transform.rotation = Quaternion.Euler(0, 25, 0), "most of whose neighbours' paths differ by 0.5 wavelengths or more");
+            yield return Case("coarse parallel rays", test => { test.MakeParallel(2); (test._radar.FitAperture, test._radar.RaySpacing) = (true, 3); }, "fewer than 16 can hit it");
         }
 
         [TestCaseSource(nameof(Mended))]
@@ -61,10 +66,7 @@ namespace Glint.Tests
             yield return Case("spacing", test => { test.MakeParallel(2); (test._radar.FitAperture, test._radar.RaySpacing) = (true, 0); }, "Error: RadarController of 'Radar': ray spacing 0 m");
             yield return Case("nothing there", test => test._plate.SetActive(false), "Warning: RadarController of 'Radar' traces nothing: there is no active object below its Roots");
             yield return Case("lines", test => test._plate.GetComponent<MeshFilter>().sharedMesh = Lines(), "Error: submesh 0 of mesh 'Lines' of 'Plate' is made of Lines");
-            yield return Case("small receiver", test => test._radar.ReceiverSize = new Vector2(0.5f, 0.5f), "fewer than the 16 that an amplitude takes");
-            yield return Case("few rays", test => test.Change(settings => { (settings.RaysAcross, settings.RaysDown) = (16, 9); return settings; }), "fewer than 16 can hit it");
-            // Turned by 25 degrees: neighbours return 2 * 0.26 m apart, and their paths differ by that times sin(25 degrees).
-            yield return Case("coarse rays", test => test._radar.transform.rotation = Quaternion.Euler(0, 25, 0), "most of whose neighbours' paths differ by 0.5 wavelengths or more");
+            yield return Case("rays for which there is no room", test => test.Change(settings => { (settings.RaysAcross, settings.RaysDown) = (RadarSettings.RaysPerAxisLimit, 1); return settings; }), "fewer than 16 can hit it");
         }
 
         [TestCaseSource(nameof(LeftToTheUser))]

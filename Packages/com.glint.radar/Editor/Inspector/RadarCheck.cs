@@ -148,13 +148,15 @@ namespace Glint.Editor
         {
             string remedy = _radar.IsFitted ? "take a smaller Ray Spacing" : "give it more rays or a narrower view";
             if (Figures.MostRaysHit < SamplingEstimate.FewestRays)
-                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: its rays are {Figures.RaySpacing:g3} m apart at the target, which is {Figures.TargetSize:g3} m large: fewer than {SamplingEstimate.FewestRays} can hit it, too few for the amplitude to be trusted: {remedy}"));
+                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: its rays are {Figures.RaySpacing:g3} m apart at the target, which is {Figures.TargetSize:g3} m large: fewer than {SamplingEstimate.FewestRays} can hit it, too few for the amplitude to be trusted: {remedy}"), Denser());
             else if (!(Figures.Forecast is SamplingForecast forecast))
                 Add(Severity.Warning, $"{_radar.Subject}: no ray that a mirror at the target sends straight back comes to its receiver '{_radar.Receiver.name}': put it behind the camera, facing as the camera does", RadarFixes.AlignReceiver(_radar), _radar.Receiver);
             else if (forecast.IsTooFew)
-                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: a mirror at the target, facing the radar, would send {forecast.RaysReceived:0.#} rays to its receiver, fewer than the {SamplingEstimate.FewestRays} that an amplitude takes to be trusted: give it a larger receiver, or {remedy}"));
+                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: a mirror at the target, facing the radar, would send {forecast.RaysReceived:0.#} rays to its receiver, fewer than the {SamplingEstimate.FewestRays} that an amplitude takes to be trusted: give it a larger receiver, or {remedy}"), Denser());
             else if (forecast.IsTooCoarse)
-                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: its rays are {forecast.RaySpacing:g3} m apart at the target: a mirror there, facing the radar, would return rays most of whose neighbours' paths differ by {SamplingEstimate.StepApart} wavelengths or more (up to {forecast.LargestPathStep:0.##}), too much for the amplitude to be trusted; other returns may do better: {remedy}"));
+                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: its rays are {forecast.RaySpacing:g3} m apart at the target: a mirror there, facing the radar, would return rays most of whose neighbours' paths differ by {SamplingEstimate.StepApart} wavelengths or more (up to {forecast.LargestPathStep:0.##}), too much for the amplitude to be trusted; other returns may do better: {remedy}"), Denser());
         }
+
+        Fix Denser() => RadarFixes.TraceDenser(_radar, Figures.EnoughTimes(_radar.Subject));
     }
 }

@@ -8,7 +8,11 @@ namespace Glint.Editor
     /// <summary>What follows from a radar and the scene as they stand, without tracing. The target is the middle of the box around all that is traced.</summary>
     sealed class RadarFigures
     {
+        // Times as many rays across and down, at most, that would be enough.
+        const int MostTimes = 16;
+
         readonly RadarPose _pose;
+        readonly KeptRays _keep;
 
         /// <param name="pose">What would be traced.</param>
         /// <param name="boxes">Of the pose's scene, which is not empty.</param>
@@ -16,6 +20,7 @@ namespace Glint.Editor
         public RadarFigures(in RadarPose pose, SceneBoxes boxes, int objects, KeptRays keep)
         {
             _pose = pose;
+            _keep = keep;
             Objects = objects;
             Middle = boxes.Middle;
             TargetSize = math.length(boxes.High - boxes.Low);
@@ -56,7 +61,47 @@ namespace Glint.Editor
         public PoseMemory Memory { get; }
 
         /// <summary>More rays than this cannot hit: those through the ball around the target.</summary>
-        public double MostRaysHit => RaySpacing is double spacing ? math.pow(TargetSize / spacing + 1, 2) : 0;
+        public double MostRaysHit => MostRays(1);
+
+        double MostRays(int times) => RaySpacing is double spacing ? math.pow(times * TargetSize / spacing + 1, 2) : 0;
+
+        /// <summary>Times as many rays across and down, 2, 4, 8 or 16, that a mirror at the target would return densely enough; null if none are, or there is no room for so many.</summary>
+        /// <param name="radar">Named if there is no room.</param>
+        public int? EnoughTimes(string radar)
+        {
+            for (int times = 2; times <= MostTimes; times *= 2)
+            {
+                var settings = Denser(_pose.Settings, times);
+                if (!IsRoomFor(settings, radar))
+                    return null;
+                if (MostRays(times) >= SamplingEstimate.FewestRays && SamplingForecast.Of(settings, _pose.View, Middle) is SamplingForecast forecast && !forecast.IsTooFew && !forecast.IsTooCoarse)
+                    return times;
+            }
+            return null;
+        }
+
+        /// <summary>The same picture with so many times as many rays across and down.</summary>
+        public static RadarSettings Denser(RadarSettings settings, int times)
+        {
+            settings.RaysAcross *= times;
+            settings.RaysDown *= times;
+            settings.Region = new RayRegion { Left = times * settings.Region.Left, Bottom = times * settings.Region.Bottom, Width = times * settings.Region.Width, Height = times * settings.Region.Height };
+            return settings;
+        }
+
+        bool IsRoomFor(in RadarSettings settings, string radar)
+        {
+            try
+            {
+                settings.Validate(radar);
+                RayTracer.CheckRoom(settings, _keep, radar);
+                return true;
+            }
+            catch (GlintException)
+            {
+                return false;
+            }
+        }
 
         /// <summary>The figures as an inspector shows them: label, value, what it means.</summary>
         public IEnumerable<(string label, string value, string tooltip)> Rows()

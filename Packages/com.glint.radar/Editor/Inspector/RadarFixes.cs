@@ -1,7 +1,9 @@
+using System;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEditor;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace Glint.Editor
 {
@@ -45,6 +47,17 @@ namespace Glint.Editor
             settings.Region = default;
             it.Settings = settings;
         }));
+
+        /// <param name="times">As many rays across and down; null: no fix.</param>
+        public static Fix TraceDenser(RadarController radar, int? times)
+        {
+            if (!(times is int more))
+                return null;
+            if (radar.IsFitted)
+                return new Fix(FormattableString.Invariant($"Set Ray Spacing to {radar.RaySpacing / more:0.####} m"), () => Fix.Change(radar, "Set Ray Spacing", it => it.RaySpacing /= more));
+            var denser = RadarFigures.Denser(radar.Settings, more);
+            return new Fix($"Trace {denser.RaysAcross} x {denser.RaysDown} rays", () => Fix.Change(radar, "Trace more rays", it => it.Settings = denser));
+        }
 
         /// <param name="way">Where to look, in the world's axes.</param>
         public static Fix LookAt(RadarController radar, double3 way)

@@ -1,0 +1,38 @@
+using System.IO;
+using System.Linq;
+using System.Runtime.CompilerServices;
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Glint.Host.Tests;
+
+/// <summary>What Unity asks of a package's manifest, and a compiler with every module at hand does not see.</summary>
+public sealed class PackageTests
+{
+    static readonly string s_root = Project.FindRoot(ThisFolder());
+
+    // A project has only the modules of the engine that its packages name.
+    [TestCase("Packages/com.glint.radar", "imageconversion", @"\.EncodeToPNG\(")]
+    [TestCase("Packages/com.glint.radar", "uielements", @"using UnityEngine\.UIElements;")]
+    [TestCase("Packages/com.glint.radar", "imgui", @"\bGUIContent\b")]
+    [TestCase("Packages/com.glint.radar", "physics", @"\.CreatePrimitive\(")]
+    [TestCase("Tests", "physics", @"\.CreatePrimitive\(")]
+    public void Manifest_OfAPackageThatUsesAModule_NamesIt(string package, string module, string use)
+    {
+        string folder = Path.Combine(s_root, package);
+        Assert.That(Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories).Any(file => Regex.IsMatch(File.ReadAllText(file), use)), "the package uses it");
+        using var manifest = JsonDocument.Parse(File.ReadAllText(Path.Combine(folder, "package.json")));
+        Assert.That(manifest.RootElement.GetProperty("dependencies").EnumerateObject().Select(dependency => dependency.Name), Has.Member("com.unity.modules." + module));
+    }
+
+    // Of modules that no package names: a script that needs one of them is an error in the editor.
+    [TestCase(@"\b(JsonUtility|AudioSource|AudioListener|ParticleSystem|Animator|Animation|Rigidbody|Collider|Terrain|UnityWebRequest|ScreenCapture|VideoPlayer|Cloth|Tilemap|WheelCollider)\b")]
+    public void Scripts_UseNoModuleThatNoPackageNames(string uses)
+    {
+        var scripts = new[] { "Packages", "Tests", "Assets" }.SelectMany(folder => Directory.EnumerateFiles(Path.Combine(s_root, folder), "*.cs", SearchOption.AllDirectories));
+        Assert.That(scripts.Where(file => File.ReadLines(file).Any(line => !line.TrimStart().StartsWith("//") && Regex.IsMatch(line, uses))), Is.Empty);
+    }
+
+    static string ThisFolder([CallerFilePath] string path = "") => Path.GetDirectoryName(path);
+}
