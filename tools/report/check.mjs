@@ -2,10 +2,16 @@ import { mkdirSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import puppeteer from 'puppeteer-core';
+import { closest } from './colours.mjs';
+import { ofSegment } from './src/palette.js';
 
 const [report, folder] = process.argv.slice(2);
-const limitMs = 2000;
+const limitMs = Number(process.env.LIMIT_MS ?? 2000);
+// Of colours, CIE76; 2.3 is just noticeable side by side.
+const leastDistance = 10;
 const failures = [];
+for (const { vision, distance, pair } of closest([1, 2, 3, 4].map(n => ofSegment(n).colour)))
+  if (distance < leastDistance) failures.push(`${pair}, of segments and bounces, look alike to ${vision}: ${distance.toFixed(1)} apart, must be ${leastDistance}`);
 const browser = await puppeteer.launch({
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--use-angle=swiftshader', '--hide-scrollbars']
 });
@@ -40,12 +46,17 @@ async function look(width, scheme) {
       return new Set(pixels).size;
     };
     const shown = [...document.querySelectorAll('canvas')].filter(canvas => canvas.offsetParent !== null);
+    const { run, scene } = JSON.parse(document.getElementById('data').textContent);
+    const chosen = run.rows[scene?.pose ?? 0];
     return {
+      expected: [...run.rows.length > 1 ? ['amplitude', 'other'] : [], ...chosen?.rays_received > 0 ? ['phase'] : [], ...scene ? ['view'] : [], ...scene?.picture ? ['picture'] : []],
       canvases: shown.map(canvas => ({ name: canvas.id || canvas.closest('.chart')?.id, shades: shades(canvas), label: canvas.getAttribute('aria-label') })),
       overflow: document.documentElement.scrollWidth - innerWidth,
       unnamed: [...document.querySelectorAll('button, input, select')].filter(control => !control.labels?.length && !control.textContent.trim() && !control.getAttribute('aria-label')).length
     };
   });
+  for (const name of facts.expected)
+    if (!facts.canvases.some(canvas => canvas.name === name)) fail(`${name} is missing`);
   for (const { name, shades, label } of facts.canvases) {
     if (shades < 6) fail(`${name} is not drawn: ${shades} colours`);
     if (!label) fail(`${name} has no words for who cannot see it`);

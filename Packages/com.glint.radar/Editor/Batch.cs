@@ -73,7 +73,10 @@ namespace Glint.Editor
 
         static int MergeParts(CommandLine line, IProgressSink progress)
         {
-            var folder = ResultsMerge.Merge(line.Folders, Path.GetFullPath(line.Get(Options.Out)));
+            string output = line.Get(Options.Out);
+            if (ResultsMerge.IsOneOf(line.Folders, output))
+                throw new UsageException($"{Options.Out.Flag} {output}: is one of the parts, which the whole would replace: choose another results folder");
+            var folder = ResultsMerge.Merge(line.Folders, Path.GetFullPath(output));
             progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
             return Done;
         }

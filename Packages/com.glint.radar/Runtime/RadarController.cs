@@ -189,6 +189,7 @@ namespace Glint
         }
 
         /// <summary>An object of the scene last gathered, by the number that a <see cref="PathHit"/> has.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such number: none was gathered, or it is <see cref="PathHit.NoObject"/>.</exception>
         public Transform ObjectAt(int number) => _gatherer.ObjectAt(number);
 
         /// <summary>
@@ -241,9 +242,11 @@ namespace Glint
         internal int ObjectCount => _gatherer.ObjectCount;
 
         /// <summary>The scene of <see cref="Gather()"/>.</summary>
+        /// <exception cref="GlintException">As for it.</exception>
         public RadarScene GatherScene() => Gather().Scene;
 
         /// <summary>The view of <see cref="Gather()"/>, in the frame of its scene.</summary>
+        /// <exception cref="GlintException">As for it.</exception>
         public RadarView View() => Gather().View;
 
         /// <summary>Lets go of the GPU's buffers and of what was gathered; the next pose makes them anew.</summary>

@@ -82,6 +82,7 @@ namespace Glint.Tests
             Assert.That(Parse(Commands.Merge, "b", "a.obj", "--out", "c", "d").Folders, Is.EqualTo(new[] { "b", "a.obj", "d" }));
             AssertRefused(Commands.Merge, "merge: DIR is missing: give the results folders of all parts", "--out", "c");
             AssertRefused(Commands.Merge, "merge: a DIR is empty: give the name of a folder", "", "--out", "c");
+            AssertRefused(Commands.Merge, "merge: ./a/: given twice: give each part once", "a", "b", "./a/", "--out", "c");
             AssertRefused(Commands.Merge, "--out is missing: merge needs --out DIR", "a");
             AssertRefused(Commands.Merge, "--resume: merge has no such option", "a", "--out", "c", "--resume");
         }

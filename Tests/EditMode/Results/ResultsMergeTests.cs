@@ -56,7 +56,7 @@ namespace Glint.Tests
             AssertRefused($"{two} and {two} are both part 2/3", one, two, two, three);
             AssertRefused("divided otherwise", one, two, Part(2, 2));
             AssertRefused("there is no such folder", one, two, _folder.PathOf("nothing"));
-            AssertRefused("holds a part", one, two, three, _folder.PathOf("merged"));
+            AssertRefused("is one of the parts", one, two, three, _folder.PathOf("merged"));
 
             SampleSweep.Write(_folder.PathOf("other"), SampleSweep.Identity("9000000000 Hz", new SweepShard(3, 3)), 3, 3);
             AssertRefused("frequency was \"10000000000 Hz\" and is \"9000000000 Hz\"", one, two, _folder.PathOf("other"));

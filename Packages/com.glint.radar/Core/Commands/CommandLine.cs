@@ -154,6 +154,10 @@ namespace Glint.Core
                 throw new UsageException($"{Command.Name}: DIR is missing: give the results folders of all parts");
             if (folders.Any(string.IsNullOrWhiteSpace))
                 throw new UsageException($"{Command.Name}: a DIR is empty: give the name of a folder");
+            var seen = new HashSet<string>();
+            string twice = folders.FirstOrDefault(folder => !seen.Add(ResultsMerge.FullPathOf(folder)));
+            if (twice != null)
+                throw new UsageException($"{Command.Name}: {Values.Shown(twice)}: given twice: give each part once");
             Folders = folders;
         }
 

@@ -8,7 +8,7 @@ namespace Glint.Core
         /// <summary>Rays of the published experiment, 1920 x 1080: the number that <see cref="NormalisedAmplitude"/> is for.</summary>
         public const double NormalRays = 2073600;
 
-        /// <summary>I and Q: the sum over received rays of cos(phase), and of sin(phase), phase as <see cref="RayData.Phase"/>. Each ray has amplitude 1.</summary>
+        /// <summary>I and Q: the sum over received rays of cos(phase), and of sin(phase), phase as <see cref="RayData.Phase"/>. Each ray has amplitude 1, as in the published experiment (<see cref="Signal"/>).</summary>
         public double InPhase, Quadrature;
 
         /// <summary>Rays of the whole picture, of which those of the region are emitted.</summary>
@@ -53,7 +53,7 @@ namespace Glint.Core
         /// <summary>Length of the summed phasor, sqrt(I^2 + Q^2): 1 for one ray. Linear, not decibels.</summary>
         public double Amplitude => Math.Sqrt(InPhase * InPhase + Quadrature * Quadrature);
 
-        /// <summary>The amplitude as if the same field of view had <see cref="NormalRays"/> rays: the one to compare when the number of rays differs.</summary>
+        /// <summary>The amplitude as if the same field of view had <see cref="NormalRays"/> rays, amplitude x 2,073,600 / rays of the picture: the one to compare when the number of rays differs.</summary>
         public double NormalisedAmplitude => RaysOfPicture > 0 ? Amplitude * NormalRays / RaysOfPicture : 0;
 
         /// <summary>20 log10 of the amplitude; null when the amplitude is 0.</summary>

@@ -7,7 +7,7 @@ namespace Glint.Core
 {
     /// <summary>
     /// How far the amplitude of a pose is from that of endlessly many rays. It is made from the received rays; the tracer then looks more closely at the pixels it names, with
-    /// <see cref="SubRays"/> x <see cref="SubRays"/> rays in each, and hands over their sums to <see cref="Finish"/>.
+    /// <see cref="SubRays"/> x <see cref="SubRays"/> rays in each, and hands over their sums to <see cref="Finish"/>. An estimate of size, not a bound; how it is made and how well it holds: Documentation~/accuracy.md.
     /// </summary>
     public sealed class SamplingEstimate
     {

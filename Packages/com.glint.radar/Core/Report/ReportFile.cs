@@ -19,6 +19,7 @@ namespace Glint.Core
         /// <param name="template">Editor/Report/Template.txt.</param>
         /// <param name="scene">What is shown of one pose; null when there is nothing.</param>
         /// <param name="noScene">Why there is no scene, as a sentence; null when there is one.</param>
+        /// <exception cref="GlintException">The template does not have exactly one place for the figures.</exception>
         public static string Fill(string template, StoredRun run, ReportScene scene, string noScene)
         {
             int place = template.IndexOf(Place, StringComparison.Ordinal);
@@ -37,7 +38,7 @@ namespace Glint.Core
         }
 
         /// <summary>Writes a page, whole or not at all.</summary>
-        /// <exception cref="GlintException">It cannot be written.</exception>
+        /// <exception cref="GlintException">The path is a folder, or is in none that is there, or the file cannot be written.</exception>
         public static void Write(string path, string page)
         {
             if (Directory.Exists(path))

@@ -86,6 +86,7 @@ namespace Glint.Core
         }
 
         /// <summary>Says, before the first row, which sweep the rows are of, so that it can be resumed.</summary>
+        /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public void Begin(SweepIdentity sweep, DateTime startedUtc)
         {
             RequireUnfinished();
@@ -100,6 +101,7 @@ namespace Glint.Core
         /// <param name="poses">Poses of the sweep, or of its part.</param>
         /// <returns>The poses that are done: all of them when results.json is there too.</returns>
         /// <exception cref="GlintException">Another sweep's results are there, or they are damaged; the message says what differs. Nothing is changed then.</exception>
+        /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public int Resume(int poses)
         {
             RequireUnfinished();

@@ -14,9 +14,8 @@ namespace Glint.Core
         /// <exception cref="GlintException">A part is missing, twice there, not finished, damaged or of another sweep, or the output cannot be written; the message names it.</exception>
         public static ResultsFolder Merge(IReadOnlyList<string> folders, string output)
         {
-            foreach (string folder in folders)
-                if (Path.GetFullPath(folder).TrimEnd('/', '\\') == Path.GetFullPath(output).TrimEnd('/', '\\'))
-                    throw new GlintException($"{output}: holds a part, which the whole would replace: choose another results folder");
+            if (IsOneOf(folders, output))
+                throw new GlintException($"{output}: is one of the parts, which the whole would replace: choose another results folder");
             var parts = folders.Select(folder => (folder, results: Read(folder))).OrderBy(part => part.results.Info.Sweep.Shard.Value.Number).ToArray();
             var first = parts[0];
             int count = first.results.Info.Sweep.Shard.Value.Count;
@@ -31,6 +30,12 @@ namespace Glint.Core
             CheckRows(parts);
             return Write(parts.Select(part => part.results).ToArray(), output);
         }
+
+        /// <summary>Whether the output is one of the parts.</summary>
+        internal static bool IsOneOf(IReadOnlyList<string> folders, string output) => folders.Any(folder => FullPathOf(folder) == FullPathOf(output));
+
+        /// <summary>The same for all ways to write a folder's name, links aside.</summary>
+        internal static string FullPathOf(string folder) => Path.GetFullPath(folder).TrimEnd('/', '\\');
 
         static StoredRun Read(string folder)
         {

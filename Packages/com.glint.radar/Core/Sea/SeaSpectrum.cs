@@ -4,7 +4,7 @@ namespace Glint.Core
 {
     /// <summary>
     /// Variance of a sea's height over wave vectors, m4: its integral over them is m0. Waves run with the wind and up to a right angle from it, spread as the squared cosine;
-    /// none run against it, as in a sea that has risen where it is seen.
+    /// none run against it, as in a sea that has risen where it is seen. Sources: Documentation~/sea.md.
     /// </summary>
     static class SeaSpectrum
     {
@@ -22,7 +22,7 @@ namespace Glint.Core
                 : Omnidirectional(settings, waveNumber) / waveNumber * (2 / Math.PI) * squared;
         }
 
-        /// <summary>Radians a second of a wave in deep water, surface tension left out.</summary>
+        /// <summary>Radians a second of a wave in deep water, w^2 = g k, surface tension left out; the wave number in rad/m.</summary>
         public static double AngularFrequency(double waveNumber) => Math.Sqrt(Gravity * waveNumber);
 
         // Tessendorf 2001, eq. 40.

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// A sea's tile at any time: waves of random amplitude and phase (Tessendorf 2001), each running with the wind at the speed of deep water.
+    /// A sea's tile at any time: waves of random amplitude and phase (Tessendorf, Simulating Ocean Water, 2001), each running with the wind at the speed of deep water.
     /// Since none runs against it, the variance over the tile is the same at all times; it differs from seed to seed, the more so the fewer waves the tile holds.
     /// </summary>
     public sealed class SeaSurface

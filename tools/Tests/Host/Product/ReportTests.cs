@@ -204,8 +204,8 @@ public sealed class ReportTests
     [Test]
     public void Report_OfAPoseThatIsNotThere_IsRefused()
     {
-        Sweep("0");
-        Assert.That(() => Report("--pose", "2"), Throws.TypeOf<GlintException>().With.Message.Contain("--pose 2").And.Message.Contain("1 poses"));
+        Sweep("0,15");
+        Assert.That(() => Report("--pose", "3"), Throws.TypeOf<GlintException>().With.Message.Contain("--pose 3: must be from 1 to 2,").And.Message.Contain("or none"));
         Assert.That(File.Exists(ReportPath), Is.False);
     }
 
