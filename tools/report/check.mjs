@@ -1,17 +1,24 @@
-import { mkdirSync } from 'node:fs';
+import { mkdirSync, readFileSync } from 'node:fs';
 import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import puppeteer from 'puppeteer-core';
 import { closest } from './colours.mjs';
-import { ofSegment } from './src/palette.js';
+import { ofObject, ofSegment, seriesColours } from './src/palette.js';
 
 const [report, folder] = process.argv.slice(2);
 const limitMs = Number(process.env.LIMIT_MS ?? 2000);
 // Of colours, CIE76; 2.3 is just noticeable side by side.
 const leastDistance = 10;
 const failures = [];
-for (const { vision, distance, pair } of closest([1, 2, 3, 4].map(n => ofSegment(n).colour)))
-  if (distance < leastDistance) failures.push(`${pair}, of segments and bounces, look alike to ${vision}: ${distance.toFixed(1)} apart, must be ${leastDistance}`);
+const themes = readFileSync(new URL('src/style.css', import.meta.url), 'utf8').split('prefers-color-scheme: dark');
+const ofTheme = css => seriesColours.map(colour => colour.startsWith('--') ? css.match(new RegExp(`${colour}: (#[0-9a-f]{6})`))[1] : colour);
+const palettes = {
+  'segments and bounces': [1, 2, 3, 4].map(n => ofSegment(n).colour), objects: [1, 2, 3, 4, 5, 6, 7, 8].map(ofObject),
+  'charts, light': ofTheme(themes[0]), 'charts, dark': ofTheme(themes[1])
+};
+for (const [of, colours] of Object.entries(palettes))
+  for (const { vision, distance, pair } of closest(colours))
+    if (distance < leastDistance) failures.push(`${pair}, of ${of}, look alike to ${vision}: ${distance.toFixed(1)} apart, must be ${leastDistance}`);
 const browser = await puppeteer.launch({
   executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--use-angle=swiftshader', '--hide-scrollbars']
 });

@@ -1,12 +1,14 @@
 import uPlot from 'uplot';
 import { number } from './text.js';
-import { theme } from './palette.js';
+import { seriesColours, theme } from './palette.js';
 
 // Series of a sweep over snapshots and angles, told apart by colour and dash.
-const colours = ['--accent', '--mark', '#009e73', '#cc79a7', '#8c6d00', '#7a5af8'];
 const dashes = [[], [8, 4], [3, 3], [10, 3, 2, 3]];
 
-export const stroke = i => colours[i % colours.length].startsWith('--') ? theme(colours[i % colours.length]) : colours[i % colours.length];
+export const stroke = i => {
+  const colour = seriesColours[i % seriesColours.length];
+  return colour.startsWith('--') ? theme(colour) : colour;
+};
 export const dash = i => dashes[Math.floor(i / 2) % dashes.length];
 
 const wholeSteps = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 1e4, 1e5, 1e6];

@@ -10,8 +10,11 @@ const segments = [
 /** From 1; after four they begin anew. */
 export const ofSegment = n => segments[(n - 1) % segments.length];
 
-// Okabe and Ito's, without black and the yellow that light backgrounds swallow; objects beyond begin anew.
-const objects = ['#e69f00', '#56b4e9', '#009e73', '#cc79a7', '#0072b2', '#d55e00', '#b3b300', '#999999'];
+// Okabe and Ito's, with a mint for black, which the dark view swallows; objects beyond begin anew.
+const objects = ['#e69f00', '#56b4e9', '#009e73', '#cc79a7', '#0072b2', '#d55e00', '#f0e442', '#00eeaa'];
+
+// Of the charts; those that begin with -- stand in the style sheet, once for each theme.
+export const seriesColours = ['--accent', '--mark', '#009e73', '#cc79a7', '#666677', '#7a5af8'];
 
 /** From 1. */
 export const ofObject = n => objects[(n - 1) % objects.length];

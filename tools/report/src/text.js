@@ -19,7 +19,7 @@ export function number(value, digits = 5) {
 }
 
 export function seconds(ms) {
-  return ms >= 10000 ? `${number(ms / 1000, 3)} s` : `${number(ms, 3)} ms`;
+  return ms >= 1000 ? `${number(ms / 1000, 3)} s` : `${number(ms, 3)} ms`;
 }
 
 /** "rays_received" as "Rays received". */

@@ -20,7 +20,7 @@ namespace Glint.Editor
         static readonly Color32[] s_objects =
         {
             new Color32(230, 159, 0, 255), new Color32(86, 180, 233, 255), new Color32(0, 158, 115, 255), new Color32(204, 121, 167, 255),
-            new Color32(0, 114, 178, 255), new Color32(213, 94, 0, 255), new Color32(179, 179, 0, 255), new Color32(153, 153, 153, 255),
+            new Color32(0, 114, 178, 255), new Color32(213, 94, 0, 255), new Color32(240, 228, 66, 255), new Color32(0, 238, 170, 255),
         };
 
         readonly RadarPicture _picture;
