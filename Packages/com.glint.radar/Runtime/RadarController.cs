@@ -68,6 +68,8 @@ namespace Glint
         readonly SceneGatherer _gatherer = new SceneGatherer();
         readonly HashSet<string> _warned = new HashSet<string>();
         RayTracer _tracer;
+        RadarPose _traced;
+        ulong _tracedContent;
 
         /// <summary>Frequency, rays, bounces and the part of the picture. Checked when a pose is traced.</summary>
         public RadarSettings Settings
@@ -157,6 +159,7 @@ namespace Glint
             var result = _tracer.Trace(pose.Settings, pose.View, keep, progress, cancel);
             result.Objects = _gatherer.ObjectCount;
             result.Timings.GatherMs = gatherMs;
+            (_traced.Settings, _traced.View, _tracedContent) = (pose.Settings, pose.View, _gatherer.Content());
             Result = result;
             Traced?.Invoke(this);
             return result;
@@ -234,6 +237,9 @@ namespace Glint
                 ApertureFit.MatchReceiver(ref pose);
             return pose;
         }
+
+        /// <summary>Whether the pose just gathered by <see cref="Gather()"/> is the one that <see cref="Result"/> is of: the same meshes at the same places, radar and rays the same.</summary>
+        internal bool IsAsTraced(in RadarPose pose) => Result != null && pose.Settings.Equals(_traced.Settings) && pose.View.Equals(_traced.View) && _gatherer.Content() == _tracedContent;
 
         /// <summary>What is known of the scene.</summary>
         internal SceneGatherer Gatherer => _gatherer;

@@ -86,6 +86,19 @@ namespace Glint
             return (body != null ? body.NodeOf(a, b, c) : lone)?.ObjectNumber ?? PathHit.NoObject;
         }
 
+        /// <summary>Sums up the meshes of the last gather and where they stand, however they are divided into instances. Good within one run only.</summary>
+        public ulong Content()
+        {
+            var content = new ContentHash();
+            content.Add(_objects.Count);
+            foreach (var (node, _) in _objects)
+            {
+                content.Add(node.Source.Hash);
+                content.Add(node.ToScene);
+            }
+            return content.Value;
+        }
+
         /// <summary>Lets go of everything kept but what was said of motion.</summary>
         public void Forget()
         {

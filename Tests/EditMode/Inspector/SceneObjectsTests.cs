@@ -44,6 +44,9 @@ namespace Glint.Tests
             Assert.That(result.RaysReceived, Is.GreaterThan(20));
             Assert.That(result.RaysHit, Is.EqualTo(expected.RaysHit).Within(5));
             Assert.That(result.RaysReceived, Is.EqualTo(expected.RaysReceived).Within(3));
+            var paths = radar.GetComponent<RayPaths>();
+            paths.Lines();
+            Assert.That(paths.Count, Is.EqualTo(result.RaysReceived));
         }
 
         [Test]

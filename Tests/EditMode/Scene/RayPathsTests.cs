@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using System.Reflection;
 using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -142,6 +143,86 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Bounces_ChosenWhenTheSceneHasMovedOn_AreOfThePoseAndTraceNothing()
+        {
+            _radar.Trace();
+            _paths.ReceivedOnly = false;
+            _paths.Lines();
+            int all = _paths.Count;
+            _wall.localRotation = Quaternion.Euler(0, 20, 0);
+            _paths.FewestBounces = 2;
+            _paths.Lines();
+            Assert.That(_paths.Count, Is.EqualTo(_radar.Result.Bounces - _radar.Result.RaysHit).Within(1));
+            // As the inspector sets them.
+            Set("_fewestBounces", 1);
+            Set("_hitPoints", true);
+            _paths.Lines();
+            Assert.That(_paths.Count, Is.EqualTo(all));
+            Assert.That(_paths.IsOutdated, Is.False);
+            Set("_every", 2);
+            _paths.Lines();
+            Assert.That(_paths.IsOutdated, Is.True, "other rays, to be traced");
+        }
+
+        [Test]
+        public void Lines_OfOtherRaysAfterASweep_AreNoneUntilTheSceneIsThatOfThePoseAgain()
+        {
+            using (var sweep = new SweepRun(new SweepSetup(_radar, new SweepPlan(new double[] { 5, 0.5 })) { Target = _wall }))
+                while (!sweep.IsComplete)
+                    sweep.Step();
+            var turn = Quaternion.Euler(0, 0.5f, 0);
+            _wall.localRotation = turn;
+            _paths.Lines();
+            int received = _paths.Count;
+            Assert.That(received, Is.EqualTo(_radar.Result.RaysReceived).And.GreaterThan(100), "as the last pose had it");
+
+            _wall.localRotation = Quaternion.identity; // as the sweep puts it back
+            _paths.HitPoints = true;
+            _paths.Lines();
+            Assert.That(_paths.Count, Is.EqualTo(received), "only drawn otherwise");
+            _paths.Every = 2;
+            var lines = Lines(_paths.Lines());
+            Assert.That((_paths.Count, _paths.LeftOut, lines.Count), Is.EqualTo((0, 0, 4)), "the receiver");
+            Assert.That(_paths.IsOutdated, Is.True);
+
+            _radar.Release();
+            _wall.localRotation = turn;
+            _paths.Every = 1;
+            _paths.Lines();
+            Assert.That(_paths.Count, Is.EqualTo(received), "also of a radar that was released");
+            Assert.That(_paths.IsOutdated, Is.False);
+        }
+
+        [TestCase("another mesh")]
+        [TestCase("a mesh that changed")]
+        [TestCase("an object less")]
+        [TestCase("another place of the radar")]
+        [TestCase("another field of view")]
+        [TestCase("more rays")]
+        public void Lines_OfOtherRaysAfterAChange_AreNone(string change)
+        {
+            _radar.Trace();
+            _paths.Lines();
+            var filter = _plate.GetComponent<MeshFilter>();
+            switch (change)
+            {
+                case "another mesh": filter.sharedMesh = _floor.GetComponent<MeshFilter>().sharedMesh; break;
+                case "a mesh that changed": filter.sharedMesh.vertices = filter.sharedMesh.vertices.Select(place => place + Vector3.right).ToArray(); break;
+                case "an object less": _plate.gameObject.SetActive(false); break;
+                case "another place of the radar": _camera.transform.localPosition += Vector3.up; break;
+                case "another field of view": _camera.GetComponent<Camera>().fieldOfView = 11; break;
+                case "more rays": _radar.Settings = TestRadar.Settings(320, 180); break;
+            }
+            _paths.ReceivedOnly = false;
+            _paths.Lines();
+            Assert.That((_paths.Count, _paths.IsOutdated), Is.EqualTo((0, true)));
+            _radar.Trace();
+            _paths.Lines();
+            Assert.That(_paths.Count, Is.GreaterThan(200));
+            Assert.That(_paths.IsOutdated, Is.False);
+        }
+
+        [Test]
         public void Lines_SceneFarFromTheOrigin_AreTheSame()
         {
             _radar.Trace();
@@ -149,6 +230,13 @@ namespace Glint.Tests
             _root.position = new Vector3(1e6f, 0, 1e6f);
             _radar.Trace();
             Assert.That(_paths.Lines().vertices, Is.EqualTo(near));
+        }
+
+        void Set(string field, object value)
+        {
+            const BindingFlags Private = BindingFlags.Instance | BindingFlags.NonPublic;
+            typeof(RayPaths).GetField(field, Private).SetValue(_paths, value);
+            typeof(RayPaths).GetMethod("OnValidate", Private).Invoke(_paths, null);
         }
 
         Transform Plate(string name, Vector3 corner, Vector3 edge1, Vector3 edge2)

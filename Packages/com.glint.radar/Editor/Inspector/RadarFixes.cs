@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Editor
 {
-    /// <summary>What the buttons beside findings of a radar do.</summary>
+    /// <summary>What the buttons of a radar's inspector do, those beside findings among them.</summary>
     static class RadarFixes
     {
         public static Fix Enable(RadarController radar) => new Fix("Enable", () =>
@@ -34,6 +34,8 @@ namespace Glint.Editor
         }));
 
         public static Fix AddCamera(RadarController radar) => new Fix("Add a Camera", () => Undo.AddComponent<Camera>(radar.gameObject));
+
+        public static Fix ShowRayPaths(RadarController radar) => new Fix("Show Ray Paths", () => Undo.AddComponent<RayPaths>(radar.gameObject));
 
         public static Fix FitAperture(RadarController radar) => new Fix("Fit the aperture to what is traced", () => Fix.Change(radar, "Fit the aperture", it => it.FitAperture = true));
 

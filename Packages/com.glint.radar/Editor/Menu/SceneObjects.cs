@@ -16,7 +16,7 @@ namespace Glint.Editor
         // The radar's camera is no window onto the scene: others draw over it.
         const float DrawnFirst = -10;
 
-        /// <summary>A radar with its receiver. It looks down on an object as the radar of the published experiment does, from as far as takes it all in; on none, at the world's origin from where that radar stands.</summary>
+        /// <summary>A radar with its receiver and its ray paths. It looks down on an object as the radar of the published experiment does, from as far as takes it all in; on none, at the world's origin from where that radar stands.</summary>
         /// <param name="target">May be null.</param>
         public static RadarController MakeRadar(GameObject target)
         {
@@ -25,6 +25,7 @@ namespace Glint.Editor
             var radar = camera.gameObject.AddComponent<RadarController>();
             radar.Kernel = ProjectAssets.Kernel;
             radar.Receiver = MeshFileScene.MakeReceiver(camera.transform, false);
+            radar.gameObject.AddComponent<RayPaths>();
             FindTarget(target, out var middle, out double distance);
             camera.transform.rotation = Quaternion.Euler((float)CornerReflector.GrazingDegrees, 0, 0);
             camera.transform.position = middle - (float)distance * camera.transform.forward;

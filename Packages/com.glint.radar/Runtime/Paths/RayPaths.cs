@@ -8,7 +8,7 @@ namespace Glint
 {
     /// <summary>
     /// Draws the ways of the radar's rays in Scene and Game view: the segments red, green, blue and yellow in this order, and the receiver white.
-    /// They are those of the pose last traced. As long as no camera shows them, as in batch mode, they are not traced.
+    /// They are those of the pose last traced. As long as no camera shows them, as in batch mode, they are not traced; nor are they once the scene is no longer that of the pose.
     /// </summary>
     [AddComponentMenu("Glint/Ray Paths")]
     [RequireComponent(typeof(RadarController))]
@@ -39,18 +39,19 @@ namespace Glint
 
         RadarController _radar;
         RayPath[] _paths = Array.Empty<RayPath>();
-        uint[] _received = Array.Empty<uint>();
+        uint[] _received; // null: not known
         RadarPose _pose;
         Mesh _lines;
         Material _material;
         double3 _middle;
+        (bool, int, Transform) _tracedFor;
         bool _isTraced, _isBuilt, _isSeen;
 
         /// <summary>Only rays that reach the receiver; otherwise rays from all over the picture.</summary>
-        public bool ReceivedOnly { get => _receivedOnly; set => (_receivedOnly, _isTraced) = (value, false); }
+        public bool ReceivedOnly { get => _receivedOnly; set => _receivedOnly = value; }
 
         /// <summary>Every n-th of these rays, from 1.</summary>
-        public int Every { get => _every; set => (_every, _isTraced) = (value, false); }
+        public int Every { get => _every; set => _every = value; }
 
         /// <summary>Only rays with as many bounces or more.</summary>
         public int FewestBounces { get => _fewestBounces; set => (_fewestBounces, _isBuilt) = (value, false); }
@@ -59,7 +60,7 @@ namespace Glint
         public int MostBounces { get => _mostBounces; set => (_mostBounces, _isBuilt) = (value, false); }
 
         /// <summary>Only rays that meet this object or one below it; null: any.</summary>
-        public Transform Meeting { get => _meeting; set => (_meeting, _isTraced) = (value, false); }
+        public Transform Meeting { get => _meeting; set => _meeting = value; }
 
         /// <summary>A cross at each point of reflection.</summary>
         public bool HitPoints { get => _hitPoints; set => (_hitPoints, _isBuilt) = (value, false); }
@@ -70,11 +71,14 @@ namespace Glint
         /// <summary>Rays asked for and not followed, as there are more than <see cref="MostRays"/>.</summary>
         public int LeftOut { get; private set; }
 
+        /// <summary>Whether rays were to be followed when the scene, or the radar, was no longer as the pose found it, or the radar had let go of the pose: none are drawn until the next.</summary>
+        internal bool IsOutdated { get; private set; }
+
         /// <summary>The lines that are drawn, two vertices each, about a point near their middle; null before the first pose. Reading it brings them up to date.</summary>
         /// <exception cref="GlintException">The radar or a mesh is not fit to be traced any more.</exception>
         public Mesh Lines()
         {
-            if (!_isTraced)
+            if (!_isTraced || _tracedFor != TracingFilters)
                 Trace();
             if (!_isBuilt)
                 Build();
@@ -87,7 +91,7 @@ namespace Glint
             _radar.Traced += Follow;
             Camera.onPreCull += Draw;
             RenderPipelineManager.beginCameraRendering += Draw;
-            _isTraced = _isSeen = false;
+            (_isTraced, _isSeen, _received) = (false, false, null);
         }
 
         void OnDisable()
@@ -100,14 +104,15 @@ namespace Glint
             (_lines, _material, _paths) = (null, null, Array.Empty<RayPath>());
         }
 
-        void OnValidate() => _isTraced = false;
+        void OnValidate() => _isBuilt = false;
 
-        // At once, if they are seen: the next pose of a sweep, or its end, moves the scene on.
+        // At once, if the pose before was seen: the next pose of a sweep, or its end, moves the scene on.
         void Follow(RadarController radar)
         {
-            _isTraced = false;
+            (_isTraced, _received) = (false, null);
             if (_isSeen)
                 Prepare();
+            _isSeen = false;
         }
 
         void Draw(ScriptableRenderContext context, Camera camera) => Draw(camera);
@@ -135,24 +140,32 @@ namespace Glint
             }
             catch (GlintException problem)
             {
-                (_isTraced, _isBuilt) = (true, true);
+                _isBuilt = true;
                 Debug.LogWarning($"Ray Paths of '{name}': {problem.Message}", this);
                 return null;
             }
         }
 
+        // Filters that decide which rays are traced; the others choose among them.
+        (bool, int, Transform) TracingFilters => (_receivedOnly, _every, _meeting);
+
         // Of a radar that has traced nothing there is nothing to show.
         void Trace()
         {
-            (_isTraced, _isBuilt) = (true, false);
+            (_isTraced, _isBuilt, _tracedFor) = (true, false, TracingFilters);
+            (_paths, LeftOut, IsOutdated) = (Array.Empty<RayPath>(), 0, false);
             if (_radar.Result == null)
                 return;
             _pose = _radar.Gather();
             var received = _radar.ReceivedPixels();
-            if (received.Length > 0 || _radar.Result.RaysReceived == 0) // a radar that was released knows them no more
+            if (received.Length == _radar.Result.RaysReceived) // a radar that was released knows them no more
                 _received = received;
+            IsOutdated = !_radar.IsAsTraced(_pose) || _receivedOnly && _received == null;
+            if (IsOutdated)
+                return;
             var pixels = Chosen(_receivedOnly ? _received : null);
-            _paths = pixels.Length > 0 ? Array.FindAll(_radar.TracePaths(pixels), IsMeant) : Array.Empty<RayPath>();
+            if (pixels.Length > 0)
+                _paths = Array.FindAll(_radar.TracePaths(pixels), IsMeant);
         }
 
         // Every n-th, and evenly as many as are followed. Pixels: null for the whole picture's.

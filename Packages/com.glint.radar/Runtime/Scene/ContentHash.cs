@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Runtime.CompilerServices;
 using System.Threading.Tasks;
+using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -25,6 +26,16 @@ namespace Glint
 
         public void Add(int number) => _a = Mix(_a, (ulong)(uint)number + 1);
 
+        public void Add(ulong bits) => _a = Mix(_a, bits);
+
+        public void Add(in Affine place)
+        {
+            Add(place.X);
+            Add(place.Y);
+            Add(place.Z);
+            Add(place.Origin);
+        }
+
         public void Add(List<Vector3> points)
         {
             Add(points.Count);
@@ -41,6 +52,13 @@ namespace Glint
                 AddChunks(numbers.Count, (from, to) => Of(numbers, from, to));
             else
                 _a = Mix(_a, Of(numbers, 0, numbers.Count));
+        }
+
+        void Add(double3 v)
+        {
+            Add(math.asulong(v.x));
+            Add(math.asulong(v.y));
+            Add(math.asulong(v.z));
         }
 
         // Chunks are summed up on all cores, and their sums in order.

@@ -10,12 +10,14 @@ namespace Glint
         // All vertices are far from the mesh's origin when their middle lies beyond so many halves of their box.
         const double FarInHalves = 3;
 
-        ulong _hash;
         bool _isKnown, _isPlaced;
         TriangleMesh _triangles;
         VertexFrame _frame;
 
         public Mesh Mesh { get; private set; }
+
+        /// <summary>Of the content: <see cref="ContentHash"/>.</summary>
+        public ulong Hash { get; private set; }
 
         /// <summary>How often the content was seen to change; from the first time on it is one that changes.</summary>
         public int Version { get; private set; }
@@ -39,7 +41,7 @@ namespace Glint
         {
             (Mesh, ObjectCount, _isPlaced) = (mesh, 0, false);
             ulong hash = reader.Hash(mesh);
-            if (_isKnown && hash == _hash)
+            if (_isKnown && hash == Hash)
                 return;
 
             TriangleCount = reader.CountTriangles(mesh, owner);
@@ -47,7 +49,7 @@ namespace Glint
             reader.Measure(mesh, out var low, out var high);
             (Half, Centre) = (((double3)high - low) / 2, ((double3)high + low) / 2);
             Version += _isKnown ? 1 : 0;
-            (_hash, _isKnown, _triangles) = (hash, true, null);
+            (Hash, _isKnown, _triangles) = (hash, true, null);
         }
 
         /// <summary>Takes note of an object with the mesh.</summary>

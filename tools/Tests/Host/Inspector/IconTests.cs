@@ -14,6 +14,7 @@ public sealed class IconTests
     [TestCase("Runtime/Sweep.cs")]
     [TestCase("Runtime/Sea/Sea.cs")]
     [TestCase("Runtime/Ship.cs")]
+    [TestCase("Runtime/Paths/RayPaths.cs")]
     public void Script_HasItsIcon(string script)
     {
         string meta = File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, Package, script + ".meta"));

@@ -47,6 +47,18 @@ public sealed class RayPathsTests
         Assert.That(Graphics.LastDrawn.Value.Mesh.vertexCount, Is.EqualTo(shown).And.GreaterThan(8));
         wall.SetActive(true);
 
+        // A pose is followed at once where the one before was seen; then not until a camera shows them again.
+        radar.Trace();
+        int seen = paths.Count;
+        wall.SetActive(false);
+        radar.Trace();
+        Assert.That(paths.Count, Is.EqualTo(seen).And.GreaterThan(0), "nobody looks");
+        Camera.onPreCull(camera);
+        Assert.That(paths.Count, Is.Zero);
+        wall.SetActive(true);
+        radar.Trace();
+        Assert.That(paths.Count, Is.EqualTo(seen), "before the scene moves on");
+
         using (var log = new LogCapture())
         {
             radar.Receiver = null;

@@ -16,6 +16,7 @@ namespace Glint.Editor.Views
         RadarTracing _tracing;
         RadarResult _shown;
         VisualElement _findings, _figures, _result;
+        Button _showPaths;
         HelpBox _problem;
         Watch _watch;
 
@@ -71,6 +72,8 @@ namespace Glint.Editor.Views
             buttons.style.flexDirection = FlexDirection.Row;
             buttons.Add(new Button(Trace) { text = "Trace now", tooltip = "Traces one pose as everything stands. It can be cancelled." });
             buttons.Add(new Button(() => RadarWindow.Show(Radar)) { text = "Sweep...", tooltip = "Traces many poses." });
+            _showPaths = new Button(ShowPaths) { text = RadarFixes.ShowRayPaths(Radar).Label, tooltip = "Draws the ways of the rays of each pose in Scene and Game view: adds the component Ray Paths." };
+            buttons.Add(_showPaths);
             inspector.Add(buttons);
             inspector.Add(_problem);
             inspector.Add(Parts.Group("Last result", _result));
@@ -84,6 +87,7 @@ namespace Glint.Editor.Views
                 return;
             _check.Update();
             Parts.ShowFindings(_findings, _check.Findings, _watch.LookSoon);
+            _showPaths.style.display = Radar.TryGetComponent<RayPaths>(out _) ? DisplayStyle.None : DisplayStyle.Flex;
             Parts.ShowRows(_figures, _check.Figures?.Rows() ?? Enumerable.Empty<(string, string, string)>());
         }
 
@@ -92,6 +96,12 @@ namespace Glint.Editor.Views
             _tracing.Trace();
             InternalEditorUtility.RepaintAllViews(); // the ray paths
             ShowResult();
+        }
+
+        void ShowPaths()
+        {
+            RadarFixes.ShowRayPaths(Radar).Apply();
+            Look();
         }
 
         // The scene that plays, a sweep or the window may have traced as well.
