@@ -62,6 +62,23 @@ namespace Glint.Tests
         }
 
         [UnityTest]
+        public IEnumerator Play_DistancesAndFrequencies_TracesEachWithEachAndPutsTheRadarBack()
+        {
+            var radar = Object.FindFirstObjectByType<RadarController>();
+            var (position, frequency) = (radar.transform.position, radar.Settings.FrequencyHz);
+            (_sweep.Angles, _sweep.Distances, _sweep.Frequencies) = ("", "40,60", "9e9,10e9");
+            _sweep.gameObject.SetActive(true);
+            for (int frames = 0; frames < 20 && (frames < 2 || _sweep.IsRunning); frames++)
+                yield return null;
+
+            var lines = File.ReadAllLines(Path.Combine(_folder, "results.csv"));
+            Assert.That(lines[0], Does.EndWith(",range_m,frequency_hz"));
+            Assert.That(lines.Skip(1).Select(line => string.Join(" ", line.Split(',').TakeLast(2))), Is.EqualTo(new[] { "40 9000000000", "60 9000000000", "40 10000000000", "60 10000000000" }));
+            Assert.That(Vector3.Distance(radar.transform.position, position), Is.LessThan(1e-4f));
+            Assert.That(radar.Settings.FrequencyHz, Is.EqualTo(frequency));
+        }
+
+        [UnityTest]
         public IEnumerator Play_WithoutTarget_SaysSoAndWritesNothing()
         {
             _sweep.Target = null;

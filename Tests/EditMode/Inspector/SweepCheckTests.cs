@@ -55,6 +55,31 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Update_SeveralLists_CountsEveryValueWithEveryOther()
+        {
+            AddRadar("Radar");
+            (_sweep.Angles, _sweep.GrazingAngles, _sweep.Distances, _sweep.Frequencies) = ("0:10:5", "5,10", "50,60,70", "9e9,10e9");
+            Assert.That(Found(), Is.Empty);
+            Assert.That(_check.Plan.Count, Is.EqualTo(3 * 2 * 3 * 2));
+            _sweep.Angles = "";
+            Assert.That(Found(), Is.Empty, "the target is not turned");
+            Assert.That(_check.Plan.Count, Is.EqualTo(2 * 3 * 2));
+            _sweep.Frequencies = "10 GHz";
+            Assert.That(Found().Single(), Does.StartWith("Error: frequencies \"10 GHz\": "));
+        }
+
+        [Test]
+        public void Update_RadarToBeMovedAboutNoTarget_IsFound()
+        {
+            AddRadar("Radar");
+            (_sweep.Target, _sweep.Distances) = (null, "50,60");
+            Assert.That(Found().Single(), Does.StartWith("Error: Sweep of 'Sweep' has grazing angles or distances and no target"));
+            (_sweep.Distances, _sweep.Frequencies) = ("", "9e9,10e9");
+            Assert.That(Found(), Is.Empty);
+            Assert.That(_check.Plan.Count, Is.EqualTo(2));
+        }
+
+        [Test]
         public void Update_SnapshotsOfNoSea_IsFound()
         {
             AddRadar("Radar");

@@ -97,7 +97,12 @@ namespace Glint.Core
 
         /// <summary>Reads a value.</summary>
         /// <exception cref="UsageException">Malformed or out of range; the message names the option and the text.</exception>
-        public T Parse(string text)
+        public T Parse(string text) => Parse(text, Flag);
+
+        /// <summary>Reads a value that is written elsewhere than after the option.</summary>
+        /// <param name="place">Where, for the message.</param>
+        /// <exception cref="UsageException">Malformed or out of range; the message names the place and the text.</exception>
+        public T Parse(string text, string place)
         {
             try
             {
@@ -105,7 +110,7 @@ namespace Glint.Core
             }
             catch (FormatException error)
             {
-                throw new UsageException($"{Flag} {Values.Shown(text)}: {error.Message}");
+                throw new UsageException($"{place} {Values.Shown(text)}: {error.Message}");
             }
         }
 

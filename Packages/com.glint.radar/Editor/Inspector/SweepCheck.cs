@@ -36,7 +36,7 @@ namespace Glint.Editor
         public IEnumerable<(string label, string value, string tooltip)> Rows()
         {
             if (Plan != null)
-                yield return ("Poses", FormattableString.Invariant($"{Plan.Count:N0}"), "Every angle for each snapshot.");
+                yield return ("Poses", FormattableString.Invariant($"{Plan.Count:N0}"), "Every value of each list with every value of the others.");
         }
 
         void CheckPoses()

@@ -20,6 +20,9 @@ namespace Glint.Editor.Views
             inspector.Add(Parts.Field("_radar", "Radar"));
             inspector.Add(Parts.Field("_target", "Target"));
             inspector.Add(Parts.Field("_angles", "Angles (deg)"));
+            inspector.Add(Parts.Field("_grazingAngles", "Grazing Angles (deg)"));
+            inspector.Add(Parts.Field("_distances", "Distances (m)"));
+            inspector.Add(Parts.Field("_frequencies", "Frequencies (Hz)"));
             inspector.Add(Parts.Field("_snapshots", "Snapshots"));
             inspector.Add(Parts.Field("_outputFolder", "Output Folder"));
             inspector.Add(_figures);
