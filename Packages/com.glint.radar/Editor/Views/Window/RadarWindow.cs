@@ -167,14 +167,16 @@ namespace Glint.Editor.Views
                 Attempt(() => Export.Copy(_shown, name, path));
         }
 
-        void SaveReport()
+        void SaveReport() => Attempt(() =>
         {
+            if (_session?.IsRunning == true)
+                throw new GlintException("the sweep is at work: export its report when it is done, or cancel it");
             string path = EditorUtility.SaveFilePanel("Export", _shown, ReportFile.Name, "html");
-            if (path.Length == 0 || _session?.IsRunning == true)
+            if (path.Length == 0)
                 return;
             using (var progress = new DialogProgress())
-                Attempt(() => Export.Report(_shown, _choice.Row(_rows), _form, path, progress));
-        }
+                Export.Report(_shown, _choice.Row(_rows), _form, path, progress);
+        });
 
         // When the menu is closed again, and is no part of the picture.
         void SavePicture() => rootVisualElement.schedule.Execute(() =>
