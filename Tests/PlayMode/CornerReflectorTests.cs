@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
 using NUnit.Framework;
@@ -35,17 +36,27 @@ namespace Glint.Tests
         [Test]
         public void Scene_ItsGeometry_IsTheRecoveredOne()
         {
-            // The vertex where the inner faces meet, worked out on paper from the recovered frame.
+            // The vertex where the inner faces meet, from the turning point (7.871, 7.871, 8.052) m along axes that lean by 49.132 degrees.
+            double lean = math.radians(49.132);
+            var vertex = new Vector3(0, (float)(math.sqrt(2.0) * 7.871 * math.sin(lean) - 8.052 * math.cos(lean)),
+                (float)(math.sqrt(2.0) * 7.871 * math.cos(lean) + 8.052 * math.sin(lean)));
             var plates = _target.GetComponentsInChildren<MeshFilter>().Select(filter => filter.transform).ToArray();
             Assert.That(plates.Length, Is.EqualTo(3));
             foreach (var plate in plates)
             {
-                Assert.That(plate.lossyScale.x * plate.lossyScale.y * plate.lossyScale.z, Is.EqualTo(16 * 16 * 0.2f).Within(1e-3f), plate.name);
-                var vertex = plate.parent.TransformPoint(new Vector3(-8, -8, -8));
-                Assert.That(Vector3.Distance(vertex, new Vector3(0, 3.349f, 13.446f)), Is.LessThan(1e-3f));
+                var scale = plate.lossyScale;
+                Assert.That(scale.x * scale.y * scale.z, Is.EqualTo(16.004f * 16.004f * 0.211f).Within(1e-3f), plate.name);
+                Assert.That(Vector3.Distance(plate.parent.position, vertex), Is.LessThan(1e-5f), "vertex");
             }
-            Assert.That(_radar.transform.position.magnitude, Is.EqualTo(41.08f).Within(1e-4f));
+            var (radar, receiver) = (_radar.transform, _radar.Receiver);
+            Assert.That(radar.position.magnitude, Is.EqualTo(41.112f).Within(1e-4f));
+            Assert.That(Pitch(radar), Is.EqualTo(9.985f).Within(1e-4f));
+            Assert.That(Pitch(receiver), Is.EqualTo(9.985f - 4).Within(1e-4f));
+            Assert.That(Vector3.Distance(receiver.position, radar.position - 0.236f * radar.forward - 0.210f * radar.up), Is.LessThan(1e-5f));
         }
+
+        // Degrees below the horizontal.
+        static float Pitch(Transform turned) => Mathf.Asin(-turned.forward.y) * Mathf.Rad2Deg;
 
         [Test]
         public void Sweep_AllAngles_AgreesWithTheRecoveredAndWithThePublishedTable()
@@ -53,6 +64,8 @@ namespace Glint.Tests
             var recovered = ReferenceTable.Load("corner_reflector_recovered");
             var published = ReferenceTable.Load("table_a2_corner_reflector");
             Assert.That(recovered.Count, Is.EqualTo(46));
+            var (hitPercent, received, decibels) = (new List<double>(), new List<double>(), new List<double>());
+            var amplitudes = new List<double2>();
             for (int row = 0; row < recovered.Count; row++)
             {
                 _target.rotation = Quaternion.AngleAxis((float)recovered.Angle(row), Vector3.up);
@@ -61,14 +74,28 @@ namespace Glint.Tests
                 Assert.That(result.RaysHit, Is.EqualTo(recovered.Hit(row)).Within(0.02).Percent, $"hits at {at}");
                 Assert.That(result.RaysReceived, Is.EqualTo(recovered.Received(row)).Within(3), $"received at {at}");
                 double moreOrFewer = System.Math.Abs(result.RaysReceived - recovered.Received(row));
-                Assert.That(result.Amplitude, Is.EqualTo(recovered.Amplitude(row)).Within(0.02 * recovered.Amplitude(row) + 0.5 + moreOrFewer), $"amplitude at {at}");
+                Assert.That(result.Amplitude, Is.EqualTo(recovered.Amplitude(row)).Within(0.005 * recovered.Amplitude(row) + 0.1 + moreOrFewer), $"amplitude at {at}");
 
-                Assert.That(result.RaysHit, Is.EqualTo(published.Hit(row)).Within(0.2).Percent, $"published hits at {at}");
-                if (row <= 40)
-                    Assert.That(result.RaysReceived, Is.EqualTo(published.Received(row)).Within(6).Percent, $"published rays received at {at}");
-                else
-                    Assert.That(result.RaysReceived, Is.LessThanOrEqualTo(row == 41 ? 10 : 0), $"rays received at {at}");
+                hitPercent.Add(100 * System.Math.Abs(result.RaysHit / (double)published.Hit(row) - 1));
+                received.Add(System.Math.Abs(result.RaysReceived - published.Received(row)));
+                amplitudes.Add(new double2(result.Amplitude, published.Amplitude(row)));
+                if (published.Amplitude(row) > 0.5)
+                    decibels.Add(System.Math.Abs(20 * System.Math.Log10(result.Amplitude / published.Amplitude(row))));
+                Assert.That(hitPercent[row], Is.LessThan(0.03), $"published hits at {at}, percent");
+                Assert.That(received[row], Is.LessThanOrEqualTo(48), $"published rays received at {at}");
             }
+            Assert.That(hitPercent.Average(), Is.LessThan(0.006), "published hits, mean percent");
+            Assert.That(received.Average(), Is.LessThan(13.5), "published rays received, mean");
+            Assert.That(decibels.Count, Is.EqualTo(41), "0 to 40 deg; at 41 deg two rays are published, none is ours");
+            Assert.That(decibels.OrderBy(size => size).ElementAt(decibels.Count / 2), Is.LessThan(1.7), "published amplitudes, median dB");
+            Assert.That(Correlation(amplitudes), Is.GreaterThan(0.97), "published amplitudes");
+        }
+
+        static double Correlation(IReadOnlyList<double2> pairs)
+        {
+            var mean = new double2(pairs.Average(pair => pair.x), pairs.Average(pair => pair.y));
+            double Product(System.Func<double2, double> product) => pairs.Sum(pair => product(pair - mean));
+            return Product(d => d.x * d.y) / System.Math.Sqrt(Product(d => d.x * d.x) * Product(d => d.y * d.y));
         }
 
         // The turned coordinates are rounded: millimetres of a wavelength, over the paths of hundreds of rays.

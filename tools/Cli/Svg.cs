@@ -40,6 +40,14 @@ sealed class Svg : IDisposable
     public void Area(IEnumerable<(double x, double y)> outline, string colour) =>
         Element("polygon", ("points", Points(outline)), ("fill", colour), ("fill-opacity", 0.2));
 
+    public void Rectangle(double x, double y, double width, double height, string colour) =>
+        Element("rect", ("x", Rounded(x)), ("y", Rounded(y)), ("width", Rounded(width)), ("height", Rounded(height)), ("fill", colour));
+
+    /// <summary>Rows of pixels, one unit high, in units of a size.</summary>
+    public void Pixels(double x, double y, double size, string colour, IEnumerable<(int x, int y, int length)> runs) =>
+        Element("path", ("transform", Text($"translate({x:0.#} {y:0.#}) scale({size:0.####})")), ("fill", colour), ("shape-rendering", "crispEdges"),
+            ("d", string.Concat(runs.Select(run => Text($"M{run.x} {run.y}h{run.length}v1h-{run.length}z")))));
+
     /// <param name="anchor">Which end of the text is at the place: start, middle or end.</param>
     public void Write(double x, double y, string text, string anchor, params (string name, object value)[] more)
     {

@@ -34,6 +34,9 @@ namespace Glint.Editor
         /// <summary>Entry of Unity's -executeMethod: <c>glint ship</c>.</summary>
         public static void Ship() => ExecuteAndExit(Commands.Ship, Environment.GetCommandLineArgs());
 
+        /// <summary>Entry of Unity's -executeMethod: <c>glint reflector</c>.</summary>
+        public static void Reflector() => ExecuteAndExit(Commands.Reflector, Environment.GetCommandLineArgs());
+
         /// <summary>Does what a command line says, without leaving edit mode; the scene is not saved.</summary>
         /// <returns>The exit code: 0 done, 130 cancelled.</returns>
         /// <exception cref="GlintException">Something is wrong with a file, the scene or the device.</exception>
@@ -44,6 +47,8 @@ namespace Glint.Editor
                 return SeaAssets.Write(line, progress);
             if (line.Command == Commands.Ship)
                 return ShipAssets.Write(line, progress);
+            if (line.Command == Commands.Reflector)
+                return CornerReflectorAssets.Write(progress);
             if (line.Command == Commands.Merge)
                 return MergeParts(line, progress);
             if (line.Command == Commands.Report)

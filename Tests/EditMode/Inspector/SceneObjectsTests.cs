@@ -30,7 +30,7 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void RadarAndCornerReflector_AreThePublishedExperiment()
+        public void RadarAndCornerReflector_AreThePublishedExperimentButForTheReceiver()
         {
             SceneObjects.MakeCornerReflector(null);
             var radar = SceneObjects.MakeRadar(null);
@@ -40,7 +40,7 @@ namespace Glint.Tests
 
             radar.Settings = TestRadar.Settings(480, 270);
             var result = radar.Trace();
-            var expected = TestKernels.TraceOnce(CornerReflector.Mesh, radar.Settings, AccuracyScene.PublishedView(CornerReflector.Distance, CornerReflector.GrazingDegrees));
+            var expected = TestKernels.TraceOnce(CornerReflector.Mesh, radar.Settings, AccuracyScene.PublishedView(CornerReflector.Distance, AccuracyScene.PublishedGrazingDegrees));
             Assert.That(result.RaysReceived, Is.GreaterThan(20));
             Assert.That(result.RaysHit, Is.EqualTo(expected.RaysHit).Within(5));
             Assert.That(result.RaysReceived, Is.EqualTo(expected.RaysReceived).Within(3));

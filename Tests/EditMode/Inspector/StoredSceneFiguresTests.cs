@@ -1,3 +1,5 @@
+using System.Linq;
+using Glint.Core;
 using Glint.Editor;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -15,6 +17,27 @@ namespace Glint.Tests
         public void LeaveAnEmptyScene() => EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
 
         [Test]
+        public void SceneOfTheCornerReflector_IsItsGeometryInCode()
+        {
+            EditorSceneManager.OpenScene("Packages/com.glint.scenes/CornerReflector.unity", OpenSceneMode.Single);
+            var pose = Object.FindFirstObjectByType<RadarController>().Gather();
+            RadarView expected = CornerReflector.View, view = pose.View;
+            // Transforms are float32: some micrometres at 41 m, and some 1e-7 of a direction.
+            foreach (var (ours, theirs, tolerance) in new[]
+            {
+                (view.Position, expected.Position, 5e-6), (view.ReceiverCentre, expected.ReceiverCentre, 5e-6), (view.Forward, expected.Forward, 2e-7), (view.Up, expected.Up, 2e-7),
+                (view.ReceiverForward, expected.ReceiverForward, 2e-7), (view.ReceiverUp, expected.ReceiverUp, 2e-7), (view.ReceiverRight, expected.ReceiverRight, 2e-7)
+            })
+                Assert.That(length(ours - theirs), Is.LessThan(tolerance));
+            Assert.That((view.VerticalFovDegrees, view.ReceiverSize), Is.EqualTo((expected.VerticalFovDegrees, expected.ReceiverSize)));
+            Assert.That(Corners(pose.Scene), Is.EqualTo(Corners(new RadarScene(CornerReflector.Mesh))));
+        }
+
+        // In steps of 0.1 mm, whatever their order.
+        static double3[] Corners(RadarScene scene) => scene.Instances.SelectMany(instance => instance.Mesh.Vertices.Select(vertex => instance.ToWorld.Point(vertex)))
+            .Select(point => round(1e4 * point) + 0.0).Distinct().OrderBy(point => point.x).ThenBy(point => point.y).ThenBy(point => point.z).ToArray();
+
+        [Test]
         public void OfTheCornerReflector_AreThoseOfItsMeasures()
         {
             EditorSceneManager.OpenScene("Packages/com.glint.scenes/CornerReflector.unity", OpenSceneMode.Single);
@@ -22,12 +45,13 @@ namespace Glint.Tests
             check.Update();
             Assert.That(check.Findings, Is.Empty);
 
-            // Its plates fill a cube along its axes from -0.2 to 15.9 m, which turns about the point 8 m up each: the middle of the cube lies 0.15 m nearer to the vertex.
-            // The axes' sum: they lean over by 49.25 degrees.
-            double lean = radians(49.25);
-            double3 axes = sqrt(2.0) * double3(0, -sin(lean), -cos(lean)) + double3(0, cos(lean), -sin(lean));
-            // The camera looks down by 10 degrees at that point, 41.08 m away.
-            double3 forward = double3(0, -sin(radians(10.0)), cos(radians(10.0))), toMiddle = 41.08 * forward - 0.15 * axes;
+            // Its plates fill a cube along its axes from -0.211 to 15.8985 m, which turns about (7.871, 7.871, 8.052) m. The axes lean over by 49.132 degrees.
+            double lean = radians(49.132), side = (15.8985 - 0.211) / 2;
+            double3 along = double3(0, -sin(lean), -cos(lean)), z = double3(0, cos(lean), -sin(lean));
+            double3 middle = sqrt(2.0) * (side - 7.871) * along + (side - 8.052) * z;
+            // The camera, 41.112 m away at an elevation of 9.974 degrees, looks down by 9.985 degrees.
+            double3 camera = 41.112 * double3(0, sin(radians(9.974)), -cos(radians(9.974)));
+            double3 forward = double3(0, -sin(radians(9.985)), cos(radians(9.985))), toMiddle = middle - camera;
             double height = 2 * tan(radians(30.0)) * dot(toMiddle, forward);
             var figures = check.Figures;
             Assert.That(figures.Distance, Is.EqualTo(length(toMiddle)).Within(1e-3));

@@ -90,7 +90,7 @@ namespace Glint.Tests
         // From any range, with the field of view narrowed to what the published experiment sees from its own.
         static RadarView CornerView(double range)
         {
-            var view = AccuracyScene.PublishedView(range, CornerReflector.GrazingDegrees);
+            var view = AccuracyScene.PublishedView(range, CornerReflector.PitchDegrees);
             view.VerticalFovDegrees = degrees(2 * atan(SeenHalf / range));
             return view;
         }

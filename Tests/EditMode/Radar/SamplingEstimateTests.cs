@@ -162,14 +162,15 @@ namespace Glint.Tests
             Assert.That(wave.Begin().PixelsToRefine.Length, Is.EqualTo(1600 * 900 / SamplingEstimate.SubGrids).Within(5).Percent);
         }
 
-        // The published reflector at half the published density, where sums are five times too large, and at that density.
+        // The published reflector before a receiver square to the view axis, whose rays are out of step by several wavelengths:
+        // at half the published density, where sums are several times too large, and at that density.
         // The published table has 676 received rays.
         [TestCase(960, 182, true)]
         [TestCase(1920, 676, false)]
         public void Estimate_OfTheCornerReflector_HoldsAgainstAliasing(int across, int received, bool isFlagged)
         {
             var scene = CornerReflector.Turned(0);
-            var view = AccuracyScene.PublishedView(CornerReflector.Distance, CornerReflector.GrazingDegrees);
+            var view = AccuracyScene.PublishedView(CornerReflector.Distance, CornerReflector.PitchDegrees);
             var settings = JudgedPose.RegionOfReturns(scene, TestRadar.Settings(across, across * 9 / 16), view);
             var pose = new JudgedPose(scene, settings, view);
             var result = pose.Trace();

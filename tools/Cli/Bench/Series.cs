@@ -26,6 +26,9 @@ sealed class Series
     }
 
     /// <summary>NaN when there are none.</summary>
+    public double Mean => Count == 0 ? double.NaN : _values.Average();
+
+    /// <summary>NaN when there are none.</summary>
     public double Lowest => Count == 0 ? double.NaN : _values.Min();
 
     /// <summary>NaN when there are none.</summary>

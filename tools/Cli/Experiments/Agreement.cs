@@ -7,6 +7,9 @@ namespace Glint.Cli;
 /// <summary>How far a sweep and its published table agree, in a few numbers.</summary>
 sealed class Agreement
 {
+    /// <summary>Half of one ray's amplitude: published amplitudes below it are rounding and chance.</summary>
+    public const double LeastComparedAmplitude = 0.5;
+
     /// <exception cref="InvalidOperationException">No table was published.</exception>
     public Agreement(SweepResult sweep)
     {
@@ -18,8 +21,11 @@ sealed class Agreement
         var both = poses.Where(pose => pose.Theirs.RaysReceived > 0 && pose.Ours.RaysReceived > 0).ToArray();
         (Both, Neither) = (both.Length, poses.Count(pose => pose.Theirs.RaysReceived == 0 && pose.Ours.RaysReceived == 0));
         Received = new Series(both.Select(pose => (double)pose.Ours.RaysReceived / pose.Theirs.RaysReceived));
-        AmplitudeDb = new Series(both.Where(pose => pose.Ours.Amplitude > 0 && pose.Theirs.Amplitude > 0)
-            .Select(pose => Signal.Decibels(pose.Ours.Amplitude).Value - Signal.Decibels(pose.Theirs.Amplitude).Value));
+        AmplitudeDb = new Series(both.Select(pose => Decibels(pose.Ours.Amplitude, pose.Theirs.Amplitude)).OfType<double>());
+        HitDifferencePercent = new Series(poses.Where(pose => pose.Theirs.RaysHit > 0).Select(pose => 100 * Math.Abs((double)pose.Ours.RaysHit / pose.Theirs.RaysHit - 1)));
+        ReceivedDifference = new Series(poses.Select(pose => (double)Math.Abs(pose.Ours.RaysReceived - pose.Theirs.RaysReceived)));
+        AmplitudeDifferenceDb = new Series(both.Where(pose => pose.Theirs.Amplitude > LeastComparedAmplitude)
+            .Select(pose => Decibels(pose.Ours.Amplitude, pose.Theirs.Amplitude)).OfType<double>().Select(Math.Abs));
         AmplitudeCorrelation = Correlation([.. poses.Select(pose => pose.Ours.Amplitude)], [.. poses.Select(pose => pose.Theirs.Amplitude)]);
     }
 
@@ -40,6 +46,18 @@ sealed class Agreement
 
     /// <summary>Pearson's, of the linear amplitudes of all poses; NaN where one never changes.</summary>
     public double AmplitudeCorrelation { get; }
+
+    /// <summary>Size of the difference of rays hit, percent of theirs.</summary>
+    public Series HitDifferencePercent { get; }
+
+    /// <summary>Size of the difference of rays received, rays, over all poses.</summary>
+    public Series ReceivedDifference { get; }
+
+    /// <summary>Size of the difference of amplitudes in decibels, where both received rays and theirs is above <see cref="LeastComparedAmplitude"/>.</summary>
+    public Series AmplitudeDifferenceDb { get; }
+
+    /// <summary>Ours over theirs in decibels; null where either is 0.</summary>
+    public static double? Decibels(double ours, double theirs) => Signal.Decibels(ours) - Signal.Decibels(theirs);
 
     static double Correlation(double[] a, double[] b)
     {

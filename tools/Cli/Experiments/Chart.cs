@@ -8,17 +8,21 @@ namespace Glint.Cli;
 /// <summary>Lines over the steps of a sweep as an SVG picture: panels side by side, with the same lines and steps.</summary>
 sealed class Chart
 {
-    const int Width = 1000, Height = 340, Left = 78, Right = 12, Top = 76, Bottom = 56;
+    public const int Width = 1000, Height = 340;
+
+    const int LongNames = 230, ShortNames = 157;
+
+    const int Left = 78, Right = 12, Top = 76, Bottom = 56;
 
     readonly Svg _svg;
     readonly IReadOnlyList<double> _steps;
     readonly double _panelWidth;
 
-    Chart(Svg svg, IReadOnlyList<double> steps, int panels)
+    Chart(Svg svg, IReadOnlyList<double> steps, double panelWidth)
     {
         _svg = svg;
         _steps = steps;
-        _panelWidth = (double)Width / panels;
+        _panelWidth = panelWidth;
     }
 
     /// <param name="steps">Angles or snapshots, ascending.</param>
@@ -26,16 +30,23 @@ sealed class Chart
     public static void Write(Stream stream, string title, IReadOnlyList<double> steps, string stepTitle, params Panel[] panels)
     {
         using var svg = new Svg(stream, Width, Height);
-        var chart = new Chart(svg, steps, panels.Length);
+        var chart = new Chart(svg, steps, (double)Width / panels.Length);
         svg.Write(Left, 24, title, "start");
-        chart.DrawLegend(panels[0].Lines);
+        chart.DrawLegend(panels[0].Lines, LongNames);
         for (int i = 0; i < panels.Length; i++)
             chart.DrawPanel(panels[i], i * chart._panelWidth, stepTitle);
     }
 
-    void DrawLegend(IReadOnlyList<ChartLine> lines)
+    /// <summary>One panel, as high as a chart, beside other things in a picture of a chart's size; the legend is at its upper right.</summary>
+    public static void Draw(Svg svg, double left, IReadOnlyList<double> steps, string stepTitle, Panel panel)
     {
-        const int length = 230;
+        var chart = new Chart(svg, steps, Width - left);
+        chart.DrawLegend(panel.Lines, ShortNames);
+        chart.DrawPanel(panel, left, stepTitle);
+    }
+
+    void DrawLegend(IReadOnlyList<ChartLine> lines, double length)
+    {
         for (int i = 0; i < lines.Count; i++)
         {
             double x = Width - Right - length * (lines.Count - i);

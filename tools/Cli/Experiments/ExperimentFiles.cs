@@ -10,12 +10,12 @@ namespace Glint.Cli;
 /// <summary>The files of glint experiments: a page of tables and plots, the plots, and all figures.</summary>
 sealed class ExperimentFiles
 {
-    const string PageName = "experiments.md", JsonName = "experiments.json", Summary = "summary", Seas = "seas";
+    const string PageName = "experiments.md", JsonName = "experiments.json", Summary = "summary", Seas = "seas", Reflector = "images/corner-reflector.svg";
 
     static readonly string[] s_plots = [.. Experiment.All.Select(experiment => experiment.Name), .. Experiment.Seas.Select(pair => SnapshotsResult.NameOf(pair.Ship)), Seas];
 
     readonly string _path;
-    readonly OutputFile _page, _json;
+    readonly OutputFile _page, _json, _reflector;
     readonly Dictionary<string, OutputFile> _plots;
     readonly MarkedPage _words;
 
@@ -39,6 +39,7 @@ sealed class ExperimentFiles
         }
         _page = new OutputFile(flag, page);
         _json = new OutputFile(flag, Path.Combine(path, JsonName));
+        _reflector = new OutputFile(flag, Path.Combine(path, Reflector));
         _plots = s_plots.ToDictionary(name => name, name => new OutputFile(flag, Path.Combine(path, PlotName(name))));
         foreach (string name in s_plots.Append(Summary).Concat(Experiment.Seas.Select(pair => ShareOf(pair.Ship))))
             _words.Check(name);
@@ -52,13 +53,14 @@ sealed class ExperimentFiles
         _words.Put(Summary, "How far they agree", ExperimentTables.Summary(result));
         foreach (var sweep in result.Sweeps)
             Add(sweep.Experiment.Name, sweep.Experiment.Title, ExperimentTables.Of(sweep), stream => ExperimentPlots.Write(stream, sweep));
+        _reflector.Write(stream => ReflectorPicture.Write(stream, result.Reflector, result.Sweeps.Single(sweep => sweep.Experiment == Experiment.CornerReflector)));
         foreach (var (ship, angles) in result.Shares)
             _words.Put(ShareOf(ship), $"{ship.Title}: what the sea adds", ExperimentTables.Of(angles));
         foreach (var ship in result.Ships)
             Add(ship.Name, ship.Title, ExperimentTables.Of(ship), stream => ExperimentPlots.Write(stream, ship));
         Add(Seas, "Other seas", ExperimentTables.OfSeas(result), stream => SeaPlot.Write(stream, result.Seas, result.PublishedReturning));
         _page.Write(stream => stream.Write(Encoding.UTF8.GetBytes(_words.Text)));
-        return $"{_page.Path}, {_json.Path}, {_plots.Count} plots in {Path.Combine(_path, Path.GetDirectoryName(PlotName(Seas)))}";
+        return $"{_page.Path}, {_json.Path}, {_plots.Count + 1} plots in {Path.Combine(_path, Path.GetDirectoryName(PlotName(Seas)))}";
     }
 
     void Add(string name, string title, string tables, Action<Stream> plot)

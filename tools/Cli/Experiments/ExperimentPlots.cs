@@ -9,7 +9,7 @@ namespace Glint.Cli;
 /// <summary>Sweeps and published tables as pictures: amplitude, rays received and rays hit over the steps.</summary>
 static class ExperimentPlots
 {
-    const string Ours = "#0072b2", Theirs = "#d55e00";
+    public const string Ours = "#0072b2", Theirs = "#d55e00";
 
     public static void Write(Stream stream, SweepResult sweep)
     {

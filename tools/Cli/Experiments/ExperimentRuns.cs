@@ -49,6 +49,20 @@ sealed class ExperimentRuns(IProgressSink progress)
     public IReadOnlyList<SeaFamily> Study(Experiment sea, SeaRecipe stored, int seeds) =>
         InScene(sea.Line, subjects => new SeaStudy(subjects.Radar, subjects.Sea, progress).Run(stored, seeds));
 
+    /// <summary>What the radar of an experiment sees with its target turned to each of some angles.</summary>
+    /// <param name="angles">Degrees.</param>
+    /// <exception cref="GlintException">As for a sweep.</exception>
+    /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
+    public IReadOnlyList<RadarPicture> Pictures(Experiment experiment, params double[] angles) => InScene(experiment.Line, subjects =>
+    {
+        var rotation = subjects.Target.rotation;
+        return (IReadOnlyList<RadarPicture>)[.. angles.Select(angle =>
+        {
+            subjects.Target.rotation = Quaternion.AngleAxis((float)angle, Vector3.up) * rotation;
+            return subjects.Radar.TracePicture(progress.Cancel);
+        })];
+    });
+
     static IReadOnlyList<PublishedRow> Published(Experiment experiment) => experiment.Published == null ? null : PublishedTable.Read(experiment.Published);
 
     IReadOnlyList<SweepRow> Trace(string title, SceneSubjects subjects, SweepPlan plan, Sea sea, KeptRays keep)

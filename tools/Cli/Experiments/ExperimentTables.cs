@@ -35,11 +35,22 @@ static class ExperimentTables
                 ours.Add(Step(pose.Step), Amplitude(pose.Ours.Amplitude), Count(pose.Ours.RaysReceived), Count(pose.Ours.RaysHit), Ratio(pose.Ours.Ratio));
             return ours.ToString();
         }
-        var table = new MarkdownTable(step, "amplitude, theirs", "ours", "rays received, theirs", "ours", "rays hit, theirs", "ours", "received / hit, theirs, %", "ours, %");
+        var table = new MarkdownTable(step, "amplitude, theirs", "ours", "rays received, theirs", "ours", "rays hit, theirs", "ours", "received / hit, theirs, %", "ours, %", "amplitude, dB over theirs");
         foreach (var (at, theirs, ours) in sweep.Poses)
             table.Add(Step(at), Amplitude(theirs.Amplitude), Amplitude(ours.Amplitude), Count(theirs.RaysReceived), Count(ours.RaysReceived),
-                Count(theirs.RaysHit), Count(ours.RaysHit), Ratio(theirs.Ratio), Ratio(ours.Ratio));
-        return table.ToString();
+                Count(theirs.RaysHit), Count(ours.RaysHit), Ratio(theirs.Ratio), Ratio(ours.Ratio),
+                Agreement.Decibels(ours.Amplitude, theirs.Amplitude) is double decibels ? Text($"{decibels:+0.0;-0.0;0.0}") : None);
+        return $"{table}\n{Differences(new Agreement(sweep))}\n";
+    }
+
+    static string Differences(Agreement agreement)
+    {
+        string text = Text($"Differences from the table: rays hit {agreement.HitDifferencePercent.Mean:0.0000} % (mean) and {agreement.HitDifferencePercent.Highest:0.0000} % (largest), ")
+            + Text($"rays received {agreement.ReceivedDifference.Mean:0.0} and {agreement.ReceivedDifference.Highest:0}");
+        var amplitude = agreement.AmplitudeDifferenceDb;
+        return amplitude.Count == 0
+            ? $"{text}."
+            : text + Text($", amplitude {amplitude.Median:0.0} dB (median) and {amplitude.Highest:0.0} dB (largest) in the {amplitude.Count} poses where both receive rays and the published amplitude is above {Agreement.LeastComparedAmplitude}.");
     }
 
     /// <summary>Every angle: the ship's own rays and those that met the sea.</summary>

@@ -25,6 +25,7 @@ sealed class ExperimentsCommand(Terminal terminal)
         var result = new ExperimentsResult { Device = GraphicsDevice.Current.Info };
         foreach (var experiment in Experiment.All)
             result.Sweeps.Add(runs.Sweep(experiment));
+        result.Reflector = runs.Pictures(Experiment.CornerReflector, ReflectorPicture.Angles);
         foreach (var (sea, ship) in Experiment.Seas)
             result.Ships.Add(runs.SweepAllSnapshots(sea, ship));
         foreach (var stored in StoredSeas.All)

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Glint.Core;
 using Glint.Vulkan;
 
 namespace Glint.Cli;
@@ -23,6 +24,9 @@ sealed class ExperimentsResult
             return Experiment.Seas.Select(pair => (pair.Ship, (IReadOnlyList<SeaShare>)[.. SeaShare.Of(freeSpace, Sweeps.Single(sweep => sweep.Experiment == pair.Ship))]));
         }
     }
+
+    /// <summary>What the radar sees of the corner reflector at <see cref="ReflectorPicture.Angles"/>.</summary>
+    public IReadOnlyList<RadarPicture> Reflector { get; set; } = [];
 
     /// <summary>The ship on every snapshot of each stored sea.</summary>
     public List<SnapshotsResult> Ships { get; } = [];

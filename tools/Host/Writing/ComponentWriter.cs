@@ -56,6 +56,10 @@ internal sealed class ComponentWriter
                 BeginComponent(component, ClassId.MeshRenderer, "MeshRenderer");
                 Write(renderer);
                 break;
+            case Camera camera:
+                BeginComponent(component, ClassId.Camera, "Camera");
+                Write(camera);
+                break;
             case MonoBehaviour script:
                 BeginComponent(component, ClassId.MonoBehaviour, "MonoBehaviour");
                 Script(_yaml, script, script.enabled, _scripts.GuidOf(script.GetType()), "");
@@ -122,6 +126,35 @@ internal sealed class ComponentWriter
             "m_MinimumChartSize: 4", "m_AutoUVMaxDistance: 0.5", "m_AutoUVMaxAngle: 89", "m_LightmapParameters: {fileID: 0}", "m_SortingLayerID: 0",
             "m_SortingLayer: 0", "m_SortingOrder: 0", "m_AdditionalVertexStreams: {fileID: 0}", "m_RayTracingAccelStructBuildFlagsOverride: 0",
             "m_RayTracingAccelStructBuildFlags: 1", "m_SmallMeshCulling: 1");
+    }
+
+    void Write(Camera camera)
+    {
+        _yaml.Field("m_Enabled", camera.enabled);
+        Defaults("serializedVersion: 2", "m_ClearFlags: 1", "m_BackGroundColor: {r: 0.19215687, g: 0.3019608, b: 0.4745098, a: 0}", "m_projectionMatrixMode: 1",
+            "m_GateFitMode: 2", "m_FOVAxisMode: 0", "m_Iso: 200", "m_ShutterSpeed: 0.005", "m_Aperture: 16", "m_FocusDistance: 10", "m_FocalLength: 50",
+            "m_BladeCount: 5", "m_Curvature: {x: 2, y: 11}", "m_BarrelClipping: 0.25", "m_Anamorphism: 0", "m_SensorSize: {x: 36, y: 24}", "m_LensShift: {x: 0, y: 0}");
+        _yaml.Map("m_NormalizedViewPortRect", () =>
+        {
+            Defaults("serializedVersion: 2");
+            _yaml.Field("x", ScalarText.Of(camera.rect.x));
+            _yaml.Field("y", ScalarText.Of(camera.rect.y));
+            _yaml.Field("width", ScalarText.Of(camera.rect.width));
+            _yaml.Field("height", ScalarText.Of(camera.rect.height));
+        });
+        _yaml.Field("near clip plane", ScalarText.Of(camera.nearClipPlane));
+        _yaml.Field("far clip plane", ScalarText.Of(camera.farClipPlane));
+        _yaml.Field("field of view", ScalarText.Of(camera.fieldOfView));
+        _yaml.Field("orthographic", camera.orthographic);
+        _yaml.Field("orthographic size", ScalarText.Of(camera.orthographicSize));
+        _yaml.Field("m_Depth", ScalarText.Of(camera.depth));
+        _yaml.Map("m_CullingMask", () =>
+        {
+            Defaults("serializedVersion: 2");
+            _yaml.Field("m_Bits", (uint)camera.cullingMask);
+        });
+        Defaults("m_RenderingPath: -1", "m_TargetTexture: {fileID: 0}", "m_TargetDisplay: 0", "m_TargetEye: 3", "m_HDR: 1", "m_AllowMSAA: 1", "m_AllowDynamicResolution: 0",
+            "m_ForceIntoRT: 0", "m_OcclusionCulling: 1", "m_StereoConvergence: 10", "m_StereoSeparation: 0.022");
     }
 
     void Defaults(params string[] lines)

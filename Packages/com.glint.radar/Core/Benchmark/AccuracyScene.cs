@@ -6,6 +6,9 @@ namespace Glint.Core
     /// <summary>One of the scenes, built in code, in which the accuracy benchmark compares what a pose costs with how right it is.</summary>
     public sealed class AccuracyScene
     {
+        /// <summary>How far the radar of the published experiment looks down, degrees.</summary>
+        public const double PublishedGrazingDegrees = 10;
+
         const double PublishedFov = 60, PublishedReceiver = 3, ReceiverBehindCamera = 0.2;
 
         internal AccuracyScene(string name, RadarScene scene, RadarView view)
@@ -35,8 +38,8 @@ namespace Glint.Core
             {
                 Corner(0), Corner(10), Corner(23), Corner(28),
                 new AccuracyScene("flat plate, 1 deg", Turned(Plate(4), 1), PublishedView(50, 0)),
-                new AccuracyScene("ship-like body, broadside", new RadarScene(sea.Ship), PublishedView(50, 10)),
-                new AccuracyScene("ship-like body, bow on", Turned(sea.Ship, 90), PublishedView(50, 10)),
+                new AccuracyScene("ship-like body, broadside", new RadarScene(sea.Ship), PublishedView(50, PublishedGrazingDegrees)),
+                new AccuracyScene("ship-like body, bow on", Turned(sea.Ship, 90), PublishedView(50, PublishedGrazingDegrees)),
                 new AccuracyScene("rough sea, seen from above", new RadarScene(sea.Sea), PublishedView(50, 85)),
             };
         }
@@ -56,7 +59,7 @@ namespace Glint.Core
         }
 
         static AccuracyScene Corner(double degrees) =>
-            new AccuracyScene($"corner reflector, {degrees:0} deg", CornerReflector.Turned(degrees), PublishedView(CornerReflector.Distance, CornerReflector.GrazingDegrees));
+            new AccuracyScene($"corner reflector, {degrees:0} deg", CornerReflector.Turned(degrees), CornerReflector.View);
 
         /// <summary>A mesh turned about the vertical through its origin, positive as Unity's rotation about Y.</summary>
         internal static RadarScene Turned(TriangleMesh mesh, double degrees)

@@ -3,44 +3,80 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>The corner reflector of the published experiment, built in code: three square plates, 16 x 16 x 0.2 m, before the camera of <see cref="AccuracyScene.PublishedView"/>.</summary>
+    /// <summary>
+    /// The corner reflector of the published experiment with its radar: the only place that holds the recovered geometry.
+    /// The thesis does not give it. It was fitted to rays hit, rays received and amplitudes of all 46 rows of Table A.2 together.
+    /// The stored prefabs are made of these numbers by <c>glint reflector</c>.
+    /// </summary>
     public static class CornerReflector
     {
-        /// <summary>From the camera to the point about whose vertical it turns, metres; that point is the origin.</summary>
-        public const double Distance = 41.08;
+        /// <summary>Distance from the camera to the turning point, metres. The turning point is the world's origin.</summary>
+        public const double Distance = 41.112;
 
-        /// <summary>The camera looks down by so much, degrees.</summary>
-        public const double GrazingDegrees = 10;
+        /// <summary>Elevation of the camera above the turning point, degrees.</summary>
+        public const double ElevationDegrees = 9.974;
 
-        // Along the axes of the reflector, from its vertex: a plate's faces, its ends, and the point it turns about.
-        const double Thickness = 0.2, Near = -0.1, Far = 15.9, Centre = 8;
+        /// <summary>Pitch of the camera below the horizontal, degrees.</summary>
+        public const double PitchDegrees = 9.985;
 
-        // How far the reflector leans over.
-        const double LeanDegrees = 49.25;
+        /// <summary>Pitch of the receiver, upwards from the view axis, degrees: the receiver looks down by 6 degrees.</summary>
+        public const double ReceiverTiltDegrees = 4.0;
 
-        /// <summary>The 36 triangles; their origin is the point the reflector turns about.</summary>
+        /// <summary>Centre of the receiver in the camera's frame (right, up, forward), metres.</summary>
+        public static double3 ReceiverOffset => new double3(0, -0.210, -0.236);
+
+        // A plate's faces and ends along the axes of the reflector, from its vertex, metres.
+        // Plates cross in their middle planes: each ends half a thickness behind its neighbours' inner faces.
+        const double Thickness = 0.211, PlateStart = -Thickness / 2, PlateEnd = 15.8985;
+
+        // The angle between the vertical and the reflector's z axis, degrees.
+        const double LeanDegrees = 49.132;
+
+        // The turning point in the reflector's axes, from its vertex, metres.
+        static double3 TurningPoint => new double3(7.871, 7.871, 8.052);
+
+        /// <summary>The 36 triangles about the turning point.</summary>
         public static TriangleMesh Mesh { get; } = Make();
 
-        /// <summary>Turned by so much about the vertical, positive as Unity's rotation about Y.</summary>
+        /// <summary>Camera and receiver of the published sweep.</summary>
+        public static RadarView View
+        {
+            get
+            {
+                double elevation = math.radians(ElevationDegrees);
+                var view = AccuracyScene.PublishedView(Distance, PitchDegrees);
+                view.Position = Distance * new double3(0, math.sin(elevation), -math.cos(elevation));
+                view.ReceiverCentre = view.Position + ReceiverOffset.x * view.Right + ReceiverOffset.y * view.Up + ReceiverOffset.z * view.Forward;
+                double tilt = math.radians(ReceiverTiltDegrees), sin = math.sin(tilt), cos = math.cos(tilt);
+                view.ReceiverUp = cos * view.Up - sin * view.Forward;
+                view.ReceiverForward = cos * view.Forward + sin * view.Up;
+                return view;
+            }
+        }
+
+        /// <summary>The reflector turned about the vertical by an angle in degrees, positive as Unity's rotation about Y.</summary>
         public static RadarScene Turned(double degrees) => AccuracyScene.Turned(Mesh, degrees);
 
-        /// <summary>From the reflector's own axes, whose origin is its vertex; they turn and do not mirror.</summary>
+        /// <summary>The reflector's axes at 0 degrees, a rotation; their origin is the vertex.</summary>
         internal static Affine Axes
         {
             get
             {
                 double lean = math.radians(LeanDegrees);
                 double3 across = new double3(1, 0, 0), along = new double3(0, -math.sin(lean), -math.cos(lean));
-                var axes = new Affine { X = (along + across) / math.sqrt(2.0), Y = (along - across) / math.sqrt(2.0), Z = new double3(0, math.cos(lean), -math.sin(lean)) };
-                axes.Origin = axes.Vector(-Centre);
+                var axes = new Affine
+                {
+                    X = (along + across) / math.sqrt(2.0), Y = (along - across) / math.sqrt(2.0), Z = new double3(0, math.cos(lean), -math.sin(lean))
+                };
+                axes.Origin = axes.Vector(-TurningPoint);
                 return axes;
             }
         }
 
-        /// <summary>Corners of the plate across an axis of the reflector: 0, 1 or 2 for x, y or z.</summary>
+        /// <summary>Lowest and highest corner of the plate across an axis of the reflector: 0, 1 or 2 for x, y or z.</summary>
         internal static (double3 low, double3 high) Plate(int normal)
         {
-            double3 low = Near, high = Far;
+            double3 low = PlateStart, high = PlateEnd;
             low[normal] = -Thickness;
             high[normal] = 0;
             return (low, high);

@@ -187,6 +187,16 @@ namespace Glint.Core
             }
         };
 
+        /// <summary>Makes the corner reflector.</summary>
+        public static readonly Command Reflector = new Command("reflector", "Make the corner reflector of the published experiment and its radar, as prefabs of the project.")
+        {
+            Inputs = InputKind.None,
+            Options = new Option[0],
+            Notes = new[] { "It writes the two prefabs that Scenes/CornerReflector.unity shows to Meshes/CornerReflector. Their geometry is that of Core/Benchmark/CornerReflector.cs." },
+            UnityMethod = "Glint.Editor.Batch.Reflector",
+            Examples = new[] { Example("reflector", "The stored prefabs.") }
+        };
+
         /// <summary>Lists devices, limits and versions.</summary>
         public static readonly Command Info = new Command("info", "List the GPUs, the limits of the one in use, and the versions.")
         {
@@ -209,7 +219,7 @@ namespace Glint.Core
         };
 
         /// <summary>Every command.</summary>
-        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Merge, Run, Report, Sea, Ship, Experiments, Bench, Verify, Info, Completion };
+        public static IReadOnlyList<Command> All { get; } = new[] { Sweep, Merge, Run, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info, Completion };
 
         /// <summary>What INPUT is for a command.</summary>
         public static string InputHelpOf(Command command) => command.Inputs == InputKind.Folders ? FoldersHelp : command.Inputs == InputKind.Results ? ResultsHelp : command.Inputs == InputKind.Shell ? string.Join(", ", Shells) + "." : command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}" : InputHelp;

@@ -1,6 +1,5 @@
 using System.Linq;
 using Glint.Core;
-using Unity.Mathematics;
 using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;
@@ -27,31 +26,17 @@ namespace Glint.Editor
             radar.Receiver = MeshFileScene.MakeReceiver(camera.transform, false);
             radar.gameObject.AddComponent<RayPaths>();
             FindTarget(target, out var middle, out double distance);
-            camera.transform.rotation = Quaternion.Euler((float)CornerReflector.GrazingDegrees, 0, 0);
+            camera.transform.rotation = Quaternion.Euler((float)AccuracyScene.PublishedGrazingDegrees, 0, 0);
             camera.transform.position = middle - (float)distance * camera.transform.forward;
             Place(radar.gameObject, null);
             return radar;
         }
 
-        /// <summary>The corner reflector of the published experiment: three plates of 16 x 16 x 0.2 m, open towards -Z, about the point they turn about.</summary>
+        /// <summary>The corner reflector of the published experiment, open towards -Z, about its turning point.</summary>
         /// <param name="parent">May be null.</param>
         public static GameObject MakeCornerReflector(GameObject parent)
         {
-            var reflector = new GameObject("Corner Reflector");
-            var axes = CornerReflector.Axes;
-            var frame = new GameObject("Frame").transform;
-            frame.SetParent(reflector.transform, false);
-            frame.localPosition = ToVector(axes.Origin);
-            frame.localRotation = Quaternion.LookRotation(ToVector(axes.Z), ToVector(axes.Y));
-            for (int normal = 0; normal < 3; normal++)
-            {
-                var (low, high) = CornerReflector.Plate(normal);
-                var plate = GameObject.CreatePrimitive(PrimitiveType.Cube).transform;
-                plate.name = $"Plate {"XYZ"[normal]}";
-                plate.SetParent(frame, false);
-                plate.localPosition = ToVector((low + high) / 2);
-                plate.localScale = ToVector(high - low);
-            }
+            var reflector = CornerReflectorAssets.MakeReflector();
             Place(reflector, parent);
             return reflector;
         }
@@ -104,7 +89,5 @@ namespace Glint.Editor
             if (box.extents.magnitude > 0)
                 distance = RadiiAway * box.extents.magnitude;
         }
-
-        static Vector3 ToVector(double3 v) => new Vector3((float)v.x, (float)v.y, (float)v.z);
     }
 }

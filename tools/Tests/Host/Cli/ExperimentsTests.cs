@@ -74,6 +74,9 @@ public sealed class ExperimentsTests
         Assert.That(agreement.Received.Lowest, Is.EqualTo(2));
         Assert.That(agreement.Received.Highest, Is.EqualTo(2));
         Assert.That(agreement.AmplitudeDb.Median, Is.EqualTo(20 * Math.Log10(2)).Within(1e-12));
+        Assert.That(agreement.HitDifferencePercent.Mean, Is.EqualTo(100));
+        Assert.That((agreement.ReceivedDifference.Mean, agreement.ReceivedDifference.Highest), Is.EqualTo((2, 4)));
+        Assert.That(agreement.AmplitudeDifferenceDb.Highest, Is.EqualTo(20 * Math.Log10(2)).Within(1e-12));
         Assert.That((agreement.Both, agreement.Neither), Is.EqualTo((2, 1)));
         Assert.That(agreement.AmplitudeCorrelation, Is.EqualTo(1).Within(1e-12));
     }
@@ -83,8 +86,8 @@ public sealed class ExperimentsTests
     {
         var rows = Cells(ExperimentTables.Of(Odd((10, 4), (0, 0), (6, 2))));
         Assert.That(rows.Length, Is.EqualTo(3));
-        Assert.That(rows[0], Is.EqualTo(new[] { "0", "10.00", "20.00", "4", "8", "1,000", "2,000", "0.4000", "0.4000" }));
-        Assert.That(rows[1], Is.EqualTo(new[] { "15", "0.00", "0.00", "0", "0", "1,000", "2,000", "0.0000", "0.0000" }));
+        Assert.That(rows[0], Is.EqualTo(new[] { "0", "10.00", "20.00", "4", "8", "1,000", "2,000", "0.4000", "0.4000", "+6.0" }));
+        Assert.That(rows[1], Is.EqualTo(new[] { "15", "0.00", "0.00", "0", "0", "1,000", "2,000", "0.0000", "0.0000", "-" }));
     }
 
     [Test]
@@ -133,6 +136,7 @@ public sealed class ExperimentsTests
             (stream => ExperimentPlots.Write(stream, result.Sweeps[0]), 4),
             (stream => ExperimentPlots.Write(stream, result.Sweeps[0] with { Published = null }), 2),
             (stream => ExperimentPlots.Write(stream, ships), 6),
+            (stream => ReflectorPicture.Write(stream, OddViews(), result.Sweeps[0]), 2),
             (stream => SeaPlot.Write(stream, result.Seas, _ => (4, 10)), 0),
         };
         foreach (var (write, lines) in plots)
@@ -141,7 +145,7 @@ public sealed class ExperimentsTests
             write(stream);
             var svg = XDocument.Parse(Encoding.UTF8.GetString(stream.ToArray())).Root;
             Assert.That(svg.Elements().Count(element => element.Name.LocalName == "polyline"), Is.EqualTo(lines));
-            Assert.That(svg.Value, Does.Contain("a <b> & | c").Or.Contain("anything returns"));
+            Assert.That(svg.Value, Does.Contain("a <b> & | c").Or.Contain("received").Or.Contain("anything returns"));
             foreach (var (x, y) in Places(svg))
             {
                 Assert.That(x, Is.InRange(0, (double)svg.Attribute("width")));
@@ -249,8 +253,8 @@ public sealed class ExperimentsTests
         var sweep = new ExperimentRuns(new LogProgress()).Sweep(Experiment.CornerReflector with { Options = ["--target", "Corner Reflector", "--angles", "0,45"] });
         var agreement = new Agreement(sweep);
         Assert.That(agreement.Poses, Is.EqualTo(2));
-        Assert.That(agreement.Hit.Lowest, Is.EqualTo(1).Within(2e-3));
-        Assert.That(agreement.Hit.Highest, Is.EqualTo(1).Within(2e-3));
+        Assert.That(agreement.HitDifferencePercent.Highest, Is.LessThan(0.03));
+        Assert.That(agreement.AmplitudeDifferenceDb.Highest, Is.LessThan(1), "at 0 degrees; at 45 nothing returns");
         Assert.That(sweep.Poses.Select(pose => pose.Ours.RaysReceived), Is.EqualTo(new[] { 676, 0 }));
     }
 
@@ -346,6 +350,16 @@ public sealed class ExperimentsTests
     static SnapshotsResult OddShips() => new("odd-all", s_odd.Title, [new PublishedRow(0, 5, 7, 900), new PublishedRow(15, 5, 7, 900)],
         [.. from snapshot in new[] { 1, 2, 3 } from angle in new[] { 0, 15 } let much = 10 * (snapshot - 1) * (1 + angle / 15)
             select new SweepRow(new SweepPose(angle, snapshot), Received(much, much, 1000))]);
+
+    // Two pixels met once and received, in a picture of 4 x 3.
+    static RadarPicture[] OddViews() => [.. ReflectorPicture.Angles.Select(_ =>
+    {
+        var picture = new RadarPicture(4, 3, new RayRegion { Width = 4, Height = 3 });
+        var hits = new[] { new PathHit { Place = new(0, 0, 1), Direction = new(0, 0, -1) } };
+        foreach (uint pixel in new uint[] { 5, 6 })
+            picture.Set(new RayPath { Pixel = pixel, Hits = hits, End = default(Unity.Mathematics.double3) });
+        return picture;
+    })];
 
     static ExperimentsResult OddResult()
     {

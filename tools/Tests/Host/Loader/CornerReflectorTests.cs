@@ -34,16 +34,16 @@ public sealed class CornerReflectorTests
 
     [Test]
     public void Roots_AreInTheScenesOrder() =>
-        Assert.That(_roots.Select(root => root.name), Is.EqualTo(new[] { "Radar Camera", "Directional Light", "Sweep", "Corner Reflector" }));
+        Assert.That(_roots.Select(root => root.name), Is.EqualTo(new[] { "Corner Reflector Radar", "Directional Light", "Sweep", "Corner Reflector" }));
 
     [Test]
     public void Radar_StandsAsTheExperimentSays()
     {
-        Transform radar = _roots[0].transform;
-        double pitch = 10 * Math.PI / 180;
-        Assert.That(radar.position.y, Is.EqualTo(41.08 * Math.Sin(pitch)).Within(1e-5));
-        Assert.That(radar.position.z, Is.EqualTo(-41.08 * Math.Cos(pitch)).Within(1e-5));
-        Assert.That(radar.forward.y, Is.EqualTo(-Math.Sin(pitch)).Within(1e-6));
+        Transform radar = _roots[0].transform.Find("Radar Camera");
+        double elevation = 9.974 * Math.PI / 180;
+        Assert.That(radar.position.y, Is.EqualTo(41.112 * Math.Sin(elevation)).Within(1e-5));
+        Assert.That(radar.position.z, Is.EqualTo(-41.112 * Math.Cos(elevation)).Within(1e-5));
+        Assert.That(radar.forward.y, Is.EqualTo(-Math.Sin(9.985 * Math.PI / 180)).Within(1e-6));
         Assert.That(radar.GetComponent<Camera>().fieldOfView, Is.EqualTo(60f));
 
         RadarController controller = radar.GetComponent<RadarController>();
@@ -56,12 +56,12 @@ public sealed class CornerReflectorTests
     [Test]
     public void Reflector_VertexAndAxes_AreTheRecoveredGeometry()
     {
-        // The inner corner, 8 m from the turning point along each axis of the object, at world (0, 3.349, 13.446).
+        // The inner corner is the frame's origin: sqrt(2) 7.871 sin b - 8.052 cos b up, sqrt(2) 7.871 cos b + 8.052 sin b back, b = 49.132 degrees.
         Transform frame = _roots[3].transform.Find("Frame");
-        Vector3 vertex = frame.TransformPoint(new Vector3(-8f, -8f, -8f));
+        Vector3 vertex = frame.position;
         Assert.That(vertex.x, Is.EqualTo(0f).Within(1e-4));
-        Assert.That(vertex.y, Is.EqualTo(3.349f).Within(1e-3));
-        Assert.That(vertex.z, Is.EqualTo(13.446f).Within(1e-3));
+        Assert.That(vertex.y, Is.EqualTo(3.1491f).Within(1e-4));
+        Assert.That(vertex.z, Is.EqualTo(13.3725f).Within(1e-4));
         Assert.That(frame.Cast<Transform>().Select(plate => plate.name), Is.EqualTo(new[] { "Plate X", "Plate Y", "Plate Z" }));
         foreach (Transform plate in frame)
         {
@@ -72,7 +72,7 @@ public sealed class CornerReflectorTests
 
     [Test]
     public void Gatherer_FindsTheTrianglesOfThreeCubes() =>
-        Assert.That(_roots[0].GetComponent<RadarController>().GatherScene().TriangleCount, Is.EqualTo(3 * 12));
+        Assert.That(_roots[0].GetComponentInChildren<RadarController>().GatherScene().TriangleCount, Is.EqualTo(3 * 12));
 
     static string ThisFolder([CallerFilePath] string file = null) => Path.GetDirectoryName(file);
 }

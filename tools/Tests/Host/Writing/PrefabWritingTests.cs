@@ -190,11 +190,23 @@ public sealed class PrefabWritingTests : WritingFixture
     }
 
     [Test]
+    public void Prefab_WithACamera_IsReadBack()
+    {
+        var camera = new GameObject("Radar", typeof(Camera)).GetComponent<Camera>();
+        (camera.fieldOfView, camera.nearClipPlane, camera.farClipPlane, camera.orthographicSize) = (12.5f, 0.01f, 5000f, 7f);
+        (camera.orthographic, camera.enabled, camera.depth, camera.cullingMask, camera.rect) = (true, false, -3f, ~5, new Rect(0.25f, 0, 0.5f, 0.75f));
+        PrefabUtility.SaveAsPrefabAsset(camera.gameObject, PrefabPath);
+        var read = Reopened<GameObject>(PrefabPath).GetComponent<Camera>();
+        Assert.That((read.fieldOfView, read.nearClipPlane, read.farClipPlane, read.orthographicSize), Is.EqualTo((12.5f, 0.01f, 5000f, 7f)));
+        Assert.That((read.orthographic, read.enabled, read.depth, read.cullingMask, read.rect), Is.EqualTo((true, false, -3f, ~5, new Rect(0.25f, 0, 0.5f, 0.75f))));
+    }
+
+    [Test]
     public void Prefab_WithAComponentThatIsNotWritten_IsRefusedByName()
     {
-        PrefabUtility.SaveAsPrefabAsset(new GameObject("Radar", typeof(Camera)), PrefabPath, out bool success);
+        PrefabUtility.SaveAsPrefabAsset(new GameObject("Radar", typeof(LODGroup)), PrefabPath, out bool success);
         Assert.That(success, Is.False);
-        Assert.That(Errors.Single(), Is.EqualTo("Camera of 'Radar' is not written outside of Unity: leave it out, or save the prefab in Unity"));
+        Assert.That(Errors.Single(), Is.EqualTo("LODGroup of 'Radar' is not written outside of Unity: leave it out, or save the prefab in Unity"));
     }
 
     [Test]
