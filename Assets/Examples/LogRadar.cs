@@ -10,7 +10,8 @@ public sealed class LogRadar : MonoBehaviour
     void Start()
     {
         var result = _radar.Trace();
-        Debug.Log($"{result.RaysReceived} of {result.RaysEmitted} rays came back: amplitude {result.Amplitude:0.00} ({result.AmplitudeDb:0.00} dB)");
+        Debug.Log($"{result.RaysReceived} of {result.RaysEmitted} rays came back: "
+            + $"amplitude {result.Amplitude:0.00} ({result.AmplitudeDb:0.00} dB)");
         foreach (var ray in result.Rays)
             Debug.DrawLine(_radar.transform.position, ray.LastHit, Color.green, 10);
     }

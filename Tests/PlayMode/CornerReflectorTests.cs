@@ -36,7 +36,8 @@ namespace Glint.Tests
         [Test]
         public void Scene_ItsGeometry_IsTheRecoveredOne()
         {
-            // The vertex where the inner faces meet, from the turning point (7.871, 7.871, 8.052) m along axes that lean by 49.132 degrees.
+            // The vertex where the inner faces meet, from the turning point (7.871, 7.871, 8.052) m along
+            // axes that lean by 49.132 degrees.
             double lean = math.radians(49.132);
             var vertex = new Vector3(0, (float)(math.sqrt(2.0) * 7.871 * math.sin(lean) - 8.052 * math.cos(lean)),
                 (float)(math.sqrt(2.0) * 7.871 * math.cos(lean) + 8.052 * math.sin(lean)));
@@ -45,14 +46,17 @@ namespace Glint.Tests
             foreach (var plate in plates)
             {
                 var scale = plate.lossyScale;
-                Assert.That(scale.x * scale.y * scale.z, Is.EqualTo(16.004f * 16.004f * 0.211f).Within(1e-3f), plate.name);
+                Assert.That(scale.x * scale.y * scale.z,
+                    Is.EqualTo(16.004f * 16.004f * 0.211f).Within(1e-3f), plate.name);
                 Assert.That(Vector3.Distance(plate.parent.position, vertex), Is.LessThan(1e-5f), "vertex");
             }
             var (radar, receiver) = (_radar.transform, _radar.Receiver);
             Assert.That(radar.position.magnitude, Is.EqualTo(41.112f).Within(1e-4f));
             Assert.That(Pitch(radar), Is.EqualTo(9.985f).Within(1e-4f));
             Assert.That(Pitch(receiver), Is.EqualTo(9.985f - 4).Within(1e-4f));
-            Assert.That(Vector3.Distance(receiver.position, radar.position - 0.236f * radar.forward - 0.210f * radar.up), Is.LessThan(1e-5f));
+            Assert.That(
+                Vector3.Distance(receiver.position, radar.position - 0.236f * radar.forward - 0.210f * radar.up),
+                Is.LessThan(1e-5f));
         }
 
         // Degrees below the horizontal.
@@ -74,7 +78,9 @@ namespace Glint.Tests
                 Assert.That(result.RaysHit, Is.EqualTo(recovered.Hit(row)).Within(0.02).Percent, $"hits at {at}");
                 Assert.That(result.RaysReceived, Is.EqualTo(recovered.Received(row)).Within(3), $"received at {at}");
                 double moreOrFewer = System.Math.Abs(result.RaysReceived - recovered.Received(row));
-                Assert.That(result.Amplitude, Is.EqualTo(recovered.Amplitude(row)).Within(0.005 * recovered.Amplitude(row) + 0.1 + moreOrFewer), $"amplitude at {at}");
+                Assert.That(result.Amplitude,
+                    Is.EqualTo(recovered.Amplitude(row)).Within(0.005 * recovered.Amplitude(row) + 0.1 + moreOrFewer),
+                    $"amplitude at {at}");
 
                 hitPercent.Add(100 * System.Math.Abs(result.RaysHit / (double)published.Hit(row) - 1));
                 received.Add(System.Math.Abs(result.RaysReceived - published.Received(row)));
@@ -87,7 +93,8 @@ namespace Glint.Tests
             Assert.That(hitPercent.Average(), Is.LessThan(0.006), "published hits, mean percent");
             Assert.That(received.Average(), Is.LessThan(13.5), "published rays received, mean");
             Assert.That(decibels.Count, Is.EqualTo(41), "0 to 40 deg; at 41 deg two rays are published, none is ours");
-            Assert.That(decibels.OrderBy(size => size).ElementAt(decibels.Count / 2), Is.LessThan(1.7), "published amplitudes, median dB");
+            Assert.That(decibels.OrderBy(size => size).ElementAt(decibels.Count / 2), Is.LessThan(1.7),
+                "published amplitudes, median dB");
             Assert.That(Correlation(amplitudes), Is.GreaterThan(0.97), "published amplitudes");
         }
 
@@ -129,9 +136,11 @@ namespace Glint.Tests
             Assert.That(result.Bounces, Is.EqualTo(expected.Bounces).Within(0.01).Percent);
             Assert.That(result.PathLengthMeters, Is.EqualTo(expected.PathLengthMeters).Within(0.01).Percent);
             // Each phase is off by some 0.005 rad at most: float32 lengths of 100 m have steps of 8 micrometres.
-            double tolerance = 0.005 * expected.RaysReceived + System.Math.Abs(result.RaysReceived - expected.RaysReceived);
+            double tolerance =
+                0.005 * expected.RaysReceived + System.Math.Abs(result.RaysReceived - expected.RaysReceived);
             Assert.That(result.InPhase, Is.EqualTo(expected.InPhase).Within(tolerance));
-            int inOtherBins = result.PhaseHistogram.Zip(expected.PhaseHistogram, (ours, theirs) => System.Math.Abs(ours - theirs)).Sum() / 2;
+            int inOtherBins = result.PhaseHistogram.Zip(expected.PhaseHistogram,
+                (ours, theirs) => System.Math.Abs(ours - theirs)).Sum() / 2;
             Assert.That(inOtherBins, Is.LessThanOrEqualTo(expected.RaysReceived / 50), "rays in another bin of 10 deg");
             Assert.That(result.Quadrature, Is.EqualTo(expected.Quadrature).Within(tolerance));
         }

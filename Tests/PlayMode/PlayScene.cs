@@ -7,7 +7,9 @@ namespace Glint.Tests
     /// <summary>Plays a scene of com.glint.scenes for a test.</summary>
     static class PlayScene
     {
-        /// <summary>Loads a scene and waits until every Start has run. Its sweep, if it has one, does not begin.</summary>
+        /// <summary>
+        /// Loads a scene and waits until every Start has run. Its sweep, if it has one, does not begin.
+        /// </summary>
         public static IEnumerator Load(string name)
         {
             SceneManager.sceneLoaded += StopSweep;
@@ -20,7 +22,8 @@ namespace Glint.Tests
         // Runs after OnEnable and before Start.
         static void StopSweep(Scene scene, LoadSceneMode mode)
         {
-            foreach (var sweep in Object.FindObjectsByType<Sweep>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
+            foreach (var sweep in Object.FindObjectsByType<Sweep>(FindObjectsInactive.Exclude,
+                FindObjectsSortMode.None))
                 sweep.enabled = false;
         }
     }

@@ -44,7 +44,8 @@ namespace Glint.Tests
         [UnityTest]
         public IEnumerator Start_ActiveRadar_TracesOnePose()
         {
-            LogAssert.Expect(LogType.Log, new System.Text.RegularExpressions.Regex("RadarController of 'Radar': amplitude"));
+            LogAssert.Expect(LogType.Log,
+                new System.Text.RegularExpressions.Regex("RadarController of 'Radar': amplitude"));
             _radar.gameObject.SetActive(true);
             yield return null;
             Assert.That(_radar.Result, Is.Not.Null);
@@ -57,7 +58,8 @@ namespace Glint.Tests
         public IEnumerator Start_RadarWithoutReceiver_SaysSoOnceAndNamesTheField()
         {
             _radar.Receiver = null;
-            LogAssert.Expect(LogType.Error, new System.Text.RegularExpressions.Regex("'Radar' has no receiver.*field Receiver"));
+            LogAssert.Expect(LogType.Error,
+                new System.Text.RegularExpressions.Regex("'Radar' has no receiver.*field Receiver"));
             _radar.gameObject.SetActive(true);
             yield return null;
             yield return null;
@@ -87,7 +89,8 @@ namespace Glint.Tests
         public void Trace_RootThatWasDestroyed_IsRefusedInsteadOfTracingEverything()
         {
             Object.DestroyImmediate(_plate);
-            Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message, Does.Contain("'Radar'").And.Contain("Roots"));
+            Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message,
+                Does.Contain("'Radar'").And.Contain("Roots"));
         }
 
         [Test]
@@ -113,8 +116,10 @@ namespace Glint.Tests
             for (int i = 0; i < 2; i++)
             {
                 var far = _radar.Trace();
-                Assert.That((far.InPhase, far.Quadrature, far.PathLengthMeters), Is.EqualTo((near.InPhase, near.Quadrature, near.PathLengthMeters)));
-                Assert.That((far.RaysHit, far.RaysReceived, far.Bounces), Is.EqualTo((near.RaysHit, near.RaysReceived, near.Bounces)));
+                Assert.That((far.InPhase, far.Quadrature, far.PathLengthMeters),
+                    Is.EqualTo((near.InPhase, near.Quadrature, near.PathLengthMeters)));
+                Assert.That((far.RaysHit, far.RaysReceived, far.Bounces),
+                    Is.EqualTo((near.RaysHit, near.RaysReceived, near.Bounces)));
                 Assert.That(_radar.Gather().View, Is.EqualTo(nearPose.View));
 
                 // What is written out is in the world, where float32 has steps of 1/16 m.
@@ -155,7 +160,8 @@ namespace Glint.Tests
             _radar.ReceiverSize = Vector2.zero;
             Assert.That(_radar.View().ReceiverSize, Is.EqualTo(new double2(8, 4.5)), "as the aperture");
             camera.orthographic = false;
-            Assert.That(Assert.Throws<GlintException>(() => _radar.Gather()).Message, Does.Contain("'Radar'").And.Contain("receiver size 0 x 0"));
+            Assert.That(Assert.Throws<GlintException>(() => _radar.Gather()).Message,
+                Does.Contain("'Radar'").And.Contain("receiver size 0 x 0"));
         }
 
         [Test]
@@ -166,9 +172,14 @@ namespace Glint.Tests
             _radar.transform.position = new Vector3(10, 20, 0);
             (_radar.FitAperture, _radar.RaySpacing, _radar.ReceiverSize) = (true, 0.25, Vector2.zero);
             // A region of the picture that is fitted: 16 x 16 rays, not 160 x 90.
-            _radar.Settings = new RadarSettings { FrequencyHz = 10e9, RaysAcross = 8, RaysDown = 8, MaxBounces = 4, Region = new RayRegion { Left = 8, Bottom = 8, Width = 8, Height = 8 } };
+            _radar.Settings = new RadarSettings
+            {
+                FrequencyHz = 10e9, RaysAcross = 8, RaysDown = 8, MaxBounces = 4,
+                Region = new RayRegion { Left = 8, Bottom = 8, Width = 8, Height = 8 }
+            };
             var pose = _radar.Gather();
-            Assert.That((pose.Settings.RaysAcross, pose.Settings.RaysDown, pose.View.ApertureHeight), Is.EqualTo((16, 16, 4.0)));
+            Assert.That((pose.Settings.RaysAcross, pose.Settings.RaysDown, pose.View.ApertureHeight),
+                Is.EqualTo((16, 16, 4.0)));
             Assert.That(math.distance(pose.View.Position, 0), Is.LessThan(1e-9));
             Assert.That(math.distance(pose.View.ReceiverCentre, new double3(0, 0, -0.2f)), Is.LessThan(1e-9));
             Assert.That(_radar.Trace().RaysEmitted, Is.EqualTo(64));
@@ -186,19 +197,22 @@ namespace Glint.Tests
         [TestCase(false, -3f, 1, "Camera of 'Radar'", "Size is -3")]
         [TestCase(true, 5f, 0, "RadarController of 'Radar'", "ray spacing 0 m")]
         [TestCase(true, 5f, 1e-7, "RadarController of 'Radar'", "larger spacing")]
-        public void Trace_ApertureThatCannotBe_IsRefusedByName(bool fits, float size, double spacing, string subject, string fault)
+        public void Trace_ApertureThatCannotBe_IsRefusedByName(bool fits, float size, double spacing,
+            string subject, string fault)
         {
             var camera = _radar.GetComponent<Camera>();
             (camera.orthographic, camera.orthographicSize) = (true, size);
             (_radar.FitAperture, _radar.RaySpacing) = (fits, spacing);
-            Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message, Does.Contain(subject).And.Contain(fault));
+            Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message,
+                Does.Contain(subject).And.Contain(fault));
         }
 
         [Test]
         public void Trace_SettingOutOfRange_IsRefusedByName()
         {
             _radar.Settings = new RadarSettings { FrequencyHz = 10e9, RaysAcross = 160, RaysDown = 90, MaxBounces = 0 };
-            Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message, Does.Contain("RadarController of 'Radar'").And.Contain("1 to 16"));
+            Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message,
+                Does.Contain("RadarController of 'Radar'").And.Contain("1 to 16"));
         }
 
         [Test]

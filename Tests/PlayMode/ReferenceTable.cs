@@ -15,7 +15,8 @@ namespace Glint.Tests
         {
             string text = PlayAsset.ReadText($"Packages/com.glint.radar/Editor/Published/{name}.csv");
             var lines = text.Split(new[] { '\n', '\r' }, StringSplitOptions.RemoveEmptyEntries);
-            return new ReferenceTable(lines.Skip(1).Select(line => line.Split(',').Select(cell => double.Parse(cell, CultureInfo.InvariantCulture)).ToArray()).ToArray());
+            return new ReferenceTable(lines.Skip(1).Select(line => line.Split(',')
+                .Select(cell => double.Parse(cell, CultureInfo.InvariantCulture)).ToArray()).ToArray());
         }
 
         public int Count => _rows.Length;

@@ -32,8 +32,10 @@ namespace Glint.Tests
                 var expected = new SeaSurface(_sea.Waves).Mesh(_sea.TimeSeconds);
                 Assert.That(Shown().vertices.Select(v => (float3)v), Is.EqualTo(expected.Vertices));
             }
-            Assert.That(_sea.TimeSeconds - start, Is.EqualTo(Time.timeAsDouble - clock).Within(1e-4).And.GreaterThan(0));
-            Assert.That(_sea.GetComponentsInChildren<MeshFilter>().Select(tile => tile.sharedMesh).Distinct().Count(), Is.EqualTo(1), "both tiles show one mesh");
+            Assert.That(_sea.TimeSeconds - start,
+                Is.EqualTo(Time.timeAsDouble - clock).Within(1e-4).And.GreaterThan(0));
+            Assert.That(_sea.GetComponentsInChildren<MeshFilter>().Select(tile => tile.sharedMesh).Distinct().Count(),
+                Is.EqualTo(1), "both tiles show one mesh");
         }
 
         [UnityTest]

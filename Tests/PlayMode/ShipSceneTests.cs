@@ -8,7 +8,10 @@ using UnityEngine.TestTools;
 
 namespace Glint.Tests
 {
-    /// <summary>The ship alone and on the stored seas, all round by 15 degrees: what the published experiment found of its ship holds for this one.</summary>
+    /// <summary>
+    /// The ship alone and on the stored seas, all round by 15 degrees:
+    /// what the published experiment found of its ship holds for this one.
+    /// </summary>
     public sealed class ShipSceneTests
     {
         const int BowOn = 0, Broadside = 6, SternOn = 12;
@@ -23,19 +26,22 @@ namespace Glint.Tests
         {
             yield return TraceFreeSpace();
             foreach (var (step, published) in new[] { (BowOn, 125508), (Broadside, 331864), (SternOn, 161522) })
-                Assert.That(s_freeSpace[step].RaysHit, Is.EqualTo(published).Within(15).Percent, $"{s_angles[step]} deg");
+                Assert.That(s_freeSpace[step].RaysHit, Is.EqualTo(published).Within(15).Percent,
+                    $"{s_angles[step]} deg");
         }
 
         [UnityTest]
         public IEnumerator FreeSpace_BowAndStern_AreFiveTimesTheMedian()
         {
             yield return TraceFreeSpace();
-            double median = s_freeSpace.Select(result => result.Amplitude).OrderBy(amplitude => amplitude).Skip(11).Take(2).Average();
+            double median = s_freeSpace.Select(result => result.Amplitude).OrderBy(amplitude => amplitude)
+                .Skip(11).Take(2).Average();
             Assert.That(s_freeSpace[BowOn].Amplitude, Is.GreaterThan(5 * median));
             Assert.That(s_freeSpace[SternOn].Amplitude, Is.GreaterThan(5 * median));
         }
 
-        // The published ship hardly changed on sea state 5. Ours does, and all of it is rays that met the sea: its upright sides and a level sea are dihedrals (experiments.md).
+        // The published ship hardly changed on sea state 5. Ours does, and all of it is rays that met the sea:
+        // its upright sides and a level sea are dihedrals (experiments.md).
         [UnityTest]
         public IEnumerator SeaState5_RaysOfTheShipAlone_AreThoseOfFreeSpace()
         {
@@ -45,12 +51,18 @@ namespace Glint.Tests
             for (int step = 0; step < onSea.Count; step++)
             {
                 var before = s_freeSpace[step].Rays.ToDictionary(ray => ray.Pixel);
-                var same = onSea[step].Rays.Where(ray => before.TryGetValue(ray.Pixel, out var other) && System.Math.Abs(ray.ExactPathLength - other.ExactPathLength) < 1e-4).ToArray();
-                Assert.That(same.Length, Is.GreaterThanOrEqualTo(0.99 * before.Count), $"{s_angles[step]} deg: the sea hides some");
-                double inPhase = same.Sum(ray => (double)ray.InPhase), quadrature = same.Sum(ray => (double)ray.Quadrature);
-                Assert.That(System.Math.Sqrt(inPhase * inPhase + quadrature * quadrature), Is.EqualTo(s_freeSpace[step].Amplitude).Within(0.01 * s_freeSpace[step].Amplitude + 0.5), $"{s_angles[step]} deg");
+                var same = onSea[step].Rays.Where(ray => before.TryGetValue(ray.Pixel, out var other)
+                    && System.Math.Abs(ray.ExactPathLength - other.ExactPathLength) < 1e-4).ToArray();
+                Assert.That(same.Length, Is.GreaterThanOrEqualTo(0.99 * before.Count),
+                    $"{s_angles[step]} deg: the sea hides some");
+                double inPhase = same.Sum(ray => (double)ray.InPhase),
+                    quadrature = same.Sum(ray => (double)ray.Quadrature);
+                Assert.That(System.Math.Sqrt(inPhase * inPhase + quadrature * quadrature),
+                    Is.EqualTo(s_freeSpace[step].Amplitude).Within(0.01 * s_freeSpace[step].Amplitude + 0.5),
+                    $"{s_angles[step]} deg");
                 var added = onSea[step].Rays.Where(ray => !before.ContainsKey(ray.Pixel));
-                Assert.That(added.Count(ray => ray.Bounces == 1), Is.Zero, $"{s_angles[step]} deg: this sea returns nothing by itself");
+                Assert.That(added.Count(ray => ray.Bounces == 1), Is.Zero,
+                    $"{s_angles[step]} deg: this sea returns nothing by itself");
             }
         }
 
@@ -60,7 +72,8 @@ namespace Glint.Tests
             yield return TraceFreeSpace();
             yield return PlayScene.Load("ShipSeaState6");
             var onSea = Trace();
-            int more = Enumerable.Range(0, onSea.Count).Count(step => onSea[step].RaysReceived > s_freeSpace[step].RaysReceived);
+            int more = Enumerable.Range(0, onSea.Count)
+                .Count(step => onSea[step].RaysReceived > s_freeSpace[step].RaysReceived);
             Assert.That(more, Is.GreaterThanOrEqualTo(2 * onSea.Count / 3));
         }
 

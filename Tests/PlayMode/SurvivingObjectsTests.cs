@@ -21,14 +21,16 @@ namespace Glint.Tests
             yield return null;
             try
             {
-                var found = new HierarchyWalk().Find(new List<Transform>()).Select(renderer => renderer.gameObject).ToList();
+                var found = new HierarchyWalk().Find(new List<Transform>())
+                    .Select(renderer => renderer.gameObject).ToList();
                 Assert.That(found.GetRange(found.Count - 2, 2), Is.EqualTo(new[] { survivor, other }));
                 Assert.That(found.Count(item => item == survivor), Is.EqualTo(1));
                 Assert.That(found.Contains(inScene));
 
                 inScene.SetActive(false);
                 other.SetActive(false);
-                found = new HierarchyWalk().Find(new List<Transform>()).Select(renderer => renderer.gameObject).ToList();
+                found = new HierarchyWalk().Find(new List<Transform>())
+                    .Select(renderer => renderer.gameObject).ToList();
                 Assert.That(found.Contains(survivor));
                 Assert.That(found.Contains(inScene) || found.Contains(other), Is.False, "inactive ones");
             }

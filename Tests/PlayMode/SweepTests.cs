@@ -73,7 +73,8 @@ namespace Glint.Tests
 
             var lines = File.ReadAllLines(Path.Combine(_folder, "results.csv"));
             Assert.That(lines[0], Does.EndWith(",range_m,frequency_hz"));
-            Assert.That(lines.Skip(1).Select(line => string.Join(" ", line.Split(',').TakeLast(2))), Is.EqualTo(new[] { "40 9000000000", "60 9000000000", "40 10000000000", "60 10000000000" }));
+            Assert.That(lines.Skip(1).Select(line => string.Join(" ", line.Split(',').TakeLast(2))),
+                Is.EqualTo(new[] { "40 9000000000", "60 9000000000", "40 10000000000", "60 10000000000" }));
             Assert.That(Vector3.Distance(radar.transform.position, position), Is.LessThan(1e-4f));
             Assert.That(radar.Settings.FrequencyHz, Is.EqualTo(frequency));
         }

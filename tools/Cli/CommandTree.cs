@@ -8,7 +8,9 @@ using System.Linq;
 
 namespace Glint.Cli;
 
-/// <summary>The parser: a System.CommandLine tree made from the tables of Glint.Core, which also judge what it finds.</summary>
+/// <summary>
+/// The parser: a System.CommandLine tree made from the tables of Glint.Core, which also judge what it finds.
+/// </summary>
 sealed class CommandTree
 {
     // The tables' parser sees every value, also surplus ones, so that both hosts refuse them in the same words.
@@ -37,11 +39,16 @@ sealed class CommandTree
     public int Invoke(string[] arguments, Action<Core.Command> onCommand)
     {
         // A command comes first: the library would find one behind a word that it does not know.
-        if (arguments.Length > 0 && !arguments[0].StartsWith('-') && Core.Commands.All.All(command => command.Name != arguments[0]))
+        if (arguments.Length > 0 && !arguments[0].StartsWith('-')
+            && Core.Commands.All.All(command => command.Name != arguments[0]))
             throw NoCommand(arguments[0]);
-        var parsed = _root.Parse(arguments, new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
+        var parsed = _root.Parse(arguments,
+            new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
         if (parsed.Action is not (null or ParseErrorAction))
-            return parsed.Invoke(new InvocationConfiguration { Output = _terminal.Out, Error = _terminal.Error, EnableDefaultExceptionHandler = false });
+            return parsed.Invoke(new InvocationConfiguration
+            {
+                Output = _terminal.Out, Error = _terminal.Error, EnableDefaultExceptionHandler = false
+            });
         if (!_commands.TryGetValue(parsed.CommandResult.Command, out var command))
             throw NoCommand(parsed.UnmatchedTokens.FirstOrDefault());
         onCommand(command);
@@ -52,9 +59,14 @@ sealed class CommandTree
     {
         var built = new Command(command.Name, command.Summary);
         if (command.Inputs != Core.InputKind.None)
-            built.Add(new Argument<string[]>(command.InputName) { Description = Core.Commands.InputHelpOf(command), Arity = Any });
+            built.Add(new Argument<string[]>(
+                command.InputName) { Description = Core.Commands.InputHelpOf(command), Arity = Any });
         foreach (var option in command.Options)
-            built.Add(new Option<string[]>(option.Flag) { Description = option.Help, HelpName = option.ValueName, Arity = option.IsSwitch ? ArgumentArity.Zero : Any });
+            built.Add(new Option<string[]>(option.Flag)
+            {
+                Description = option.Help, HelpName = option.ValueName,
+                Arity = option.IsSwitch ? ArgumentArity.Zero : Any
+            });
         _commands.Add(built, command);
         return built;
     }
@@ -66,22 +78,27 @@ sealed class CommandTree
         {
             // The library takes what follows the "=" of a switch for an argument.
             if (command.Options.Any(option => option.IsSwitch && option.Flag == result.Option.Name))
-                options.AddRange(raw.Where(word => word.StartsWith(result.Option.Name + "=")).Select(word => Pair(result.Option.Name, word[(word.IndexOf('=') + 1)..])));
+                options.AddRange(raw.Where(word => word.StartsWith(result.Option.Name + "="))
+                    .Select(word => Pair(result.Option.Name, word[(word.IndexOf('=') + 1)..])));
             // The library takes the next word for the value of "--name=".
             if (raw.Contains(result.Option.Name + "="))
                 options.Add(Pair(result.Option.Name, ""));
             // A word that begins with "--" is a misspelt option and no value; --name=--value is one.
-            options.AddRange(result.Tokens.Select(token => Pair(result.Option.Name, token.Value.StartsWith("--") && raw.Contains(token.Value) ? null : token.Value)));
-            options.AddRange(Enumerable.Repeat(Pair(result.Option.Name, null), Math.Max(0, result.IdentifierTokenCount - result.Tokens.Count)));
+            options.AddRange(result.Tokens.Select(token => Pair(result.Option.Name,
+                token.Value.StartsWith("--") && raw.Contains(token.Value) ? null : token.Value)));
+            options.AddRange(Enumerable.Repeat(Pair(result.Option.Name, null),
+                Math.Max(0, result.IdentifierTokenCount - result.Tokens.Count)));
         }
 
         // What the tree has no option for arrives as argument; after "--" it is meant as one.
-        var words = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(result => result.Tokens).Select(token => token.Value)
+        var words = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(result => result.Tokens)
+            .Select(token => token.Value)
             .Concat(parsed.UnmatchedTokens).ToArray();
         int literal = raw.Reverse().TakeWhile(word => word != "--").Count();
         var free = words.SkipLast(literal < raw.Length ? literal : 0).ToArray();
         options.AddRange(free.Where(Core.CommandLine.LooksLikeOption).Select(word => Pair(word.Split('=')[0], null)));
-        return Core.CommandLine.Create(command, [.. free.Where(word => !Core.CommandLine.LooksLikeOption(word)), .. words.Skip(free.Length)], options);
+        return Core.CommandLine.Create(command,
+            [.. free.Where(word => !Core.CommandLine.LooksLikeOption(word)), .. words.Skip(free.Length)], options);
     }
 
     static KeyValuePair<string, string> Pair(string flag, string value) => KeyValuePair.Create(flag, value);
@@ -93,7 +110,8 @@ sealed class CommandTree
         if (word == null)
             return new Core.UsageException($"a command is missing: {list}");
         string nearest = Core.Spelling.Nearest(word, names);
-        return new Core.UsageException($"\"{word}\": no such command: {(nearest == null ? "the commands are " + list : $"did you mean {nearest}?")}");
+        return new Core.UsageException($"\"{word}\": no such command: "
+            + $"{(nearest == null ? "the commands are " + list : $"did you mean {nearest}?")}");
     }
 
     // With groups and examples, which the library's own help has not.

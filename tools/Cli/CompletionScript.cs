@@ -5,7 +5,9 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>The script with which a shell completes glint's command lines, made from the tables of commands and options.</summary>
+/// <summary>
+/// The script with which a shell completes glint's command lines, made from the tables of commands and options.
+/// </summary>
 /// <param name="shell">One of <see cref="Commands.Shells"/>.</param>
 sealed class CompletionScript(string shell)
 {
@@ -30,7 +32,8 @@ sealed class CompletionScript(string shell)
     static bool TakesFile(Option option) => option.ValueName.Trim('[', ']') == "FILE";
 
     // A value of which nothing is known but its form: the shell must not offer files.
-    static bool IsFree(Option option) => !option.IsSwitch && option.ImpliedText == null && option.Choices.Count == 0 && !TakesFolder(option) && !TakesFile(option);
+    static bool IsFree(Option option) => !option.IsSwitch && option.ImpliedText == null && option.Choices.Count == 0
+        && !TakesFolder(option) && !TakesFile(option);
 
     void WriteBash()
     {
@@ -38,7 +41,8 @@ sealed class CompletionScript(string shell)
         Line("    local word=${COMP_WORDS[COMP_CWORD]} before=${COMP_WORDS[COMP_CWORD-1]} command=${COMP_WORDS[1]}");
         Line("    COMPREPLY=()");
         Line("    # bash makes three words of --name=value");
-        Line("    if [[ $word == \"=\" ]]; then word=; elif [[ $before == \"=\" ]]; then before=${COMP_WORDS[COMP_CWORD-2]}; fi");
+        Line("    if [[ $word == \"=\" ]]; then word=; elif [[ $before == \"=\" ]]; "
+            + "then before=${COMP_WORDS[COMP_CWORD-2]}; fi");
         Line("    if (( COMP_CWORD == 1 )); then");
         Line($"        COMPREPLY=($(compgen -W \"{Names(Commands.All)} --help --version\" -- \"$word\"))");
         Line("        return");
@@ -46,7 +50,8 @@ sealed class CompletionScript(string shell)
         Line("    case $command:$before in");
         foreach (var command in Commands.All)
         {
-            Cases(command, option => option.Choices.Count > 0, option => $"COMPREPLY=($(compgen -W \"{string.Join(' ', option.Choices)}\" -- \"$word\")); return");
+            Cases(command, option => option.Choices.Count > 0,
+                option => $"COMPREPLY=($(compgen -W \"{string.Join(' ', option.Choices)}\" -- \"$word\")); return");
             Cases(command, TakesFolder, _ => "_glint_files -d; return");
             Cases(command, TakesFile, _ => "_glint_files -f; return");
             Cases(command, IsFree, _ => "return");
@@ -54,7 +59,8 @@ sealed class CompletionScript(string shell)
         Line("    esac");
         Line("    case $command in");
         foreach (var command in Commands.All)
-            Line($"        {command.Name}) [[ $word == -* ]] && COMPREPLY=($(compgen -W \"{Flags(command)}\" -- \"$word\")) || {BashInput(command)} ;;");
+            Line($"        {command.Name}) [[ $word == -* ]] && COMPREPLY=($(compgen -W \"{Flags(command)}\" -- "
+                + $"\"$word\")) || {BashInput(command)} ;;");
         Line("    esac");
         Line("}");
         Line("_glint_files() {");
@@ -63,7 +69,8 @@ sealed class CompletionScript(string shell)
         Line("}");
         Line("_glint_meshes() {");
         Line("    compopt -o filenames 2>/dev/null");
-        Line($"    mapfile -t COMPREPLY < <(compgen -d -- \"$word\"; {string.Join("; ", s_meshes.Select(end => $"compgen -f -X '!*.{end}' -- \"$word\""))})");
+        Line("    mapfile -t COMPREPLY < <(compgen -d -- \"$word\"; "
+            + $"{string.Join("; ", s_meshes.Select(end => $"compgen -f -X '!*.{end}' -- \"$word\""))})");
         Line("}");
         Line("complete -F _glint glint");
 
@@ -71,7 +78,8 @@ sealed class CompletionScript(string shell)
         void Cases(Command command, System.Func<Option, bool> which, System.Func<Option, string> answer)
         {
             foreach (var group in command.Options.Where(which).GroupBy(answer))
-                Line($"        {string.Join('|', group.Select(option => $"{command.Name}:{option.Flag}"))}) {group.Key} ;;");
+                Line($"        {string.Join('|', group.Select(option => $"{command.Name}:{option.Flag}"))}) "
+                    + $"{group.Key} ;;");
         }
     }
 
@@ -89,7 +97,8 @@ sealed class CompletionScript(string shell)
         Line("_glint() {");
         Line("    local curcontext=$curcontext state line");
         Line("    if (( CURRENT == 2 )); then");
-        Line($"        local -a commands=({string.Join(' ', Commands.All.Select(command => Quoted($"{command.Name}:{command.Summary}")))})");
+        Line("        local -a "
+            + $"commands=({string.Join(' ', Commands.All.Select(command => Quoted($"{command.Name}:{command.Summary}")))})");
         Line("        _describe command commands");
         Line("        return");
         Line("    fi");
@@ -99,7 +108,9 @@ sealed class CompletionScript(string shell)
         Line("    case $command in");
         foreach (var command in Commands.All)
         {
-            var specs = command.Options.Select(option => $"{(option.IsRepeatable ? "*" : "")}{option.Flag}[{Bracketed(Sentence(option.Help))}]{ZshValue(option)}").Append("--help[Help.]").ToList();
+            var specs = command.Options.Select(option => $"{(option.IsRepeatable ? "*" : "")}"
+                + $"{option.Flag}[{Bracketed(Sentence(option.Help))}]{ZshValue(option)}")
+                .Append("--help[Help.]").ToList();
             if (command.Inputs != InputKind.None)
                 specs.Add(command.Inputs switch
                 {
@@ -119,7 +130,10 @@ sealed class CompletionScript(string shell)
     {
         if (option.IsSwitch)
             return "";
-        string action = option.Choices.Count > 0 ? $"({string.Join(' ', option.Choices)})" : TakesFolder(option) ? "_files -/" : TakesFile(option) ? "_files" : " ";
+        string action = option.Choices.Count > 0 ? $"({string.Join(' ', option.Choices)})"
+            : TakesFolder(option) ? "_files -/"
+            : TakesFile(option) ? "_files"
+            : " ";
         return $":{option.ValueName.Trim('[', ']')}:{action}".Insert(0, option.ImpliedText == null ? "" : ":");
     }
 
@@ -146,11 +160,17 @@ sealed class CompletionScript(string shell)
     }
 
     static string FishValue(Option option) =>
-        option.IsSwitch ? "" : option.Choices.Count > 0 ? $" -x -a '{string.Join(' ', option.Choices)}'" : TakesFolder(option) ? " -x -a '(__fish_complete_directories)'" : TakesFile(option) ? option.ImpliedText == null ? " -r -F" : " -F" : " -x";
+        option.IsSwitch ? ""
+            : option.Choices.Count > 0 ? $" -x -a '{string.Join(' ', option.Choices)}'"
+            : TakesFolder(option) ? " -x -a '(__fish_complete_directories)'"
+            : TakesFile(option) ? option.ImpliedText == null ? " -r -F"
+            : " -F"
+            : " -x";
 
     static string Names(IEnumerable<Command> commands) => string.Join(' ', commands.Select(command => command.Name));
 
-    static string Flags(Command command) => string.Join(' ', command.Options.Select(option => option.Flag).Append("--help"));
+    static string Flags(Command command) =>
+        string.Join(' ', command.Options.Select(option => option.Flag).Append("--help"));
 
     // The first sentence; a full stop inside of a name or number has no blank behind it.
     static string Sentence(string help) => help.IndexOf(". ") is var end && end > 0 ? help[..(end + 1)] : help;

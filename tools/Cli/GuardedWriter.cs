@@ -4,7 +4,10 @@ using System.Text;
 
 namespace Glint.Cli;
 
-/// <summary>A standard stream that may be closed or full: what cannot be written is told to the owner, in place of the stream's own exceptions.</summary>
+/// <summary>
+/// A standard stream that may be closed or full: what cannot be written is told to the owner,
+/// in place of the stream's own exceptions.
+/// </summary>
 /// <param name="inner">The stream.</param>
 /// <param name="onFailure">Told of each failure; may throw.</param>
 sealed class GuardedWriter(TextWriter inner, Action<Exception> onFailure) : TextWriter(inner.FormatProvider)

@@ -19,7 +19,8 @@ sealed class InfoReport(Terminal terminal)
         Columns("", [
             ("Glint", GlintVersion.Text),
             ("Unity", UnityEngine.Application.unityVersion + " (headless stand-in)"),
-            (".NET", $"{Environment.Version} on {RuntimeInformation.OSDescription} ({RuntimeInformation.ProcessArchitecture}), {Environment.ProcessorCount} processors"),
+            (".NET", $"{Environment.Version} on {RuntimeInformation.OSDescription} "
+                + $"({RuntimeInformation.ProcessArchitecture}), {Environment.ProcessorCount} processors"),
             ("Project", ProjectFolder.Current ?? "none here")
         ]);
 
@@ -38,7 +39,8 @@ sealed class InfoReport(Terminal terminal)
             ("largest uniform buffer", Bytes(limits.MaxUniformBufferRange)),
             ("storage buffers of a kernel", limits.MaxStorageBuffersPerStage.ToString(CultureInfo.InvariantCulture)),
             ("groups of a dispatch", $"{limits.MaxGroupsX} x {limits.MaxGroupsY} x {limits.MaxGroupsZ}"),
-            ("threads of a group", $"{limits.MaxGroupInvocations}, at most {limits.MaxGroupSizeX} x {limits.MaxGroupSizeY} x {limits.MaxGroupSizeZ}")
+            ("threads of a group", $"{limits.MaxGroupInvocations}, "
+                + $"at most {limits.MaxGroupSizeX} x {limits.MaxGroupSizeY} x {limits.MaxGroupSizeZ}")
         ]);
         return 0;
     }

@@ -11,7 +11,8 @@ static class JsonText
     /// <summary>Writes an object and a line's end, and closes the stream.</summary>
     public static void Write(Stream stream, JObject root)
     {
-        using var json = new JsonTextWriter(new StreamWriter(stream, new UTF8Encoding(false)) { NewLine = "\n" }) { Formatting = Formatting.Indented };
+        using var json = new JsonTextWriter(
+            new StreamWriter(stream, new UTF8Encoding(false)) { NewLine = "\n" }) { Formatting = Formatting.Indented };
         root.WriteTo(json);
         json.WriteWhitespace("\n");
     }

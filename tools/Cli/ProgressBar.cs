@@ -31,7 +31,8 @@ sealed class ProgressBar : IProgressSink
         // On a shared screen a line must move the bar out of its way; a file wants the bare line.
         Action<string> print = terminal.SharesScreen ? line => terminal.Live.WriteLine(line) : terminal.Out.WriteLine;
         return terminal.Live.Progress().AutoClear(true)
-            .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(), new ElapsedTimeColumn(), new RemainingTimeColumn())
+            .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(),
+                new ElapsedTimeColumn(), new RemainingTimeColumn())
             .Start(bars => work(new ProgressBar(bars, print, cancellation)));
     }
 

@@ -6,7 +6,8 @@ using Glint.Core;
 namespace Glint.Cli;
 
 /// <summary>Progress for logs and pipes: a line now and then, also within a long step, and the last.</summary>
-sealed class ProgressLines(TextWriter output, TextWriter messages, Cancellation cancellation, TimeProvider clock) : IProgressSink
+sealed class ProgressLines(TextWriter output, TextWriter messages, Cancellation cancellation, TimeProvider clock)
+    : IProgressSink
 {
     static readonly TimeSpan Interval = TimeSpan.FromSeconds(5), LongStep = TimeSpan.FromSeconds(2);
 
@@ -42,7 +43,9 @@ sealed class ProgressLines(TextWriter output, TextWriter messages, Cancellation 
             return;
         _written = _stepStarted;
         var elapsed = clock.GetElapsedTime(_started, _stepStarted);
-        string left = done > 0 && done < _total ? $", about {Text(elapsed * (_total - done) / done)} left" : $" in {Text(elapsed)}";
+        string left = done > 0 && done < _total
+            ? $", about {Text(elapsed * (_total - done) / done)} left"
+            : $" in {Text(elapsed)}";
         messages.WriteLine($"{_what}: {done} of {_total}{left}{(note == null ? "" : $" ({note})")}");
     }
 

@@ -13,9 +13,13 @@ static class ProjectFolder
     {
         string own = File.Exists(input) ? ProjectPaths.FindRoot(Path.GetDirectoryName(Path.GetFullPath(input))) : null;
         return own ?? Current ?? throw new GlintException(
-            $"no Unity project: {Environment.CurrentDirectory} is not in one: change to the folder that holds Assets and Packages");
+            $"no Unity project: {Environment.CurrentDirectory} is not in one: "
+            + "change to the folder that holds Assets and Packages");
     }
 
-    /// <summary>The project of the current directory, else the one this program was built in; null when there is neither.</summary>
-    public static string Current => ProjectPaths.FindRoot(Environment.CurrentDirectory) ?? ProjectPaths.FindRoot(AppContext.BaseDirectory);
+    /// <summary>
+    /// The project of the current directory, else the one this program was built in; null when there is neither.
+    /// </summary>
+    public static string Current =>
+        ProjectPaths.FindRoot(Environment.CurrentDirectory) ?? ProjectPaths.FindRoot(AppContext.BaseDirectory);
 }

@@ -54,7 +54,8 @@ sealed class Shell(Terminal terminal)
     int Fail(string message, Exception error, int exitCode)
     {
         // One line, whatever a library put into its message.
-        terminal.Error.WriteLine("glint: " + string.Join(" ", message.Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)));
+        terminal.Error.WriteLine("glint: " + string.Join(" ",
+            message.Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)));
         if (IsTracing)
             terminal.Error.WriteLine(error);
         return exitCode;

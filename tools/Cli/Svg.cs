@@ -9,7 +9,9 @@ using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>An SVG picture on white: lines, dots and words. Places count from the upper left corner and are rounded to a tenth.</summary>
+/// <summary>
+/// An SVG picture on white: lines, dots and words. Places count from the upper left corner and are rounded to a tenth.
+/// </summary>
 sealed class Svg : IDisposable
 {
     const string Namespace = "http://www.w3.org/2000/svg";
@@ -18,9 +20,13 @@ sealed class Svg : IDisposable
 
     public Svg(Stream stream, int width, int height)
     {
-        _svg = XmlWriter.Create(stream, new XmlWriterSettings { Encoding = new UTF8Encoding(false), Indent = true, NewLineChars = "\n", OmitXmlDeclaration = true });
+        _svg = XmlWriter.Create(stream, new XmlWriterSettings
+        {
+            Encoding = new UTF8Encoding(false), Indent = true, NewLineChars = "\n", OmitXmlDeclaration = true
+        });
         _svg.WriteStartElement("svg", Namespace);
-        Attributes(("viewBox", $"0 0 {width} {height}"), ("width", width), ("height", height), ("font-family", "sans-serif"), ("font-size", 13));
+        Attributes(("viewBox", $"0 0 {width} {height}"), ("width", width), ("height", height),
+            ("font-family", "sans-serif"), ("font-size", 13));
         Element("rect", ("width", width), ("height", height), ("fill", "white"));
     }
 
@@ -28,10 +34,12 @@ sealed class Svg : IDisposable
     public void Dispose() => _svg.Dispose();
 
     public void Dot(double x, double y, string colour, bool isHollow, double radius = 4) =>
-        Element("circle", ("cx", Rounded(x)), ("cy", Rounded(y)), ("r", radius), ("stroke", colour), ("stroke-width", 1.5), ("fill", isHollow ? "white" : colour));
+        Element("circle", ("cx", Rounded(x)), ("cy", Rounded(y)), ("r", radius), ("stroke", colour),
+            ("stroke-width", 1.5), ("fill", isHollow ? "white" : colour));
 
     public void Line(double x1, double y1, double x2, double y2, string colour, double thickness = 1) =>
-        Element("line", ("x1", Rounded(x1)), ("y1", Rounded(y1)), ("x2", Rounded(x2)), ("y2", Rounded(y2)), ("stroke", colour), ("stroke-width", thickness));
+        Element("line", ("x1", Rounded(x1)), ("y1", Rounded(y1)), ("x2", Rounded(x2)), ("y2", Rounded(y2)),
+            ("stroke", colour), ("stroke-width", thickness));
 
     public void Polyline(IEnumerable<(double x, double y)> places, string colour) =>
         Element("polyline", ("points", Points(places)), ("fill", "none"), ("stroke", colour), ("stroke-width", 1.5));
@@ -41,11 +49,13 @@ sealed class Svg : IDisposable
         Element("polygon", ("points", Points(outline)), ("fill", colour), ("fill-opacity", 0.2));
 
     public void Rectangle(double x, double y, double width, double height, string colour) =>
-        Element("rect", ("x", Rounded(x)), ("y", Rounded(y)), ("width", Rounded(width)), ("height", Rounded(height)), ("fill", colour));
+        Element("rect", ("x", Rounded(x)), ("y", Rounded(y)), ("width", Rounded(width)),
+            ("height", Rounded(height)), ("fill", colour));
 
     /// <summary>Rows of pixels, one unit high, in units of a size.</summary>
     public void Pixels(double x, double y, double size, string colour, IEnumerable<(int x, int y, int length)> runs) =>
-        Element("path", ("transform", Text($"translate({x:0.#} {y:0.#}) scale({size:0.####})")), ("fill", colour), ("shape-rendering", "crispEdges"),
+        Element("path", ("transform", Text($"translate({x:0.#} {y:0.#}) scale({size:0.####})")),
+        ("fill", colour), ("shape-rendering", "crispEdges"),
             ("d", string.Concat(runs.Select(run => Text($"M{run.x} {run.y}h{run.length}v1h-{run.length}z")))));
 
     /// <param name="anchor">Which end of the text is at the place: start, middle or end.</param>
@@ -70,7 +80,8 @@ sealed class Svg : IDisposable
             _svg.WriteAttributeString(name, Convert.ToString(value, CultureInfo.InvariantCulture));
     }
 
-    static string Points(IEnumerable<(double x, double y)> places) => string.Join(" ", places.Select(place => Text($"{place.x:0.0},{place.y:0.0}")));
+    static string Points(IEnumerable<(double x, double y)> places) =>
+        string.Join(" ", places.Select(place => Text($"{place.x:0.0},{place.y:0.0}")));
 
     static double Rounded(double place) => Math.Round(place, 1);
 }

@@ -88,7 +88,8 @@ public sealed class Project : IAssetSource, IAssetStore
         if (BuiltInAssets.GuidOf(asset.AssetPath) is not null)
             return;
         if (_assets.LostIfWritten(asset) is string lost)
-            throw new UnityException($"{_files.Shown(asset.AssetPath)}: holds {lost}, which only Unity writes: save it there");
+            throw new UnityException($"{_files.Shown(asset.AssetPath)}: holds {lost}, "
+                + "which only Unity writes: save it there");
         _writer.WriteAsset(asset, asset.AssetPath);
     }
 
@@ -100,7 +101,8 @@ public sealed class Project : IAssetSource, IAssetStore
     }
 
     public bool IsFolder(string path) => !string.IsNullOrEmpty(path) && path[^1] != '/'
-        && (path == "Assets" || path.StartsWith("Assets/", StringComparison.Ordinal) || path.StartsWith("Packages/", StringComparison.Ordinal))
+        && (path == "Assets" || path.StartsWith("Assets/", StringComparison.Ordinal)
+            || path.StartsWith("Packages/", StringComparison.Ordinal))
         && Directory.Exists(_files.Physical(path));
 
     public string CreateFolder(string path) => _writer.CreateFolder(path);
@@ -120,9 +122,11 @@ public sealed class Project : IAssetSource, IAssetStore
             throw new GlintException($"{shown}: is no scene: give the path of a {SceneExtension} file");
         if (Exists(assetPath))
             return;
-        List<string> scenes = _files.Guids.Paths.Where(path => path.EndsWith(SceneExtension, StringComparison.OrdinalIgnoreCase))
+        List<string> scenes = _files.Guids.Paths.Where(
+                path => path.EndsWith(SceneExtension, StringComparison.OrdinalIgnoreCase))
             .Select(_files.Shown).Order(StringComparer.Ordinal).ToList();
         string there = string.Join(", ", scenes.Take(ShownScenes)) + (scenes.Count > ShownScenes ? ", ..." : "");
-        throw new GlintException($"{shown}: no such scene: {(scenes.Count > 0 ? $"the project has {there}" : "the project has none")}");
+        throw new GlintException($"{shown}: no such scene: "
+            + $"{(scenes.Count > 0 ? $"the project has {there}" : "the project has none")}");
     }
 }

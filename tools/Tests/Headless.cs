@@ -10,8 +10,8 @@ using NUnit.Framework;
 #endif
 
 /// <summary>
-/// Compiled into every test assembly, so that the tests need not know where they run: opens the project that this file belongs to,
-/// in play mode for an assembly named so, with an empty scene.
+/// Compiled into every test assembly, so that the tests need not know where they run:
+/// opens the project that this file belongs to, in play mode for an assembly named so, with an empty scene.
 /// </summary>
 [SetUpFixture]
 public sealed class Headless

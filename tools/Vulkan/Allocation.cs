@@ -18,25 +18,38 @@ sealed unsafe class Allocation : IDisposable
     Allocation(VulkanDevice device, long bytes) => (_device, Bytes) = (device, bytes);
 
     /// <summary>
-    /// Memory of the device, which kernels use. Where the device shares the host's cached memory (a CPU, an integrated GPU), it is mapped;
-    /// a discrete GPU's window onto its memory is not, since the host reads through it a hundred times slower than from a staging buffer.
+    /// Memory of the device, which kernels use. Where the device shares the host's cached memory (a CPU,
+    /// an integrated GPU), it is mapped;
+    /// a discrete GPU's window onto its memory is not, since the host reads through it a hundred times
+    /// slower than from a staging buffer.
     /// </summary>
-    internal static Allocation ForKernels(VulkanDevice device, long bytes, bool map) => Create(device, bytes, "a buffer",
-        Native.StorageUsage | Native.UniformTexelUsage | Native.TransferSource | Native.TransferTarget,
-        map ? [Native.DeviceLocal | Native.HostVisible | Native.HostCoherent | Native.HostCached, Native.DeviceLocal, 0] : [Native.DeviceLocal, 0],
-        map);
+    internal static Allocation ForKernels(VulkanDevice device, long bytes, bool map) =>
+        Create(device, bytes, "a buffer",
+            Native.StorageUsage | Native.UniformTexelUsage | Native.TransferSource | Native.TransferTarget,
+            map ? [Native.DeviceLocal | Native.HostVisible | Native.HostCoherent | Native.HostCached,
+                Native.DeviceLocal, 0] : [Native.DeviceLocal, 0],
+            map);
 
-    /// <summary>Memory of the host that the device can read and write: uniforms, and bytes on their way to and from device memory.</summary>
-    internal static Allocation ForHost(VulkanDevice device, long bytes, uint usage) => Create(device, bytes, "a staging buffer", usage,
-        [Native.HostVisible | Native.HostCoherent | Native.HostCached, Native.HostVisible | Native.HostCoherent], true);
+    /// <summary>
+    /// Memory of the host that the device can read and write:
+    /// uniforms, and bytes on their way to and from device memory.
+    /// </summary>
+    internal static Allocation ForHost(VulkanDevice device, long bytes, uint usage) =>
+        Create(device, bytes, "a staging buffer", usage,
+            [Native.HostVisible | Native.HostCoherent | Native.HostCached,
+                Native.HostVisible | Native.HostCoherent], true);
 
-    static Allocation Create(VulkanDevice device, long bytes, string what, uint usage, ReadOnlySpan<uint> memoryKinds, bool map)
+    static Allocation Create(VulkanDevice device, long bytes, string what, uint usage,
+        ReadOnlySpan<uint> memoryKinds, bool map)
     {
         string reserve = $"reserve {what} of {bytes:N0} bytes on {device.Info.Name}";
         var allocation = new Allocation(device, bytes);
         try
         {
-            var info = new BufferCreateInfo { SType = StructureType.BufferCreateInfo, Size = (ulong)(bytes + 3) / 4 * 4, Usage = usage };
+            var info = new BufferCreateInfo
+            {
+                SType = StructureType.BufferCreateInfo, Size = (ulong)(bytes + 3) / 4 * 4, Usage = usage
+            };
             VulkanException.Check(Native.vkCreateBuffer(device.Handle, &info, null, out allocation._buffer), reserve);
             Native.vkGetBufferMemoryRequirements(device.Handle, allocation._buffer, out var needs);
 
@@ -47,12 +60,19 @@ sealed unsafe class Allocation : IDisposable
             if (type < 0)
                 throw new VulkanException($"could not {reserve}: it has no such memory");
 
-            var request = new MemoryAllocateInfo { SType = StructureType.MemoryAllocateInfo, Size = needs.Size, TypeIndex = (uint)type };
-            VulkanException.Check(Native.vkAllocateMemory(device.Handle, &request, null, out allocation._memory), reserve);
-            VulkanException.Check(Native.vkBindBufferMemory(device.Handle, allocation._buffer, allocation._memory, 0), reserve);
+            var request = new MemoryAllocateInfo
+            {
+                SType = StructureType.MemoryAllocateInfo, Size = needs.Size, TypeIndex = (uint)type
+            };
+            VulkanException.Check(
+                Native.vkAllocateMemory(device.Handle, &request, null, out allocation._memory), reserve);
+            VulkanException.Check(
+                Native.vkBindBufferMemory(device.Handle, allocation._buffer, allocation._memory, 0), reserve);
             if (map && (kind & Native.HostVisible) != 0)
             {
-                VulkanException.Check(Native.vkMapMemory(device.Handle, allocation._memory, 0, ulong.MaxValue, 0, out byte* data), reserve);
+                VulkanException.Check(
+                    Native.vkMapMemory(device.Handle, allocation._memory, 0, ulong.MaxValue, 0, out byte* data),
+                    reserve);
                 allocation.Mapped = data;
             }
             return allocation;

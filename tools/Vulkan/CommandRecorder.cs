@@ -4,9 +4,9 @@ using System.Collections.Generic;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// The commands recorded but not yet run, in order, with a full memory barrier before each. They run as one batch when somebody
-/// waits, or when a batch has <see cref="MaxDispatches"/> dispatches: enough to hide the cost of a submission, few enough that
-/// one batch of short dispatches stays well below a GPU's watchdog.
+/// The commands recorded but not yet run, in order, with a full memory barrier before each. They run as one batch when
+/// somebody waits, or when a batch has <see cref="MaxDispatches"/> dispatches: enough to hide the cost of a submission,
+/// few enough that one batch of short dispatches stays well below a GPU's watchdog.
 /// </summary>
 sealed unsafe class CommandRecorder : IDisposable
 {
@@ -29,7 +29,10 @@ sealed unsafe class CommandRecorder : IDisposable
     int _dispatches;
     bool _recording;
 
-    /// <summary>Batches after this one are answered as by a device that went away. For tests: no driver loses its device at will.</summary>
+    /// <summary>
+    /// Batches after this one are answered as by a device that went away. For tests:
+    /// no driver loses its device at will.
+    /// </summary>
     internal long LastBatch { get; set; } = long.MaxValue;
 
     /// <summary>Number of the batch being recorded; all with smaller numbers have run.</summary>
@@ -39,10 +42,19 @@ sealed unsafe class CommandRecorder : IDisposable
     {
         _device = device;
         _queue = queue;
-        var poolInfo = new CommandPoolCreateInfo { SType = StructureType.CommandPoolCreateInfo, Flags = 2, QueueFamily = queueFamily }; // buffers can be reset
-        VulkanException.Check(Native.vkCreateCommandPool(device.Handle, &poolInfo, null, out _commandPool), "make a command pool");
-        var bufferInfo = new CommandBufferAllocateInfo { SType = StructureType.CommandBufferAllocateInfo, Pool = _commandPool, Count = 1 };
-        VulkanException.Check(Native.vkAllocateCommandBuffers(device.Handle, &bufferInfo, out _commands), "make a command buffer");
+        // buffers can be reset
+        var poolInfo = new CommandPoolCreateInfo
+        {
+            SType = StructureType.CommandPoolCreateInfo, Flags = 2, QueueFamily = queueFamily
+        };
+        VulkanException.Check(Native.vkCreateCommandPool(device.Handle, &poolInfo, null, out _commandPool),
+            "make a command pool");
+        var bufferInfo = new CommandBufferAllocateInfo
+        {
+            SType = StructureType.CommandBufferAllocateInfo, Pool = _commandPool, Count = 1
+        };
+        VulkanException.Check(Native.vkAllocateCommandBuffers(device.Handle, &bufferInfo, out _commands),
+            "make a command buffer");
         var fenceInfo = new FenceCreateInfo { SType = StructureType.FenceCreateInfo };
         VulkanException.Check(Native.vkCreateFence(device.Handle, &fenceInfo, null, out _fence), "make a fence");
         var sizes = stackalloc DescriptorPoolSize[]
@@ -51,11 +63,16 @@ sealed unsafe class CommandRecorder : IDisposable
             new() { Type = Native.UniformBuffer, Count = PoolUniformBuffers },
             new() { Type = Native.UniformTexelBuffer, Count = PoolTexelBuffers },
         };
-        var descriptorInfo = new DescriptorPoolCreateInfo { SType = StructureType.DescriptorPoolCreateInfo, MaxSets = MaxDispatches, SizeCount = 3, Sizes = sizes };
-        VulkanException.Check(Native.vkCreateDescriptorPool(device.Handle, &descriptorInfo, null, out _descriptorPool), "make a descriptor pool");
+        var descriptorInfo = new DescriptorPoolCreateInfo
+        {
+            SType = StructureType.DescriptorPoolCreateInfo, MaxSets = MaxDispatches, SizeCount = 3, Sizes = sizes
+        };
+        VulkanException.Check(Native.vkCreateDescriptorPool(device.Handle, &descriptorInfo, null, out _descriptorPool),
+            "make a descriptor pool");
     }
 
-    internal void Dispatch(ComputeProgram program, ReadOnlySpan<byte> uniforms, ReadOnlySpan<GpuBuffer> buffers, uint x, uint y, uint z)
+    internal void Dispatch(ComputeProgram program, ReadOnlySpan<byte> uniforms,
+        ReadOnlySpan<GpuBuffer> buffers, uint x, uint y, uint z)
     {
         if (program.UniformBytes > UniformRingBytes - _uniformsUsed)
             Flush();
@@ -121,16 +138,19 @@ sealed unsafe class CommandRecorder : IDisposable
         Barrier();
         VulkanException.Check(Native.vkEndCommandBuffer(_commands), "record commands");
         nint commands = _commands;
-        var submit = new SubmitInfo { SType = StructureType.SubmitInfo, CommandBufferCount = 1, CommandBuffers = &commands };
+        var submit =
+            new SubmitInfo { SType = StructureType.SubmitInfo, CommandBufferCount = 1, CommandBuffers = &commands };
         string run = $"run {dispatches} dispatches on {_device.Info.Name}";
-        VulkanException.Check(Batch > LastBatch ? Native.DeviceLost : Native.vkQueueSubmit(_queue, 1, &submit, _fence), run);
+        VulkanException.Check(
+            Batch > LastBatch ? Native.DeviceLost : Native.vkQueueSubmit(_queue, 1, &submit, _fence), run);
 
         var patience = Patience * Math.Max(1, dispatches);
         int result = Native.vkWaitForFences(_device.Handle, 1, in _fence, 1, (ulong)patience.Ticks * 100);
         if (result == Native.Timeout)
         {
             _device.Abandon();
-            throw new VulkanException($"could not {run}: no answer in {patience.TotalMinutes:0} minutes; use smaller dispatches or another device");
+            throw new VulkanException($"could not {run}: no answer in {patience.TotalMinutes:0} minutes; "
+                + "use smaller dispatches or another device");
         }
         VulkanException.Check(result, run);
         VulkanException.Check(Native.vkResetFences(_device.Handle, 1, in _fence), run);
@@ -148,7 +168,8 @@ sealed unsafe class CommandRecorder : IDisposable
             Barrier();
             return;
         }
-        var info = new CommandBufferBeginInfo { SType = StructureType.CommandBufferBeginInfo, Flags = 1 }; // submitted once
+        // submitted once
+        var info = new CommandBufferBeginInfo { SType = StructureType.CommandBufferBeginInfo, Flags = 1 };
         VulkanException.Check(Native.vkBeginCommandBuffer(_commands, &info), "record commands");
         _recording = true;
         _device.Clock.BeginBatch(_commands);
@@ -164,7 +185,10 @@ sealed unsafe class CommandRecorder : IDisposable
 
     void Barrier()
     {
-        var barrier = new MemoryBarrier { SType = StructureType.MemoryBarrier, From = Native.MemoryWrite, To = Native.MemoryRead | Native.MemoryWrite };
+        var barrier = new MemoryBarrier
+        {
+            SType = StructureType.MemoryBarrier, From = Native.MemoryWrite, To = Native.MemoryRead | Native.MemoryWrite
+        };
         const uint Stages = Native.ComputeStage | Native.TransferStage;
         Native.vkCmdPipelineBarrier(_commands, Stages, Stages | Native.HostStage, 0, 1, &barrier, 0, null, 0, null);
     }
@@ -190,7 +214,10 @@ sealed unsafe class CommandRecorder : IDisposable
     ulong AllocateSet(ComputeProgram program)
     {
         ulong layout = program.SetLayout;
-        var info = new DescriptorSetAllocateInfo { SType = StructureType.DescriptorSetAllocateInfo, Pool = _descriptorPool, Count = 1, Layouts = &layout };
+        var info = new DescriptorSetAllocateInfo
+        {
+            SType = StructureType.DescriptorSetAllocateInfo, Pool = _descriptorPool, Count = 1, Layouts = &layout
+        };
         int result = Native.vkAllocateDescriptorSets(_device.Handle, &info, out ulong set);
         if (result is Native.OutOfPoolMemory or Native.FragmentedPool && _recording)
         {
@@ -237,8 +264,12 @@ sealed unsafe class CommandRecorder : IDisposable
         _uniformRing ??= Allocation.ForHost(_device, UniformRingBytes, Native.UniformUsage);
         long at = _uniformsUsed;
         uniforms.Slice(block.Start, block.Bytes).CopyTo(new Span<byte>(_uniformRing.Mapped + at, block.Bytes));
-        _uniformsUsed = (at + block.Bytes + Reflection.BlockAlignment - 1) / Reflection.BlockAlignment * Reflection.BlockAlignment;
-        return new DescriptorBufferInfo { Buffer = _uniformRing.Buffer, Offset = (ulong)at, Range = (ulong)block.Bytes };
+        _uniformsUsed =
+            (at + block.Bytes + Reflection.BlockAlignment - 1) / Reflection.BlockAlignment * Reflection.BlockAlignment;
+        return new DescriptorBufferInfo
+        {
+            Buffer = _uniformRing.Buffer, Offset = (ulong)at, Range = (ulong)block.Bytes
+        };
     }
 
     public void Dispose()

@@ -34,7 +34,9 @@ public sealed unsafe class ComputeProgram : IDisposable
     /// <summary>The kernel's name.</summary>
     public string Name => _reflection.EntryPoint;
 
-    /// <summary>Names of the buffers it uses, as in the HLSL source. What is declared and not used is left out.</summary>
+    /// <summary>
+    /// Names of the buffers it uses, as in the HLSL source. What is declared and not used is left out.
+    /// </summary>
     public IReadOnlyList<string> Buffers { get; }
 
     /// <summary>The buffers with their element types and strides, in the order of <see cref="Buffers"/>.</summary>
@@ -53,7 +55,9 @@ public sealed unsafe class ComputeProgram : IDisposable
     internal IReadOnlyList<UniformBlock> Blocks => _reflection.Blocks;
     internal ulong SetLayout => _setLayout;
     internal ulong Layout => _layout;
-    internal ulong Pipeline => _pipeline != 0 ? _pipeline : throw new ObjectDisposedException(nameof(ComputeProgram), $"kernel {Name} was disposed");
+    internal ulong Pipeline => _pipeline != 0
+        ? _pipeline
+        : throw new ObjectDisposedException(nameof(ComputeProgram), $"kernel {Name} was disposed");
 
     /// <summary>Batch of the last recorded dispatch of this kernel.</summary>
     internal long LastBatch { get; set; }
@@ -89,12 +93,16 @@ public sealed unsafe class ComputeProgram : IDisposable
         CheckCount("buffers", Slots.Count(slot => !slot.IsTexel), limits.MaxStorageBuffersPerStage);
         CheckCount("texel buffers", Slots.Count(slot => slot.IsTexel), limits.MaxTexelBuffersPerStage);
         if (Blocks.FirstOrDefault(block => block.Bytes > limits.MaxUniformBufferRange) is { Bytes: > 0 } large)
-            throw new VulkanException($"kernel {Name} has {large.Bytes:N0} bytes of uniforms in one block, {_device.Info.Name} takes {limits.MaxUniformBufferRange:N0}");
+            throw new VulkanException($"kernel {Name} has {large.Bytes:N0} bytes of uniforms in one block, "
+                + $"{_device.Info.Name} takes {limits.MaxUniformBufferRange:N0}");
         if (UniformBytes > CommandRecorder.UniformRingBytes)
-            throw new VulkanException($"kernel {Name} has {UniformBytes:N0} bytes of uniforms in all, at most {CommandRecorder.UniformRingBytes:N0} are supported");
+            throw new VulkanException($"kernel {Name} has {UniformBytes:N0} bytes of uniforms in all, "
+                + $"at most {CommandRecorder.UniformRingBytes:N0} are supported");
         var (x, y, z) = GroupSize;
-        if (x > limits.MaxGroupSizeX || y > limits.MaxGroupSizeY || z > limits.MaxGroupSizeZ || (ulong)x * y * z > limits.MaxGroupInvocations)
-            throw new VulkanException($"kernel {Name} has groups of {x} x {y} x {z} threads, {_device.Info.Name} takes {limits.MaxGroupInvocations} in all");
+        if (x > limits.MaxGroupSizeX || y > limits.MaxGroupSizeY || z > limits.MaxGroupSizeZ
+            || (ulong)x * y * z > limits.MaxGroupInvocations)
+            throw new VulkanException($"kernel {Name} has groups of {x} x {y} x {z} threads, "
+                + $"{_device.Info.Name} takes {limits.MaxGroupInvocations} in all");
     }
 
     void CheckCount(string what, int count, int most)
@@ -107,8 +115,12 @@ public sealed unsafe class ComputeProgram : IDisposable
     {
         fixed (byte* code = spirv)
         {
-            var info = new ShaderModuleCreateInfo { SType = StructureType.ShaderModuleCreateInfo, CodeBytes = (nuint)spirv.Length, Code = (uint*)code };
-            VulkanException.Check(Native.vkCreateShaderModule(_device.Handle, &info, null, out _module), $"load kernel {Name}");
+            var info = new ShaderModuleCreateInfo
+            {
+                SType = StructureType.ShaderModuleCreateInfo, CodeBytes = (nuint)spirv.Length, Code = (uint*)code
+            };
+            VulkanException.Check(Native.vkCreateShaderModule(_device.Handle, &info, null, out _module),
+                $"load kernel {Name}");
         }
     }
 
@@ -116,16 +128,28 @@ public sealed unsafe class ComputeProgram : IDisposable
     {
         var bindings = Slots.Select(slot => (slot.Binding, Type: slot.DescriptorType))
             .Concat(Blocks.Select(block => (block.Binding, Type: Native.UniformBuffer)))
-            .Select(binding => new DescriptorSetLayoutBinding { Binding = binding.Binding, Type = binding.Type, Count = 1, Stages = Native.ComputeShader })
+            .Select(binding => new DescriptorSetLayoutBinding
+            {
+                Binding = binding.Binding, Type = binding.Type, Count = 1, Stages = Native.ComputeShader
+            })
             .ToArray();
         fixed (DescriptorSetLayoutBinding* data = bindings)
         {
-            var info = new DescriptorSetLayoutCreateInfo { SType = StructureType.DescriptorSetLayoutCreateInfo, BindingCount = (uint)bindings.Length, Bindings = data };
-            VulkanException.Check(Native.vkCreateDescriptorSetLayout(_device.Handle, &info, null, out _setLayout), $"lay out the buffers of kernel {Name}");
+            var info = new DescriptorSetLayoutCreateInfo
+            {
+                SType = StructureType.DescriptorSetLayoutCreateInfo,
+                BindingCount = (uint)bindings.Length, Bindings = data
+            };
+            VulkanException.Check(Native.vkCreateDescriptorSetLayout(_device.Handle, &info, null, out _setLayout),
+                $"lay out the buffers of kernel {Name}");
         }
         ulong set = _setLayout;
-        var layout = new PipelineLayoutCreateInfo { SType = StructureType.PipelineLayoutCreateInfo, SetLayoutCount = 1, SetLayouts = &set };
-        VulkanException.Check(Native.vkCreatePipelineLayout(_device.Handle, &layout, null, out _layout), $"lay out the buffers of kernel {Name}");
+        var layout = new PipelineLayoutCreateInfo
+        {
+            SType = StructureType.PipelineLayoutCreateInfo, SetLayoutCount = 1, SetLayouts = &set
+        };
+        VulkanException.Check(Native.vkCreatePipelineLayout(_device.Handle, &layout, null, out _layout),
+            $"lay out the buffers of kernel {Name}");
     }
 
     void CreatePipeline()
@@ -137,11 +161,13 @@ public sealed unsafe class ComputeProgram : IDisposable
                 SType = StructureType.ComputePipelineCreateInfo,
                 Stage = new PipelineShaderStageCreateInfo
                 {
-                    SType = StructureType.PipelineShaderStageCreateInfo, Stage = Native.ComputeShader, Module = _module, Name = name,
+                    SType = StructureType.PipelineShaderStageCreateInfo,
+                    Stage = Native.ComputeShader, Module = _module, Name = name,
                 },
                 Layout = _layout,
             };
-            VulkanException.Check(Native.vkCreateComputePipelines(_device.Handle, 0, 1, &info, null, out _pipeline), $"compile kernel {Name} on {_device.Info.Name}");
+            VulkanException.Check(Native.vkCreateComputePipelines(_device.Handle, 0, 1, &info, null, out _pipeline),
+                $"compile kernel {Name} on {_device.Info.Name}");
         }
     }
 }

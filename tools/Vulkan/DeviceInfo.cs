@@ -5,4 +5,5 @@ namespace Glint.Vulkan;
 /// <param name="Type">"discrete GPU", "integrated GPU", "virtual GPU", "CPU" or "other".</param>
 /// <param name="ApiVersion">The Vulkan version it offers, as in "1.3.230".</param>
 /// <param name="Driver">Name and version of its driver.</param>
-public sealed record DeviceInfo(int Index, string Name, string Type, string ApiVersion, string Driver, uint VendorId, uint DeviceId);
+public sealed record DeviceInfo(int Index, string Name, string Type, string ApiVersion, string Driver,
+    uint VendorId, uint DeviceId);

@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Glint.Vulkan;
 
-/// <summary>The environment variables that tell the Vulkan loader which drivers to take, in place of those installed.</summary>
+/// <summary>
+/// The environment variables that tell the Vulkan loader which drivers to take, in place of those installed.
+/// </summary>
 static class DriverVariable
 {
     // The loader does not look at the second when the first is set.
@@ -18,6 +20,7 @@ static class DriverVariable
             return null;
         string value = environment(name);
         bool isThere = value.Split(Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries).Any(Path.Exists);
-        return $"no Vulkan device: {name} is set to {value}, {(isThere ? "whose driver gives none" : "which is not there")}; unset it to use the installed drivers";
+        return $"no Vulkan device: {name} is set to {value}, "
+            + $"{(isThere ? "whose driver gives none" : "which is not there")}; unset it to use the installed drivers";
     }
 }

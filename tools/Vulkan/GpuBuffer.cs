@@ -44,7 +44,8 @@ public sealed unsafe class GpuBuffer : IDisposable
     /// <summary>The bytes as a Buffer&lt;uint4&gt; reads them; made when it is first asked for.</summary>
     internal ulong TexelView => _texelView != 0 ? _texelView : CreateTexelView();
 
-    Allocation Live => _allocation ?? throw new ObjectDisposedException(nameof(GpuBuffer), $"this buffer of {Bytes:N0} bytes was disposed");
+    Allocation Live => _allocation
+        ?? throw new ObjectDisposedException(nameof(GpuBuffer), $"this buffer of {Bytes:N0} bytes was disposed");
 
     /// <summary>Puts bytes in, after what was dispatched before and ahead of what will be dispatched.</summary>
     public void Write(ReadOnlySpan<byte> data, long offset = 0)
@@ -103,18 +104,23 @@ public sealed unsafe class GpuBuffer : IDisposable
     {
         long texels = Bytes / TexelBytes, most = Device.Limits.MaxTexelBufferElements;
         if (texels == 0 || texels > most)
-            throw new VulkanException($"a buffer of {Bytes:N0} bytes cannot be read as a Buffer<uint4>: {Device.Info.Name} takes from {TexelBytes} to {most * TexelBytes:N0} bytes; unset {ShaderLibrary.TexelVariable}");
+            throw new VulkanException($"a buffer of {Bytes:N0} bytes cannot be read as a Buffer<uint4>: "
+                + $"{Device.Info.Name} takes from {TexelBytes} to {most * TexelBytes:N0} bytes; "
+                + $"unset {ShaderLibrary.TexelVariable}");
         var info = new BufferViewCreateInfo
         {
-            SType = StructureType.BufferViewCreateInfo, Buffer = Handle, Format = Native.Uint4Format, Range = (ulong)(texels * TexelBytes),
+            SType = StructureType.BufferViewCreateInfo, Buffer = Handle,
+            Format = Native.Uint4Format, Range = (ulong)(texels * TexelBytes),
         };
-        VulkanException.Check(Native.vkCreateBufferView(Device.Handle, &info, null, out _texelView), $"view {Bytes:N0} bytes as a Buffer<uint4>");
+        VulkanException.Check(Native.vkCreateBufferView(Device.Handle, &info, null, out _texelView),
+            $"view {Bytes:N0} bytes as a Buffer<uint4>");
         return _texelView;
     }
 
     void CheckRange(int bytes, long offset)
     {
         if (offset < 0 || bytes > Bytes - offset)
-            throw new ArgumentOutOfRangeException(nameof(offset), $"bytes {offset:N0} to {offset + bytes:N0} lie outside this buffer of {Bytes:N0} bytes");
+            throw new ArgumentOutOfRangeException(nameof(offset),
+                $"bytes {offset:N0} to {offset + bytes:N0} lie outside this buffer of {Bytes:N0} bytes");
     }
 }

@@ -3,7 +3,8 @@ using System;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// Adds up how long the device works on dispatches, by timestamps of its own before and after each. Copies and waiting do not count.
+/// Adds up how long the device works on dispatches, by timestamps of its own before and after each.
+/// Copies and waiting do not count.
 /// Off at first, when it costs nothing.
 /// </summary>
 public sealed unsafe class GpuClock
@@ -43,7 +44,9 @@ public sealed unsafe class GpuClock
         _milliseconds = 0;
     }
 
-    /// <summary>Milliseconds of device time of the dispatches since <see cref="Reset"/>; waits for what is recorded.</summary>
+    /// <summary>
+    /// Milliseconds of device time of the dispatches since <see cref="Reset"/>; waits for what is recorded.
+    /// </summary>
     public double Read()
     {
         _device.Wait();
@@ -60,7 +63,10 @@ public sealed unsafe class GpuClock
         Native.vkCmdResetQueryPool(commands, _pool, 0, Queries);
     }
 
-    /// <summary>Once before and once after a dispatch. The stage is the last: all that was recorded before must be done, a copy too.</summary>
+    /// <summary>
+    /// Once before and once after a dispatch. The stage is the last:
+    /// all that was recorded before must be done, a copy too.
+    /// </summary>
     internal void Stamp(nint commands)
     {
         if (_isOn)
@@ -74,7 +80,8 @@ public sealed unsafe class GpuClock
             return;
         var ticks = stackalloc ulong[Queries];
         VulkanException.Check(
-            Native.vkGetQueryPoolResults(_device.Handle, _pool, 0, (uint)_stamps, (nuint)(_stamps * sizeof(ulong)), ticks, sizeof(ulong), Native.Query64Bit | Native.QueryWait),
+            Native.vkGetQueryPoolResults(_device.Handle, _pool, 0, (uint)_stamps, (nuint)(_stamps * sizeof(ulong)),
+                ticks, sizeof(ulong), Native.Query64Bit | Native.QueryWait),
             "read the device's clock");
         // The clock has this many bits and begins again at 0 after the last.
         ulong mask = ulong.MaxValue >> (64 - _device.Limits.TimestampBits);
@@ -87,7 +94,10 @@ public sealed unsafe class GpuClock
 
     void CreatePool()
     {
-        var info = new QueryPoolCreateInfo { SType = StructureType.QueryPoolCreateInfo, QueryType = Native.TimestampQuery, Count = Queries };
+        var info = new QueryPoolCreateInfo
+        {
+            SType = StructureType.QueryPoolCreateInfo, QueryType = Native.TimestampQuery, Count = Queries
+        };
         VulkanException.Check(Native.vkCreateQueryPool(_device.Handle, &info, null, out _pool), "make a clock");
     }
 }

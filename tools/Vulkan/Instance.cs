@@ -7,7 +7,8 @@ namespace Glint.Vulkan;
 /// <summary>The connection to the Vulkan loader, and the devices that it knows.</summary>
 sealed unsafe class Instance : IDisposable
 {
-    const string NoDriver = "no Vulkan driver; install Mesa's, which also has a software device: apt-get install mesa-vulkan-drivers";
+    const string NoDriver =
+        "no Vulkan driver; install Mesa's, which also has a software device: apt-get install mesa-vulkan-drivers";
     const uint Vulkan11 = 1u << 22 | 1u << 12, Vulkan12 = 1u << 22 | 2u << 12;
     const int IncompatibleDriver = -9;
 
@@ -27,7 +28,8 @@ sealed unsafe class Instance : IDisposable
         catch (DllNotFoundException exception)
         {
             throw new VulkanException(
-                "the Vulkan loader libvulkan.so.1 is missing; install it and a driver: apt-get install libvulkan1 mesa-vulkan-drivers", exception);
+                "the Vulkan loader libvulkan.so.1 is missing; install it and a driver: "
+                    + "apt-get install libvulkan1 mesa-vulkan-drivers", exception);
         }
 
         if (result == IncompatibleDriver)
@@ -38,7 +40,8 @@ sealed unsafe class Instance : IDisposable
         VulkanException.Check(Native.vkEnumeratePhysicalDevices(_handle, ref count, null), "list the Vulkan devices");
         var handles = new nint[count];
         fixed (nint* data = handles)
-            VulkanException.Check(Native.vkEnumeratePhysicalDevices(_handle, ref count, data), "list the Vulkan devices");
+            VulkanException.Check(Native.vkEnumeratePhysicalDevices(_handle, ref count, data),
+                "list the Vulkan devices");
         Devices = handles.Take((int)count)
             .Select(handle => new PhysicalDevice(handle))
             .Where(device => device.ApiVersion >= Vulkan11 && device.QueueFamily >= 0)
@@ -46,7 +49,10 @@ sealed unsafe class Instance : IDisposable
             .ToList();
     }
 
-    /// <summary>The best device when <paramref name="selector"/> is null or empty, else the one with that index or that part of a name.</summary>
+    /// <summary>
+    /// The best device when <paramref name="selector"/> is null or empty,
+    /// else the one with that index or that part of a name.
+    /// </summary>
     internal PhysicalDevice Select(string selector)
     {
         if (Devices.Count == 0)
@@ -59,7 +65,8 @@ sealed unsafe class Instance : IDisposable
             return Devices[index];
         return ranked.FirstOrDefault(device => device.Info.Name.Contains(selector, StringComparison.OrdinalIgnoreCase))
             ?? throw new VulkanException($"no Vulkan device \"{selector}\"; choose an index or a part of a name of: "
-                + string.Join(", ", Devices.Select(device => $"{device.Info.Index} {device.Info.Name} ({device.Info.Type})")));
+                + string.Join(", ",
+                    Devices.Select(device => $"{device.Info.Index} {device.Info.Name} ({device.Info.Type})")));
     }
 
     public void Dispose()

@@ -4,16 +4,22 @@ namespace Glint.Vulkan;
 
 #pragma warning disable CS0649 // fields that only Vulkan reads, and only as zero
 
-// Vulkan's own structures, in its field order, for 64-bit processes. Handles: nint where Vulkan has a pointer, ulong where it has a number.
+// Vulkan's own structures, in its field order, for 64-bit processes. Handles: nint where Vulkan has a pointer,
+// ulong where it has a number.
 // SType, first in most of them, holds one of the numbers in StructureType.
 
 static class StructureType
 {
-    internal const int ApplicationInfo = 0, InstanceCreateInfo = 1, DeviceQueueCreateInfo = 2, DeviceCreateInfo = 3, SubmitInfo = 4,
-        MemoryAllocateInfo = 5, FenceCreateInfo = 8, QueryPoolCreateInfo = 11, BufferCreateInfo = 12, BufferViewCreateInfo = 13, ShaderModuleCreateInfo = 16, PipelineShaderStageCreateInfo = 18,
-        ComputePipelineCreateInfo = 29, PipelineLayoutCreateInfo = 30, DescriptorSetLayoutCreateInfo = 32, DescriptorPoolCreateInfo = 33,
-        DescriptorSetAllocateInfo = 34, WriteDescriptorSet = 35, CommandPoolCreateInfo = 39, CommandBufferAllocateInfo = 40,
-        CommandBufferBeginInfo = 42, MemoryBarrier = 46, PhysicalDeviceProperties2 = 1000059001, PhysicalDeviceMaintenance3Properties = 1000168000,
+    internal const int ApplicationInfo = 0, InstanceCreateInfo = 1, DeviceQueueCreateInfo = 2,
+        DeviceCreateInfo = 3, SubmitInfo = 4,
+        MemoryAllocateInfo = 5, FenceCreateInfo = 8, QueryPoolCreateInfo = 11, BufferCreateInfo = 12,
+        BufferViewCreateInfo = 13, ShaderModuleCreateInfo = 16, PipelineShaderStageCreateInfo = 18,
+        ComputePipelineCreateInfo = 29, PipelineLayoutCreateInfo = 30,
+        DescriptorSetLayoutCreateInfo = 32, DescriptorPoolCreateInfo = 33,
+        DescriptorSetAllocateInfo = 34, WriteDescriptorSet = 35,
+        CommandPoolCreateInfo = 39, CommandBufferAllocateInfo = 40,
+        CommandBufferBeginInfo = 42, MemoryBarrier = 46, PhysicalDeviceProperties2 = 1000059001,
+        PhysicalDeviceMaintenance3Properties = 1000168000,
         PhysicalDeviceDriverProperties = 1000196000;
 }
 
@@ -36,8 +42,10 @@ unsafe struct DeviceQueueCreateInfo
 
 unsafe struct DeviceCreateInfo
 {
-    internal int SType; internal void* Next; internal uint Flags, QueueInfoCount; internal DeviceQueueCreateInfo* QueueInfos;
-    internal uint LayerCount; internal byte** Layers; internal uint ExtensionCount; internal byte** Extensions; internal void* Features;
+    internal int SType; internal void* Next; internal uint Flags,
+        QueueInfoCount; internal DeviceQueueCreateInfo* QueueInfos;
+    internal uint LayerCount; internal byte** Layers; internal uint ExtensionCount;
+    internal byte** Extensions; internal void* Features;
 }
 
 /// <summary>VkPhysicalDeviceProperties2 with the limits that are used, at their offsets.</summary>
@@ -70,7 +78,8 @@ unsafe struct Maintenance3Properties
 
 unsafe struct DriverProperties
 {
-    internal int SType; internal void* Next; internal int DriverId; internal fixed byte Name[256], Info[256]; internal uint Conformance;
+    internal int SType; internal void* Next; internal int DriverId; internal fixed byte Name[256],
+        Info[256]; internal uint Conformance;
 }
 
 struct QueueFamilyProperties
@@ -78,7 +87,10 @@ struct QueueFamilyProperties
     internal uint Flags, Count, TimestampBits, GranularityX, GranularityY, GranularityZ;
 }
 
-/// <summary>Up to 32 memory types (flags, heap) and 16 heaps (64-bit size, flags, padding), read through <see cref="TypeFlags"/> and the like.</summary>
+/// <summary>
+/// Up to 32 memory types (flags, heap) and 16 heaps (64-bit size, flags, padding),
+/// read through <see cref="TypeFlags"/> and the like.
+/// </summary>
 [StructLayout(LayoutKind.Explicit, Size = 520)]
 unsafe struct MemoryProperties
 {
@@ -105,17 +117,20 @@ unsafe struct MemoryAllocateInfo
 
 unsafe struct BufferCreateInfo
 {
-    internal int SType; internal void* Next; internal uint Flags; internal ulong Size; internal uint Usage, SharingMode, QueueFamilyCount; internal uint* QueueFamilies;
+    internal int SType; internal void* Next; internal uint Flags; internal ulong Size; internal uint Usage, SharingMode,
+        QueueFamilyCount; internal uint* QueueFamilies;
 }
 
 unsafe struct BufferViewCreateInfo
 {
-    internal int SType; internal void* Next; internal uint Flags; internal ulong Buffer; internal int Format; internal ulong Offset, Range;
+    internal int SType; internal void* Next; internal uint Flags; internal ulong Buffer;
+    internal int Format; internal ulong Offset, Range;
 }
 
 unsafe struct QueryPoolCreateInfo
 {
-    internal int SType; internal void* Next; internal uint Flags; internal int QueryType; internal uint Count, Statistics;
+    internal int SType; internal void* Next; internal uint Flags;
+    internal int QueryType; internal uint Count, Statistics;
 }
 
 unsafe struct ShaderModuleCreateInfo
@@ -125,17 +140,20 @@ unsafe struct ShaderModuleCreateInfo
 
 unsafe struct PipelineShaderStageCreateInfo
 {
-    internal int SType; internal void* Next; internal uint Flags, Stage; internal ulong Module; internal byte* Name; internal void* Specialization;
+    internal int SType; internal void* Next; internal uint Flags, Stage; internal ulong Module;
+    internal byte* Name; internal void* Specialization;
 }
 
 unsafe struct ComputePipelineCreateInfo
 {
-    internal int SType; internal void* Next; internal uint Flags; internal PipelineShaderStageCreateInfo Stage; internal ulong Layout, BasePipeline; internal int BaseIndex;
+    internal int SType; internal void* Next; internal uint Flags; internal PipelineShaderStageCreateInfo Stage;
+    internal ulong Layout, BasePipeline; internal int BaseIndex;
 }
 
 unsafe struct PipelineLayoutCreateInfo
 {
-    internal int SType; internal void* Next; internal uint Flags, SetLayoutCount; internal ulong* SetLayouts; internal uint PushRangeCount; internal void* PushRanges;
+    internal int SType; internal void* Next; internal uint Flags, SetLayoutCount; internal ulong* SetLayouts;
+    internal uint PushRangeCount; internal void* PushRanges;
 }
 
 unsafe struct DescriptorSetLayoutBinding
@@ -145,7 +163,8 @@ unsafe struct DescriptorSetLayoutBinding
 
 unsafe struct DescriptorSetLayoutCreateInfo
 {
-    internal int SType; internal void* Next; internal uint Flags, BindingCount; internal DescriptorSetLayoutBinding* Bindings;
+    internal int SType; internal void* Next; internal uint Flags, BindingCount;
+    internal DescriptorSetLayoutBinding* Bindings;
 }
 
 struct DescriptorPoolSize
@@ -155,7 +174,8 @@ struct DescriptorPoolSize
 
 unsafe struct DescriptorPoolCreateInfo
 {
-    internal int SType; internal void* Next; internal uint Flags, MaxSets, SizeCount; internal DescriptorPoolSize* Sizes;
+    internal int SType; internal void* Next; internal uint Flags, MaxSets,
+        SizeCount; internal DescriptorPoolSize* Sizes;
 }
 
 unsafe struct DescriptorSetAllocateInfo
@@ -191,8 +211,10 @@ unsafe struct CommandBufferBeginInfo
 
 unsafe struct SubmitInfo
 {
-    internal int SType; internal void* Next; internal uint WaitCount; internal void* WaitSemaphores; internal void* WaitStages;
-    internal uint CommandBufferCount; internal nint* CommandBuffers; internal uint SignalCount; internal void* SignalSemaphores;
+    internal int SType; internal void* Next; internal uint WaitCount;
+    internal void* WaitSemaphores; internal void* WaitStages;
+    internal uint CommandBufferCount; internal nint* CommandBuffers;
+    internal uint SignalCount; internal void* SignalSemaphores;
 }
 
 unsafe struct FenceCreateInfo

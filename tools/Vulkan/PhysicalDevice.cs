@@ -27,7 +27,8 @@ sealed unsafe class PhysicalDevice
     {
         Handle = handle;
         var driver = new DriverProperties { SType = StructureType.PhysicalDeviceDriverProperties };
-        var allocation = new Maintenance3Properties { SType = StructureType.PhysicalDeviceMaintenance3Properties, Next = null };
+        var allocation =
+            new Maintenance3Properties { SType = StructureType.PhysicalDeviceMaintenance3Properties, Next = null };
         var properties = new PhysicalDeviceProperties2 { SType = StructureType.PhysicalDeviceProperties2 };
         Native.vkGetPhysicalDeviceProperties2(handle, &properties);
         ApiVersion = properties.ApiVersion;
@@ -48,9 +49,11 @@ sealed unsafe class PhysicalDevice
         string driverText = ApiVersion >= Vulkan12
             ? $"{Native.Text(driver.Name)} {Native.Text(driver.Info)}".Trim()
             : Version(properties.DriverVersion);
-        Info = new DeviceInfo(0, Native.Text(properties.DeviceName), TypeNames[_type], Version(ApiVersion), driverText, properties.VendorId, properties.DeviceId);
+        Info = new DeviceInfo(0, Native.Text(properties.DeviceName), TypeNames[_type], Version(ApiVersion), driverText,
+            properties.VendorId, properties.DeviceId);
         Limits = new DeviceLimits(
-            Math.Min(Math.Min(properties.MaxStorageBufferRange, memoryBytes), (long)Math.Min(allocation.MaxMemoryAllocationSize, long.MaxValue)),
+            Math.Min(Math.Min(properties.MaxStorageBufferRange, memoryBytes),
+                (long)Math.Min(allocation.MaxMemoryAllocationSize, long.MaxValue)),
             properties.MaxUniformBufferRange,
             properties.MaxGroupCount[0], properties.MaxGroupCount[1], properties.MaxGroupCount[2],
             properties.MaxGroupSize[0], properties.MaxGroupSize[1], properties.MaxGroupSize[2],
@@ -67,7 +70,9 @@ sealed unsafe class PhysicalDevice
         return this;
     }
 
-    /// <summary>First memory type among <paramref name="allowed"/> that has all of <paramref name="flags"/>, -1 when none has.</summary>
+    /// <summary>
+    /// First memory type among <paramref name="allowed"/> that has all of <paramref name="flags"/>, -1 when none has.
+    /// </summary>
     internal int FindMemory(uint allowed, uint flags)
     {
         for (int type = 0; type < Memory.TypeCount; type++)

@@ -5,12 +5,16 @@ namespace Glint.Vulkan;
 
 /// <summary>What a kernel wants to be given, in the names of its HLSL source.</summary>
 /// <remarks>
-/// glslang turns a StructuredBuffer into a block with one runtime array, a Buffer into an image, and gathers the globals of a file in a block named $Global.
+/// glslang turns a StructuredBuffer into a block with one runtime array, a Buffer into an image,
+/// and gathers the globals of a file in a block named $Global.
 /// Several constant buffers are laid one after the other, each at a multiple of <see cref="BlockAlignment"/>.
 /// </remarks>
 sealed class Reflection
 {
-    /// <summary>No device asks for more (Vulkan's limit of minUniformBufferOffsetAlignment), so that offsets are the same everywhere.</summary>
+    /// <summary>
+    /// No device asks for more (Vulkan's limit of minUniformBufferOffsetAlignment),
+    /// so that offsets are the same everywhere.
+    /// </summary>
     internal const int BlockAlignment = 256;
 
     readonly SpirvModule _module;
@@ -30,13 +34,15 @@ sealed class Reflection
         _module = new SpirvModule(code);
         foreach (var variable in _module.Variables)
         {
-            if (variable.Storage is not (StorageClass.Uniform or StorageClass.StorageBuffer or StorageClass.UniformConstant or StorageClass.PushConstant))
+            if (variable.Storage is not (StorageClass.Uniform or StorageClass.StorageBuffer
+                or StorageClass.UniformConstant or StorageClass.PushConstant))
                 continue; // inputs, locals and groupshared memory
             uint block = _module.Types[variable.PointerType].Operands[1];
             string name = _module.Name(variable.Id) is { Length: > 0 } own ? own : _module.Name(block);
             bool isTexel = IsTexelBuffer(_module.Types[block]);
             if (_module.Types[block].Op != Op.TypeStruct && !isTexel || variable.Storage == StorageClass.PushConstant)
-                throw new VulkanException($"kernel {EntryPoint}: {name} is a texture, sampler, buffer array or push constant; only structured and byte address buffers, Buffer<uint4> and uniforms are supported");
+                throw new VulkanException($"kernel {EntryPoint}: {name} is a texture, sampler, buffer array or push "
+                    + "constant; only structured and byte address buffers, Buffer<uint4> and uniforms are supported");
             if (_module.Value(variable.Id, Decoration.DescriptorSet) != 0)
                 throw new VulkanException($"kernel {EntryPoint}: {name} has a register space; leave register() out");
 
@@ -50,15 +56,19 @@ sealed class Reflection
         }
     }
 
-    // A read-only Buffer of uint, whose format is the view's: a module does not tell how many components it has. Operands: element, dimension (5: buffer), depth, array, samples, sampled.
+    // A read-only Buffer of uint, whose format is the view's: a module does not tell how many components it has.
+    // Operands: element, dimension (5: buffer), depth, array, samples, sampled.
     bool IsTexelBuffer(SpirvType type) =>
-        type is { Op: Op.TypeImage, Operands: [_, 5, _, _, _, 1, ..] } && _module.Types[type.Operands[0]] is { Op: Op.TypeInt, Operands: [32, 0] };
+        type is { Op: Op.TypeImage, Operands: [_, 5, _, _, _, 1, ..] }
+        && _module.Types[type.Operands[0]] is { Op: Op.TypeInt, Operands: [32, 0] };
 
     void AddBuffer(string name, uint binding, uint block, uint variable)
     {
         uint array = _module.Types[block].Operands[0];
-        bool readOnly = _module.MemberHas(block, 0, Decoration.NonWritable) || _module.Has(variable, Decoration.NonWritable);
-        _buffers.Add(new BufferSlot(name, (int)_module.Value(array, Decoration.ArrayStride), TypeName(_module.Types[array].Operands[0]), !readOnly) { Binding = binding });
+        bool readOnly = _module.MemberHas(block, 0, Decoration.NonWritable)
+            || _module.Has(variable, Decoration.NonWritable);
+        _buffers.Add(new BufferSlot(name, (int)_module.Value(array, Decoration.ArrayStride),
+            TypeName(_module.Types[array].Operands[0]), !readOnly) { Binding = binding });
     }
 
     void AddBlock(uint binding, uint block)
@@ -89,7 +99,8 @@ sealed class Reflection
             type = _module.Types[typeId];
         }
         int elementBytes = Size(typeId, block, member);
-        // SPIR-V's matrix is the HLSL one transposed: its columns are HLSL's rows, and its "row major" HLSL's default, column by column.
+        // SPIR-V's matrix is the HLSL one transposed: its columns are HLSL's rows,
+        // and its "row major" HLSL's default, column by column.
         bool rowMajor = false;
         if (type.Op == Op.TypeMatrix)
         {
@@ -111,11 +122,14 @@ sealed class Reflection
             _ => ScalarKind.Struct,
         };
         int bytes = arrayLength > 1 ? (arrayLength - 1) * arrayStride + elementBytes : elementBytes;
-        return new UniformField(_module.MemberName(block, member), start + _module.MemberValue(block, member, Decoration.Offset), bytes,
+        return new UniformField(_module.MemberName(block, member),
+            start + _module.MemberValue(block, member, Decoration.Offset), bytes,
             arrayLength, arrayStride, matrixStride, rows, kind == ScalarKind.Struct ? 0 : columns, rowMajor, kind);
     }
 
-    /// <summary>Bytes of a type from its first to its last used byte; block and member tell how a matrix is stored.</summary>
+    /// <summary>
+    /// Bytes of a type from its first to its last used byte; block and member tell how a matrix is stored.
+    /// </summary>
     int Size(uint typeId, uint block, int member)
     {
         var type = _module.Types[typeId];
@@ -127,11 +141,14 @@ sealed class Reflection
                 return (int)type.Operands[1] * Size(type.Operands[0], block, member);
             case Op.TypeMatrix:
                 int vectors = (int)type.Operands[1], components = (int)_module.Types[type.Operands[0]].Operands[1];
-                (int lines, int perLine) = _module.MemberHas(block, member, Decoration.RowMajor) ? (components, vectors) : (vectors, components);
+                (int lines, int perLine) = _module.MemberHas(block, member, Decoration.RowMajor)
+                    ? (components, vectors)
+                    : (vectors, components);
                 return (lines - 1) * _module.MemberValue(block, member, Decoration.MatrixStride) + perLine * 4;
             case Op.TypeArray:
                 int length = (int)_module.Constants[type.Operands[1]];
-                return (length - 1) * (int)_module.Value(typeId, Decoration.ArrayStride) + Size(type.Operands[0], block, member);
+                return (length - 1) * (int)_module.Value(typeId, Decoration.ArrayStride)
+                    + Size(type.Operands[0], block, member);
             case Op.TypeStruct:
                 int last = type.Operands.Length - 1;
                 return _module.MemberValue(typeId, last, Decoration.Offset) + Size(type.Operands[last], typeId, last);
@@ -148,7 +165,8 @@ sealed class Reflection
             Op.TypeFloat => "float",
             Op.TypeInt => type.Operands[1] == 1 ? "int" : "uint",
             Op.TypeVector => TypeName(type.Operands[0]) + type.Operands[1],
-            Op.TypeMatrix => TypeName(_module.Types[type.Operands[0]].Operands[0]) + type.Operands[1] + "x" + _module.Types[type.Operands[0]].Operands[1],
+            Op.TypeMatrix => TypeName(_module.Types[type.Operands[0]].Operands[0]) + type.Operands[1] + "x"
+                + _module.Types[type.Operands[0]].Operands[1],
             _ => _module.Name(typeId),
         };
     }

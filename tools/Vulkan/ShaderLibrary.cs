@@ -8,27 +8,38 @@ using System.Text.Json;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// The kernels compiled when this program was built: shaders/COMPUTE/KERNEL.spv beside it, COMPUTE being the .compute file's path from the
-/// project's root, KERNEL.texel.spv where it can read a texel buffer, and in the same folder sources.json with the kernels' names and the SHA-256 of every file they were made of.
+/// The kernels compiled when this program was built: shaders/COMPUTE/KERNEL.spv beside it,
+/// COMPUTE being the .compute file's path from the project's root, KERNEL.texel.spv where it can read a texel buffer,
+/// and in the same folder sources.json with the kernels' names and the SHA-256 of every file they were made of.
 /// </summary>
 public static class ShaderLibrary
 {
-    /// <summary>Environment variable: 1 takes the form of a kernel that reads its tree as a Buffer&lt;uint4&gt;, where there is one.</summary>
+    /// <summary>
+    /// Environment variable: 1 takes the form of a kernel that reads its tree as
+    /// a Buffer&lt;uint4&gt;, where there is one.
+    /// </summary>
     internal const string TexelVariable = "GLINT_TEXEL_BUFFERS";
 
     const string Remedy = "build the tools again, tools/glint does so";
 
     /// <summary>
-    /// Whether kernels read through texel buffers what they offer so (GLINT_TEXEL_TREE in their source). Mesa's software device does that faster;
+    /// Whether kernels read through texel buffers what they offer so (GLINT_TEXEL_TREE in their source).
+    /// Mesa's software device does that faster;
     /// Unity has no such buffers, so it is off unless the environment asks for it.
     /// </summary>
-    public static bool UsesTexelBuffers { get; internal set; } = Environment.GetEnvironmentVariable(TexelVariable) == "1";
+    public static bool UsesTexelBuffers { get; internal set; } =
+        Environment.GetEnvironmentVariable(TexelVariable) == "1";
 
     /// <summary>Names of the kernels of a .compute file, in its order.</summary>
     public static IReadOnlyList<string> Kernels(string computePath) => Manifest.Read(computePath).Kernels;
 
-    /// <summary>SPIR-V of a kernel, after making sure that it was made of the files that the project at <paramref name="projectRoot"/> has now.</summary>
-    /// <param name="computePath">From the project's root, as in "Packages/com.glint.radar/Shaders/Trace.compute".</param>
+    /// <summary>
+    /// SPIR-V of a kernel, after making sure that it was made of the files that the project at
+    /// <paramref name="projectRoot"/> has now.
+    /// </summary>
+    /// <param name="computePath">
+    /// From the project's root, as in "Packages/com.glint.radar/Shaders/Trace.compute".
+    /// </param>
     public static byte[] Load(string projectRoot, string computePath, string kernel)
     {
         var manifest = Manifest.Read(computePath);
@@ -36,7 +47,8 @@ public static class ShaderLibrary
         {
             string file = Path.Combine(projectRoot, path);
             if (!File.Exists(file))
-                throw new VulkanException($"{computePath} was compiled with {path}, which {projectRoot} lacks; {Remedy}");
+                throw new VulkanException($"{computePath} was compiled with {path}, "
+                    + $"which {projectRoot} lacks; {Remedy}");
             if (Convert.ToHexStringLower(SHA256.HashData(File.ReadAllBytes(file))) != hash)
                 throw new VulkanException($"{path} changed since {computePath} was compiled; {Remedy}");
         }
@@ -50,7 +62,8 @@ public static class ShaderLibrary
         if (!((ICollection<string>)kernels).Contains(kernel))
             throw new VulkanException($"{computePath} has no kernel {kernel}; it has {string.Join(", ", kernels)}");
         string texel = Path.Combine(Folder(computePath), kernel + ".texel.spv");
-        return File.ReadAllBytes(UsesTexelBuffers && File.Exists(texel) ? texel : Path.Combine(Folder(computePath), kernel + ".spv"));
+        return File.ReadAllBytes(
+            UsesTexelBuffers && File.Exists(texel) ? texel : Path.Combine(Folder(computePath), kernel + ".spv"));
     }
 
     static string Folder(string computePath) => Path.Combine(AppContext.BaseDirectory, "shaders", computePath);
@@ -66,7 +79,8 @@ public static class ShaderLibrary
             using var json = JsonDocument.Parse(File.ReadAllBytes(path));
             return new Manifest(
                 json.RootElement.GetProperty("kernels").EnumerateArray().Select(kernel => kernel.GetString()).ToArray(),
-                json.RootElement.GetProperty("sources").EnumerateObject().ToDictionary(source => source.Name, source => source.Value.GetString()));
+                json.RootElement.GetProperty("sources").EnumerateObject()
+                    .ToDictionary(source => source.Name, source => source.Value.GetString()));
         }
     }
 }

@@ -5,7 +5,10 @@ using System.Text;
 
 namespace Glint.Vulkan;
 
-/// <summary>The declarations of a SPIR-V module: names, decorations, types, constants, variables, entry point. Instructions are skipped.</summary>
+/// <summary>
+/// The declarations of a SPIR-V module: names, decorations, types, constants, variables,
+/// entry point. Instructions are skipped.
+/// </summary>
 sealed class SpirvModule
 {
     const uint Magic = 0x07230203;
@@ -45,8 +48,10 @@ sealed class SpirvModule
     internal string MemberName(uint type, int member) => _memberNames.GetValueOrDefault((type, member), "");
     internal bool Has(uint id, Decoration kind) => _decorations.ContainsKey((id, kind));
     internal uint Value(uint id, Decoration kind) => _decorations.GetValueOrDefault((id, kind));
-    internal bool MemberHas(uint type, int member, Decoration kind) => _memberDecorations.ContainsKey((type, member, kind));
-    internal int MemberValue(uint type, int member, Decoration kind) => (int)_memberDecorations.GetValueOrDefault((type, member, kind));
+    internal bool MemberHas(uint type, int member, Decoration kind) =>
+        _memberDecorations.ContainsKey((type, member, kind));
+    internal int MemberValue(uint type, int member, Decoration kind) =>
+        (int)_memberDecorations.GetValueOrDefault((type, member, kind));
 
     void Read(Op op, ReadOnlySpan<uint> w)
     {
@@ -55,7 +60,8 @@ sealed class SpirvModule
             case Op.Name: _names[w[0]] = Text(w[1..]); break;
             case Op.MemberName: _memberNames[(w[0], (int)w[1])] = Text(w[2..]); break;
             case Op.Decorate: _decorations[(w[0], (Decoration)w[1])] = w.Length > 2 ? w[2] : 1; break;
-            case Op.MemberDecorate: _memberDecorations[(w[0], (int)w[1], (Decoration)w[2])] = w.Length > 3 ? w[3] : 1; break;
+            case Op.MemberDecorate:
+                _memberDecorations[(w[0], (int)w[1], (Decoration)w[2])] = w.Length > 3 ? w[3] : 1; break;
             case Op.EntryPoint: EntryPoint ??= Text(w[2..]); break;
             case Op.ExecutionMode when w[1] == 17: GroupSize = (w[2], w[3], w[4]); break; // LocalSize
             case Op.Constant: Constants[w[1]] = w[2]; break;
@@ -64,7 +70,8 @@ sealed class SpirvModule
         }
     }
 
-    static VulkanException CutOff(int bytes) => new($"a compiled kernel of {bytes} bytes is cut off; build the tools again");
+    static VulkanException CutOff(int bytes) =>
+        new($"a compiled kernel of {bytes} bytes is cut off; build the tools again");
 
     static string Text(ReadOnlySpan<uint> words)
     {
@@ -81,13 +88,16 @@ readonly record struct SpirvVariable(uint Id, uint PointerType, StorageClass Sto
 enum Op
 {
     None = 0, Name = 5, MemberName = 6, EntryPoint = 15, ExecutionMode = 16,
-    TypeVoid = 19, TypeBool = 20, TypeInt = 21, TypeFloat = 22, TypeVector = 23, TypeMatrix = 24, TypeImage = 25, TypeArray = 28, TypeRuntimeArray = 29,
-    TypeStruct = 30, TypePointer = 32, Constant = 43, FunctionEnd = 56, Variable = 59, Decorate = 71, MemberDecorate = 72,
+    TypeVoid = 19, TypeBool = 20, TypeInt = 21, TypeFloat = 22, TypeVector = 23, TypeMatrix = 24,
+    TypeImage = 25, TypeArray = 28, TypeRuntimeArray = 29,
+    TypeStruct = 30, TypePointer = 32, Constant = 43, FunctionEnd = 56,
+    Variable = 59, Decorate = 71, MemberDecorate = 72,
 }
 
 enum Decoration
 {
-    BufferBlock = 3, RowMajor = 4, ArrayStride = 6, MatrixStride = 7, NonWritable = 24, Binding = 33, DescriptorSet = 34, Offset = 35,
+    BufferBlock = 3, RowMajor = 4, ArrayStride = 6, MatrixStride = 7, NonWritable = 24,
+    Binding = 33, DescriptorSet = 34, Offset = 35,
 }
 
 enum StorageClass

@@ -4,7 +4,9 @@ using System.Linq;
 
 namespace Glint.Vulkan;
 
-/// <summary>An opened device: it makes buffers and programs and runs dispatches one after the other. For one thread at a time.</summary>
+/// <summary>
+/// An opened device: it makes buffers and programs and runs dispatches one after the other. For one thread at a time.
+/// </summary>
 public sealed unsafe class VulkanDevice : IDisposable
 {
     readonly Instance _instance;
@@ -24,10 +26,14 @@ public sealed unsafe class VulkanDevice : IDisposable
         float priority = 1;
         var queueInfo = new DeviceQueueCreateInfo
         {
-            SType = StructureType.DeviceQueueCreateInfo, QueueFamily = (uint)physical.QueueFamily, QueueCount = 1, Priorities = &priority,
+            SType = StructureType.DeviceQueueCreateInfo,
+            QueueFamily = (uint)physical.QueueFamily, QueueCount = 1, Priorities = &priority,
         };
         // No feature is asked for: checks of buffer bounds (robustBufferAccess) would slow a GPU's kernels down.
-        var info = new DeviceCreateInfo { SType = StructureType.DeviceCreateInfo, QueueInfoCount = 1, QueueInfos = &queueInfo };
+        var info = new DeviceCreateInfo
+        {
+            SType = StructureType.DeviceCreateInfo, QueueInfoCount = 1, QueueInfos = &queueInfo
+        };
         VulkanException.Check(Native.vkCreateDevice(physical.Handle, &info, null, out _handle), open);
         Native.vkGetDeviceQueue(_handle, (uint)physical.QueueFamily, 0, out nint queue);
         try
@@ -57,11 +63,15 @@ public sealed unsafe class VulkanDevice : IDisposable
         get
         {
             ObjectDisposedException.ThrowIf(_recorder == null, this);
-            return !IsAbandoned ? _recorder : throw new VulkanException($"{Info.Name} does not answer any more; start again");
+            return !IsAbandoned
+                ? _recorder
+                : throw new VulkanException($"{Info.Name} does not answer any more; start again");
         }
     }
 
-    /// <summary>The Vulkan devices of this machine, in the loader's order; none when there is a loader but no driver.</summary>
+    /// <summary>
+    /// The Vulkan devices of this machine, in the loader's order; none when there is a loader but no driver.
+    /// </summary>
     public static IReadOnlyList<DeviceInfo> List()
     {
         using var instance = new Instance();
@@ -69,12 +79,15 @@ public sealed unsafe class VulkanDevice : IDisposable
     }
 
     /// <summary>
-    /// Opens a device: by index or part of its name in any case, or when <paramref name="selector"/> is null the first discrete GPU,
-    /// else integrated, virtual, CPU.
+    /// Opens a device: by index or part of its name in any case, or when <paramref name="selector"/> is null the first
+    /// discrete GPU, else integrated, virtual, CPU.
     /// </summary>
     public static VulkanDevice Open(string selector = null) => Open(selector, true);
 
-    /// <summary>With <paramref name="mapBuffers"/> false even a device that shares the host's memory is filled through staging buffers.</summary>
+    /// <summary>
+    /// With <paramref name="mapBuffers"/> false even a device that shares the host's memory is
+    /// filled through staging buffers.
+    /// </summary>
     internal static VulkanDevice Open(string selector, bool mapBuffers)
     {
         var instance = new Instance();
@@ -93,10 +106,13 @@ public sealed unsafe class VulkanDevice : IDisposable
     public GpuBuffer CreateBuffer(long bytes)
     {
         if (bytes <= 0)
-            throw new ArgumentOutOfRangeException(nameof(bytes), $"a buffer of {bytes:N0} bytes; it needs at least one");
+            throw new ArgumentOutOfRangeException(nameof(bytes),
+                $"a buffer of {bytes:N0} bytes; it needs at least one");
         _ = Recorder;
         if (bytes > Limits.MaxStorageBufferRange)
-            throw new VulkanException($"a buffer of {bytes:N0} bytes is too large for {Info.Name}, which takes {Limits.MaxStorageBufferRange:N0}; use fewer rays or a smaller scene, or choose another device with --device");
+            throw new VulkanException($"a buffer of {bytes:N0} bytes is too large for {Info.Name}, "
+                + $"which takes {Limits.MaxStorageBufferRange:N0}; use fewer rays or a smaller scene, "
+                + "or choose another device with --device");
         var buffer = new GpuBuffer(this, bytes, _mapBuffers);
         _buffers.Add(buffer);
         return buffer;
@@ -110,19 +126,25 @@ public sealed unsafe class VulkanDevice : IDisposable
         return program;
     }
 
-    /// <summary>Records a dispatch, to run after all that was recorded before it. It runs at the latest when somebody reads or waits.</summary>
+    /// <summary>
+    /// Records a dispatch, to run after all that was recorded before it.
+    /// It runs at the latest when somebody reads or waits.
+    /// </summary>
     /// <param name="uniforms">The program's <see cref="ComputeProgram.UniformBytes"/> bytes; copied.</param>
     /// <param name="buffers">By name; more than the program uses are allowed.</param>
     public void Dispatch(
-        ComputeProgram program, ReadOnlySpan<byte> uniforms, IReadOnlyDictionary<string, GpuBuffer> buffers, uint groupsX, uint groupsY, uint groupsZ)
+        ComputeProgram program, ReadOnlySpan<byte> uniforms, IReadOnlyDictionary<string, GpuBuffer> buffers,
+        uint groupsX, uint groupsY, uint groupsZ)
     {
         var recorder = Recorder;
         if (program.Device != this)
             throw new VulkanException($"kernel {program.Name} was made for another device");
         if (uniforms.Length != program.UniformBytes)
-            throw new VulkanException($"kernel {program.Name} takes {program.UniformBytes} bytes of uniforms, {uniforms.Length} are given");
+            throw new VulkanException($"kernel {program.Name} takes {program.UniformBytes} bytes of uniforms, "
+                + $"{uniforms.Length} are given");
         if (groupsX > Limits.MaxGroupsX || groupsY > Limits.MaxGroupsY || groupsZ > Limits.MaxGroupsZ)
-            throw new VulkanException($"kernel {program.Name}: {groupsX} x {groupsY} x {groupsZ} groups, {Info.Name} takes {Limits.MaxGroupsX} x {Limits.MaxGroupsY} x {Limits.MaxGroupsZ}; use several dispatches");
+            throw new VulkanException($"kernel {program.Name}: {groupsX} x {groupsY} x {groupsZ} groups, {Info.Name} "
+                + $"takes {Limits.MaxGroupsX} x {Limits.MaxGroupsY} x {Limits.MaxGroupsZ}; use several dispatches");
 
         var bound = new GpuBuffer[program.Slots.Count];
         for (int i = 0; i < bound.Length; i++)

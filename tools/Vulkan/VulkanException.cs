@@ -2,12 +2,17 @@ using System;
 
 namespace Glint.Vulkan;
 
-/// <summary>Something about the device, its driver, a buffer or a compiled kernel; the message is one line and says what to do.</summary>
+/// <summary>
+/// Something about the device, its driver, a buffer or a compiled kernel; the message is one line and says what to do.
+/// </summary>
 public sealed class VulkanException : Exception
 {
     public VulkanException(string message, Exception inner = null) : base(message, inner) { }
 
-    /// <summary>Throws when a Vulkan call failed; <paramref name="what"/> names the operation and its figure, as in "reserve 12 bytes".</summary>
+    /// <summary>
+    /// Throws when a Vulkan call failed; <paramref name="what"/> names the operation and its figure,
+    /// as in "reserve 12 bytes".
+    /// </summary>
     internal static void Check(int result, string what)
     {
         if (result < 0)
@@ -19,7 +24,8 @@ public sealed class VulkanException : Exception
         -1 => "out of host memory",
         -2 => "out of device memory; use fewer rays or a smaller scene, or choose another device with --device",
         -3 => "the driver could not initialise the device",
-        -4 => "the device was lost (it is gone, or its driver reset it, often because one dispatch ran too long); try again, a sweep with --resume, or choose another device with --device",
+        -4 => "the device was lost (it is gone, or its driver reset it, often because one dispatch ran too long); "
+            + "try again, a sweep with --resume, or choose another device with --device",
         -5 => "the driver could not map the memory",
         -9 => "no Vulkan driver answers; install one: apt-get install mesa-vulkan-drivers",
         -10 => "too many objects of this kind, release buffers that are no longer used",

@@ -2,7 +2,9 @@ using System;
 
 namespace Glint.Core
 {
-    /// <summary>A failure the user can mend: the message is one line that names the object, the value and the way out.</summary>
+    /// <summary>
+    /// A failure the user can mend: the message is one line that names the object, the value and the way out.
+    /// </summary>
     public class GlintException : Exception
     {
         /// <summary>A failure with its message.</summary>
@@ -18,7 +20,10 @@ namespace Glint.Core
         public virtual int ExitCode => 1;
     }
 
-    /// <summary>A wrong call: unknown option, missing argument, value malformed or out of its range. Known before any file is opened.</summary>
+    /// <summary>
+    /// A wrong call: unknown option, missing argument, value malformed or out of its range.
+    /// Known before any file is opened.
+    /// </summary>
     public sealed class UsageException : GlintException
     {
         /// <summary>A wrong call.</summary>

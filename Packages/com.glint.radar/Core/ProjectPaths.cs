@@ -8,20 +8,25 @@ using Newtonsoft.Json.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// Maps paths on disk to Unity's asset paths and back: <c>Scenes/X.unity</c> on disk is <c>Packages/com.glint.scenes/X.unity</c> in Unity
-    /// when the manifest says <c>"com.glint.scenes": "file:../Scenes"</c>.
+    /// Maps paths on disk to Unity's asset paths and back:
+    /// <c>Scenes/X.unity</c> on disk is <c>Packages/com.glint.scenes/X.unity</c> in Unity when the manifest says
+    /// <c>"com.glint.scenes": "file:../Scenes"</c>.
     /// </summary>
     public sealed class ProjectPaths
     {
         const string ManifestPath = "Packages/manifest.json";
         static readonly bool OnWindows = Path.DirectorySeparatorChar == '\\';
-        static readonly StringComparison PathComparison = OnWindows ? StringComparison.OrdinalIgnoreCase : StringComparison.Ordinal;
+        static readonly StringComparison PathComparison =
+            OnWindows ? StringComparison.OrdinalIgnoreCase : StringComparison.Ordinal;
 
-        readonly SortedDictionary<string, string> _packages = new SortedDictionary<string, string>(StringComparer.Ordinal);
+        readonly SortedDictionary<string, string> _packages =
+            new SortedDictionary<string, string>(StringComparer.Ordinal);
 
         /// <summary>Reads the project's manifest and its embedded packages.</summary>
         /// <param name="root">Folder that holds Assets and Packages.</param>
-        /// <exception cref="GlintException">No manifest, a malformed one, or one that names a folder that is not there.</exception>
+        /// <exception cref="GlintException">
+        /// No manifest, a malformed one, or one that names a folder that is not there.
+        /// </exception>
         public ProjectPaths(string root)
         {
             Root = Normalize(root);
@@ -32,22 +37,30 @@ namespace Glint.Core
         /// <summary>Absolute path of the project's folder, with '/' and none at the end.</summary>
         public string Root { get; }
 
-        /// <summary>Name and absolute folder of each package whose files belong to the project: embedded ones and those with a <c>file:</c> line.</summary>
+        /// <summary>
+        /// Name and absolute folder of each package whose files belong to the project:
+        /// embedded ones and those with a <c>file:</c> line.
+        /// </summary>
         public IReadOnlyDictionary<string, string> Packages => _packages;
 
-        /// <summary>The project that a folder is in: the nearest folder upwards with Packages/manifest.json and ProjectSettings; null when there is none.</summary>
+        /// <summary>
+        /// The project that a folder is in: the nearest folder upwards with Packages/manifest.json and ProjectSettings;
+        /// null when there is none.
+        /// </summary>
         public static string FindRoot(string directory)
         {
             for (var folder = new DirectoryInfo(Path.GetFullPath(directory)); folder != null; folder = folder.Parent)
             {
-                if (File.Exists(Path.Combine(folder.FullName, ManifestPath)) && Directory.Exists(Path.Combine(folder.FullName, "ProjectSettings")))
+                if (File.Exists(Path.Combine(folder.FullName, ManifestPath))
+                    && Directory.Exists(Path.Combine(folder.FullName, "ProjectSettings")))
                     return Normalize(folder.FullName);
             }
             return null;
         }
 
         /// <summary>
-        /// Asset path of a file named in any of the usual ways: as asset path, absolute, relative to the current directory or to the project.
+        /// Asset path of a file named in any of the usual ways: as asset path, absolute,
+        /// relative to the current directory or to the project.
         /// Where several readings are possible the first that exists counts, in this order. The file need not exist.
         /// </summary>
         /// <exception cref="GlintException">The path is empty or lies outside of the project.</exception>
@@ -59,7 +72,10 @@ namespace Glint.Core
             return FromPhysical(path, existing ?? inside ?? readings[0]);
         }
 
-        /// <summary>The absolute paths on disk, with '/', that <see cref="ToAssetPath"/> takes a path for, the first that exists counting.</summary>
+        /// <summary>
+        /// The absolute paths on disk, with '/', that <see cref="ToAssetPath"/> takes a path for,
+        /// the first that exists counting.
+        /// </summary>
         /// <exception cref="GlintException">The path is empty.</exception>
         public IReadOnlyList<string> Readings(string path, string currentDirectory)
         {
@@ -75,7 +91,10 @@ namespace Glint.Core
             return readings.Distinct().ToArray();
         }
 
-        /// <summary>Absolute path on disk, with '/', of an asset path; other paths (ProjectSettings/...) are taken from the project's folder.</summary>
+        /// <summary>
+        /// Absolute path on disk, with '/', of an asset path; other paths (ProjectSettings/...)
+        /// are taken from the project's folder.
+        /// </summary>
         public string ToPhysicalPath(string assetPath)
         {
             var parts = Slashes(assetPath).Split(new[] { '/' }, 3);
@@ -87,16 +106,19 @@ namespace Glint.Core
         bool IsAssetPath(string path)
         {
             var parts = Slashes(path).Split('/');
-            return parts[0] == "Assets" || parts.Length > 1 && parts[0] == "Packages" && _packages.ContainsKey(parts[1]);
+            return parts[0] == "Assets"
+                || parts.Length > 1 && parts[0] == "Packages" && _packages.ContainsKey(parts[1]);
         }
 
         string FromPhysical(string asGiven, string physical) => TryFromPhysical(physical) ?? throw new GlintException(
-            $"{asGiven}: outside of the Unity project {Root}: scenes and assets must be in its Assets, in an embedded package, or in a folder that {ManifestPath} names by a file: line");
+            $"{asGiven}: outside of the Unity project {Root}: scenes and assets must be in its Assets, "
+            + $"in an embedded package, or in a folder that {ManifestPath} names by a file: line");
 
         string TryFromPhysical(string physical)
         {
             // Of nested folders the innermost owns the file.
-            var owner = _packages.Where(package => IsWithin(physical, package.Value)).OrderByDescending(package => package.Value.Length).FirstOrDefault();
+            var owner = _packages.Where(package => IsWithin(physical, package.Value))
+                .OrderByDescending(package => package.Value.Length).FirstOrDefault();
             if (owner.Key != null)
                 return "Packages/" + owner.Key + physical.Substring(owner.Value.Length);
             var assets = Root + "/Assets";
@@ -125,13 +147,16 @@ namespace Glint.Core
             if (dependencies == null)
                 return;
             if (!(dependencies is JObject lines))
-                throw new GlintException($"{manifest}: \"dependencies\" must be an object of package names and versions");
+                throw new GlintException($"{manifest}: \"dependencies\" must be an object of "
+                    + "package names and versions");
             foreach (var line in lines.Properties())
             {
                 if (line.Value.Type != JTokenType.String)
-                    throw new GlintException($"{manifest}: the version of {line.Name} must be a string, such as \"1.0.0\" or \"file:../Folder\"");
+                    throw new GlintException($"{manifest}: the version of {line.Name} must be a string, "
+                        + "such as \"1.0.0\" or \"file:../Folder\"");
                 var version = (string)line.Value;
-                if (version.StartsWith("file:", StringComparison.Ordinal) && !version.EndsWith(".tgz", StringComparison.OrdinalIgnoreCase))
+                if (version.StartsWith("file:", StringComparison.Ordinal)
+                    && !version.EndsWith(".tgz", StringComparison.OrdinalIgnoreCase))
                     AddLocal(manifest, line.Name, version);
             }
         }
@@ -151,7 +176,9 @@ namespace Glint.Core
         static string PackageName(string file)
         {
             var name = ReadObject(file)["name"];
-            return name != null && name.Type == JTokenType.String ? (string)name : throw new GlintException($"{file}: has no \"name\"");
+            return name != null && name.Type == JTokenType.String
+                ? (string)name
+                : throw new GlintException($"{file}: has no \"name\"");
         }
 
         static JObject ReadObject(string file)

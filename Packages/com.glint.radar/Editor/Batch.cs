@@ -9,7 +9,8 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// The commands without a window: <c>Unity -batchmode -executeMethod Glint.Editor.Batch.Sweep --glint Scenes/X.unity --target NAME --angles 0:45:1</c>.
+    /// The commands without a window: <c>Unity -batchmode -executeMethod Glint.Editor.Batch.Sweep --glint
+    /// Scenes/X.unity --target NAME --angles 0:45:1</c>.
     /// The headless command calls <see cref="Execute"/> with the same command line.
     /// </summary>
     public static class Batch
@@ -40,7 +41,9 @@ namespace Glint.Editor
         /// <summary>Does what a command line says, without leaving edit mode; the scene is not saved.</summary>
         /// <returns>The exit code: 0 done, 130 cancelled.</returns>
         /// <exception cref="GlintException">Something is wrong with a file, the scene or the device.</exception>
-        /// <exception cref="OperationCanceledException">Cancelled within a pose; the rows before it are kept.</exception>
+        /// <exception cref="OperationCanceledException">
+        /// Cancelled within a pose; the rows before it are kept.
+        /// </exception>
         public static int Execute(CommandLine line, IProgressSink progress)
         {
             if (line.Command == Commands.Sea)
@@ -74,13 +77,15 @@ namespace Glint.Editor
 
         /// <summary>What was traced: not where the files go, which part of it, or on what device.</summary>
         internal static string[] WordsOf(CommandLine line) =>
-            line.Words.Where(word => new Option[] { Options.Out, Options.Shard, Options.Resume, Options.Device }.All(aside => word.Split('=')[0] != aside.Flag)).ToArray();
+            line.Words.Where(word => new Option[] { Options.Out, Options.Shard, Options.Resume, Options.Device }
+                .All(aside => word.Split('=')[0] != aside.Flag)).ToArray();
 
         static int MergeParts(CommandLine line, IProgressSink progress)
         {
             string output = line.Get(Options.Out);
             if (ResultsMerge.IsOneOf(line.Folders, output))
-                throw new UsageException($"{Options.Out.Flag} {output}: is one of the parts, which the whole would replace: choose another results folder");
+                throw new UsageException($"{Options.Out.Flag} {output}: is one of the parts, "
+                    + "which the whole would replace: choose another results folder");
             var folder = ResultsMerge.Merge(line.Folders, Path.GetFullPath(output));
             progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
             return Done;
@@ -99,16 +104,20 @@ namespace Glint.Editor
                 (SweepAxis.Frequency, line.Get(Options.Frequencies)),
                 (SweepAxis.Snapshot, snapshots == null ? null : Array.ConvertAll(snapshots, number => (double)number)));
             if (line.Get(Options.Shard) is SweepShard shard && shard.Count > plan.Count)
-                throw new UsageException($"{Options.Shard.Flag} {shard}: the sweep has {plan.Count} poses: divide it into so many parts at most");
+                throw new UsageException($"{Options.Shard.Flag} {shard}: the sweep has {plan.Count} poses: "
+                    + "divide it into so many parts at most");
             return plan;
         }
 
-        static int Trace(SweepRun run, SceneSubjects subjects, ResultsFolder folder, SweepPlan plan, IProgressSink progress)
+        static int Trace(SweepRun run, SceneSubjects subjects, ResultsFolder folder,
+            SweepPlan plan, IProgressSink progress)
         {
             long hit = 0, received = 0;
             int undersampled = 0, before = run.Done;
             if (before > 0)
-                progress.Print(run.IsComplete ? "complete already: nothing is left to do" : FormattableString.Invariant($"resumed: {before} of {run.Count} poses are done"));
+                progress.Print(run.IsComplete
+                    ? "complete already: nothing is left to do"
+                    : FormattableString.Invariant($"resumed: {before} of {run.Count} poses are done"));
             progress.Start(subjects.Name, run.Count);
             try
             {
@@ -132,7 +141,8 @@ namespace Glint.Editor
             {
                 progress.Finish();
                 if (!run.IsComplete && run.Done > 0)
-                    Debug.Log(FormattableString.Invariant($"{run.Done} of {run.Count} poses are done and kept; the same command with {Options.Resume.Flag} goes on"));
+                    Debug.Log(FormattableString.Invariant(
+                        $"{run.Done} of {run.Count} poses are done and kept; the same command with {Options.Resume.Flag} goes on"));
             }
             if (!run.IsComplete)
                 return Cancelled;
@@ -148,16 +158,20 @@ namespace Glint.Editor
         static void WarnOfUnfinished(CommandLine line, ResultsFolder folder)
         {
             if (folder != null && !line.Get(Options.Resume) && File.Exists(folder.PartialPath))
-                Debug.LogWarning($"{folder.FolderPath}: holds a sweep that is not finished; the first row replaces it ({Options.Resume.Flag} would go on with it)");
+                Debug.LogWarning($"{folder.FolderPath}: holds a sweep that is not finished; "
+                    + $"the first row replaces it ({Options.Resume.Flag} would go on with it)");
         }
 
         // Nothing in any pose is a valid result, and more often a wrong aim.
         static void WarnOfSilence(string name, long hit, long received)
         {
             if (hit == 0)
-                Debug.LogWarning($"{name}: no ray hit anything: is the target in view, of the right size and on a traced layer? (mesh files: --aim, --distance, --fov, --unit)");
+                Debug.LogWarning($"{name}: no ray hit anything: is the target in view, "
+                    + "of the right size and on a traced layer? (mesh files: --aim, --distance, --fov, --unit)");
             else if (received == 0)
-                Debug.LogWarning($"{name}: rays hit and none was received: mirrors return only what meets them head-on or in a corner; try other angles (mesh files: --grazing, --azimuth), more rays (--size) or a narrower view");
+                Debug.LogWarning($"{name}: rays hit and none was received: "
+                    + "mirrors return only what meets them head-on or in a corner; try other angles (mesh files: "
+                    + "--grazing, --azimuth), more rays (--size) or a narrower view");
         }
 
         static void WarnOfUndersampling(string name, int undersampled, int poses)
@@ -165,7 +179,9 @@ namespace Glint.Editor
             if (undersampled == 0)
                 return;
             string where = poses == 1 ? "" : $" in {undersampled} of {poses} poses (column undersampled)";
-            Debug.LogWarning($"{name}: the rays are too far apart, or too few return, for the amplitude to be trusted{where}: trace more rays ({Options.Size.Flag}, or a smaller {Options.Spacing.Flag}) or a narrower view ({Options.Fov.Flag}; in a scene the Camera's Field of View)");
+            Debug.LogWarning($"{name}: the rays are too far apart, or too few return, for the amplitude to "
+                + $"be trusted{where}: trace more rays ({Options.Size.Flag}, or a smaller {Options.Spacing.Flag}) or a "
+                + $"narrower view ({Options.Fov.Flag}; in a scene the Camera's Field of View)");
         }
 
         // A sweep always keeps its results; a single pose when told where.

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary><c>glint reflector</c>: the corner reflector of the published experiment and its radar, each as a prefab.</summary>
+    /// <summary>
+    /// <c>glint reflector</c>: the corner reflector of the published experiment and its radar, each as a prefab.
+    /// </summary>
     static class CornerReflectorAssets
     {
         const string Reflector = "Corner Reflector", Radar = "Corner Reflector Radar", MainCameraTag = "MainCamera";

@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>Meshes and prefabs written into the project. What is replaced keeps its guid, so that scenes still find it.</summary>
+    /// <summary>
+    /// Meshes and prefabs written into the project. What is replaced keeps its guid, so that scenes still find it.
+    /// </summary>
     static class ProjectAssets
     {
         const string KernelPath = "Packages/com.glint.radar/Shaders/Trace.compute";
@@ -15,13 +17,17 @@ namespace Glint.Editor
         public static ComputeShader Kernel => AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath);
 
         /// <summary>What Unity gives new objects to look like.</summary>
-        public static Material StandardMaterial => AssetDatabase.GetBuiltinExtraResource<Material>("Default-Material.mat");
+        public static Material StandardMaterial =>
+            AssetDatabase.GetBuiltinExtraResource<Material>("Default-Material.mat");
 
-        /// <summary>The asset path of a folder as a user names it; made, with its parents, when it is not there.</summary>
+        /// <summary>
+        /// The asset path of a folder as a user names it; made, with its parents, when it is not there.
+        /// </summary>
         /// <exception cref="GlintException">It is outside of the project, or cannot be made.</exception>
         public static string Folder(string given)
         {
-            string path = new ProjectPaths(Path.GetDirectoryName(Application.dataPath)).ToAssetPath(given, Directory.GetCurrentDirectory());
+            string path = new ProjectPaths(Path.GetDirectoryName(Application.dataPath))
+                .ToAssetPath(given, Directory.GetCurrentDirectory());
             Make(path);
             return path;
         }
@@ -31,7 +37,8 @@ namespace Glint.Editor
         public static string StoredFolder(string name)
         {
             if (!AssetDatabase.IsValidFolder(MeshesPackage))
-                throw new GlintException($"this project has no {MeshesPackage}, where the stored meshes are: name a folder with --out, such as --out Assets/{name}");
+                throw new GlintException($"this project has no {MeshesPackage}, where the stored meshes are: "
+                    + $"name a folder with --out, such as --out Assets/{name}");
             return Folder($"{MeshesPackage}/{name}");
         }
 

@@ -5,7 +5,8 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// Lets radars that were traced outside play mode go of their buffers before scripts are reloaded or their scene is closed:
+    /// Lets radars that were traced outside play mode go of their buffers before scripts are
+    /// reloaded or their scene is closed:
     /// Unity sends them no OnDisable then.
     /// </summary>
     [InitializeOnLoad]
@@ -25,7 +26,8 @@ namespace Glint.Editor
 
         static void ReleaseAll()
         {
-            foreach (var radar in Object.FindObjectsByType<RadarController>(FindObjectsInactive.Include, FindObjectsSortMode.None))
+            foreach (var radar in Object.FindObjectsByType<RadarController>(FindObjectsInactive.Include,
+                FindObjectsSortMode.None))
                 radar.Release();
         }
     }

@@ -6,10 +6,14 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>The radar that a command traces with and what it turns, from a scene of the project, from a mesh file, or the built-in ones.</summary>
+    /// <summary>
+    /// The radar that a command traces with and what it turns, from a scene of the project,
+    /// from a mesh file, or the built-in ones.
+    /// </summary>
     sealed class SceneSubjects
     {
-        SceneSubjects(string name, string scene, RadarController radar, Transform target, Sea sea = null, RadarMount mount = null)
+        SceneSubjects(string name, string scene, RadarController radar, Transform target,
+            Sea sea = null, RadarMount mount = null)
         {
             Name = name;
             Scene = scene;
@@ -49,7 +53,8 @@ namespace Glint.Editor
         }
 
         /// <summary>A sweep of these through the poses of a plan.</summary>
-        public SweepSetup Sweep(SweepPlan plan) => new SweepSetup(Radar, plan) { Target = Target, Sea = Sea, Mount = Mount, Scene = Scene };
+        public SweepSetup Sweep(SweepPlan plan) =>
+            new SweepSetup(Radar, plan) { Target = Target, Sea = Sea, Mount = Mount, Scene = Scene };
 
         /// <summary>What stands in the open scene.</summary>
         public static SceneSubjects InOpenScene(RadarController radar, Transform target, Sea sea)
@@ -58,11 +63,15 @@ namespace Glint.Editor
             return new SceneSubjects(Path.GetFileNameWithoutExtension(scene), scene, radar, target, sea);
         }
 
-        /// <summary>Lays the seas of the open scenes. One that could not be shown only said so in the log: without it nothing would be traced aright.</summary>
+        /// <summary>
+        /// Lays the seas of the open scenes. One that could not be shown only said so in the log:
+        /// without it nothing would be traced aright.
+        /// </summary>
         /// <exception cref="GlintException">A sea cannot be shown.</exception>
         public static void LaySeas()
         {
-            foreach (var laid in Object.FindObjectsByType<Sea>(FindObjectsInactive.Exclude, FindObjectsSortMode.None).Where(sea => sea.isActiveAndEnabled))
+            foreach (var laid in Object.FindObjectsByType<Sea>(FindObjectsInactive.Exclude, FindObjectsSortMode.None)
+                .Where(sea => sea.isActiveAndEnabled))
                 laid.Lay();
         }
 
@@ -73,13 +82,15 @@ namespace Glint.Editor
             if (!readings.Any(File.Exists) && readings.FirstOrDefault(Directory.Exists) is string folder)
                 throw new GlintException($"{line.Input}: {folder} is a folder: give a scene in it");
             if (!readings.Any(File.Exists))
-                throw new GlintException($"{line.Input}: there is no such scene; it was looked for at {string.Join(" and ", readings)}");
+                throw new GlintException($"{line.Input}: there is no such scene; "
+                    + $"it was looked for at {string.Join(" and ", readings)}");
             string scene = paths.ToAssetPath(line.Input, Directory.GetCurrentDirectory());
             EditorSceneManager.OpenScene(scene, OpenSceneMode.Single);
             LaySeas();
             var radar = SceneSearch.FindRadar(line.Input);
             if (line.IsGiven(Options.Size) && radar.IsFitted)
-                throw new GlintException($"{line.Input}: its radar fits its aperture to the scene by Ray Spacing, so {Options.Size.Flag} means nothing: leave it out, or clear Fit Aperture of '{radar.name}'");
+                throw new GlintException($"{line.Input}: its radar fits its aperture to the scene by Ray Spacing, "
+                    + $"so {Options.Size.Flag} means nothing: leave it out, or clear Fit Aperture of '{radar.name}'");
             radar.Settings = Override(radar.Settings, line);
             if (line.IsGiven(Options.Receiver))
             {
@@ -96,14 +107,16 @@ namespace Glint.Editor
             var file = MeshFileReader.Read(line.Input, line.Get(Options.Unit), line.Get(Options.Up));
             int flat = file.CountDegenerate();
             if (flat > 0)
-                Debug.LogWarning($"{line.Input}: {flat} of {file.TriangleCount} triangles have no area; they reflect nothing");
+                Debug.LogWarning($"{line.Input}: {flat} of {file.TriangleCount} triangles have no area; "
+                    + "they reflect nothing");
             return Show(file, line);
         }
 
         // The mesh options are refused here: their defaults are the published experiment's camera.
         static SceneSubjects MakeBuiltIn(CommandLine line)
         {
-            var made = new SeaAndShip(line.Get(Options.Seed), line.Get(Options.SeaTriangles), line.Get(Options.ShipTriangles));
+            var made =
+                new SeaAndShip(line.Get(Options.Seed), line.Get(Options.SeaTriangles), line.Get(Options.ShipTriangles));
             var subjects = Show(new MeshFile("Ship", made.Ship.Vertices, made.Ship.Indices), line);
             MeshFileScene.MakeObject(new MeshFile("Sea", made.Sea.Vertices, made.Sea.Indices));
             return new SceneSubjects("sea and ship", null, subjects.Radar, subjects.Target);
@@ -152,20 +165,24 @@ namespace Glint.Editor
             if (named.Length == 1)
                 return named[0];
             if (named.Length > 1)
-                throw new GlintException($"{scene}: --target \"{name}\" fits {named.Length} objects, {Quoted(named)}; give the path of one, or rename them");
+                throw new GlintException($"{scene}: --target \"{name}\" fits {named.Length} objects, {Quoted(named)}; "
+                    + "give the path of one, or rename them");
             if (fitting.Length > 0)
                 throw new GlintException($"{scene}: the object \"{name}\" for --target is inactive; activate it");
-            throw new GlintException($"{scene}: has no object \"{name}\" for --target; at its root are {Quoted(all.Where(candidate => candidate.parent == null).ToArray())}");
+            throw new GlintException($"{scene}: has no object \"{name}\" for --target; "
+                + $"at its root are {Quoted(all.Where(candidate => candidate.parent == null).ToArray())}");
         }
 
         static string Quoted(Component[] components)
         {
             const int shown = 8;
-            string names = string.Join(", ", components.Select(component => $"'{PathOf(component.transform)}'").OrderBy(path => path, System.StringComparer.Ordinal).Take(shown));
+            string names = string.Join(", ", components.Select(component => $"'{PathOf(component.transform)}'")
+                .OrderBy(path => path, System.StringComparer.Ordinal).Take(shown));
             return components.Length > shown ? $"{names} and {components.Length - shown} more" : names;
         }
 
         /// <summary>From the root, as --target takes it: Fleet/Ship.</summary>
-        public static string PathOf(Transform transform) => transform.parent == null ? transform.name : $"{PathOf(transform.parent)}/{transform.name}";
+        public static string PathOf(Transform transform) =>
+            transform.parent == null ? transform.name : $"{PathOf(transform.parent)}/{transform.name}";
     }
 }

@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary><c>glint sea</c>: snapshots of a sea, each a mesh and a prefab that lays its tiles and carries its recipe.</summary>
+    /// <summary>
+    /// <c>glint sea</c>: snapshots of a sea, each a mesh and a prefab that lays its tiles and carries its recipe.
+    /// </summary>
     static class SeaAssets
     {
         /// <summary>Writes the sea that a command line asks for, or the stored ones.</summary>
@@ -15,7 +17,8 @@ namespace Glint.Editor
         {
             var asked = SeaOptions.Read(line);
             var seas = asked == null
-                ? StoredSeas.All.Select(stored => (folder: ProjectAssets.StoredFolder(stored.Name), recipe: stored)).ToArray()
+                ? StoredSeas.All.Select(stored => (folder: ProjectAssets.StoredFolder(stored.Name), recipe: stored))
+                    .ToArray()
                 : new[] { (folder: ProjectAssets.Folder(line.Get(Options.AssetFolder)), recipe: asked) };
             progress.Start("sea", seas.Sum(sea => sea.recipe.Times.Count));
             try
@@ -35,7 +38,8 @@ namespace Glint.Editor
         static bool Write(string folder, SeaRecipe recipe, IProgressSink progress, ref int done)
         {
             var surface = new SeaSurface(recipe.Settings);
-            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}: height factor {1:g6}", folder, recipe.Settings.HeightFactor));
+            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}: height factor {1:g6}", folder,
+                recipe.Settings.HeightFactor));
             progress.Print("  snapshot  seconds  wave height m");
             for (int i = 0; i < recipe.Times.Count; i++)
             {
@@ -43,7 +47,8 @@ namespace Glint.Editor
                     return false;
                 double time = recipe.Times[i], height = surface.MeasuredWaveHeight(time);
                 Write(folder, SnapshotName(i + 1), surface, time, height, recipe);
-                progress.Print(string.Format(CultureInfo.InvariantCulture, "  {0,8}  {1,7}  {2,13:0.000}", i + 1, time, height));
+                progress.Print(
+                    string.Format(CultureInfo.InvariantCulture, "  {0,8}  {1,7}  {2,13:0.000}", i + 1, time, height));
                 progress.Advance(++done, SnapshotName(i + 1));
             }
             return true;
@@ -55,10 +60,12 @@ namespace Glint.Editor
             var mesh = ProjectAssets.Save(MeshMaker.Make(name, tile.Vertices, tile.Indices), $"{folder}/{name}.asset");
             var root = new GameObject(name);
             var snapshot = root.AddComponent<SeaSnapshot>();
-            (snapshot.Tile, snapshot.Settings, snapshot.TimeSeconds, snapshot.WaveHeight) = (mesh, recipe.Settings, time, height);
+            (snapshot.Tile, snapshot.Settings, snapshot.TimeSeconds, snapshot.WaveHeight) =
+                (mesh, recipe.Settings, time, height);
             for (int z = 0; z < recipe.Tiles.y; z++)
                 for (int x = 0; x < recipe.Tiles.x; x++)
-                    ProjectAssets.AddMesh(root, "Tile", SeaTiles.Place(x, z, recipe.Tiles, surface.Settings.TileSize), mesh);
+                    ProjectAssets.AddMesh(root, "Tile",
+                        SeaTiles.Place(x, z, recipe.Tiles, surface.Settings.TileSize), mesh);
             ProjectAssets.SavePrefab(root, $"{folder}/{name}.prefab");
         }
 

@@ -15,7 +15,8 @@ namespace Glint.Editor
         public static int Write(CommandLine line, IProgressSink progress)
         {
             var asked = ShipOptions.Read(line);
-            string folder = asked.HasValue ? ProjectAssets.Folder(line.Get(Options.AssetFolder)) : ProjectAssets.StoredFolder(Name);
+            string folder =
+                asked.HasValue ? ProjectAssets.Folder(line.Get(Options.AssetFolder)) : ProjectAssets.StoredFolder(Name);
             var settings = asked ?? ShipSettings.Default;
             var made = ShipModel.Build(settings);
             var mesh = ProjectAssets.Save(MeshMaker.Make(Name, made.Vertices, made.Indices), $"{folder}/{Name}.asset");
@@ -23,7 +24,8 @@ namespace Glint.Editor
             ProjectAssets.Show(root, mesh);
             root.GetComponent<Ship>().Settings = settings;
             ProjectAssets.SavePrefab(root, $"{folder}/{Name}.prefab");
-            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}/{1}.prefab: {2} triangles, {3} m long", folder, Name, made.TriangleCount, settings.Length));
+            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}/{1}.prefab: {2} triangles, {3} m long",
+                folder, Name, made.TriangleCount, settings.Length));
             return Batch.Done;
         }
     }

@@ -35,7 +35,9 @@ namespace Glint
         public void Reserve(long count)
         {
             if (count > Most)
-                throw new GlintException($"{count} {_content} take {count * s_stride} bytes, and {SystemInfo.graphicsDeviceName} holds at most {SystemInfo.maxGraphicsBufferSize} bytes in one buffer: use at most {Most} {_content}");
+                throw new GlintException($"{count} {_content} take {count * s_stride} bytes, "
+                    + $"and {SystemInfo.graphicsDeviceName} holds at most {SystemInfo.maxGraphicsBufferSize} bytes in "
+                    + $"one buffer: use at most {Most} {_content}");
             if (count <= Capacity)
                 return;
             Dispose();

@@ -6,10 +6,15 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>The scene on the device: trees over its meshes, the places of its instances, and a small tree over these. What a pose does not change stays.</summary>
+    /// <summary>
+    /// The scene on the device: trees over its meshes, the places of its instances, and a small tree over these.
+    /// What a pose does not change stays.
+    /// </summary>
     sealed class DeviceScene : IDisposable
     {
-        /// <summary>Instances that are searched one after the other, without a tree: MOST_FEW in Shaders/Bindings.hlsl.</summary>
+        /// <summary>
+        /// Instances that are searched one after the other, without a tree: MOST_FEW in Shaders/Bindings.hlsl.
+        /// </summary>
         public const int MostFew = 4;
 
         /// <summary>The row of the root of the tree over instances: ROOT in Shaders/BinaryTree.hlsl.</summary>
@@ -40,7 +45,9 @@ namespace Glint
 
         public bool IsEmpty { get; private set; }
 
-        /// <summary>The instances when they are few and their trees stand in one buffer: then no tree over them is needed.</summary>
+        /// <summary>
+        /// The instances when they are few and their trees stand in one buffer: then no tree over them is needed.
+        /// </summary>
         public IReadOnlyList<InstanceRecord> Few { get; private set; }
 
         public bool HasFewInstances => Few.Count > 0;
@@ -49,7 +56,9 @@ namespace Glint
 
         public long Bytes => _trees.Bytes + _instances.Bytes + _top.Bytes;
 
-        /// <summary>Corners of the box around everything, metres; the lower one above the other when there is nothing.</summary>
+        /// <summary>
+        /// Corners of the box around everything, metres; the lower one above the other when there is nothing.
+        /// </summary>
         public double3 Low { get; private set; }
 
         public double3 High { get; private set; }
@@ -67,7 +76,8 @@ namespace Glint
                 return false;
             }
             _scene = null; // until all is there
-            bool hasBuilt = _trees.Hold(new HashSet<TriangleMesh>(scene.Instances.Select(instance => instance.Mesh)), ref work, build);
+            bool hasBuilt = _trees.Hold(new HashSet<TriangleMesh>(scene.Instances.Select(instance => instance.Mesh)),
+                ref work, build);
             Place(scene, ref work);
             _scene = scene;
             return hasBuilt;
@@ -80,7 +90,10 @@ namespace Glint
                 tiles.Add(_trees[instance.Mesh].Tree, instance.ToWorld);
         }
 
-        /// <summary>The triangle of a reflection: its place among the scene's instances and its corners, as the instance's mesh has them.</summary>
+        /// <summary>
+        /// The triangle of a reflection: its place among the scene's instances and its corners,
+        /// as the instance's mesh has them.
+        /// </summary>
         public void TriangleOf(in HitData hit, out int instance, out float3 a, out float3 b, out float3 c)
         {
             TreePart part;
@@ -101,7 +114,8 @@ namespace Glint
             if (a.Instances.Length != b.Instances.Length)
                 return false;
             for (int i = 0; i < a.Instances.Length; i++)
-                if (a.Instances[i].Mesh != b.Instances[i].Mesh || !a.Instances[i].ToWorld.Equals(b.Instances[i].ToWorld))
+                if (a.Instances[i].Mesh != b.Instances[i].Mesh
+                    || !a.Instances[i].ToWorld.Equals(b.Instances[i].ToWorld))
                     return false;
             return true;
         }
@@ -142,7 +156,8 @@ namespace Glint
             TopRoot = uint.MaxValue; // DONE: nothing to search
             if (IsEmpty)
                 return;
-            var top = TopTree.Build(lows.Select(low => Down(low - Middle)).ToArray(), highs.Select(high => -Down(Middle - high)).ToArray(), TreeShape.Binary);
+            var top = TopTree.Build(lows.Select(low => Down(low - Middle)).ToArray(),
+                highs.Select(high => -Down(Middle - high)).ToArray(), TreeShape.Binary);
             // The root's first row ends with the reference to its first child: of one instance that is the leaf.
             TopRoot = records.Count == 1 ? top[TopRootRow].w : TopRootRow;
             _instances.Upload(records.ToArray());

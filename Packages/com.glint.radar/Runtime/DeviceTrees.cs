@@ -7,7 +7,10 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>The trees over meshes on the device. A mesh that comes again costs nothing; those that do not come again are dropped.</summary>
+    /// <summary>
+    /// The trees over meshes on the device. A mesh that comes again costs nothing;
+    /// those that do not come again are dropped.
+    /// </summary>
     sealed class DeviceTrees : IDisposable
     {
         /// <summary>Buffers that the kernel can read trees from: _Tree0 to _Tree7.</summary>
@@ -41,9 +44,12 @@ namespace Glint
 
         /// <summary>Holds the trees of these meshes from now on, and no others: builds those that are new.</summary>
         /// <returns>True if any was built.</returns>
-        /// <exception cref="GlintException">The device cannot hold them; the trees before are lost unless that was plain before any was built.</exception>
+        /// <exception cref="GlintException">
+        /// The device cannot hold them; the trees before are lost unless that was plain before any was built.
+        /// </exception>
         /// <exception cref="OperationCanceledException">Building was cancelled; the trees before are lost.</exception>
-        public bool Hold(ICollection<TriangleMesh> meshes, ref WorkDone work, Func<TriangleMesh, TreeShape, MeshTree> build)
+        public bool Hold(ICollection<TriangleMesh> meshes, ref WorkDone work,
+            Func<TriangleMesh, TreeShape, MeshTree> build)
         {
             RefuseBefore(meshes);
             try
@@ -77,7 +83,8 @@ namespace Glint
             }
         }
 
-        List<PlacedTree> Build(ICollection<TriangleMesh> meshes, ref WorkDone work, Func<TriangleMesh, TreeShape, MeshTree> build)
+        List<PlacedTree> Build(ICollection<TriangleMesh> meshes, ref WorkDone work,
+            Func<TriangleMesh, TreeShape, MeshTree> build)
         {
             var added = new List<PlacedTree>();
             foreach (var mesh in meshes)
@@ -105,13 +112,15 @@ namespace Glint
             work.BytesUploaded += added.Sum(tree => tree.Rows) * 16;
         }
 
-        // New buffers for all trees. A scene that has changed once will do so again: then there is room for its next mesh.
+        // New buffers for all trees. A scene that has changed once will do so again:
+        // then there is room for its next mesh.
         void MakeBanks()
         {
             foreach (var bank in _banks)
                 bank.Dispose();
             _banks.Clear();
-            var parts = _trees.Values.SelectMany(tree => tree.Tree.Parts).Select(part => (long)part.Words.Length).ToList();
+            var parts = _trees.Values.SelectMany(tree => tree.Tree.Parts)
+                .Select(part => (long)part.Words.Length).ToList();
             long spare = _hasChanged && parts.Count > 0 ? parts.Sum() / 8 + parts.Max() : 0;
             _hasChanged = true;
             Refuse(parts.Sum(), "");
@@ -128,7 +137,8 @@ namespace Glint
             if (sizes.Count > MostBanks)
                 throw TooLarge(parts.Sum(), "");
             // Where there are several buffers anyway, one more costs nothing.
-            if (sizes.Count > 1 && sizes.Count < MostBanks && sizes[sizes.Count - 1] + spare > _mostRowsABank && (parts.Sum() + spare) * 16 <= MostBytes)
+            if (sizes.Count > 1 && sizes.Count < MostBanks && sizes[sizes.Count - 1] + spare > _mostRowsABank
+                && (parts.Sum() + spare) * 16 <= MostBytes)
                 sizes.Add(0);
             int last = sizes.Count - 1;
             sizes[last] = Math.Max(1, Math.Min(_mostRowsABank, sizes[last] + spare));
@@ -140,12 +150,15 @@ namespace Glint
 
         bool IsMostlyEmpty => Capacity > MostEmptiness * _trees.Values.Sum(tree => tree.Rows) + FewRows;
 
-        double MostBytes => Math.Min((double)MostBanks * _mostRowsABank * 16, SystemInfo.graphicsMemorySize * 1048576.0);
+        double MostBytes =>
+            Math.Min((double)MostBanks * _mostRowsABank * 16, SystemInfo.graphicsMemorySize * 1048576.0);
 
         /// <summary>What the trees over some meshes take if every triangle reflects and all are in pairs.</summary>
-        public static double LeastBytes(IEnumerable<TriangleMesh> meshes, TreeShape shape) => meshes.Sum(mesh => (double)mesh.TriangleCount) * MeshTree.LeastRowsPerTriangle(shape) * 16;
+        public static double LeastBytes(IEnumerable<TriangleMesh> meshes, TreeShape shape) =>
+            meshes.Sum(mesh => (double)mesh.TriangleCount) * MeshTree.LeastRowsPerTriangle(shape) * 16;
 
-        // By what the trees take at least, before they are built. Triangles that reflect nothing are not in them; they are counted only if it matters.
+        // By what the trees take at least, before they are built. Triangles that reflect nothing are not in them;
+        // they are counted only if it matters.
         void RefuseBefore(ICollection<TriangleMesh> meshes)
         {
             double least = MeshTree.LeastRowsPerTriangle(_shape);
@@ -160,6 +173,9 @@ namespace Glint
         }
 
         GlintException TooLarge(double rows, string bound) =>
-            new GlintException($"{_owner}: the trees over its meshes take {bound}{Text.Mebibytes(rows * 16)}, and {SystemInfo.graphicsDeviceName} holds {Text.Mebibytes(MostBytes)} of them in buffers of {Text.Mebibytes(_mostRowsABank * 16.0)}: trace fewer triangles (layers, roots), or share one mesh among several objects");
+            new GlintException($"{_owner}: the trees over its meshes take {bound}{Text.Mebibytes(rows * 16)}, "
+                + $"and {SystemInfo.graphicsDeviceName} holds {Text.Mebibytes(MostBytes)} of them in buffers "
+                + $"of {Text.Mebibytes(_mostRowsABank * 16.0)}: trace fewer triangles (layers, roots), "
+                + "or share one mesh among several objects");
     }
 }

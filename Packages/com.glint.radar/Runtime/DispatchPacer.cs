@@ -3,14 +3,16 @@ using System;
 namespace Glint
 {
     /// <summary>
-    /// Cuts long work into dispatches far below the two seconds after which an operating system takes a GPU away. It starts small and goes by the time that the dispatches before took.
+    /// Cuts long work into dispatches far below the two seconds after which an operating system takes a GPU away.
+    /// It starts small and goes by the time that the dispatches before took.
     /// </summary>
     sealed class DispatchPacer
     {
         // Tiles times bounces: how long a ray may be followed is all that is known at first.
         const int FirstTileBounces = 4096;
 
-        // Seconds. Half a second is the most a dispatch may take; the next tiles may be twice as costly, or the machine busy.
+        // Seconds. Half a second is the most a dispatch may take;
+        // the next tiles may be twice as costly, or the machine busy.
         const double Target = 0.25;
 
         // Of tiles, from one dispatch to the next: they may be of another part of the picture.
@@ -32,7 +34,9 @@ namespace Glint
             if (bounces != _bounces)
                 Reset();
             _bounces = bounces;
-            double most = _dispatches == 0 ? FirstTileBounces / bounces : Math.Min((double)MostGrowth * _tiles, Target / _secondsPerTile);
+            double most = _dispatches == 0
+                ? FirstTileBounces / bounces
+                : Math.Min((double)MostGrowth * _tiles, Target / _secondsPerTile);
             // In even parts, so that the last one is no scrap.
             double parts = Math.Ceiling(left / Math.Max(1, most));
             return (int)Math.Ceiling(left / parts);

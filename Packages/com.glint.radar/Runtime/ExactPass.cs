@@ -5,11 +5,13 @@ using Glint.Core;
 namespace Glint
 {
     /// <summary>
-    /// The rays that may be received: listed by the kernel that follows every ray in float32, followed once more in two-float arithmetic, and then looked at more closely for the sampling error.
+    /// The rays that may be received: listed by the kernel that follows every ray in float32,
+    /// followed once more in two-float arithmetic, and then looked at more closely for the sampling error.
     /// </summary>
     sealed class ExactPass : IDisposable
     {
-        // Rays of a dispatch: a millisecond on a GPU, where a launch lasts as long as its longest ray; one to six seconds on a software device.
+        // Rays of a dispatch: a millisecond on a GPU, where a launch lasts as long as its longest ray;
+        // one to six seconds on a software device.
         public const int MostRays = 1 << 18;
 
         const uint NoPixel = uint.MaxValue;
@@ -68,7 +70,8 @@ namespace Glint
         {
             var estimate = new SamplingEstimate(settings, _received, _count, 2 * grid.StartDepth);
             var pixels = estimate.PixelsToRefine;
-            double[] inPhase = new double[SamplingEstimate.SubGrids], quadrature = new double[SamplingEstimate.SubGrids];
+            double[] inPhase = new double[SamplingEstimate.SubGrids],
+                quadrature = new double[SamplingEstimate.SubGrids];
             const int most = MostRays / SamplingEstimate.SubGrids;
             var list = new ReceivedRay[Math.Min(pixels.Length, most)];
             for (int first = 0; first < pixels.Length; first += most)
@@ -79,7 +82,8 @@ namespace Glint
                     list[i].Pixel = pixels[first + i];
                 _returning.Upload(list);
                 result.Work.BytesUploaded += list.Length * (long)_returning.Stride;
-                RaySums.AddPhasors(Dispatch(0, count, SamplingEstimate.SubRays, KeptRays.None, ref result.Work), inPhase, quadrature);
+                RaySums.AddPhasors(Dispatch(0, count, SamplingEstimate.SubRays, KeptRays.None, ref result.Work),
+                    inPhase, quadrature);
             }
             result.Work.SubRays = pixels.Length * (long)SamplingEstimate.SubGrids;
             estimate.Finish(inPhase, quadrature, result);
@@ -113,7 +117,8 @@ namespace Glint
         void AddReceived(int count, ref WorkDone work)
         {
             if (_count + (long)count > _received.Length)
-                Array.Resize(ref _received, (int)Math.Min(0x7fffffc7 / 8, Math.Max(_count + (long)count, 2L * _received.Length)));
+                Array.Resize(ref _received,
+                    (int)Math.Min(0x7fffffc7 / 8, Math.Max(_count + (long)count, 2L * _received.Length)));
             var part = new ReceivedRay[count];
             _returning.ReadBack(part, count);
             work.BytesReadBack += count * (long)_returning.Stride;

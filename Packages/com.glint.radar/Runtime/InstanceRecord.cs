@@ -5,7 +5,8 @@ using Unity.Mathematics;
 namespace Glint
 {
     /// <summary>
-    /// A tree at its place in the scene. GLINT_INSTANCE: the same struct stands in Shaders/Types.hlsl; a test compares them.
+    /// A tree at its place in the scene. GLINT_INSTANCE:
+    /// the same struct stands in Shaders/Types.hlsl; a test compares them.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     struct InstanceRecord
@@ -42,7 +43,8 @@ namespace Glint
                 RestX = TwoFloat.Rest(x), RestY = TwoFloat.Rest(y), RestZ = TwoFloat.Rest(z),
                 FirstRow = (uint)firstRow,
                 Bank = (uint)bank,
-                Stretch = (float)math.sqrt(math.lengthsq(toLocal.X) + math.lengthsq(toLocal.Y) + math.lengthsq(toLocal.Z)),
+                Stretch =
+                    (float)math.sqrt(math.lengthsq(toLocal.X) + math.lengthsq(toLocal.Y) + math.lengthsq(toLocal.Z)),
                 Rounding = PlaceRounding * (float)math.csum(math.abs(toLocal.Origin)),
             };
         }

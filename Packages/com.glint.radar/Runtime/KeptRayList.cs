@@ -41,14 +41,18 @@ namespace Glint
         /// <exception cref="GlintException">It has not as much.</exception>
         public static void Refuse(KeptRays keep, in RadarSettings settings, string owner)
         {
-            if (keep == KeptRays.All && (settings.RaysEmitted * (double)s_rayBytes > HostBytes || settings.RaysEmitted > 0x7fffffc7))
+            if (keep == KeptRays.All
+                && (settings.RaysEmitted * (double)s_rayBytes > HostBytes || settings.RaysEmitted > 0x7fffffc7))
                 throw TooMany($"all of {settings.RaysEmitted} rays", settings.RaysEmitted * (double)s_rayBytes, owner);
         }
 
         /// <summary>Tiles that one dispatch may take at most when all rays are kept.</summary>
         public static int MostTiles => (int)Math.Min(DeviceBuffer<RayData>.Most, MostOfAll) / PictureTiles.Rays;
 
-        /// <summary>As many of the tiles as one dispatch may take for what is kept of them; makes room for all of their rays if all are kept.</summary>
+        /// <summary>
+        /// As many of the tiles as one dispatch may take for what is kept of them;
+        /// makes room for all of their rays if all are kept.
+        /// </summary>
         public int Limit(int tiles, DeviceBuffer<RayData> rays)
         {
             if (Keep == KeptRays.All)
@@ -121,7 +125,8 @@ namespace Glint
         string Received => $"{_receivedCount} received rays";
 
         static GlintException TooMany(string rays, double bytes, string owner) =>
-            new GlintException($"{owner}: keeping {rays} takes {Text.Mebibytes(bytes)}, and this computer has {Text.Mebibytes(HostBytes)}: keep received rays only, or none, or trace a region or fewer rays");
+            new GlintException($"{owner}: keeping {rays} takes {Text.Mebibytes(bytes)}, and this computer has "
+                + $"{Text.Mebibytes(HostBytes)}: keep received rays only, or none, or trace a region or fewer rays");
 
         RayData[] MakeRays(long count, string what)
         {
@@ -144,7 +149,8 @@ namespace Glint
                 uint pixel = _slice[i].Pixel;
                 if (pixel == uint.MaxValue)
                     continue; // beside the picture
-                int x = (int)(pixel % (uint)_settings.RaysAcross) - region.Left, y = (int)(pixel / (uint)_settings.RaysAcross) - region.Bottom;
+                int x = (int)(pixel % (uint)_settings.RaysAcross) - region.Left,
+                    y = (int)(pixel / (uint)_settings.RaysAcross) - region.Bottom;
                 _all[(long)y * width + x] = _slice[i];
             }
         }

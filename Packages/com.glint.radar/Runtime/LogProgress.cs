@@ -7,7 +7,10 @@ using Debug = UnityEngine.Debug;
 
 namespace Glint
 {
-    /// <summary>Progress as lines of Unity's console: at the first step, every two seconds (also within a step that takes so long), and at the last.</summary>
+    /// <summary>
+    /// Progress as lines of Unity's console: at the first step,
+    /// every two seconds (also within a step that takes so long), and at the last.
+    /// </summary>
     public sealed class LogProgress : IProgressSink
     {
         const double SecondsBetweenLines = 2;
@@ -36,7 +39,8 @@ namespace Glint
             if (now - Math.Max(_stepStart, _lastLine) < SecondsBetweenLines)
                 return;
             _lastLine = now;
-            Debug.Log(FormattableString.Invariant($"Glint {_what}: {_done} of {_total}, the next {100 * value:0} % done"));
+            Debug.Log(
+                FormattableString.Invariant($"Glint {_what}: {_done} of {_total}, the next {100 * value:0} % done"));
         }
 
         /// <inheritdoc/>
@@ -48,7 +52,9 @@ namespace Glint
                 return;
             _lastLine = now;
             double left = now / done * (_total - done);
-            string rest = done < _total ? FormattableString.Invariant($", {left:0} s left") : FormattableString.Invariant($" in {now:0.0} s");
+            string rest = done < _total
+                ? FormattableString.Invariant($", {left:0} s left")
+                : FormattableString.Invariant($" in {now:0.0} s");
             Debug.Log($"Glint {_what}: {done} of {_total}{(note == null ? "" : $" ({note})")}{rest}");
         }
 

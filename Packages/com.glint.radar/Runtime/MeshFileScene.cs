@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>The objects that stand for a mesh file in a scene: the mesh, a radar that looks at it, and the radar's receiver.</summary>
+    /// <summary>
+    /// The objects that stand for a mesh file in a scene: the mesh, a radar that looks at it, and the radar's receiver.
+    /// </summary>
     public sealed class MeshFileScene
     {
         // As in the published experiment.
@@ -29,10 +31,13 @@ namespace Glint
         /// <summary>Makes the objects in the active scene.</summary>
         /// <param name="file">Triangles in metres.</param>
         /// <param name="stand">Where the radar stands, and what it sees and receives.</param>
-        /// <param name="settings">Frequency, rays, bounces. With parallel rays their spacing decides how many there are.</param>
+        /// <param name="settings">
+        /// Frequency, rays, bounces. With parallel rays their spacing decides how many there are.
+        /// </param>
         /// <param name="kernel">Shaders/Trace.compute.</param>
         /// <exception cref="GlintException">The spacing takes too many rays.</exception>
-        public static MeshFileScene Create(MeshFile file, in RadarStand stand, in RadarSettings settings, ComputeShader kernel)
+        public static MeshFileScene Create(MeshFile file, in RadarStand stand,
+            in RadarSettings settings, ComputeShader kernel)
         {
             var target = MakeObject(file);
 
@@ -65,8 +70,12 @@ namespace Glint
             camera.orthographicSize = (float)(pose.View.ApertureHeight / 2);
         }
 
-        /// <summary>A receiver below a camera, where the published experiment has it; that of parallel rays stands in the aperture.</summary>
-        internal static Transform MakeReceiver(Transform camera, bool isParallel) => MakeChild("Receiver", camera, isParallel ? 0 : -ReceiverBehindCamera);
+        /// <summary>
+        /// A receiver below a camera, where the published experiment has it;
+        /// that of parallel rays stands in the aperture.
+        /// </summary>
+        internal static Transform MakeReceiver(Transform camera, bool isParallel) =>
+            MakeChild("Receiver", camera, isParallel ? 0 : -ReceiverBehindCamera);
 
         static Transform MakeChild(string name, Transform parent, float z)
         {

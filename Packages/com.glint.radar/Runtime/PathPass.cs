@@ -24,10 +24,12 @@ namespace Glint
 
         /// <summary>The ways of the rays of some pixels, in their order.</summary>
         /// <param name="objects">Knows what is hit; null: nobody does.</param>
-        public RayPath[] Follow(in RadarSettings settings, in RadarView view, RayGrid grid, uint[] pixels, IHitObjects objects, IProgress<double> progress, CancellationToken cancel)
+        public RayPath[] Follow(in RadarSettings settings, in RadarView view, RayGrid grid, uint[] pixels,
+            IHitObjects objects, IProgress<double> progress, CancellationToken cancel)
         {
             var paths = new RayPath[pixels.Length];
-            int most = (int)Math.Min(MostRays, DeviceBuffer<HitData>.Most / settings.MaxBounces), room = Math.Min(most, pixels.Length);
+            int most = (int)Math.Min(MostRays, DeviceBuffer<HitData>.Most / settings.MaxBounces),
+                room = Math.Min(most, pixels.Length);
             var listed = new uint2[room];
             var hits = new HitData[room * settings.MaxBounces];
             _hits.Reserve(hits.Length);
@@ -42,7 +44,8 @@ namespace Glint
                 _listed.ReadBack(listed, count);
                 _hits.ReadBack(hits, count * settings.MaxBounces);
                 for (int i = 0; i < count; i++)
-                    paths[first + i] = PathOf(settings, view, grid, pixels[first + i], listed[i], new ArraySegment<HitData>(hits, i * settings.MaxBounces, (int)listed[i].x), objects);
+                    paths[first + i] = PathOf(settings, view, grid, pixels[first + i], listed[i],
+                        new ArraySegment<HitData>(hits, i * settings.MaxBounces, (int)listed[i].x), objects);
                 progress?.Report((double)(first + count) / pixels.Length);
             }
             return paths;
@@ -55,13 +58,18 @@ namespace Glint
         }
 
         // End: bounces, and the bits of the length from the last one to the receiver.
-        RayPath PathOf(in RadarSettings settings, in RadarView view, RayGrid grid, uint pixel, uint2 end, ArraySegment<HitData> hits, IHitObjects objects)
+        RayPath PathOf(in RadarSettings settings, in RadarView view, RayGrid grid, uint pixel, uint2 end,
+            ArraySegment<HitData> hits, IHitObjects objects)
         {
-            var path = new RayPath { Pixel = pixel, Start = view.StartOf(settings, pixel), Hits = new PathHit[hits.Count] };
+            var path =
+                new RayPath { Pixel = pixel, Start = view.StartOf(settings, pixel), Hits = new PathHit[hits.Count] };
             for (int i = 0; i < hits.Count; i++)
             {
                 var hit = hits.Array[hits.Offset + i];
-                path.Hits[i] = new PathHit { Place = grid.Middle + hit.Place, Direction = hit.Direction, Object = PathHit.NoObject };
+                path.Hits[i] = new PathHit
+                {
+                    Place = grid.Middle + hit.Place, Direction = hit.Direction, Object = PathHit.NoObject
+                };
                 if (objects == null)
                     continue;
                 _scene.TriangleOf(hit, out int instance, out var a, out var b, out var c);

@@ -6,7 +6,10 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>Traces what a radar sees as a picture for the eye: the part of the view that meets anything, with about as many rays as a screen shows of it.</summary>
+    /// <summary>
+    /// Traces what a radar sees as a picture for the eye: the part of the view that meets anything,
+    /// with about as many rays as a screen shows of it.
+    /// </summary>
     sealed class PictureTracer
     {
         // Pixels of the picture, about: 480 x 270.
@@ -29,7 +32,8 @@ namespace Glint
         }
 
         /// <summary>The picture of a pose whose scene the tracer holds.</summary>
-        public static RadarPicture Trace(RayTracer tracer, in RadarPose pose, IHitObjects objects, CancellationToken cancel) => new PictureTracer(tracer, pose, objects, cancel).Trace();
+        public static RadarPicture Trace(RayTracer tracer, in RadarPose pose, IHitObjects objects,
+            CancellationToken cancel) => new PictureTracer(tracer, pose, objects, cancel).Trace();
 
         // First the whole at its size, then, where only a part of it meets anything, that part larger.
         RadarPicture Trace()
@@ -51,7 +55,8 @@ namespace Glint
         {
             var pixels = new uint[part.Width * part.Height];
             for (int i = 0; i < pixels.Length; i++)
-                pixels[i] = (uint)(part.Left + i % part.Width + (long)(part.Bottom + i / part.Width) * settings.RaysAcross);
+                pixels[i] =
+                    (uint)(part.Left + i % part.Width + (long)(part.Bottom + i / part.Width) * settings.RaysAcross);
             return _tracer.TracePaths(settings, _pose.View, pixels, _objects, null, _cancel);
         }
 
@@ -69,18 +74,25 @@ namespace Glint
             var settings = _pose.Settings;
             settings.Region = default;
             double scale = math.sqrt(rays / settings.RayCount);
-            settings.RaysAcross = (int)math.clamp(math.round(settings.RaysAcross * scale), 1, RadarSettings.RaysPerAxisLimit);
-            settings.RaysDown = (int)math.clamp(math.round(settings.RaysDown * scale), 1, RadarSettings.RaysPerAxisLimit);
+            settings.RaysAcross =
+                (int)math.clamp(math.round(settings.RaysAcross * scale), 1, RadarSettings.RaysPerAxisLimit);
+            settings.RaysDown =
+                (int)math.clamp(math.round(settings.RaysDown * scale), 1, RadarSettings.RaysPerAxisLimit);
             return settings;
         }
 
         static RayRegion Around(uint[] pixels, in RadarSettings settings)
         {
             uint across = (uint)settings.RaysAcross;
-            int left = (int)pixels.Min(pixel => pixel % across), right = (int)pixels.Max(pixel => pixel % across), bottom = (int)pixels.Min(pixel => pixel / across), top = (int)pixels.Max(pixel => pixel / across);
+            int left = (int)pixels.Min(pixel => pixel % across), right = (int)pixels.Max(pixel => pixel % across),
+                bottom = (int)pixels.Min(pixel => pixel / across), top = (int)pixels.Max(pixel => pixel / across);
             int edge = 1 + (int)(Margin * math.max(right - left, top - bottom));
             (left, bottom) = (math.max(0, left - edge), math.max(0, bottom - edge));
-            return new RayRegion { Left = left, Bottom = bottom, Width = math.min(settings.RaysAcross, right + 1 + edge) - left, Height = math.min(settings.RaysDown, top + 1 + edge) - bottom };
+            return new RayRegion
+            {
+                Left = left, Bottom = bottom, Width = math.min(settings.RaysAcross, right + 1 + edge) - left,
+                Height = math.min(settings.RaysDown, top + 1 + edge) - bottom
+            };
         }
 
         static RayRegion Scaled(in RayRegion part, in RadarSettings to, in RadarSettings from)
@@ -90,7 +102,8 @@ namespace Glint
             return new RayRegion
             {
                 Left = left, Bottom = bottom,
-                Width = math.clamp((int)math.ceil(part.Width * x), 1, to.RaysAcross - left), Height = math.clamp((int)math.ceil(part.Height * y), 1, to.RaysDown - bottom)
+                Width = math.clamp((int)math.ceil(part.Width * x), 1, to.RaysAcross - left),
+                Height = math.clamp((int)math.ceil(part.Height * y), 1, to.RaysDown - bottom)
             };
         }
     }

@@ -9,7 +9,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Traces a radar's rays through a scene's triangles on the GPU. It owns the buffers and knows no GameObjects: a test can make one from a kernel and an array of triangles.
+    /// Traces a radar's rays through a scene's triangles on the GPU. It owns the buffers and knows no GameObjects:
+    /// a test can make one from a kernel and an array of triangles.
     /// </summary>
     public sealed class RayTracer : IDisposable
     {
@@ -29,7 +30,8 @@ namespace Glint
         readonly ExactPass _exact;
         readonly PathPass _paths;
         readonly DispatchPacer _pacer = new DispatchPacer();
-        readonly uint[] _zeros = new uint[RaySums.Slots * RaySums.WordsPerSlot], _words = new uint[RaySums.Slots * RaySums.WordsPerSlot];
+        readonly uint[] _zeros = new uint[RaySums.Slots * RaySums.WordsPerSlot],
+            _words = new uint[RaySums.Slots * RaySums.WordsPerSlot];
         WorkDone _sceneWork;
         double _buildMs, _uploadMs;
 
@@ -41,7 +43,9 @@ namespace Glint
         {
         }
 
-        /// <param name="asSoftware">Trace as suits a software device: another tree and kernel, the same results.</param>
+        /// <param name="asSoftware">
+        /// Trace as suits a software device: another tree and kernel, the same results.
+        /// </param>
         /// <param name="mostRowsABank">Rows of trees that one buffer may hold, as if the device took no more.</param>
         internal RayTracer(ComputeShader shader, string owner, bool asSoftware, long mostRowsABank = long.MaxValue)
         {
@@ -66,7 +70,10 @@ namespace Glint
         /// <summary>What may be skipped without changing a result: all, except in tests that show it.</summary>
         internal Shortcuts Shortcuts { get; set; } = Shortcuts.All;
 
-        /// <summary>Takes the scene to trace from now on. Trees are built for meshes that are new; a mesh that stays, moved or not, costs nothing.</summary>
+        /// <summary>
+        /// Takes the scene to trace from now on. Trees are built for meshes that are new;
+        /// a mesh that stays, moved or not, costs nothing.
+        /// </summary>
         /// <param name="cancel">Ends the building of trees.</param>
         /// <exception cref="GlintException">The device cannot hold it.</exception>
         /// <exception cref="OperationCanceledException">It was cancelled, and there is no scene.</exception>
@@ -81,7 +88,9 @@ namespace Glint
         }
 
         /// <summary>Refuses what does not fit, before a scene is gathered or built for it.</summary>
-        /// <exception cref="GlintException">The device cannot hold as many tiles, or this computer as many rays as are to be kept.</exception>
+        /// <exception cref="GlintException">
+        /// The device cannot hold as many tiles, or this computer as many rays as are to be kept.
+        /// </exception>
         public void CheckRoom(in RadarSettings settings, KeptRays keep) => CheckRoom(settings, keep, _owner);
 
         internal static void CheckRoom(in RadarSettings settings, KeptRays keep, string owner)
@@ -89,15 +98,20 @@ namespace Glint
             KeptRayList.Refuse(keep, settings, owner);
             long tiles = PictureTiles.CountIn(settings), most = DeviceBuffer<uint>.Most;
             if (tiles > most)
-                throw new GlintException($"{owner}: the list of the picture's {tiles} tiles of 64 rays takes {Text.Mebibytes(tiles * 4.0)}, and {SystemInfo.graphicsDeviceName} holds {Text.Mebibytes(most * 4.0)} in one buffer: trace a region or fewer rays");
+                throw new GlintException($"{owner}: the list of the picture's {tiles} tiles of 64 rays takes "
+                    + $"{Text.Mebibytes(tiles * 4.0)}, and {SystemInfo.graphicsDeviceName} holds "
+                    + $"{Text.Mebibytes(most * 4.0)} in one buffer: trace a region or fewer rays");
         }
 
         /// <summary>One pose: dispatches the kernel and sums what comes back.</summary>
         /// <param name="progress">Is told the part that is done, 0 to 1, after each dispatch.</param>
         /// <param name="cancel">Ends the pose after the dispatch in hand.</param>
-        /// <exception cref="GlintException">A setting is out of its range, or the device cannot hold as many rays as are to be kept.</exception>
+        /// <exception cref="GlintException">
+        /// A setting is out of its range, or the device cannot hold as many rays as are to be kept.
+        /// </exception>
         /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
-        public RadarResult Trace(in RadarSettings settings, in RadarView view, KeptRays keep, IProgress<double> progress = null, CancellationToken cancel = default)
+        public RadarResult Trace(in RadarSettings settings, in RadarView view, KeptRays keep,
+            IProgress<double> progress = null, CancellationToken cancel = default)
         {
             if (_scene.Scene == null)
                 throw new InvalidOperationException("RayTracer.Trace without a scene: call SetScene first");
@@ -106,7 +120,8 @@ namespace Glint
             CheckRoom(settings, keep);
             var result = new RadarResult
             {
-                RaysEmitted = settings.RaysEmitted, RaysOfPicture = settings.RayCount, RayArea = view.RayArea(settings), Triangles = _scene.Scene.TriangleCount, Work = _sceneWork,
+                RaysEmitted = settings.RaysEmitted, RaysOfPicture = settings.RayCount, RayArea = view.RayArea(settings),
+                Triangles = _scene.Scene.TriangleCount, Work = _sceneWork,
             };
             _sceneWork = default;
 
@@ -121,22 +136,31 @@ namespace Glint
                 result.Rays = kept.ToArray();
                 readBackMs = watch.Elapsed.TotalMilliseconds - tracedMs + kept.ReadBackMs;
             }
-            result.Work.BytesOnDevice = _scene.Bytes + _tiles.Bytes + _starts.Bytes + _sums.Bytes + _rays.Bytes + _exact.Bytes;
-            result.Timings = new Timings { BuildMs = _buildMs, UploadMs = _uploadMs, TraceMs = watch.Elapsed.TotalMilliseconds, ReadBackMs = readBackMs };
+            result.Work.BytesOnDevice =
+                _scene.Bytes + _tiles.Bytes + _starts.Bytes + _sums.Bytes + _rays.Bytes + _exact.Bytes;
+            result.Timings = new Timings
+            {
+                BuildMs = _buildMs, UploadMs = _uploadMs, TraceMs = watch.Elapsed.TotalMilliseconds,
+                ReadBackMs = readBackMs
+            };
             return result;
         }
 
         /// <summary>Pixels of the rays received in the pose last traced, in ascending order.</summary>
         public uint[] ReceivedPixels() => _exact.ReceivedPixels();
 
-        /// <summary>The ways of single rays, in the order of their pixels in the list. Every ray is followed in two-float arithmetic.</summary>
+        /// <summary>
+        /// The ways of single rays, in the order of their pixels in the list.
+        /// Every ray is followed in two-float arithmetic.
+        /// </summary>
         /// <param name="pixels">x + y * rays across; x from the left, y from the bottom of the whole picture.</param>
         /// <param name="objects">Knows the objects that the scene's triangles belong to; may be null.</param>
         /// <param name="progress">Is told the part that is done, 0 to 1; may be null.</param>
         /// <param name="cancel">Ends the work after the dispatch in hand.</param>
         /// <exception cref="GlintException">A setting is out of its range, or a pixel outside the picture.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
-        public RayPath[] TracePaths(in RadarSettings settings, in RadarView view, uint[] pixels, IHitObjects objects = null, IProgress<double> progress = null, CancellationToken cancel = default)
+        public RayPath[] TracePaths(in RadarSettings settings, in RadarView view, uint[] pixels,
+            IHitObjects objects = null, IProgress<double> progress = null, CancellationToken cancel = default)
         {
             if (_scene.Scene == null)
                 throw new InvalidOperationException("RayTracer.TracePaths without a scene: call SetScene first");
@@ -144,7 +168,9 @@ namespace Glint
             view.Validate(_owner);
             foreach (uint pixel in pixels)
                 if (pixel >= settings.RayCount)
-                    throw new GlintException($"{_owner}: there is no pixel {pixel} in a picture of {settings.RaysAcross} x {settings.RaysDown} rays: pixels count from 0, a row after the other");
+                    throw new GlintException($"{_owner}: there is no pixel {pixel} in a picture "
+                        + $"of {settings.RaysAcross} x {settings.RaysDown} rays: pixels count from 0, "
+                        + "a row after the other");
             var grid = new RayGrid(settings, view, _scene.Low, _scene.High);
             _kernel.SetRadar(settings, view, grid, _scene.Scene.Origin, 0, Shortcuts & ~Shortcuts.Starts);
             return _paths.Follow(settings, view, grid, pixels, objects, progress, cancel);
@@ -190,7 +216,8 @@ namespace Glint
             return tiles;
         }
 
-        void TraceTiles(in RadarSettings settings, in RadarView view, uint[] tiles, KeptRayList kept, RadarResult result, IProgress<double> progress, CancellationToken cancel)
+        void TraceTiles(in RadarSettings settings, in RadarView view, uint[] tiles, KeptRayList kept,
+            RadarResult result, IProgress<double> progress, CancellationToken cancel)
         {
             var grid = new RayGrid(settings, view, _scene.Low, _scene.High);
             var sums = new RaySums(grid);
@@ -199,7 +226,8 @@ namespace Glint
                 tiles = Array.Empty<uint>();
             bool usesStarts = UsesStarts(tiles.Length);
             _kernel.Choose(_scene, CountVisits);
-            _kernel.SetRadar(settings, view, grid, _scene.Scene.Origin, sums.LengthUnits, usesStarts ? Shortcuts : Shortcuts & ~Shortcuts.Starts);
+            _kernel.SetRadar(settings, view, grid, _scene.Scene.Origin, sums.LengthUnits,
+                usesStarts ? Shortcuts : Shortcuts & ~Shortcuts.Starts);
             _kernel.SetScene(_scene);
             _kernel.SetBuffers(_tiles, _sums);
             _exact.Begin();
@@ -207,7 +235,8 @@ namespace Glint
             {
                 cancel.ThrowIfCancellationRequested();
                 int left = tiles.Length - first;
-                int count = Math.Min(TraceKernel.MostTiles, TilesADispatch > 0 ? Math.Min(left, TilesADispatch) : _pacer.NextTiles(left, settings.MaxBounces));
+                int count = Math.Min(TraceKernel.MostTiles,
+                    TilesADispatch > 0 ? Math.Min(left, TilesADispatch) : _pacer.NextTiles(left, settings.MaxBounces));
                 count = _exact.Limit(kept.Limit(count, _rays));
                 count = (int)Math.Min(count, DeviceBuffer<uint4>.Most / DeviceScene.MostFew);
                 var watch = Stopwatch.StartNew();
@@ -250,7 +279,8 @@ namespace Glint
         }
 
         // Finding starts pays when it fills the device: a GPU with few tiles spends on it what it saves.
-        bool UsesStarts(int tiles) => _scene.HasFewInstances && (Shortcuts & Shortcuts.Starts) != 0 && StartsPay(tiles, _isSoftware);
+        bool UsesStarts(int tiles) =>
+            _scene.HasFewInstances && (Shortcuts & Shortcuts.Starts) != 0 && StartsPay(tiles, _isSoftware);
 
         internal static bool StartsPay(long tiles, bool isSoftware) => isSoftware || tiles >= TilesToFillAGpu;
     }

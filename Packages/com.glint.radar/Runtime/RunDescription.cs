@@ -57,7 +57,8 @@ namespace Glint
             identity.Add("target", info.TargetName);
             identity.Add("content", ContentOf(setup));
             foreach (var setting in info.Settings)
-                identity.Add(setting.Name, setting.Unit == null ? setting.Text : $"{Numbers.Format(setting.Number)} {setting.Unit}");
+                identity.Add(setting.Name,
+                    setting.Unit == null ? setting.Text : $"{Numbers.Format(setting.Number)} {setting.Unit}");
             identity.Add("device", info.DeviceName);
             identity.Add("graphics_api", info.GraphicsApi);
             identity.Add("glint", info.GlintVersion);
@@ -71,7 +72,8 @@ namespace Glint
             using (var hash = new SceneHash())
             {
                 hash.Add(setup.Radar.Gather().Scene);
-                foreach (double snapshot in setup.Plan.Values(SweepAxis.Snapshot)?.Distinct() ?? Enumerable.Empty<double>())
+                foreach (double snapshot in setup.Plan.Values(SweepAxis.Snapshot)?.Distinct()
+                    ?? Enumerable.Empty<double>())
                 {
                     var tile = setup.Sea.Snapshots[(int)snapshot - 1].Tile;
                     if (!tile.isReadable) // refused, by name, when it is traced

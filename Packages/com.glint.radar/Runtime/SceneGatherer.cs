@@ -7,20 +7,29 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Collects the triangles of active GameObjects with an enabled MeshRenderer and a MeshFilter. Of a LODGroup, LOD 0 is taken. The order is that of the hierarchy.
-    /// From one gather to the next it keeps what stays as it was: of a scene where only known movers have moved, every TriangleMesh is the same object as before.
+    /// Collects the triangles of active GameObjects with an enabled MeshRenderer and a MeshFilter.
+    /// Of a LODGroup, LOD 0 is taken. The order is that of the hierarchy.
+    /// From one gather to the next it keeps what stays as it was: of a scene where only known movers have moved,
+    /// every TriangleMesh is the same object as before.
     /// </summary>
     /// <remarks>
-    /// The scene has the world's axes and metres. Its origin stands where the nearest transform stands that the radar, its receiver and all traced objects are, or are below:
+    /// The scene has the world's axes and metres. Its origin stands where the nearest transform stands that the radar,
+    /// its receiver and all traced objects are, or are below:
     /// what that transform's place is does not enter. Without such a transform it is the world's origin.
-    /// Objects that keep still relative to each other (a <see cref="RigidGroup"/>) are merged into one mesh, a <see cref="Body"/>, in a frame of their own.
-    /// A transform moves when it does not stand as it did in the gather before, or when <see cref="ExpectMotion"/> was told so.
-    /// Objects with a mesh of their own that changes, and those with one that is used many times, are instances of their mesh.
+    /// Objects that keep still relative to each other (a <see cref="RigidGroup"/>) are merged into one mesh,
+    /// a <see cref="Body"/>, in a frame of their own.
+    /// A transform moves when it does not stand as it did in the gather before,
+    /// or when <see cref="ExpectMotion"/> was told so.
+    /// Objects with a mesh of their own that changes, and those with one that is used many times,
+    /// are instances of their mesh.
     /// Vertices are rounded to float32 relative to such a frame, never to the scene: its place is kept in double.
     /// </remarks>
     sealed class SceneGatherer : IHitObjects
     {
-        /// <summary>A mesh that would make more triangles than this when merged once for each of its objects is not: the objects are instances.</summary>
+        /// <summary>
+        /// A mesh that would make more triangles than this when merged once for each of its objects is not:
+        /// the objects are instances.
+        /// </summary>
         public const long MostMergedTriangles = 200_000;
 
         readonly VisibleRenderers _visible = new VisibleRenderers();
@@ -45,17 +54,24 @@ namespace Glint
         /// <returns>False when it was so already.</returns>
         public bool ExpectMotion(Transform transform) => _transforms.ExpectMotion(transform);
 
-        /// <summary>Takes <see cref="ExpectMotion"/> back. What has moved is known to move until <see cref="Forget"/>.</summary>
+        /// <summary>
+        /// Takes <see cref="ExpectMotion"/> back. What has moved is known to move until <see cref="Forget"/>.
+        /// </summary>
         public void ExpectNoMotion(Transform transform) => _transforms.ExpectNoMotion(transform);
 
         /// <summary>The triangles of a scene.</summary>
         /// <param name="layers">Layers to trace.</param>
         /// <param name="roots">Objects to trace with all below them; empty: every loaded scene.</param>
-        /// <param name="receiver">Never traced, with all below it: it is neither target nor obstacle. May be null.</param>
+        /// <param name="receiver">
+        /// Never traced, with all below it: it is neither target nor obstacle. May be null.
+        /// </param>
         /// <param name="radar">Where the radar stands; null: the scene's origin is the world's.</param>
         /// <returns>The same scene as before when nothing has changed.</returns>
-        /// <exception cref="GlintException">A mesh that cannot be traced; the message names it and the remedy.</exception>
-        public RadarScene Gather(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver, Transform radar = null)
+        /// <exception cref="GlintException">
+        /// A mesh that cannot be traced; the message names it and the remedy.
+        /// </exception>
+        public RadarScene Gather(LayerMask layers, IReadOnlyList<Transform> roots,
+            Transform receiver, Transform radar = null)
         {
             _transforms.Begin();
             _sources.Begin();
@@ -73,7 +89,10 @@ namespace Glint
             return _scene;
         }
 
-        /// <summary>Where the radar or the receiver of the last gather stands in its scene; the columns are its right, up and forward, unit vectors.</summary>
+        /// <summary>
+        /// Where the radar or the receiver of the last gather stands in its scene; the columns are its right,
+        /// up and forward, unit vectors.
+        /// </summary>
         public Affine StandOf(Transform radarOrReceiver) => _transforms.Visit(radarOrReceiver).Stand();
 
         /// <summary>An object with a mesh of the last gather, by its number.</summary>
@@ -86,7 +105,10 @@ namespace Glint
             return (body != null ? body.NodeOf(a, b, c) : lone)?.ObjectNumber ?? PathHit.NoObject;
         }
 
-        /// <summary>Sums up the meshes of the last gather and where they stand, however they are divided into instances. Good within one run only.</summary>
+        /// <summary>
+        /// Sums up the meshes of the last gather and where they stand, however they are divided into instances.
+        /// Good within one run only.
+        /// </summary>
         public ulong Content()
         {
             var content = new ContentHash();
@@ -130,7 +152,8 @@ namespace Glint
                     skinned.Add(renderer.name);
             }
             if (skinned.Count > 0)
-                _warnings.Add($"skinned meshes are not traced: '{string.Join("', '", skinned)}'. Bake them to a Mesh (SkinnedMeshRenderer.BakeMesh) to include them");
+                _warnings.Add($"skinned meshes are not traced: '{string.Join("', '", skinned)}'. "
+                    + "Bake them to a Mesh (SkinnedMeshRenderer.BakeMesh) to include them");
         }
 
         void AddObject(TransformNode node, Renderer renderer)
@@ -140,7 +163,8 @@ namespace Glint
             var mesh = filter.sharedMesh;
             if (mesh == null)
             {
-                _warnings.Add($"MeshFilter of '{renderer.name}' has no mesh and is not traced: assign one, or disable its MeshRenderer");
+                _warnings.Add($"MeshFilter of '{renderer.name}' has no mesh and is not traced: assign one, "
+                    + "or disable its MeshRenderer");
                 return;
             }
             if (renderer.isPartOfStaticBatch)
@@ -159,7 +183,8 @@ namespace Glint
 
         /// <summary>Why an object of a static batch is refused.</summary>
         public static string InStaticBatch(Renderer renderer) =>
-            $"'{renderer.name}' is part of a static batch, whose meshes Unity has merged: clear Batching Static among the static flags of '{renderer.name}'";
+            $"'{renderer.name}' is part of a static batch, whose meshes Unity has merged: "
+            + $"clear Batching Static among the static flags of '{renderer.name}'";
 
         /// <summary>Why a mesh that scripts cannot read is refused.</summary>
         public static string NotReadable(Mesh mesh, Renderer renderer) =>
@@ -216,7 +241,8 @@ namespace Glint
         {
             var source = node.Source;
             bool isApart = node.SwapsMesh || source.Version > 0;
-            bool isRepeated = source.ObjectCount > 1 && source.ObjectCount * (long)source.TriangleCount > MostMergedTriangles;
+            bool isRepeated = source.ObjectCount > 1
+                && source.ObjectCount * (long)source.TriangleCount > MostMergedTriangles;
             if ((isApart || isRepeated) && Shape.Evenness(node.ToScene) >= Shape.LeastEvenness)
             {
                 _pieces.Add((null, node));

@@ -11,15 +11,18 @@ namespace Glint
         /// <summary>The one enabled radar of the loaded scenes.</summary>
         /// <param name="searcher">Who looks for it, for the message.</param>
         /// <exception cref="GlintException">There is none, or more than one.</exception>
-        public static RadarController FindRadar(string searcher) => FindOnly<RadarController>(searcher, "radar", "RadarController (Glint > Radar Controller) to a camera of the scene");
+        public static RadarController FindRadar(string searcher) => FindOnly<RadarController>(searcher, "radar",
+            "RadarController (Glint > Radar Controller) to a camera of the scene");
 
         /// <summary>The one enabled sea of the loaded scenes.</summary>
         /// <param name="searcher">Who looks for it, for the message.</param>
         /// <exception cref="GlintException">There is none, or more than one.</exception>
-        public static Sea FindSea(string searcher) => FindOnly<Sea>(searcher, "sea", "Sea (Glint > Sea) with snapshots to an object of the scene");
+        public static Sea FindSea(string searcher) =>
+            FindOnly<Sea>(searcher, "sea", "Sea (Glint > Sea) with snapshots to an object of the scene");
 
         /// <summary>Why a component is not found that is there.</summary>
-        public static string IsDisabled(Behaviour component) => $"{component.GetType().Name} of '{component.name}' is disabled or inactive; enable it";
+        public static string IsDisabled(Behaviour component) =>
+            $"{component.GetType().Name} of '{component.name}' is disabled or inactive; enable it";
 
         static T FindOnly<T>(string searcher, string noun, string remedy) where T : Behaviour
         {
@@ -30,7 +33,8 @@ namespace Glint
             if (enabled.Length == 0)
                 throw new GlintException($"{searcher}: its {IsDisabled(all[0])}");
             if (enabled.Length > 1)
-                throw new GlintException($"{searcher}: has {enabled.Length} {noun}s, '{string.Join("', '", Array.ConvertAll(enabled, found => found.name))}'; disable all but one");
+                throw new GlintException($"{searcher}: has {enabled.Length} {noun}s, "
+                    + $"'{string.Join("', '", Array.ConvertAll(enabled, found => found.name))}'; disable all but one");
             return enabled[0];
         }
     }

@@ -6,7 +6,8 @@ namespace Glint
     // Names as in Shaders/Bindings.hlsl.
     static class ShaderIDs
     {
-        public static readonly int[] _Tree = Enumerable.Range(0, DeviceTrees.MostBanks).Select(bank => Shader.PropertyToID("_Tree" + bank)).ToArray();
+        public static readonly int[] _Tree = Enumerable.Range(0, DeviceTrees.MostBanks)
+            .Select(bank => Shader.PropertyToID("_Tree" + bank)).ToArray();
         public static readonly int _Top = Shader.PropertyToID("_Top");
         public static readonly int _Instances = Shader.PropertyToID("_Instances");
         public static readonly int _FewToLocal = Shader.PropertyToID("_FewToLocal");

@@ -2,7 +2,10 @@ using System;
 
 namespace Glint
 {
-    /// <summary>Work that may be skipped because it cannot change a result. The kernel has the same numbers: SHORTCUT_ in Shaders/Bindings.hlsl.</summary>
+    /// <summary>
+    /// Work that may be skipped because it cannot change a result. The kernel has the same numbers:
+    /// SHORTCUT_ in Shaders/Bindings.hlsl.
+    /// </summary>
     [Flags]
     enum Shortcuts
     {
@@ -17,7 +20,10 @@ namespace Glint
         /// <summary>Tiles in which nothing of the scene can be seen are not traced.</summary>
         Tiles = 4,
 
-        /// <summary>The first segments of a tile's rays begin their search where a beam around them parts: in scenes of few instances.</summary>
+        /// <summary>
+        /// The first segments of a tile's rays begin their search where a beam around them parts:
+        /// in scenes of few instances.
+        /// </summary>
         Starts = 8,
 
         All = Reach | LastSegment | Tiles | Starts,

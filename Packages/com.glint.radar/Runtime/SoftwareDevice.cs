@@ -8,6 +8,7 @@ namespace Glint
     {
         static readonly string[] s_names = { "llvmpipe", "SwiftShader", "Microsoft Basic Render" };
 
-        public static bool IsInUse => Array.Exists(s_names, name => SystemInfo.graphicsDeviceName.IndexOf(name, StringComparison.OrdinalIgnoreCase) >= 0);
+        public static bool IsInUse => Array.Exists(s_names,
+            name => SystemInfo.graphicsDeviceName.IndexOf(name, StringComparison.OrdinalIgnoreCase) >= 0);
     }
 }

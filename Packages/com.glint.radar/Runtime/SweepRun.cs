@@ -7,7 +7,8 @@ namespace Glint
 {
     /// <summary>
     /// A sweep pose by pose: shows the pose, traces, and writes the row.
-    /// Disposing puts everything back that was moved. Unity's play mode takes one step a frame, the commands take them in a row.
+    /// Disposing puts everything back that was moved. Unity's play mode takes one step a frame,
+    /// the commands take them in a row.
     /// </summary>
     public sealed class SweepRun : IDisposable
     {
@@ -19,12 +20,17 @@ namespace Glint
         readonly Stopwatch _watch = Stopwatch.StartNew();
         SweepIdentity _identity;
 
-        /// <summary>Begins a sweep, or goes on with one; nothing is traced before the first <see cref="Step"/>.</summary>
+        /// <summary>
+        /// Begins a sweep, or goes on with one; nothing is traced before the first <see cref="Step"/>.
+        /// </summary>
         /// <param name="setup">What the sweep is of; not to be changed while it runs.</param>
         /// <param name="folder">Takes the rows; null to write nothing.</param>
         /// <param name="shard">The part to do; null: all of it.</param>
         /// <param name="resume">Goes on where the same sweep was ended in the folder.</param>
-        /// <exception cref="GlintException">An axis has nothing that it could move, or not so: the sea has no such snapshot, the radar cannot be moved about the target. Or another sweep is in the folder.</exception>
+        /// <exception cref="GlintException">
+        /// An axis has nothing that it could move, or not so: the sea has no such snapshot,
+        /// the radar cannot be moved about the target. Or another sweep is in the folder.
+        /// </exception>
         public SweepRun(SweepSetup setup, ResultsFolder folder = null, SweepShard? shard = null, bool resume = false)
         {
             _setup = setup;
@@ -61,9 +67,14 @@ namespace Glint
         /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
         /// <param name="cancel">Ends the pose.</param>
         /// <param name="keep">Which rays the row's result carries.</param>
-        /// <exception cref="GlintException">The pose cannot be traced or its row not be written; the rows before are kept.</exception>
-        /// <exception cref="OperationCanceledException">The pose was cancelled; the rows before are kept, and the next step traces it again.</exception>
-        public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default, KeptRays keep = KeptRays.None)
+        /// <exception cref="GlintException">
+        /// The pose cannot be traced or its row not be written; the rows before are kept.
+        /// </exception>
+        /// <exception cref="OperationCanceledException">
+        /// The pose was cancelled; the rows before are kept, and the next step traces it again.
+        /// </exception>
+        public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default,
+            KeptRays keep = KeptRays.None)
         {
             var pose = _setup.Plan[_first + Done];
             _motions.Show(pose);
@@ -92,7 +103,8 @@ namespace Glint
         }
 
         // How a scene is divided depends on what was seen to change. So that no row depends on the rows before it,
-        // which a resumed sweep or a part of one has not, everything changes once before the first row. Ends at the first pose.
+        // which a resumed sweep or a part of one has not, everything changes once before the first row.
+        // Ends at the first pose.
         void Rehearse()
         {
             Gather(0);

@@ -21,7 +21,10 @@ namespace Glint
         /// <summary>The poses.</summary>
         public SweepPlan Plan { get; }
 
-        /// <summary>What is turned, from its rotation now, or what the radar is moved about; may be null when the plan does neither.</summary>
+        /// <summary>
+        /// What is turned, from its rotation now, or what the radar is moved about;
+        /// may be null when the plan does neither.
+        /// </summary>
         public Transform Target { get; set; }
 
         /// <summary>Whose snapshots are shown; may be null when the plan has none.</summary>

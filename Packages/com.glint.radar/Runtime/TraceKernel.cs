@@ -20,18 +20,24 @@ namespace Glint
         readonly int _startsKernel, _pathsKernel;
         int _kernel, _exactKernel;
 
-        /// <exception cref="GlintException">There is no graphics device, the shader is another one, or the device cannot run it.</exception>
+        /// <exception cref="GlintException">
+        /// There is no graphics device, the shader is another one, or the device cannot run it.
+        /// </exception>
         public TraceKernel(ComputeShader shader, bool isSoftware, string owner)
         {
             if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
-                throw new GlintException("there is no graphics device (graphics device type Null): start Unity without -nographics");
+                throw new GlintException("there is no graphics device (graphics device type Null): "
+                    + "start Unity without -nographics");
             if (!SystemInfo.supportsComputeShaders)
-                throw new GlintException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) runs no compute shaders: use Direct3D 11 or 12, Vulkan or Metal");
+                throw new GlintException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) runs no "
+                    + "compute shaders: use Direct3D 11 or 12, Vulkan or Metal");
             if (shader == null)
-                throw new GlintException($"{owner} has no kernel: assign Packages/com.glint.radar/Shaders/Trace.compute");
+                throw new GlintException($"{owner} has no kernel: "
+                    + "assign Packages/com.glint.radar/Shaders/Trace.compute");
             _name = isSoftware ? "TraceWide" : "Trace";
             if (!shader.HasKernel(_name))
-                throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel '{_name}': assign Packages/com.glint.radar/Shaders/Trace.compute");
+                throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel '{_name}': "
+                    + "assign Packages/com.glint.radar/Shaders/Trace.compute");
             _shader = shader;
             _kernel = shader.FindKernel(_name);
             _startsKernel = shader.FindKernel(isSoftware ? "StartsWide" : "Starts");
@@ -40,7 +46,8 @@ namespace Glint
             _pathsKernel = shader.FindKernel(isSoftware ? "PathsWide" : "Paths");
             foreach (int kernel in new[] { _kernel, _startsKernel, _exactKernel, _pathsKernel })
                 if (!shader.IsSupported(kernel))
-                    throw new GlintException($"a kernel of compute shader '{shader.name}' does not run on {SystemInfo.graphicsDeviceName}: see the shader's import messages");
+                    throw new GlintException($"a kernel of compute shader '{shader.name}' does not run on "
+                        + $"{SystemInfo.graphicsDeviceName}: see the shader's import messages");
         }
 
         /// <summary>Takes the kernels for a scene; the other calls set and run those.</summary>
@@ -52,7 +59,8 @@ namespace Glint
             _exactKernel = _shader.FindKernel(_exactName + (scene.Banks.Count > 1 ? "Banks" : ""));
         }
 
-        public void SetRadar(in RadarSettings settings, in RadarView view, RayGrid grid, double3 origin, float lengthUnits, Shortcuts shortcuts)
+        public void SetRadar(in RadarSettings settings, in RadarView view, RayGrid grid, double3 origin,
+            float lengthUnits, Shortcuts shortcuts)
         {
             SetVector(ShaderIDs._Start, grid.Start);
             SetVector(ShaderIDs._StartRight, grid.StartRight);
@@ -65,12 +73,14 @@ namespace Glint
             SetVector(ShaderIDs._ReceiverUp, view.ReceiverUp);
             SetVector(ShaderIDs._ReceiverForward, view.ReceiverForward);
             double2 half = view.ReceiverSize / 2;
-            _shader.SetVector(ShaderIDs._ReceiverHalfSize, new Vector4((float)half.x, TwoFloat.Rest(half.x), (float)half.y, TwoFloat.Rest(half.y)));
+            _shader.SetVector(ShaderIDs._ReceiverHalfSize,
+                new Vector4((float)half.x, TwoFloat.Rest(half.x), (float)half.y, TwoFloat.Rest(half.y)));
             SetNumber(ShaderIDs._StartDepth, grid.StartDepth);
             SetNumber(ShaderIDs._WaveNumberTurns, 1 / settings.Wavelength);
             _shader.SetVector(ShaderIDs._ReferenceRay, new Vector4(grid.Reference.x, grid.Reference.y, 0, 0));
             double3 middle = grid.Middle + origin;
-            _shader.SetVector(ShaderIDs._Middle, new Vector4((float)middle.x, (float)middle.y, (float)middle.z, (float)grid.Size));
+            _shader.SetVector(ShaderIDs._Middle,
+                new Vector4((float)middle.x, (float)middle.y, (float)middle.z, (float)grid.Size));
             _shader.SetInt(ShaderIDs._RaysAcross, settings.RaysAcross);
             var region = settings.Region;
             _shader.SetInts(ShaderIDs._Region, region.IsWhole
@@ -90,7 +100,8 @@ namespace Glint
                 for (int i = 0; i < scene.Few.Count; i++)
                 {
                     var record = scene.Few[i];
-                    (rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]) = (record.ToLocalX, record.ToLocalY, record.ToLocalZ);
+                    (rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]) =
+                        (record.ToLocalX, record.ToLocalY, record.ToLocalZ);
                     rows[4 * i + 3] = new Vector4(record.Stretch, record.Rounding);
                     firstRows[i] = (int)record.FirstRow;
                 }
@@ -109,10 +120,12 @@ namespace Glint
             _shader.SetBuffer(_exactKernel, ShaderIDs._Sums, sums.Buffer);
         }
 
-        public void SetStarts(DeviceBuffer<uint4> starts) => _shader.SetBuffer(_kernel, ShaderIDs._Starts, starts.Buffer);
+        public void SetStarts(DeviceBuffer<uint4> starts) =>
+            _shader.SetBuffer(_kernel, ShaderIDs._Starts, starts.Buffer);
 
         /// <summary>Finds where the rays of some tiles begin their search.</summary>
-        public void FindStarts(DeviceScene scene, DeviceBuffer<uint> tiles, int firstTile, int count, DeviceBuffer<uint4> starts)
+        public void FindStarts(DeviceScene scene, DeviceBuffer<uint> tiles, int firstTile, int count,
+            DeviceBuffer<uint4> starts)
         {
             _shader.SetBuffer(_startsKernel, ShaderIDs._Tree[0], scene.Banks[0].Rows.Buffer);
             _shader.SetBuffer(_startsKernel, ShaderIDs._Tiles, tiles.Buffer);
@@ -124,7 +137,8 @@ namespace Glint
 
         /// <summary>Follows the rays of some of the tiles; lists those that may be received.</summary>
         /// <param name="rays">Takes the others when all are to be kept.</param>
-        public void Dispatch(int firstTile, int count, KeptRays keep, DeviceBuffer<ReceivedRay> returning, DeviceBuffer<RayData> rays)
+        public void Dispatch(int firstTile, int count, KeptRays keep, DeviceBuffer<ReceivedRay> returning,
+            DeviceBuffer<RayData> rays)
         {
             _shader.SetInt(ShaderIDs._FirstTile, firstTile);
             _shader.SetInt(ShaderIDs._TileCount, count);
@@ -134,7 +148,8 @@ namespace Glint
 
         /// <summary>Follows listed rays once more, in two-float arithmetic.</summary>
         /// <param name="subRays">Along the side of a ray's place: 1, or 2 to 8 to divide it.</param>
-        public void DispatchExact(int first, int count, int subRays, KeptRays keep, DeviceBuffer<ReceivedRay> returning, DeviceBuffer<RayData> rays)
+        public void DispatchExact(int first, int count, int subRays, KeptRays keep, DeviceBuffer<ReceivedRay> returning,
+            DeviceBuffer<RayData> rays)
         {
             _shader.SetInt(ShaderIDs._FirstReturning, first);
             _shader.SetInt(ShaderIDs._ReturningCount, count);
@@ -144,7 +159,10 @@ namespace Glint
         }
 
         /// <summary>Follows listed rays, in two-float arithmetic, and notes their reflections.</summary>
-        /// <param name="listed">Pixel, 0; then bounces, and the bits of the length from the last one to the receiver's plane, 0 for a ray that is not received.</param>
+        /// <param name="listed">
+        /// Pixel, 0; then bounces, and the bits of the length from the last one to the receiver's plane,
+        /// 0 for a ray that is not received.
+        /// </param>
         /// <param name="hits">Takes <see cref="RadarSettings.MaxBounces"/> places a ray.</param>
         public void DispatchPaths(DeviceScene scene, int count, DeviceBuffer<uint2> listed, DeviceBuffer<HitData> hits)
         {
@@ -162,7 +180,8 @@ namespace Glint
             _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
             // Every bank that a kernel declares wants a buffer, read or not.
             for (int bank = 0; bank < DeviceTrees.MostBanks; bank++)
-                _shader.SetBuffer(kernel, ShaderIDs._Tree[bank], scene.Banks[bank < scene.Banks.Count ? bank : 0].Rows.Buffer);
+                _shader.SetBuffer(kernel, ShaderIDs._Tree[bank],
+                    scene.Banks[bank < scene.Banks.Count ? bank : 0].Rows.Buffer);
         }
 
         void SetOutput(int kernel, KeptRays keep, DeviceBuffer<ReceivedRay> returning, DeviceBuffer<RayData> rays)
@@ -185,6 +204,7 @@ namespace Glint
             _shader.SetVector(id.rest, new Vector4(TwoFloat.Rest(v.x), TwoFloat.Rest(v.y), TwoFloat.Rest(v.z), 0));
         }
 
-        void SetNumber(int id, double value) => _shader.SetVector(id, new Vector4((float)value, TwoFloat.Rest(value), 0, 0));
+        void SetNumber(int id, double value) =>
+            _shader.SetVector(id, new Vector4((float)value, TwoFloat.Rest(value), 0, 0));
     }
 }

@@ -2,7 +2,9 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>Doubles as the kernel takes them: a float32, and a second one for what it leaves out (Shaders/TwoFloat.hlsl).</summary>
+    /// <summary>
+    /// Doubles as the kernel takes them: a float32, and a second one for what it leaves out (Shaders/TwoFloat.hlsl).
+    /// </summary>
     static class TwoFloat
     {
         /// <summary>What float32 leaves out of a number.</summary>

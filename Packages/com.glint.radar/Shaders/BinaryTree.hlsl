@@ -40,8 +40,10 @@ BoxRay MakeBoxRay(SearchRay ray, float3 centre)
 }
 
 // Where a ray enters and leaves a box, as the bits of floats: enter <= leave if it meets it nearer than reach.
-// Whole numbers are compared because a GPU takes the larger of three in one step. They are in the order of floats unless both are negative.
-// Then it is reversed, and of a box behind the ray, where a leave is negative, the leave taken is less than the enter: it is missed as it should be.
+// Whole numbers are compared because a GPU takes the larger of three in one step.
+// They are in the order of floats unless both are negative.
+// Then it is reversed, and of a box behind the ray, where a leave is negative, the leave taken is less than the enter:
+// it is missed as it should be.
 int2 EnterAndLeave(float3 middle, float3 halfSize, BoxRay ray, float reach)
 {
     float3 toMiddle = middle * ray.Scale + ray.ToCentre, size = abs(ray.Scale);
@@ -53,7 +55,8 @@ int2 EnterAndLeave(float3 middle, float3 halfSize, BoxRay ray, float reach)
     return int2(max(max(enter.x, enter.y), enter.z), asint(asfloat(leaveAll) * LEAVE_LATER));
 }
 
-// Half sizes are the upper halves of floats: those of child a in the upper bits, as they are (what stands below makes them larger by less than one step), those of child b in the lower bits.
+// Half sizes are the upper halves of floats: those of child a in the upper bits,
+// as they are (what stands below makes them larger by less than one step), those of child b in the lower bits.
 float3 HalfSizeA(uint3 halfSizes)
 {
     return asfloat(halfSizes);

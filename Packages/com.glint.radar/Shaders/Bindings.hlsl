@@ -15,9 +15,11 @@ StructuredBuffer<InstanceRecord> _Instances;
 uint _TopRoot;                              // where the search starts
 #endif
 
-// Input: the radar, about the middle of the scene, m. Each number is given by its float32 and by the rest that this leaves out.
+// Input: the radar, about the middle of the scene, m.
+// Each number is given by its float32 and by the rest that this leaves out.
 // Start and direction of a ray are linear in its place in the picture: in rays to the right of and above _ReferenceRay.
-float4 _Start, _StartRest;                  // on a plane between the radar and the scene, at the radar if this is in the scene
+// on a plane between the radar and the scene, at the radar if this is in the scene
+float4 _Start, _StartRest;
 float4 _StartRight, _StartRightRest;
 float4 _StartUp, _StartUpRest;
 float4 _Course, _CourseRest;                // direction; a unit vector on the axis of the picture
@@ -30,10 +32,12 @@ float4 _ReceiverRight, _ReceiverRightRest;  // unit vectors
 float4 _ReceiverUp, _ReceiverUpRest;
 float4 _ReceiverForward, _ReceiverForwardRest;
 float4 _ReceiverHalfSize;                   // x: half its width, y: the rest; z, w: the same of its height
-float4 _Middle;                             // xyz: of the scene, in the world; w: the scene's size, as lengths that rays go in it, m
+// xyz: of the scene, in the world; w: the scene's size, as lengths that rays go in it, m
+float4 _Middle;
 uint _RaysAcross;
 uint _RaysDown;
-uint4 _Region;                              // rays traced: first and one past the last across, first and one past the last down
+// rays traced: first and one past the last across, first and one past the last down
+uint4 _Region;
 uint _MaxBounces;
 float4 _WaveNumberTurns;                    // x: 1 / wavelength, turns per m; y: the rest
 
@@ -41,7 +45,8 @@ float4 _WaveNumberTurns;                    // x: 1 / wavelength, turns per m; y
 StructuredBuffer<uint> _Tiles;              // 8 x 8 rays each: column | row << 16
 uint _FirstTile;
 uint _TileCount;                            // of this dispatch
-StructuredBuffer<uint4> _Starts;            // where the rays of each tile begin their search, four places a tile: one an instance
+// where the rays of each tile begin their search, four places a tile: one an instance
+StructuredBuffer<uint4> _Starts;
 uint _Shortcuts;                            // SHORTCUT_ flags
 uint _Keep;                                 // KEEP_ what is written to _Rays
 float _LengthUnits;                         // units of length sums a m: the longest path beyond _StartDepth takes 2^30
@@ -52,7 +57,10 @@ uint _SubRays;                              // along the side of a ray's place: 
 // Output.
 RWStructuredBuffer<RayData> _Rays;
 RWStructuredBuffer<uint> _Sums;             // see Sums.hlsl
-RWStructuredBuffer<uint2> _Returning;       // rays that may be received: pixel, place in the order of tiles. The exact kernels put instead: pixel, or NO_PIXEL if it is not received; length beyond twice _StartDepth, m. The kernels of paths put: bounces; from the last hit to the receiver's plane, m, 0 if it is not received
+// rays that may be received: pixel, place in the order of tiles. The exact kernels put instead:
+// pixel, or NO_PIXEL if it is not received; length beyond twice _StartDepth, m. The kernels of paths put: bounces;
+// from the last hit to the receiver's plane, m, 0 if it is not received
+RWStructuredBuffer<uint2> _Returning;
 RWStructuredBuffer<HitData> _Hits;          // of the rays of _Returning, _MaxBounces places each
 RWStructuredBuffer<uint4> _FoundStarts;     // what the kernels Starts and StartsWide find for _Starts
 

@@ -13,7 +13,8 @@ struct ExactLine
     float Far;            // the scene's size in the mesh's frame: the origin is rounded as places in the scene are
 };
 
-// A triangle in whose plane the ray starts is not met: so near, as a part of the lengths that go into the height above it.
+// A triangle in whose plane the ray starts is not met:
+// so near, as a part of the lengths that go into the height above it.
 static const float ON_SURFACE = 1.0e-13;
 
 // Of the numbers that go into the side of an edge: some steps of two-float numbers.
@@ -24,7 +25,8 @@ float Sum(float3 v)
     return v.x + v.y + v.z;
 }
 
-// Whether a ray of float32 passes an edge on the inner side of a triangle, for both ways around, or beyond it by no more than rounding and slack explain. Not if a corner is no number.
+// Whether a ray of float32 passes an edge on the inner side of a triangle, for both ways around,
+// or beyond it by no more than rounding and slack explain. Not if a corner is no number.
 bool2 IsInside(float2 a, float2 b, float slack)
 {
     float side = a.x * b.y - a.y * b.x;
@@ -48,17 +50,22 @@ bool MayHit(SearchRay ray, float3 a, float3 b, float3 c, float reach)
     return (isInside.x || isInside.y) && min(p.z, min(q.z, r.z)) <= reach;
 }
 
-// On which side the line passes the edge between two corners, times four times the area that the edge spans with the origin; 0 where rounding leaves that open.
-// So a line through an edge or a corner meets all triangles there, and passes between none. An edge that is short and far away costs no digits.
+// On which side the line passes the edge between two corners, times four times the area that the edge spans with
+// the origin; 0 where rounding leaves that open.
+// So a line through an edge or a corner meets all triangles there, and passes between none.
+// An edge that is short and far away costs no digits.
 float SideOfLine(ExactLine ray, float3 a, float3 b)
 {
-    Two3 between = Plus(MakeTwo3(ExactSum(a.x, b.x), ExactSum(a.y, b.y), ExactSum(a.z, b.z)), Times(ray.Origin, -2.0)), edge = Difference(b, a);
+    Two3 between = Plus(MakeTwo3(ExactSum(a.x, b.x), ExactSum(a.y, b.y), ExactSum(a.z, b.z)), Times(ray.Origin, -2.0)),
+        edge = Difference(b, a);
     float side = Rounded(Dot(ray.Direction, Cross(between, edge)));
-    float doubt = SIDE_ROUNDING * (Sum(abs(a) + abs(b) + 2.0 * abs(Rounded(ray.Origin))) + ray.Far) * Sum(abs(Rounded(edge))) * Sum(abs(Rounded(ray.Direction)));
+    float doubt = SIDE_ROUNDING * (Sum(abs(a) + abs(b) + 2.0 * abs(Rounded(ray.Origin))) + ray.Far)
+        * Sum(abs(Rounded(edge))) * Sum(abs(Rounded(ray.Direction)));
     return abs(side) <= doubt ? 0.0 : side;
 }
 
-// Whether the line meets the triangle after its origin, and how far along, m: at its nearest or farthest corner where rounding says nearer or farther, as of a triangle seen edge-on.
+// Whether the line meets the triangle after its origin, and how far along, m:
+// at its nearest or farthest corner where rounding says nearer or farther, as of a triangle seen edge-on.
 bool Hits(SearchRay search, ExactLine ray, float slack, float3 a, float3 b, float3 c, out Two toHit, out bool isAtEdge)
 {
     toHit = MakeTwo(MISS, 0.0);
@@ -76,7 +83,8 @@ bool Hits(SearchRay search, ExactLine ray, float slack, float3 a, float3 b, floa
         return false;
     toHit = Over(height, facing);
     float3 distances = float3(AsSeen(search, a).z, AsSeen(search, b).z, AsSeen(search, c).z) - ray.Back;
-    float nearest = min(distances.x, min(distances.y, distances.z)), farthest = max(distances.x, max(distances.y, distances.z));
+    float nearest = min(distances.x, min(distances.y, distances.z)),
+        farthest = max(distances.x, max(distances.y, distances.z));
     if (!(toHit.Hi >= nearest - slack))
         toHit = MakeTwo(nearest, 0.0);
     if (!(toHit.Hi <= farthest + slack))

@@ -6,7 +6,8 @@
 // Distance of a segment that hits nothing, m.
 static const float MISS = 3.0e38;
 
-// Least size of a direction's component, so that its inverse stays finite and an axis-parallel ray on a box's face is no 0 * infinity.
+// Least size of a direction's component, so that its inverse stays finite and an axis-parallel ray on
+// a box's face is no 0 * infinity.
 static const float LEAST_COMPONENT = 1.0e-20;
 
 // A ray leaves a box this much later, so that rounding does not lose one that grazes it: 16 float32 steps.
@@ -37,7 +38,8 @@ SearchRay MakeSearchRay(float3 origin, float3 direction, float slack, float slac
     ray.Direction = direction;
     float3 size = abs(direction);
     float3 inverse = 1.0 / max(size, LEAST_COMPONENT);
-    ray.Inverse = float3(direction.x < 0.0 ? -inverse.x : inverse.x, direction.y < 0.0 ? -inverse.y : inverse.y, direction.z < 0.0 ? -inverse.z : inverse.z);
+    ray.Inverse = float3(direction.x < 0.0 ? -inverse.x : inverse.x, direction.y < 0.0 ? -inverse.y : inverse.y,
+        direction.z < 0.0 ? -inverse.z : inverse.z);
     ray.Axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     float3 d = AxisLast(direction, ray.Axis);
     ray.Shear = float3(d.xy, 1.0) / d.z;
@@ -47,7 +49,8 @@ SearchRay MakeSearchRay(float3 origin, float3 direction, float slack, float slac
 }
 
 // A corner as the ray sees it: x and y across the ray, z the distance along it.
-// Every triangle at a corner gets the same numbers for it, to the last bit: "precise" keeps the compiler from fusing operations here and not there.
+// Every triangle at a corner gets the same numbers for it, to the last bit:
+// "precise" keeps the compiler from fusing operations here and not there.
 float3 AsSeen(SearchRay ray, float3 corner)
 {
     float3 p = AxisLast(corner - ray.Origin, ray.Axis);
@@ -56,7 +59,8 @@ float3 AsSeen(SearchRay ray, float3 corner)
 }
 
 // Twice the area, seen along the ray, that an edge spans with the ray: its sign says on which side the ray passes.
-// The sign is right or the result 0, as the products are rounded before they are compared. Swapped corners give exactly the opposite.
+// The sign is right or the result 0, as the products are rounded before they are compared.
+// Swapped corners give exactly the opposite.
 float SideOf(float3 a, float3 b)
 {
     precise float side = a.x * b.y - a.y * b.x;
@@ -81,8 +85,10 @@ float Greatest(float3 v)
     return max(v.x, max(v.y, v.z));
 }
 
-// Distance to a triangle of these corners, as the ray sees them, and with these sides opposite to them; MISS outside. A ray through an edge or a corner, where a side is 0, is inside.
-// In doubt: no more than the distance in truth, if the ray is inside or outside by so little that this may be wrong, else MISS. Most doubt: no side is in doubt that is larger.
+// Distance to a triangle of these corners, as the ray sees them, and with these sides opposite to them; MISS outside.
+// A ray through an edge or a corner, where a side is 0, is inside.
+// In doubt: no more than the distance in truth, if the ray is inside or outside by so little that this may be wrong,
+// else MISS. Most doubt: no side is in doubt that is larger.
 float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float slack, float mostDoubt, out float inDoubt)
 {
     float3 distances = float3(a.z, b.z, c.z);
@@ -95,30 +101,36 @@ float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float slack, float
         float3 doubts = slack * float3(SumOfSizes(c.xy - b.xy), SumOfSizes(a.xy - c.xy), SumOfSizes(b.xy - a.xy));
         bool mayBeInside = Least(sides + doubts) >= 0.0 || Greatest(sides - doubts) <= 0.0;
         bool surelyInside = Least(sides - doubts) > 0.0 || Greatest(sides + doubts) < 0.0;
-        // Of a triangle seen edge-on rounding leaves no distance, and the ray may be in line with its edges far beside it.
+        // Of a triangle seen edge-on rounding leaves no distance,
+        // and the ray may be in line with its edges far beside it.
         float2 low = min(a.xy, min(b.xy, c.xy)), high = max(a.xy, max(b.xy, c.xy));
         bool isBeside = max(low.x, low.y) > slack || min(high.x, high.y) < -slack;
         float nearest = Least(distances), farthest = Greatest(distances), doubt = doubts.x + doubts.y + doubts.z;
         if (mayBeInside && !surelyInside && !isBeside && farthest > 0.0)
         {
             toHit = clamp(toHit, nearest, farthest);
-            inDoubt = max(0.0, abs(sum) > doubt ? max(nearest, toHit - (farthest - nearest) * doubt / abs(sum)) : nearest);
+            inDoubt =
+                max(0.0, abs(sum) > doubt ? max(nearest, toHit - (farthest - nearest) * doubt / abs(sum)) : nearest);
         }
     }
     return isInside && toHit > 0.0 ? toHit : MISS;
 }
 
-// Distances to the triangles (0, 1, 2) and (0, 2, 3) of a pair, and to those in doubt. Watertight: a ray cannot pass between triangles that share corners (after Woop, Benthin and Wald 2013).
+// Distances to the triangles (0, 1, 2) and (0, 2, 3) of a pair, and to those in doubt. Watertight:
+// a ray cannot pass between triangles that share corners (after Woop, Benthin and Wald 2013).
 float2 HitPair(SearchRay ray, float3 corner0, float3 corner1, float3 corner2, float3 corner3, out float2 inDoubt)
 {
     float3 p0 = AsSeen(ray, corner0), p1 = AsSeen(ray, corner1), p2 = AsSeen(ray, corner2), p3 = AsSeen(ray, corner3);
     float diagonal = SideOf(p2, p0);
-    float farthest = max(max(p0.z, p1.z), max(p2.z, p3.z)), widest = max(max(SumOfSizes(p0.xy), SumOfSizes(p1.xy)), max(SumOfSizes(p2.xy), SumOfSizes(p3.xy)));
+    float farthest = max(max(p0.z, p1.z), max(p2.z, p3.z)),
+        widest = max(max(SumOfSizes(p0.xy), SumOfSizes(p1.xy)), max(SumOfSizes(p2.xy), SumOfSizes(p3.xy)));
     float slack = ray.Slack + ray.SlackAMetre * farthest + SEEN_ROUNDING * widest;
     float mostDoubt = 2.0 * slack * widest;
     bool isAlone = all(corner2 == corner3);
-    float first = HitTriangle(p0, p1, p2, float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), slack, mostDoubt, inDoubt.x);
-    float second = HitTriangle(p0, p2, p3, float3(SideOf(p2, p3), SideOf(p3, p0), -diagonal), slack, isAlone ? -1.0 : mostDoubt, inDoubt.y);
+    float first =
+        HitTriangle(p0, p1, p2, float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), slack, mostDoubt, inDoubt.x);
+    float second = HitTriangle(p0, p2, p3, float3(SideOf(p2, p3), SideOf(p3, p0), -diagonal), slack,
+        isAlone ? -1.0 : mostDoubt, inDoubt.y);
     return float2(first, second);
 }
 

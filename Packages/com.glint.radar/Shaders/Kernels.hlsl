@@ -10,7 +10,8 @@
 #include "Phasor.hlsl"
 #endif
 
-// One thread a ray, 64 in a row for a tile of 8 x 8 rays. Groups in rows of so many, as a dispatch takes at most 65,535 along an axis.
+// One thread a ray, 64 in a row for a tile of 8 x 8 rays. Groups in rows of so many,
+// as a dispatch takes at most 65,535 along an axis.
 static const uint TILE_SIDE = 8;
 static const uint RAYS_A_TILE = 64;
 static const uint GROUPS_A_ROW = 64;
@@ -51,7 +52,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     float2 low = float2(TilePixel(tile)) - _ReferenceRay.xy + 0.5 - BEAM_MARGIN;
     InstanceRecord record = LoadInstance(instance);
-    _FoundStarts[tile * MOST_FEW + instance] = FindStarts(MakeBeam(record, low, TILE_SIDE - 1.0 + 2.0 * BEAM_MARGIN), record.FirstRow);
+    _FoundStarts[tile * MOST_FEW + instance] =
+        FindStarts(MakeBeam(record, low, TILE_SIDE - 1.0 + 2.0 * BEAM_MARGIN), record.FirstRow);
 }
 
 #elif defined(GLINT_NOTE_HITS)
@@ -80,12 +82,14 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 
 #elif defined(GLINT_EXACT)
 
-// Follows the rays of _Returning once more, or rays of each of their places divided evenly into smaller ones, and sums what is received.
+// Follows the rays of _Returning once more, or rays of each of their places divided evenly into smaller ones,
+// and sums what is received.
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    uint subRay = index % (_SubRays * _SubRays), inDispatch = index / (_SubRays * _SubRays), entry = _FirstReturning + inDispatch;
+    uint subRay = index % (_SubRays * _SubRays), inDispatch = index / (_SubRays * _SubRays),
+        entry = _FirstReturning + inDispatch;
     if (inDispatch >= _ReturningCount)
         return;
     uint pixel = _Returning[entry].x, place = _Returning[entry].y;
@@ -134,7 +138,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (tile < _TileCount && at.x >= _Region.x && at.x < _Region.y && at.y >= _Region.z && at.y < _Region.w)
     {
         pixel = at.x + at.y * _RaysAcross;
-        path = FollowPath(float2(at) + 0.5 - _ReferenceRay.xy, (_Shortcuts & SHORTCUT_STARTS) != 0 ? tile * MOST_FEW : NO_STARTS);
+        path = FollowPath(float2(at) + 0.5 - _ReferenceRay.xy,
+            (_Shortcuts & SHORTCUT_STARTS) != 0 ? tile * MOST_FEW : NO_STARTS);
         CountWork(slot);
         if (path.Returns)
         {

@@ -19,13 +19,15 @@ struct Found
     uint Row;             // of the pair of triangles in its tree
     bool Second;          // which of the pair
     uint2 Leaving;        // the triangle that the ray has just left, which it cannot meet again: see NumberOf
-    float Slack;          // m, in the scene: so far beside the ray searched may the ray go in truth where the search begins,
+    // m, in the scene: so far beside the ray searched may the ray go in truth where the search begins,
+    float Slack;
     float SlackAMetre;    // and so much more for each m from there
 #ifdef GLINT_EXACT
     ExactLine Line;       // the ray itself, in the frame of the mesh searched
     Two Exact;            // m, along it
     bool IsAtEdge;        // nobody can tell on which side of an edge
-    uint Waiting;         // triangles of one pair that it may hit and that are yet to be tested: 4 * row, 1 for the first, 2 for the second
+    // triangles of one pair that it may hit and that are yet to be tested: 4 * row, 1 for the first, 2 for the second
+    uint Waiting;
 #else
     float InDoubt;        // m: the nearest triangle that the ray goes by an edge of, and nobody can tell on which side
 #endif
@@ -71,13 +73,15 @@ bool Waits(Found found)
     return found.Waiting != 0;
 }
 
-// Float32 tells which triangles the ray may hit: its search waits for their test. Such a test is dear, and threads side by side do theirs together: when each has one or is done.
+// Float32 tells which triangles the ray may hit: its search waits for their test. Such a test is dear,
+// and threads side by side do theirs together: when each has one or is done.
 void TestPair(SearchRay ray, uint instance, uint bank, uint firstRow, uint row, inout Found found)
 {
     COUNT_PAIR;
     Pair pair = LoadPair(bank, firstRow + row);
     float reach = found.Distance + DistanceSlack(ray, found.Slack);
-    bool mayHitFirst = MayHit(ray, pair.Corner0, pair.Corner1, pair.Corner2, reach), mayHitSecond = MayHit(ray, pair.Corner0, pair.Corner2, pair.Corner3, reach);
+    bool mayHitFirst = MayHit(ray, pair.Corner0, pair.Corner1, pair.Corner2, reach),
+        mayHitSecond = MayHit(ray, pair.Corner0, pair.Corner2, pair.Corner3, reach);
     if (instance == found.Leaving.x && row == found.Leaving.y >> 1)
     {
         bool isSecond = (found.Leaving.y & 1) != 0;
@@ -99,7 +103,8 @@ void TestWaiting(SearchRay ray, uint instance, uint bank, uint firstRow, inout F
     Pair pair = LoadPair(bank, firstRow + row);
     Two toHit;
     bool isAtEdge;
-    if (!Hits(ray, found.Line, DistanceSlack(ray, found.Slack), pair.Corner0, isSecond ? pair.Corner2 : pair.Corner1, isSecond ? pair.Corner3 : pair.Corner2, toHit, isAtEdge) || Rounded(Minus(toHit, found.Exact)) >= 0.0)
+    if (!Hits(ray, found.Line, DistanceSlack(ray, found.Slack), pair.Corner0, isSecond ? pair.Corner2 : pair.Corner1,
+        isSecond ? pair.Corner3 : pair.Corner2, toHit, isAtEdge) || Rounded(Minus(toHit, found.Exact)) >= 0.0)
         return;
     found.Exact = toHit;
     found.IsAtEdge = isAtEdge;

@@ -8,7 +8,8 @@ struct Path
 {
     Real3 LastHit;        // m; before the first hit the start
     Real3 Direction;      // unit vector
-    float3 Start;         // where the next search begins, just before the last hit: in float32 on the way to it, else on the way on
+    // where the next search begins, just before the last hit: in float32 on the way to it, else on the way on
+    float3 Start;
     uint2 Leaving;        // the triangle last hit
     float Slack;          // in float32: how far beside its place in truth the last hit may be, m
     uint Bounces;
@@ -17,10 +18,12 @@ struct Path
     Real WayBack;         // then from the last hit to the receiver's plane, m
 };
 
-// The number of a ray's place in the picture where x and y begin; exact, as are the halves and eighths of rays that are added.
+// The number of a ray's place in the picture where x and y begin;
+// exact, as are the halves and eighths of rays that are added.
 Real3 AtPlace(float2 place, float4 middle, float4 middleRest, float4 right, float4 rightRest, float4 up, float4 upRest)
 {
-    Real3 across = Times(MakeReal3(right.xyz, rightRest.xyz), place.x), along = Times(MakeReal3(up.xyz, upRest.xyz), place.y);
+    Real3 across = Times(MakeReal3(right.xyz, rightRest.xyz), place.x),
+        along = Times(MakeReal3(up.xyz, upRest.xyz), place.y);
     return Plus(MakeReal3(middle.xyz, middleRest.xyz), Plus(across, along));
 }
 
@@ -45,19 +48,23 @@ bool IsWithin(Real3 place, Real3 axis, float2 halfSize, float slack)
     return Rounded(Minus(there, half)) <= slack && Rounded(Plus(there, half)) >= -slack;
 }
 
-// True if a ray meets the receiver's rectangle, travelling against its axis. The receiver is no obstacle: only rays after a bounce are asked.
+// True if a ray meets the receiver's rectangle, travelling against its axis. The receiver is no obstacle:
+// only rays after a bounce are asked.
 bool MeetsReceiver(Real3 origin, Real3 direction, out Real distance)
 {
-    Real3 centre = MakeReal3(_ReceiverCentre.xyz, _ReceiverCentreRest.xyz), forward = MakeReal3(_ReceiverForward.xyz, _ReceiverForwardRest.xyz);
+    Real3 centre = MakeReal3(_ReceiverCentre.xyz, _ReceiverCentreRest.xyz),
+        forward = MakeReal3(_ReceiverForward.xyz, _ReceiverForwardRest.xyz);
     distance = ToPlane(origin, direction, centre, forward);
     Real3 place = Minus(Plus(origin, Times(direction, distance)), centre);
-    float slack = DIRECTION_ERROR * (Rounded(distance) + _Middle.w); // places are as far off as the directions that led there
+    // places are as far off as the directions that led there
+    float slack = DIRECTION_ERROR * (Rounded(distance) + _Middle.w);
     return Rounded(Dot(direction, forward)) < 0.0 && Rounded(distance) > 0.0
         && IsWithin(place, MakeReal3(_ReceiverRight.xyz, _ReceiverRightRest.xyz), _ReceiverHalfSize.xy, slack)
         && IsWithin(place, MakeReal3(_ReceiverUp.xyz, _ReceiverUpRest.xyz), _ReceiverHalfSize.zw, slack);
 }
 
-// Follows a ray to its next bounce; false if there is none: it is received, leaves the scene or has made its last bounce.
+// Follows a ray to its next bounce; false if there is none:
+// it is received, leaves the scene or has made its last bounce.
 // FirstStart: where _Starts says where the search of the first segment begins.
 bool Advance(inout Path path, uint firstStart)
 {
@@ -70,7 +77,8 @@ bool Advance(inout Path path, uint firstStart)
     float3 direction = path.Direction;
 #endif
     float reach = meetsReceiver && (_Shortcuts & SHORTCUT_REACH) != 0 ? Rounded(toReceiver) : MISS;
-    Found found = FindNearest(path.Start, path.LastHit, path.Direction, reach, path.Bounces == 0 ? firstStart : NO_STARTS, path.Leaving, path.Bounces, path.Slack);
+    Found found = FindNearest(path.Start, path.LastHit, path.Direction, reach,
+        path.Bounces == 0 ? firstStart : NO_STARTS, path.Leaving, path.Bounces, path.Slack);
     if (meetsReceiver && Rounded(Minus(toReceiver, ToNearest(found))) <= 0.0)
     {
         path.Returns = true;
@@ -89,7 +97,8 @@ bool Advance(inout Path path, uint firstStart)
         return false;
 #endif
 
-    // The length is measured from the surface to the surface, not from the start. Next to an edge the other surface may lie behind by rounding.
+    // The length is measured from the surface to the surface, not from the start.
+    // Next to an edge the other surface may lie behind by rounding.
     Surface surface = LoadSurface(found, path.Start, path.LastHit, path.Direction);
 #ifndef GLINT_EXACT
     path.Returns = surface.IsNeedle;

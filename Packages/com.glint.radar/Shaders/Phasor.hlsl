@@ -18,7 +18,8 @@ float2 Phasor(float turns)
     uint quarter = (uint)(4.0 * turns + 0.5);
     float x = TWO_PI * (turns - 0.25 * quarter);
     float square = x * x;
-    float sine = x * (1.0 + square * (-1.0 / 6.0 + square * (1.0 / 120.0 + square * (-1.0 / 5040.0 + square / 362880.0))));
+    float sine =
+        x * (1.0 + square * (-1.0 / 6.0 + square * (1.0 / 120.0 + square * (-1.0 / 5040.0 + square / 362880.0))));
     float cosine = 1.0 + square * (-0.5 + square * (1.0 / 24.0 + square * (-1.0 / 720.0 + square / 40320.0)));
     float2 phasor = (quarter & 1) == 0 ? float2(cosine, sine) : float2(-sine, cosine);
     return (quarter & 2) == 0 ? phasor : -phasor;

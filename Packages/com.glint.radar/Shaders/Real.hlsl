@@ -1,7 +1,8 @@
 #ifndef GLINT_REAL
 #define GLINT_REAL
 
-// The arithmetic of a path: float32 in the kernels that follow every ray, two floats in those that follow once more the rays that may be received. The path's code is the same.
+// The arithmetic of a path: float32 in the kernels that follow every ray, two floats in those that follow once more
+// the rays that may be received. The path's code is the same.
 
 #ifdef GLINT_EXACT
 

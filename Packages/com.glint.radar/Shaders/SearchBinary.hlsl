@@ -6,7 +6,8 @@
 
 static const uint4 FROM_ROOT = uint4(ROOT, DONE, DONE, DONE);
 
-// Searches the tree of one mesh from up to four places in order: two children a node, the nearer one first, the farther one waits on a stack. The fastest on GPUs.
+// Searches the tree of one mesh from up to four places in order: two children a node, the nearer one first,
+// the farther one waits on a stack. The fastest on GPUs.
 void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, uint4 starts, inout Found found)
 {
     uint stack[STACK_BOTTOM + 3 + BINARY_LEVELS]; // three starts besides
@@ -29,7 +30,8 @@ void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, uint4 st
             {
                 COUNT_NODE;
                 uint row = firstRow + current;
-                Entered entered = EnterChildren(LoadTree(bank, row), LoadTree(bank, row + 1), LoadTree(bank, row + 2).xyz, boxRay, found.Distance);
+                Entered entered = EnterChildren(LoadTree(bank, row), LoadTree(bank, row + 1),
+                    LoadTree(bank, row + 2).xyz, boxRay, found.Distance);
                 current = entered.Near;
                 if (entered.Both)
                     stack[++top] = entered.Far;

@@ -4,8 +4,10 @@
 #include "Leaf.hlsl"
 #include "BinaryTree.hlsl"
 
-// The stack: one word for each node with children that wait, so for 14 inner levels (WideCollapse.MaxLevels in C#) and three starts that wait at most 16. Upper 20 bits: record of the node's first child; below, 4 bits for each that waits,
-// the next one lowest: 8 | 4 for a leaf | which child. A software device keeps 16 named words in registers; an array would double the kernel's time.
+// The stack: one word for each node with children that wait, so for 14 inner levels (WideCollapse.MaxLevels in C#) and
+// three starts that wait at most 16. Upper 20 bits: record of the node's first child;
+// below, 4 bits for each that waits, the next one lowest: 8 | 4 for a leaf | which child.
+// A software device keeps 16 named words in registers; an array would double the kernel's time.
 struct WideStack
 {
     uint4 A, B, C, D;     // the top is A.x
@@ -61,7 +63,8 @@ float4 Planes(uint bytes, float step, float at)
     return float4(int4(uint4(bytes, bytes >> 8, bytes >> 16, bytes >> 24) & 0xff)) * step + at;
 }
 
-// Distances are compared by their bits: whole numbers order as the positive floats do, and a negative one needs only its sign.
+// Distances are compared by their bits: whole numbers order as the positive floats do,
+// and a negative one needs only its sign.
 uint4 ChildKeys(uint4 a, uint4 b, uint4 c, SearchRay ray, float reach)
 {
     uint3 exponents = uint3(a.w << 23, a.w << 15, a.w << 7) & 0x7f800000;
@@ -73,10 +76,14 @@ uint4 ChildKeys(uint4 a, uint4 b, uint4 c, SearchRay ray, float reach)
     float3 step = asfloat(exponents) * ray.Inverse;
     bool3 backwards = ray.Inverse < 0.0;
     uint3 lower = b.xyz, upper = uint3(b.w, c.xy);
-    uint3 first = uint3(backwards.x ? upper.x : lower.x, backwards.y ? upper.y : lower.y, backwards.z ? upper.z : lower.z);
-    uint3 last = uint3(backwards.x ? lower.x : upper.x, backwards.y ? lower.y : upper.y, backwards.z ? lower.z : upper.z);
-    int4 enter = max(max(asint(Planes(first.x, step.x, enterAt.x)), asint(Planes(first.y, step.y, enterAt.y))), max(asint(Planes(first.z, step.z, enterAt.z)), 0));
-    int4 leave = min(min(asint(Planes(last.x, step.x, leaveAt.x)), asint(Planes(last.y, step.y, leaveAt.y))), min(asint(Planes(last.z, step.z, leaveAt.z)), asint(reach)));
+    uint3 first =
+        uint3(backwards.x ? upper.x : lower.x, backwards.y ? upper.y : lower.y, backwards.z ? upper.z : lower.z);
+    uint3 last =
+        uint3(backwards.x ? lower.x : upper.x, backwards.y ? lower.y : upper.y, backwards.z ? lower.z : upper.z);
+    int4 enter = max(max(asint(Planes(first.x, step.x, enterAt.x)), asint(Planes(first.y, step.y, enterAt.y))),
+        max(asint(Planes(first.z, step.z, enterAt.z)), 0));
+    int4 leave = min(min(asint(Planes(last.x, step.x, leaveAt.x)), asint(Planes(last.y, step.y, leaveAt.y))),
+        min(asint(Planes(last.z, step.z, leaveAt.z)), asint(reach)));
     leave = asint(asfloat(leave) * LEAVE_LATER);
 
     uint4 leaf = (a.w >> uint4(22, 23, 24, 25)) & 4;
@@ -99,7 +106,8 @@ uint4 Sorted(uint4 k)
 // The root as the only child of a stack's word.
 static const uint4 FROM_ROOT = uint4(8, DONE, DONE, DONE);
 
-// Searches the tree of one mesh from up to four places in order: four children a node, nearest first. The fastest on software devices, which pay for each fetch.
+// Searches the tree of one mesh from up to four places in order: four children a node, nearest first.
+// The fastest on software devices, which pay for each fetch.
 void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, uint4 starts, inout Found found)
 {
     WideStack stack = (WideStack)0;

@@ -3,7 +3,8 @@
 
 #include "Traversal.hlsl"
 
-// The rays of a tile go down the same nodes before they part. A beam around them goes there once, and they all start from where it ends:
+// The rays of a tile go down the same nodes before they part. A beam around them goes there once,
+// and they all start from where it ends:
 // at most four references to nodes or leaves that together hold all that the beam can meet, nearest first.
 static const uint MOST_STARTS = 4;
 
@@ -31,8 +32,10 @@ float3 SideNormal(float3 course, float3 edge, float3 inward)
 // Low: its lower left corner, in rays from _ReferenceRay.
 Beam MakeBeam(InstanceRecord place, float2 low, float side)
 {
-    float3 startRight = side * VectorToLocal(place, _StartRight.xyz), startUp = side * VectorToLocal(place, _StartUp.xyz);
-    float3 courseRight = side * VectorToLocal(place, _CourseRight.xyz), courseUp = side * VectorToLocal(place, _CourseUp.xyz);
+    float3 startRight = side * VectorToLocal(place, _StartRight.xyz),
+        startUp = side * VectorToLocal(place, _StartUp.xyz);
+    float3 courseRight = side * VectorToLocal(place, _CourseRight.xyz),
+        courseUp = side * VectorToLocal(place, _CourseUp.xyz);
     float3 course = VectorToLocal(place, _Course.xyz + low.x * _CourseRight.xyz + low.y * _CourseUp.xyz);
     // From ray to ray, at the start or beyond: the same direction.
     float3 right = startRight + courseRight, up = startUp + courseUp;
@@ -62,7 +65,8 @@ float EnterBeam(Beam beam, float3 low, float3 high)
     float3 size = abs(centre) + halfSize;
     float rounding = 1.0e-5 * (size.x + size.y + size.z) + 2.0 * beam.Rounding;
     float least = min(Farthest(beam.Left, centre, halfSize), Farthest(beam.Right, centre, halfSize) + beam.Width.x);
-    least = min(least, min(Farthest(beam.Below, centre, halfSize), Farthest(beam.Above, centre, halfSize) + beam.Width.y));
+    least =
+        min(least, min(Farthest(beam.Below, centre, halfSize), Farthest(beam.Above, centre, halfSize) + beam.Width.y));
     least = min(least, Farthest(beam.Axis, centre, halfSize));
     return least >= -rounding ? -Farthest(-beam.Axis, centre, halfSize) : MISS;
 }
@@ -101,7 +105,8 @@ void FindChildren(Beam beam, uint firstRow, uint reference)
     for (uint child = 0; child < 4; child++)
         if ((a.w >> (28 + child) & 1) != 0)
         {
-            float3 low = origin + step * float3((b.xyz >> (8 * child)) & 0xff), high = origin + step * float3((uint3(b.w, c.xy) >> (8 * child)) & 0xff);
+            float3 low = origin + step * float3((b.xyz >> (8 * child)) & 0xff),
+                high = origin + step * float3((uint3(b.w, c.xy) >> (8 * child)) & 0xff);
             AddChild(beam, low, high, (c.z + child) << 12 | 8 | (a.w >> (24 + child) & 1) << 2);
         }
 }

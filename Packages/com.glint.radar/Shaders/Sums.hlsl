@@ -4,8 +4,10 @@
 #include "Bindings.hlsl"
 #include "Geometry.hlsl"
 
-// Sums over rays are whole numbers, so that they are the same bit for bit in any order: lengths in units of _LengthUnits, I and Q in units of 2^-24.
-// Groups add to one of SUM_SLOTS slots of SUM_WORDS words each, so that they seldom wait for each other. 64-bit sums take two words, the lower one first.
+// Sums over rays are whole numbers, so that they are the same bit for bit in any order:
+// lengths in units of _LengthUnits, I and Q in units of 2^-24.
+// Groups add to one of SUM_SLOTS slots of SUM_WORDS words each, so that they seldom wait for each other.
+// 64-bit sums take two words, the lower one first.
 static const uint SUM_SLOTS = 64;
 static const uint SUM_WORDS = 64;
 static const uint SUM_HITS = 0;
@@ -57,7 +59,8 @@ int InPhasorUnits(float part)
     return (int)round(part * PHASOR_UNITS);
 }
 
-// Ray by ray: adding within a group first gains a GPU nothing, and its barriers cost a software device a tenth of its time.
+// Ray by ray: adding within a group first gains a GPU nothing,
+// and its barriers cost a software device a tenth of its time.
 void AddPath(uint slot, uint bounces, float lengthBeyond)
 {
     if (bounces == 0)

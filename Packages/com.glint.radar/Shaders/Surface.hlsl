@@ -10,7 +10,8 @@ struct Surface
     Real3 Normal;         // in the scene, a unit vector by float32; its side is arbitrary
 #ifndef GLINT_EXACT
     bool IsNeedle;        // float32 has no normal to speak of
-    float Lever;          // from the corner that the plane is known by to the hit: the lever of the normal's rounding, as a height in m
+    // from the corner that the plane is known by to the hit: the lever of the normal's rounding, as a height in m
+    float Lever;
     InstanceRecord Place; // the rest in the mesh's frame
     float3 LocalNormal;   // unit vector
     float3 Corner;
@@ -33,14 +34,16 @@ Real3 NormalFromLocal(InstanceRecord place, Real3 normal)
 
 #ifdef GLINT_EXACT
 
-// A ray that meets an edge or a corner turns so much before it, as a part of the scene's size: there it is on the right side of all surfaces that meet there. No farther than half the way back: there may be one behind it as well.
+// A ray that meets an edge or a corner turns so much before it, as a part of the scene's size: there it is on the right
+// side of all surfaces that meet there. No farther than half the way back: there may be one behind it as well.
 static const float BEFORE_EDGE = 1.0e-10;
 
 Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction)
 {
     InstanceRecord place = LoadInstance(found.Instance);
     Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
-    Real3 normal = Cross(Difference(pair.Corner2, pair.Corner0), Difference(found.Second ? pair.Corner3 : pair.Corner1, pair.Corner0));
+    Real3 normal = Cross(Difference(pair.Corner2, pair.Corner0),
+        Difference(found.Second ? pair.Corner3 : pair.Corner1, pair.Corner0));
     Real3 sceneNormal = NormalFromLocal(place, Times(normal, 1.0 / length(Rounded(normal))));
     Surface surface;
     surface.Normal = Times(sceneNormal, 1.0 / length(Rounded(sceneNormal)));
@@ -52,10 +55,12 @@ Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction)
 
 #else
 
-// Sine of the angle between the two shorter edges of a triangle, below which its normal is not good enough to tell what may be received.
+// Sine of the angle between the two shorter edges of a triangle,
+// below which its normal is not good enough to tell what may be received.
 static const float NEEDLE = 0.1;
 
-// A ray that grazes a plane meets it anywhere, by rounding: where the search met it counts when the plane is so much farther off, as a part of the lengths that went into it.
+// A ray that grazes a plane meets it anywhere, by rounding:
+// where the search met it counts when the plane is so much farther off, as a part of the lengths that went into it.
 static const float GRAZING = 1.0e-3;
 
 // Origin: the hit before; the search began at start, just before it.
@@ -95,8 +100,10 @@ static const float HIT_ROUNDING = 2.4e-7;
 // How often the way back from a hit is doubled, at most: rays that graze a surface go farther back.
 static const uint MOST_DOUBLINGS = 16;
 
-// Where the search after a hit begins: on the ray to it from the start of the last search, as near before it as is surely on the ray's side of the plane.
-// The way there is free, of this triangle and of those that meet it at an edge: a point moved off along the normal may be behind one of them, and lost.
+// Where the search after a hit begins: on the ray to it from the start of the last search,
+// as near before it as is surely on the ray's side of the plane.
+// The way there is free, of this triangle and of those that meet it at an edge:
+// a point moved off along the normal may be behind one of them, and lost.
 float3 StartBefore(Surface surface, float3 start, float3 direction, float toHit)
 {
     float3 place = abs(start + toHit * direction);

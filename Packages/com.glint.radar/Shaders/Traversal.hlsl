@@ -32,14 +32,17 @@ Two3 VectorToLocal(InstanceRecord place, Two3 v)
 
 Two3 PointToLocal(InstanceRecord place, Two3 p)
 {
-    return Plus(VectorToLocal(place, p), MakeReal3(float3(place.ToLocalX.w, place.ToLocalY.w, place.ToLocalZ.w), float3(place.RestX.w, place.RestY.w, place.RestZ.w)));
+    return Plus(VectorToLocal(place, p), MakeReal3(float3(place.ToLocalX.w, place.ToLocalY.w, place.ToLocalZ.w),
+        float3(place.RestX.w, place.RestY.w, place.RestZ.w)));
 }
 #endif
 
-// Beside the ray that float32 searches for goes one that is followed exactly, by no more than this part of the scene's size.
+// Beside the ray that float32 searches for goes one that is followed exactly,
+// by no more than this part of the scene's size.
 static const float SLACK = 1.0e-6;
 
-// And one followed in float32: of each segment, by this part of the lengths that go into it; of the turn at each bounce, by this part of the way from there.
+// And one followed in float32: of each segment, by this part of the lengths that go into it;
+// of the turn at each bounce, by this part of the way from there.
 static const float SLACK_A_SEGMENT = 3.0e-7;
 
 // Start: where the search begins, on the ray or next to it; origin: the hit before.
@@ -52,7 +55,8 @@ void SearchInstance(uint instance, float3 start, Real3 origin, Real3 direction, 
     found.Line.Origin = PointToLocal(place, origin);
     found.Line.Direction = VectorToLocal(place, direction);
 #endif
-    SearchMesh(MakeSearchRay(PointToLocal(place, start), VectorToLocal(place, Rounded(direction)), slack, found.SlackAMetre * place.Stretch), instance, place.Bank, place.FirstRow, starts, found);
+    SearchMesh(MakeSearchRay(PointToLocal(place, start), VectorToLocal(place, Rounded(direction)), slack,
+        found.SlackAMetre * place.Stretch), instance, place.Bank, place.FirstRow, starts, found);
 }
 
 #ifndef GLINT_FEW
@@ -72,7 +76,8 @@ void SearchTop(float3 start, Real3 origin, Real3 direction, inout Found found)
         while ((current & LEAF) == 0)
         {
             COUNT_NODE;
-            Entered entered = EnterChildren(_Top[current], _Top[current + 1], _Top[current + 2].xyz, boxRay, found.Distance);
+            Entered entered =
+                EnterChildren(_Top[current], _Top[current + 1], _Top[current + 2].xyz, boxRay, found.Distance);
             current = entered.Near;
             if (entered.Both)
                 stack[++top] = entered.Far;
@@ -92,7 +97,8 @@ void SearchTop(float3 start, Real3 origin, Real3 direction, inout Found found)
 // The nearest triangle that the ray meets before reach, over all instances; not the one it is leaving.
 // Slack: how far beside it float32 may have brought the start, m; the exact kernels have another.
 // FirstStart: where _Starts says where to begin in the tree of each instance; NO_STARTS: at the roots.
-Found FindNearest(float3 start, Real3 origin, Real3 direction, float reach, uint firstStart, uint2 leaving, uint bounces, float slack)
+Found FindNearest(float3 start, Real3 origin, Real3 direction, float reach, uint firstStart, uint2 leaving,
+    uint bounces, float slack)
 {
     Found found = (Found)0;
     found.Distance = reach;

@@ -1,8 +1,10 @@
 #ifndef GLINT_TWO_FLOAT
 #define GLINT_TWO_FLOAT
 
-// Numbers of about 45 bits: the unevaluated sum of two float32, as shader model 5.0 has no double on all devices and no fused multiply-add.
-// (After Dekker 1971, Knuth, and Li et al. 2002.) Every step is "precise": without it FXC takes a + b - a for b, and the errors that this is all about are gone, without a word.
+// Numbers of about 45 bits: the unevaluated sum of two float32,
+// as shader model 5.0 has no double on all devices and no fused multiply-add.
+// (After Dekker 1971, Knuth, and Li et al. 2002.) Every step is "precise": without it FXC takes a + b - a for b,
+// and the errors that this is all about are gone, without a word.
 
 struct Two
 {
@@ -150,7 +152,8 @@ Two3 Times(Two3 v, float s)
 Two Dot(Two3 a, Two3 b)
 {
     Two x = ExactProduct(a.X.Hi, b.X.Hi), y = ExactProduct(a.Y.Hi, b.Y.Hi), z = ExactProduct(a.Z.Hi, b.Z.Hi);
-    float rests = (a.X.Hi * b.X.Lo + a.X.Lo * b.X.Hi) + (a.Y.Hi * b.Y.Lo + a.Y.Lo * b.Y.Hi) + (a.Z.Hi * b.Z.Lo + a.Z.Lo * b.Z.Hi);
+    float rests =
+        (a.X.Hi * b.X.Lo + a.X.Lo * b.X.Hi) + (a.Y.Hi * b.Y.Lo + a.Y.Lo * b.Y.Hi) + (a.Z.Hi * b.Z.Lo + a.Z.Lo * b.Z.Hi);
     Two two = ExactSum(x.Hi, y.Hi);
     Two three = ExactSum(two.Hi, z.Hi);
     return ExactSum(three.Hi, RoundedSum(two.Lo + three.Lo, (x.Lo + y.Lo) + (z.Lo + rests)));

@@ -1,7 +1,8 @@
 #ifndef GLINT_TYPES
 #define GLINT_TYPES
 
-// Structs shared with C#, in rows of 16 bytes. The tag above each is found in both languages; a test compares the layouts.
+// Structs shared with C#, in rows of 16 bytes. The tag above each is found in both languages;
+// a test compares the layouts.
 
 // GLINT_RAY_DATA: one ray as the kernel writes it (Core/Radar/RayData.cs).
 struct RayData

@@ -36,7 +36,8 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Ship_HasNoFlatTriangles() => Assert.That(Areas(new SeaAndShip(1, 1000, 44000).Ship).Min(), Is.GreaterThan(1e-10));
+        public void Ship_HasNoFlatTriangles() =>
+            Assert.That(Areas(new SeaAndShip(1, 1000, 44000).Ship).Min(), Is.GreaterThan(1e-10));
 
         [Test]
         public void Sea_IsRough_AndFacesUp()
@@ -60,35 +61,44 @@ namespace Glint.Tests
         [Test]
         public void Sea_OfMoreTriangles_IsTheSameSea()
         {
-            TriangleMesh coarse = new SeaAndShip(5, 2 * 32 * 32, 1000).Sea, fine = new SeaAndShip(5, 2 * 64 * 64, 1000).Sea;
+            TriangleMesh coarse = new SeaAndShip(5, 2 * 32 * 32, 1000).Sea,
+                fine = new SeaAndShip(5, 2 * 64 * 64, 1000).Sea;
             for (int z = 0; z <= 32; z++)
                 for (int x = 0; x <= 32; x++)
-                    Assert.That(fine.Vertices[2 * z * 65 + 2 * x].y, Is.EqualTo(coarse.Vertices[z * 33 + x].y).Within(1e-5));
+                    Assert.That(fine.Vertices[2 * z * 65 + 2 * x].y,
+                        Is.EqualTo(coarse.Vertices[z * 33 + x].y).Within(1e-5));
         }
 
         [Test]
         public void Seed_TheSame_IsTheSameScene_AnotherIsAnother()
         {
-            Assert.That(new SeaAndShip(3, 2000, 1000).Sea.Vertices, Is.EqualTo(new SeaAndShip(3, 2000, 1000).Sea.Vertices));
-            Assert.That(new SeaAndShip(3, 2000, 1000).Sea.Vertices, Is.Not.EqualTo(new SeaAndShip(4, 2000, 1000).Sea.Vertices));
+            Assert.That(new SeaAndShip(3, 2000, 1000).Sea.Vertices,
+                Is.EqualTo(new SeaAndShip(3, 2000, 1000).Sea.Vertices));
+            Assert.That(new SeaAndShip(3, 2000, 1000).Sea.Vertices,
+                Is.Not.EqualTo(new SeaAndShip(4, 2000, 1000).Sea.Vertices));
         }
 
         [Test]
         public void BinaryScene_OfTwoInstances_HasTheirPlacesInTheWorld()
         {
-            var plate = new TriangleMesh(new[] { new float3(0, 0, 0), new float3(1, 0, 0), new float3(0, 1, 0) }, new[] { 0, 1, 2 });
+            var plate = new TriangleMesh(new[] { new float3(0, 0, 0), new float3(1, 0, 0), new float3(0, 1, 0) },
+                new[] { 0, 1, 2 });
             var moved = Affine.Identity;
             moved.Origin = new double3(10, 20, 30);
-            var scene = new RadarScene(new MeshInstance { Mesh = plate, ToWorld = Affine.Identity }, new MeshInstance { Mesh = plate, ToWorld = moved });
+            var scene = new RadarScene(new MeshInstance { Mesh = plate, ToWorld = Affine.Identity },
+                new MeshInstance { Mesh = plate, ToWorld = moved });
             var stream = new MemoryStream();
             BinaryScene.Write(stream, WorldMesh.Of(scene));
 
             var bytes = stream.ToArray();
             Assert.That(bytes.Length, Is.EqualTo(8 + 6 * 12 + 2 * 12));
-            Assert.That(new[] { BitConverter.ToInt32(bytes, 0), BitConverter.ToInt32(bytes, 4) }, Is.EqualTo(new[] { 6, 2 }));
+            Assert.That(new[] { BitConverter.ToInt32(bytes, 0), BitConverter.ToInt32(bytes, 4) },
+                Is.EqualTo(new[] { 6, 2 }));
             var places = Enumerable.Range(0, 18).Select(i => BitConverter.ToSingle(bytes, 8 + 4 * i));
-            Assert.That(places, Is.EqualTo(new float[] { 0, 0, 0, 1, 0, 0, 0, 1, 0, 10, 20, 30, 11, 20, 30, 10, 21, 30 }));
-            Assert.That(Enumerable.Range(0, 6).Select(i => BitConverter.ToInt32(bytes, 80 + 4 * i)), Is.EqualTo(new[] { 0, 1, 2, 3, 4, 5 }));
+            Assert.That(places,
+                Is.EqualTo(new float[] { 0, 0, 0, 1, 0, 0, 0, 1, 0, 10, 20, 30, 11, 20, 30, 10, 21, 30 }));
+            Assert.That(Enumerable.Range(0, 6).Select(i => BitConverter.ToInt32(bytes, 80 + 4 * i)),
+                Is.EqualTo(new[] { 0, 1, 2, 3, 4, 5 }));
         }
 
         static List<(int, int)> Edges(TriangleMesh mesh)

@@ -9,7 +9,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// A benchmark that counts work instead of time, so that it says the same on every machine. A bound is what was measured, and a twentieth more for another compiler's rounding:
+    /// A benchmark that counts work instead of time, so that it says the same on every machine.
+    /// A bound is what was measured, and a twentieth more for another compiler's rounding:
     /// a test that fails by more has found something that made the tracer slower.
     /// </summary>
     public sealed class WorkDoneTests
@@ -24,7 +25,8 @@ namespace Glint.Tests
         static readonly RadarSettings s_settings = TestRadar.Settings(480, 270);
 
         // The published experiment's camera: 50 m from the ship, 10 degrees above the sea.
-        static readonly RadarView s_view = TestRadar.LookAt(50 * double3(0, sin(radians(10.0)), -cos(radians(10.0))), 0);
+        static readonly RadarView s_view =
+            TestRadar.LookAt(50 * double3(0, sin(radians(10.0)), -cos(radians(10.0))), 0);
 
         static SeaAndShip s_made;
 
@@ -37,7 +39,10 @@ namespace Glint.Tests
         {
             double half = radians(shipDegrees) / 2;
             return new RadarScene(
-                new MeshInstance { Mesh = made.Ship, ToWorld = Affine.FromTransform(0, double4(0, sin(half), 0, cos(half)), 1) },
+                new MeshInstance
+                {
+                    Mesh = made.Ship, ToWorld = Affine.FromTransform(0, double4(0, sin(half), 0, cos(half)), 1)
+                },
                 new MeshInstance { Mesh = made.Sea, ToWorld = Affine.Identity });
         }
 
@@ -72,10 +77,12 @@ namespace Glint.Tests
             }
         }
 
-        // Four binary levels more, each met by half a segment and a little more as boxes overlap; two wide levels. Without a tree it would be 16 times as many.
+        // Four binary levels more, each met by half a segment and a little more as boxes overlap; two wide levels.
+        // Without a tree it would be 16 times as many.
         [TestCase(true, 2.554)]
         [TestCase(false, 4.588)]
-        public void Trace_SixteenTimesTheTriangles_VisitsAFewMoreNodesAndTakesNoMoreBytesATriangle(bool asSoftware, double moreNodes)
+        public void Trace_SixteenTimesTheTriangles_VisitsAFewMoreNodesAndTakesNoMoreBytesATriangle(
+            bool asSoftware, double moreNodes)
         {
             using (var tracer = Tracer(asSoftware))
             {
@@ -104,14 +111,18 @@ namespace Glint.Tests
                 var second = tracer.Trace(s_settings, s_view, KeptRays.None).Work;
                 Assert.That(second.TreesBuilt, Is.Zero);
                 Assert.That(second.TrianglesBuilt, Is.Zero);
-                Assert.That(second.RaysFollowedExactly, Is.InRange(1, 5e-3 * s_settings.RayCount), "rays that may be received or pass an edge");
-                // A software device finds the starts of the tiles first. Rays that may be received are followed once more, and smaller ones around these.
+                Assert.That(second.RaysFollowedExactly, Is.InRange(1, 5e-3 * s_settings.RayCount),
+                    "rays that may be received or pass an edge");
+                // A software device finds the starts of the tiles first.
+                // Rays that may be received are followed once more, and smaller ones around these.
                 Assert.That(second.Dispatches, Is.EqualTo(asSoftware ? 4 : 3));
                 Assert.That(second.BytesReadBack, Is.EqualTo(3 * SumBytes + 8 * second.RaysFollowedExactly));
                 // Two records of 112 bytes, and a node of the tree over them with its leaves.
-                Assert.That(second.BytesUploaded, Is.EqualTo(4 * second.TilesTraced + 3 * SumBytes + 8 * second.SubRays / 16 + 2 * 112 + TopBytes));
+                Assert.That(second.BytesUploaded,
+                    Is.EqualTo(4 * second.TilesTraced + 3 * SumBytes + 8 * second.SubRays / 16 + 2 * 112 + TopBytes));
                 Assert.That(second.TilesTraced + second.TilesSkipped, Is.EqualTo(60 * 34));
-                Assert.That(second.BytesOnDevice, Is.EqualTo(first.BytesOnDevice).Within((4 + 4 * 16 + 64 * 8) * 60 * 34));
+                Assert.That(second.BytesOnDevice,
+                    Is.EqualTo(first.BytesOnDevice).Within((4 + 4 * 16 + 64 * 8) * 60 * 34));
             }
         }
 
@@ -132,8 +143,11 @@ namespace Glint.Tests
                     Assert.That(result.Work.TreesBuilt, Is.EqualTo(1));
                     Assert.That(tracer.BankCount, Is.GreaterThan(1));
                     Assert.That((double)result.Work.BytesOnDevice / result.Triangles, Is.LessThan(MostBytesATriangle));
-                    int others = Enumerable.Range(0, expected.Length).Count(i => result.Rays[i].Bounces != expected[i].Bounces
-                        || abs(result.Rays[i].PathLength - (expected[i].Received ? expected[i].PathLength : expected[i].LengthToLastHit)) > 1e-3);
+                    int others = Enumerable.Range(0, expected.Length)
+                        .Count(i => result.Rays[i].Bounces != expected[i].Bounces
+                            || abs(result.Rays[i].PathLength - (expected[i].Received
+                                ? expected[i].PathLength
+                                : expected[i].LengthToLastHit)) > 1e-3);
                     // Rays that just touch a crest.
                     Assert.That(others, Is.LessThanOrEqualTo(expected.Length / 1000));
                 }
@@ -168,7 +182,8 @@ namespace Glint.Tests
                 Assert.Throws<OperationCanceledException>(() => tracer.SetScene(scene, cancel.Token));
                 tracer.SetScene(scene);
                 other.SetScene(scene);
-                RadarResult result = tracer.Trace(s_settings, s_view, KeptRays.None), expected = other.Trace(s_settings, s_view, KeptRays.None);
+                RadarResult result = tracer.Trace(s_settings, s_view, KeptRays.None),
+                    expected = other.Trace(s_settings, s_view, KeptRays.None);
                 Assert.That(result.PathLengthMeters, Is.EqualTo(expected.PathLengthMeters));
                 Assert.That(result.Work.TreesBuilt, Is.EqualTo(2));
             }
@@ -181,7 +196,8 @@ namespace Glint.Tests
             {
                 var problem = Assert.Throws<GlintException>(() => tracer.SetScene(Scene(Made)));
                 // 79,000 triangles of 32 bytes at least, and 8 buffers of 128 KiB.
-                Assert.That(problem.Message, Does.Match(@"test: the trees over its meshes take at least 2\.4 MiB, and .* holds 1 MiB of them in buffers of 0\.1 MiB"));
+                Assert.That(problem.Message, Does.Match(
+                    @"test: the trees over its meshes take at least 2\.4 MiB, and .* holds 1 MiB of them in buffers of 0\.1 MiB"));
             }
         }
     }

@@ -26,27 +26,32 @@ namespace Glint.Tests
         [TestCase("0:45:100", 0)]
         [TestCase("0:45:1e300", 0)]
         [TestCase("0:1:0.4", 0.8)]
-        public void Range_NotReachedByWholeSteps_EndsBelow(string text, double last) => Assert.That(Angles.Parse(text).Last(), Is.EqualTo(last));
+        public void Range_NotReachedByWholeSteps_EndsBelow(string text, double last) =>
+            Assert.That(Angles.Parse(text).Last(), Is.EqualTo(last));
 
         [Test]
-        public void Range_StepWrittenWithRounding_StillReachesTheEnd() => Assert.That(Angles.Parse("0:1:0.333333333"), Is.EqualTo(new[] { 0, 0.333333333, 0.666666666, 1 }));
+        public void Range_StepWrittenWithRounding_StillReachesTheEnd() =>
+            Assert.That(Angles.Parse("0:1:0.333333333"), Is.EqualTo(new[] { 0, 0.333333333, 0.666666666, 1 }));
 
         [Test]
         public void Range_OfTenths_PrintsAsTenths()
         {
             var printed = Angles.Parse("-1:1:0.1").Select(angle => angle.ToString("R", CultureInfo.InvariantCulture));
 
-            var expected = Enumerable.Range(-10, 21).Select(tenth => (tenth < 0 ? "-" : "") + System.Math.Abs(tenth) / 10 + (tenth % 10 == 0 ? "" : "." + System.Math.Abs(tenth) % 10));
+            var expected = Enumerable.Range(-10, 21).Select(tenth => (tenth < 0 ? "-" : "")
+                + System.Math.Abs(tenth) / 10 + (tenth % 10 == 0 ? "" : "." + System.Math.Abs(tenth) % 10));
             Assert.That(printed, Is.EqualTo(expected));
         }
 
         [TestCase("30", new[] { 30.0 })]
         [TestCase("0,10,5", new[] { 0.0, 10, 5 })]
         [TestCase("-1.5, 2e1", new[] { -1.5, 20 })]
-        public void List_WithCommas_KeepsItsOrder(string text, double[] expected) => Assert.That(Angles.Parse(text), Is.EqualTo(expected));
+        public void List_WithCommas_KeepsItsOrder(string text, double[] expected) =>
+            Assert.That(Angles.Parse(text), Is.EqualTo(expected));
 
         [Test]
-        public void NegativeZero_IsZero() => Assert.That(1 / Angles.Parse("-0")[0], Is.EqualTo(double.PositiveInfinity));
+        public void NegativeZero_IsZero() =>
+            Assert.That(1 / Angles.Parse("-0")[0], Is.EqualTo(double.PositiveInfinity));
 
         [TestCase("", "no angles")]
         [TestCase("  ", "no angles")]
@@ -77,7 +82,8 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Range_OfTheMostAngles_IsTaken() => Assert.That(Angles.Parse("0:0.999999:0.000001").Length, Is.EqualTo(Angles.Limit));
+        public void Range_OfTheMostAngles_IsTaken() =>
+            Assert.That(Angles.Parse("0:0.999999:0.000001").Length, Is.EqualTo(Angles.Limit));
 
         [Test]
         public void Message_OfALongList_IsShort()

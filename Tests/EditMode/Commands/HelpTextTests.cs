@@ -37,7 +37,8 @@ namespace Glint.Tests
         [TestCase(200)]
         public void Lines_ButForExamples_FitTheWidth(int width)
         {
-            foreach (var text in Commands.All.Select(command => HelpText.Of(command, width)).Append(HelpText.Overview(width)))
+            foreach (var text in Commands.All.Select(command => HelpText.Of(command, width))
+                .Append(HelpText.Overview(width)))
                 foreach (var line in text.Split('\n').Where(line => !line.StartsWith("  glint ")))
                 {
                     Assert.That(line.Length, Is.LessThan(width), line);
@@ -45,10 +46,13 @@ namespace Glint.Tests
                 }
         }
 
-        static string Flat(string text) => string.Join(" ", text.Split(new[] { ' ', '\n' }, System.StringSplitOptions.RemoveEmptyEntries));
+        static string Flat(string text) =>
+            string.Join(" ", text.Split(new[] { ' ', '\n' }, System.StringSplitOptions.RemoveEmptyEntries));
 
         // As a shell splits them: double quotes keep blanks together.
         static string[] Words(string line) =>
-            line.Split('"').SelectMany((part, i) => i % 2 == 1 ? new[] { part } : part.Split(new[] { ' ' }, System.StringSplitOptions.RemoveEmptyEntries)).ToArray();
+            line.Split('"').SelectMany((part, i) => i % 2 == 1
+                ? new[] { part }
+                : part.Split(new[] { ' ' }, System.StringSplitOptions.RemoveEmptyEntries)).ToArray();
     }
 }

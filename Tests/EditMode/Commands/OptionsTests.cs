@@ -64,7 +64,8 @@ namespace Glint.Tests
         [TestCase("seed", "0")]
         [TestCase("unit", "ft")]
         [TestCase("up", "z")]
-        public void Value_InItsRange_IsTaken(string name, string text) => Assert.That(Find(name).ParseValue(text), Is.Not.Null);
+        public void Value_InItsRange_IsTaken(string name, string text) =>
+            Assert.That(Find(name).ParseValue(text), Is.Not.Null);
 
         [TestCase("bounces", "17", "--bounces 17: must be from 1 to 16")]
         [TestCase("bounces", "0", "--bounces 0: must be from 1 to 16")]
@@ -94,11 +95,14 @@ namespace Glint.Tests
         [TestCase("receiver", "-3", "--receiver -3: each number must be from 1e-6 to 1e6")]
         [TestCase("receiver", "3x1e-320", "--receiver 3x1e-320: each number must be from 1e-6 to 1e6")]
         [TestCase("receiver", "3x", "--receiver 3x: must be SIDE or WIDTHxHEIGHT in metres, such as 3 or 4x2.5")]
-        [TestCase("region", "0,0,1", "--region 0,0,1: must be LEFT,BOTTOM,WIDTH,HEIGHT, four whole numbers, such as 480,0,960,540")]
-        [TestCase("region", "0,0,1,", "--region 0,0,1,: must be LEFT,BOTTOM,WIDTH,HEIGHT, four whole numbers, such as 480,0,960,540")]
+        [TestCase("region", "0,0,1",
+            "--region 0,0,1: must be LEFT,BOTTOM,WIDTH,HEIGHT, four whole numbers, such as 480,0,960,540")]
+        [TestCase("region", "0,0,1,",
+            "--region 0,0,1,: must be LEFT,BOTTOM,WIDTH,HEIGHT, four whole numbers, such as 480,0,960,540")]
         [TestCase("region", "0,0,1,0", "--region 0,0,1,0: must have a width and a height above 0")]
         [TestCase("region", "-1,0,1,1", "--region -1,0,1,1: each number must be from 0 to 524280")]
-        [TestCase("judge", "some", "--judge some: must be all, none or a whole number, such as 100 for every 100th ray")]
+        [TestCase("judge", "some",
+            "--judge some: must be all, none or a whole number, such as 100 for every 100th ray")]
         [TestCase("judge", "0", "--judge 0: must be all, none or a number from 1 to 1e6")]
         [TestCase("rounds", "0", "--rounds 0: must be from 1 to 1000")]
         [TestCase("peer", "./embree", "--peer ./embree: must be NAME=COMMAND, such as \"Embree=./embree {scene}\"")]
@@ -110,7 +114,8 @@ namespace Glint.Tests
         [TestCase("up", "x", "--up x: must be y or z")]
         [TestCase("target", " ", "--target \" \": must not be empty")]
         [TestCase("out", "", "--out \"\": must not be empty")]
-        [TestCase("angles", "0:45", "--angles 0:45: a range has three parts: give FROM:TO:STEP, such as 0:45:1, or a list, such as 0,10,45")]
+        [TestCase("angles", "0:45",
+            "--angles 0:45: a range has three parts: give FROM:TO:STEP, such as 0:45:1, or a list, such as 0,10,45")]
         public void Value_OutOfItsRange_IsRefusedByName(string name, string text, string message)
         {
             var error = Assert.Throws<UsageException>(() => Find(name).ParseValue(text));
@@ -123,14 +128,16 @@ namespace Glint.Tests
         public void Region_IsLeftBottomWidthHeight()
         {
             var region = Options.Region.Parse("10, 20,30,40");
-            Assert.That(new[] { region.Left, region.Bottom, region.Width, region.Height }, Is.EqualTo(new[] { 10, 20, 30, 40 }));
+            Assert.That(new[] { region.Left, region.Bottom, region.Width, region.Height },
+                Is.EqualTo(new[] { 10, 20, 30, 40 }));
             Assert.That(Options.Region.Default.IsWhole);
         }
 
         [TestCase("all", 1)]
         [TestCase("none", 0)]
         [TestCase("7", 7)]
-        public void Judge_IsAllNoneOrEveryNth(string text, int every) => Assert.That(Options.Judge.Parse(text), Is.EqualTo(every));
+        public void Judge_IsAllNoneOrEveryNth(string text, int every) =>
+            Assert.That(Options.Judge.Parse(text), Is.EqualTo(every));
 
         [Test]
         public void Peer_HasANameAndACommandThatMayHoldEqualsSigns()
@@ -150,7 +157,8 @@ namespace Glint.Tests
         [TestCase("in", 0.0254)]
         [TestCase("ft", 0.3048)]
         [TestCase("km", 1000)]
-        public void Unit_OfTheFile_IsKnownInMetres(string name, double meters) => Assert.That(Options.Unit.Parse(name).Meters, Is.EqualTo(meters));
+        public void Unit_OfTheFile_IsKnownInMetres(string name, double meters) =>
+            Assert.That(Options.Unit.Parse(name).Meters, Is.EqualTo(meters));
 
         [Test]
         public void Numbers_InACultureWithDecimalCommas_AreReadWithPoints()
@@ -165,7 +173,8 @@ namespace Glint.Tests
 
                 Assert.That(Options.Distance.Parse("1.5"), Is.EqualTo(1.5));
                 Assert.That(Options.Angles.Parse("0:0.2:0.1"), Is.EqualTo(new[] { 0, 0.1, 0.2 }));
-                Assert.That(Assert.Throws<UsageException>(() => Options.Aim.Parse("0,0,-0.5e9")).Message, Does.Contain("from -1e6 to 1e6"));
+                Assert.That(Assert.Throws<UsageException>(() => Options.Aim.Parse("0,0,-0.5e9")).Message,
+                    Does.Contain("from -1e6 to 1e6"));
             }
             finally
             {
@@ -175,12 +184,15 @@ namespace Glint.Tests
 
         [TestCase("grazing", "1,91", "--grazing 1,91: each angle must be from -90 to 90 degrees")]
         [TestCase("distance", "0:10:1", "--distance 0:10:1: each distance must be from 1e-6 to 1e6 metres")]
-        [TestCase("frequency", "", "--frequency \"\": no frequencies: give FROM:TO:STEP, such as 9e9:11e9:0.1e9, or a list, such as 9.4e9,10e9")]
+        [TestCase("frequency", "", "--frequency \"\": no frequencies: give FROM:TO:STEP, such as 9e9:11e9:0.1e9, "
+            + "or a list, such as 9.4e9,10e9")]
         [TestCase("frequency", "9e9:1e10:0", "--frequency 9e9:1e10:0: STEP must be above 0")]
         public void List_OfASweepOutOfItsRange_IsRefusedByName(string name, string text, string message) =>
-            Assert.That(Assert.Throws<UsageException>(() => Commands.Sweep.Options.Single(option => option.Name == name).ParseValue(text)).Message, Is.EqualTo(message));
+            Assert.That(Assert.Throws<UsageException>(() => Commands.Sweep.Options.Single(option => option.Name == name)
+                .ParseValue(text)).Message, Is.EqualTo(message));
 
         // A sweep takes lists where other commands take a number.
-        static Option Find(string name) => Commands.All.OrderBy(command => command == Commands.Sweep).SelectMany(command => command.Options).First(option => option.Name == name);
+        static Option Find(string name) => Commands.All.OrderBy(command => command == Commands.Sweep)
+            .SelectMany(command => command.Options).First(option => option.Name == name);
     }
 }

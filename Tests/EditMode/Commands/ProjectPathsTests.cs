@@ -11,9 +11,11 @@ namespace Glint.Tests
         [SetUp]
         public void MakeProject()
         {
-            _root = Path.Combine(Path.GetTempPath(), "glint-paths-" + System.Guid.NewGuid().ToString("N")).Replace('\\', '/');
+            _root = Path.Combine(Path.GetTempPath(), "glint-paths-" + System.Guid.NewGuid().ToString("N"))
+                .Replace('\\', '/');
             Write("project/Packages/manifest.json",
-                "{ \"dependencies\": { \"com.a.scenes\": \"file:../Scenes\", \"com.a.shared\": \"file:../../shared\", \"com.unity.mathematics\": \"1.3.2\", \"com.a.packed\": \"file:../x.tgz\" } }");
+                "{ \"dependencies\": { \"com.a.scenes\": \"file:../Scenes\", \"com.a.shared\": \"file:../../shared\", "
+                    + "\"com.unity.mathematics\": \"1.3.2\", \"com.a.packed\": \"file:../x.tgz\" } }");
             Write("project/Packages/Inner/package.json", "{ \"name\": \"com.a.embedded\" }");
             Write("project/Packages/Inner/Runtime/Thing.cs", "");
             Write("project/Scenes/package.json", "{ \"name\": \"com.a.scenes\" }");
@@ -48,29 +50,36 @@ namespace Glint.Tests
         [TestCase("Corner.unity")]
         [TestCase("./Corner.unity")]
         [TestCase("../Scenes/Corner.unity")]
-        public void Path_FromASubfolder_IsRelativeToIt(string path) => Assert.That(Open().ToAssetPath(path, Project + "/Scenes"), Is.EqualTo("Packages/com.a.scenes/Corner.unity"));
+        public void Path_FromASubfolder_IsRelativeToIt(string path) => Assert.That(
+            Open().ToAssetPath(path, Project + "/Scenes"), Is.EqualTo("Packages/com.a.scenes/Corner.unity"));
 
         [Test]
-        public void Path_OfSettings_IsInTheProject() => Assert.That(Open().ToPhysicalPath("ProjectSettings/TagManager.asset"), Is.EqualTo(Project + "/ProjectSettings/TagManager.asset"));
+        public void Path_OfSettings_IsInTheProject() =>
+            Assert.That(Open().ToPhysicalPath("ProjectSettings/TagManager.asset"),
+                Is.EqualTo(Project + "/ProjectSettings/TagManager.asset"));
 
         [TestCase("../elsewhere/Lost.unity")]
         [TestCase("Assets/../../elsewhere/Lost.unity")]
         [TestCase("ProjectSettings/TagManager.asset")]
         [TestCase("ScenesToo/X.unity")]
         public void Path_OutsideOfTheProject_IsRefused(string path) =>
-            Assert.That(Assert.Throws<GlintException>(() => Open().ToAssetPath(path, Project)).Message, Does.StartWith(path + ": outside of the Unity project " + Project));
+            Assert.That(Assert.Throws<GlintException>(() => Open().ToAssetPath(path, Project)).Message,
+                Does.StartWith(path + ": outside of the Unity project " + Project));
 
         [TestCase("Scenes/Corner.unity", "elsewhere/Scenes/Corner.unity", "project/Scenes/Corner.unity")]
-        [TestCase("Packages/com.a.scenes/X.unity", "project/Scenes/X.unity", "elsewhere/Packages/com.a.scenes/X.unity", "project/Packages/com.a.scenes/X.unity")]
+        [TestCase("Packages/com.a.scenes/X.unity", "project/Scenes/X.unity", "elsewhere/Packages/com.a.scenes/X.unity",
+            "project/Packages/com.a.scenes/X.unity")]
         [TestCase("../project/X.unity", "project/X.unity")]
         public void Readings_OfAPath_AreWhereItIsLookedFor(string path, params string[] places)
         {
-            Assert.That(Open().Readings(path, _root + "/elsewhere"), Is.EqualTo(System.Array.ConvertAll(places, place => Path.GetFullPath(_root + "/" + place).Replace('\\', '/'))));
+            Assert.That(Open().Readings(path, _root + "/elsewhere"), Is.EqualTo(
+                System.Array.ConvertAll(places, place => Path.GetFullPath(_root + "/" + place).Replace('\\', '/'))));
         }
 
         [TestCase("")]
         [TestCase(null)]
-        public void Path_Empty_IsRefused(string path) => Assert.Throws<GlintException>(() => Open().ToAssetPath(path, Project));
+        public void Path_Empty_IsRefused(string path) =>
+            Assert.Throws<GlintException>(() => Open().ToAssetPath(path, Project));
 
         [Test]
         public void Root_FromAFolderInside_IsFound()
@@ -84,7 +93,8 @@ namespace Glint.Tests
         [TestCase("", "is empty")]
         [TestCase("{ \"dependencies\": [] }", "\"dependencies\" must be an object")]
         [TestCase("{ \"dependencies\": { \"com.a.x\": 1 } }", "the version of com.a.x must be a string")]
-        [TestCase("{ \"dependencies\": { \"com.a.x\": \"file:../None\" } }", "com.a.x is at file:../None, but there is no ")]
+        [TestCase("{ \"dependencies\": { \"com.a.x\": \"file:../None\" } }",
+            "com.a.x is at file:../None, but there is no ")]
         [TestCase("{ \"dependencies\": { \"com.a.x\": \"file:../Scenes\" } }", "is of com.a.scenes")]
         public void Manifest_Malformed_IsRefusedByName(string text, string reason)
         {
@@ -105,7 +115,8 @@ namespace Glint.Tests
 
         [Test]
         public void Folder_WithoutAManifest_IsNoProject() =>
-            Assert.That(Assert.Throws<GlintException>(() => new ProjectPaths(_root + "/elsewhere")).Message, Does.Contain("not a Unity project"));
+            Assert.That(Assert.Throws<GlintException>(() => new ProjectPaths(_root + "/elsewhere")).Message,
+                Does.Contain("not a Unity project"));
 
         string Project => _root + "/project";
 

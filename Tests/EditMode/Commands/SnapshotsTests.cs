@@ -10,7 +10,8 @@ namespace Glint.Tests
         [TestCase("4:4", new[] { 4 })]
         [TestCase("7", new[] { 7 })]
         [TestCase("3, 1,3", new[] { 3, 1, 3 })]
-        public void Parse_RangeOrList_CountsFromOneAndKeepsTheOrder(string text, int[] expected) => Assert.That(Snapshots.Parse(text), Is.EqualTo(expected));
+        public void Parse_RangeOrList_CountsFromOneAndKeepsTheOrder(string text, int[] expected) =>
+            Assert.That(Snapshots.Parse(text), Is.EqualTo(expected));
 
         [TestCase("", "no snapshots")]
         [TestCase("0:3", "each number must be from 1")]

@@ -3,7 +3,10 @@ using System.Globalization;
 
 namespace Glint.Tests
 {
-    /// <summary>A current culture whose numbers and dates are not the invariant ones: decimal comma, other signs. Made here, since a system may have no cultures.</summary>
+    /// <summary>
+    /// A current culture whose numbers and dates are not the invariant ones: decimal comma, other signs.
+    /// Made here, since a system may have no cultures.
+    /// </summary>
     sealed class ForeignCulture : IDisposable
     {
         readonly CultureInfo _before = CultureInfo.CurrentCulture;

@@ -29,7 +29,8 @@ namespace Glint.Tests
             var mesh = ReadBox(name, "m", UpAxis.Y);
             Assert.That(mesh.Name, Is.EqualTo(Path.GetFileNameWithoutExtension(name)));
             Assert.That(mesh.TriangleCount, Is.EqualTo(12));
-            Assert.That(Solid.Triangles(mesh).ToArray(), Is.EqualTo(Solid.Triangles(Vertices, Solid.BoxIndices).ToArray()));
+            Assert.That(Solid.Triangles(mesh).ToArray(),
+                Is.EqualTo(Solid.Triangles(Vertices, Solid.BoxIndices).ToArray()));
             Assert.That(Solid.Volume(mesh), Is.EqualTo(30).Within(1e-9), "closed, its outer sides outwards");
         }
 
@@ -98,7 +99,8 @@ namespace Glint.Tests
 
         [TestCase("x.obj")]
         [TestCase("x.stl")]
-        public void Read_EmptyFile_IsRefused(string name) => AssertRefused(_folder.Write(name, new byte[0]), "is empty");
+        public void Read_EmptyFile_IsRefused(string name) =>
+            AssertRefused(_folder.Write(name, new byte[0]), "is empty");
 
         [TestCase("x.obj")]
         [TestCase("x.stl")]
@@ -112,11 +114,13 @@ namespace Glint.Tests
         [TestCase("x.stl", new byte[] { 0x1f, 0x8b, 8, 0, 1, 2 }, "gunzip")]
         [TestCase("x.obj", new byte[] { 0x50, 0x4b, 3, 4, 1, 2 }, "unzip")]
         [TestCase("x.obj", new byte[] { 0xff, 0xfe, 0x76, 0, 0x20, 0 }, "UTF-8")]
-        public void Read_WrappedFile_SaysHowToUnwrap(string name, byte[] content, string remedy) => AssertRefused(_folder.Write(name, content), remedy);
+        public void Read_WrappedFile_SaysHowToUnwrap(string name, byte[] content, string remedy) =>
+            AssertRefused(_folder.Write(name, content), remedy);
 
         static void AssertRefused(string path, params string[] parts)
         {
-            ReadText.AssertRefused(() => MeshFileReader.Read(path, LengthUnit.Parse("m"), UpAxis.Y), parts.Append(path).ToArray());
+            ReadText.AssertRefused(() => MeshFileReader.Read(path, LengthUnit.Parse("m"), UpAxis.Y),
+                parts.Append(path).ToArray());
         }
 
         MeshFile ReadBox(string name, string unit, UpAxis up)

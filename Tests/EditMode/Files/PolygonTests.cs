@@ -10,7 +10,9 @@ using Random = System.Random;
 
 namespace Glint.Tests
 {
-    /// <summary>Polygons of OBJ files: their triangles cover them and nothing else. Areas by the shoelace formula.</summary>
+    /// <summary>
+    /// Polygons of OBJ files: their triangles cover them and nothing else. Areas by the shoelace formula.
+    /// </summary>
     public sealed class PolygonTests
     {
         const string Dart = "v 0 0 0\nv 2 0 0\nv .5 .5 0\nv 0 2 0\n";
@@ -28,30 +30,36 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Face_RandomStar_HasItsAreaAndSense([Values(5, 8, 13, 60, 300)] int corners, [Values] bool isReversed)
+        public void Face_RandomStar_HasItsAreaAndSense([Values(5, 8, 13, 60, 300)] int corners,
+            [Values] bool isReversed)
         {
             var random = new Random(7 + corners);
             for (int repeat = 0; repeat < 40; repeat++)
             {
-                var star = Enumerable.Range(0, corners).Select(i => (0.1 + 1.9 * random.NextDouble()) * Direction(2 * Math.PI * (i + 0.9 * random.NextDouble()) / corners)).ToArray();
+                var star = Enumerable.Range(0, corners).Select(i => (0.1 + 1.9 * random.NextDouble())
+                    * Direction(2 * Math.PI * (i + 0.9 * random.NextDouble()) / corners)).ToArray();
                 int first = random.Next(corners);
                 var order = Enumerable.Range(0, corners).Select(i => (i + first) % corners);
-                AssertCovered(star, (isReversed ? order.Reverse() : order).ToArray(), isReversed ? -1 : 1, Point(random, 1), Point(random, 5));
+                AssertCovered(star, (isReversed ? order.Reverse() : order).ToArray(), isReversed ? -1 : 1,
+                    Point(random, 1), Point(random, 5));
             }
         }
 
         [Test]
         public void Face_Comb_HasItsArea([Range(0, 18)] int first)
         {
-            // Teeth of 1 x 1, four of them, on a back of 7 x 1: corners on one line, and many of them hidden from the first.
+            // Teeth of 1 x 1, four of them, on a back of 7 x 1: corners on one line,
+            // and many of them hidden from the first.
             var comb = new List<double2> { new double2(0, -1), new double2(7, -1), new double2(7, 0) };
             for (int tooth = 3; tooth >= 0; tooth--)
-                comb.AddRange(new[] { new double2(2 * tooth + 1, 0), new double2(2 * tooth + 1, 1), new double2(2 * tooth, 1), new double2(2 * tooth, 0) });
+                comb.AddRange(new[] { new double2(2 * tooth + 1, 0), new double2(2 * tooth + 1, 1),
+                    new double2(2 * tooth, 1), new double2(2 * tooth, 0) });
             var order = Enumerable.Range(0, comb.Count).Select(i => (i + first) % comb.Count).ToArray();
             AssertCovered(comb.ToArray(), order, 1, new double3(0.3, -0.8, 0.5), new double3(1, 2, 3));
         }
 
-        // A frame is written as one outline that is cut from the outer to the inner edge: both ends of the cut come twice.
+        // A frame is written as one outline that is cut from the outer to the inner edge:
+        // both ends of the cut come twice.
         [TestCase("f 1 2 3 4 1 5 8 7 6 5")]
         [TestCase("f 3 4 1 5 8 7 6 5 1 2")]
         [TestCase("f 5 8 7 6 5 1 2 3 4 1")]
@@ -67,14 +75,17 @@ namespace Glint.Tests
         [TestCase("f 1 1 2 3 4", new[] { 0, 0, 1, 0, 1, 2, 0, 2, 3 }, TestName = "Face_CornerTwice_IsAFan")]
         [TestCase("f 1 2 1 2", new[] { 0, 1, 0, 0, 0, 1 }, TestName = "Face_WithoutArea_IsAFan")]
         public void Face_ThatAFanFits_KeepsIt(string face, int[] indices) =>
-            Assert.That(ReadText.Obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0.5 0\n" + face).Indices, Is.EqualTo(indices));
+            Assert.That(ReadText.Obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0.5 0\n" + face).Indices,
+                Is.EqualTo(indices));
 
         [Test]
         public void Face_OfASlightlyBentQuad_IsAFan() =>
-            Assert.That(ReadText.Obj("v 0 0 0\nv 1 0 0\nv 1 1 0.3\nv 0 1 0\nf 1 2 3 4").Indices, Is.EqualTo(new[] { 0, 1, 2, 0, 2, 3 }));
+            Assert.That(ReadText.Obj("v 0 0 0\nv 1 0 0\nv 1 1 0.3\nv 0 1 0\nf 1 2 3 4").Indices,
+                Is.EqualTo(new[] { 0, 1, 2, 0, 2, 3 }));
 
         [TestCase("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4", "model.obj:5:", TestName = "Face_BowTie_IsRefused")]
-        [TestCase("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 1 0\n# it crosses\nf 1 2 3 4", "model.obj:6:", TestName = "Face_UnevenBowTie_IsRefused")]
+        [TestCase("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 1 0\n# it crosses\nf 1 2 3 4", "model.obj:6:",
+            TestName = "Face_UnevenBowTie_IsRefused")]
         public void Face_ThatCrossesItself_IsRefused(string text, string place) =>
             ReadText.AssertRefused(() => ReadText.Obj(text), place, "the face of 4 corners", "crosses itself");
 
@@ -85,7 +96,8 @@ namespace Glint.Tests
             const int corners = 5000;
             for (int i = 0; i < corners; i++)
                 AppendVertex(text, new double3((i % 2 + 1) * Direction(2 * Math.PI * i / corners), 0));
-            ReadText.AssertRefused(() => ReadText.Obj(text + "f " + string.Join(" ", Enumerable.Range(1, corners))), $"model.obj:{corners + 1}:", "5000 corners", "4096");
+            ReadText.AssertRefused(() => ReadText.Obj(text + "f " + string.Join(" ", Enumerable.Range(1, corners))),
+                $"model.obj:{corners + 1}:", "5000 corners", "4096");
         }
 
         static void AssertCovered(double2[] outline, int[] order, int sense, double3 axis, double3 offset)
@@ -119,11 +131,13 @@ namespace Glint.Tests
 
         static double2 Direction(double angle) => new double2(Math.Cos(angle), Math.Sin(angle));
 
-        static double SumOfAreas(MeshFile mesh) => Enumerable.Range(0, mesh.TriangleCount).Sum(triangle => math.length(AreaOf(mesh, 3 * triangle)));
+        static double SumOfAreas(MeshFile mesh) =>
+            Enumerable.Range(0, mesh.TriangleCount).Sum(triangle => math.length(AreaOf(mesh, 3 * triangle)));
 
         static double3 AreaOf(MeshFile mesh, int first)
         {
-            double3 a = mesh.Vertices[mesh.Indices[first]], b = mesh.Vertices[mesh.Indices[first + 1]], c = mesh.Vertices[mesh.Indices[first + 2]];
+            double3 a = mesh.Vertices[mesh.Indices[first]], b = mesh.Vertices[mesh.Indices[first + 1]],
+                c = mesh.Vertices[mesh.Indices[first + 2]];
             return math.cross(b - a, c - a) / 2;
         }
     }

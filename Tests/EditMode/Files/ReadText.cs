@@ -8,9 +8,11 @@ namespace Glint.Tests
     /// <summary>Reads mesh files that stand as text in a test.</summary>
     static class ReadText
     {
-        public static MeshFile Obj(string text, string unit = "m", UpAxis up = UpAxis.Y) => Bytes("model.obj", Encoding.UTF8.GetBytes(text), unit, up);
+        public static MeshFile Obj(string text, string unit = "m", UpAxis up = UpAxis.Y) =>
+            Bytes("model.obj", Encoding.UTF8.GetBytes(text), unit, up);
 
-        public static MeshFile Stl(string text, string unit = "m", UpAxis up = UpAxis.Y) => Bytes("model.stl", Encoding.UTF8.GetBytes(text), unit, up);
+        public static MeshFile Stl(string text, string unit = "m", UpAxis up = UpAxis.Y) =>
+            Bytes("model.stl", Encoding.UTF8.GetBytes(text), unit, up);
 
         public static MeshFile Bytes(string name, byte[] content, string unit = "m", UpAxis up = UpAxis.Y) =>
             MeshFileReader.Read(new MemoryStream(content), name, LengthUnit.Parse(unit), up);

@@ -29,11 +29,13 @@ namespace Glint.Tests
         {
             double sum = 0;
             foreach (var (a, b, c) in Triangles(mesh))
-                sum += a.x * ((double)b.y * c.z - (double)b.z * c.y) + a.y * ((double)b.z * c.x - (double)b.x * c.z) + a.z * ((double)b.x * c.y - (double)b.y * c.x);
+                sum += a.x * ((double)b.y * c.z - (double)b.z * c.y) + a.y * ((double)b.z * c.x - (double)b.x * c.z)
+                    + a.z * ((double)b.x * c.y - (double)b.y * c.x);
             return sum / 6;
         }
 
-        public static IEnumerable<(float3, float3, float3)> Triangles(MeshFile mesh) => Triangles(mesh.Vertices, mesh.Indices);
+        public static IEnumerable<(float3, float3, float3)> Triangles(MeshFile mesh) =>
+            Triangles(mesh.Vertices, mesh.Indices);
 
         public static IEnumerable<(float3, float3, float3)> Triangles(float3[] vertices, int[] indices)
         {

@@ -22,6 +22,7 @@ namespace Glint.Tests
         }
 
         /// <summary>Whether it reaches beyond the other box by a margin on each side.</summary>
-        public bool Holds(in Bounds3 other, double3 margin) => math.all(Low + margin <= other.Low) && math.all(High - margin >= other.High);
+        public bool Holds(in Bounds3 other, double3 margin) =>
+            math.all(Low + margin <= other.Low) && math.all(High - margin >= other.High);
     }
 }

@@ -8,13 +8,16 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// Closed bodies about the origin that is inside them: the surface of a cube in n x n cells a face, each corner drawn out along its direction.
-    /// Rows and columns of corners lie where a square picture of 90 degrees has rays, so that rays from the origin meet corners, run into edges, and along edges.
+    /// Closed bodies about the origin that is inside them: the surface of a cube in n x n cells a face,
+    /// each corner drawn out along its direction.
+    /// Rows and columns of corners lie where a square picture of 90 degrees has rays,
+    /// so that rays from the origin meet corners, run into edges, and along edges.
     /// </summary>
     static class ClosedBodies
     {
         /// <summary>As near a sphere of radius 1 as its cells make it; 12 n^2 triangles.</summary>
-        public static TriangleMesh Sphere(int cells, int rays) => Make(cells, rays, (at, direction) => normalize(direction));
+        public static TriangleMesh Sphere(int cells, int rays) =>
+            Make(cells, rays, (at, direction) => normalize(direction));
 
         /// <summary>Convex, of three unequal axes that are not at right angles.</summary>
         public static TriangleMesh Skewed(int cells, int rays) => Make(cells, rays, (at, direction) =>
@@ -24,14 +27,16 @@ namespace Glint.Tests
         });
 
         /// <summary>Each corner at a distance of its own, as concave as can be.</summary>
-        public static TriangleMesh Jagged(int cells, int rays, int seed, double depth = 0.5) => Make(cells, rays, (at, direction) => (1 + depth * (2 * Chance(at, seed) - 1)) * direction);
+        public static TriangleMesh Jagged(int cells, int rays, int seed, double depth = 0.5) =>
+            Make(cells, rays, (at, direction) => (1 + depth * (2 * Chance(at, seed) - 1)) * direction);
 
         /// <summary>A cube with dents whose walls point at the origin: rays run along walls and their edges.</summary>
         public static TriangleMesh Dented(int cells, int rays, int seed)
         {
             var cube = new Builder(cells, rays, (at, direction) => direction);
             cube.AddFaces((face, column, row) =>
-                column > 0 && row > 0 && column < cells - 1 && row < cells - 1 && column % 2 == 1 && row % 2 == 1 ? 0.4 + Chance(int3(column, row, face), seed) : 1);
+                column > 0 && row > 0 && column < cells - 1 && row < cells - 1 && column % 2 == 1
+                && row % 2 == 1 ? 0.4 + Chance(int3(column, row, face), seed) : 1);
             return cube.ToMesh();
         }
 
@@ -43,7 +48,8 @@ namespace Glint.Tests
         }
 
         // A number from 0 to 1 that a place always has.
-        static double Chance(int3 at, int seed) => new System.Random(seed * 7919 + at.x * 73856093 ^ at.y * 19349663 ^ at.z * 83492791).NextDouble();
+        static double Chance(int3 at, int seed) =>
+            new System.Random(seed * 7919 + at.x * 73856093 ^ at.y * 19349663 ^ at.z * 83492791).NextDouble();
 
         sealed class Builder
         {
@@ -59,10 +65,13 @@ namespace Glint.Tests
                 _cells = cells;
                 _place = place;
                 // Of the rays through the middles of pixels the nearest ones; the cube's own edges lie between rays.
-                _tangents = Enumerable.Range(0, cells + 1).Select(i => i == 0 ? -1.0 : i == cells ? 1.0 : (2.0 * (i * rays / cells) + 1 - rays) / rays).ToArray();
+                _tangents = Enumerable.Range(0, cells + 1).Select(
+                    i => i == 0 ? -1.0 : i == cells ? 1.0 : (2.0 * (i * rays / cells) + 1 - rays) / rays).ToArray();
             }
 
-            /// <param name="lift">Of a cell of a face: its distance as a part of its surroundings'; not 1 for a dent or a hump with walls.</param>
+            /// <param name="lift">
+            /// Of a cell of a face: its distance as a part of its surroundings'; not 1 for a dent or a hump with walls.
+            /// </param>
             public void AddFaces(Func<int, int, int, double> lift)
             {
                 for (int face = 0; face < 6; face++)
@@ -75,7 +84,11 @@ namespace Glint.Tests
 
             void AddCell(int face, int column, int row, double lift)
             {
-                var at = new[] { Corner(face, column, row), Corner(face, column + 1, row), Corner(face, column + 1, row + 1), Corner(face, column, row + 1) };
+                var at = new[]
+                {
+                    Corner(face, column, row), Corner(face, column + 1, row), Corner(face, column + 1, row + 1),
+                    Corner(face, column, row + 1)
+                };
                 var rim = at.Select(Vertex).ToArray();
                 if (lift == 1)
                 {
@@ -91,7 +104,9 @@ namespace Glint.Tests
             int3 Corner(int face, int column, int row)
             {
                 int side = face < 3 ? 0 : _cells;
-                return face % 3 == 0 ? int3(column, row, side) : face % 3 == 1 ? int3(side, column, row) : int3(row, side, column);
+                return face % 3 == 0 ? int3(column, row, side)
+                    : face % 3 == 1 ? int3(side, column, row)
+                    : int3(row, side, column);
             }
 
             double3 Direction(int3 corner) => double3(_tangents[corner.x], _tangents[corner.y], _tangents[corner.z]);

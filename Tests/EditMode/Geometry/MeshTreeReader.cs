@@ -21,7 +21,8 @@ namespace Glint.Tests
         /// <summary>Most inner levels of a part.</summary>
         public int Levels { get; private set; }
 
-        public static MeshTreeReader Check(TriangleMesh mesh, TreeShape shape) => Check(mesh, shape, MeshTree.Build(mesh, shape));
+        public static MeshTreeReader Check(TriangleMesh mesh, TreeShape shape) =>
+            Check(mesh, shape, MeshTree.Build(mesh, shape));
 
         public static MeshTreeReader Check(TriangleMesh mesh, TreeShape shape, MeshTree tree)
         {

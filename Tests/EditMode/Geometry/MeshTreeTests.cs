@@ -30,13 +30,15 @@ namespace Glint.Tests
             ["fan"] = () => TestMeshes.Fan(3000),
             ["powers of two"] = () => TestRadar.PowersOfTwo(3000, sizes: 46),
             ["ladder"] = () => TestMeshes.Ladder(1000, atTheFoot: 40000),
-            ["huge plate over sea"] = () => TestRadar.Join(TestRadar.FacingPlate(side: 1e6f, z: 0), TestMeshes.Sea(50, 50)),
+            ["huge plate over sea"] = () =>
+                TestRadar.Join(TestRadar.FacingPlate(side: 1e6f, z: 0), TestMeshes.Sea(50, 50)),
         };
 
         static IEnumerable<string> HardMeshNames => HardMeshes.Keys;
 
         [TestCaseSource(nameof(HardMeshNames))]
-        public void Build_HardMesh_EveryTriangleIsInOneLeafAndEveryBoxHoldsItsChildren(string name) => MeshTreeReader.Check(HardMeshes[name](), _shape);
+        public void Build_HardMesh_EveryTriangleIsInOneLeafAndEveryBoxHoldsItsChildren(string name) =>
+            MeshTreeReader.Check(HardMeshes[name](), _shape);
 
         [Test]
         public void Build_NoTriangles_HasNoParts()
@@ -52,7 +54,11 @@ namespace Glint.Tests
         public void Build_TrianglesWithoutAreaOrOfInfiniteArea_AreLeftOut()
         {
             var nothing = new TriangleMesh(
-                new[] { float3(0, 0, 0), float3(1, 1, 1), float3(2, 2, 2), float3(2e10f, 0, 0), float3(0, 2e10f, 0), float3(1e-9f, 0, 0), float3(0, 1e-9f, 0) },
+                new[]
+                {
+                    float3(0, 0, 0), float3(1, 1, 1), float3(2, 2, 2), float3(2e10f, 0, 0), float3(0, 2e10f, 0),
+                    float3(1e-9f, 0, 0), float3(0, 1e-9f, 0)
+                },
                 new[] { 0, 1, 2, 0, 3, 4, 0, 5, 6, 1, 1, 2 });
             Assert.That(MeshTree.Build(nothing, _shape).Parts, Is.Empty);
             MeshTreeReader.Check(TestRadar.Join(nothing, TestMeshes.Sea(3, 3), nothing), _shape);
@@ -61,9 +67,11 @@ namespace Glint.Tests
         [Test]
         public void Build_CoordinatesNearTheLargestFloat_KeepsTrianglesOfFiniteArea()
         {
-            var corners = Enumerable.Range(0, 999).Select(i => float3(i % 2 == 0 ? 3e38f : -3e38f, i % 3, i * i % 7)).ToArray();
+            var corners = Enumerable.Range(0, 999)
+                .Select(i => float3(i % 2 == 0 ? 3e38f : -3e38f, i % 3, i * i % 7)).ToArray();
             var order = Enumerable.Range(0, 999).OrderBy(i => i % 2).ToArray();
-            Assert.That(MeshTree.Build(new TriangleMesh(corners, order), TreeShape.Binary).TriangleCount, Is.GreaterThan(100));
+            Assert.That(MeshTree.Build(new TriangleMesh(corners, order), TreeShape.Binary).TriangleCount,
+                Is.GreaterThan(100));
         }
 
         [Test]
@@ -87,7 +95,9 @@ namespace Glint.Tests
         [Test]
         public void Build_TrianglesAcrossACorner_AreNotPairedBecauseTheirBoxIsMostlyEmpty()
         {
-            var step = new TriangleMesh(new[] { float3(0, 0, 0), float3(1, 0, 0), float3(0.5f, 1, 0), float3(0.5f, 0, 1) }, new[] { 0, 1, 2, 0, 1, 3 });
+            var step =
+                new TriangleMesh(new[] { float3(0, 0, 0), float3(1, 0, 0), float3(0.5f, 1, 0), float3(0.5f, 0, 1) },
+                    new[] { 0, 1, 2, 0, 1, 3 });
             Assert.That(MeshTreeReader.Check(step, _shape).Leaves, Is.EqualTo(2));
         }
 
@@ -95,7 +105,8 @@ namespace Glint.Tests
         public void Build_ThreeTrianglesAtAnEdge_PairsTwo()
         {
             var leaf = new TriangleMesh(
-                new[] { float3(0, 0, 0), float3(1, 0, 0), float3(0, 1, 0), float3(1, 1.1f, 0), float3(1, 1.2f, 0.1f) }, new[] { 0, 1, 2, 1, 2, 3, 2, 1, 4 });
+                new[] { float3(0, 0, 0), float3(1, 0, 0), float3(0, 1, 0), float3(1, 1.1f, 0), float3(1, 1.2f, 0.1f) },
+                new[] { 0, 1, 2, 1, 2, 3, 2, 1, 4 });
             Assert.That(MeshTreeReader.Check(leaf, _shape).Leaves, Is.EqualTo(2));
         }
 
@@ -112,7 +123,8 @@ namespace Glint.Tests
             var mesh = TestMeshes.Clump(inside: 1_100_000, outside: 5000);
             var tree = MeshTree.Build(mesh, _shape);
             Assert.That(tree.Parts.Length, Is.InRange(2, 8));
-            Assert.That(tree.Parts.Min(part => part.Words.Length), Is.GreaterThan(tree.Parts.Max(part => part.Words.Length) / 16), "no part is a scrap");
+            Assert.That(tree.Parts.Min(part => part.Words.Length),
+                Is.GreaterThan(tree.Parts.Max(part => part.Words.Length) / 16), "no part is a scrap");
             MeshTreeReader.Check(mesh, _shape, tree);
         }
 
@@ -122,7 +134,8 @@ namespace Glint.Tests
             var mesh = TestRadar.Join(TestMeshes.Soup(TestMeshes.Sea(200, 150)), TestRadar.Clutter(20000, seed: 3));
             var several = MeshTree.Build(mesh, _shape);
             var oneAtATime = new ConcurrentExclusiveSchedulerPair(TaskScheduler.Default, 1).ConcurrentScheduler;
-            var one = Task.Factory.StartNew(() => MeshTree.Build(mesh, _shape), CancellationToken.None, TaskCreationOptions.None, oneAtATime).Result;
+            var one = Task.Factory.StartNew(() => MeshTree.Build(mesh, _shape), CancellationToken.None,
+                TaskCreationOptions.None, oneAtATime).Result;
             Assert.That(one.Parts.Length, Is.EqualTo(several.Parts.Length));
             for (int i = 0; i < one.Parts.Length; i++)
                 Assert.That(one.Parts[i].Words.SequenceEqual(several.Parts[i].Words), $"words of part {i}");

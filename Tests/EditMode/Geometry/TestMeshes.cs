@@ -29,22 +29,27 @@ namespace Glint.Tests
 
         /// <summary>The same triangles, each with vertices of its own, as an STL file has them.</summary>
         public static TriangleMesh Soup(TriangleMesh mesh) =>
-            new TriangleMesh(mesh.Indices.Select(index => mesh.Vertices[index]).ToArray(), Enumerable.Range(0, mesh.Indices.Length).ToArray());
+            new TriangleMesh(mesh.Indices.Select(index => mesh.Vertices[index]).ToArray(),
+                Enumerable.Range(0, mesh.Indices.Length).ToArray());
 
         /// <summary>Small triangles that share nothing, on a grid of places.</summary>
         public static TriangleMesh Apart(int across, int along, float step) =>
             Triangles(across * along, t => step * float3(t % across, 0, t / across), 0.4f * step);
 
-        /// <summary>Most triangles in a clump, the others so far apart that one bin of any split holds the clump.</summary>
+        /// <summary>
+        /// Most triangles in a clump, the others so far apart that one bin of any split holds the clump.
+        /// </summary>
         public static TriangleMesh Clump(int inside, int outside) => TestRadar.Join(
-            Triangles(inside, t => 1e-3f * float3(t % 1000, 0, t / 1000), 4e-4f), Triangles(outside, t => 300f * float3(t % 100, t % 7, t / 100), 100));
+            Triangles(inside, t => 1e-3f * float3(t % 1000, 0, t / 1000), 4e-4f),
+            Triangles(outside, t => 300f * float3(t % 100, t % 7, t / 100), 100));
 
         /// <summary>The same triangle again and again.</summary>
         public static TriangleMesh Same(int count) => Triangles(count, t => float3(3, 4, 5), 1);
 
         /// <summary>Triangles of 10 km by a few micrometres.</summary>
         public static TriangleMesh Slivers(int count) =>
-            Triangles(count, t => float3(0, 1e-3f * t, 0), float3(1e4f, 0, 0), t => float3(1e4f, t % 2 == 0 ? 4e-6f : -4e-6f, t % 5));
+            Triangles(count, t => float3(0, 1e-3f * t, 0), float3(1e4f, 0, 0),
+                t => float3(1e4f, t % 2 == 0 ? 4e-6f : -4e-6f, t % 5));
 
         /// <summary>A fan around one vertex that all triangles share, by turns up and down.</summary>
         public static TriangleMesh Fan(int count)
@@ -52,24 +57,30 @@ namespace Glint.Tests
             var vertices = new float3[count + 2];
             for (int i = 0; i <= count; i++)
                 vertices[i + 1] = float3(100 * cos(2e-3f * i), i % 2, 100 * sin(2e-3f * i));
-            return new TriangleMesh(vertices, Enumerable.Range(0, 3 * count).Select(i => i % 3 == 0 ? 0 : i / 3 + i % 3).ToArray());
+            return new TriangleMesh(vertices,
+                Enumerable.Range(0, 3 * count).Select(i => i % 3 == 0 ? 0 : i / 3 + i % 3).ToArray());
         }
 
-        /// <summary>Triangles whose size and distance grow from 10^-7 m to 10^7 m; as many again at the small end.</summary>
+        /// <summary>
+        /// Triangles whose size and distance grow from 10^-7 m to 10^7 m; as many again at the small end.
+        /// </summary>
         public static TriangleMesh Ladder(int steps, int atTheFoot)
         {
             float Size(int t) => (float)Math.Pow(10, -7 + 14.0 * Math.Max(0, t) / steps);
             return TestRadar.Join(
                 Triangles(steps, t => Size(t), t => float3(Size(t), 0, 0), t => float3(0, Size(t), Size(t))),
-                Triangles(atTheFoot, t => 1e-7f * (1 + t % 97 / 97f), float3(3e-7f, 0, 0), t => float3(0, 3e-7f, t % 89 * 1e-9f)));
+                Triangles(atTheFoot, t => 1e-7f * (1 + t % 97 / 97f), float3(3e-7f, 0, 0),
+                    t => float3(0, 3e-7f, t % 89 * 1e-9f)));
         }
 
         static TriangleMesh Triangles(int count, Func<int, float3> corner, float size) =>
             Triangles(count, corner, float3(size, 0, 0), t => float3(0.3f * size, 0.2f * size, size));
 
-        static TriangleMesh Triangles(int count, Func<int, float3> corner, float3 edge1, Func<int, float3> edge2) => Triangles(count, corner, t => edge1, edge2);
+        static TriangleMesh Triangles(int count, Func<int, float3> corner, float3 edge1, Func<int, float3> edge2) =>
+            Triangles(count, corner, t => edge1, edge2);
 
-        static TriangleMesh Triangles(int count, Func<int, float3> corner, Func<int, float3> edge1, Func<int, float3> edge2)
+        static TriangleMesh Triangles(int count, Func<int, float3> corner,
+            Func<int, float3> edge1, Func<int, float3> edge2)
         {
             var vertices = new float3[3 * count];
             for (int t = 0; t < count; t++)

@@ -29,7 +29,8 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Build_NoBoxes_HasNoRows() => Assert.That(TopTree.Build(new float3[0], new float3[0], _shape), Is.Empty);
+        public void Build_NoBoxes_HasNoRows() =>
+            Assert.That(TopTree.Build(new float3[0], new float3[0], _shape), Is.Empty);
 
         [Test]
         public void Build_BoxesWithoutSizeAtOnePlace_StillSplits()
@@ -41,9 +42,12 @@ namespace Glint.Tests
         [Test]
         public void Build_SizesGrowingByPowersOfTwo_StaysWithinTheStacksOfTheKernels()
         {
-            // Each box is as large as all before it: a plain surface area heuristic would cut off a few at a time, and come to the bulk at the small end last.
-            var sizes = Enumerable.Range(0, 60000).Select(i => (float)Math.Pow(2, Math.Max(-60, i / 2 % 6000 - 5880) + 1e-4 * (i % 1000))).ToArray();
-            int levels = Check(sizes.Select(size => float3(size)).ToArray(), sizes.Select(size => float3(1.5f * size)).ToArray());
+            // Each box is as large as all before it: a plain surface area heuristic would cut off a few at a time,
+            // and come to the bulk at the small end last.
+            var sizes = Enumerable.Range(0, 60000)
+                .Select(i => (float)Math.Pow(2, Math.Max(-60, i / 2 % 6000 - 5880) + 1e-4 * (i % 1000))).ToArray();
+            int levels = Check(sizes.Select(size => float3(size)).ToArray(),
+                sizes.Select(size => float3(1.5f * size)).ToArray());
             Assert.That(levels, Is.GreaterThan(_shape == TreeShape.Wide ? 10 : 24), "the case is a hard one");
         }
 

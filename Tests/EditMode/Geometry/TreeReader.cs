@@ -7,7 +7,10 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>Reads trees as the shaders do, in double precision, and checks that each box holds what is below it. It shares no code with the encoders.</summary>
+    /// <summary>
+    /// Reads trees as the shaders do, in double precision, and checks that each box holds what is below it.
+    /// It shares no code with the encoders.
+    /// </summary>
     sealed class TreeReader
     {
         // The row of a binary tree's root.
@@ -91,7 +94,8 @@ namespace Glint.Tests
 
         Bounds3 BinaryBox(uint4 child, uint3 halfSize)
         {
-            double3 middle = double3(asfloat(_rows[0].xyz)) + double3(asfloat(child.xyz)), half = double3(asfloat(halfSize));
+            double3 middle = double3(asfloat(_rows[0].xyz)) + double3(asfloat(child.xyz)),
+                half = double3(asfloat(halfSize));
             return new Bounds3 { Low = middle - half, High = middle + half };
         }
 
@@ -110,14 +114,16 @@ namespace Glint.Tests
             double3 origin = double3(asfloat(words[0]), asfloat(words[1]), asfloat(words[2]));
             uint3 exponents = uint3(words[3], words[3] >> 8, words[3] >> 16) & 0xffu;
             uint leafMask = words[3] >> 24 & 0xf, validMask = words[3] >> 28;
-            if (words[11] != 0 || (leafMask & ~validMask) != 0 || !new uint[] { 1, 3, 7, 15 }.Contains(validMask) || any(exponents == 0) || any(exponents == 255))
+            if (words[11] != 0 || (leafMask & ~validMask) != 0 || !new uint[] { 1, 3, 7, 15 }.Contains(validMask)
+                || any(exponents == 0) || any(exponents == 255))
                 Assert.Fail($"row {row}: masks, exponents or the last word: {words[3]:x} {words[11]:x}");
             double3 cell = double3(asfloat(exponents << 23));
 
             var all = Bounds3.Empty;
             Bounds3 BoxOf(int child)
             {
-                double3 Plane(int word) => origin + cell * double3(Cells(words[word], child), Cells(words[word + 1], child), Cells(words[word + 2], child));
+                double3 Plane(int word) => origin + cell * double3(Cells(words[word], child),
+                    Cells(words[word + 1], child), Cells(words[word + 2], child));
                 return new Bounds3 { Low = Plane(4), High = Plane(7) };
             }
             var children = Enumerable.Range(0, 4).Where(child => (validMask >> child & 1) != 0).ToArray();
@@ -149,7 +155,8 @@ namespace Glint.Tests
         static void Expect(in Bounds3 box, in Bounds3 content, double3 margin, int row)
         {
             if (!box.Holds(content, margin))
-                Assert.Fail($"row {row}: the box {box.Low} to {box.High} does not hold {content.Low} to {content.High} with a margin of {margin}");
+                Assert.Fail($"row {row}: the box {box.Low} to {box.High} does not hold {content.Low} to {content.High} "
+                    + $"with a margin of {margin}");
         }
 
         void Mark(int row, int count)

@@ -23,23 +23,45 @@ namespace Glint.Tests
 
         static IEnumerable<TestCaseData> Mended()
         {
-            yield return Case("no receiver", test => test._radar.Receiver = null, "Error: RadarController of 'Radar' has no receiver");
-            yield return Case("no kernel", test => test._radar.Kernel = null, "Error: RadarController of 'Radar' has no kernel");
-            yield return Case("another kernel", test => test._radar.Kernel = TestKernels.Layout, "has no kernel 'Trace");
-            yield return Case("empty root", test => test._radar.Roots.Add(null), "Error: RadarController of 'Radar': an entry of Roots is empty");
-            yield return Case("disabled", test => test._radar.enabled = false, "Warning: RadarController of 'Radar' is disabled or inactive");
-            yield return Case("inactive", test => test._radar.gameObject.SetActive(false), "Warning: RadarController of 'Radar' is disabled or inactive");
-            yield return Case("aperture without height", test => test.MakeParallel(0), "Error: the Camera of 'Radar' is orthographic and its Size is 0");
-            yield return Case("layers", test => test._radar.Layers = 1 << 5, "Warning: RadarController of 'Radar' traces nothing: no active object below its Roots");
-            yield return Case("aim", test => test._radar.transform.rotation = Quaternion.Euler(0, 130, 0), "Warning: RadarController of 'Radar': nothing that is traced lies in its picture; the middle of it is 20 m away");
-            yield return Case("aim of parallel rays", test => { test.MakeParallel(2); test._radar.transform.rotation = Quaternion.Euler(0, 30, 0); }, "nothing that is traced lies in its picture");
-            yield return Case("region", test => test.SetRegion(0, 0, 8, 8), "Warning: RadarController of 'Radar': nothing that is traced lies in the region of its picture");
-            yield return Case("receiver that faces away", test => test._radar.Receiver.localRotation = Quaternion.Euler(0, 180, 0), "comes to its receiver 'Receiver'");
-            yield return Case("small receiver", test => test._radar.ReceiverSize = new Vector2(0.5f, 0.5f), "fewer than the 16 that an amplitude takes");
-            yield return Case("few rays", test => test.Change(settings => { (settings.RaysAcross, settings.RaysDown) = (16, 9); return settings; }), "fewer than 16 can hit it");
-            // Turned by 25 degrees: neighbours return 2 * 0.26 m apart, and their paths differ by that times sin(25 degrees).
-            yield return Case("coarse rays", test => test._radar.transform.rotation = Quaternion.Euler(0, 25, 0), "most of whose neighbours' paths differ by 0.5 wavelengths or more");
-            yield return Case("coarse parallel rays", test => { test.MakeParallel(2); (test._radar.FitAperture, test._radar.RaySpacing) = (true, 3); }, "fewer than 16 can hit it");
+            yield return Case("no receiver", test => test._radar.Receiver = null,
+                "Error: RadarController of 'Radar' has no receiver");
+            yield return Case("no kernel", test => test._radar.Kernel = null,
+                "Error: RadarController of 'Radar' has no kernel");
+            yield return Case("another kernel",
+                test => test._radar.Kernel = TestKernels.Layout, "has no kernel 'Trace");
+            yield return Case("empty root", test => test._radar.Roots.Add(null),
+                "Error: RadarController of 'Radar': an entry of Roots is empty");
+            yield return Case("disabled", test => test._radar.enabled = false,
+                "Warning: RadarController of 'Radar' is disabled or inactive");
+            yield return Case("inactive", test => test._radar.gameObject.SetActive(false),
+                "Warning: RadarController of 'Radar' is disabled or inactive");
+            yield return Case("aperture without height", test => test.MakeParallel(0),
+                "Error: the Camera of 'Radar' is orthographic and its Size is 0");
+            yield return Case("layers", test => test._radar.Layers = 1 << 5,
+                "Warning: RadarController of 'Radar' traces nothing: no active object below its Roots");
+            yield return Case("aim", test => test._radar.transform.rotation = Quaternion.Euler(0, 130, 0),
+                "Warning: RadarController of 'Radar': nothing that is traced lies in its picture; "
+                    + "the middle of it is 20 m away");
+            yield return Case("aim of parallel rays",
+                test => { test.MakeParallel(2); test._radar.transform.rotation = Quaternion.Euler(0, 30, 0); },
+                "nothing that is traced lies in its picture");
+            yield return Case("region", test => test.SetRegion(0, 0, 8, 8),
+                "Warning: RadarController of 'Radar': nothing that is traced lies in the region of its picture");
+            yield return Case("receiver that faces away",
+                test => test._radar.Receiver.localRotation = Quaternion.Euler(0, 180, 0),
+                "comes to its receiver 'Receiver'");
+            yield return Case("small receiver", test => test._radar.ReceiverSize = new Vector2(0.5f, 0.5f),
+                "fewer than the 16 that an amplitude takes");
+            yield return Case("few rays", test =>
+                    test.Change(settings => { (settings.RaysAcross, settings.RaysDown) = (16, 9); return settings; }),
+                "fewer than 16 can hit it");
+            // Turned by 25 degrees: neighbours return 2 * 0.26 m apart,
+            // and their paths differ by that times sin(25 degrees).
+            yield return Case("coarse rays", test => test._radar.transform.rotation = Quaternion.Euler(0, 25, 0),
+                "most of whose neighbours' paths differ by 0.5 wavelengths or more");
+            yield return Case("coarse parallel rays",
+                test => { test.MakeParallel(2); (test._radar.FitAperture, test._radar.RaySpacing) = (true, 3); },
+                "fewer than 16 can hit it");
         }
 
         [TestCaseSource(nameof(Mended))]
@@ -59,14 +81,28 @@ namespace Glint.Tests
 
         static IEnumerable<TestCaseData> LeftToTheUser()
         {
-            yield return Case("frequency", test => test.Change(settings => { settings.FrequencyHz = 0; return settings; }), "Error: RadarController of 'Radar': frequency 0 Hz");
-            yield return Case("bounces", test => test.Change(settings => { settings.MaxBounces = 17; return settings; }), "Error: RadarController of 'Radar': maximum bounces 17");
-            yield return Case("receiver size", test => test._radar.ReceiverSize = new Vector2(3, -1), "Error: RadarController of 'Radar': receiver size 3 x -1 m");
-            yield return Case("field of view", test => test._radar.GetComponent<Camera>().fieldOfView = 0, "field of view 0 deg");
-            yield return Case("spacing", test => { test.MakeParallel(2); (test._radar.FitAperture, test._radar.RaySpacing) = (true, 0); }, "Error: RadarController of 'Radar': ray spacing 0 m");
-            yield return Case("nothing there", test => test._plate.SetActive(false), "Warning: RadarController of 'Radar' traces nothing: there is no active object below its Roots");
-            yield return Case("lines", test => test._plate.GetComponent<MeshFilter>().sharedMesh = Lines(), "Error: submesh 0 of mesh 'Lines' of 'Plate' is made of Lines");
-            yield return Case("rays for which there is no room", test => test.Change(settings => { (settings.RaysAcross, settings.RaysDown) = (RadarSettings.RaysPerAxisLimit, 1); return settings; }), "fewer than 16 can hit it");
+            yield return Case("frequency",
+                test => test.Change(settings => { settings.FrequencyHz = 0; return settings; }),
+                "Error: RadarController of 'Radar': frequency 0 Hz");
+            yield return Case("bounces",
+                test => test.Change(settings => { settings.MaxBounces = 17; return settings; }),
+                "Error: RadarController of 'Radar': maximum bounces 17");
+            yield return Case("receiver size", test => test._radar.ReceiverSize = new Vector2(3, -1),
+                "Error: RadarController of 'Radar': receiver size 3 x -1 m");
+            yield return Case("field of view",
+                test => test._radar.GetComponent<Camera>().fieldOfView = 0, "field of view 0 deg");
+            yield return Case("spacing",
+                test => { test.MakeParallel(2); (test._radar.FitAperture, test._radar.RaySpacing) = (true, 0); },
+                "Error: RadarController of 'Radar': ray spacing 0 m");
+            yield return Case("nothing there", test => test._plate.SetActive(false),
+                "Warning: RadarController of 'Radar' traces nothing: there is no active object below its Roots");
+            yield return Case("lines", test => test._plate.GetComponent<MeshFilter>().sharedMesh = Lines(),
+                "Error: submesh 0 of mesh 'Lines' of 'Plate' is made of Lines");
+            yield return Case("rays for which there is no room", test => test.Change(settings =>
+            {
+                (settings.RaysAcross, settings.RaysDown) = (RadarSettings.RaysPerAxisLimit, 1);
+                return settings;
+            }), "fewer than 16 can hit it");
         }
 
         [TestCaseSource(nameof(LeftToTheUser))]
@@ -96,7 +132,8 @@ namespace Glint.Tests
             _radar.Receiver = null;
             _radar.Kernel = null;
             _check.Update();
-            Assert.That(_check.Findings.Select(finding => finding.Severity), Is.EqualTo(new[] { Severity.Error, Severity.Error, Severity.Warning }));
+            Assert.That(_check.Findings.Select(finding => finding.Severity),
+                Is.EqualTo(new[] { Severity.Error, Severity.Error, Severity.Warning }));
             Assert.That(_check.Figures, Is.Null);
         }
 
@@ -150,6 +187,7 @@ namespace Glint.Tests
             return mesh;
         }
 
-        static TestCaseData Case(string name, Action<RadarCheckTests> spoil, string text) => new TestCaseData(spoil, text).SetName(name);
+        static TestCaseData Case(string name, Action<RadarCheckTests> spoil, string text) =>
+            new TestCaseData(spoil, text).SetName(name);
     }
 }

@@ -22,8 +22,10 @@ namespace Glint.Tests
             Assert.That((figures.Objects, figures.Triangles), Is.EqualTo((1L, 2L)));
             Assert.That(figures.TargetSize, Is.EqualTo(4 * sqrt(2.0)).Within(1e-6));
             Assert.That(figures.Rows().Single(row => row.label == "Wavelength").value, Is.EqualTo("29.979 mm"));
-            Assert.That(figures.Rows().Single(row => row.label == "Ray spacing").value, Is.EqualTo("256.6 mm, 8.56 wavelengths"));
-            Assert.That(figures.Rows().Single(row => row.label == "Rays").value, Is.EqualTo("160 x 90, 14,400 emitted"));
+            Assert.That(figures.Rows().Single(row => row.label == "Ray spacing").value,
+                Is.EqualTo("256.6 mm, 8.56 wavelengths"));
+            Assert.That(figures.Rows().Single(row => row.label == "Rays").value,
+                Is.EqualTo("160 x 90, 14,400 emitted"));
         }
 
         [Test]
@@ -32,9 +34,11 @@ namespace Glint.Tests
             _plate.transform.position = new Vector3(15, 0, 20);
             Assert.That(Figures().Distance, Is.EqualTo(25).Within(1e-6));
             Assert.That(Figures().Footprint.Value.y, Is.EqualTo(40 * tan(radians(30.0))).Within(1e-6));
-            // A mirror there that faces the radar lies on a circle of 25 m about it, and sends neighbours back 2 x 20 m x 2 tan(30 deg) / 90 apart, under an angle of asin(15 / 25).
+            // A mirror there that faces the radar lies on a circle of 25 m about it,
+            // and sends neighbours back 2 x 20 m x 2 tan(30 deg) / 90 apart, under an angle of asin(15 / 25).
             double step = 2 * 40 * tan(radians(30.0)) / 90 * 0.6 * 10e9 / Signal.SpeedOfLight;
-            Assert.That(Figures().Forecast.Value.LargestPathStep, Is.EqualTo(step).Within(25).Percent, "at the middle of the receiver");
+            Assert.That(Figures().Forecast.Value.LargestPathStep, Is.EqualTo(step).Within(25).Percent,
+                "at the middle of the receiver");
         }
 
         [Test]
@@ -77,8 +81,10 @@ namespace Glint.Tests
             var result = _radar.Trace(keep);
             _radar.KeptRays = keep;
             var memory = Figures().Memory;
-            Assert.That(memory.DeviceBytes, Is.InRange(0.4 * result.Work.BytesOnDevice, 1.5 * result.Work.BytesOnDevice));
-            Assert.That(memory.HostBytes, Is.GreaterThan(2000 * (3 * 12 + 3 * 4) + (keep == KeptRays.All ? 14400 * 48 : 0)));
+            Assert.That(memory.DeviceBytes,
+                Is.InRange(0.4 * result.Work.BytesOnDevice, 1.5 * result.Work.BytesOnDevice));
+            Assert.That(memory.HostBytes,
+                Is.GreaterThan(2000 * (3 * 12 + 3 * 4) + (keep == KeptRays.All ? 14400 * 48 : 0)));
         }
 
         RadarFigures Figures()

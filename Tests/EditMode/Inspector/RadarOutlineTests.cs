@@ -27,7 +27,8 @@ namespace Glint.Tests
             _radar.ReceiverSize = Vector2.zero;
             _radar.Receiver.localPosition = new Vector3(1, 1, -0.5f);
             AssertIsThatOfThePose();
-            Assert.That(Vector3.Distance(RadarOutline.Receiver(_radar)[0], RadarOutline.Receiver(_radar)[3]), Is.EqualTo(6).Within(1e-5));
+            Assert.That(Vector3.Distance(RadarOutline.Receiver(_radar)[0], RadarOutline.Receiver(_radar)[3]),
+                Is.EqualTo(6).Within(1e-5));
         }
 
         [Test]
@@ -46,11 +47,13 @@ namespace Glint.Tests
         {
             var pose = _radar.Gather();
             var view = pose.View;
-            double3 right = view.ReceiverSize.x / 2 * view.ReceiverRight, up = view.ReceiverSize.y / 2 * view.ReceiverUp, centre = pose.Scene.Origin + view.ReceiverCentre;
+            double3 right = view.ReceiverSize.x / 2 * view.ReceiverRight,
+                up = view.ReceiverSize.y / 2 * view.ReceiverUp, centre = pose.Scene.Origin + view.ReceiverCentre;
             var expected = new[] { centre - right - up, centre + right - up, centre + right + up, centre - right + up };
             var corners = RadarOutline.Receiver(_radar);
             Assert.That(corners.Length, Is.EqualTo(4));
-            Assert.That(corners.Zip(expected, (corner, place) => math.distance((double3)(float3)corner, place)).Max(), Is.LessThan(1e-4));
+            Assert.That(corners.Zip(expected, (corner, place) => math.distance((double3)(float3)corner, place)).Max(),
+                Is.LessThan(1e-4));
         }
     }
 }

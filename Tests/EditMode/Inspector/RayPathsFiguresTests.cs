@@ -27,7 +27,8 @@ namespace Glint.Tests
             Assert.That(RayPathsFigures.Rows(paths).Single().value, Is.EqualTo($"{_radar.Result.RaysReceived:N0}"));
             paths.ReceivedOnly = false;
             paths.Lines();
-            Assert.That(RayPathsFigures.Rows(paths).Single().value, Is.EqualTo($"{paths.Count:N0}; followed 100,000 of 230,400"));
+            Assert.That(RayPathsFigures.Rows(paths).Single().value,
+                Is.EqualTo($"{paths.Count:N0}; followed 100,000 of 230,400"));
         }
 
         [Test]

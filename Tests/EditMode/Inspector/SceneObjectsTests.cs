@@ -40,7 +40,8 @@ namespace Glint.Tests
 
             radar.Settings = TestRadar.Settings(480, 270);
             var result = radar.Trace();
-            var expected = TestKernels.TraceOnce(CornerReflector.Mesh, radar.Settings, AccuracyScene.PublishedView(CornerReflector.Distance, AccuracyScene.PublishedGrazingDegrees));
+            var expected = TestKernels.TraceOnce(CornerReflector.Mesh, radar.Settings,
+                AccuracyScene.PublishedView(CornerReflector.Distance, AccuracyScene.PublishedGrazingDegrees));
             Assert.That(result.RaysReceived, Is.GreaterThan(20));
             Assert.That(result.RaysHit, Is.EqualTo(expected.RaysHit).Within(5));
             Assert.That(result.RaysReceived, Is.EqualTo(expected.RaysReceived).Within(3));
@@ -59,7 +60,8 @@ namespace Glint.Tests
             check.Update();
 
             Assert.That(check.Findings.Where(finding => finding.Text.Contains("picture")), Is.Empty);
-            Assert.That(Vector3.Angle(radar.transform.forward, box.position - radar.transform.position), Is.LessThan(0.01));
+            Assert.That(Vector3.Angle(radar.transform.forward, box.position - radar.transform.position),
+                Is.LessThan(0.01));
             // Three halves of the diagonal; the view is 2 tan(30 deg) as high as it is far.
             Assert.That(check.Figures.Distance, Is.EqualTo(1.5 * math.sqrt(20 * 20 + 4 * 4 + 6 * 6)).Within(1e-3));
             Assert.That(check.Figures.Footprint.Value.y, Is.GreaterThan(check.Figures.TargetSize));
@@ -81,7 +83,8 @@ namespace Glint.Tests
         public void Ship_IsTheStandardOne()
         {
             var ship = SceneObjects.MakeShip(null);
-            Assert.That(SceneObjects.MakeRadar(ship.gameObject).GatherScene().TriangleCount, Is.EqualTo(ShipModel.Build(ShipSettings.Default).TriangleCount));
+            Assert.That(SceneObjects.MakeRadar(ship.gameObject).GatherScene().TriangleCount,
+                Is.EqualTo(ShipModel.Build(ShipSettings.Default).TriangleCount));
             Assert.That(ship.Settings, Is.EqualTo(ShipSettings.Default));
         }
 
@@ -94,7 +97,8 @@ namespace Glint.Tests
             var second = SceneObjects.MakeCornerReflector(parent);
             Assert.That(second.transform.parent, Is.SameAs(parent.transform));
             Assert.That(second.transform.position, Is.EqualTo(parent.transform.position));
-            Assert.That(second.GetComponentsInChildren<Transform>().Select(part => part.gameObject.layer), Is.All.EqualTo(5));
+            Assert.That(second.GetComponentsInChildren<Transform>().Select(part => part.gameObject.layer),
+                Is.All.EqualTo(5));
             Assert.That(first.name, Is.Not.EqualTo(second.name));
             Assert.That(Selection.activeGameObject, Is.SameAs(second));
         }
@@ -116,9 +120,13 @@ namespace Glint.Tests
         [Test]
         public void Menu_HasFourItemsThatMakeThem()
         {
-            var items = typeof(GlintMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic).Where(method => method.IsDefined(typeof(MenuItem), false)).ToArray();
+            var items = typeof(GlintMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
+                .Where(method => method.IsDefined(typeof(MenuItem), false)).ToArray();
             Assert.That(items.Select(item => item.GetCustomAttribute<MenuItem>().menuItem), Is.EquivalentTo(new[]
-                { "GameObject/Glint/Radar", "GameObject/Glint/Corner reflector", "GameObject/Glint/Sea", "GameObject/Glint/Ship" }));
+                {
+                    "GameObject/Glint/Radar", "GameObject/Glint/Corner reflector",
+                    "GameObject/Glint/Sea", "GameObject/Glint/Ship"
+                }));
             foreach (var item in items)
                 item.Invoke(null, new object[] { new MenuCommand(null) });
             Assert.That(EditorSceneManager.GetActiveScene().rootCount, Is.EqualTo(4));

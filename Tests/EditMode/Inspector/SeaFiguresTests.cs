@@ -22,9 +22,11 @@ namespace Glint.Tests
         [Test]
         public void Waves_NameEveryFieldThatCanBeSet_WithALabelAndATooltip()
         {
-            var fields = typeof(SeaSettings).GetFields(BindingFlags.Public | BindingFlags.Instance).Select(field => field.Name);
+            var fields = typeof(SeaSettings).GetFields(BindingFlags.Public | BindingFlags.Instance)
+                .Select(field => field.Name);
             Assert.That(SeaFigures.Waves.Select(it => it.field), Is.EqualTo(fields));
-            Assert.That(SeaFigures.Waves, Has.All.Matches<(string field, string label, string tooltip)>(it => it.label.Length > 0 && it.tooltip.EndsWith(".")));
+            Assert.That(SeaFigures.Waves, Has.All.Matches<(string field, string label, string tooltip)>(
+                it => it.label.Length > 0 && it.tooltip.EndsWith(".")));
         }
 
         [Test]
@@ -45,7 +47,8 @@ namespace Glint.Tests
         public void Rows_OfSnapshots_SayWhichIsShown()
         {
             foreach (int number in new[] { 1, 2 })
-                _sea.Snapshots.Add(AssetDatabase.LoadAssetAtPath<GameObject>($"Packages/com.glint.meshes/SeaState5/Snapshot 0{number}.prefab").GetComponent<SeaSnapshot>());
+                _sea.Snapshots.Add(AssetDatabase.LoadAssetAtPath<GameObject>(
+                    $"Packages/com.glint.meshes/SeaState5/Snapshot 0{number}.prefab").GetComponent<SeaSnapshot>());
             _sea.Snapshots.Add(null);
             _sea.Snapshot = 2;
             var settings = StoredSeas.SeaState5.Settings;

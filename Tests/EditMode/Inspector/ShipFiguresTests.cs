@@ -26,9 +26,11 @@ namespace Glint.Tests
         [Test]
         public void Measures_NameEveryFieldThatCanBeSet_WithALabelAndATooltip()
         {
-            var fields = typeof(ShipSettings).GetFields(BindingFlags.Public | BindingFlags.Instance).Select(field => field.Name);
+            var fields = typeof(ShipSettings).GetFields(BindingFlags.Public | BindingFlags.Instance)
+                .Select(field => field.Name);
             Assert.That(ShipFigures.Measures.Select(it => it.field), Is.EqualTo(fields));
-            Assert.That(ShipFigures.Measures, Has.All.Matches<(string field, string label, string tooltip)>(it => it.label.Length > 0 && it.tooltip.EndsWith(".")));
+            Assert.That(ShipFigures.Measures, Has.All.Matches<(string field, string label, string tooltip)>(
+                it => it.label.Length > 0 && it.tooltip.EndsWith(".")));
         }
 
         [Test]
@@ -42,7 +44,8 @@ namespace Glint.Tests
 
             Assert.That(Mesh, Is.Not.SameAs(before));
             Assert.That(Mesh.bounds.size.z, Is.EqualTo(70).Within(0.5));
-            Assert.That(ShipFigures.Rows(_ship).Single().value, Does.Contain($"{ShipModel.Build(measures).TriangleCount:N0} triangles"));
+            Assert.That(ShipFigures.Rows(_ship).Single().value,
+                Does.Contain($"{ShipModel.Build(measures).TriangleCount:N0} triangles"));
             Undo.PerformUndo();
             Assert.That(Mesh, Is.SameAs(before));
         }

@@ -25,17 +25,22 @@ namespace Glint.Tests
             // Transforms are float32: some micrometres at 41 m, and some 1e-7 of a direction.
             foreach (var (ours, theirs, tolerance) in new[]
             {
-                (view.Position, expected.Position, 5e-6), (view.ReceiverCentre, expected.ReceiverCentre, 5e-6), (view.Forward, expected.Forward, 2e-7), (view.Up, expected.Up, 2e-7),
-                (view.ReceiverForward, expected.ReceiverForward, 2e-7), (view.ReceiverUp, expected.ReceiverUp, 2e-7), (view.ReceiverRight, expected.ReceiverRight, 2e-7)
+                (view.Position, expected.Position, 5e-6), (view.ReceiverCentre, expected.ReceiverCentre, 5e-6),
+                (view.Forward, expected.Forward, 2e-7), (view.Up, expected.Up, 2e-7),
+                (view.ReceiverForward, expected.ReceiverForward, 2e-7), (view.ReceiverUp, expected.ReceiverUp, 2e-7),
+                (view.ReceiverRight, expected.ReceiverRight, 2e-7)
             })
                 Assert.That(length(ours - theirs), Is.LessThan(tolerance));
-            Assert.That((view.VerticalFovDegrees, view.ReceiverSize), Is.EqualTo((expected.VerticalFovDegrees, expected.ReceiverSize)));
+            Assert.That((view.VerticalFovDegrees, view.ReceiverSize),
+                Is.EqualTo((expected.VerticalFovDegrees, expected.ReceiverSize)));
             Assert.That(Corners(pose.Scene), Is.EqualTo(Corners(new RadarScene(CornerReflector.Mesh))));
         }
 
         // In steps of 0.1 mm, whatever their order.
-        static double3[] Corners(RadarScene scene) => scene.Instances.SelectMany(instance => instance.Mesh.Vertices.Select(vertex => instance.ToWorld.Point(vertex)))
-            .Select(point => round(1e4 * point) + 0.0).Distinct().OrderBy(point => point.x).ThenBy(point => point.y).ThenBy(point => point.z).ToArray();
+        static double3[] Corners(RadarScene scene) => scene.Instances.SelectMany(
+                instance => instance.Mesh.Vertices.Select(vertex => instance.ToWorld.Point(vertex)))
+            .Select(point => round(1e4 * point) + 0.0).Distinct().OrderBy(point => point.x).ThenBy(point => point.y)
+            .ThenBy(point => point.z).ToArray();
 
         [Test]
         public void OfTheCornerReflector_AreThoseOfItsMeasures()
@@ -45,7 +50,8 @@ namespace Glint.Tests
             check.Update();
             Assert.That(check.Findings, Is.Empty);
 
-            // Its plates fill a cube along its axes from -0.211 to 15.8985 m, which turns about (7.871, 7.871, 8.052) m. The axes lean over by 49.132 degrees.
+            // Its plates fill a cube along its axes from -0.211 to 15.8985 m, which turns about (7.871, 7.871, 8.052)
+            // m. The axes lean over by 49.132 degrees.
             double lean = radians(49.132), side = (15.8985 - 0.211) / 2;
             double3 along = double3(0, -sin(lean), -cos(lean)), z = double3(0, cos(lean), -sin(lean));
             double3 middle = sqrt(2.0) * (side - 7.871) * along + (side - 8.052) * z;

@@ -58,7 +58,8 @@ namespace Glint.Tests
         public void Update_SeveralLists_CountsEveryValueWithEveryOther()
         {
             AddRadar("Radar");
-            (_sweep.Angles, _sweep.GrazingAngles, _sweep.Distances, _sweep.Frequencies) = ("0:10:5", "5,10", "50,60,70", "9e9,10e9");
+            (_sweep.Angles, _sweep.GrazingAngles, _sweep.Distances, _sweep.Frequencies) =
+                ("0:10:5", "5,10", "50,60,70", "9e9,10e9");
             Assert.That(Found(), Is.Empty);
             Assert.That(_check.Plan.Count, Is.EqualTo(3 * 2 * 3 * 2));
             _sweep.Angles = "";
@@ -73,7 +74,8 @@ namespace Glint.Tests
         {
             AddRadar("Radar");
             (_sweep.Target, _sweep.Distances) = (null, "50,60");
-            Assert.That(Found().Single(), Does.StartWith("Error: Sweep of 'Sweep' has grazing angles or distances and no target"));
+            Assert.That(Found().Single(),
+                Does.StartWith("Error: Sweep of 'Sweep' has grazing angles or distances and no target"));
             (_sweep.Distances, _sweep.Frequencies) = ("", "9e9,10e9");
             Assert.That(Found(), Is.Empty);
             Assert.That(_check.Plan.Count, Is.EqualTo(2));
@@ -117,6 +119,7 @@ namespace Glint.Tests
             return _check.Findings.Select(finding => finding.ToString()).ToArray();
         }
 
-        static RadarController AddRadar(string name) => new GameObject(name, typeof(Camera)).AddComponent<RadarController>();
+        static RadarController AddRadar(string name) =>
+            new GameObject(name, typeof(Camera)).AddComponent<RadarController>();
     }
 }

@@ -7,7 +7,10 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The kernel against the judge, ray by ray, near and far: lengths, phases, and the few rays that pass an edge on its other side.</summary>
+    /// <summary>
+    /// The kernel against the judge, ray by ray, near and far: lengths, phases,
+    /// and the few rays that pass an edge on its other side.
+    /// </summary>
     public sealed class AccuracyTests
     {
         const double CornerTolerance = 1e-5, RoughTolerance = 5e-5; // m
@@ -18,7 +21,8 @@ namespace Glint.Tests
         static readonly RadarSettings s_settings = TestRadar.Settings(960, 540);
 
         [Test]
-        public void Trace_CornerReflector_LengthsAreTheJudges([Values(50, 1e4, 1e5)] double range, [Values] bool isParallel)
+        public void Trace_CornerReflector_LengthsAreTheJudges([Values(50, 1e4, 1e5)] double range,
+            [Values] bool isParallel)
         {
             var total = new Total(CornerTolerance, amplitude: 1e-3);
             foreach (double angle in new[] { 0, 9, 17, 23, 28, 35 })
@@ -34,44 +38,57 @@ namespace Glint.Tests
         [Test]
         public void Trace_CornerReflectorAtTenKilometres_LengthsSpreadAsTheJudgesDo()
         {
-            // The field of view of the published check. Rays to the vertex, 6 m off the axis, differ by 2 R t dt: t = 6e-4 rad, dt = 1.5e-4 rad.
+            // The field of view of the published check. Rays to the vertex, 6 m off the axis, differ by 2 R t dt:
+            // t = 6e-4 rad, dt = 1.5e-4 rad.
             var settings = TestRadar.Settings(1920, 1080);
             var view = CornerView(1e4);
             view.VerticalFovDegrees = 0.3;
             var scene = CornerReflector.Turned(0);
-            double[] kernel = Trace(scene, settings, view, KeptRays.Received).Rays.Select(ray => ray.ExactPathLength).ToArray();
-            double[] judge = new Judge(scene, settings, view).TraceAll().Where(ray => ray.Received).Select(ray => ray.PathLength).ToArray();
+            double[] kernel = Trace(scene, settings, view, KeptRays.Received)
+                .Rays.Select(ray => ray.ExactPathLength).ToArray();
+            double[] judge = new Judge(scene, settings, view).TraceAll().Where(ray => ray.Received)
+                .Select(ray => ray.PathLength).ToArray();
             Assert.That(kernel.Length, Is.GreaterThan(300));
             Assert.That(Spread(judge), Is.GreaterThan(1e-3));
             Assert.That(Spread(kernel), Is.EqualTo(Spread(judge)).Within(CornerTolerance));
         }
 
         [Test]
-        public void Trace_FurrowedWallOf80000Triangles_LengthsAreTheJudges([Values(50, 1e4)] double range, [Values] bool isParallel)
+        public void Trace_FurrowedWallOf80000Triangles_LengthsAreTheJudges([Values(50, 1e4)] double range,
+            [Values] bool isParallel)
         {
-            // Furrows at right angles send rays back whatever their tilt across; that along them misses a receiver of 30 m when it exceeds this.
-            // Every ray bounces twice between ridges 1.3 m apart, at 45 degrees: it passes some ten edges a metre, a sea's ray three.
+            // Furrows at right angles send rays back whatever their tilt across;
+            // that along them misses a receiver of 30 m when it exceeds this.
+            // Every ray bounces twice between ridges 1.3 m apart, at 45 degrees:
+            // it passes some ten edges a metre, a sea's ray three.
             double tilt = 10 / range;
-            var view = TestRadar.LookAt(range * normalize(double3(0.3, 0, 1)), double3(0.0173, 0.0311, 0), degrees(2 * atan(30 / range)));
+            var view = TestRadar.LookAt(range * normalize(double3(0.3, 0, 1)), double3(0.0173, 0.0311, 0),
+                degrees(2 * atan(30 / range)));
             view.ApertureHeight = isParallel ? 60 : 0;
             view.ReceiverSize = 30;
             var turned = Affine.FromTransform(0, double4(0.2, 0.1, -0.3, 0.9), 1);
             var total = new Total(RoughTolerance, amplitude: 1e-2);
-            total.Add(new RadarScene(new MeshInstance { Mesh = FurrowedWall(200, 130, tilt), ToWorld = turned }), s_settings, Turned(view, turned));
+            total.Add(new RadarScene(new MeshInstance { Mesh = FurrowedWall(200, 130, tilt), ToWorld = turned }),
+                s_settings, Turned(view, turned));
             total.Check(leastReceived: 5000);
         }
 
         [Test]
         public void Trace_SmallFurrowedWallInTheMiddleOfALargeScene_LengthsAreTheJudges([Values] bool isParallel)
         {
-            // Rays come 60 m, and their places there are as rounded, but where they are reflected coordinates are small and ridges 2 cm apart.
+            // Rays come 60 m, and their places there are as rounded, but where they are reflected coordinates
+            // are small and ridges 2 cm apart.
             var view = TestRadar.LookAt(50 * normalize(double3(0.3, 0, 1)), 0, degrees(2 * atan(0.5 / 50)));
             view.ApertureHeight = isParallel ? 1 : 0;
             view.ReceiverSize = 30;
             var turned = Affine.FromTransform(0, double4(0.2, 0.1, -0.3, 0.9), 1);
-            MeshInstance Corner(double place) => new MeshInstance { Mesh = FurrowedWall(1, 1, 0), ToWorld = Affine.FromTransform(place, double4(0, 0, 0, 1), 1) };
+            MeshInstance Corner(double place) => new MeshInstance
+            {
+                Mesh = FurrowedWall(1, 1, 0), ToWorld = Affine.FromTransform(place, double4(0, 0, 0, 1), 1)
+            };
             var total = new Total(RoughTolerance, amplitude: 1e-2);
-            total.Add(new RadarScene(new MeshInstance { Mesh = FurrowedWall(200, 2, 0.2), ToWorld = turned }, Corner(-40), Corner(40)), s_settings, Turned(view, turned));
+            total.Add(new RadarScene(new MeshInstance { Mesh = FurrowedWall(200, 2, 0.2), ToWorld = turned },
+                Corner(-40), Corner(40)), s_settings, Turned(view, turned));
             total.Check(leastReceived: 5000);
         }
 
@@ -83,7 +100,9 @@ namespace Glint.Tests
             var view = TestRadar.LookAt(range * normalize(double3(0.01, 1, -0.02)), 0, degrees(2 * atan(45 / range)));
             view.ReceiverSize = 150;
             var total = new Total(RoughTolerance, amplitude: 1e-2);
-            total.Add(new RadarScene(new MeshInstance { Mesh = made.Sea, ToWorld = Affine.Identity }, new MeshInstance { Mesh = made.Ship, ToWorld = Affine.FromTransform(0, double4(0, 0.3, 0, 1), 1) }), s_settings, view);
+            total.Add(new RadarScene(new MeshInstance { Mesh = made.Sea, ToWorld = Affine.Identity },
+                    new MeshInstance { Mesh = made.Ship, ToWorld = Affine.FromTransform(0, double4(0, 0.3, 0, 1), 1) }),
+                s_settings, view);
             total.Check(leastReceived: 100);
         }
 
@@ -95,7 +114,8 @@ namespace Glint.Tests
             return view;
         }
 
-        // A wall across the z axis: furrows along y, 45 degrees steep, their ridges and floors roughened so that facets tilt by about so many radians.
+        // A wall across the z axis: furrows along y, 45 degrees steep, their ridges and floors roughened so that facets
+        // tilt by about so many radians.
         static TriangleMesh FurrowedWall(int cells, float side, double tilt)
         {
             var random = new System.Random(1);
@@ -103,7 +123,8 @@ namespace Glint.Tests
             float step = side / cells;
             var vertices = new float3[points * points];
             for (int i = 0; i < vertices.Length; i++)
-                vertices[i] = float3(step * (i % points) - side / 2, step * (i / points) - side / 2, (float)(step * (i % points % 2 + tilt * (random.NextDouble() - 0.5))));
+                vertices[i] = float3(step * (i % points) - side / 2, step * (i / points) - side / 2,
+                    (float)(step * (i % points % 2 + tilt * (random.NextDouble() - 0.5))));
             var indices = Enumerable.Range(0, cells * cells).Select(i => i / cells * points + i % cells)
                 .SelectMany(a => new[] { a, a + 1, a + points, a + 1, a + 1 + points, a + points }).ToArray();
             return new TriangleMesh(vertices, indices);
@@ -135,7 +156,9 @@ namespace Glint.Tests
             long _rays, _received, _atEdge;
 
             /// <param name="lengthTolerance">Metres.</param>
-            /// <param name="amplitude">Tolerance of a pose's amplitude, of the root of the number of rays received.</param>
+            /// <param name="amplitude">
+            /// Tolerance of a pose's amplitude, of the root of the number of rays received.
+            /// </param>
             public Total(double lengthTolerance, double amplitude)
             {
                 _lengthTolerance = lengthTolerance;
@@ -146,11 +169,14 @@ namespace Glint.Tests
             {
                 var comparison = new RayComparison(scene, settings, view, _lengthTolerance);
                 comparison.Add(Trace(scene, settings, view, KeptRays.All).Rays);
-                string message = FormattableString.Invariant($"{comparison.Rays} rays, {comparison.KernelSums.RaysReceived} received, {comparison.AtEdge} at edges, {comparison.Wrong} wrong; lengths differ by {1e6 * comparison.LargestLengthDifference:g3} um, rms {1e6 * comparison.RmsLengthDifference:g3}, phases by {comparison.LargestPhaseDifference:g3} rad, amplitudes {comparison.KernelSums.Amplitude:r} and {comparison.JudgeSums.Amplitude:r}");
+                string message = FormattableString.Invariant(
+                    $"{comparison.Rays} rays, {comparison.KernelSums.RaysReceived} received, {comparison.AtEdge} at edges, {comparison.Wrong} wrong; lengths differ by {1e6 * comparison.LargestLengthDifference:g3} um, rms {1e6 * comparison.RmsLengthDifference:g3}, phases by {comparison.LargestPhaseDifference:g3} rad, amplitudes {comparison.KernelSums.Amplitude:r} and {comparison.JudgeSums.Amplitude:r}");
                 TestContext.WriteLine(message);
                 Assert.That(comparison.Wrong, Is.Zero, message);
-                Assert.That(comparison.LargestPhaseDifference, Is.LessThan(2 * PI_DBL * _lengthTolerance / settings.Wavelength + 4e-4), message);
-                Assert.That(comparison.KernelSums.Amplitude, Is.EqualTo(comparison.JudgeSums.Amplitude).Within(_amplitudeTolerance * sqrt(comparison.KernelSums.RaysReceived)), message);
+                Assert.That(comparison.LargestPhaseDifference,
+                    Is.LessThan(2 * PI_DBL * _lengthTolerance / settings.Wavelength + 4e-4), message);
+                Assert.That(comparison.KernelSums.Amplitude, Is.EqualTo(comparison.JudgeSums.Amplitude)
+                    .Within(_amplitudeTolerance * sqrt(comparison.KernelSums.RaysReceived)), message);
                 _rays += comparison.Rays;
                 _received += comparison.KernelSums.RaysReceived;
                 _atEdge += comparison.AtEdge;

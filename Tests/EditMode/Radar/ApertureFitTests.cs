@@ -22,7 +22,8 @@ namespace Glint.Tests
             ApertureFit.Cover(ref pose, spacing, "Radar");
             Assert.That((pose.Settings.RaysAcross, pose.Settings.RaysDown), Is.EqualTo((across, down)));
             Assert.That(pose.View.ApertureHeight, Is.EqualTo(down * spacing));
-            Assert.That(distance(pose.View.Position, new double3(5, 7, 100)), Is.LessThan(1e-12), "moved sideways only");
+            Assert.That(distance(pose.View.Position, new double3(5, 7, 100)),
+                Is.LessThan(1e-12), "moved sideways only");
             Assert.That(pose.Settings.FrequencyHz, Is.EqualTo(10e9), "the rest stays");
         }
 
@@ -37,7 +38,8 @@ namespace Glint.Tests
             {
                 Mesh = Triangles(Enumerable.Range(0, 30).Select(__ => (float3)Point(1)).ToArray()),
                 // Stretched, sheared and mirrored as it comes.
-                ToWorld = new Affine { X = Point(size), Y = Point(size), Z = Point(size), Origin = Point(far) + Point(size) },
+                ToWorld =
+                    new Affine { X = Point(size), Y = Point(size), Z = Point(size), Origin = Point(far) + Point(size) },
             }).ToArray());
             var before = Pose(scene, Point(far));
             (before.View.Forward, before.View.Up) = (normalize(Point(1)), Y);
@@ -45,7 +47,9 @@ namespace Glint.Tests
             before.View.Up = cross(before.View.Forward, before.View.Right);
 
             var pose = before;
-            var seen = SceneBuilder.Corners(scene).Select(corner => new double2(dot(corner - before.View.Position, before.View.Right), dot(corner - before.View.Position, before.View.Up))).ToArray();
+            var seen = SceneBuilder.Corners(scene)
+                .Select(corner => new double2(dot(corner - before.View.Position, before.View.Right),
+                    dot(corner - before.View.Position, before.View.Up))).ToArray();
             double2 extent = seen.Aggregate(max) - seen.Aggregate(min);
             double spacing = cmax(extent) / (10 + 500 * random.NextDouble());
             ApertureFit.Cover(ref pose, spacing, "Radar");
@@ -65,7 +69,8 @@ namespace Glint.Tests
         public void Cover_VerticesWithoutATriangle_AreNothingToSee()
         {
             var plate = Plate(0, 1, 0, 1);
-            var scene = new RadarScene(new TriangleMesh(plate.Vertices.Append(new float3(1000, 1000, 0)).ToArray(), plate.Indices));
+            var scene = new RadarScene(
+                new TriangleMesh(plate.Vertices.Append(new float3(1000, 1000, 0)).ToArray(), plate.Indices));
             var pose = Pose(scene, 0);
             ApertureFit.Cover(ref pose, 0.1, "Radar");
             Assert.That((pose.Settings.RaysAcross, pose.Settings.RaysDown), Is.EqualTo((10, 10)));
@@ -77,7 +82,8 @@ namespace Glint.Tests
             foreach (var scene in new[] { new RadarScene(), new RadarScene(Triangles()) })
             {
                 var pose = Pose(scene, 0);
-                Assert.That(Assert.Throws<GlintException>(() => ApertureFit.Cover(ref pose, 1, "Radar 'X'")).Message, Does.StartWith("Radar 'X': there is nothing to fit its aperture to"));
+                Assert.That(Assert.Throws<GlintException>(() => ApertureFit.Cover(ref pose, 1, "Radar 'X'")).Message,
+                    Does.StartWith("Radar 'X': there is nothing to fit its aperture to"));
             }
         }
 
@@ -88,7 +94,8 @@ namespace Glint.Tests
         public void Cover_SpacingThatIsNone_IsRefused(double spacing)
         {
             var pose = Pose(Plate(0, 1, 0, 1), 0);
-            Assert.That(Assert.Throws<GlintException>(() => ApertureFit.Cover(ref pose, spacing, "Radar 'X'")).Message, Does.StartWith("Radar 'X': ray spacing ").And.Contain("positive and finite"));
+            Assert.That(Assert.Throws<GlintException>(() => ApertureFit.Cover(ref pose, spacing, "Radar 'X'")).Message,
+                Does.StartWith("Radar 'X': ray spacing ").And.Contain("positive and finite"));
         }
 
         [TestCase(0.000001)] // 1,000,000 across
@@ -96,8 +103,10 @@ namespace Glint.Tests
         public void Cover_MoreRaysThanAPictureHas_IsRefusedWithTheirNumber(double spacing)
         {
             var pose = Pose(Plate(0, 1, 0, 1), 0);
-            string message = Assert.Throws<GlintException>(() => ApertureFit.Cover(ref pose, spacing, "Radar 'X'")).Message;
-            Assert.That(message, Does.StartWith("Radar 'X': rays ").And.Contain(spacing == 1e-6 ? "1000000 x 1000000" : "100000 x 100000").And.Contain("larger spacing"));
+            string message =
+                Assert.Throws<GlintException>(() => ApertureFit.Cover(ref pose, spacing, "Radar 'X'")).Message;
+            Assert.That(message, Does.StartWith("Radar 'X': rays ")
+                .And.Contain(spacing == 1e-6 ? "1000000 x 1000000" : "100000 x 100000").And.Contain("larger spacing"));
         }
 
         [Test]
@@ -131,8 +140,10 @@ namespace Glint.Tests
         };
 
         static TriangleMesh Plate(float left, float right, float low, float high) =>
-            new TriangleMesh(new[] { new float3(left, low, 0), new float3(left, high, 0), new float3(right, high, 0), new float3(right, low, 0) }, new[] { 0, 1, 2, 0, 2, 3 });
+            new TriangleMesh(new[] { new float3(left, low, 0), new float3(left, high, 0), new float3(right, high, 0),
+                new float3(right, low, 0) }, new[] { 0, 1, 2, 0, 2, 3 });
 
-        static TriangleMesh Triangles(params float3[] corners) => new TriangleMesh(corners, Enumerable.Range(0, corners.Length).ToArray());
+        static TriangleMesh Triangles(params float3[] corners) =>
+            new TriangleMesh(corners, Enumerable.Range(0, corners.Length).ToArray());
     }
 }

@@ -14,8 +14,10 @@ namespace Glint.Tests
             for (int t = 0; t < scene.TriangleCount; t++)
             {
                 scene.GetTriangle(t, out var a, out var b, out var c);
-                double3 e1 = (double3)b - a, e2 = (double3)c - a, p = cross(direction, e2), s = origin - a, q = cross(s, e1);
-                double determinant = dot(e1, p), u = dot(s, p) / determinant, v = dot(direction, q) / determinant, distance = dot(e2, q) / determinant;
+                double3 e1 = (double3)b - a, e2 = (double3)c - a, p = cross(direction, e2),
+                    s = origin - a, q = cross(s, e1);
+                double determinant = dot(e1, p), u = dot(s, p) / determinant, v = dot(direction, q) / determinant,
+                    distance = dot(e2, q) / determinant;
                 if (u >= 0 && v >= 0 && u + v <= 1 && distance > 0 && distance < nearest)
                     (hit, nearest) = (t, distance);
             }

@@ -7,7 +7,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// Plate, dihedral and trihedral at any range: the radar's image in the mirrors sends every ray straight to the receiver, whatever the order of the bounces.
+    /// Plate, dihedral and trihedral at any range: the radar's image in the mirrors sends every ray straight
+    /// to the receiver, whatever the order of the bounces.
     /// </summary>
     public sealed class ClosedFormTests
     {
@@ -25,7 +26,8 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Judge_EveryReceivedRay_IsAsLongAsFromTheImage([Values] Target target, [Values(50, 1e4, 1e5)] double range, [Values] bool isParallel)
+        public void Judge_EveryReceivedRay_IsAsLongAsFromTheImage([Values] Target target,
+            [Values(50, 1e4, 1e5)] double range, [Values] bool isParallel)
         {
             var setting = new Setting(target, range, isParallel);
             var rays = new Judge(setting.Scene, setting.Settings, setting.View).TraceAll();
@@ -38,30 +40,37 @@ namespace Glint.Tests
                 compared++;
                 var expected = setting.Path(pixel);
                 Assert.That(ray.PathLength, Is.EqualTo(expected.Length).Within(JudgeTolerance), $"pixel {pixel}");
-                Assert.That(distance(ray.Direction, expected.Direction), Is.LessThan(1e-14), $"pixel {pixel}: direction");
+                Assert.That(distance(ray.Direction, expected.Direction), Is.LessThan(1e-14),
+                    $"pixel {pixel}: direction");
                 double3 fromImage = ray.LastHit - expected.Image;
-                Assert.That(length(fromImage - dot(fromImage, expected.Direction) * expected.Direction), Is.LessThan(JudgeTolerance), $"pixel {pixel}: the last hit is on the line from the image");
-                Assert.That(ray.LengthToLastHit, Is.EqualTo(dot(fromImage, expected.Direction)).Within(JudgeTolerance), $"pixel {pixel}: to the last hit");
+                Assert.That(length(fromImage - dot(fromImage, expected.Direction) * expected.Direction),
+                    Is.LessThan(JudgeTolerance), $"pixel {pixel}: the last hit is on the line from the image");
+                Assert.That(ray.LengthToLastHit, Is.EqualTo(dot(fromImage, expected.Direction)).Within(JudgeTolerance),
+                    $"pixel {pixel}: to the last hit");
             }
             Assert.That(compared, Is.GreaterThan(40));
         }
 
         [Test]
-        public void Kernel_EveryReceivedRay_IsAsLongAsFromTheImage([Values] Target target, [Values(50, 1e4, 1e5)] double range, [Values] bool isParallel)
+        public void Kernel_EveryReceivedRay_IsAsLongAsFromTheImage([Values] Target target,
+            [Values(50, 1e4, 1e5)] double range, [Values] bool isParallel)
         {
             var setting = new Setting(target, range, isParallel);
             RayData[] rays;
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
                 tracer.SetScene(setting.Scene);
-                rays = tracer.Trace(setting.Settings, setting.View, KeptRays.Received).Rays.Where(ray => ray.Bounces == setting.Bounces).ToArray();
+                rays = tracer.Trace(setting.Settings, setting.View, KeptRays.Received)
+                    .Rays.Where(ray => ray.Bounces == setting.Bounces).ToArray();
             }
             foreach (var ray in rays)
             {
                 var expected = setting.Path((int)ray.Pixel);
-                Assert.That(ray.ExactPathLength, Is.EqualTo(expected.Length).Within(KernelTolerance), $"pixel {ray.Pixel}");
+                Assert.That(ray.ExactPathLength,
+                    Is.EqualTo(expected.Length).Within(KernelTolerance), $"pixel {ray.Pixel}");
                 double phase = Signal.Phase(expected.Length, setting.Settings.Wavelength);
-                Assert.That(abs(System.Math.IEEERemainder(ray.Phase - phase, 2 * PI_DBL)), Is.LessThan(0.0025), $"pixel {ray.Pixel}: phase");
+                Assert.That(abs(System.Math.IEEERemainder(ray.Phase - phase, 2 * PI_DBL)), Is.LessThan(0.0025),
+                    $"pixel {ray.Pixel}: phase");
             }
             Assert.That(rays.Length, Is.GreaterThan(40));
         }
@@ -76,7 +85,8 @@ namespace Glint.Tests
         sealed class Setting
         {
             // Turned so that no normal is a number that float32 has.
-            static readonly Affine s_place = Affine.FromTransform(double3(117.5, -31.25, 43), double4(0.3, -0.2, 0.5, 0.8), 1);
+            static readonly Affine s_place =
+                Affine.FromTransform(double3(117.5, -31.25, 43), double4(0.3, -0.2, 0.5, 0.8), 1);
 
             readonly double3[] _mirrors;
 
@@ -89,15 +99,18 @@ namespace Glint.Tests
                         (Mesh, _mirrors, toRadar) = (TestRadar.FacingPlate(4, 0), new[] { z }, -z);
                         break;
                     case Target.TiltedPlate:
-                        (Mesh, _mirrors, toRadar) = (TestRadar.FacingPlate(4, 0), new[] { z }, normalize(0.3 * x + 0.4 * y - z));
+                        (Mesh, _mirrors, toRadar) =
+                            (TestRadar.FacingPlate(4, 0), new[] { z }, normalize(0.3 * x + 0.4 * y - z));
                         break;
                     case Target.Dihedral:
                         var floor = TestRadar.Plate(float3(-2, 0, 0), float3(4, 0, 0), float3(0, 0, -4));
                         var wall = TestRadar.Plate(float3(-2, 0, 0), float3(4, 0, 0), float3(0, 4, 0));
-                        (Mesh, _mirrors, toRadar) = (TestRadar.Join(floor, wall), new[] { y, z }, normalize(4 * y - 5 * z));
+                        (Mesh, _mirrors, toRadar) =
+                            (TestRadar.Join(floor, wall), new[] { y, z }, normalize(4 * y - 5 * z));
                         break;
                     default:
-                        (Mesh, _mirrors, toRadar) = (TestRadar.Trihedral(0, 4), new[] { x, y, z }, normalize(9 * x + 10 * y + 11 * z));
+                        (Mesh, _mirrors, toRadar) =
+                            (TestRadar.Trihedral(0, 4), new[] { x, y, z }, normalize(9 * x + 10 * y + 11 * z));
                         break;
                 }
                 View = TestRadar.LookAt(vertex + range * toRadar, vertex, degrees(2 * atan(HalfPicture / range)));
@@ -107,7 +120,8 @@ namespace Glint.Tests
                 {
                     var mirrored = TestRadar.LookAt(vertex + range * (2 * dot(toRadar, z) * z - toRadar), vertex);
                     View.ReceiverCentre = mirrored.ReceiverCentre;
-                    (View.ReceiverRight, View.ReceiverUp, View.ReceiverForward) = (mirrored.Right, mirrored.Up, mirrored.Forward);
+                    (View.ReceiverRight, View.ReceiverUp, View.ReceiverForward) =
+                        (mirrored.Right, mirrored.Up, mirrored.Forward);
                 }
             }
 
@@ -124,13 +138,18 @@ namespace Glint.Tests
 
             public Line Path(int pixel)
             {
-                var line = new Line { Image = TestRadar.Start(Settings, View, pixel), Direction = TestRadar.Direction(Settings, View, pixel) };
+                var line = new Line
+                {
+                    Image = TestRadar.Start(Settings, View, pixel),
+                    Direction = TestRadar.Direction(Settings, View, pixel)
+                };
                 foreach (var normal in _mirrors)
                 {
                     line.Image -= 2 * dot(line.Image - s_place.Origin, normal) * normal;
                     line.Direction -= 2 * dot(line.Direction, normal) * normal;
                 }
-                line.Length = dot(View.ReceiverCentre - line.Image, View.ReceiverForward) / dot(line.Direction, View.ReceiverForward);
+                line.Length = dot(View.ReceiverCentre - line.Image, View.ReceiverForward)
+                    / dot(line.Direction, View.ReceiverForward);
                 return line;
             }
         }

@@ -6,7 +6,10 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>Where float32 cannot tell what is met: what a ray may do there, and that nothing else comes of it. The cases are those of method.md, Known limits.</summary>
+    /// <summary>
+    /// Where float32 cannot tell what is met: what a ray may do there, and that nothing else comes of it.
+    /// The cases are those of method.md, Known limits.
+    /// </summary>
     public sealed class DegenerateTests
     {
         const double LengthTolerance = 1e-5; // m
@@ -30,7 +33,8 @@ namespace Glint.Tests
                 double3 direction = TestRadar.Direction(settings, view, (int)rays[i].Pixel);
                 if (rays[i].Bounces == expected[i].Bounces)
                 {
-                    Assert.That(rays[i].ExactPathLength, Is.EqualTo(expected[i].LengthToEnd).Within(LengthTolerance), $"ray {i}");
+                    Assert.That(rays[i].ExactPathLength,
+                        Is.EqualTo(expected[i].LengthToEnd).Within(LengthTolerance), $"ray {i}");
                     continue;
                 }
                 // The judge's ray begins on the triangle and leaves it; this one is mirrored by it where it begins.
@@ -54,10 +58,12 @@ namespace Glint.Tests
         [TestCase(1, false, 0)]
         [TestCase(2, true, 0.2)]
         [TestCase(2, false, 0.2)]
-        public void Trace_CoplanarSlivers_AreMetAgainNowAndThenWhenTheyAreDuplicates(int copies, bool asSoftware, double mostWrong)
+        public void Trace_CoplanarSlivers_AreMetAgainNowAndThenWhenTheyAreDuplicates(int copies,
+            bool asSoftware, double mostWrong)
         {
             var slivers = Enumerable.Range(0, 1000 * copies).Select(i => -2 + 0.004f * (i / copies)).Select(x =>
-                new TriangleMesh(new[] { float3(x, -2.05f, 0.13f * x), float3(x + 4e-5f, -2.05f, 0.13f * (x + 4e-5f) + 1e-7f), float3(x + 0.7f, 2.05f, 0.13f * x + 1.3f) }, new[] { 0, 1, 2 }));
+                new TriangleMesh(new[] { float3(x, -2.05f, 0.13f * x), float3(x + 4e-5f, -2.05f,
+                    0.13f * (x + 4e-5f) + 1e-7f), float3(x + 0.7f, 2.05f, 0.13f * x + 1.3f) }, new[] { 0, 1, 2 }));
             var scene = new RadarScene(TestRadar.Join(slivers.Append(TestRadar.FacingPlate(30, -12)).ToArray()));
             var settings = TestRadar.Settings(320, 180);
             var view = TestRadar.LookAt(double3(0.3, 0.2, -10), 0, fov: 20);
@@ -70,7 +76,8 @@ namespace Glint.Tests
                 Assert.That(ray.Bounces, Is.LessThanOrEqualTo(settings.MaxBounces));
             }
             // What is met first is right in any case.
-            Assert.That(result.RaysHit, Is.EqualTo(new Judge(scene, settings, view).TraceAll().Count(ray => ray.Bounces > 0)).Within(3));
+            Assert.That(result.RaysHit,
+                Is.EqualTo(new Judge(scene, settings, view).TraceAll().Count(ray => ray.Bounces > 0)).Within(3));
             Assert.That(result.RaysHit, Is.GreaterThan(100));
             Assert.That(comparison.Wrong, Is.LessThanOrEqualTo(mostWrong * result.RaysHit));
         }
@@ -83,7 +90,9 @@ namespace Glint.Tests
         public void Trace_TriangleSmallerThanAStep_IsMetNearItOrNotAtAll(float size, bool asSoftware)
         {
             float3 corner = float3(31.7f, 12.3f, 45.1f);
-            var tiny = new TriangleMesh(new[] { corner, corner + size * float3(1, 0, 0.1f), corner + size * float3(0, 1, 0.2f) }, new[] { 0, 1, 2 });
+            var tiny = new TriangleMesh(
+                new[] { corner, corner + size * float3(1, 0, 0.1f), corner + size * float3(0, 1, 0.2f) },
+                new[] { 0, 1, 2 });
             var scene = new RadarScene(TestRadar.Join(tiny, TestRadar.FacingPlate(130, 65)));
             double3 from = double3(-20, 5, -60), to = (double3)corner - from;
             double there = length(to), step = Step(2 * new Judge(scene, TestRadar.Settings(), default).SceneRadius);
@@ -99,7 +108,8 @@ namespace Glint.Tests
                 if (abs(ray.ExactPathLength - toWall) < 10 * step)
                     continue;
                 met++;
-                Assert.That(ray.ExactPathLength, Is.EqualTo(there).Within(10 * step), "neither the triangle nor the wall");
+                Assert.That(ray.ExactPathLength, Is.EqualTo(there).Within(10 * step),
+                    "neither the triangle nor the wall");
                 Assert.That(length(cross(direction, to)), Is.LessThan(2 * size + step), "aside of the triangle");
             }
             // Rays are so near to each other that the larger triangle fills some of the picture.
@@ -118,10 +128,12 @@ namespace Glint.Tests
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
                 for (int pose = 0; pose < 40; pose++)
                 {
-                    var place = Affine.FromTransform(double3(1, -2, 3), double4(Next() - 0.5, Next() - 0.5, Next() - 0.5, Next() - 0.5), 1);
+                    var place = Affine.FromTransform(double3(1, -2, 3),
+                        double4(Next() - 0.5, Next() - 0.5, Next() - 0.5, Next() - 0.5), 1);
                     double3 onEdge = 0;
                     onEdge[pose % 3] = 0.2 + 3 * Next();
-                    double3 at = place.Point(onEdge), back = place.Vector(normalize(0.3 + double3(Next(), Next(), Next())));
+                    double3 at = place.Point(onEdge),
+                        back = place.Vector(normalize(0.3 + double3(Next(), Next(), Next())));
                     var view = TestRadar.LookAt(at + 10 * back, at);
                     view.ApertureHeight = settings.RaysDown * spacing;
                     view.ReceiverSize = 10;
@@ -140,14 +152,25 @@ namespace Glint.Tests
             Assert.That(received, Is.GreaterThan(rays / 4));
         }
 
-        // Every triangle twice, and the whole small in its scene: the place of a hit is rounded as places in the scene are.
+        // Every triangle twice, and the whole small in its scene:
+        // the place of a hit is rounded as places in the scene are.
         [Test]
-        public void Trace_PlateThatIsThereTwiceInASceneOfKilometres_IsMetOnce([Values] bool asSoftware, [Values(100, 1e4)] double sceneSize)
+        public void Trace_PlateThatIsThereTwiceInASceneOfKilometres_IsMetOnce([Values] bool asSoftware,
+            [Values(100, 1e4)] double sceneSize)
         {
             var plate = TestRadar.FacingPlate(10, 0);
             var place = Affine.FromTransform(double3(-0.31, 0.17, 0.23) * sceneSize, double4(0.1, -0.2, 0.05, 0.97), 1);
-            var scene = new RadarScene(new MeshInstance { Mesh = TestRadar.Join(plate, plate), ToWorld = place }, new MeshInstance { Mesh = TestRadar.FacingPlate(1, 0), ToWorld = Affine.FromTransform(sceneSize / 2, double4(0, 0, 0, 1), 1) },
-                new MeshInstance { Mesh = TestRadar.FacingPlate(1, 0), ToWorld = Affine.FromTransform(-sceneSize / 2, double4(0, 0, 0, 1), 1) });
+            var scene = new RadarScene(new MeshInstance { Mesh = TestRadar.Join(plate, plate), ToWorld = place },
+                new MeshInstance
+                {
+                    Mesh = TestRadar.FacingPlate(1, 0),
+                    ToWorld = Affine.FromTransform(sceneSize / 2, double4(0, 0, 0, 1), 1)
+                },
+                new MeshInstance
+                {
+                    Mesh = TestRadar.FacingPlate(1, 0),
+                    ToWorld = Affine.FromTransform(-sceneSize / 2, double4(0, 0, 0, 1), 1)
+                });
             var view = TestRadar.LookAt(place.Point(double3(0.1, 0.2, -40)), place.Origin, fov: 10);
             view.ReceiverSize = 30;
             var result = Trace(scene, TestRadar.Settings(), view, asSoftware);
@@ -157,22 +180,26 @@ namespace Glint.Tests
             Assert.That(result.Bounces, Is.EqualTo(result.RaysHit));
         }
 
-        // Strips a thousand times as long as wide: their normals must be good enough to tell what may come back to a receiver 10 km away.
+        // Strips a thousand times as long as wide: their normals must be good enough to tell what may come
+        // back to a receiver 10 km away.
         [Test]
         public void Trace_PlateOfLongStripsFarAway_ReceivesWhatTheJudgeDoes([Values] bool asSoftware)
         {
             const int strips = 200;
             const float width = 0.1f, side = 100;
-            var plates = Enumerable.Range(0, strips).Select(i => TestRadar.Plate(float3(-side / 2, width * (i - strips / 2), 0), float3(side, 0, 0), float3(0, width, 0))).ToArray();
+            var plates = Enumerable.Range(0, strips).Select(i => TestRadar.Plate(
+                float3(-side / 2, width * (i - strips / 2), 0), float3(side, 0, 0), float3(0, width, 0))).ToArray();
             var place = Affine.FromTransform(double3(3, -2, 1), double4(0.3, -0.5, 0.2, 0.7), 1);
             // Turned in the mesh itself, so that no coordinate is a short number.
             var joined = TestRadar.Join(plates);
-            var scene = new RadarScene(new TriangleMesh(System.Array.ConvertAll(joined.Vertices, vertex => (float3)place.Point(vertex)), joined.Indices));
+            var scene = new RadarScene(new TriangleMesh(
+                System.Array.ConvertAll(joined.Vertices, vertex => (float3)place.Point(vertex)), joined.Indices));
             double3 forward = normalize(place.Vector(double3(0, 0, 1)));
             var view = TestRadar.LookAt(place.Origin - 1e4 * forward, place.Origin, fov: degrees(20 / 1e4));
             view.ReceiverSize = 4; // rays within 1 m of the axis, but for the rounding of corners
             var settings = TestRadar.Settings(320, 180);
-            var received = Trace(scene, settings, view, asSoftware).Rays.Where(ray => ray.IsReceived).Select(ray => (int)ray.Pixel).ToArray();
+            var received = Trace(scene, settings, view, asSoftware).Rays.Where(ray => ray.IsReceived)
+                .Select(ray => (int)ray.Pixel).ToArray();
             var judged = new Judge(scene, settings, view).TraceAll();
             // 180 rays over 20 m: 0.11 m from ray to ray.
             Assert.That(received, Is.EqualTo(Enumerable.Range(0, judged.Length).Where(i => judged[i].Received)));
@@ -185,12 +212,14 @@ namespace Glint.Tests
             {
                 tracer.SetScene(scene);
                 var result = tracer.Trace(settings, view, KeptRays.All);
-                Assert.That(double.IsNaN(result.InPhase) || double.IsNaN(result.Quadrature) || double.IsInfinity(result.PathLengthMeters) || double.IsNaN(result.PathLengthMeters), Is.False);
+                Assert.That(double.IsNaN(result.InPhase) || double.IsNaN(result.Quadrature)
+                    || double.IsInfinity(result.PathLengthMeters) || double.IsNaN(result.PathLengthMeters), Is.False);
                 return result;
             }
         }
 
         static void AssertFinite(in RayData ray) =>
-            Assert.That(all(isfinite(ray.LastHit)) && all(isfinite(ray.Direction)) && isfinite(ray.ExactPathLength), Is.True, "a number that is none");
+            Assert.That(all(isfinite(ray.LastHit)) && all(isfinite(ray.Direction)) && isfinite(ray.ExactPathLength),
+                Is.True, "a number that is none");
     }
 }

@@ -8,7 +8,8 @@ namespace Glint.Tests
     public sealed class DispatchPacerTests
     {
         // Seconds of each dispatch of a pose; a tile's cost may depend on where it is, 0 to 1.
-        static List<double> Pose(DispatchPacer pacer, int tiles, Func<double, double> secondsOfTile, double firstExtra = 0, int bounces = 4)
+        static List<double> Pose(DispatchPacer pacer, int tiles, Func<double, double> secondsOfTile,
+            double firstExtra = 0, int bounces = 4)
         {
             var dispatches = new List<double>();
             for (int done = 0; done < tiles;)

@@ -35,7 +35,9 @@ namespace Glint.Tests
                 if (!returns)
                     continue;
                 expected++;
-                Assert.That(rays[pixel].PathLength, Is.EqualTo((2 * distance + TestRadar.ReceiverBehindCamera) / d.z).Within(Nanometre), $"pixel {pixel}");
+                Assert.That(rays[pixel].PathLength,
+                    Is.EqualTo((2 * distance + TestRadar.ReceiverBehindCamera) / d.z).Within(Nanometre),
+                    $"pixel {pixel}");
             }
             Assert.That(expected, Is.GreaterThan(10));
         }
@@ -49,7 +51,8 @@ namespace Glint.Tests
             var rays = new Judge(new RadarScene(TestRadar.Trihedral((float3)vertex, 4)), settings, view).TraceAll();
 
             double3 image = 2 * vertex - view.Position;
-            var triple = Enumerable.Range(0, rays.Length).Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 3).ToArray();
+            var triple = Enumerable.Range(0, rays.Length)
+                .Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 3).ToArray();
             Assert.That(triple, Is.Not.Empty);
             foreach (int pixel in triple)
             {
@@ -72,7 +75,8 @@ namespace Glint.Tests
 
             // Mirrored in floor and wall, the camera stands at (x, -y, -z).
             double3 image = view.Position * double3(1, -1, -1);
-            var twice = Enumerable.Range(0, rays.Length).Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 2).ToArray();
+            var twice = Enumerable.Range(0, rays.Length)
+                .Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 2).ToArray();
             Assert.That(twice, Is.Not.Empty);
             foreach (int pixel in twice)
             {
@@ -87,10 +91,17 @@ namespace Glint.Tests
         {
             // One turned and stretched, one mirrored.
             var clutter = TestRadar.Clutter(60, 3);
-            var place = new Affine { X = double3(0, -2, 0), Y = double3(1, 0, 0), Z = double3(0, 0, 2), Origin = double3(4, -3, 7) };
+            var place = new Affine
+            {
+                X = double3(0, -2, 0), Y = double3(1, 0, 0), Z = double3(0, 0, 2), Origin = double3(4, -3, 7)
+            };
             Assert.That(place.Determinant, Is.EqualTo(4));
-            var mirror = new Affine { X = double3(-1, 0, 0), Y = double3(0, 1, 0), Z = double3(0, 0, 1), Origin = double3(0, 16, 0) };
-            var scene = new RadarScene(new MeshInstance { Mesh = clutter, ToWorld = place }, new MeshInstance { Mesh = clutter, ToWorld = mirror });
+            var mirror = new Affine
+            {
+                X = double3(-1, 0, 0), Y = double3(0, 1, 0), Z = double3(0, 0, 1), Origin = double3(0, 16, 0)
+            };
+            var scene = new RadarScene(new MeshInstance { Mesh = clutter, ToWorld = place },
+                new MeshInstance { Mesh = clutter, ToWorld = mirror });
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(double3(3, 14, -45), 0);
             var rays = new Judge(scene, settings, view).TraceAll();
@@ -102,7 +113,8 @@ namespace Glint.Tests
                 if (rays[pixel].Bounces != 1)
                     continue;
                 hits++;
-                int expected = BruteForce.Nearest(flat, view.Position, TestRadar.Direction(settings, view, pixel), out double distance);
+                int expected = BruteForce.Nearest(flat, view.Position,
+                    TestRadar.Direction(settings, view, pixel), out double distance);
                 Assert.That(rays[pixel].LastTriangle, Is.EqualTo(expected), $"pixel {pixel}");
                 // The corners of the flat mesh are rounded to float32.
                 Assert.That(rays[pixel].LengthToLastHit, Is.EqualTo(distance).Within(1e-4), $"pixel {pixel}");
@@ -140,7 +152,8 @@ namespace Glint.Tests
             {
                 var ray = judge.Trace((pixel % 480 - 1) / 3.0, (pixel / 480 - 1) / 3.0);
                 Assert.That(ray.Way, Is.EqualTo(finer[pixel].Way), $"ray {pixel}");
-                Assert.That(ray.LengthToLastHit, Is.EqualTo(finer[pixel].LengthToLastHit).Within(Nanometre), $"ray {pixel}");
+                Assert.That(ray.LengthToLastHit,
+                    Is.EqualTo(finer[pixel].LengthToLastHit).Within(Nanometre), $"ray {pixel}");
             }
         }
 
@@ -152,7 +165,8 @@ namespace Glint.Tests
             view.ApertureHeight = 4;
             var judge = new Judge(new RadarScene(TestRadar.Empty), TestRadar.Settings(3, 2), view);
             var rays = judge.TraceAll();
-            Assert.That(rays.Select(ray => ray.LastHit), Is.EqualTo(new[] { double3(-1, 1, 3), double3(1, 1, 3), double3(3, 1, 3), double3(-1, 3, 3), double3(1, 3, 3), double3(3, 3, 3) }));
+            Assert.That(rays.Select(ray => ray.LastHit), Is.EqualTo(new[] { double3(-1, 1, 3), double3(1, 1, 3),
+                double3(3, 1, 3), double3(-1, 3, 3), double3(1, 3, 3), double3(3, 3, 3) }));
             Assert.That(rays.Select(ray => ray.Direction), Is.All.EqualTo(double3(0, 0, 1)));
             Assert.That(judge.Sum(rays).RayArea, Is.EqualTo(4));
         }
@@ -165,20 +179,24 @@ namespace Glint.Tests
             double3 far = double3(1e6, -3e5, 2e6);
             var moved = Affine.Identity;
             moved.Origin = far;
-            var near = new Judge(new RadarScene(clutter), TestRadar.Settings(), TestRadar.LookAt(double3(3, 14, -25), 0)).TraceAll();
-            var away = new Judge(new RadarScene(new MeshInstance { Mesh = clutter, ToWorld = moved }), TestRadar.Settings(), TestRadar.LookAt(far + double3(3, 14, -25), far)).TraceAll();
+            var near = new Judge(new RadarScene(clutter), TestRadar.Settings(),
+                TestRadar.LookAt(double3(3, 14, -25), 0)).TraceAll();
+            var away = new Judge(new RadarScene(new MeshInstance { Mesh = clutter, ToWorld = moved }),
+                TestRadar.Settings(), TestRadar.LookAt(far + double3(3, 14, -25), far)).TraceAll();
             Assert.That(near.Count(ray => ray.Bounces > 1), Is.GreaterThan(100));
             for (int pixel = 0; pixel < near.Length; pixel++)
             {
                 Assert.That(away[pixel].Way, Is.EqualTo(near[pixel].Way), $"pixel {pixel}");
-                Assert.That(away[pixel].LengthToLastHit, Is.EqualTo(near[pixel].LengthToLastHit).Within(1e-8), $"pixel {pixel}");
+                Assert.That(away[pixel].LengthToLastHit,
+                    Is.EqualTo(near[pixel].LengthToLastHit).Within(1e-8), $"pixel {pixel}");
             }
         }
 
         [Test]
         public void TraceAll_WithProgress_EndsAtOneAndCanBeCancelled()
         {
-            var judge = new Judge(new RadarScene(TestRadar.Clutter(100, 3)), TestRadar.Settings(), TestRadar.LookAt(double3(3, 14, -25), 0));
+            var judge = new Judge(new RadarScene(TestRadar.Clutter(100, 3)), TestRadar.Settings(),
+                TestRadar.LookAt(double3(3, 14, -25), 0));
             var progress = new Reports();
             judge.TraceAll(progress);
             Assert.That(progress.Values.Max(), Is.EqualTo(1));
@@ -186,14 +204,16 @@ namespace Glint.Tests
             using (var cancel = new CancellationTokenSource())
             {
                 progress.OnReport = cancel.Cancel;
-                Assert.That(() => judge.TraceAll(progress, cancel.Token), Throws.InstanceOf<OperationCanceledException>());
+                Assert.That(() => judge.TraceAll(progress, cancel.Token),
+                    Throws.InstanceOf<OperationCanceledException>());
             }
         }
 
         [Test]
         public void Sum_EmptyScene_EmitsEveryRayAndHitsNothing()
         {
-            var judge = new Judge(new RadarScene(TestRadar.Empty), TestRadar.Settings(), TestRadar.LookAt(0, double3(0, 0, 1)));
+            var judge =
+                new Judge(new RadarScene(TestRadar.Empty), TestRadar.Settings(), TestRadar.LookAt(0, double3(0, 0, 1)));
             var result = judge.Sum(judge.TraceAll());
             Assert.That(result.RaysEmitted, Is.EqualTo(160 * 90));
             Assert.That(result.Segments, Is.EqualTo(160 * 90));

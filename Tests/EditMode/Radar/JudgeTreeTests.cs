@@ -6,12 +6,15 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The judge's search against a loop over all triangles, and on triangles that are hard on any search.</summary>
+    /// <summary>
+    /// The judge's search against a loop over all triangles, and on triangles that are hard on any search.
+    /// </summary>
     public sealed class JudgeTreeTests
     {
         const double Nanometre = 1e-9;
 
-        static readonly Affine s_turned = Affine.FromTransform(double3(117.5, -31.25, 43), double4(0.3, -0.2, 0.5, 0.8), double3(1, -1.5, 0.7));
+        static readonly Affine s_turned =
+            Affine.FromTransform(double3(117.5, -31.25, 43), double4(0.3, -0.2, 0.5, 0.8), double3(1, -1.5, 0.7));
 
         [Test]
         public void FindNearest_RandomTriangles_IsTheNearestOfAll()
@@ -22,8 +25,10 @@ namespace Glint.Tests
             int hits = 0;
             for (int i = 0; i < 2000; i++)
             {
-                double3 origin = 12 * double3(random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1);
-                double3 direction = i % 10 == 0 ? double3(0, 0, 1) : normalize(double3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5));
+                double3 origin =
+                    12 * double3(random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1, random.NextDouble() * 2 - 1);
+                double3 direction = i % 10 == 0 ? double3(0, 0, 1) : normalize(
+                    double3(random.NextDouble() - 0.5, random.NextDouble() - 0.5, random.NextDouble() - 0.5));
                 int expected = BruteForce.Nearest(scene, origin, direction, out double distance);
                 int hit = tree.FindNearest(origin - tree.Middle, direction, out double found);
                 Assert.That(hit < 0 ? hit : tree.Number(hit), Is.EqualTo(expected), $"ray {i}");
@@ -55,14 +60,20 @@ namespace Glint.Tests
             var body = new SeaAndShip(1, 1000, 4000).Ship;
             var tree = new JudgeTree(Placed(body));
             // A point of each of its four bodies.
-            foreach (var inside in new[] { double3(0, 0.5, 0), double3(-5, 6, 0), double3(9, 5, 0), double3(-4, 12, 0) })
+            foreach (var inside in new[]
+            {
+                double3(0, 0.5, 0), double3(-5, 6, 0), double3(9, 5, 0), double3(-4, 12, 0)
+            })
                 for (int i = 0; i < body.Indices.Length; i++)
                     for (int part = 0; part < 4; part++)
                     {
-                        float3 from = body.Vertices[body.Indices[i]], to = body.Vertices[body.Indices[i / 3 * 3 + (i + 1) % 3]];
+                        float3 from = body.Vertices[body.Indices[i]],
+                            to = body.Vertices[body.Indices[i / 3 * 3 + (i + 1) % 3]];
                         double3 origin = s_turned.Point(inside) - tree.Middle;
-                        double3 direction = normalize(s_turned.Point(from + part / 4.0 * ((double3)to - from)) - tree.Middle - origin);
-                        Assert.That(tree.FindNearest(origin, direction, out _), Is.GreaterThanOrEqualTo(0), $"side {i}, {part} quarters along it");
+                        double3 direction =
+                            normalize(s_turned.Point(from + part / 4.0 * ((double3)to - from)) - tree.Middle - origin);
+                        Assert.That(tree.FindNearest(origin, direction, out _), Is.GreaterThanOrEqualTo(0),
+                            $"side {i}, {part} quarters along it");
                     }
         }
 
@@ -78,27 +89,32 @@ namespace Glint.Tests
             {
                 double Next() => 2 * random.NextDouble() - 1;
                 double3 origin = s_turned.Point(double3(3 * Next(), 3 * Next(), -20)) - tree.Middle;
-                double3 direction = normalize(s_turned.Point(double3(1.9 * Next(), 1.9 * Next(), 0)) - tree.Middle - origin);
+                double3 direction =
+                    normalize(s_turned.Point(double3(1.9 * Next(), 1.9 * Next(), 0)) - tree.Middle - origin);
                 int hit = tree.FindNearest(origin, direction, out double distance);
                 Assert.That(hit, Is.GreaterThanOrEqualTo(0), $"ray {i}");
                 double3 normal = tree.Normal(hit), place = origin + distance * direction;
                 Assert.That(tree.FindNearest(place, direction, out _), Is.EqualTo(-1), $"ray {i}, onwards");
-                Assert.That(tree.FindNearest(place, direction - 2 * dot(direction, normal) * normal, out _), Is.EqualTo(-1), $"ray {i}, back");
+                Assert.That(tree.FindNearest(place, direction - 2 * dot(direction, normal) * normal, out _),
+                    Is.EqualTo(-1), $"ray {i}, back");
             }
         }
 
         [Test]
         public void FindNearest_TrianglesWithoutArea_AreNeverMet()
         {
-            // Corners twice, and three on a line of float32 numbers, at scales from 1e-6 to 1e6; in front of each a ray that aims at its middle.
+            // Corners twice, and three on a line of float32 numbers, at scales from 1e-6 to 1e6;
+            // in front of each a ray that aims at its middle.
             var random = new System.Random(4);
             for (int i = 0; i < 2000; i++)
             {
                 float scale = pow(2f, random.Next(-20, 20));
-                float3 a = scale * float3(random.Next(-99, 99), random.Next(-99, 99), random.Next(-99, 99)), step = scale * float3(random.Next(-99, 99), random.Next(-99, 99), random.Next(-99, 99));
+                float3 a = scale * float3(random.Next(-99, 99), random.Next(-99, 99), random.Next(-99, 99)),
+                    step = scale * float3(random.Next(-99, 99), random.Next(-99, 99), random.Next(-99, 99));
                 var corners = i % 2 == 0 ? new[] { a, a, a + step } : new[] { a, a + 3 * step, a + step };
                 var tree = new JudgeTree(Placed(new TriangleMesh(corners, new[] { 0, 1, 2 })));
-                double3 origin = s_turned.Point((double3)a + 0.5 * (double3)step + 100 * scale) - tree.Middle, aim = s_turned.Point(a + 0.5f * step) - tree.Middle;
+                double3 origin = s_turned.Point((double3)a + 0.5 * (double3)step + 100 * scale) - tree.Middle,
+                    aim = s_turned.Point(a + 0.5f * step) - tree.Middle;
                 Assert.That(tree.FindNearest(origin, normalize(aim - origin), out _), Is.EqualTo(-1), $"triangle {i}");
             }
         }
@@ -107,16 +123,20 @@ namespace Glint.Tests
         public void FindNearest_MirrorOfMillimetresOneHundredKilometresFromTheRaysStart_IsMetInsideItsEdgesOnly()
         {
             // Beside a scene of that size. Rays pass its edges by a micrometre: inside, outside.
-            var mirror = new TriangleMesh(new[] { float3(0, 0, 0), float3(2e-3f, 0, 0), float3(0, 1e-3f, 0) }, new[] { 0, 1, 2 });
+            var mirror = new TriangleMesh(new[] { float3(0, 0, 0), float3(2e-3f, 0, 0), float3(0, 1e-3f, 0) },
+                new[] { 0, 1, 2 });
             var far = Affine.Identity;
             far.Origin = double3(1e5, 5e4, 3e4);
-            var tree = new JudgeTree(new RadarScene(new MeshInstance { Mesh = mirror, ToWorld = far }, new MeshInstance { Mesh = TestRadar.FacingPlate(1, -1e5f), ToWorld = Affine.Identity }));
+            var tree = new JudgeTree(new RadarScene(new MeshInstance { Mesh = mirror, ToWorld = far },
+                new MeshInstance { Mesh = TestRadar.FacingPlate(1, -1e5f), ToWorld = Affine.Identity }));
             const double Micrometre = 1e-6;
             foreach (var place in new[] { double2(1e-3, 0), double2(0, 5e-4), double2(1e-3, 5e-4) })
                 foreach (int side in new[] { -1, 1 })
                 {
-                    double2 outwards = place.y == 0 ? double2(0, -1) : place.x == 0 ? double2(-1, 0) : normalize(double2(1, 2));
-                    double3 aim = far.Origin + double3(place + side * Micrometre * outwards, 0) - tree.Middle, origin = -tree.Middle;
+                    double2 outwards =
+                        place.y == 0 ? double2(0, -1) : place.x == 0 ? double2(-1, 0) : normalize(double2(1, 2));
+                    double3 aim = far.Origin + double3(place + side * Micrometre * outwards, 0) - tree.Middle,
+                        origin = -tree.Middle;
                     int hit = tree.FindNearest(origin, normalize(aim - origin), out double distance);
                     Assert.That(hit >= 0, Is.EqualTo(side < 0), $"{place}, side {side}");
                     if (side < 0)
@@ -124,6 +144,7 @@ namespace Glint.Tests
                 }
         }
 
-        static RadarScene Placed(TriangleMesh mesh) => new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = s_turned });
+        static RadarScene Placed(TriangleMesh mesh) =>
+            new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = s_turned });
     }
 }

@@ -30,17 +30,20 @@ namespace Glint.Tests
         [Test]
         public void Trace_TargetBehindTheCamera_HitsNothing()
         {
-            var result = TestKernels.TraceOnce(TestRadar.FacingPlate(4, -10), TestRadar.Settings(), TestRadar.LookAt(0, Ahead));
+            var result =
+                TestKernels.TraceOnce(TestRadar.FacingPlate(4, -10), TestRadar.Settings(), TestRadar.LookAt(0, Ahead));
             Assert.That(result.RaysHit, Is.Zero);
         }
 
         [Test]
         public void Trace_FacingPlate_HitsItsShareOfThePictureAndReceivesWhatMirrorsIntoTheReceiver()
         {
-            // Pixels on a plate of 4 m at 20 m, and those of them whose reflection meets the 3 m receiver 40.2 m behind the image.
+            // Pixels on a plate of 4 m at 20 m, and those of them whose reflection meets the 3 m
+            // receiver 40.2 m behind the image.
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(0, Ahead);
-            var slopes = Enumerable.Range(0, 160 * 90).Select(pixel => TestRadar.Direction(settings, view, pixel)).Select(d => cmax(abs(d.xy / d.z))).ToArray();
+            var slopes = Enumerable.Range(0, 160 * 90).Select(pixel => TestRadar.Direction(settings, view, pixel))
+                .Select(d => cmax(abs(d.xy / d.z))).ToArray();
             var result = TestKernels.TraceOnce(TestRadar.FacingPlate(4, 20), settings, view);
             Assert.That(result.RaysHit, Is.EqualTo(slopes.Count(slope => slope * 20 <= 2)));
             Assert.That(result.RaysReceived, Is.EqualTo(slopes.Count(slope => slope * 40.2 <= 1.5)));
@@ -52,7 +55,8 @@ namespace Glint.Tests
         {
             // The picture as Unity's cameras have it: x to the right, y up.
             var scene = TestRadar.Plate(float3(1, 1, 20), float3(4, 0, 0), float3(0, 4, 0));
-            var rays = TestKernels.TraceOnce(scene, TestRadar.Settings(), TestRadar.LookAt(0, Ahead), KeptRays.All).Rays;
+            var rays =
+                TestKernels.TraceOnce(scene, TestRadar.Settings(), TestRadar.LookAt(0, Ahead), KeptRays.All).Rays;
             var pixels = rays.Where(ray => ray.Bounces == 1).Select(ray => (int)ray.Pixel).ToArray();
             Assert.That(pixels, Is.Not.Empty);
             Assert.That(pixels.Select(pixel => pixel % 160), Is.All.GreaterThan(80), "columns");
@@ -64,7 +68,8 @@ namespace Glint.Tests
         {
             // Floor and wall, tilted so that no normal is exact in float32; the radar stands 10 m from their edge.
             double c = cos(0.3), s = sin(0.3);
-            float3 Turned(double x, double y, double z) => (float3)double3(c * x - s * y, c * (s * x + c * y) - s * z, s * (s * x + c * y) + c * z);
+            float3 Turned(double x, double y, double z) =>
+                (float3)double3(c * x - s * y, c * (s * x + c * y) - s * z, s * (s * x + c * y) + c * z);
             var scene = TestRadar.Join(
                 TestRadar.Plate(Turned(-5000, 0, 0), Turned(10000, 0, 0), Turned(0, 0, -10000)),
                 TestRadar.Plate(Turned(-5000, 0, 0), Turned(10000, 0, 0), Turned(0, 10000, 0)));
@@ -72,7 +77,8 @@ namespace Glint.Tests
             var view = TestRadar.LookAt(Turned(0, 5, -8.7), 0);
             var rays = TestKernels.TraceOnce(scene, settings, view, KeptRays.All).Rays;
             var expected = new Judge(new RadarScene(scene), settings, view).TraceAll();
-            Assert.That(Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces), Is.LessThanOrEqualTo(rays.Length / 4000));
+            Assert.That(Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces),
+                Is.LessThanOrEqualTo(rays.Length / 4000));
         }
 
         [Test]
@@ -83,7 +89,8 @@ namespace Glint.Tests
             var view = TestRadar.LookAt(double3(0.5, 0.5, -3), double3(0.5, 0.5, 0));
             var rays = TestKernels.TraceOnce(scene, settings, view, KeptRays.All).Rays;
             int others = Enumerable.Range(0, rays.Length).Count(pixel =>
-                rays[pixel].Bounces != (BruteForce.Nearest(scene, view.Position, TestRadar.Direction(settings, view, pixel), out _) >= 0 ? 1 : 0));
+                rays[pixel].Bounces != (BruteForce.Nearest(scene, view.Position,
+                    TestRadar.Direction(settings, view, pixel), out _) >= 0 ? 1 : 0));
             Assert.That(rays.Count(ray => ray.Bounces == 1), Is.GreaterThan(20));
             Assert.That(others, Is.LessThanOrEqualTo(3), "rays at edges may go either way");
         }
@@ -92,7 +99,9 @@ namespace Glint.Tests
         public void Trace_BeforeAScene_SaysToCallSetScene()
         {
             using (var tracer = new RayTracer(TestKernels.Trace))
-                Assert.That(Assert.Throws<InvalidOperationException>(() => tracer.Trace(TestRadar.Settings(), TestRadar.LookAt(0, Ahead), KeptRays.Received)).Message, Does.Contain("SetScene"));
+                Assert.That(Assert.Throws<InvalidOperationException>(() =>
+                        tracer.Trace(TestRadar.Settings(), TestRadar.LookAt(0, Ahead), KeptRays.Received)).Message,
+                    Does.Contain("SetScene"));
         }
 
         [Test]
@@ -100,7 +109,8 @@ namespace Glint.Tests
         {
             // A plate right behind the camera, before the receiver: it is in nobody's way but the returning rays'.
             var scene = TestRadar.Join(TestRadar.FacingPlate(4, 20), TestRadar.FacingPlate(4, -0.1f));
-            var open = TestKernels.TraceOnce(TestRadar.FacingPlate(4, 20), TestRadar.Settings(bounces: 1), TestRadar.LookAt(0, Ahead));
+            var open = TestKernels.TraceOnce(TestRadar.FacingPlate(4, 20), TestRadar.Settings(bounces: 1),
+                TestRadar.LookAt(0, Ahead));
             var blocked = TestKernels.TraceOnce(scene, TestRadar.Settings(bounces: 1), TestRadar.LookAt(0, Ahead));
             Assert.That(open.RaysReceived, Is.GreaterThan(0));
             Assert.That(blocked.RaysHit, Is.EqualTo(open.RaysHit));
@@ -112,7 +122,8 @@ namespace Glint.Tests
         {
             var view = TestRadar.LookAt(0, Ahead);
             view.ReceiverForward = -view.ReceiverForward;
-            Assert.That(TestKernels.TraceOnce(TestRadar.FacingPlate(4, 20), TestRadar.Settings(), view).RaysReceived, Is.Zero);
+            Assert.That(
+                TestKernels.TraceOnce(TestRadar.FacingPlate(4, 20), TestRadar.Settings(), view).RaysReceived, Is.Zero);
         }
 
         [TestCase(1)]
@@ -121,9 +132,11 @@ namespace Glint.Tests
         [TestCase(16)]
         public void Trace_RayBetweenTwoFacingMirrors_StopsAtTheMostBounces(int most)
         {
-            // Camera between two large plates that face each other, the receiver behind one of them: no ray ever leaves.
+            // Camera between two large plates that face each other,
+            // the receiver behind one of them: no ray ever leaves.
             var scene = TestRadar.Join(TestRadar.FacingPlate(1e4f, 5), TestRadar.FacingPlate(1e4f, -0.15f));
-            var result = TestKernels.TraceOnce(scene, TestRadar.Settings(8, 8, most), TestRadar.LookAt(0, Ahead, fov: 1));
+            var result =
+                TestKernels.TraceOnce(scene, TestRadar.Settings(8, 8, most), TestRadar.LookAt(0, Ahead, fov: 1));
             Assert.That(result.Bounces, Is.EqualTo(64 * most));
             Assert.That(result.RaysReceived, Is.Zero);
         }
@@ -160,10 +173,12 @@ namespace Glint.Tests
             int hits = 0, others = 0;
             for (int pixel = 0; pixel < rays.Length; pixel++)
             {
-                int hit = BruteForce.Nearest(scene, view.Position, TestRadar.Direction(settings, view, pixel), out double there);
+                int hit = BruteForce.Nearest(scene, view.Position,
+                    TestRadar.Direction(settings, view, pixel), out double there);
                 hits += hit >= 0 ? 1 : 0;
                 double length = BruteForce.ToLastHit(view.Position, rays[pixel]);
-                others += rays[pixel].Bounces == (hit >= 0 ? 1 : 0) && (hit < 0 || abs(length - there) < LengthTolerance) ? 0 : 1;
+                others += rays[pixel].Bounces == (hit >= 0 ? 1 : 0)
+                    && (hit < 0 || abs(length - there) < LengthTolerance) ? 0 : 1;
             }
             Assert.That(hits, Is.GreaterThan(20));
             Assert.That(others, Is.LessThanOrEqualTo(3), "rays at edges may go either way");
@@ -182,10 +197,13 @@ namespace Glint.Tests
             var expected = new Judge(new RadarScene(scene), settings, view).TraceAll();
 
             // Rays that meet an edge within rounding may go either way.
-            int others = Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces || rays[i].IsReceived != expected[i].Received
-                || abs(rays[i].PathLength - (expected[i].Received ? expected[i].PathLength : expected[i].LengthToLastHit)) > 1e-3);
+            int others = Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces
+                || rays[i].IsReceived != expected[i].Received
+                || abs(rays[i].PathLength
+                    - (expected[i].Received ? expected[i].PathLength : expected[i].LengthToLastHit)) > 1e-3);
             Assert.That(others, Is.LessThan(rays.Length / 4000), "rays that took another way");
-            Assert.That(expected.Count(ray => ray.Bounces > 1), Is.GreaterThan(100), "the scene asks for more than one bounce");
+            Assert.That(expected.Count(ray => ray.Bounces > 1), Is.GreaterThan(100),
+                "the scene asks for more than one bounce");
         }
 
         [Test]
@@ -193,13 +211,17 @@ namespace Glint.Tests
         {
             var scene = TestRadar.Trihedral(0, 4);
             var view = TestRadar.LookAt(double3(9, 10, 11), 0, fov: 30);
-            var results = Enumerable.Range(0, 3).Select(_ => TestKernels.TraceOnce(scene, TestRadar.Settings(640, 360), view)).ToArray();
+            var results = Enumerable.Range(0, 3)
+                .Select(_ => TestKernels.TraceOnce(scene, TestRadar.Settings(640, 360), view)).ToArray();
             Assert.That(results[0].RaysReceived, Is.GreaterThan(100));
             foreach (var again in results.Skip(1))
             {
-                Assert.That(BitConverter.DoubleToInt64Bits(again.InPhase), Is.EqualTo(BitConverter.DoubleToInt64Bits(results[0].InPhase)));
-                Assert.That(BitConverter.DoubleToInt64Bits(again.Quadrature), Is.EqualTo(BitConverter.DoubleToInt64Bits(results[0].Quadrature)));
-                Assert.That(BitConverter.DoubleToInt64Bits(again.PathLengthMeters), Is.EqualTo(BitConverter.DoubleToInt64Bits(results[0].PathLengthMeters)));
+                Assert.That(BitConverter.DoubleToInt64Bits(again.InPhase),
+                    Is.EqualTo(BitConverter.DoubleToInt64Bits(results[0].InPhase)));
+                Assert.That(BitConverter.DoubleToInt64Bits(again.Quadrature),
+                    Is.EqualTo(BitConverter.DoubleToInt64Bits(results[0].Quadrature)));
+                Assert.That(BitConverter.DoubleToInt64Bits(again.PathLengthMeters),
+                    Is.EqualTo(BitConverter.DoubleToInt64Bits(results[0].PathLengthMeters)));
             }
         }
 
@@ -223,12 +245,14 @@ namespace Glint.Tests
             view.ReceiverSize = 1000;
             var result = TestKernels.TraceOnce(TestRadar.FacingPlate(1000, 5), TestRadar.Settings(400, 300), view);
             Assert.That(result.RaysReceived, Is.EqualTo(120000));
-            Assert.That(result.Rays.Select(ray => ray.Pixel), Is.EqualTo(Enumerable.Range(0, 120000).Select(i => (uint)i)));
+            Assert.That(result.Rays.Select(ray => ray.Pixel),
+                Is.EqualTo(Enumerable.Range(0, 120000).Select(i => (uint)i)));
             Assert.That(result.PhaseHistogram.Sum(), Is.EqualTo(120000));
         }
 
         [Test]
         public void RayTracer_WithoutKernel_SaysWhichToAssign() =>
-            Assert.That(Assert.Throws<GlintException>(() => new RayTracer(null)).Message, Does.Contain("Shaders/Trace.compute"));
+            Assert.That(Assert.Throws<GlintException>(() => new RayTracer(null)).Message,
+                Does.Contain("Shaders/Trace.compute"));
     }
 }

@@ -15,7 +15,8 @@ namespace Glint.Tests
 
         static HashSet<uint> Tiles(PictureTiles tiles) => new HashSet<uint>(tiles.ToArray(spread: false));
 
-        static uint TileOf(int pixel) => (uint)(pixel % s_settings.RaysAcross / 8) | (uint)(pixel / s_settings.RaysAcross / 8) << 16;
+        static uint TileOf(int pixel) =>
+            (uint)(pixel % s_settings.RaysAcross / 8) | (uint)(pixel / s_settings.RaysAcross / 8) << 16;
 
         // Slab by slab in the box's own axes.
         static bool Meets(double3 origin, double3 direction, float3 low, float3 high)
@@ -32,15 +33,18 @@ namespace Glint.Tests
             int met = 0, tight = 0;
             for (int i = 0; i < 300; i++)
             {
-                float3 low = (float3)(10 * double3(Next(), Next(), Next())), high = low + (float3)(pow(10, 1.5 * Next()) * double3(1 + Next(), 1 + Next(), 1 + Next()));
-                var place = Affine.FromTransform(10 * double3(Next(), Next(), Next()), double4(Next(), Next(), Next(), Next()), double3(1, Next() > 0 ? 1 : -1, 1.5 + Next()));
+                float3 low = (float3)(10 * double3(Next(), Next(), Next())),
+                    high = low + (float3)(pow(10, 1.5 * Next()) * double3(1 + Next(), 1 + Next(), 1 + Next()));
+                var place = Affine.FromTransform(10 * double3(Next(), Next(), Next()),
+                    double4(Next(), Next(), Next(), Next()), double3(1, Next() > 0 ? 1 : -1, 1.5 + Next()));
                 var picture = new PictureTiles(s_settings, s_view);
                 picture.Add(low, high, place);
                 var tiles = Tiles(picture);
                 var back = place.Inverse();
                 double3 origin = back.Point(s_view.Position);
                 var seen = new HashSet<uint>(Enumerable.Range(0, (int)s_settings.RayCount)
-                    .Where(pixel => Meets(origin, back.Vector(TestRadar.Direction(s_settings, s_view, pixel)), low, high)).Select(TileOf));
+                    .Where(pixel => Meets(origin, back.Vector(TestRadar.Direction(s_settings, s_view, pixel)),
+                        low, high)).Select(TileOf));
                 met += seen.Count > 0 ? 1 : 0;
                 tight += tiles.Count < picture.Count ? 1 : 0;
                 Assert.That(seen.Except(tiles), Is.Empty, $"box {i}");
@@ -91,7 +95,8 @@ namespace Glint.Tests
             settings.Region = new RayRegion { Left = 17, Bottom = 40, Width = 30, Height = 1 };
             var picture = new PictureTiles(settings, s_view);
             picture.AddAll();
-            Assert.That(Tiles(picture), Is.EquivalentTo(Enumerable.Range(2, 4).Select(column => (uint)column | 5u << 16)));
+            Assert.That(Tiles(picture),
+                Is.EquivalentTo(Enumerable.Range(2, 4).Select(column => (uint)column | 5u << 16)));
         }
 
         [Test]

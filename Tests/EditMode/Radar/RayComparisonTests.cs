@@ -6,12 +6,16 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>What counts as the judge's way, as the other side of an edge, and as wrong. The kernel's rays are the judge's, altered.</summary>
+    /// <summary>
+    /// What counts as the judge's way, as the other side of an edge, and as wrong.
+    /// The kernel's rays are the judge's, altered.
+    /// </summary>
     public sealed class RayComparisonTests
     {
         const double Tolerance = 1e-5; // m
 
-        // Moves the left edge of a plate of 4 m, at 20 m, to the column of rays that goes 13.5 of their distances left of the middle.
+        // Moves the left edge of a plate of 4 m, at 20 m, to the column of rays that goes 13.5 of their
+        // distances left of the middle.
         const double EdgeToColumn = 2 - 13.5 * 2 * 11.547005383792515 / 90;
 
         static readonly RadarSettings s_settings = TestRadar.Settings();
@@ -24,18 +28,20 @@ namespace Glint.Tests
             return new RadarScene(new MeshInstance { Mesh = TestRadar.FacingPlate(4, 20), ToWorld = place });
         }
 
-        static RayData[] Rays(RadarScene scene) => new Judge(scene, s_settings, s_view).TraceAll().Select((ray, pixel) =>
-        {
-            double length = ray.LengthToEnd, phase = Signal.Phase(length, s_settings.Wavelength);
-            var data = new RayData
+        static RayData[] Rays(RadarScene scene) =>
+            new Judge(scene, s_settings, s_view).TraceAll().Select((ray, pixel) =>
             {
-                Pixel = (uint)pixel, Bounces = (uint)ray.Bounces, LastHit = (float3)ray.LastHit, Direction = (float3)ray.Direction,
-                PathLength = (float)length, PathLengthRest = (float)(length - (float)length),
-            };
-            if (ray.Received)
-                (data.InPhase, data.Quadrature) = ((float)cos(phase), (float)sin(phase));
-            return data;
-        }).ToArray();
+                double length = ray.LengthToEnd, phase = Signal.Phase(length, s_settings.Wavelength);
+                var data = new RayData
+                {
+                    Pixel = (uint)pixel, Bounces = (uint)ray.Bounces,
+                    LastHit = (float3)ray.LastHit, Direction = (float3)ray.Direction,
+                    PathLength = (float)length, PathLengthRest = (float)(length - (float)length),
+                };
+                if (ray.Received)
+                    (data.InPhase, data.Quadrature) = ((float)cos(phase), (float)sin(phase));
+                return data;
+            }).ToArray();
 
         static RayComparison Compare(RadarScene judged, RayData[] rays)
         {
@@ -78,7 +84,8 @@ namespace Glint.Tests
         [TestCase(1e-4, 16)]
         public void Add_RaysThatPassAnEdgeOnItsOtherSide_AreWrongIfTheyPassItFarOff(double off, int wrong)
         {
-            // Float32 places are some micrometres off here. The 16 rays of the column pass the edge between where the judge sees it and where the kernel does.
+            // Float32 places are some micrometres off here. The 16 rays of the column pass the edge between where
+            // the judge sees it and where the kernel does.
             var comparison = Compare(Plate(EdgeToColumn + off), Rays(Plate(EdgeToColumn - off)));
             Assert.That(comparison.AtEdge, Is.EqualTo(16 - wrong));
             Assert.That(comparison.Wrong, Is.EqualTo(wrong));

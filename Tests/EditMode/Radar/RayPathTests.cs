@@ -19,7 +19,11 @@ namespace Glint.Tests
 
         static RadarScene Scene => new RadarScene(
             new MeshInstance { Mesh = TestRadar.Clutter(300, seed: 5), ToWorld = Affine.Identity },
-            new MeshInstance { Mesh = TestRadar.Trihedral(0, 6), ToWorld = Affine.FromTransform(double3(-1, 2, 3), double4(0.1, 0.7, -0.3, 0.6), double3(1, 1, -1.2)) });
+            new MeshInstance
+            {
+                Mesh = TestRadar.Trihedral(0, 6),
+                ToWorld = Affine.FromTransform(double3(-1, 2, 3), double4(0.1, 0.7, -0.3, 0.6), double3(1, 1, -1.2))
+            });
 
         [TestCase(true, false)]
         [TestCase(true, true)]
@@ -31,7 +35,8 @@ namespace Glint.Tests
             var view = TestRadar.LookAt(double3(3, 8, -24), 0, fov: 50);
             if (isParallel)
                 view.ApertureHeight = 18;
-            var pixels = Enumerable.Range(0, (int)s_settings.RayCount).Select(i => (uint)((i * 7919L) % s_settings.RayCount)).ToArray();
+            var pixels = Enumerable.Range(0, (int)s_settings.RayCount)
+                .Select(i => (uint)((i * 7919L) % s_settings.RayCount)).ToArray();
             RayPath[] paths;
             RayData[] rays;
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
@@ -39,7 +44,8 @@ namespace Glint.Tests
                 tracer.SetScene(scene);
                 paths = tracer.TracePaths(s_settings, view, pixels, new Numbers(scene));
                 rays = tracer.Trace(s_settings, view, KeptRays.All).Rays;
-                Assert.That(tracer.ReceivedPixels(), Is.EqualTo(rays.Where(ray => ray.IsReceived).Select(ray => ray.Pixel)));
+                Assert.That(tracer.ReceivedPixels(),
+                    Is.EqualTo(rays.Where(ray => ray.IsReceived).Select(ray => ray.Pixel)));
             }
             int others = 0, compared = 0;
             for (int bounce = 1; bounce <= Bounces; bounce++)
@@ -49,10 +55,13 @@ namespace Glint.Tests
                 var judge = new Judge(scene, settings, view);
                 foreach (var path in paths.Where(path => path.Bounces >= bounce))
                 {
-                    var judged = judge.Trace((int)path.Pixel % settings.RaysAcross, (int)path.Pixel / settings.RaysAcross);
+                    var judged =
+                        judge.Trace((int)path.Pixel % settings.RaysAcross, (int)path.Pixel / settings.RaysAcross);
                     var hit = path.Hits[bounce - 1];
                     compared++;
-                    if (judged.Bounces != bounce || judged.LastTriangle != hit.Object || distance(judged.LastHit, hit.Place) > Near || distance(judged.Direction, hit.Direction) > Near)
+                    if (judged.Bounces != bounce || judged.LastTriangle != hit.Object
+                        || distance(judged.LastHit, hit.Place) > Near
+                        || distance(judged.Direction, hit.Direction) > Near)
                         others++;
                 }
             }
@@ -78,12 +87,15 @@ namespace Glint.Tests
                 foreach (var path in paths)
                 {
                     Assert.That(path.IsReceived, Is.True);
-                    Assert.That(abs(dot(path.End.Value - view.ReceiverCentre, view.ReceiverForward)), Is.LessThan(1e-5));
+                    Assert.That(abs(dot(path.End.Value - view.ReceiverCentre, view.ReceiverForward)),
+                        Is.LessThan(1e-5));
                     Assert.That(path.Hits.Select(hit => hit.Object), Is.All.EqualTo(PathHit.NoObject));
                     Assert.That(path.Points(), Has.Length.EqualTo(path.Bounces + 2));
                 }
                 // A corner turns a ray about: three walls, and back the way it came.
-                Assert.That(paths.Count(path => path.Bounces == 3 && distance(path.Hits[2].Direction, -normalize(path.Hits[0].Place - path.Start)) < 1e-5), Is.EqualTo(paths.Count(path => path.Bounces == 3)).And.GreaterThan(100));
+                Assert.That(paths.Count(path => path.Bounces == 3
+                        && distance(path.Hits[2].Direction, -normalize(path.Hits[0].Place - path.Start)) < 1e-5),
+                    Is.EqualTo(paths.Count(path => path.Bounces == 3)).And.GreaterThan(100));
             }
         }
 
@@ -93,9 +105,11 @@ namespace Glint.Tests
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
                 tracer.SetScene(new RadarScene(TestRadar.FacingPlate(4, 10)));
-                var problem = Assert.Throws<GlintException>(() => tracer.TracePaths(s_settings, TestRadar.LookAt(0, double3(0, 0, 1)), new[] { 5u, 64u * 36 }));
+                var problem = Assert.Throws<GlintException>(
+                    () => tracer.TracePaths(s_settings, TestRadar.LookAt(0, double3(0, 0, 1)), new[] { 5u, 64u * 36 }));
                 Assert.That(problem.Message, Does.Contain("no pixel 2304").And.Contain("64 x 36"));
-                Assert.That(tracer.TracePaths(s_settings, TestRadar.LookAt(0, double3(0, 0, 1)), new uint[0]), Is.Empty);
+                Assert.That(
+                    tracer.TracePaths(s_settings, TestRadar.LookAt(0, double3(0, 0, 1)), new uint[0]), Is.Empty);
             }
         }
 
@@ -114,7 +128,8 @@ namespace Glint.Tests
         static void AssertAsTraced(RayPath[] paths, RayData[] rays, RadarView view)
         {
             var received = paths.Where(path => path.IsReceived).ToArray();
-            Assert.That(received.Select(path => path.Pixel).OrderBy(pixel => pixel), Is.EqualTo(rays.Where(ray => ray.IsReceived).Select(ray => ray.Pixel)));
+            Assert.That(received.Select(path => path.Pixel).OrderBy(pixel => pixel),
+                Is.EqualTo(rays.Where(ray => ray.IsReceived).Select(ray => ray.Pixel)));
             foreach (var path in received)
             {
                 var points = path.Points();
@@ -122,7 +137,9 @@ namespace Glint.Tests
                 Assert.That(length, Is.EqualTo(rays[path.Pixel].ExactPathLength).Within(5 * Near));
             }
             foreach (var path in paths)
-                Assert.That(distance(path.Start, view.IsParallel ? TestRadar.Start(s_settings, view, (int)path.Pixel) : view.Position), Is.LessThan(1e-12));
+                Assert.That(distance(path.Start,
+                        view.IsParallel ? TestRadar.Start(s_settings, view, (int)path.Pixel) : view.Position),
+                    Is.LessThan(1e-12));
             Assert.That(paths.Count(path => path.Bounces != rays[path.Pixel].Bounces), Is.LessThanOrEqualTo(1));
         }
 
@@ -143,7 +160,8 @@ namespace Glint.Tests
             static bool IsSame(TriangleMesh mesh, int triangle, float3[] corners)
             {
                 mesh.GetTriangle(triangle, out var a, out var b, out var c);
-                return Array.TrueForAll(new[] { a, b, c }, corner => Array.Exists(corners, other => other.Equals(corner)));
+                return Array.TrueForAll(new[] { a, b, c },
+                    corner => Array.Exists(corners, other => other.Equals(corner)));
             }
         }
     }

@@ -4,13 +4,19 @@ using Glint.Core;
 
 namespace Glint.Tests
 {
-    /// <summary>A picture given by a formula in place of a scene: the path length that a ray through any place of it returns with. It does the tracer's part of a sampling estimate.</summary>
+    /// <summary>
+    /// A picture given by a formula in place of a scene: the path length that a ray through any place of it returns
+    /// with. It does the tracer's part of a sampling estimate.
+    /// </summary>
     sealed class SampledWave
     {
         readonly RadarSettings _settings;
         readonly Func<double, double, double> _length;
 
-        /// <param name="length">Of a place in pixels from the picture's left and bottom edge, the path length in metres; NaN where nothing returns.</param>
+        /// <param name="length">
+        /// Of a place in pixels from the picture's left and bottom edge, the path length in metres;
+        /// NaN where nothing returns.
+        /// </param>
         public SampledWave(in RadarSettings settings, Func<double, double, double> length)
         {
             _settings = settings;
@@ -37,10 +43,12 @@ namespace Glint.Tests
                 if (IsReceived(ray.Pixel, 0.5, 0.5, out double length))
                     result.AddReceived(Phase(length), Math.Cos(Phase(length)), Math.Sin(Phase(length)));
             var estimate = Begin();
-            double[] inPhase = new double[SamplingEstimate.SubGrids], quadrature = new double[SamplingEstimate.SubGrids];
+            double[] inPhase = new double[SamplingEstimate.SubGrids],
+                quadrature = new double[SamplingEstimate.SubGrids];
             foreach (uint pixel in estimate.PixelsToRefine)
                 for (int sub = 0; sub < SamplingEstimate.SubGrids; sub++)
-                    if (IsReceived(pixel, (sub % SamplingEstimate.SubRays + 0.5) / SamplingEstimate.SubRays, (sub / SamplingEstimate.SubRays + 0.5) / SamplingEstimate.SubRays, out double length))
+                    if (IsReceived(pixel, (sub % SamplingEstimate.SubRays + 0.5) / SamplingEstimate.SubRays,
+                        (sub / SamplingEstimate.SubRays + 0.5) / SamplingEstimate.SubRays, out double length))
                     {
                         inPhase[sub] += Math.Cos(Phase(length));
                         quadrature[sub] += Math.Sin(Phase(length));
@@ -51,7 +59,9 @@ namespace Glint.Tests
 
         IEnumerable<uint> Pixels()
         {
-            var region = _settings.Region.IsWhole ? new RayRegion { Width = _settings.RaysAcross, Height = _settings.RaysDown } : _settings.Region;
+            var region = _settings.Region.IsWhole
+                ? new RayRegion { Width = _settings.RaysAcross, Height = _settings.RaysDown }
+                : _settings.Region;
             for (int y = region.Bottom; y < region.Bottom + region.Height; y++)
                 for (int x = region.Left; x < region.Left + region.Width; x++)
                     yield return (uint)(y * _settings.RaysAcross + x);

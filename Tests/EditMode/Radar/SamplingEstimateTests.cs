@@ -7,7 +7,10 @@ using NUnit.Framework;
 
 namespace Glint.Tests
 {
-    /// <summary>The estimate of the sampling error against pictures whose converged sum has a closed form, and against the judge's rays.</summary>
+    /// <summary>
+    /// The estimate of the sampling error against pictures whose converged sum has a closed form,
+    /// and against the judge's rays.
+    /// </summary>
     public sealed class SamplingEstimateTests
     {
         const double Lambda = Signal.SpeedOfLight / 10e9;
@@ -15,11 +18,14 @@ namespace Glint.Tests
         // One ray of these pictures in the normalised amplitude.
         static double Norm(in RadarSettings settings) => RadarResult.NormalRays / settings.RayCount;
 
-        static SampledWave Rectangle(in RadarSettings settings, double x0, double y0, double x1, double y1, double slopeX, double slopeY) =>
-            new SampledWave(settings, (x, y) => x >= x0 && x < x1 && y >= y0 && y < y1 ? 20 + Lambda * (slopeX * x + slopeY * y) : double.NaN);
+        static SampledWave Rectangle(in RadarSettings settings, double x0, double y0, double x1, double y1,
+            double slopeX, double slopeY) =>
+            new SampledWave(settings, (x, y) =>
+                x >= x0 && x < x1 && y >= y0 && y < y1 ? 20 + Lambda * (slopeX * x + slopeY * y) : double.NaN);
 
         // |integral of exp(2 pi i slope x) over a length|.
-        static double Line(double length, double slope) => slope == 0 ? length : Math.Abs(Math.Sin(Math.PI * slope * length) / (Math.PI * slope));
+        static double Line(double length, double slope) =>
+            slope == 0 ? length : Math.Abs(Math.Sin(Math.PI * slope * length) / (Math.PI * slope));
 
         [Test]
         public void Estimate_OfAPlaneWaveOverARectangle_IsAboutTheDifferenceToTheClosedForm()
@@ -28,7 +34,8 @@ namespace Glint.Tests
             var settings = TestRadar.Settings();
             AssertGood(Enumerable.Range(0, 300).Select(i =>
             {
-                double x0 = 5 + 20 * random.NextDouble(), y0 = 5 + 20 * random.NextDouble(), width = 10 + 90 * random.NextDouble(), height = 10 + 40 * random.NextDouble();
+                double x0 = 5 + 20 * random.NextDouble(), y0 = 5 + 20 * random.NextDouble(),
+                    width = 10 + 90 * random.NextDouble(), height = 10 + 40 * random.NextDouble();
                 double slopeX = 0.2 * random.NextDouble(), slopeY = 0.2 * random.NextDouble();
                 var result = Rectangle(settings, x0, y0, x0 + width, y0 + height, slopeX, slopeY).Trace();
                 return (result, Norm(settings) * Line(width, slopeX) * Line(height, slopeY));
@@ -42,15 +49,19 @@ namespace Glint.Tests
             var settings = TestRadar.Settings();
             AssertGood(Enumerable.Range(0, 300).Select(i =>
             {
-                double radius = 3 + 35 * random.NextDouble(), x0 = 70 + random.NextDouble(), y0 = 45 + random.NextDouble();
-                var result = new SampledWave(settings, (x, y) => (x - x0) * (x - x0) + (y - y0) * (y - y0) < radius * radius ? 20 : double.NaN).Trace();
+                double radius = 3 + 35 * random.NextDouble(), x0 = 70 + random.NextDouble(),
+                    y0 = 45 + random.NextDouble();
+                var result = new SampledWave(settings,
+                    (x, y) => (x - x0) * (x - x0) + (y - y0) * (y - y0) < radius * radius ? 20 : double.NaN).Trace();
                 return (result, Norm(settings) * Math.PI * radius * radius);
             }));
         }
 
-        // The worst that a grid can meet: all rays of an edge are off by the same part of a pixel, and finer rays may not see it.
+        // The worst that a grid can meet: all rays of an edge are off by the same part of a pixel,
+        // and finer rays may not see it.
         [Test]
-        public void Estimate_OfEdgesAlongTheRows_IsNeverFarBelowTheError([Values(0.02, 0.06, 0.1, 0.12, 0.13, 0.2, 0.3, 0.4, 0.49)] double beyond)
+        public void Estimate_OfEdgesAlongTheRows_IsNeverFarBelowTheError(
+            [Values(0.02, 0.06, 0.1, 0.12, 0.13, 0.2, 0.3, 0.4, 0.49)] double beyond)
         {
             var settings = TestRadar.Settings();
             var result = Rectangle(settings, 20 - beyond, 20 - beyond, 100 + beyond, 60 + beyond, 0, 0).Trace();
@@ -70,7 +81,8 @@ namespace Glint.Tests
             Assert.That(Ramp(0.3).LargestPathStep, Is.EqualTo(0.4).Within(1e-4));
         }
 
-        // At one wavelength a pixel all rays are in step, and their sum says so: the amplitude is the area in place of almost nothing.
+        // At one wavelength a pixel all rays are in step, and their sum says so:
+        // the amplitude is the area in place of almost nothing.
         [Test]
         public void Estimate_OfAnAliasedWave_KnowsThatTheSumIsWrong()
         {
@@ -119,7 +131,8 @@ namespace Glint.Tests
         public void OrderOfTheRays_ChangesNothing()
         {
             var settings = TestRadar.Settings();
-            SampledWave Wave() => new SampledWave(settings, (x, y) => (x - 80) * (x - 80) + (y - 45) * (y - 45) < 900 ? 20 + 1e-5 * x * x : double.NaN);
+            SampledWave Wave() => new SampledWave(settings,
+                (x, y) => (x - 80) * (x - 80) + (y - 45) * (y - 45) < 900 ? 20 + 1e-5 * x * x : double.NaN);
             var (inOrder, shuffled) = (Wave(), Wave());
             var random = new Random(3);
             for (int i = shuffled.Rays.Count - 1; i > 0; i--)
@@ -139,7 +152,8 @@ namespace Glint.Tests
         public void FewRays_AreFlagged(int rays, int across, int down)
         {
             var settings = TestRadar.Settings(across, down);
-            var result = new SampledWave(settings, (x, y) => Math.Floor(x) + across * Math.Floor(y) < rays ? 20 : double.NaN).Trace();
+            var result = new SampledWave(settings,
+                (x, y) => Math.Floor(x) + across * Math.Floor(y) < rays ? 20 : double.NaN).Trace();
             Assert.That(result.Undersampled, Is.True);
             Assert.That(result.SamplingError, Is.InRange(0, (rays + 1) * Norm(settings)));
         }
@@ -159,10 +173,12 @@ namespace Glint.Tests
         {
             var settings = TestRadar.Settings(1600, 900);
             var wave = new SampledWave(settings, (x, y) => 20 + Lambda * 0.2 * (Math.Sin(2.1 * x) + Math.Sin(1.7 * y)));
-            Assert.That(wave.Begin().PixelsToRefine.Length, Is.EqualTo(1600 * 900 / SamplingEstimate.SubGrids).Within(5).Percent);
+            Assert.That(wave.Begin().PixelsToRefine.Length,
+                Is.EqualTo(1600 * 900 / SamplingEstimate.SubGrids).Within(5).Percent);
         }
 
-        // The published reflector before a receiver square to the view axis, whose rays are out of step by several wavelengths:
+        // The published reflector before a receiver square to the view axis,
+        // whose rays are out of step by several wavelengths:
         // at half the published density, where sums are several times too large, and at that density.
         // The published table has 676 received rays.
         [TestCase(960, 182, true)]
@@ -178,7 +194,8 @@ namespace Glint.Tests
 
             Assert.That(result.RaysReceived, Is.EqualTo(received));
             Assert.That(result.NormalisedAmplitude / converged, isFlagged ? Is.GreaterThan(3) : Is.LessThan(1.5));
-            Assert.That(result.SamplingError / Math.Abs(result.NormalisedAmplitude - converged), Is.InRange(1 / 3.0, 3));
+            Assert.That(result.SamplingError / Math.Abs(result.NormalisedAmplitude - converged),
+                Is.InRange(1 / 3.0, 3));
             Assert.That(result.Undersampled, Is.EqualTo(isFlagged));
         }
 
@@ -188,14 +205,17 @@ namespace Glint.Tests
             AssertGood(JudgedPose.Sample().Select(pose => (pose.Trace(), pose.ConvergedAmplitude())));
         }
 
-        // Between a third and three times the error in four of five poses that are not flagged, and never below a tenth.
+        // Between a third and three times the error in four of five poses that are not flagged,
+        // and never below a tenth.
         static void AssertGood(IEnumerable<(RadarResult result, double converged)> poses)
         {
             var ratios = poses.Where(pose => !pose.result.Undersampled)
-                .Select(pose => pose.result.SamplingError / Math.Abs(pose.result.NormalisedAmplitude - pose.converged)).ToArray();
+                .Select(pose => pose.result.SamplingError / Math.Abs(pose.result.NormalisedAmplitude - pose.converged))
+                .ToArray();
             Assert.That(ratios.Length, Is.GreaterThan(20));
             Assert.That(ratios.Min(), Is.GreaterThan(0.1));
-            Assert.That(ratios.Count(ratio => ratio > 1 / 3.0 && ratio < 3) / (double)ratios.Length, Is.GreaterThan(0.8));
+            Assert.That(ratios.Count(ratio => ratio > 1 / 3.0 && ratio < 3) / (double)ratios.Length,
+                Is.GreaterThan(0.8));
         }
     }
 }

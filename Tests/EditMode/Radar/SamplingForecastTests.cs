@@ -14,7 +14,8 @@ namespace Glint.Tests
         [TestCase(0, 192, 108, 10, TestName = "On the axis")]
         [TestCase(4, 384, 216, 5, TestName = "4 m off the axis")]
         [TestCase(-6, 768, 432, 3, TestName = "6 m off the axis")]
-        [TestCase(6, 384, 216, 5, TestName = "So far off the axis that neighbours differ by more than half a wavelength")]
+        [TestCase(6, 384, 216, 5,
+            TestName = "So far off the axis that neighbours differ by more than half a wavelength")]
         public void Of_AMirrorThatFacesTheRadar_IsWhatItsTraceGives(double aside, int across, int down, double percent)
         {
             var settings = TestRadar.Settings(across, down);
@@ -38,14 +39,16 @@ namespace Glint.Tests
             var settings = TestRadar.Settings(100, 100);
             var view = TestRadar.LookAt(0, double3(0, 0, 40));
             view.ApertureHeight = 6;
-            // The receiver looks aside, so that neighbouring paths differ: by 0.06 m * tan(10 deg), across the corners of the picture by as much.
+            // The receiver looks aside, so that neighbouring paths differ: by 0.06 m * tan(10 deg),
+            // across the corners of the picture by as much.
             view.ReceiverRight = double3(cos(radians(10.0)), 0, -sin(radians(10.0)));
             view.ReceiverForward = double3(sin(radians(10.0)), 0, cos(radians(10.0)));
             var result = TestKernels.TraceOnce(Facing(double3(0, 0, 40), double3(0, 0, 1)), settings, view);
 
             var forecast = SamplingForecast.Of(settings, view, double3(0, 0, 40)).Value;
             Assert.That(forecast.RaysReceived, Is.EqualTo(result.RaysReceived).Within(5).Percent);
-            Assert.That(forecast.LargestPathStep, Is.EqualTo(0.06 * tan(radians(10.0)) / settings.Wavelength).Within(1e-6));
+            Assert.That(forecast.LargestPathStep,
+                Is.EqualTo(0.06 * tan(radians(10.0)) / settings.Wavelength).Within(1e-6));
             Assert.That(forecast.LargestPathStep, Is.EqualTo(result.LargestPathStep).Within(1).Percent);
             Assert.That(forecast.RaySpacing, Is.EqualTo(0.06).Within(1e-12));
         }
@@ -71,7 +74,8 @@ namespace Glint.Tests
         static TriangleMesh Facing(double3 middle, double3 normal)
         {
             double3 right = normalize(cross(double3(0, 1, 0), normal)), up = cross(normal, right);
-            return TestRadar.Plate((float3)(middle - Side / 2 * (right + up)), (float3)(Side * right), (float3)(Side * up));
+            return TestRadar.Plate((float3)(middle - Side / 2 * (right + up)),
+                (float3)(Side * right), (float3)(Side * up));
         }
     }
 }

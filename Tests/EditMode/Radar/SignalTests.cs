@@ -9,7 +9,8 @@ namespace Glint.Tests
         const double Wavelength = 0.0299792458; // c / 10 GHz, m
 
         [Test]
-        public void Wavelength_OfTenGigahertz_IsThreeCentimetres() => Assert.That(Signal.Wavelength(10e9), Is.EqualTo(Wavelength).Within(1e-15));
+        public void Wavelength_OfTenGigahertz_IsThreeCentimetres() =>
+            Assert.That(Signal.Wavelength(10e9), Is.EqualTo(Wavelength).Within(1e-15));
 
         [TestCase(0, 0)]
         [TestCase(0.25, Math.PI / 2)]
@@ -37,7 +38,8 @@ namespace Glint.Tests
         [TestCase(Math.PI, Signal.PhaseBins / 2)]
         [TestCase(2 * Math.PI - 1e-9, Signal.PhaseBins - 1)]
         [TestCase(2 * Math.PI, 0)]
-        public void PhaseBin_OfAPhase_CountsFromZero(double phase, int bin) => Assert.That(Signal.PhaseBin(phase), Is.EqualTo(bin));
+        public void PhaseBin_OfAPhase_CountsFromZero(double phase, int bin) =>
+            Assert.That(Signal.PhaseBin(phase), Is.EqualTo(bin));
 
         [Test]
         public void Amplitude_OfOppositeRays_IsZeroAndOfEqualRaysTheirNumber()

@@ -14,10 +14,12 @@ namespace Glint.Tests
         public static ComputeShader TwoFloat => Load("Packages/com.glint.tests/EditMode/Shaders/TwoFloat.compute");
 
         /// <summary>The tracer's kernels for software devices, in groups of other sizes.</summary>
-        public static ComputeShader OtherGroups => Load("Packages/com.glint.tests/EditMode/Shaders/OtherGroups.compute");
+        public static ComputeShader OtherGroups =>
+            Load("Packages/com.glint.tests/EditMode/Shaders/OtherGroups.compute");
 
         /// <summary>One pose of a mesh in the world's axes through the product's kernel.</summary>
-        public static RadarResult TraceOnce(TriangleMesh mesh, in RadarSettings settings, in RadarView view, KeptRays keep = KeptRays.Received)
+        public static RadarResult TraceOnce(TriangleMesh mesh, in RadarSettings settings, in RadarView view,
+            KeptRays keep = KeptRays.Received)
         {
             using (var tracer = new RayTracer(Trace))
             {

@@ -14,7 +14,9 @@ namespace Glint.Tests
         public static RadarSettings Settings(int across = 160, int down = 90, int bounces = 4) =>
             new RadarSettings { FrequencyHz = 10e9, RaysAcross = across, RaysDown = down, MaxBounces = bounces };
 
-        /// <summary>A camera at a point looking at another, right axis level; receiver 3 x 3 m, 0.2 m behind it.</summary>
+        /// <summary>
+        /// A camera at a point looking at another, right axis level; receiver 3 x 3 m, 0.2 m behind it.
+        /// </summary>
         public static RadarView LookAt(double3 from, double3 at, double fov = 60)
         {
             double3 forward = normalize(at - from);
@@ -28,11 +30,14 @@ namespace Glint.Tests
             };
         }
 
-        /// <summary>Where the ray of a pixel starts: in the middle of its cell of the aperture, if the rays are parallel.</summary>
+        /// <summary>
+        /// Where the ray of a pixel starts: in the middle of its cell of the aperture, if the rays are parallel.
+        /// </summary>
         public static double3 Start(in RadarSettings settings, in RadarView view, int pixel)
         {
             double spacing = view.ApertureHeight / settings.RaysDown;
-            double x = pixel % settings.RaysAcross + 0.5 - 0.5 * settings.RaysAcross, y = pixel / settings.RaysAcross + 0.5 - 0.5 * settings.RaysDown;
+            double x = pixel % settings.RaysAcross + 0.5 - 0.5 * settings.RaysAcross,
+                y = pixel / settings.RaysAcross + 0.5 - 0.5 * settings.RaysDown;
             return view.Position + spacing * (x * view.Right + y * view.Up);
         }
 
@@ -50,10 +55,12 @@ namespace Glint.Tests
 
         /// <summary>A parallelogram of two triangles from a corner along two edges.</summary>
         public static TriangleMesh Plate(float3 corner, float3 edge1, float3 edge2) =>
-            new TriangleMesh(new[] { corner, corner + edge1, corner + edge1 + edge2, corner + edge2 }, new[] { 0, 1, 2, 0, 2, 3 });
+            new TriangleMesh(new[] { corner, corner + edge1, corner + edge1 + edge2, corner + edge2 },
+                new[] { 0, 1, 2, 0, 2, 3 });
 
         /// <summary>A square plate of a side in metres across the z axis, its middle at (0, 0, z).</summary>
-        public static TriangleMesh FacingPlate(float side, float z) => Plate(float3(-side / 2, -side / 2, z), float3(side, 0, 0), float3(0, side, 0));
+        public static TriangleMesh FacingPlate(float side, float z) =>
+            Plate(float3(-side / 2, -side / 2, z), float3(side, 0, 0), float3(0, side, 0));
 
         /// <summary>Three square plates along the axes from a vertex: the inside of a box's corner.</summary>
         public static TriangleMesh Trihedral(float3 vertex, float side)
@@ -80,13 +87,17 @@ namespace Glint.Tests
             return new TriangleMesh(vertices, indices);
         }
 
-        /// <summary>Triangles of so many sizes, each twice the one before, about 1 m in the middle, in turn; all near the origin: no plane parts them evenly.</summary>
+        /// <summary>
+        /// Triangles of so many sizes, each twice the one before, about 1 m in the middle, in turn;
+        /// all near the origin: no plane parts them evenly.
+        /// </summary>
         public static TriangleMesh PowersOfTwo(int triangles, int sizes)
         {
             var random = new System.Random(7);
             var corners = new float3[3 * triangles];
             for (int i = 0; i < corners.Length; i++)
-                corners[i] = pow(2f, i / 3 % sizes - sizes / 2) * float3((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble());
+                corners[i] = pow(2f, i / 3 % sizes - sizes / 2) * float3((float)random.NextDouble(),
+                    (float)random.NextDouble(), (float)random.NextDouble());
             return new TriangleMesh(corners, Enumerable.Range(0, corners.Length).ToArray());
         }
 

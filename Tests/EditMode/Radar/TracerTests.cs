@@ -16,8 +16,11 @@ namespace Glint.Tests
         static readonly RadarSettings s_settings = TestRadar.Settings(333, 187);
         static readonly RadarView s_view = TestRadar.LookAt(double3(9, 10, 11), 0, fov: 40);
 
-        // A corner reflector amid clutter, and a wall behind the receiver: rays that return, rays that get lost, and sky.
-        static TriangleMesh Scene => TestRadar.Join(TestRadar.Trihedral(0, 4), TestRadar.Clutter(300, seed: 5, halfSide: 4, largest: 0.3f), TestRadar.Plate(float3(10, 12, 25), float3(20, 0, 0), float3(0, 20, 0)));
+        // A corner reflector amid clutter, and a wall behind the receiver:
+        // rays that return, rays that get lost, and sky.
+        static TriangleMesh Scene =>
+            TestRadar.Join(TestRadar.Trihedral(0, 4), TestRadar.Clutter(300, seed: 5, halfSide: 4, largest: 0.3f),
+                TestRadar.Plate(float3(10, 12, 25), float3(20, 0, 0), float3(0, 20, 0)));
 
         static RayTracer Tracer(RadarScene scene, bool asSoftware = true)
         {
@@ -26,7 +29,8 @@ namespace Glint.Tests
             return tracer;
         }
 
-        static RadarResult Pose(Action<RayTracer> change = null, KeptRays keep = KeptRays.None, bool asSoftware = true, RadarSettings? settings = null)
+        static RadarResult Pose(Action<RayTracer> change = null, KeptRays keep = KeptRays.None, bool asSoftware = true,
+            RadarSettings? settings = null)
         {
             using (var tracer = Tracer(new RadarScene(Scene), asSoftware))
             {
@@ -37,15 +41,19 @@ namespace Glint.Tests
 
         static void AssertSame(RadarResult actual, RadarResult expected)
         {
-            Assert.That(BitConverter.DoubleToInt64Bits(actual.InPhase), Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.InPhase)), "I");
-            Assert.That(BitConverter.DoubleToInt64Bits(actual.Quadrature), Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.Quadrature)), "Q");
-            Assert.That(BitConverter.DoubleToInt64Bits(actual.PathLengthMeters), Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.PathLengthMeters)), "path length");
+            Assert.That(BitConverter.DoubleToInt64Bits(actual.InPhase),
+                Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.InPhase)), "I");
+            Assert.That(BitConverter.DoubleToInt64Bits(actual.Quadrature),
+                Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.Quadrature)), "Q");
+            Assert.That(BitConverter.DoubleToInt64Bits(actual.PathLengthMeters),
+                Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.PathLengthMeters)), "path length");
             Assert.That(actual.RaysHit, Is.EqualTo(expected.RaysHit));
             Assert.That(actual.RaysReceived, Is.EqualTo(expected.RaysReceived));
             Assert.That(actual.Bounces, Is.EqualTo(expected.Bounces));
             Assert.That(actual.Segments, Is.EqualTo(expected.Segments));
             Assert.That(actual.PhaseHistogram, Is.EqualTo(expected.PhaseHistogram));
-            Assert.That(BitConverter.DoubleToInt64Bits(actual.SamplingError), Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.SamplingError)), "sampling error");
+            Assert.That(BitConverter.DoubleToInt64Bits(actual.SamplingError),
+                Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.SamplingError)), "sampling error");
             Assert.That(actual.LargestPathStep, Is.EqualTo(expected.LargestPathStep));
         }
 
@@ -56,7 +64,10 @@ namespace Glint.Tests
             var all = Pose(asSoftware: asSoftware);
             Assert.That(all.RaysReceived, Is.GreaterThan(100));
             Assert.That(all.Work.TilesSkipped, Is.GreaterThan(100));
-            foreach (var off in new[] { Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles, Shortcuts.Starts, Shortcuts.All })
+            foreach (var off in new[]
+            {
+                Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles, Shortcuts.Starts, Shortcuts.All
+            })
                 AssertSame(Pose(tracer => tracer.Shortcuts = Shortcuts.All & ~off, asSoftware: asSoftware), all);
         }
 
@@ -93,7 +104,11 @@ namespace Glint.Tests
         public void Trace_InGroupsOfOtherSizes_SumsAreTheSameBitForBit()
         {
             var scene = new RadarScene(Scene);
-            var pair = new RadarScene(scene.Instances[0], new MeshInstance { Mesh = TestRadar.FacingPlate(3, 0), ToWorld = Affine.FromTransform(double3(-6, 1, 2), double4(0.1, 0.2, 0.3, 1), 1) });
+            var pair = new RadarScene(scene.Instances[0], new MeshInstance
+            {
+                Mesh = TestRadar.FacingPlate(3, 0),
+                ToWorld = Affine.FromTransform(double3(-6, 1, 2), double4(0.1, 0.2, 0.3, 1), 1)
+            });
             foreach (var some in new[] { scene, pair })
                 using (var tracer = Tracer(some))
                 using (var other = new RayTracer(TestKernels.OtherGroups, "test", true))
@@ -113,12 +128,16 @@ namespace Glint.Tests
         {
             var random = new System.Random(count);
             double Next() => 2 * random.NextDouble() - 1;
-            var places = new List<MeshInstance> { new MeshInstance { Mesh = TestRadar.Trihedral(0, 4), ToWorld = Affine.Identity } };
+            var places = new List<MeshInstance>
+            {
+                new MeshInstance { Mesh = TestRadar.Trihedral(0, 4), ToWorld = Affine.Identity }
+            };
             for (int i = 1; i < count; i++)
                 places.Add(new MeshInstance
                 {
                     Mesh = TestRadar.Clutter(40, seed: (uint)i, halfSide: 2, largest: 0.4f),
-                    ToWorld = Affine.FromTransform(4 * double3(Next(), Next(), Next()), double4(Next(), Next(), Next(), Next()), double3(1, Next() < 0 ? -1 : 1, 1.3)),
+                    ToWorld = Affine.FromTransform(4 * double3(Next(), Next(), Next()),
+                        double4(Next(), Next(), Next(), Next()), double3(1, Next() < 0 ? -1 : 1, 1.3)),
                 });
             RadarResult Sums()
             {
@@ -152,9 +171,13 @@ namespace Glint.Tests
             Assert.That(none.Rays, Is.Empty);
             Assert.That(received.Rays.Length, Is.EqualTo(none.RaysReceived));
             long mayReturn = none.Work.RaysFollowedExactly;
-            Assert.That(mayReturn, Is.InRange(none.RaysReceived, 1.1 * none.RaysReceived + 1e-3 * none.RaysEmitted), "few more than are received: those that pass an edge");
-            Assert.That(none.Work.BytesReadBack, Is.EqualTo(3 * RaySums.Slots * RaySums.WordsPerSlot * 4 + 8 * mayReturn), "sums, and pixel and length of what is received");
-            Assert.That(received.Work.BytesReadBack - none.Work.BytesReadBack, Is.EqualTo(48 * mayReturn), "and these rays only");
+            Assert.That(mayReturn, Is.InRange(none.RaysReceived, 1.1 * none.RaysReceived + 1e-3 * none.RaysEmitted),
+                "few more than are received: those that pass an edge");
+            Assert.That(none.Work.BytesReadBack,
+                Is.EqualTo(3 * RaySums.Slots * RaySums.WordsPerSlot * 4 + 8 * mayReturn),
+                "sums, and pixel and length of what is received");
+            Assert.That(received.Work.BytesReadBack - none.Work.BytesReadBack,
+                Is.EqualTo(48 * mayReturn), "and these rays only");
         }
 
         [Test]
@@ -163,8 +186,10 @@ namespace Glint.Tests
             var result = Pose(keep: KeptRays.All);
             var received = result.Rays.Where(ray => ray.IsReceived).ToArray();
             // Whole numbers of 2^-24: half a unit a ray at most.
-            Assert.That(result.InPhase, Is.EqualTo(received.Sum(ray => (double)ray.InPhase)).Within(received.Length * 3e-8));
-            Assert.That(result.Quadrature, Is.EqualTo(received.Sum(ray => (double)ray.Quadrature)).Within(received.Length * 3e-8));
+            Assert.That(result.InPhase,
+                Is.EqualTo(received.Sum(ray => (double)ray.InPhase)).Within(received.Length * 3e-8));
+            Assert.That(result.Quadrature,
+                Is.EqualTo(received.Sum(ray => (double)ray.Quadrature)).Within(received.Length * 3e-8));
             Assert.That(result.Bounces, Is.EqualTo(result.Rays.Sum(ray => (long)ray.Bounces)));
             Assert.That(result.RaysHit, Is.EqualTo(result.Rays.Count(ray => ray.Bounces > 0)));
             Assert.That(result.PhaseHistogram.Sum(), Is.EqualTo(received.Length));
@@ -181,7 +206,8 @@ namespace Glint.Tests
             settings.Region = region;
             var part = Pose(keep: KeptRays.All, settings: settings, asSoftware: asSoftware);
             var whole = Pose(keep: KeptRays.All, asSoftware: asSoftware).Rays;
-            var expected = whole.Where(ray => ray.Pixel % 333 >= 101 && ray.Pixel % 333 < 178 && ray.Pixel / 333 >= 53 && ray.Pixel / 333 < 144).ToArray();
+            var expected = whole.Where(ray => ray.Pixel % 333 >= 101 && ray.Pixel % 333 < 178 && ray.Pixel / 333 >= 53
+                && ray.Pixel / 333 < 144).ToArray();
             Assert.That(part.Rays, Is.EqualTo(expected));
             Assert.That(part.RaysEmitted, Is.EqualTo(77 * 91));
             Assert.That(part.RaysHit, Is.EqualTo(expected.Count(ray => ray.Bounces > 0)));
@@ -193,7 +219,8 @@ namespace Glint.Tests
         {
             var wide = Pose(keep: KeptRays.All);
             var binary = Pose(keep: KeptRays.All, asSoftware: false);
-            // Both test the same triangles with the same arithmetic; only ties between equally near triangles may differ.
+            // Both test the same triangles with the same arithmetic;
+            // only ties between equally near triangles may differ.
             Assert.That(binary.Rays, Is.EqualTo(wide.Rays));
             AssertSame(binary, wide);
         }
@@ -212,7 +239,9 @@ namespace Glint.Tests
                 places.Add(new MeshInstance
                 {
                     Mesh = i % 3 == 0 ? plate : clutter,
-                    ToWorld = Affine.FromTransform(5 * double3(Next(), Next(), Next()), double4(Next(), Next(), Next(), Next()), double3(Next() + 1.2, i % 2 == 0 ? 1 : -1, Next() + 1.5)),
+                    ToWorld = Affine.FromTransform(5 * double3(Next(), Next(), Next()),
+                        double4(Next(), Next(), Next(), Next()),
+                        double3(Next() + 1.2, i % 2 == 0 ? 1 : -1, Next() + 1.5)),
                 });
             }
             var scene = new RadarScene(places.ToArray());
@@ -221,8 +250,10 @@ namespace Glint.Tests
             using (var tracer = Tracer(scene, asSoftware))
                 rays = tracer.Trace(s_settings, view, KeptRays.All).Rays;
             var expected = new Judge(scene, s_settings, view).TraceAll();
-            int others = Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces || rays[i].IsReceived != expected[i].Received
-                || abs(rays[i].PathLength - (expected[i].Received ? expected[i].PathLength : expected[i].LengthToLastHit)) > 1e-3);
+            int others = Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces
+                || rays[i].IsReceived != expected[i].Received
+                || abs(rays[i].PathLength
+                    - (expected[i].Received ? expected[i].PathLength : expected[i].LengthToLastHit)) > 1e-3);
             Assert.That(others, Is.LessThan(rays.Length / 4000), "rays that took another way");
             Assert.That(expected.Count(ray => ray.Bounces > 1), Is.GreaterThan(1000));
         }
@@ -242,7 +273,9 @@ namespace Glint.Tests
                 var second = tracer.Trace(s_settings, s_view, KeptRays.None);
                 AssertSame(second, first);
                 Assert.That(second.Work.TreesBuilt, Is.Zero);
-                Assert.That(second.Work.BytesUploaded, Is.EqualTo(4 * second.Work.TilesTraced + 3 * 4 * RaySums.Slots * RaySums.WordsPerSlot + 8 * second.Work.SubRays / 16), "tiles, zeros, and where to trace smaller rays");
+                Assert.That(second.Work.BytesUploaded, Is.EqualTo(4 * second.Work.TilesTraced
+                        + 3 * 4 * RaySums.Slots * RaySums.WordsPerSlot + 8 * second.Work.SubRays / 16),
+                    "tiles, zeros, and where to trace smaller rays");
 
                 var turned = Affine.FromTransform(0, double4(0, sin(0.1), 0, cos(0.1)), 1);
                 tracer.SetScene(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = turned }));
@@ -291,7 +324,8 @@ namespace Glint.Tests
             {
                 tracer.TilesADispatch = 50;
                 var parts = new Parts { After = cancel.Cancel };
-                Assert.Throws<OperationCanceledException>(() => tracer.Trace(s_settings, s_view, KeptRays.None, parts, cancel.Token));
+                Assert.Throws<OperationCanceledException>(
+                    () => tracer.Trace(s_settings, s_view, KeptRays.None, parts, cancel.Token));
                 Assert.That(parts.Reported, Has.Count.EqualTo(1));
                 AssertSame(tracer.Trace(s_settings, s_view, KeptRays.None), Pose());
             }
@@ -302,7 +336,8 @@ namespace Glint.Tests
         {
             using (var tracer = Tracer(new RadarScene(TestRadar.Empty)))
             {
-                var problem = Assert.Throws<GlintException>(() => tracer.Trace(TestRadar.Settings(65536, 65535), s_view, KeptRays.All));
+                var problem = Assert.Throws<GlintException>(
+                    () => tracer.Trace(TestRadar.Settings(65536, 65535), s_view, KeptRays.All));
                 Assert.That(problem.Message, Does.Contain("4294901760 rays").And.Contain("196605 MiB"));
             }
         }

@@ -49,7 +49,8 @@ namespace Glint.Tests
             AssertNear("TimesOne", n => n[0] * (float)n[1], n => abs(n[0] * n[1]));
             AssertNear("OverTwo", n => n[0] / n[1], n => abs(n[0] / n[1]));
             AssertNear("RootTwo", n => sqrt(abs(n[1])), n => sqrt(abs(n[1])));
-            AssertNear("DotTwo", n => n[0] * n[1] + n[1] * n[2] + n[2] * n[3], n => abs(n[0] * n[1]) + abs(n[1] * n[2]) + abs(n[2] * n[3]));
+            AssertNear("DotTwo", n => n[0] * n[1] + n[1] * n[2] + n[2] * n[3],
+                n => abs(n[0] * n[1]) + abs(n[1] * n[2]) + abs(n[2] * n[3]));
         }
 
         void AssertExact(string kernel, Func<double[], double> expected)
@@ -59,21 +60,24 @@ namespace Glint.Tests
             {
                 double wanted = expected(_numbers[i]);
                 // Sums of numbers 2^53 apart are not exact in a double either.
-                Assert.That(results[i], Is.EqualTo(wanted).Within(1e-16 * abs(wanted)), $"{kernel} of {string.Join(", ", _numbers[i])}");
+                Assert.That(results[i], Is.EqualTo(wanted).Within(1e-16 * abs(wanted)),
+                    $"{kernel} of {string.Join(", ", _numbers[i])}");
             }
         }
 
         void AssertNear(string kernel, Func<double[], double> expected, Func<double[], double> size)
         {
             var results = Run(kernel);
-            double worst = Enumerable.Range(0, Cases).Max(i => abs(results[i] - expected(_numbers[i])) / size(_numbers[i]));
+            double worst = Enumerable.Range(0, Cases)
+                .Max(i => abs(results[i] - expected(_numbers[i])) / size(_numbers[i]));
             Assert.That(worst, Is.LessThan(Rounding), kernel);
         }
 
         double[] Run(string kernel)
         {
             var shader = TestKernels.TwoFloat;
-            var numbers = _numbers.SelectMany(some => some).Select(n => new Vector2((float)n, TwoFloat.Rest(n))).ToArray();
+            var numbers = _numbers.SelectMany(some => some)
+                .Select(n => new Vector2((float)n, TwoFloat.Rest(n))).ToArray();
             var results = new Vector2[Cases];
             using (var input = new GraphicsBuffer(GraphicsBuffer.Target.Structured, numbers.Length, 8))
             using (var output = new GraphicsBuffer(GraphicsBuffer.Target.Structured, Cases, 8))

@@ -8,15 +8,21 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>No ray gets out of a closed body: neither between triangles that share an edge or a corner, nor through one that it has just left.</summary>
+    /// <summary>
+    /// No ray gets out of a closed body: neither between triangles that share an edge or a corner,
+    /// nor through one that it has just left.
+    /// </summary>
     public sealed class WatertightTests
     {
         // Six pictures of 90 degrees all round.
         static readonly (double3 right, double3 up, double3 forward)[] s_views =
         {
-            (double3(1, 0, 0), double3(0, 1, 0), double3(0, 0, 1)), (double3(-1, 0, 0), double3(0, 1, 0), double3(0, 0, -1)),
-            (double3(0, 0, -1), double3(0, 1, 0), double3(1, 0, 0)), (double3(0, 0, 1), double3(0, 1, 0), double3(-1, 0, 0)),
-            (double3(1, 0, 0), double3(0, 0, -1), double3(0, 1, 0)), (double3(1, 0, 0), double3(0, 0, 1), double3(0, -1, 0)),
+            (double3(1, 0, 0), double3(0, 1, 0), double3(0, 0, 1)),
+            (double3(-1, 0, 0), double3(0, 1, 0), double3(0, 0, -1)),
+            (double3(0, 0, -1), double3(0, 1, 0), double3(1, 0, 0)),
+            (double3(0, 0, 1), double3(0, 1, 0), double3(-1, 0, 0)),
+            (double3(1, 0, 0), double3(0, 0, -1), double3(0, 1, 0)),
+            (double3(1, 0, 0), double3(0, 0, 1), double3(0, -1, 0)),
         };
 
         [TestCase(true, 440, 20_000_000)]
@@ -45,7 +51,8 @@ namespace Glint.Tests
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
                 foreach (var scale in new[] { double3(1e-3), double3(1e5), double3(1, -2, 0.5), double3(-1, 30, 1) })
                     foreach (var place in new[] { double3(0), double3(1e6, -1e6, 12345.678) })
-                        escapes.Look(tracer, $"jagged body times {scale} at {place}", ClosedBodies.Jagged(16, 128, 3), Affine.FromTransform(place, double4(0.1, 0.2, 0.3, 0.9), scale));
+                        escapes.Look(tracer, $"jagged body times {scale} at {place}", ClosedBodies.Jagged(16, 128, 3),
+                            Affine.FromTransform(place, double4(0.1, 0.2, 0.3, 0.9), scale));
             escapes.Check(500_000);
         }
 
@@ -88,12 +95,14 @@ namespace Glint.Tests
                     var view = new RadarView
                     {
                         Position = toWorld.Origin, Right = right, Up = up, Forward = forward, VerticalFovDegrees = 90,
-                        ReceiverCentre = toWorld.Origin - 1e6 * forward, ReceiverRight = right, ReceiverUp = up, ReceiverForward = forward, ReceiverSize = 1,
+                        ReceiverCentre = toWorld.Origin - 1e6 * forward, ReceiverRight = right,
+                        ReceiverUp = up, ReceiverForward = forward, ReceiverSize = 1,
                     };
                     var result = tracer.Trace(settings, view, KeptRays.None);
                     long missing = _bounces * result.RaysEmitted - result.Bounces;
                     if (missing > 0)
-                        _found.Add($"{name}, {mesh.TriangleCount} triangles, towards {forward}: {result.RaysEmitted - result.RaysHit} rays at once, {missing} bounces missing");
+                        _found.Add($"{name}, {mesh.TriangleCount} triangles, towards {forward}: "
+                            + $"{result.RaysEmitted - result.RaysHit} rays at once, {missing} bounces missing");
                     _rays += result.RaysEmitted;
                 }
             }

@@ -19,7 +19,8 @@ namespace Glint.Tests
             {
                 double3 exact = (double3)mesh.Vertices[mesh.Indices[i]], drawn = Place(sketch, sketch.Indices[i]);
                 // Half a step of each axis.
-                Assert.That(math.all(math.abs(drawn - exact) <= 0.51 / 65535 * sketch.Size + 1e-12), $"corner {i}: {drawn} for {exact}");
+                Assert.That(math.all(math.abs(drawn - exact) <= 0.51 / 65535 * sketch.Size + 1e-12),
+                    $"corner {i}: {drawn} for {exact}");
             }
         }
 
@@ -35,17 +36,20 @@ namespace Glint.Tests
             double area = 0;
             for (int i = 0; i < sketch.Indices.Count; i += 3)
             {
-                double3 a = Place(sketch, sketch.Indices[i]), b = Place(sketch, sketch.Indices[i + 1]), c = Place(sketch, sketch.Indices[i + 2]);
+                double3 a = Place(sketch, sketch.Indices[i]), b = Place(sketch, sketch.Indices[i + 1]),
+                    c = Place(sketch, sketch.Indices[i + 2]);
                 area += math.abs(math.cross(b - a, c - a).y) / 2;
             }
-            // Seen from above it is 200 x 200 m without gaps and up to its border, so that tiles meet, but for what a cube cuts off at each corner.
+            // Seen from above it is 200 x 200 m without gaps and up to its border, so that tiles meet,
+            // but for what a cube cuts off at each corner.
             double cube = 200 / Math.Sqrt(most / 8.0);
             Assert.That(area, Is.InRange(200 * 200 - 4 * cube * cube / 2, 200 * 200 + 1e-3));
             Assert.That(sketch.Indices.Max(), Is.LessThan(sketch.Positions.Count / 3));
         }
 
         [Test]
-        public void Sketch_OfNothing_IsEmpty() => Assert.That(MeshSketch.Of(new TriangleMesh(new float3[0], new int[0]), 12).TriangleCount, Is.Zero);
+        public void Sketch_OfNothing_IsEmpty() =>
+            Assert.That(MeshSketch.Of(new TriangleMesh(new float3[0], new int[0]), 12).TriangleCount, Is.Zero);
 
         // A wavy square in cells of two triangles.
         static TriangleMesh Sheet(int cells, float side)
@@ -57,11 +61,13 @@ namespace Glint.Tests
                 vertices[i] = new float3(x, 0.1f * math.sin(x / 20), z);
             }
             var indices = Enumerable.Range(0, cells * cells).Select(cell => cell / cells * (cells + 1) + cell % cells)
-                .SelectMany(corner => new[] { corner, corner + cells + 1, corner + 1, corner + 1, corner + cells + 1, corner + cells + 2 }).ToArray();
+                .SelectMany(corner => new[] { corner, corner + cells + 1, corner + 1, corner + 1, corner + cells + 1,
+                    corner + cells + 2 }).ToArray();
             return new TriangleMesh(vertices, indices);
         }
 
         static double3 Place(MeshSketch sketch, int point) =>
-            sketch.Low + sketch.Size * new double3(sketch.Positions[3 * point], sketch.Positions[3 * point + 1], sketch.Positions[3 * point + 2]) / 65535;
+            sketch.Low + sketch.Size * new double3(sketch.Positions[3 * point], sketch.Positions[3 * point + 1],
+                sketch.Positions[3 * point + 2]) / 65535;
     }
 }

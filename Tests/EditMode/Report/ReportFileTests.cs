@@ -14,7 +14,8 @@ namespace Glint.Tests
         string _path;
 
         [SetUp]
-        public void Choose() => _path = Path.Combine(Path.GetTempPath(), "glint-report-" + Guid.NewGuid().ToString("N"));
+        public void Choose() =>
+            _path = Path.Combine(Path.GetTempPath(), "glint-report-" + Guid.NewGuid().ToString("N"));
 
         [TearDown]
         public void Remove()
@@ -30,7 +31,8 @@ namespace Glint.Tests
             var info = SampleRun.Info();
             info.TargetName = evil;
             Write(info);
-            string page = ReportFile.Fill($"{Before}@GLINT_REPORT_DATA@{After}", StoredRun.Read(_path), null, "no " + evil);
+            string page =
+                ReportFile.Fill($"{Before}@GLINT_REPORT_DATA@{After}", StoredRun.Read(_path), null, "no " + evil);
 
             string json = page.Substring(Before.Length, page.Length - Before.Length - After.Length);
             Assert.That(json, Does.Not.Contain("<"));
@@ -45,7 +47,8 @@ namespace Glint.Tests
         public void Fill_OfADamagedTemplate_IsRefused(string template)
         {
             Write(SampleRun.Info());
-            Assert.That(() => ReportFile.Fill(template, StoredRun.Read(_path), null, ""), Throws.TypeOf<GlintException>().With.Message.Contain("template"));
+            Assert.That(() => ReportFile.Fill(template, StoredRun.Read(_path), null, ""),
+                Throws.TypeOf<GlintException>().With.Message.Contain("template"));
         }
 
         [Test]
@@ -75,7 +78,8 @@ namespace Glint.Tests
             Directory.CreateDirectory(_path);
             File.WriteAllText(Path.Combine(_path, "results.json"), json);
             var problem = Assert.Throws<GlintException>(() => StoredRun.Read(_path));
-            Assert.That(problem.Message, Does.Contain(Path.Combine(_path, "results.json")).And.Contain(words).And.Not.Contain("\n"));
+            Assert.That(problem.Message,
+                Does.Contain(Path.Combine(_path, "results.json")).And.Contain(words).And.Not.Contain("\n"));
         }
 
         [TestCase("\"angle_deg\": 0", "\"angle_deg\": \"x\"", "angle_deg of a row is no number")]
@@ -89,18 +93,23 @@ namespace Glint.Tests
             string path = Path.Combine(_path, "results.json"), text = File.ReadAllText(path);
             Assert.That(text, Does.Contain(before));
             File.WriteAllText(path, text.Replace(before, after));
-            Assert.That(() => StoredRun.Read(_path), Throws.TypeOf<GlintException>().With.Message.Contain(path).And.Message.Contain(words));
+            Assert.That(() => StoredRun.Read(_path),
+                Throws.TypeOf<GlintException>().With.Message.Contain(path).And.Message.Contain(words));
         }
 
         [Test]
         public void Run_ThatIsNotThere_IsRefusedWithTheRemedy()
         {
-            Assert.That(() => StoredRun.Read(_path), Throws.TypeOf<GlintException>().With.Message.Contain("no such folder"));
+            Assert.That(() => StoredRun.Read(_path),
+                Throws.TypeOf<GlintException>().With.Message.Contain("no such folder"));
             Directory.CreateDirectory(_path);
-            Assert.That(() => StoredRun.Read(_path), Throws.TypeOf<GlintException>().With.Message.Contain("holds no results"));
+            Assert.That(() => StoredRun.Read(_path),
+                Throws.TypeOf<GlintException>().With.Message.Contain("holds no results"));
             File.WriteAllText(Path.Combine(_path, "results.csv"), "");
-            Assert.That(() => StoredRun.Read(_path), Throws.TypeOf<GlintException>().With.Message.Contain("not finished"));
-            Assert.That(() => StoredRun.Read(Path.Combine(_path, "results.csv")), Throws.TypeOf<GlintException>().With.Message.Contain("is a file"));
+            Assert.That(() => StoredRun.Read(_path),
+                Throws.TypeOf<GlintException>().With.Message.Contain("not finished"));
+            Assert.That(() => StoredRun.Read(Path.Combine(_path, "results.csv")),
+                Throws.TypeOf<GlintException>().With.Message.Contain("is a file"));
         }
 
         [Test]
@@ -118,7 +127,8 @@ namespace Glint.Tests
         public void Write_IntoAFolderThatIsNotThere_IsRefusedByName()
         {
             string file = Path.Combine(_path, "report.html");
-            Assert.That(() => ReportFile.Write(file, "x"), Throws.TypeOf<GlintException>().With.Message.Contain(file).And.Message.Contain("--out"));
+            Assert.That(() => ReportFile.Write(file, "x"),
+                Throws.TypeOf<GlintException>().With.Message.Contain(file).And.Message.Contain("--out"));
         }
 
         // Amplitudes 5, 10, 5.

@@ -22,7 +22,8 @@ namespace Glint.Tests
         [TestCase(1e-4, "0.0001")]
         [TestCase(1e-5, "1E-05")]
         [TestCase(1.7976931348623157E+308, "1.7976931348623157E+308")]
-        public void Format_Number_IsTheShortestText(double value, string text) => Assert.That(Numbers.Format(value), Is.EqualTo(text));
+        public void Format_Number_IsTheShortestText(double value, string text) =>
+            Assert.That(Numbers.Format(value), Is.EqualTo(text));
 
         [Test]
         public void Format_AnyBits_ReadBackTheSame()
@@ -37,7 +38,8 @@ namespace Glint.Tests
                     continue;
                 string text = Numbers.Format(value);
                 Assert.That(double.Parse(text, CultureInfo.InvariantCulture), Is.EqualTo(value), text);
-                Assert.That(text.Length, Is.LessThanOrEqualTo(value.ToString("G17", CultureInfo.InvariantCulture).Length));
+                Assert.That(text.Length,
+                    Is.LessThanOrEqualTo(value.ToString("G17", CultureInfo.InvariantCulture).Length));
             }
         }
 
@@ -50,6 +52,7 @@ namespace Glint.Tests
 
         [TestCase(double.NaN)]
         [TestCase(double.PositiveInfinity)]
-        public void Format_NotFinite_IsRefused(double value) => Assert.Throws<ArgumentOutOfRangeException>(() => Numbers.Format(value));
+        public void Format_NotFinite_IsRefused(double value) =>
+            Assert.Throws<ArgumentOutOfRangeException>(() => Numbers.Format(value));
     }
 }

@@ -10,8 +10,10 @@ namespace Glint.Tests
 {
     public sealed class ResultsFolderTests
     {
-        const string Header = "angle_deg,amplitude,amplitude_db,in_phase,quadrature,rays_emitted,rays_hit,rays_received,ratio,bounces,segments,path_length_m,trace_ms,"
-            + "amplitude_normalised,sampling_error,largest_path_step_wavelengths,undersampled,ray_area_m2,snapshot,grazing_deg,range_m,frequency_hz\n";
+        const string Header = "angle_deg,amplitude,amplitude_db,in_phase,quadrature,rays_emitted,rays_hit,"
+            + "rays_received,ratio,bounces,segments,path_length_m,trace_ms,"
+            + "amplitude_normalised,sampling_error,largest_path_step_wavelengths,undersampled,ray_area_m2,snapshot,"
+            + "grazing_deg,range_m,frequency_hz\n";
 
         TemporaryFolder _folder;
         string _path;
@@ -41,7 +43,8 @@ namespace Glint.Tests
             {
                 Assert.That(Entries(), Is.EqualTo(new[] { "results.csv", "results.json", "results.lock" }));
                 results.Append(SampleRun.Row(7));
-                Assert.That(Entries(), Is.EqualTo(new[] { "results.csv", "results.lock" }), "the old JSON would not belong to these rows");
+                Assert.That(Entries(), Is.EqualTo(new[] { "results.csv", "results.lock" }),
+                    "the old JSON would not belong to these rows");
             }
             Assert.That(Entries(), Is.EqualTo(new[] { "results.csv" }));
             Assert.That(Csv().Split('\n')[1], Does.StartWith("7,"));
@@ -54,10 +57,12 @@ namespace Glint.Tests
             {
                 results.Append(SampleRun.Row(0));
                 // 20 log10 5, 300 / 900, 2073600 + 1200 segments, and half of 5 for a picture of twice 2073600 rays.
-                string first = "0,5,13.979400086720377,3,-4,2073600,900,300,0.3333333333333333,1200,2074800,41.25,8.5,2.5,0.25,0.125,1,0.0625,,,,\n";
+                string first = "0,5,13.979400086720377,3,-4,2073600,900,300,0.3333333333333333,1200,2074800,41.25,8.5,"
+                    + "2.5,0.25,0.125,1,0.0625,,,,\n";
                 Assert.That(Csv(), Is.EqualTo(Header + first));
                 results.Append(SampleRun.Miss(0.1));
-                Assert.That(Csv(), Is.EqualTo(Header + first + "0.1,0,,0,0,100,0,0,0,0,100,0,0,0,0,0,0,,,,,\n"), "no decibels of 0, ratio 0 of no hits, no area of perspective rays, none of the axes left alone");
+                Assert.That(Csv(), Is.EqualTo(Header + first + "0.1,0,,0,0,100,0,0,0,0,100,0,0,0,0,0,0,,,,,\n"),
+                    "no decibels of 0, ratio 0 of no hits, no area of perspective rays, none of the axes left alone");
             }
         }
 
@@ -131,7 +136,8 @@ namespace Glint.Tests
             Assert.That((double)json["timings"]["trace_ms"], Is.EqualTo(17), "the sum of two rows");
             Assert.That((string)json["units"]["path_length_m"], Is.EqualTo("m"));
             Assert.That((string)json["units"]["ray_area_m2"], Is.EqualTo("m2"));
-            Assert.That(File.ReadAllText(Path.Combine(_path, "results.json")), Does.Contain("\"2025-03-04T15:06:07Z\"").And.Not.Contain("\r").And.EndsWith("}\n"));
+            Assert.That(File.ReadAllText(Path.Combine(_path, "results.json")),
+                Does.Contain("\"2025-03-04T15:06:07Z\"").And.Not.Contain("\r").And.EndsWith("}\n"));
         }
 
         [Test]
@@ -229,11 +235,13 @@ namespace Glint.Tests
             }
         }
 
-        string[] Entries() => Directory.GetFileSystemEntries(_path).Select(Path.GetFileName).OrderBy(name => name, StringComparer.Ordinal).ToArray();
+        string[] Entries() => Directory.GetFileSystemEntries(_path).Select(Path.GetFileName)
+            .OrderBy(name => name, StringComparer.Ordinal).ToArray();
 
         string Csv()
         {
-            using (var file = new FileStream(Path.Combine(_path, "results.csv"), FileMode.Open, FileAccess.Read, FileShare.ReadWrite))
+            using (var file = new FileStream(Path.Combine(_path, "results.csv"), FileMode.Open,
+                FileAccess.Read, FileShare.ReadWrite))
             using (var reader = new StreamReader(file, Encoding.UTF8))
                 return reader.ReadToEnd();
         }

@@ -58,13 +58,17 @@ namespace Glint.Tests
             AssertRefused("there is no such folder", one, two, _folder.PathOf("nothing"));
             AssertRefused("is one of the parts", one, two, three, _folder.PathOf("merged"));
 
-            SampleSweep.Write(_folder.PathOf("other"), SampleSweep.Identity("9000000000 Hz", new SweepShard(3, 3)), 3, 3);
-            AssertRefused("frequency was \"10000000000 Hz\" and is \"9000000000 Hz\"", one, two, _folder.PathOf("other"));
+            SampleSweep.Write(_folder.PathOf("other"),
+                SampleSweep.Identity("9000000000 Hz", new SweepShard(3, 3)), 3, 3);
+            AssertRefused("frequency was \"10000000000 Hz\" and is \"9000000000 Hz\"", one, two,
+                _folder.PathOf("other"));
             SampleSweep.Write(_folder.PathOf("undivided"), SampleSweep.Identity(), Poses, Poses);
             AssertRefused("is no part of a sweep", _folder.PathOf("undivided"));
-            SampleSweep.Write(_folder.PathOf("unfinished"), SampleSweep.Identity(shard: new SweepShard(3, 3)), 3, 2, first: 4);
+            SampleSweep.Write(_folder.PathOf("unfinished"),
+                SampleSweep.Identity(shard: new SweepShard(3, 3)), 3, 2, first: 4);
             AssertRefused("is not finished: finish it with --resume", one, two, _folder.PathOf("unfinished"));
-            SampleSweep.Write(_folder.PathOf("short"), SampleSweep.Identity(shard: new SweepShard(3, 3)), 1, 1, first: 6);
+            SampleSweep.Write(_folder.PathOf("short"),
+                SampleSweep.Identity(shard: new SweepShard(3, 3)), 1, 1, first: 6);
             AssertRefused("a file was changed", one, two, _folder.PathOf("short"));
 
             string json = Path.Combine(two, "results.json");
@@ -86,7 +90,8 @@ namespace Glint.Tests
         void AssertRefused(string part, params string[] folders)
         {
             string merged = _folder.PathOf("merged");
-            Assert.That(Assert.Throws<GlintException>(() => ResultsMerge.Merge(folders, merged)).Message, Does.Contain(part).And.Not.Contain("\n"));
+            Assert.That(Assert.Throws<GlintException>(() => ResultsMerge.Merge(folders, merged)).Message,
+                Does.Contain(part).And.Not.Contain("\n"));
             Assert.That(Directory.Exists(merged), Is.False);
         }
 

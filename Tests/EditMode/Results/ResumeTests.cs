@@ -37,7 +37,8 @@ namespace Glint.Tests
             int partialLength = partialEnds[0], csvLength = 0, moments = 0;
             for (int row = 1; row < partialEnds.Length; row++)
             {
-                for (; partialLength < partialEnds[row]; partialLength += Math.Min(13, partialEnds[row] - partialLength), moments++)
+                for (; partialLength < partialEnds[row];
+                    partialLength += Math.Min(13, partialEnds[row] - partialLength), moments++)
                     AssertGoesOn(partial, partialLength, csv, csvLength, row - 1, whole);
                 for (; csvLength < csvEnds[row]; csvLength += Math.Min(13, csvEnds[row] - csvLength), moments++)
                     AssertGoesOn(partial, partialLength, csv, csvLength, row, whole);
@@ -72,7 +73,8 @@ namespace Glint.Tests
         public void Resume_WhereNothingIs_Begins()
         {
             Assert.That(GoOn(), Is.Zero);
-            Assert.That(Directory.GetFiles(_path).Select(Path.GetFileName), Is.EquivalentTo(new[] { "results.csv", "results.json" }));
+            Assert.That(Directory.GetFiles(_path).Select(Path.GetFileName),
+                Is.EquivalentTo(new[] { "results.csv", "results.json" }));
         }
 
         [TestCase(true)]
@@ -80,7 +82,8 @@ namespace Glint.Tests
         public void Resume_OfAnotherSweep_IsRefusedAndSaysWhatDiffers(bool isFinished)
         {
             SampleSweep.Write(_path, SampleSweep.Identity(frequency: "9000000000 Hz"), Poses, isFinished ? Poses : 2);
-            AssertRefused(isFinished ? "results.json" : "results.partial", "frequency was \"9000000000 Hz\" and is \"10000000000 Hz\"");
+            AssertRefused(isFinished ? "results.json" : "results.partial",
+                "frequency was \"9000000000 Hz\" and is \"10000000000 Hz\"");
         }
 
         [Test]
@@ -96,7 +99,12 @@ namespace Glint.Tests
             SampleSweep.Write(_path, SampleSweep.Identity(), Poses, 3);
             string path = Path.Combine(_path, ResultsFolder.PartialName);
             string text = File.ReadAllText(path);
-            foreach (var (damaged, line) in new[] { (text.Replace("\"amplitude\":5", "\"amplitude\":x"), "line 2"), (text.Replace("\"bounces\"", "\"jumps\""), "line 2"), ("[]\n" + text, "line 1"), (text.Insert(text.IndexOf('\n'), "}"), "line 1") })
+            foreach (var (damaged, line) in new[]
+            {
+                (text.Replace("\"amplitude\":5", "\"amplitude\":x"), "line 2"),
+                (text.Replace("\"bounces\"", "\"jumps\""), "line 2"), ("[]\n" + text, "line 1"),
+                (text.Insert(text.IndexOf('\n'), "}"), "line 1")
+            })
             {
                 File.WriteAllText(path, damaged);
                 AssertRefused("results.partial, " + line, "damaged");
@@ -135,7 +143,11 @@ namespace Glint.Tests
             SampleSweep.Write(_path, SampleSweep.Identity(), Poses, Poses);
             string path = Path.Combine(_path, ResultsFolder.JsonName);
             string text = File.ReadAllText(path);
-            foreach (string damaged in new[] { "", text.Substring(0, text.Length / 2), "[1]", text.Replace("\"rows\"", "\"lines\""), text.Replace("\"elapsed_ms\": ", "\"elapsed_ms\": \"no\" , \"x\": "), text.Replace("2025-03", "2025-33") })
+            foreach (string damaged in new[]
+            {
+                "", text.Substring(0, text.Length / 2), "[1]", text.Replace("\"rows\"", "\"lines\""),
+                text.Replace("\"elapsed_ms\": ", "\"elapsed_ms\": \"no\" , \"x\": "), text.Replace("2025-03", "2025-33")
+            })
             {
                 File.WriteAllText(path, damaged);
                 AssertRefused("results.json", "damaged");
@@ -156,17 +168,23 @@ namespace Glint.Tests
 
         void AssertRefused(string file, string part)
         {
-            var before = Directory.GetFiles(_path).OrderBy(path => path).Select(path => (path, File.ReadAllText(path))).ToArray();
+            var before = Directory.GetFiles(_path).OrderBy(path => path)
+                .Select(path => (path, File.ReadAllText(path))).ToArray();
             var error = Assert.Throws<GlintException>(() => GoOn());
-            Assert.That(error.Message, Does.StartWith(Path.Combine(_path, file)).And.Contain(part).And.Not.Contain("\n"));
-            Assert.That(Directory.GetFiles(_path).OrderBy(path => path).Select(path => (path, File.ReadAllText(path))), Is.EqualTo(before), "nothing is lost");
+            Assert.That(error.Message,
+                Does.StartWith(Path.Combine(_path, file)).And.Contain(part).And.Not.Contain("\n"));
+            Assert.That(Directory.GetFiles(_path).OrderBy(path => path).Select(path => (path, File.ReadAllText(path))),
+                Is.EqualTo(before), "nothing is lost");
         }
 
         byte[] Bytes(string name) => File.ReadAllBytes(Path.Combine(_path, name));
 
-        static string[] Files(string path) => new[] { "results.csv", "results.json" }.Select(name => File.ReadAllText(Path.Combine(path, name))).Concat(Directory.GetFiles(path).Select(Path.GetFileName).OrderBy(name => name)).ToArray();
+        static string[] Files(string path) =>
+            new[] { "results.csv", "results.json" }.Select(name => File.ReadAllText(Path.Combine(path, name)))
+                .Concat(Directory.GetFiles(path).Select(Path.GetFileName).OrderBy(name => name)).ToArray();
 
         // After each line.
-        static int[] Ends(byte[] bytes) => Enumerable.Range(0, bytes.Length).Where(i => bytes[i] == '\n').Select(i => i + 1).ToArray();
+        static int[] Ends(byte[] bytes) =>
+            Enumerable.Range(0, bytes.Length).Where(i => bytes[i] == '\n').Select(i => i + 1).ToArray();
     }
 }

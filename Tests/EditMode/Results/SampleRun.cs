@@ -6,24 +6,26 @@ namespace Glint.Tests
     /// <summary>Rows and a run with values that are easy to tell apart in a file.</summary>
     static class SampleRun
     {
-        public static SweepRow Row(double angle, double inPhase = 3, double quadrature = -4) => new SweepRow(new SweepPose(angle), new RadarResult
-        {
-            InPhase = inPhase,
-            Quadrature = quadrature,
-            RaysOfPicture = 4147200,
-            RaysEmitted = 2073600,
-            RaysHit = 900,
-            RaysReceived = 300,
-            Bounces = 1200,
-            PathLengthMeters = 41.25,
-            SamplingError = 0.25,
-            LargestPathStep = 0.125,
-            Undersampled = true,
-            RayArea = 0.0625,
-            Timings = new Timings { GatherMs = 1, BuildMs = 2, UploadMs = 4, TraceMs = 8.5, ReadBackMs = 0.5 }
-        });
+        public static SweepRow Row(double angle, double inPhase = 3, double quadrature = -4) =>
+            new SweepRow(new SweepPose(angle), new RadarResult
+            {
+                InPhase = inPhase,
+                Quadrature = quadrature,
+                RaysOfPicture = 4147200,
+                RaysEmitted = 2073600,
+                RaysHit = 900,
+                RaysReceived = 300,
+                Bounces = 1200,
+                PathLengthMeters = 41.25,
+                SamplingError = 0.25,
+                LargestPathStep = 0.125,
+                Undersampled = true,
+                RayArea = 0.0625,
+                Timings = new Timings { GatherMs = 1, BuildMs = 2, UploadMs = 4, TraceMs = 8.5, ReadBackMs = 0.5 }
+            });
 
-        public static SweepRow Miss(double angle) => new SweepRow(new SweepPose(angle), new RadarResult { RaysEmitted = 100, PhaseHistogram = null });
+        public static SweepRow Miss(double angle) =>
+            new SweepRow(new SweepPose(angle), new RadarResult { RaysEmitted = 100, PhaseHistogram = null });
 
         public static RunInfo Info()
         {

@@ -27,7 +27,8 @@ namespace Glint.Tests
         }
 
         /// <summary>Writes the first rows, and when these are all poses of the part the rest too.</summary>
-        public static void Write(string path, SweepIdentity identity, int poses, int rows, bool finish = true, int first = 0)
+        public static void Write(string path, SweepIdentity identity, int poses, int rows,
+            bool finish = true, int first = 0)
         {
             using (var folder = ResultsFolder.Open(path))
             {

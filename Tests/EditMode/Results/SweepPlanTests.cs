@@ -11,14 +11,16 @@ namespace Glint.Tests
         {
             var plan = new SweepPlan(new double[] { 0, 22.5 }, new[] { 3, 1 });
 
-            Assert.That(Enumerable.Range(0, plan.Count).Select(i => plan[i].ToString()), Is.EqualTo(new[] { "snapshot 3, 0 deg", "snapshot 3, 22.5 deg", "snapshot 1, 0 deg", "snapshot 1, 22.5 deg" }));
+            Assert.That(Enumerable.Range(0, plan.Count).Select(i => plan[i].ToString()), Is.EqualTo(
+                new[] { "snapshot 3, 0 deg", "snapshot 3, 22.5 deg", "snapshot 1, 0 deg", "snapshot 1, 22.5 deg" }));
         }
 
         [Test]
         public void Plan_OfEveryAxis_IsTheProductInTheOrderOfTheAxes()
         {
             var plan = new SweepPlan(
-                (SweepAxis.Angle, new double[] { 0, 15, 30 }), (SweepAxis.Grazing, new double[] { 1, 2 }), (SweepAxis.Range, new double[] { 50, 100 }),
+                (SweepAxis.Angle, new double[] { 0, 15, 30 }), (SweepAxis.Grazing, new double[] { 1, 2 }),
+                (SweepAxis.Range, new double[] { 50, 100 }),
                 (SweepAxis.Frequency, new double[] { 9e9, 10e9 }), (SweepAxis.Snapshot, new double[] { 4, 7 }));
 
             var poses = Enumerable.Range(0, plan.Count).Select(i => plan[i]).ToArray();
@@ -28,16 +30,22 @@ namespace Glint.Tests
                         from grazing in new double[] { 1, 2 }
                         from angle in new double[] { 0, 15, 30 }
                         select (snapshot, frequency, range, grazing, angle);
-            Assert.That(poses.Select(pose => ((double)pose.Snapshot, pose[SweepAxis.Frequency].Value, pose[SweepAxis.Range].Value, pose[SweepAxis.Grazing].Value, pose.AngleDegrees.Value)), Is.EqualTo(loops));
-            Assert.That(poses[47].ToString(), Is.EqualTo("snapshot 7, 10000000000 Hz, range 100 m, grazing 2 deg, 30 deg"));
+            Assert.That(poses.Select(pose => ((double)pose.Snapshot, pose[SweepAxis.Frequency].Value,
+                    pose[SweepAxis.Range].Value, pose[SweepAxis.Grazing].Value, pose.AngleDegrees.Value)),
+                Is.EqualTo(loops));
+            Assert.That(poses[47].ToString(),
+                Is.EqualTo("snapshot 7, 10000000000 Hz, range 100 m, grazing 2 deg, 30 deg"));
         }
 
         [Test]
         public void Plan_OfTooManyPoses_IsRefused()
         {
             var thousand = Enumerable.Range(0, 1000).Select(i => (double)i).ToArray();
-            Assert.That(new SweepPlan((SweepAxis.Angle, thousand), (SweepAxis.Range, thousand)).Count, Is.EqualTo(1000000));
-            Assert.That(Assert.Throws<UsageException>(() => new SweepPlan((SweepAxis.Angle, thousand), (SweepAxis.Range, thousand), (SweepAxis.Frequency, thousand))).Message, Does.Contain("10,000,000 poses"));
+            Assert.That(new SweepPlan((SweepAxis.Angle, thousand), (SweepAxis.Range, thousand)).Count,
+                Is.EqualTo(1000000));
+            Assert.That(Assert.Throws<UsageException>(() => new SweepPlan((SweepAxis.Angle, thousand),
+                    (SweepAxis.Range, thousand), (SweepAxis.Frequency, thousand))).Message,
+                Does.Contain("10,000,000 poses"));
         }
 
         [Test]

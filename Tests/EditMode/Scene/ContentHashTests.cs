@@ -23,7 +23,8 @@ namespace Glint.Tests
                 {
                     var points = Points(11);
                     var point = points[i];
-                    point[axis] = System.BitConverter.Int32BitsToSingle(System.BitConverter.SingleToInt32Bits(point[axis]) ^ 1);
+                    point[axis] =
+                        System.BitConverter.Int32BitsToSingle(System.BitConverter.SingleToInt32Bits(point[axis]) ^ 1);
                     points[i] = point;
                     Assert.That(seen.Add(Of(points, Numbers(23))), $"point {i} axis {axis}");
                 }
@@ -62,7 +63,8 @@ namespace Glint.Tests
             var seen = new HashSet<ulong>();
             for (int points = 0; points < 20; points++)
                 for (int numbers = 0; numbers < 20; numbers++)
-                    Assert.That(seen.Add(Of(new Vector3[points].ToList(), new int[numbers].ToList())), $"{points} points, {numbers} numbers");
+                    Assert.That(seen.Add(Of(new Vector3[points].ToList(), new int[numbers].ToList())),
+                        $"{points} points, {numbers} numbers");
         }
 
         // Several chunks, the last one short: numbers at the chunks' ends and some between.
@@ -74,7 +76,8 @@ namespace Glint.Tests
             List<int> numbers = Numbers(count);
             var seen = new HashSet<ulong> { Of(points, numbers) };
             foreach (int chunk in new[] { 0, 1, 2, 3 })
-                foreach (int i in new[] { 0, 1, 4, ContentHash.ChunkSize / 2, ContentHash.ChunkSize - 1 }.Select(i => chunk * ContentHash.ChunkSize + i).Where(i => i < count))
+                foreach (int i in new[] { 0, 1, 4, ContentHash.ChunkSize / 2, ContentHash.ChunkSize - 1 }
+                    .Select(i => chunk * ContentHash.ChunkSize + i).Where(i => i < count))
                 {
                     numbers[i] ^= 1;
                     Assert.That(seen.Add(Of(points, numbers)), $"number {i}");
@@ -97,7 +100,8 @@ namespace Glint.Tests
             return hash.Value;
         }
 
-        static List<Vector3> Points(int count) => Enumerable.Range(1, count).Select(i => new Vector3(i, -i, 0.5f * i)).ToList();
+        static List<Vector3> Points(int count) =>
+            Enumerable.Range(1, count).Select(i => new Vector3(i, -i, 0.5f * i)).ToList();
 
         static List<int> Numbers(int count) => Enumerable.Range(100, count).ToList();
     }

@@ -8,7 +8,9 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Tests
 {
-    /// <summary>A radar knows which object reflects, whether objects are merged, moved by themselves or share a mesh.</summary>
+    /// <summary>
+    /// A radar knows which object reflects, whether objects are merged, moved by themselves or share a mesh.
+    /// </summary>
     public sealed class HitObjectTests
     {
         // Plates of 2 m, 4 m from each other: the column tells which one a ray meets.
@@ -21,7 +23,10 @@ namespace Glint.Tests
         [SetUp]
         public void MakeScene()
         {
-            var mesh = new Mesh { name = "Plate", vertices = new[] { new Vector3(-1, -1, 0), new Vector3(-1, 1, 0), new Vector3(1, 1, 0), new Vector3(1, -1, 0) }, triangles = new[] { 0, 1, 2, 0, 2, 3 } };
+            var mesh = new Mesh { name = "Plate", vertices = new[]
+            {
+                new Vector3(-1, -1, 0), new Vector3(-1, 1, 0), new Vector3(1, 1, 0), new Vector3(1, -1, 0)
+            }, triangles = new[] { 0, 1, 2, 0, 2, 3 } };
             var row = new GameObject("Row").transform;
             for (int i = 0; i < Plates; i++)
             {
@@ -95,7 +100,8 @@ namespace Glint.Tests
                     seen++;
                     received += picture.IsReceived(x, y) ? 1 : 0;
                     Assert.That(picture.Facing(x, y), Is.GreaterThan(math.cos(math.radians(12))), "head-on");
-                    Assert.That(_radar.ObjectAt(picture.Object(x, y)), Is.EqualTo(PlateAt((picture.Part.Left + x + 0.5) / picture.RaysAcross)));
+                    Assert.That(_radar.ObjectAt(picture.Object(x, y)),
+                        Is.EqualTo(PlateAt((picture.Part.Left + x + 0.5) / picture.RaysAcross)));
                 }
             // Five plates of 4 m2 in a view of 10.5 x 18.66 m.
             double height = 2 * Depth * math.tan(math.radians(5)), share = Plates * 4 / (height * height * 16 / 9);
@@ -107,7 +113,8 @@ namespace Glint.Tests
         void AssertEachColumnHasItsPlate()
         {
             var settings = _radar.Settings;
-            var pixels = Enumerable.Range(0, settings.RaysAcross).Select(x => (uint)(x + settings.RaysDown / 2 * settings.RaysAcross)).ToArray();
+            var pixels = Enumerable.Range(0, settings.RaysAcross)
+                .Select(x => (uint)(x + settings.RaysDown / 2 * settings.RaysAcross)).ToArray();
             var paths = _radar.TracePaths(pixels);
             for (int x = 0; x < paths.Length; x++)
             {

@@ -30,7 +30,8 @@ namespace Glint.Tests
             Assert.That(length(toAim), Is.EqualTo(range).Within(2e-15 * range + 1e-12));
             Assert.That(length(cross(toAim, view.Forward)), Is.LessThan(1e-9), "the aim is on the axis to a nanometre");
             // The way it looks is turned by single-precision angles.
-            double3 forward = new double3(sin(radians(azimuth)) * cos(radians(grazing)), -sin(radians(grazing)), cos(radians(azimuth)) * cos(radians(grazing)));
+            double3 forward = new double3(sin(radians(azimuth)) * cos(radians(grazing)), -sin(radians(grazing)),
+                cos(radians(azimuth)) * cos(radians(grazing)));
             Assert.That(distance(view.Forward, forward), Is.LessThan(5e-7));
             Assert.That(abs(view.Right.y), Is.LessThan(5e-7), "level");
             Assert.That(view.VerticalFovDegrees, Is.EqualTo(0.5));
@@ -50,7 +51,8 @@ namespace Glint.Tests
             Assert.That((pose.Settings.RaysAcross, pose.Settings.RaysDown), Is.EqualTo((16, 9)));
             Assert.That(pose.View.ApertureHeight, Is.EqualTo(2.25));
             Assert.That(distance(pose.View.Position, stand.Aim - new double3(0, 0, 100000)), Is.LessThan(1e-9));
-            Assert.That(distance(pose.View.ReceiverCentre, pose.View.Position), Is.LessThan(1e-9), "on the axis, at the same distance");
+            Assert.That(distance(pose.View.ReceiverCentre, pose.View.Position), Is.LessThan(1e-9),
+                "on the axis, at the same distance");
             Assert.That(pose.View.ReceiverSize, Is.EqualTo(new double2(4, 2.25)));
         }
 
@@ -68,18 +70,23 @@ namespace Glint.Tests
 
             _made.Radar.ReceiverSize = new Vector2(3, 4);
             pose = _made.Radar.Gather();
-            Assert.That(distance(pose.View.ReceiverCentre, stand.Aim - new double3(0, 0, 100)), Is.LessThan(1e-9), "where it stands, when it has a size");
+            Assert.That(distance(pose.View.ReceiverCentre, stand.Aim - new double3(0, 0, 100)), Is.LessThan(1e-9),
+                "where it stands, when it has a size");
             Assert.That(pose.View.ReceiverSize, Is.EqualTo(new double2(3, 4)));
         }
 
         static RadarStand Stand(double range, double grazing, double azimuth) => new RadarStand
         {
-            Aim = new double3(0.5, -0.25, 3), Distance = range, GrazingDegrees = grazing, AzimuthDegrees = azimuth, VerticalFovDegrees = 0.5, ReceiverSize = new double2(4, 2),
+            Aim = new double3(0.5, -0.25, 3), Distance = range, GrazingDegrees = grazing, AzimuthDegrees = azimuth,
+            VerticalFovDegrees = 0.5, ReceiverSize = new double2(4, 2),
         };
 
         RadarPose Make(in RadarStand stand)
         {
-            var plate = new MeshFile("Plate", new[] { new float3(-1, -0.5f, 0), new float3(-1, 0.5f, 0), new float3(1, 0.5f, 0), new float3(1, -0.5f, 0) }, new[] { 0, 1, 2, 0, 2, 3 });
+            var plate = new MeshFile("Plate", new[]
+            {
+                new float3(-1, -0.5f, 0), new float3(-1, 0.5f, 0), new float3(1, 0.5f, 0), new float3(1, -0.5f, 0)
+            }, new[] { 0, 1, 2, 0, 2, 3 });
             _made = MeshFileScene.Create(plate, stand, RadarSettings.Default, null);
             _made.Radar.Roots.Add(_made.Target); // whatever scene an earlier test left
             return _made.Radar.Gather();

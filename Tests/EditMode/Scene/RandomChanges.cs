@@ -16,13 +16,15 @@ namespace Glint.Tests
         {
             _scene = scene;
             _random = random;
-            _meshes = Enumerable.Range(0, 4).Select(i => SceneBuilder.Mesh(2 + i, 10 * i + random.Next(1, 9))).ToArray();
+            _meshes = Enumerable.Range(0, 4)
+                .Select(i => SceneBuilder.Mesh(2 + i, 10 * i + random.Next(1, 9))).ToArray();
             for (int i = 0; i < 6; i++)
                 Add();
         }
 
         /// <summary>The objects that are traced, in the order of the hierarchy.</summary>
-        public IEnumerable<Transform> Active => _scene.Root.GetComponentsInChildren<MeshRenderer>().Where(renderer => renderer.enabled).Select(renderer => renderer.transform);
+        public IEnumerable<Transform> Active => _scene.Root.GetComponentsInChildren<MeshRenderer>()
+            .Where(renderer => renderer.enabled).Select(renderer => renderer.transform);
 
         /// <summary>Makes one change and says which.</summary>
         public string Next(SceneGatherer gatherer)
@@ -69,7 +71,8 @@ namespace Glint.Tests
 
         string Add()
         {
-            var parent = _objects.Count > 0 && _random.Next(2) == 0 ? _objects[_random.Next(_objects.Count)] : _scene.Root;
+            var parent =
+                _objects.Count > 0 && _random.Next(2) == 0 ? _objects[_random.Next(_objects.Count)] : _scene.Root;
             var added = _scene.Add($"Object {_random.Next(1000)}", _meshes[_random.Next(_meshes.Length)], parent);
             added.localPosition = new Vector3(Number(5), Number(5), Number(5));
             _objects.Add(added);

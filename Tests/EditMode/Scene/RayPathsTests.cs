@@ -9,7 +9,9 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Tests
 {
-    /// <summary>The lines that Ray Paths draws of a radar before two walls that meet at a right angle, and a plate beside them.</summary>
+    /// <summary>
+    /// The lines that Ray Paths draws of a radar before two walls that meet at a right angle, and a plate beside them.
+    /// </summary>
     public sealed class RayPathsTests
     {
         const float Side = 4;
@@ -23,7 +25,8 @@ namespace Glint.Tests
         public void MakeScene()
         {
             _root = new GameObject("Root").transform;
-            _floor = Plate("Floor", new Vector3(-Side / 2, 0, 40 - Side), new Vector3(Side, 0, 0), new Vector3(0, 0, Side));
+            _floor =
+                Plate("Floor", new Vector3(-Side / 2, 0, 40 - Side), new Vector3(Side, 0, 0), new Vector3(0, 0, Side));
             _wall = Plate("Wall", new Vector3(-Side / 2, 0, 40), new Vector3(Side, 0, 0), new Vector3(0, Side, 0));
             _plate = Plate("Plate", new Vector3(4, 2, 40), new Vector3(1, 0, 0), new Vector3(0, 1, 0));
             _camera = new GameObject("Radar", typeof(Camera));
@@ -59,15 +62,19 @@ namespace Glint.Tests
             Assert.That(mesh.GetTopology(0), Is.EqualTo(MeshTopology.Lines));
             Assert.That(_paths.Count, Is.EqualTo(result.RaysReceived).And.GreaterThan(200));
             var lines = Lines(mesh);
-            Assert.That(Of(lines, PathLines.White).Sum(line => line.Length), Is.EqualTo(12).Within(1e-4), "around the receiver of 3 x 3 m");
+            Assert.That(Of(lines, PathLines.White).Sum(line => line.Length), Is.EqualTo(12).Within(1e-4),
+                "around the receiver of 3 x 3 m");
             // Only the right angle returns anything: two bounces, three segments.
-            var (first, second, third) = (Of(lines, Color.red), Of(lines, PathLines.SegmentColours[1]), Of(lines, PathLines.SegmentColours[2]));
+            var (first, second, third) =
+                (Of(lines, Color.red), Of(lines, PathLines.SegmentColours[1]), Of(lines, PathLines.SegmentColours[2]));
             Assert.That(new[] { first.Count, second.Count, third.Count }, Is.All.EqualTo(_paths.Count));
             Assert.That(Of(lines, PathLines.SegmentColours[3]), Is.Empty);
             double lengths = result.Rays.Sum(ray => ray.ExactPathLength);
-            Assert.That(first.Concat(second).Concat(third).Sum(line => line.Length), Is.EqualTo(lengths).Within(1e-6 * lengths));
+            Assert.That(first.Concat(second).Concat(third).Sum(line => line.Length),
+                Is.EqualTo(lengths).Within(1e-6 * lengths));
             for (int i = 0; i < first.Count; i++)
-                Assert.That((first[i].To, second[i].To), Is.EqualTo((second[i].From, third[i].From)), "one after the other");
+                Assert.That((first[i].To, second[i].To),
+                    Is.EqualTo((second[i].From, third[i].From)), "one after the other");
             Assert.That(first.Select(line => line.From).Distinct().Count(), Is.EqualTo(1), "from the radar");
         }
 
@@ -82,7 +89,8 @@ namespace Glint.Tests
             _paths.FewestBounces = 2;
             _paths.Lines();
             int twice = _paths.Count;
-            Assert.That(twice, Is.EqualTo(_radar.Result.Bounces - _radar.Result.RaysHit).Within(1), "none bounces three times");
+            Assert.That(twice, Is.EqualTo(_radar.Result.Bounces - _radar.Result.RaysHit).Within(1),
+                "none bounces three times");
             _paths.FewestBounces = 1;
             _paths.MostBounces = 1;
             _paths.Lines();
@@ -114,7 +122,8 @@ namespace Glint.Tests
             _paths.HitPoints = true;
             var lines = Lines(_paths.Lines());
             Assert.That(_paths.Count, Is.EqualTo(all / 3));
-            Assert.That(Of(lines, PathLines.White).Count, Is.EqualTo(4 + 3 * 2 * _paths.Count), "a cross at each of two bounces");
+            Assert.That(Of(lines, PathLines.White).Count, Is.EqualTo(4 + 3 * 2 * _paths.Count),
+                "a cross at each of two bounces");
             Assert.That(_paths.LeftOut, Is.Zero);
         }
 
@@ -126,7 +135,8 @@ namespace Glint.Tests
             _paths.ReceivedOnly = false;
             var mesh = _paths.Lines();
             Assert.That(_paths.LeftOut, Is.EqualTo(640 * 360 - RayPaths.MostRays));
-            Assert.That(_paths.Count, Is.EqualTo(_radar.Result.RaysHit * RayPaths.MostRays / (640.0 * 360)).Within(0.02 * _paths.Count).And.GreaterThan(5000));
+            Assert.That(_paths.Count, Is.EqualTo(_radar.Result.RaysHit * RayPaths.MostRays / (640.0 * 360))
+                .Within(0.02 * _paths.Count).And.GreaterThan(5000));
             Assert.That(mesh.subMeshCount, Is.EqualTo(1));
         }
 
@@ -167,14 +177,16 @@ namespace Glint.Tests
         [Test]
         public void Lines_OfOtherRaysAfterASweep_AreNoneUntilTheSceneIsThatOfThePoseAgain()
         {
-            using (var sweep = new SweepRun(new SweepSetup(_radar, new SweepPlan(new double[] { 5, 0.5 })) { Target = _wall }))
+            using (var sweep =
+                new SweepRun(new SweepSetup(_radar, new SweepPlan(new double[] { 5, 0.5 })) { Target = _wall }))
                 while (!sweep.IsComplete)
                     sweep.Step();
             var turn = Quaternion.Euler(0, 0.5f, 0);
             _wall.localRotation = turn;
             _paths.Lines();
             int received = _paths.Count;
-            Assert.That(received, Is.EqualTo(_radar.Result.RaysReceived).And.GreaterThan(100), "as the last pose had it");
+            Assert.That(received, Is.EqualTo(_radar.Result.RaysReceived).And.GreaterThan(100),
+                "as the last pose had it");
 
             _wall.localRotation = Quaternion.identity; // as the sweep puts it back
             _paths.HitPoints = true;
@@ -207,7 +219,8 @@ namespace Glint.Tests
             switch (change)
             {
                 case "another mesh": filter.sharedMesh = _floor.GetComponent<MeshFilter>().sharedMesh; break;
-                case "a mesh that changed": filter.sharedMesh.vertices = filter.sharedMesh.vertices.Select(place => place + Vector3.right).ToArray(); break;
+                case "a mesh that changed": filter.sharedMesh.vertices =
+                    filter.sharedMesh.vertices.Select(place => place + Vector3.right).ToArray(); break;
                 case "an object less": _plate.gameObject.SetActive(false); break;
                 case "another place of the radar": _camera.transform.localPosition += Vector3.up; break;
                 case "another field of view": _camera.GetComponent<Camera>().fieldOfView = 11; break;
@@ -243,18 +256,25 @@ namespace Glint.Tests
         {
             var plate = new GameObject(name, typeof(MeshFilter), typeof(MeshRenderer)).transform;
             plate.SetParent(_root, false);
-            plate.GetComponent<MeshFilter>().sharedMesh = new Mesh { vertices = new[] { corner, corner + edge1, corner + edge1 + edge2, corner + edge2 }, triangles = new[] { 0, 1, 2, 0, 2, 3 } };
+            plate.GetComponent<MeshFilter>().sharedMesh = new Mesh
+            {
+                vertices = new[] { corner, corner + edge1, corner + edge1 + edge2, corner + edge2 },
+                triangles = new[] { 0, 1, 2, 0, 2, 3 }
+            };
             return plate;
         }
 
         static List<(Vector3 From, Vector3 To, double Length, Color32 Colour)> Lines(Mesh mesh)
         {
             var (places, colours, indices) = (mesh.vertices, mesh.colors32, mesh.GetIndices(0));
-            return Enumerable.Range(0, indices.Length / 2).Select(i => (places[indices[2 * i]], places[indices[2 * i + 1]],
-                math.distance((double3)(float3)places[indices[2 * i]], (float3)places[indices[2 * i + 1]]), colours[indices[2 * i]])).ToList();
+            return Enumerable.Range(0, indices.Length / 2).Select(i =>
+                (places[indices[2 * i]], places[indices[2 * i + 1]],
+                    math.distance((double3)(float3)places[indices[2 * i]], (float3)places[indices[2 * i + 1]]),
+                    colours[indices[2 * i]])).ToList();
         }
 
-        static List<(Vector3 From, Vector3 To, double Length, Color32 Colour)> Of(List<(Vector3 From, Vector3 To, double Length, Color32 Colour)> lines, Color32 colour) =>
+        static List<(Vector3 From, Vector3 To, double Length, Color32 Colour)> Of(
+            List<(Vector3 From, Vector3 To, double Length, Color32 Colour)> lines, Color32 colour) =>
             lines.Where(line => line.Colour.Equals(colour)).ToList();
     }
 }

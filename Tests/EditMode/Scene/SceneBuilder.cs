@@ -36,7 +36,8 @@ namespace Glint.Tests
         {
             var random = new System.Random(seed);
             float Next() => (float)(2 * random.NextDouble() - 1);
-            var vertices = Enumerable.Range(0, 3 * triangles).Select(_ => (Vector3)(centre + float3(Next(), Next(), Next()))).ToArray();
+            var vertices = Enumerable.Range(0, 3 * triangles)
+                .Select(_ => (Vector3)(centre + float3(Next(), Next(), Next()))).ToArray();
             var mesh = new Mesh { name = $"Mesh {seed}", indexFormat = UnityEngine.Rendering.IndexFormat.UInt32 };
             mesh.vertices = vertices;
             mesh.triangles = Enumerable.Range(0, vertices.Length).ToArray();
@@ -45,7 +46,8 @@ namespace Glint.Tests
 
         /// <summary>The corners of all triangles in the world, in the order of the scene.</summary>
         public static double3[] Corners(RadarScene scene) =>
-            scene.Instances.SelectMany(instance => instance.Mesh.Indices.Select(index => instance.ToWorld.Point(instance.Mesh.Vertices[index]))).ToArray();
+            scene.Instances.SelectMany(instance =>
+                instance.Mesh.Indices.Select(index => instance.ToWorld.Point(instance.Mesh.Vertices[index]))).ToArray();
 
         /// <summary>The same from the active objects in the order given, without the product's composition.</summary>
         public static double3[] Corners(IEnumerable<Transform> objects)
@@ -60,7 +62,9 @@ namespace Glint.Tests
             return corners.ToArray();
         }
 
-        /// <summary>A point of a transform in the world: scaled, turned and shifted by each transform up to the root, in double.</summary>
+        /// <summary>
+        /// A point of a transform in the world: scaled, turned and shifted by each transform up to the root, in double.
+        /// </summary>
         public static double3 ToWorld(Transform from, double3 point)
         {
             for (var at = from; at != null; at = at.parent)
@@ -76,6 +80,7 @@ namespace Glint.Tests
         }
 
         /// <summary>Greatest distance between points of the same number.</summary>
-        public static double Apart(double3[] some, double3[] others) => some.Zip(others, (a, b) => distance(a, b)).DefaultIfEmpty(0).Max();
+        public static double Apart(double3[] some, double3[] others) =>
+            some.Zip(others, (a, b) => distance(a, b)).DefaultIfEmpty(0).Max();
     }
 }

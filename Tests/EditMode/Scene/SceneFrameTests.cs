@@ -9,7 +9,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The frame of a scene: the world's axes and metres, about the place of the nearest transform that radar, receiver and all traced objects have in common.
+    /// The frame of a scene: the world's axes and metres, about the place of the nearest transform that radar,
+    /// receiver and all traced objects have in common.
     /// Where that place is does not enter.
     /// </summary>
     public sealed class SceneFrameTests : GathererFixture
@@ -38,7 +39,8 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Gather_CommonRootMovedBy1000Kilometres_IsTheSameBitForBit([Values] bool shipMoves, [Values(1f, 1e-5f)] float squeeze)
+        public void Gather_CommonRootMovedBy1000Kilometres_IsTheSameBitForBit([Values] bool shipMoves,
+            [Values(1f, 1e-5f)] float squeeze)
         {
             // Squeezed so much, no transform below can be a frame for merged meshes.
             var outer = new GameObject("Outer").transform;
@@ -81,7 +83,8 @@ namespace Glint.Tests
                 Assert.That(distance(moved.origin, SceneBuilder.ToWorld(_scene.Root, 0)), Is.LessThan(1e-9));
             }
             _scene.Root.localRotation = Quaternion.Euler(50, 60, 70);
-            Assert.That(Gather(_gatherer, false).instances.Select(instance => instance.Mesh), Is.EqualTo(before.instances.Select(instance => instance.Mesh)));
+            Assert.That(Gather(_gatherer, false).instances.Select(instance => instance.Mesh),
+                Is.EqualTo(before.instances.Select(instance => instance.Mesh)));
         }
 
         [Test]
@@ -102,9 +105,11 @@ namespace Glint.Tests
             try
             {
                 var apart = GatherScene(_gatherer);
-                Assert.That(apart.Instances.Select(instance => instance.Mesh), Is.EqualTo(below.Instances.Select(instance => instance.Mesh)));
+                Assert.That(apart.Instances.Select(instance => instance.Mesh),
+                    Is.EqualTo(below.Instances.Select(instance => instance.Mesh)));
                 Assert.That(apart.Origin, Is.EqualTo(new double3(0)));
-                Assert.That(SceneBuilder.Apart(SceneBuilder.Corners(apart), SceneBuilder.Corners(below).Select(corner => corner + below.Origin).ToArray()), Is.LessThan(1e-9));
+                Assert.That(SceneBuilder.Apart(SceneBuilder.Corners(apart),
+                    SceneBuilder.Corners(below).Select(corner => corner + below.Origin).ToArray()), Is.LessThan(1e-9));
             }
             finally
             {
@@ -140,9 +145,11 @@ namespace Glint.Tests
                 elsewhere.transform.SetParent(_receiver, false);
                 elsewhere.transform.SetParent(null, true);
                 var roots = new List<Transform> { _scene.Root, elsewhere.transform };
-                Assert.That(_gatherer.Gather(~0, roots, _receiver, _radar).Origin, Is.EqualTo(new double3(0)), "traced");
+                Assert.That(_gatherer.Gather(~0, roots, _receiver, _radar).Origin,
+                    Is.EqualTo(new double3(0)), "traced");
                 elsewhere.GetComponent<MeshRenderer>().enabled = false;
-                Assert.That(_gatherer.Gather(~0, roots, _receiver, _radar).Origin, Is.EqualTo((double3)(float3)Far), "disabled");
+                Assert.That(_gatherer.Gather(~0, roots, _receiver, _radar).Origin,
+                    Is.EqualTo((double3)(float3)Far), "disabled");
             }
             finally
             {
@@ -169,8 +176,10 @@ namespace Glint.Tests
                 var scene = _gatherer.Gather(~0, new List<Transform> { rock }, _receiver, _radar);
                 Assert.That(scene.Origin, Is.EqualTo(new double3(0)));
 
-                var fromRadar = SceneBuilder.Corners(scene).Select(corner => corner - _gatherer.StandOf(_radar).Origin).ToArray();
-                double3 apart = new double3(1000000.0625 - 5.0625, 16.4375 + 0.125, -999999.5 + 1) - new double3(1000050.8125, 20.125, -1000001.25) - (float3)_radar.localPosition;
+                var fromRadar = SceneBuilder.Corners(scene)
+                    .Select(corner => corner - _gatherer.StandOf(_radar).Origin).ToArray();
+                double3 apart = new double3(1000000.0625 - 5.0625, 16.4375 + 0.125, -999999.5 + 1)
+                    - new double3(1000050.8125, 20.125, -1000001.25) - (float3)_radar.localPosition;
                 var expected = mesh.triangles.Select(index => apart + (float3)mesh.vertices[index]).ToArray();
                 Assert.That(SceneBuilder.Apart(fromRadar, expected), Is.LessThan(1e-9));
             }
@@ -193,11 +202,13 @@ namespace Glint.Tests
             foreach (var transform in new[] { _radar, _receiver })
             {
                 var stand = _gatherer.StandOf(transform);
-                Assert.That(distance(stand.Origin, SceneBuilder.ToWorld(transform, 0)), Is.LessThan(1e-12), "at the root's place, which is the world's origin");
+                Assert.That(distance(stand.Origin, SceneBuilder.ToWorld(transform, 0)), Is.LessThan(1e-12),
+                    "at the root's place, which is the world's origin");
                 Assert.That(distance((float3)stand.X, transform.right), Is.LessThan(1e-6));
                 Assert.That(distance((float3)stand.Y, transform.up), Is.LessThan(1e-6));
                 Assert.That(distance((float3)stand.Z, transform.forward), Is.LessThan(1e-6));
-                Assert.That(abs(new double3(length(stand.X), length(stand.Y), length(stand.Z)) - 1), Is.EqualTo(new double3(0)).Using<double3>((a, b) => distance(a, b) < 1e-14 ? 0 : 1));
+                Assert.That(abs(new double3(length(stand.X), length(stand.Y), length(stand.Z)) - 1),
+                    Is.EqualTo(new double3(0)).Using<double3>((a, b) => distance(a, b) < 1e-14 ? 0 : 1));
                 Assert.That(distance(cross(stand.X, stand.Y), stand.Z), Is.LessThan(1e-14), "left-handed, as in Unity");
             }
         }
@@ -213,18 +224,23 @@ namespace Glint.Tests
                 item.localPosition = new Vector3(Number(30), Number(30), Number(30));
                 item.localRotation = Quaternion.Euler(Number(180), Number(180), Number(180));
                 // Even, stretched, mirrored or flattened almost.
-                item.localScale = random.Next(3) == 0 ? new Vector3(1 + Number(0.5), 1 + Number(0.9), random.Next(2) == 0 ? -1 : 0.01f) : Vector3.one;
+                item.localScale = random.Next(3) == 0 ? new Vector3(1 + Number(0.5), 1 + Number(0.9),
+                    random.Next(2) == 0 ? -1 : 0.01f) : Vector3.one;
                 if (random.Next(3) == 0)
                     _gatherer.ExpectMotion(item);
             }
             _scene.Root.localPosition = Far;
-            _radar.SetParent(all[random.Next(all.Length - 1)] is var parent && parent.IsChildOf(_radar) ? _scene.Root : parent, false);
+            _radar.SetParent(
+                all[random.Next(all.Length - 1)] is var parent && parent.IsChildOf(_radar) ? _scene.Root : parent,
+                false);
             for (int step = 0; step < 4; step++)
             {
                 var scene = GatherScene(_gatherer);
-                var objects = _scene.Root.GetComponentsInChildren<MeshFilter>().Where(filter => !filter.transform.IsChildOf(_receiver));
+                var objects = _scene.Root.GetComponentsInChildren<MeshFilter>()
+                    .Where(filter => !filter.transform.IsChildOf(_receiver));
                 AssertPlaces(scene, objects);
-                Assert.That(distance(scene.Origin + _gatherer.StandOf(_radar).Origin, SceneBuilder.ToWorld(_radar, 0)), Is.LessThan(2e-9));
+                Assert.That(distance(scene.Origin + _gatherer.StandOf(_radar).Origin, SceneBuilder.ToWorld(_radar, 0)),
+                    Is.LessThan(2e-9));
                 all[random.Next(all.Length)].localPosition += new Vector3(Number(1), 0, Number(1));
             }
         }
@@ -238,9 +254,11 @@ namespace Glint.Tests
             return child;
         }
 
-        RadarScene GatherScene(SceneGatherer gatherer) => gatherer.Gather(~0, new List<Transform> { _scene.Root }, _receiver, _radar);
+        RadarScene GatherScene(SceneGatherer gatherer) =>
+            gatherer.Gather(~0, new List<Transform> { _scene.Root }, _receiver, _radar);
 
-        (MeshInstance[] instances, double3 origin, Affine radar, Affine receiver) Gather(SceneGatherer gatherer, bool shipMoves)
+        (MeshInstance[] instances, double3 origin, Affine radar, Affine receiver) Gather(
+            SceneGatherer gatherer, bool shipMoves)
         {
             if (shipMoves)
                 gatherer.ExpectMotion(_ship);

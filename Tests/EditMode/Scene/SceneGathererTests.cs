@@ -36,7 +36,8 @@ namespace Glint.Tests
         [Test]
         public void Gather_TurnedChildOfANonUniformlyScaledParent_IsSheared()
         {
-            // A unit cube turned by 45 deg about z, then stretched by 3 along x: its corner (0.5, 0.5) goes to (0, 0.7071), (0.5, -0.5) to (3 * 0.7071, 0).
+            // A unit cube turned by 45 deg about z, then stretched by 3 along x:
+            // its corner (0.5, 0.5) goes to (0, 0.7071), (0.5, -0.5) to (3 * 0.7071, 0).
             _root.localScale = new Vector3(3, 1, 1);
             AddPrimitive(PrimitiveType.Cube).localRotation = Quaternion.Euler(0, 0, 45);
             Bounds(Gather(), out var low, out var high);
@@ -59,7 +60,8 @@ namespace Glint.Tests
         public void Gather_QuadTopology_IsSplitInTwoTrianglesOfTheSameArea()
         {
             var mesh = new Mesh { name = "Quads" };
-            mesh.vertices = new[] { new Vector3(0, 0, 0), new Vector3(0, 2, 0), new Vector3(3, 2, 0), new Vector3(3, 0, 0) };
+            mesh.vertices =
+                new[] { new Vector3(0, 0, 0), new Vector3(0, 2, 0), new Vector3(3, 2, 0), new Vector3(3, 0, 0) };
             mesh.SetIndices(new[] { 0, 1, 2, 3 }, MeshTopology.Quads, 0);
             AddMesh(mesh);
             var scene = Gather();
@@ -71,7 +73,8 @@ namespace Glint.Tests
         public void Gather_SeveralSubmeshes_AreAllTaken()
         {
             var mesh = new Mesh { name = "Two parts" };
-            mesh.vertices = new[] { new Vector3(0, 0, 0), new Vector3(0, 1, 0), new Vector3(1, 0, 0), new Vector3(0, 0, 1) };
+            mesh.vertices =
+                new[] { new Vector3(0, 0, 0), new Vector3(0, 1, 0), new Vector3(1, 0, 0), new Vector3(0, 0, 1) };
             mesh.subMeshCount = 2;
             mesh.SetIndices(new[] { 0, 1, 2 }, MeshTopology.Triangles, 0);
             mesh.SetIndices(new[] { 0, 1, 3 }, MeshTopology.Triangles, 1);
@@ -105,7 +108,8 @@ namespace Glint.Tests
         {
             var fine = AddPrimitive(PrimitiveType.Cube).GetComponent<Renderer>();
             var coarse = AddPrimitive(PrimitiveType.Quad).GetComponent<Renderer>();
-            _root.gameObject.AddComponent<LODGroup>().SetLODs(new[] { new LOD(0.5f, new[] { fine }), new LOD(0.1f, new[] { coarse }) });
+            _root.gameObject.AddComponent<LODGroup>()
+                .SetLODs(new[] { new LOD(0.5f, new[] { fine }), new LOD(0.1f, new[] { coarse }) });
             Assert.That(Gather().TriangleCount, Is.EqualTo(12));
         }
 
@@ -117,7 +121,8 @@ namespace Glint.Tests
             first.SetSiblingIndex(0);
             second.localPosition = new Vector3(100, 0, 0);
             var corners = SceneBuilder.Corners(_gatherer.Gather(~0, new List<Transform>(), null));
-            int quad = System.Array.FindIndex(corners, v => abs(v.x) < 1), cube = System.Array.FindIndex(corners, v => v.x > 99);
+            int quad = System.Array.FindIndex(corners, v => abs(v.x) < 1),
+                cube = System.Array.FindIndex(corners, v => v.x > 99);
             Assert.That(quad, Is.GreaterThanOrEqualTo(0));
             Assert.That(cube, Is.GreaterThan(quad));
         }
@@ -197,7 +202,8 @@ namespace Glint.Tests
             Assert.That(_gatherer.Warnings.Single(), Does.Contain("'Sailor'").And.Contain("skinned"));
         }
 
-        RadarScene Gather(int layers = ~0, Transform receiver = null) => _gatherer.Gather(layers, new List<Transform> { _root }, receiver);
+        RadarScene Gather(int layers = ~0, Transform receiver = null) =>
+            _gatherer.Gather(layers, new List<Transform> { _root }, receiver);
 
         void AssertRefused(params string[] words)
         {
@@ -222,7 +228,10 @@ namespace Glint.Tests
             return added.transform;
         }
 
-        static Mesh SingleTriangle(string name) => new Mesh { name = name, vertices = new[] { Vector3.zero, Vector3.up, Vector3.right }, triangles = new[] { 0, 1, 2 } };
+        static Mesh SingleTriangle(string name) => new Mesh
+        {
+            name = name, vertices = new[] { Vector3.zero, Vector3.up, Vector3.right }, triangles = new[] { 0, 1, 2 }
+        };
 
         static void Bounds(RadarScene scene, out float3 low, out float3 high)
         {
@@ -234,7 +243,8 @@ namespace Glint.Tests
         static double Area(RadarScene scene)
         {
             var corners = SceneBuilder.Corners(scene);
-            return Enumerable.Range(0, corners.Length / 3).Sum(t => length(cross(corners[3 * t + 1] - corners[3 * t], corners[3 * t + 2] - corners[3 * t])) / 2);
+            return Enumerable.Range(0, corners.Length / 3)
+                .Sum(t => length(cross(corners[3 * t + 1] - corners[3 * t], corners[3 * t + 2] - corners[3 * t])) / 2);
         }
     }
 }

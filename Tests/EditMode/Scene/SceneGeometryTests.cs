@@ -8,8 +8,10 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// Where vertices lie, against transforms composed by hand in double. Float32 rounds them relative to the body they are part of:
-    /// a lone mesh keeps its own vertices exactly, merged ones are right to half a step of float32 at the body's size. How far away the body is does not matter.
+    /// Where vertices lie, against transforms composed by hand in double.
+    /// Float32 rounds them relative to the body they are part of:
+    /// a lone mesh keeps its own vertices exactly, merged ones are right to half a step of float32 at the body's size.
+    /// How far away the body is does not matter.
     /// </summary>
     public sealed class SceneGeometryTests : GathererFixture
     {
@@ -24,7 +26,8 @@ namespace Glint.Tests
             var item = _scene.Add("Object", mesh, place);
             var scene = _scene.Gather(_gatherer);
             Assert.That(scene.Instances[0].Mesh.Vertices, Is.EqualTo(mesh.vertices.Select(v => (float3)v)));
-            Assert.That(SceneBuilder.Apart(SceneBuilder.Corners(scene), SceneBuilder.Corners(new[] { item })), Is.LessThan(1e-9));
+            Assert.That(SceneBuilder.Apart(SceneBuilder.Corners(scene), SceneBuilder.Corners(new[] { item })),
+                Is.LessThan(1e-9));
         }
 
         [TestCase(false)]
@@ -85,7 +88,8 @@ namespace Glint.Tests
             item.localScale = Vector3.one * metres;
             var scene = _scene.Gather(_gatherer);
             Assert.That(scene.Instances[0].Mesh.Vertices.Max(v => cmax(abs(v))), Is.InRange(0.5f, 2f));
-            Assert.That(SceneBuilder.Apart(SceneBuilder.Corners(scene), SceneBuilder.Corners(new[] { item })), Is.LessThan(1e-12));
+            Assert.That(SceneBuilder.Apart(SceneBuilder.Corners(scene), SceneBuilder.Corners(new[] { item })),
+                Is.LessThan(1e-12));
         }
 
         // Turned and scaled parents, 100 km from the origin.

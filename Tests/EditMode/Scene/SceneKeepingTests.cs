@@ -8,7 +8,9 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>What stays from one gather to the next: the same TriangleMesh object means that no tree is built again.</summary>
+    /// <summary>
+    /// What stays from one gather to the next: the same TriangleMesh object means that no tree is built again.
+    /// </summary>
     public sealed class SceneKeepingTests : GathererFixture
     {
         // Float32 steps of the scenes here, some 10 m large.
@@ -115,7 +117,8 @@ namespace Glint.Tests
             Change(mesh, 89);
             var second = Gather();
             AssertWhereItBelongs(second);
-            Assert.That(Meshes(second).Intersect(Meshes(first)).Count(), Is.EqualTo(first.Instances.Length - 1), "all but the sea's");
+            Assert.That(Meshes(second).Intersect(Meshes(first)).Count(),
+                Is.EqualTo(first.Instances.Length - 1), "all but the sea's");
             Assert.That(Gather(), Is.SameAs(second));
         }
 
@@ -332,7 +335,8 @@ namespace Glint.Tests
             for (int t = 0; t < expected.Length; t += 3)
             {
                 int match = left.FindIndex(f => distance(found[3 * f], expected[t]) < tolerance
-                    && distance(found[3 * f + 1], expected[t + 1]) < tolerance && distance(found[3 * f + 2], expected[t + 2]) < tolerance);
+                    && distance(found[3 * f + 1], expected[t + 1]) < tolerance
+                    && distance(found[3 * f + 2], expected[t + 2]) < tolerance);
                 if (match < 0)
                     unmatched++;
                 else

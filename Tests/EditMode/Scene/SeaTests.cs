@@ -28,13 +28,15 @@ namespace Glint.Tests
             Lay(64, 128);
 
             var scene = _scene.Gather(_gatherer);
-            Assert.That(scene.Instances.Sum(instance => instance.Mesh.TriangleCount), Is.EqualTo(2 * 4 * 2 * Cells * Cells));
+            Assert.That(scene.Instances.Sum(instance => instance.Mesh.TriangleCount),
+                Is.EqualTo(2 * 4 * 2 * Cells * Cells));
             var corners = SceneBuilder.Corners(scene);
             Assert.That(corners.Min(p => p.x), Is.EqualTo(-32).Within(3));
             Assert.That(corners.Max(p => p.x), Is.EqualTo(32).Within(3));
             Assert.That(corners.Min(p => p.z), Is.EqualTo(-64).Within(3));
             Assert.That(corners.Max(p => p.z), Is.EqualTo(64).Within(3));
-            // Seen from above, a closed surface: the signed areas of its triangles make up the rectangle, overlaps and gaps would not.
+            // Seen from above, a closed surface: the signed areas of its triangles make up the rectangle,
+            // overlaps and gaps would not.
             Assert.That(Area(corners), Is.EqualTo(64 * 128).Within(1e-3));
         }
 
@@ -72,7 +74,8 @@ namespace Glint.Tests
             _sea.TimeSeconds = 2.5;
 
             var expected = new SeaSurface(Settings(1)).Mesh(2.5);
-            Assert.That(SceneBuilder.Corners(_scene.Gather(_gatherer)), Is.EquivalentTo(expected.Indices.Select(index => (double3)expected.Vertices[index])));
+            Assert.That(SceneBuilder.Corners(_scene.Gather(_gatherer)),
+                Is.EquivalentTo(expected.Indices.Select(index => (double3)expected.Vertices[index])));
         }
 
         [Test]
@@ -83,7 +86,8 @@ namespace Glint.Tests
             _sea.Snapshot = 2;
 
             var expected = new SeaSurface(Settings(2)).Mesh(0);
-            Assert.That(SceneBuilder.Corners(_scene.Gather(_gatherer)), Is.EquivalentTo(expected.Indices.Select(index => (double3)expected.Vertices[index])));
+            Assert.That(SceneBuilder.Corners(_scene.Gather(_gatherer)),
+                Is.EquivalentTo(expected.Indices.Select(index => (double3)expected.Vertices[index])));
         }
 
         [TestCase(0, "has no snapshot 0: it has 1 to 2")]
@@ -91,13 +95,15 @@ namespace Glint.Tests
         public void Snapshot_ThatIsNotThere_IsRefused(int number, string part)
         {
             AddSnapshots();
-            Assert.That(Assert.Throws<GlintException>(() => _sea.Snapshot = number).Message, Does.Contain("'Sea'").And.Contain(part));
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Snapshot = number).Message,
+                Does.Contain("'Sea'").And.Contain(part));
             Assert.That(_sea.Snapshot, Is.EqualTo(1));
         }
 
         [Test]
         public void Snapshot_OfASeaWithout_IsRefused() =>
-            Assert.That(Assert.Throws<GlintException>(() => _sea.Snapshot = 1).Message, Does.Contain("'Sea' has no snapshots").And.Contain("glint sea"));
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Snapshot = 1).Message,
+                Does.Contain("'Sea' has no snapshots").And.Contain("glint sea"));
 
         [Test]
         public void Enabled_OffAndOnAgain_LaysTheTilesOnce()
@@ -129,7 +135,8 @@ namespace Glint.Tests
         public void Extent_Unfit_IsRefused(float x, float z, string part)
         {
             _sea.Extent = new Vector2(x, z);
-            Assert.That(Assert.Throws<GlintException>(() => _sea.Lay()).Message, Does.Contain("'Sea'").And.Contain(part));
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Lay()).Message,
+                Does.Contain("'Sea'").And.Contain(part));
         }
 
         [TestCase(float.NaN, 32, 7)]
@@ -140,7 +147,8 @@ namespace Glint.Tests
         {
             var bad = Settings(1);
             (bad.SignificantWaveHeight, bad.TileSize, bad.WindSpeed) = (height, tile, wind);
-            Assert.That(Assert.Throws<GlintException>(() => _sea.Waves = bad).Message, Does.StartWith("Sea of 'Sea': "));
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Waves = bad).Message,
+                Does.StartWith("Sea of 'Sea': "));
         }
 
         [Test]
@@ -148,13 +156,15 @@ namespace Glint.Tests
         {
             AddSnapshots();
             _sea.Motion = SeaMotion.Waves;
-            Assert.That(Assert.Throws<GlintException>(() => _sea.Lay()).Message, Does.Contain("'Sea'").And.Contain("Waves"));
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Lay()).Message,
+                Does.Contain("'Sea'").And.Contain("Waves"));
         }
 
         static SeaSettings Settings(int seed)
         {
             var settings = SeaSettings.Default;
-            (settings.TileSize, settings.GridSize, settings.Cells, settings.SignificantWaveHeight, settings.Seed) = (Tile, 16, Cells, 1, seed);
+            (settings.TileSize, settings.GridSize, settings.Cells, settings.SignificantWaveHeight, settings.Seed) =
+                (Tile, 16, Cells, 1, seed);
             return settings;
         }
 
@@ -174,14 +184,16 @@ namespace Glint.Tests
                 var snapshot = new GameObject("Snapshot").AddComponent<SeaSnapshot>();
                 snapshot.transform.SetParent(_scene.Root);
                 var tile = new SeaSurface(Settings(seed)).Mesh(0);
-                (snapshot.Tile, snapshot.Settings) = (MeshMaker.Make("Tile", tile.Vertices, tile.Indices), Settings(seed));
+                (snapshot.Tile, snapshot.Settings) =
+                    (MeshMaker.Make("Tile", tile.Vertices, tile.Indices), Settings(seed));
                 _sea.Snapshots.Add(snapshot);
             }
         }
 
         // By place in the plane.
         Dictionary<double2, double> Heights() =>
-            SceneBuilder.Corners(_scene.Gather(_gatherer)).GroupBy(p => p.xz).ToDictionary(group => group.Key, group => group.First().y);
+            SceneBuilder.Corners(_scene.Gather(_gatherer)).GroupBy(p => p.xz)
+                .ToDictionary(group => group.Key, group => group.First().y);
 
         static double Area(double3[] corners)
         {

@@ -91,7 +91,9 @@ namespace Glint.Tests
             }
         }
 
-        /// <summary>Whatever goes wrong within a pose: a device that disappears shows as an exception from it.</summary>
+        /// <summary>
+        /// Whatever goes wrong within a pose: a device that disappears shows as an exception from it.
+        /// </summary>
         [Test]
         public void Step_ThatFails_LeavesRowsFromWhichTheSweepResumes()
         {
@@ -121,7 +123,8 @@ namespace Glint.Tests
             }
         }
 
-        static string[] Amplitudes(string folder) => Array.ConvertAll(File.ReadAllLines(Path.Combine(folder, "results.csv")), line => string.Join(",", line.Split(','), 0, 5));
+        static string[] Amplitudes(string folder) => Array.ConvertAll(
+            File.ReadAllLines(Path.Combine(folder, "results.csv")), line => string.Join(",", line.Split(','), 0, 5));
 
         sealed class Disappearance : IProgress<double>
         {
@@ -158,7 +161,8 @@ namespace Glint.Tests
 
             settings.Region = new RayRegion { Left = 130, Bottom = 0, Width = 37, Height = 21 };
             _radar.Settings = settings;
-            Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message, Does.Contain("region 130,0,37,21"));
+            Assert.That(Assert.Throws<GlintException>(() => _radar.Trace()).Message,
+                Does.Contain("region 130,0,37,21"));
         }
 
         [Test]
@@ -179,7 +183,8 @@ namespace Glint.Tests
                 }
                 sea.Snapshot = 2;
                 var counts = new List<(int?, long)>();
-                using (var run = new SweepRun(new SweepSetup(_radar, new SweepPlan(null, new[] { 3, 1 })) { Sea = sea }))
+                using (var run =
+                    new SweepRun(new SweepSetup(_radar, new SweepPlan(null, new[] { 3, 1 })) { Sea = sea }))
                     while (!run.IsComplete)
                     {
                         var row = run.Step();
@@ -188,7 +193,9 @@ namespace Glint.Tests
                 long others = counts[1].Item2 - 1;
                 Assert.That(counts, Is.EqualTo(new (int?, long)[] { (3, others + 3), (1, others + 1) }));
                 Assert.That(sea.Snapshot, Is.EqualTo(2));
-                Assert.Throws<GlintException>(() => new SweepRun(new SweepSetup(_radar, new SweepPlan(null, new[] { 1, 4 })) { Sea = sea }), "before any pose");
+                Assert.Throws<GlintException>(
+                    () => new SweepRun(new SweepSetup(_radar, new SweepPlan(null, new[] { 1, 4 })) { Sea = sea }),
+                    "before any pose");
             }
             finally
             {
@@ -209,19 +216,29 @@ namespace Glint.Tests
                 _target.transform.position = _camera.transform.TransformPoint(new Vector3(0.3f, -0.4f, 20));
                 var aim = _camera.transform.TransformPoint(new Vector3(0, 0, 20));
                 var (place, rotation) = (_camera.transform.localPosition, _camera.transform.localRotation);
-                var plan = new SweepPlan((SweepAxis.Grazing, new double[] { 10, -30, 80 }), (SweepAxis.Range, new double[] { 20, 4000 }));
+                var plan = new SweepPlan((SweepAxis.Grazing, new double[] { 10, -30, 80 }),
+                    (SweepAxis.Range, new double[] { 20, 4000 }));
                 using (var run = Sweep(plan))
                     while (!run.IsComplete)
                     {
                         var pose = run.Step().Pose;
-                        double grazing = pose[SweepAxis.Grazing].Value * Math.PI / 180, range = pose[SweepAxis.Range].Value;
+                        double grazing = pose[SweepAxis.Grazing].Value * Math.PI / 180,
+                            range = pose[SweepAxis.Range].Value;
                         var forward = new Vector3((float)Math.Cos(grazing), -(float)Math.Sin(grazing), 0);
-                        Assert.That(Vector3.Distance(_camera.transform.forward, forward), Is.LessThan(1e-5), pose.ToString());
-                        Assert.That(Vector3.Distance(_camera.transform.position, aim - (float)range * forward), Is.LessThan(1e-5 * range), pose.ToString());
-                        Assert.That(Vector3.Angle(_camera.transform.right, Quaternion.AngleAxis(90, Vector3.up) * Quaternion.Euler((float)pose[SweepAxis.Grazing].Value, 0, 5) * Vector3.right), Is.LessThan(0.1), "tilted as it was");
-                        Assert.That(Vector3.Distance(_radar.Receiver.position, _camera.transform.position - 0.2f * forward), Is.LessThan(1e-5 * range + 1e-4), "the receiver moves with it");
+                        Assert.That(Vector3.Distance(_camera.transform.forward, forward),
+                            Is.LessThan(1e-5), pose.ToString());
+                        Assert.That(Vector3.Distance(_camera.transform.position, aim - (float)range * forward),
+                            Is.LessThan(1e-5 * range), pose.ToString());
+                        Assert.That(Vector3.Angle(_camera.transform.right, Quaternion.AngleAxis(90, Vector3.up)
+                                * Quaternion.Euler((float)pose[SweepAxis.Grazing].Value, 0, 5) * Vector3.right),
+                            Is.LessThan(0.1), "tilted as it was");
+                        Assert.That(
+                            Vector3.Distance(_radar.Receiver.position, _camera.transform.position - 0.2f * forward),
+                            Is.LessThan(1e-5 * range + 1e-4), "the receiver moves with it");
                     }
-                Assert.That((_camera.transform.parent, _camera.transform.localPosition, _camera.transform.localRotation), Is.EqualTo((owner, place, rotation)));
+                Assert.That(
+                    (_camera.transform.parent, _camera.transform.localPosition, _camera.transform.localRotation),
+                    Is.EqualTo((owner, place, rotation)));
                 Assert.That(owner.childCount, Is.EqualTo(1));
             }
             finally
@@ -280,11 +297,13 @@ namespace Glint.Tests
             _camera.transform.SetParent(null);
         }
 
-        void AssertUnmovable(string part) => Assert.That(Assert.Throws<GlintException>(() => Sweep(new SweepPlan((SweepAxis.Grazing, new double[] { 1 })))).Message,
+        void AssertUnmovable(string part) => Assert.That(
+            Assert.Throws<GlintException>(() => Sweep(new SweepPlan((SweepAxis.Grazing, new double[] { 1 })))).Message,
             Does.StartWith("RadarController of 'Radar'").And.Contain(part).And.Not.Contain("\n"));
 
         SweepRun Sweep(SweepPlan plan, ResultsFolder folder = null, bool resume = false) =>
-            new SweepRun(new SweepSetup(_radar, plan) { Target = _target.transform, Scene = "Scene" }, folder, null, resume);
+            new SweepRun(new SweepSetup(_radar, plan) { Target = _target.transform, Scene = "Scene" },
+                folder, null, resume);
 
         void SetFrequency(double hertz)
         {

@@ -19,7 +19,8 @@ namespace Glint.Tests
         [TestCase(-1, 1)]
         [TestCase(-1e-9, 1e-9)]
         public void Exp_EqualsSystems(double from, double to) =>
-            AssertNear(from, to, PortableMath.Exp, Math.Exp, x => (PortableMath.RelativeError + OfSystem) * Math.Exp(x));
+            AssertNear(from, to, PortableMath.Exp, Math.Exp,
+                x => (PortableMath.RelativeError + OfSystem) * Math.Exp(x));
 
         [TestCase(1e-300, 1e-290)]
         [TestCase(1e-9, 0.5)]
@@ -27,16 +28,20 @@ namespace Glint.Tests
         [TestCase(2, 1e9)]
         [TestCase(1e290, 1e300)]
         public void Log_EqualsSystems(double from, double to) =>
-            AssertNear(from, to, PortableMath.Log, Math.Log, x => (PortableMath.RelativeError + OfSystem) * Math.Abs(Math.Log(x)));
+            AssertNear(from, to, PortableMath.Log, Math.Log,
+                x => (PortableMath.RelativeError + OfSystem) * Math.Abs(Math.Log(x)));
 
         [TestCase(-1, 1)]
         [TestCase(0.1249, 0.1251)]
         public void SinCos_EqualsSystems(double from, double to)
         {
             // The turn in radians is rounded before System.Math sees it.
-            Func<double, double> bound = turns => PortableMath.SinCosError + OfSystem / 2 + 2 * Math.PI * Math.Abs(turns) * OfSystem;
-            AssertNear(from, to, turns => PortableMath.SinCos(turns).Sine, turns => Math.Sin(2 * Math.PI * turns), bound);
-            AssertNear(from, to, turns => PortableMath.SinCos(turns).Cosine, turns => Math.Cos(2 * Math.PI * turns), bound);
+            Func<double, double> bound = turns =>
+                PortableMath.SinCosError + OfSystem / 2 + 2 * Math.PI * Math.Abs(turns) * OfSystem;
+            AssertNear(from, to, turns => PortableMath.SinCos(turns).Sine,
+                turns => Math.Sin(2 * Math.PI * turns), bound);
+            AssertNear(from, to, turns => PortableMath.SinCos(turns).Cosine,
+                turns => Math.Cos(2 * Math.PI * turns), bound);
         }
 
         // Whole turns are nothing, however many: 2^40 + 1/32 is exact.
@@ -58,18 +63,24 @@ namespace Glint.Tests
 
         [Test]
         public void Exp_OfWhatIsTooSmall_IsZero() =>
-            Assert.That(new[] { PortableMath.Exp(PortableMath.LeastExponent - 1), PortableMath.Exp(-1e300), PortableMath.Exp(double.NegativeInfinity) }, Is.All.EqualTo(0));
+            Assert.That(new[] { PortableMath.Exp(PortableMath.LeastExponent - 1), PortableMath.Exp(-1e300),
+                PortableMath.Exp(double.NegativeInfinity) }, Is.All.EqualTo(0));
 
         [Test]
-        public void Pow_OfARoot_EqualsSystems() => Assert.That(PortableMath.Pow(2, 0.5), Is.EqualTo(Math.Sqrt(2)).Within(1e-15));
+        public void Pow_OfARoot_EqualsSystems() =>
+            Assert.That(PortableMath.Pow(2, 0.5), Is.EqualTo(Math.Sqrt(2)).Within(1e-15));
 
         // The first five outputs for these seeds, as published with implementations in many languages.
-        [TestCase(1234567UL, 6457827717110365317UL, 3203168211198807973UL, 9817491932198370423UL, 4593380528125082431UL, 16408922859458223821UL)]
-        [TestCase(0UL, 0xE220A8397B1DCDAFUL, 0x6E789E6AA1B965F4UL, 0x06C45D188009454FUL, 0xF88BB8A8724C81ECUL, 0x1B39896A51A8749BUL)]
-        public void SplitMix64_OfAKnownSeed_GivesThePublishedNumbers(ulong seed, ulong a, ulong b, ulong c, ulong d, ulong e)
+        [TestCase(1234567UL, 6457827717110365317UL, 3203168211198807973UL, 9817491932198370423UL,
+            4593380528125082431UL, 16408922859458223821UL)]
+        [TestCase(0UL, 0xE220A8397B1DCDAFUL, 0x6E789E6AA1B965F4UL, 0x06C45D188009454FUL,
+            0xF88BB8A8724C81ECUL, 0x1B39896A51A8749BUL)]
+        public void SplitMix64_OfAKnownSeed_GivesThePublishedNumbers(ulong seed, ulong a, ulong b,
+            ulong c, ulong d, ulong e)
         {
             var random = new SplitMix64(seed);
-            Assert.That(new[] { random.Next(), random.Next(), random.Next(), random.Next(), random.Next() }, Is.EqualTo(new[] { a, b, c, d, e }));
+            Assert.That(new[] { random.Next(), random.Next(), random.Next(), random.Next(), random.Next() },
+                Is.EqualTo(new[] { a, b, c, d, e }));
         }
 
         [Test]
@@ -83,7 +94,8 @@ namespace Glint.Tests
             Assert.That(drawn.Average(), Is.EqualTo(0.5).Within(0.004));
         }
 
-        // Other functions of System.Math differ from platform to platform, those of Unity.Mathematics are System.Math's, and threads may add in any order.
+        // Other functions of System.Math differ from platform to platform,
+        // those of Unity.Mathematics are System.Math's, and threads may add in any order.
         [Test]
         public void Sources_OfTheSea_UseOnlyWhatIsTheSameEverywhere()
         {
@@ -92,19 +104,23 @@ namespace Glint.Tests
             foreach (string file in Directory.GetFiles(folder, "*.cs"))
             {
                 string text = File.ReadAllText(file);
-                var used = Regex.Matches(text, @"(?<!Portable)\b(Math|MathF|Mathf|math)\.\w+").Cast<Match>().Select(match => match.Value).Where(name => !allowed.Contains(name));
+                var used = Regex.Matches(text, @"(?<!Portable)\b(Math|MathF|Mathf|math)\.\w+").Cast<Match>()
+                    .Select(match => match.Value).Where(name => !allowed.Contains(name));
                 Assert.That(used, Is.Empty, Path.GetFileName(file));
-                Assert.That(text, Does.Not.Match(@"\b(Parallel|AsParallel|Vector<|FusedMultiplyAdd|System\.Random)\b"), Path.GetFileName(file));
+                Assert.That(text, Does.Not.Match(@"\b(Parallel|AsParallel|Vector<|FusedMultiplyAdd|System\.Random)\b"),
+                    Path.GetFileName(file));
             }
         }
 
-        static void AssertNear(double from, double to, Func<double, double> own, Func<double, double> systems, Func<double, double> bound)
+        static void AssertNear(double from, double to, Func<double, double> own, Func<double, double> systems,
+            Func<double, double> bound)
         {
             for (int i = 0; i < Steps; i++)
             {
                 double x = from + (to - from) * i / (Steps - 1), off = own(x) - systems(x);
                 if (!(Math.Abs(off) <= bound(x)))
-                    Assert.Fail($"at {x:R}: {own(x):R}, and System.Math has {systems(x):R}: off by {off:R}, and the bound is {bound(x):R}");
+                    Assert.Fail($"at {x:R}: {own(x):R}, and System.Math has {systems(x):R}: off by {off:R}, "
+                        + $"and the bound is {bound(x):R}");
             }
         }
     }

@@ -11,12 +11,17 @@ namespace Glint.Tests
         const double Gravity = 9.81;
 
         /// <summary>JONSWAP's peak, radians a second.</summary>
-        public static double Peak(double wind, double fetch) => 22 * Math.Pow(Gravity * Gravity / (wind * fetch), 1 / 3.0);
+        public static double Peak(double wind, double fetch) =>
+            22 * Math.Pow(Gravity * Gravity / (wind * fetch), 1 / 3.0);
 
-        /// <summary>Variance of each wave of the grid by column and row, brought to the height asked for: of each pair k, -k that with row above 0, or row 0 and column above 0.</summary>
+        /// <summary>
+        /// Variance of each wave of the grid by column and row, brought to the height asked for: of each pair k,
+        /// -k that with row above 0, or row 0 and column above 0.
+        /// </summary>
         public static Dictionary<(int, int), double> Variances(SeaSettings s)
         {
-            double wx = Math.Sin(s.WindDirectionDegrees * Math.PI / 180), wz = Math.Cos(s.WindDirectionDegrees * Math.PI / 180);
+            double wx = Math.Sin(s.WindDirectionDegrees * Math.PI / 180),
+                wz = Math.Cos(s.WindDirectionDegrees * Math.PI / 180);
             int reach = s.GridSize / 2 - 1;
             var waves = new Dictionary<(int, int), double>();
             for (int row = 0; row <= reach; row++)
@@ -24,7 +29,8 @@ namespace Glint.Tests
                 {
                     if (row == 0 && column <= 0)
                         continue;
-                    double k = 2 * Math.PI / s.TileSize * Math.Sqrt(row * row + column * column), cosine = 2 * Math.PI / s.TileSize * (column * wx + row * wz) / k;
+                    double k = 2 * Math.PI / s.TileSize * Math.Sqrt(row * row + column * column),
+                        cosine = 2 * Math.PI / s.TileSize * (column * wx + row * wz) / k;
                     if (Math.Abs(cosine) > 1e-12)
                         waves[(column, row)] = Printed(s, k) * cosine * cosine;
                 }
@@ -44,7 +50,8 @@ namespace Glint.Tests
             {
                 double peak = Peak(u, s.Fetch), width = w <= peak ? 0.07 : 0.09;
                 double r = Math.Exp(-(w - peak) * (w - peak) / (2 * width * width * peak * peak));
-                perFrequency = Math.Pow(w, -5) * Math.Exp(-1.25 * Math.Pow(peak / w, 4)) * Math.Pow(s.PeakEnhancement, r);
+                perFrequency =
+                    Math.Pow(w, -5) * Math.Exp(-1.25 * Math.Pow(peak / w, 4)) * Math.Pow(s.PeakEnhancement, r);
             }
             // dw/dk = g / 2w, and a ring's area.
             return perFrequency * Gravity / (2 * w) / k;

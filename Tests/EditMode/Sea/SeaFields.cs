@@ -26,31 +26,41 @@ namespace Glint.Tests
                         for (int column = -waves.Reach; column <= waves.Reach; column++)
                         {
                             int at = waves.IndexOf(column, row);
-                            var wave = new Complex(waves.Real[at], waves.Imaginary[at]) * Complex.FromPolarCoordinates(1, 2 * Math.PI * (column * x + row * z) / cells);
+                            var wave = new Complex(waves.Real[at], waves.Imaginary[at])
+                                * Complex.FromPolarCoordinates(1, 2 * Math.PI * (column * x + row * z) / cells);
                             field[z * cells + x] += 2 * wave.Real;
                         }
             return field;
         }
 
-        /// <summary>Heights of a mesh at its cells, less the last row and column, which are the first ones again.</summary>
+        /// <summary>
+        /// Heights of a mesh at its cells, less the last row and column, which are the first ones again.
+        /// </summary>
         public static double[] Heights(TriangleMesh mesh, int cells) =>
-            Enumerable.Range(0, cells * cells).Select(i => (double)mesh.Vertices[i / cells * (cells + 1) + i % cells].y).ToArray();
+            Enumerable.Range(0, cells * cells)
+                .Select(i => (double)mesh.Vertices[i / cells * (cells + 1) + i % cells].y).ToArray();
 
-        /// <summary>Amplitude of a complex wave in a field: the mean of field x e^(-2 pi i (column x + row z) / cells).</summary>
+        /// <summary>
+        /// Amplitude of a complex wave in a field: the mean of field x e^(-2 pi i (column x + row z) / cells).
+        /// </summary>
         public static Complex Amplitude(double[] field, int cells, int column, int row)
         {
             Complex sum = 0;
             for (int z = 0; z < cells; z++)
                 for (int x = 0; x < cells; x++)
-                    sum += field[z * cells + x] * Complex.FromPolarCoordinates(1, -2 * Math.PI * ((column * x + row * z) % cells) / cells);
+                    sum += field[z * cells + x] * Complex.FromPolarCoordinates(1,
+                        -2 * Math.PI * ((column * x + row * z) % cells) / cells);
             return sum / (cells * cells);
         }
 
-        /// <summary>Variance of the waves of each row and column from -reach to reach, [row + reach, column + reach].</summary>
+        /// <summary>
+        /// Variance of the waves of each row and column from -reach to reach, [row + reach, column + reach].
+        /// </summary>
         public static double[,] Variances(double[] field, int cells, int reach)
         {
             // Along x first, then along z.
-            var turns = Enumerable.Range(0, cells).Select(i => Complex.FromPolarCoordinates(1, -2 * Math.PI * i / cells)).ToArray();
+            var turns = Enumerable.Range(0, cells)
+                .Select(i => Complex.FromPolarCoordinates(1, -2 * Math.PI * i / cells)).ToArray();
             int columns = 2 * reach + 1;
             var alongX = new Complex[cells, columns];
             for (int z = 0; z < cells; z++)

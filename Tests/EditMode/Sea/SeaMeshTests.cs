@@ -8,10 +8,12 @@ namespace Glint.Tests
 {
     public sealed class SeaMeshTests
     {
-        static TriangleMesh Mesh(int cells, double tile = 64, double choppiness = 1.6, double height = 6, double direction = 33)
+        static TriangleMesh Mesh(int cells, double tile = 64, double choppiness = 1.6,
+            double height = 6, double direction = 33)
         {
             var settings = SeaFields.Settings(16, cells);
-            (settings.TileSize, settings.Choppiness, settings.SignificantWaveHeight, settings.WindDirectionDegrees) = (tile, choppiness, height, direction);
+            (settings.TileSize, settings.Choppiness, settings.SignificantWaveHeight, settings.WindDirectionDegrees) =
+                (tile, choppiness, height, direction);
             return new SeaSurface(settings).Mesh(7);
         }
 
@@ -36,8 +38,10 @@ namespace Glint.Tests
             int side = cells + 1;
             for (int i = 0; i < side; i++)
             {
-                Assert.That((double3)mesh.Vertices[i * side + cells], Is.EqualTo(mesh.Vertices[i * side] + new double3(tile, 0, 0)), $"row {i}");
-                Assert.That((double3)mesh.Vertices[cells * side + i], Is.EqualTo(mesh.Vertices[i] + new double3(0, 0, tile)), $"column {i}");
+                Assert.That((double3)mesh.Vertices[i * side + cells],
+                    Is.EqualTo(mesh.Vertices[i * side] + new double3(tile, 0, 0)), $"row {i}");
+                Assert.That((double3)mesh.Vertices[cells * side + i],
+                    Is.EqualTo(mesh.Vertices[i] + new double3(0, 0, tile)), $"column {i}");
             }
         }
 
@@ -49,12 +53,14 @@ namespace Glint.Tests
                 for (int x = 0; x <= 24; x++)
                 {
                     var place = (double3)mesh.Vertices[25 * z + x];
-                    Assert.That(math.distance(place.xz, new double2(64 * (x / 24.0 - 0.5), 64 * (z / 24.0 - 0.5))), Is.LessThan(1.1e-5), "half a step of 2^-16 m each way");
+                    Assert.That(math.distance(place.xz, new double2(64 * (x / 24.0 - 0.5), 64 * (z / 24.0 - 0.5))),
+                        Is.LessThan(1.1e-5), "half a step of 2^-16 m each way");
                 }
         }
 
         [Test]
-        public void Mesh_Heights_HaveMeanZero([Values(24, 32)] int cells) => Assert.That(SeaFields.Heights(Mesh(cells), cells).Average(), Is.EqualTo(0).Within(1e-5));
+        public void Mesh_Heights_HaveMeanZero([Values(24, 32)] int cells) =>
+            Assert.That(SeaFields.Heights(Mesh(cells), cells).Average(), Is.EqualTo(0).Within(1e-5));
 
         [Test]
         public void Mesh_OfALowSea_FacesUp()

@@ -9,7 +9,8 @@ namespace Glint.Tests
         delegate void Change(ref SeaSettings settings);
 
         [Test]
-        public void Default_MakesASea() => Assert.That(new SeaSurface(SeaSettings.Default).Mesh(0).TriangleCount, Is.EqualTo(2 * 64 * 64));
+        public void Default_MakesASea() =>
+            Assert.That(new SeaSurface(SeaSettings.Default).Mesh(0).TriangleCount, Is.EqualTo(2 * 64 * 64));
 
         [TestCase(0)]
         [TestCase(-1)]
@@ -17,7 +18,8 @@ namespace Glint.Tests
         [TestCase(double.PositiveInfinity)]
         [TestCase(101)]
         public void Validate_WaveHeightOfNoSea_IsRefused(double height) =>
-            AssertRefused((ref SeaSettings s) => s.SignificantWaveHeight = height, "significant wave height", "0.001 to 100", "flat plate");
+            AssertRefused((ref SeaSettings s) => s.SignificantWaveHeight = height, "significant wave height",
+                "0.001 to 100", "flat plate");
 
         [TestCase(0)]
         [TestCase(-5)]
@@ -29,12 +31,14 @@ namespace Glint.Tests
         [TestCase(-64)]
         [TestCase(double.NaN)]
         [TestCase(8193)]
-        public void Validate_TileSizeOfNoTile_IsRefused(double tile) => AssertRefused((ref SeaSettings s) => s.TileSize = tile, "tile size", "1 to 8192");
+        public void Validate_TileSizeOfNoTile_IsRefused(double tile) =>
+            AssertRefused((ref SeaSettings s) => s.TileSize = tile, "tile size", "1 to 8192");
 
         [Test]
         public void Validate_TileSizeThatFloatsCannotRepeat_NamesTheNearestThatTheyCan()
         {
-            AssertRefused((ref SeaSettings s) => s.TileSize = 100.1, "tile size 100.1 m", "1/1024", "use 100.099609375");
+            AssertRefused((ref SeaSettings s) => s.TileSize = 100.1, "tile size 100.1 m",
+                "1/1024", "use 100.099609375");
             var settings = SeaSettings.Default;
             settings.TileSize = 100.099609375;
             Assert.DoesNotThrow(() => settings.Validate());
@@ -46,22 +50,26 @@ namespace Glint.Tests
         [TestCase(94)]
         [TestCase(-64)]
         [TestCase(2048)]
-        public void Validate_GridThatIsNoPowerOfTwo_IsRefused(int grid) => AssertRefused((ref SeaSettings s) => s.GridSize = grid, $"grid size {grid} ", "power of two", "4 to 1024", "cells");
+        public void Validate_GridThatIsNoPowerOfTwo_IsRefused(int grid) => AssertRefused(
+            (ref SeaSettings s) => s.GridSize = grid, $"grid size {grid} ", "power of two", "4 to 1024", "cells");
 
         [TestCase(0)]
         [TestCase(-1)]
         [TestCase(2049)]
-        public void Validate_CellsOfNoMesh_AreRefused(int cells) => AssertRefused((ref SeaSettings s) => s.Cells = cells, $"cells {cells} ", "1 to 2048");
+        public void Validate_CellsOfNoMesh_AreRefused(int cells) =>
+            AssertRefused((ref SeaSettings s) => s.Cells = cells, $"cells {cells} ", "1 to 2048");
 
         [TestCase(-0.1)]
         [TestCase(11)]
         [TestCase(double.NaN)]
-        public void Validate_Choppiness_IsRefused(double choppiness) => AssertRefused((ref SeaSettings s) => s.Choppiness = choppiness, "choppiness", "0 to 10");
+        public void Validate_Choppiness_IsRefused(double choppiness) =>
+            AssertRefused((ref SeaSettings s) => s.Choppiness = choppiness, "choppiness", "0 to 10");
 
         [Test]
         public void Validate_OtherValuesOutOfTheirRange_AreRefusedByName()
         {
-            AssertRefused((ref SeaSettings s) => s.Kind = (SeaSpectrumKind)7, "spectrum 7", "Phillips or PiersonMoskowitz or Jonswap");
+            AssertRefused((ref SeaSettings s) => s.Kind = (SeaSpectrumKind)7, "spectrum 7",
+                "Phillips or PiersonMoskowitz or Jonswap");
             AssertRefused((ref SeaSettings s) => s.WindDirectionDegrees = double.NaN, "wind direction NaN deg");
             AssertRefused((ref SeaSettings s) => s.ShortestWave = -1, "shortest wave -1 m", "0 to 32");
             AssertRefused((ref SeaSettings s) => s.ShortestWave = 40, "shortest wave 40 m", "0 to 32");
@@ -74,7 +82,8 @@ namespace Glint.Tests
         {
             Change noFetch = (ref SeaSettings s) => { s.Kind = SeaSpectrumKind.Jonswap; s.Fetch = 0; };
             AssertRefused(noFetch, "fetch 0 m", "100000");
-            AssertRefused((ref SeaSettings s) => { s.Kind = SeaSpectrumKind.Jonswap; s.PeakEnhancement = 0; }, "peak enhancement 0 ", "3.3");
+            AssertRefused((ref SeaSettings s) => { s.Kind = SeaSpectrumKind.Jonswap; s.PeakEnhancement = 0; },
+                "peak enhancement 0 ", "3.3");
             var settings = SeaSettings.Default;
             (settings.Fetch, settings.PeakEnhancement) = (0, 0);
             Assert.DoesNotThrow(() => settings.Validate());
@@ -94,10 +103,13 @@ namespace Glint.Tests
         [TestCase(double.NegativeInfinity)]
         [TestCase(1e8)]
         public void Mesh_AtNoTime_IsRefused(double time) =>
-            Assert.That(Assert.Throws<GlintException>(() => new SeaSurface(SeaSettings.Default).Mesh(time)).Message, Does.Contain("time").And.Contain(" s "));
+            Assert.That(Assert.Throws<GlintException>(() => new SeaSurface(SeaSettings.Default).Mesh(time)).Message,
+                Does.Contain("time").And.Contain(" s "));
 
         [Test]
-        public void FactorFor_NoTimes_IsRefused() => Assert.That(Assert.Throws<GlintException>(() => SeaSurface.FactorFor(SeaSettings.Default, new double[0])).Message, Does.Contain("at least one time"));
+        public void FactorFor_NoTimes_IsRefused() => Assert.That(
+            Assert.Throws<GlintException>(() => SeaSurface.FactorFor(SeaSettings.Default, new double[0])).Message,
+            Does.Contain("at least one time"));
 
         // World Meteorological Organization, code table 3700.
         [TestCase(1, 0, 0.1)]
@@ -118,7 +130,8 @@ namespace Glint.Tests
         [TestCase(0)]
         [TestCase(9)]
         public void SeaState_WithoutARange_IsRefused(int code) =>
-            Assert.That(Assert.Throws<GlintException>(() => SeaState.WaveHeight(code)).Message, Does.Contain($"sea state {code} ").And.Contain("1 to 8").And.Contain("metres"));
+            Assert.That(Assert.Throws<GlintException>(() => SeaState.WaveHeight(code)).Message,
+                Does.Contain($"sea state {code} ").And.Contain("1 to 8").And.Contain("metres"));
 
         static void AssertRefused(Change change, params string[] words)
         {

@@ -10,8 +10,9 @@ namespace Glint.Tests
     {
         const double Gravity = 9.81;
 
-        // Twice the formula's sum over the whole grid, both ways, of constant 1 and wind along an axis, is known (with waves below a thousandth of the longest one
-        // damped, which takes some 1e-7 of it). Density has the half that runs with the wind.
+        // Twice the formula's sum over the whole grid, both ways, of constant 1 and wind along an axis,
+        // is known (with waves below a thousandth of the longest one damped, which takes some 1e-7 of it).
+        // Density has the half that runs with the wind.
         [TestCase(128, 256, 10, 5.40840e5)]
         [TestCase(256, 500, 15, 1.04651e7)]
         public void Phillips_SummedOverAGrid_IsTheKnownSum(int grid, double tile, double wind, double known)
@@ -28,7 +29,8 @@ namespace Glint.Tests
             Assert.That(4 * sum, Is.EqualTo(known).Within(1e-5 * known));
         }
 
-        // Closed form of the integral: Hs = 4 sqrt(alpha / (4 beta)) U19^2 / g, from Pierson and Moskowitz' alpha and beta.
+        // Closed form of the integral: Hs = 4 sqrt(alpha / (4 beta)) U19^2 / g,
+        // from Pierson and Moskowitz' alpha and beta.
         [TestCase(5, 0.561)]
         [TestCase(10, 2.245)]
         [TestCase(20, 8.981)]
@@ -45,7 +47,8 @@ namespace Glint.Tests
         public void Jonswap_WithoutEnhancement_HasItsKnownVariance(double wind, double fetch)
         {
             var settings = Jonswap(wind, fetch, 1);
-            double alpha = 0.076 * Math.Pow(wind * wind / (fetch * Gravity), 0.22), peak = PrintedSpectra.Peak(wind, fetch);
+            double alpha = 0.076 * Math.Pow(wind * wind / (fetch * Gravity), 0.22),
+                peak = PrintedSpectra.Peak(wind, fetch);
             double variance = alpha * Gravity * Gravity / (5 * Math.Pow(peak, 4));
             Assert.That(Integral(settings), Is.EqualTo(variance).Within(1e-4 * variance));
         }
@@ -68,20 +71,23 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Density_OverAllDirections_IsTheOmnidirectionalOne([Values(SeaSpectrumKind.PiersonMoskowitz, SeaSpectrumKind.Jonswap)] SeaSpectrumKind kind)
+        public void Density_OverAllDirections_IsTheOmnidirectionalOne(
+            [Values(SeaSpectrumKind.PiersonMoskowitz, SeaSpectrumKind.Jonswap)] SeaSpectrumKind kind)
         {
             var settings = Jonswap(10, 1e5, 3.3);
             settings.Kind = kind;
             const int steps = 360;
             const double k = 0.3;
-            double sum = Enumerable.Range(0, steps).Sum(i => SeaSpectrum.Density(settings, k, Math.Cos(2 * Math.PI * (i + 0.5) / steps)) * k * 2 * Math.PI / steps);
+            double sum = Enumerable.Range(0, steps).Sum(i =>
+                SeaSpectrum.Density(settings, k, Math.Cos(2 * Math.PI * (i + 0.5) / steps)) * k * 2 * Math.PI / steps);
             Assert.That(sum, Is.EqualTo(SeaSpectrum.Omnidirectional(settings, k)).Within(1e-9 * sum));
         }
 
         [TestCase(-1)]
         [TestCase(-0.5)]
         [TestCase(0)]
-        public void Density_AgainstOrAcrossTheWind_IsZero(double cosine) => Assert.That(SeaSpectrum.Density(SeaFields.Settings(), 1, cosine), Is.Zero);
+        public void Density_AgainstOrAcrossTheWind_IsZero(double cosine) =>
+            Assert.That(SeaSpectrum.Density(SeaFields.Settings(), 1, cosine), Is.Zero);
 
         [Test]
         public void Density_OfWavesShorterThanTheShortest_IsZero()
@@ -92,9 +98,11 @@ namespace Glint.Tests
             Assert.That(SeaSpectrum.Density(settings, 2 * Math.PI / 4.01, 1), Is.GreaterThan(0));
         }
 
-        // The chance of each wave does not hang on the spectrum: what is left between two of them is the ratio of their formulas.
+        // The chance of each wave does not hang on the spectrum:
+        // what is left between two of them is the ratio of their formulas.
         [Test]
-        public void Surface_OfAnySpectrum_DrawsByItsFormula([Values] SeaSpectrumKind kind, [Values(0, 30)] double direction)
+        public void Surface_OfAnySpectrum_DrawsByItsFormula([Values] SeaSpectrumKind kind,
+            [Values(0, 30)] double direction)
         {
             SeaSettings phillips = SeaFields.Settings(16, 16, 9), settings = phillips;
             settings.Kind = kind;
@@ -103,15 +111,18 @@ namespace Glint.Tests
             (phillips.WindDirectionDegrees, settings.WindDirectionDegrees) = (direction, direction);
             var drawn = Powers(settings);
             var first = Powers(phillips);
-            Dictionary<(int, int), double> expected = PrintedSpectra.Variances(settings), expectedFirst = PrintedSpectra.Variances(phillips);
+            Dictionary<(int, int), double> expected = PrintedSpectra.Variances(settings),
+                expectedFirst = PrintedSpectra.Variances(phillips);
 
             Assert.That(drawn.Keys, Is.EquivalentTo(expected.Keys));
             foreach (var wave in drawn.Keys)
-                Assert.That(drawn[wave] / first[wave], Is.EqualTo(expected[wave] / expectedFirst[wave]).Within(1e-9).Percent, $"wave {wave}");
+                Assert.That(drawn[wave] / first[wave],
+                    Is.EqualTo(expected[wave] / expectedFirst[wave]).Within(1e-9).Percent, $"wave {wave}");
         }
 
         static Dictionary<(int, int), double> Powers(in SeaSettings settings) =>
-            new SeaSurface(settings).Modes.ToDictionary(mode => (mode.Column, mode.Row), mode => mode.Real * mode.Real + mode.Imaginary * mode.Imaginary);
+            new SeaSurface(settings).Modes.ToDictionary(mode => (mode.Column, mode.Row),
+                mode => mode.Real * mode.Real + mode.Imaginary * mode.Imaginary);
 
         static SeaSettings Jonswap(double wind, double fetch, double enhancement)
         {

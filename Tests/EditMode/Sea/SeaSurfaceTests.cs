@@ -12,7 +12,8 @@ namespace Glint.Tests
         const double Gravity = 9.81;
 
         [Test]
-        public void WaveHeight_OfTheSpectrum_IsThatAskedForTimesTheFactor([Values] SeaSpectrumKind kind, [Values(0.02, 2.5, 14)] double height, [Values(0, 77)] double direction)
+        public void WaveHeight_OfTheSpectrum_IsThatAskedForTimesTheFactor([Values] SeaSpectrumKind kind,
+            [Values(0.02, 2.5, 14)] double height, [Values(0, 77)] double direction)
         {
             var settings = SeaFields.Settings();
             (settings.Kind, settings.SignificantWaveHeight, settings.WindDirectionDegrees) = (kind, height, direction);
@@ -21,7 +22,8 @@ namespace Glint.Tests
             Assert.That(new SeaSurface(settings).SignificantWaveHeight, Is.EqualTo(1.25 * height).Within(1e-9));
         }
 
-        // Each wave's variance has the spread of an exponential distribution; that of their sum, seeds' mean, is 1.1 % here, that of all waves' mean, each in parts of its own, 0.2 %.
+        // Each wave's variance has the spread of an exponential distribution; that of their sum, seeds' mean,
+        // is 1.1 % here, that of all waves' mean, each in parts of its own, 0.2 %.
         [Test]
         public void WaveHeight_OverTwoThousandSeeds_IsThatAskedForOnAverage()
         {
@@ -35,13 +37,15 @@ namespace Glint.Tests
                 settings.Seed = seed;
                 var surface = new SeaSurface(settings);
                 variances[seed] = math.square(surface.MeasuredWaveHeight(3)) / 16;
-                parts += surface.Modes.Average(mode => 2 * (mode.Real * mode.Real + mode.Imaginary * mode.Imaginary) / byWave[(mode.Column, mode.Row)]) / seeds;
+                parts += surface.Modes.Average(mode => 2 * (mode.Real * mode.Real + mode.Imaginary * mode.Imaginary)
+                    / byWave[(mode.Column, mode.Row)]) / seeds;
             }
             double expected = math.square(settings.SignificantWaveHeight) / 16, mean = variances.Average();
             Assert.That(mean, Is.EqualTo(expected).Within(3).Percent);
             Assert.That(parts, Is.EqualTo(1).Within(0.01));
 
-            double spread = Math.Sqrt(variances.Average(v => math.square(v - mean))), ofAll = Math.Sqrt(byWave.Values.Sum(math.square));
+            double spread = Math.Sqrt(variances.Average(v => math.square(v - mean))),
+                ofAll = Math.Sqrt(byWave.Values.Sum(math.square));
             Assert.That(spread, Is.EqualTo(ofAll).Within(10).Percent, "two normal numbers a wave");
         }
 
@@ -64,7 +68,8 @@ namespace Glint.Tests
             settings.HeightFactor = 7;
             settings.HeightFactor = SeaSurface.FactorFor(settings, times);
             var surface = new SeaSurface(settings);
-            double joint = 4 * Math.Sqrt(times.Average(time => SeaFields.Heights(surface.Mesh(time), 32).Average(y => y * y)));
+            double joint =
+                4 * Math.Sqrt(times.Average(time => SeaFields.Heights(surface.Mesh(time), 32).Average(y => y * y)));
             Assert.That(joint, Is.EqualTo(settings.SignificantWaveHeight).Within(2e-5));
         }
 
@@ -97,7 +102,8 @@ namespace Glint.Tests
             AssertNear(new FourierSum(cells).Sum(waves), new TrigonometricSum(cells, 31).Sum(waves));
         }
 
-        // 24 cells by the trigonometric sum, 48 too, 32 by the Fourier transform: every third of the first is a point of the last.
+        // 24 cells by the trigonometric sum, 48 too, 32 by the Fourier transform:
+        // every third of the first is a point of the last.
         [Test]
         public void Mesh_OfAnyCells_SamplesTheSameSea()
         {
@@ -105,7 +111,8 @@ namespace Glint.Tests
             var slow = Displaced(16, 24).Mesh(5);
             for (int z = 0; z <= 8; z++)
                 for (int x = 0; x <= 8; x++)
-                    Assert.That(math.distance(slow.Vertices[3 * z * 25 + 3 * x], fast.Vertices[4 * z * 33 + 4 * x]), Is.LessThan(3.0 / 65536), $"at {x}, {z} eighths");
+                    Assert.That(math.distance(slow.Vertices[3 * z * 25 + 3 * x], fast.Vertices[4 * z * 33 + 4 * x]),
+                        Is.LessThan(3.0 / 65536), $"at {x}, {z} eighths");
         }
 
         // Gerstner's displacement, worked out anew from the heights: -a k/|k| sin where the height is a cos.
@@ -127,7 +134,8 @@ namespace Glint.Tests
                     double length = Math.Sqrt(row * row + column * column);
                     for (int i = 0; i < cells * cells; i++)
                     {
-                        double phase = 2 * Math.PI * (column * (i % cells) + row * (i / cells)) / cells + amplitude.Phase, sine = amplitude.Magnitude * Math.Sin(phase);
+                        double phase = 2 * Math.PI * (column * (i % cells) + row * (i / cells)) / cells
+                            + amplitude.Phase, sine = amplitude.Magnitude * Math.Sin(phase);
                         alongX[i] -= choppiness * sine * column / length;
                         alongZ[i] -= choppiness * sine * row / length;
                     }
@@ -143,21 +151,25 @@ namespace Glint.Tests
             }
         }
 
-        // One wave turns in phase by w t, w^2 = g k, in the sense that moves its crests with the wind; read off the meshes of two times.
+        // One wave turns in phase by w t, w^2 = g k, in the sense that moves its crests with the wind;
+        // read off the meshes of two times.
         [Test]
-        public void Waves_OfOneLength_RunByTheDispersionRelationWithTheWind([Values(0, 90, 210)] double direction, [Values(0.25, 12.75)] double time)
+        public void Waves_OfOneLength_RunByTheDispersionRelationWithTheWind([Values(0, 90, 210)] double direction,
+            [Values(0.25, 12.75)] double time)
         {
             const int cells = 16, reach = 3;
             var settings = SeaFields.Settings(8, cells, 9);
             (settings.WindDirectionDegrees, settings.Choppiness) = (direction, 0);
             var surface = new SeaSurface(settings);
-            double[] first = SeaFields.Heights(surface.Mesh(0), cells), later = SeaFields.Heights(surface.Mesh(time), cells);
+            double[] first = SeaFields.Heights(surface.Mesh(0), cells),
+                later = SeaFields.Heights(surface.Mesh(time), cells);
             double windX = Math.Sin(math.radians(direction)), windZ = Math.Cos(math.radians(direction));
             int seen = 0;
             for (int row = -reach; row <= reach; row++)
                 for (int column = -reach; column <= reach; column++)
                 {
-                    Complex before = SeaFields.Amplitude(first, cells, column, row), after = SeaFields.Amplitude(later, cells, column, row);
+                    Complex before = SeaFields.Amplitude(first, cells, column, row),
+                        after = SeaFields.Amplitude(later, cells, column, row);
                     // Of each pair the one that runs with the wind; amplitudes are good to 1e-5 m.
                     if (!(column * windX + row * windZ > 1e-9) || before.Magnitude < 0.003)
                         continue;
@@ -169,7 +181,8 @@ namespace Glint.Tests
             Assert.That(seen, Is.GreaterThan(10));
         }
 
-        // For Phillips, cut off at k: the share of the variance in waves longer than 2 pi / q is exp(1/(kL)^2 - 1/(qL)^2); over directions, cos^2.
+        // For Phillips, cut off at k: the share of the variance in waves longer than 2 pi / q is
+        // exp(1/(kL)^2 - 1/(qL)^2); over directions, cos^2.
         [Test]
         public void Spectrum_OfALargeSea_MatchesTheFormula()
         {
@@ -181,28 +194,35 @@ namespace Glint.Tests
             for (int seed = 1; seed <= seeds; seed++)
             {
                 settings.Seed = seed;
-                var variances = SeaFields.Variances(SeaFields.Heights(new SeaSurface(settings).Mesh(seed), cells), cells, reach);
+                var variances =
+                    SeaFields.Variances(SeaFields.Heights(new SeaSurface(settings).Mesh(seed), cells), cells, reach);
                 for (int row = -reach; row <= reach; row++)
                     for (int column = -reach; column <= reach; column++)
                         for (int band = 0; band < bands.Length; band++)
                             if (math.length(new double2(column, row)) is var n && n > ends[band] && n <= ends[band + 1])
                                 bands[band] += variances[row + reach, column + reach] / seeds;
             }
-            double Share(double n) => Math.Exp(math.square(1 / (30 * step * longest)) - math.square(1 / (Math.Min(n, 30) * step * longest)));
+            double Share(double n) =>
+                Math.Exp(math.square(1 / (30 * step * longest)) - math.square(1 / (Math.Min(n, 30) * step * longest)));
             double whole = math.square(settings.SignificantWaveHeight) / 16;
             for (int band = 0; band < bands.Length; band++)
-                Assert.That(bands[band] / whole, Is.EqualTo(Share(ends[band + 1]) - Share(ends[band])).Within(10).Percent, $"waves {ends[band]} to {ends[band + 1]} a tile");
+                Assert.That(bands[band] / whole,
+                    Is.EqualTo(Share(ends[band + 1]) - Share(ends[band])).Within(10).Percent,
+                    $"waves {ends[band]} to {ends[band + 1]} a tile");
         }
 
-        // Phillips, cut off at k: the mean square slope is (Hs^2 / 16) E1(1/(kL)^2) e^(1/(kL)^2) / L^2, three quarters of it along the wind.
+        // Phillips, cut off at k: the mean square slope is (Hs^2 / 16) E1(1/(kL)^2) e^(1/(kL)^2) / L^2,
+        // three quarters of it along the wind.
         [Test]
         public void Slopes_OfALargeSea_MatchTheFormula()
         {
             const int cells = 512;
             var settings = SeaFields.Settings(128, cells, 7);
             (settings.TileSize, settings.Choppiness, settings.ShortestWave) = (256, 0, 8);
-            double cell = settings.TileSize / cells, k = 2 * Math.PI / settings.ShortestWave, longest = 49 / Gravity, end = math.square(1 / (k * longest));
-            double expected = math.square(settings.SignificantWaveHeight) / 16 * ExponentialIntegral(end) * Math.Exp(end) / math.square(longest);
+            double cell = settings.TileSize / cells, k = 2 * Math.PI / settings.ShortestWave, longest = 49 / Gravity,
+                end = math.square(1 / (k * longest));
+            double expected = math.square(settings.SignificantWaveHeight) / 16 * ExponentialIntegral(end)
+                * Math.Exp(end) / math.square(longest);
 
             double alongWind = 0, across = 0;
             const int seeds = 4;
@@ -213,8 +233,10 @@ namespace Glint.Tests
                 for (int i = 0; i < heights.Length; i++)
                 {
                     int x = i % cells, z = i / cells;
-                    across += math.square((heights[z * cells + (x + 1) % cells] - heights[i]) / cell) / heights.Length / seeds;
-                    alongWind += math.square((heights[(z + 1) % cells * cells + x] - heights[i]) / cell) / heights.Length / seeds;
+                    across += math.square((heights[z * cells + (x + 1) % cells] - heights[i]) / cell)
+                        / heights.Length / seeds;
+                    alongWind += math.square((heights[(z + 1) % cells * cells + x] - heights[i]) / cell)
+                        / heights.Length / seeds;
                 }
             }
             // A cell's slope is less than the steepest within it, by (k cell)^2 / 12 = 1.3 % at the shortest wave.
@@ -229,7 +251,8 @@ namespace Glint.Tests
             other.Seed = -1;
             var surface = new SeaSurface(settings);
             surface.Mesh(9);
-            Assert.That(surface.Mesh(4).Vertices, Is.EqualTo(new SeaSurface(settings).Mesh(4).Vertices), "whatever was asked for before");
+            Assert.That(surface.Mesh(4).Vertices, Is.EqualTo(new SeaSurface(settings).Mesh(4).Vertices),
+                "whatever was asked for before");
             Assert.That(new SeaSurface(other).Mesh(4).Vertices, Is.Not.EqualTo(surface.Mesh(4).Vertices));
         }
 

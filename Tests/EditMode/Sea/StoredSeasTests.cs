@@ -11,7 +11,8 @@ namespace Glint.Tests
         public void SeaStates_DifferInTheirHeightOnly()
         {
             SeaSettings calm = StoredSeas.SeaState5.Settings, rough = StoredSeas.SeaState6.Settings;
-            Assert.That((calm.SignificantWaveHeight, rough.SignificantWaveHeight), Is.EqualTo((2.5, 6.0)), "metres, as published");
+            Assert.That((calm.SignificantWaveHeight, rough.SignificantWaveHeight),
+                Is.EqualTo((2.5, 6.0)), "metres, as published");
             Assert.That(SeaState.Range(5).From, Is.EqualTo(2.5));
             Assert.That(SeaState.Range(6).To, Is.EqualTo(6));
             // The factor is a quotient of heights, rounded.
@@ -25,10 +26,12 @@ namespace Glint.Tests
         {
             Assert.That(StoredSeas.SeaState6.Times.Count, Is.EqualTo(10));
             var surface = new SeaSurface(StoredSeas.SeaState6.Settings);
-            var snapshots = StoredSeas.SeaState6.Times.Select(time => SeaFields.Heights(surface.Mesh(time), 94)).ToArray();
+            var snapshots =
+                StoredSeas.SeaState6.Times.Select(time => SeaFields.Heights(surface.Mesh(time), 94)).ToArray();
             for (int i = 0; i < snapshots.Length; i++)
                 for (int j = 0; j < i; j++)
-                    Assert.That(Math.Abs(Correlation(snapshots[i], snapshots[j])), Is.LessThan(0.9), $"snapshots {i} and {j}");
+                    Assert.That(Math.Abs(Correlation(snapshots[i], snapshots[j])), Is.LessThan(0.9),
+                        $"snapshots {i} and {j}");
         }
 
         [Test]
@@ -39,13 +42,15 @@ namespace Glint.Tests
             foreach (double time in StoredSeas.SeaState6.Times)
             {
                 Assert.That(surface.MeasuredWaveHeight(time), Is.EqualTo(height).Within(1e-9), $"at {time} s");
-                Assert.That(4 * Math.Sqrt(SeaFields.Heights(surface.Mesh(time), 94).Average(y => y * y)), Is.EqualTo(height).Within(2e-5), $"at {time} s, of the mesh");
+                Assert.That(4 * Math.Sqrt(SeaFields.Heights(surface.Mesh(time), 94).Average(y => y * y)),
+                    Is.EqualTo(height).Within(2e-5), $"at {time} s, of the mesh");
             }
         }
 
         // The seed is not one of extremes: the spectrum's spread of the variance over seeds is 45 %.
         [Test]
-        public void Seed_IsTypicalInItsHeight() => Assert.That(StoredSeas.SeaState6.Settings.HeightFactor, Is.InRange(0.75, 1.5));
+        public void Seed_IsTypicalInItsHeight() =>
+            Assert.That(StoredSeas.SeaState6.Settings.HeightFactor, Is.InRange(0.75, 1.5));
 
         [Test]
         public void Wind_PutsThePeakOnTheLongestWaveOfTheTile()
@@ -57,6 +62,7 @@ namespace Glint.Tests
             Assert.That(peak, Is.EqualTo(settings.TileSize).Within(1));
         }
 
-        static double Correlation(double[] a, double[] b) => a.Zip(b, (p, q) => p * q).Sum() / Math.Sqrt(a.Sum(p => p * p) * b.Sum(q => q * q));
+        static double Correlation(double[] a, double[] b) =>
+            a.Zip(b, (p, q) => p * q).Sum() / Math.Sqrt(a.Sum(p => p * p) * b.Sum(q => q * q));
     }
 }

@@ -22,7 +22,8 @@ namespace Glint.Tests
                 Assert.That(stored.TimeSeconds, Is.EqualTo(recipe.Times[i]));
                 Assert.That(stored.WaveHeight, Is.EqualTo(surface.MeasuredWaveHeight(recipe.Times[i])));
                 var expected = surface.Mesh(recipe.Times[i]);
-                Assert.That(stored.Tile.vertices.Select(v => (float3)v), Is.EqualTo(expected.Vertices), $"{recipe.Name}, {stored.name}");
+                Assert.That(stored.Tile.vertices.Select(v => (float3)v), Is.EqualTo(expected.Vertices),
+                    $"{recipe.Name}, {stored.name}");
                 Assert.That(stored.Tile.triangles, Is.EqualTo(expected.Indices));
             }
         }
@@ -36,14 +37,17 @@ namespace Glint.Tests
             {
                 var stored = Load(recipe, i);
                 var tiles = stored.GetComponentsInChildren<MeshFilter>(true);
-                Assert.That(tiles.Select(tile => tile.transform.localPosition), Is.EqualTo(new[] { new Vector3(0, 0, -32), new Vector3(0, 0, 32) }));
+                Assert.That(tiles.Select(tile => tile.transform.localPosition),
+                    Is.EqualTo(new[] { new Vector3(0, 0, -32), new Vector3(0, 0, 32) }));
                 Assert.That(tiles.Select(tile => tile.sharedMesh), Is.All.SameAs(stored.Tile));
                 Assert.That(tiles.Sum(tile => tile.sharedMesh.triangles.Length / 3), Is.EqualTo(35344));
-                Assert.That(stored.Tile.vertices.Min(v => v.z), Is.EqualTo(-32).Within(6), "displaced by less than 6 m");
+                Assert.That(stored.Tile.vertices.Min(v => v.z), Is.EqualTo(-32).Within(6),
+                    "displaced by less than 6 m");
             }
         }
 
-        // The vertices stand on a regular grid before they are displaced, so that their heights' variance is the waves'. The last row and column are the first ones again.
+        // The vertices stand on a regular grid before they are displaced,
+        // so that their heights' variance is the waves'. The last row and column are the first ones again.
         [TestCase(0, 2.5)]
         [TestCase(1, 6)]
         public void Snapshots_Together_HaveTheWaveHeightAskedFor(int number, double asked)
@@ -51,7 +55,9 @@ namespace Glint.Tests
             var recipe = StoredSeas.All[number];
             Assert.That(recipe.Settings.SignificantWaveHeight, Is.EqualTo(asked));
             int side = recipe.Settings.Cells + 1;
-            var heights = Enumerable.Range(0, 10).SelectMany(i => Load(recipe, i).Tile.vertices.Where((v, at) => at % side < side - 1 && at / side < side - 1)).Select(v => (double)v.y).ToArray();
+            var heights = Enumerable.Range(0, 10).SelectMany(i => Load(recipe, i)
+                .Tile.vertices.Where((v, at) => at % side < side - 1 && at / side < side - 1))
+                .Select(v => (double)v.y).ToArray();
             Assert.That(heights.Average(), Is.Zero.Within(1e-3));
             Assert.That(4 * math.sqrt(heights.Average(y => y * y)), Is.EqualTo(asked).Within(2).Percent);
         }

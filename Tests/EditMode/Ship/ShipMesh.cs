@@ -10,15 +10,20 @@ namespace Glint.Tests
     /// <summary>Measures of a ship's mesh.</summary>
     static class ShipMesh
     {
-        /// <summary>With equal places welded each edge is walked once each way, and each body encloses a positive volume: its outer side is out.</summary>
+        /// <summary>
+        /// With equal places welded each edge is walked once each way, and each body encloses a positive volume:
+        /// its outer side is out.
+        /// </summary>
         public static void AssertClosed(TriangleMesh mesh)
         {
             var welded = Welded(mesh);
             var edges = new HashSet<(int, int)>();
             for (int i = 0; i < welded.Length; i++)
                 if (!edges.Add((welded[i], welded[i % 3 == 2 ? i - 2 : i + 1])))
-                    Assert.Fail($"an edge of triangle {i / 3} is walked twice the same way, at {mesh.Vertices[welded[i]]}");
-            Assert.That(edges.Count(edge => !edges.Contains((edge.Item2, edge.Item1))), Is.Zero, "edges of one triangle only");
+                    Assert.Fail($"an edge of triangle {i / 3} is walked twice the same way, "
+                        + $"at {mesh.Vertices[welded[i]]}");
+            Assert.That(edges.Count(edge => !edges.Contains((edge.Item2, edge.Item1))), Is.Zero,
+                "edges of one triangle only");
             Assert.That(BodyVolumes(mesh, welded), Is.All.GreaterThan(0.001), "m3");
         }
 
@@ -55,7 +60,10 @@ namespace Glint.Tests
             }).Select(body => body.Sum()).ToArray();
         }
 
-        /// <summary>Volume below y = 0 of what is closed there: the flux of (0, y, 0), which the plane y = 0 itself adds nothing to.</summary>
+        /// <summary>
+        /// Volume below y = 0 of what is closed there: the flux of (0, y, 0),
+        /// which the plane y = 0 itself adds nothing to.
+        /// </summary>
         public static double VolumeUnderWater(TriangleMesh mesh)
         {
             double volume = 0;

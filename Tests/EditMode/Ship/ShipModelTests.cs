@@ -34,7 +34,8 @@ namespace Glint.Tests
         [TestCase(200000, 0.02)]
         public void Build_HasAsManyTrianglesAsAskedFor(int triangles, double within)
         {
-            Assert.That(ShipModel.Build(WithTriangles(triangles)).TriangleCount, Is.EqualTo(triangles).Within(within * triangles));
+            Assert.That(ShipModel.Build(WithTriangles(triangles)).TriangleCount,
+                Is.EqualTo(triangles).Within(within * triangles));
         }
 
         // float32 gives triangles of less than 5e-17 m2 no normal; slivers lose digits.
@@ -64,11 +65,13 @@ namespace Glint.Tests
             // The widest frame lies between two stations.
             Assert.That(high.x - low.x, Is.EqualTo(Default.Beam).Within(0.001));
             Assert.That(-low.y, Is.EqualTo(Default.Draught).Within(Step));
-            Assert.That(high.y, Is.EqualTo(Default.Freeboard + Default.Forecastle + 3 * Default.StoreyHeight + Default.MastHeight).Within(2 * Step));
+            Assert.That(high.y, Is.EqualTo(Default.Freeboard + Default.Forecastle + 3 * Default.StoreyHeight
+                + Default.MastHeight).Within(2 * Step));
 
             var bow = _ship.Vertices.Where(vertex => vertex.z == low.z).ToArray();
             Assert.That(bow.Select(vertex => vertex.x), Is.All.Zero);
-            Assert.That(bow.Max(vertex => vertex.y), Is.EqualTo(Default.Freeboard + Default.Forecastle + Default.Sheer).Within(2 * Step));
+            Assert.That(bow.Max(vertex => vertex.y),
+                Is.EqualTo(Default.Freeboard + Default.Forecastle + Default.Sheer).Within(2 * Step));
             var stern = _ship.Vertices.Where(vertex => vertex.z == high.z).ToArray();
             Assert.That(stern.Max(vertex => vertex.x), Is.EqualTo(Default.Transom * Default.Beam / 2).Within(Step));
             Assert.That(stern.Max(vertex => vertex.y), Is.EqualTo(Default.Freeboard).Within(Step));
@@ -78,18 +81,21 @@ namespace Glint.Tests
         public void Build_Default_IsTheSameOnBothSides()
         {
             var places = _ship.Vertices.ToHashSet();
-            Assert.That(places.Count(vertex => !places.Contains(new float3(-vertex.x + 0f, vertex.y, vertex.z))), Is.Zero);
+            Assert.That(
+                places.Count(vertex => !places.Contains(new float3(-vertex.x + 0f, vertex.y, vertex.z))), Is.Zero);
         }
 
         // Block coefficients of patrol vessels lie about 0.4 to 0.55.
         [Test]
         public void Build_Default_DisplacesAsAVesselOfItsSize() =>
-            Assert.That(ShipMesh.VolumeUnderWater(_ship) / (Default.Length * Default.Beam * Default.Draught), Is.InRange(0.38, 0.55));
+            Assert.That(ShipMesh.VolumeUnderWater(_ship) / (Default.Length * Default.Beam * Default.Draught),
+                Is.InRange(0.38, 0.55));
 
         [Test]
         public void Build_OfABoxUnderWater_MeasuresItsVolume()
         {
-            var box = new TriangleMesh(Solid.BoxVertices(2, 5, 3).Select(vertex => vertex - new float3(0, 4, 0)).ToArray(), Solid.BoxIndices);
+            var box = new TriangleMesh(
+                Solid.BoxVertices(2, 5, 3).Select(vertex => vertex - new float3(0, 4, 0)).ToArray(), Solid.BoxIndices);
             Assert.That(ShipMesh.VolumeUnderWater(box), Is.EqualTo(2 * 4 * 3).Within(1e-9));
         }
 
@@ -100,7 +106,8 @@ namespace Glint.Tests
             Assert.That(again.Vertices.SequenceEqual(_ship.Vertices));
             Assert.That(again.Indices.SequenceEqual(_ship.Indices));
             Assert.That(_ship.Vertices.All(vertex => all(fmod((double3)vertex, Step) == 0)));
-            Assert.That(_ship.Vertices.All(vertex => all(asuint(vertex) != 0x80000000u)), "no -0: equal places have equal bits");
+            Assert.That(_ship.Vertices.All(vertex => all(asuint(vertex) != 0x80000000u)),
+                "no -0: equal places have equal bits");
         }
 
         // Published hits of 1920 x 1080 rays; here as many of 240 x 135, whose edges are counted within 2 %.
@@ -114,12 +121,14 @@ namespace Glint.Tests
             Assert.That(64.0 * judge.Sum(judge.TraceAll()).RaysHit, Is.EqualTo(published).Within(0.15 * published));
         }
 
-        // Seen from ahead and from astern, deck and house are a dihedral: the camera mirrored in both sends the rays back.
+        // Seen from ahead and from astern, deck and house are a dihedral:
+        // the camera mirrored in both sends the rays back.
         [TestCase(0)]
         [TestCase(180)]
         public void Build_Default_SquareToTheRadar_DeckAndHouseReturnRays(double angle)
         {
-            double deck = angle == 0 ? Default.Freeboard + Default.Forecastle : Default.Freeboard, house = angle == 0 ? -Default.HouseFront : Default.HouseAft;
+            double deck = angle == 0 ? Default.Freeboard + Default.Forecastle : Default.Freeboard,
+                house = angle == 0 ? -Default.HouseFront : Default.HouseAft;
             double3 corner = double3(0, deck, house * Default.Length);
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(Radar(angle), corner, fov: 8);
@@ -136,7 +145,8 @@ namespace Glint.Tests
                 if (abs(rays[pixel].PathLength - length) < 1e-4) // heights are rounded to 2^-16 m
                     returned++;
             }
-            // Half of the receiver's width and height, as the corner is half as far as its image: a square of 1.5 m. The bow rises into a third of it.
+            // Half of the receiver's width and height, as the corner is half as far as its image: a square of 1.5 m.
+            // The bow rises into a third of it.
             double across = 1.5 / (2 * tan(radians(4.0)) * distance(view.Position, corner)) * settings.RaysDown;
             Assert.That(returned, Is.GreaterThan(0.5 * across * across));
         }
@@ -149,17 +159,20 @@ namespace Glint.Tests
         {
             var house = new Deckhouse(Default, new Hull(Default));
             var bridge = new Bridge(Default, house);
-            double3 window = double3(isInFront ? 0 : bridge.HalfWidth, house.UpperRoof + 0.6 * Default.StoreyHeight, isInFront ? bridge.Front : (bridge.Front + bridge.Aft) / 2);
+            double3 window = double3(isInFront ? 0 : bridge.HalfWidth, house.UpperRoof + 0.6 * Default.StoreyHeight,
+                isInFront ? bridge.Front : (bridge.Front + bridge.Aft) / 2);
             double3 towards = double3(sin(radians(bearing)), 0.4, -cos(radians(bearing)));
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(window + 20 * normalize(towards), window, fov: 5);
             var rays = new Judge(new RadarScene(_coarse), settings, view).TraceAll();
 
-            var corners = Enumerable.Range(0, rays.Length).Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 3).ToArray();
+            var corners = Enumerable.Range(0, rays.Length)
+                .Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 3).ToArray();
             Assert.That(corners.Length, Is.GreaterThan(20));
             foreach (int pixel in corners)
             {
-                Assert.That(distance(rays[pixel].Direction, -TestRadar.Direction(settings, view, pixel)), Is.LessThan(1e-12));
+                Assert.That(distance(rays[pixel].Direction, -TestRadar.Direction(settings, view, pixel)),
+                    Is.LessThan(1e-12));
                 // The pane is behind the wall by the window's depth.
                 double3 place = rays[pixel].LastHit - window;
                 Assert.That(abs(isInFront ? place.z : place.x), Is.LessThan(Default.WindowDepth + Step));
@@ -174,6 +187,7 @@ namespace Glint.Tests
         }
 
         // Of the published set-up: 50 m from the ship's middle, seen at a grazing angle of 10 degrees.
-        static double3 Radar(double angle) => 50 * double3(-cos(radians(10.0)) * sin(radians(angle)), sin(radians(10.0)), -cos(radians(10.0)) * cos(radians(angle)));
+        static double3 Radar(double angle) => 50 * double3(-cos(radians(10.0)) * sin(radians(angle)),
+            sin(radians(10.0)), -cos(radians(10.0)) * cos(radians(angle)));
     }
 }

@@ -32,7 +32,8 @@ namespace Glint.Tests
 
         [Test]
         public void Ranges_AreOfEveryField() =>
-            Assert.That(Array.ConvertAll(Ranges, range => range[0]), Is.EquivalentTo(Array.ConvertAll(typeof(ShipSettings).GetFields(BindingFlags.Public | BindingFlags.Instance), field => field.Name)));
+            Assert.That(Array.ConvertAll(Ranges, range => range[0]), Is.EquivalentTo(Array.ConvertAll(
+                typeof(ShipSettings).GetFields(BindingFlags.Public | BindingFlags.Instance), field => field.Name)));
 
         [TestCaseSource(nameof(Ranges))]
         public void Validate_AtTheEndsOfARange_Passes(string field, string name, double low, double high)
@@ -42,7 +43,8 @@ namespace Glint.Tests
         }
 
         [TestCaseSource(nameof(Ranges))]
-        public void Validate_BeyondARange_IsRefusedWithFieldValueAndRange(string field, string name, double low, double high)
+        public void Validate_BeyondARange_IsRefusedWithFieldValueAndRange(string field,
+            string name, double low, double high)
         {
             bool isWhole = typeof(ShipSettings).GetField(field).FieldType == typeof(int);
             var beyond = new List<double> { Math.Floor(low) - 1, Math.Ceiling(high) + 1 };
@@ -50,8 +52,10 @@ namespace Glint.Tests
                 beyond.AddRange(new[] { double.NaN, double.NegativeInfinity, double.PositiveInfinity });
             foreach (double value in beyond)
             {
-                string message = Assert.Throws<GlintException>(() => ShipModel.Build(With(field, value)), $"{field} {value}").Message;
-                Assert.That(message, Does.StartWith("ship: " + name + " " + value.ToString(CultureInfo.InvariantCulture)));
+                string message = Assert.Throws<GlintException>(() => ShipModel.Build(With(field, value)),
+                    $"{field} {value}").Message;
+                Assert.That(message,
+                    Does.StartWith("ship: " + name + " " + value.ToString(CultureInfo.InvariantCulture)));
                 Assert.That(message, Does.Match("must be from .+ to .+"));
             }
         }

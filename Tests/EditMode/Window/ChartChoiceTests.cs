@@ -11,7 +11,11 @@ namespace Glint.Tests
         [Test]
         public void Axis_ThatTheRunDoesNotStepThrough_IsTheFastest()
         {
-            var rows = new[] { SamplePoses.At(SweepAxis.Angle, 0, SweepAxis.Range, 50), SamplePoses.At(SweepAxis.Angle, 0, SweepAxis.Range, 60) };
+            var rows = new[]
+            {
+                SamplePoses.At(SweepAxis.Angle, 0, SweepAxis.Range, 50),
+                SamplePoses.At(SweepAxis.Angle, 0, SweepAxis.Range, 60)
+            };
             Assert.That(new ChartChoice { Axis = "angle" }.AxisOf(rows), Is.EqualTo(SweepAxis.Range));
             Assert.That(new ChartChoice { Axis = "range" }.AxisOf(rows), Is.EqualTo(SweepAxis.Range));
             Assert.That(new ChartChoice().AxisOf(Array.Empty<PoseFigures>()), Is.EqualTo(SweepAxis.Angle));
@@ -35,7 +39,8 @@ namespace Glint.Tests
             var rows = Enumerable.Range(0, 3).Select(i => SamplePoses.At(new SweepPose(i), i, 0, 7, 100)).ToArray();
             var choice = new ChartChoice { InDecibels = true };
             Assert.That(choice.Amplitude(rows, null).YTitle, Does.EndWith("dB"));
-            Assert.That((choice.Received(rows, null).YTitle, choice.Hit(rows, null).Y.High), Is.EqualTo(("Rays received", 100.0)));
+            Assert.That((choice.Received(rows, null).YTitle, choice.Hit(rows, null).Y.High),
+                Is.EqualTo(("Rays received", 100.0)));
             choice.IsRaw = true;
             Assert.That(choice.Amplitude(rows, null).YTitle, Is.EqualTo("Amplitude, dB"));
         }

@@ -36,15 +36,20 @@ namespace Glint.Tests
             var random = new Random(7);
             for (int i = 0; i < 2000; i++)
             {
-                double low = (random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-30, 30)), high = low + Math.Abs(low) * Math.Pow(10, random.Next(-8, 8)) * random.NextDouble();
+                double low = (random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-30, 30)),
+                    high = low + Math.Abs(low) * Math.Pow(10, random.Next(-8, 8)) * random.NextDouble();
                 foreach (var scale in new[] { ChartScale.Over(low, high), ChartScale.Around(low, high) })
                 {
                     string what = $"{low:r} to {high:r}";
                     Assert.That(scale.Ticks.Count, Is.InRange(2, 11), what);
-                    Assert.That(scale.Ticks.Select(tick => tick.Place), Is.Ordered.And.All.InRange(-1e-6, 1 + 1e-6), what);
-                    double step = (scale.High - scale.Low) * (scale.Ticks[1].Place - scale.Ticks[0].Place), mantissa = step / Math.Pow(10, Math.Floor(Math.Log10(step) + 1e-3));
-                    Assert.That(new[] { 1.0, 2, 5 }.Min(round => Math.Abs(mantissa / round - 1)), Is.LessThan(1e-3), what);
-                    Assert.That((scale.Of(low), scale.Of(high)), Is.EqualTo((Math.Max(scale.Of(low), -1e-6), Math.Min(scale.Of(high), 1 + 1e-6))), what);
+                    Assert.That(scale.Ticks.Select(tick => tick.Place),
+                        Is.Ordered.And.All.InRange(-1e-6, 1 + 1e-6), what);
+                    double step = (scale.High - scale.Low) * (scale.Ticks[1].Place - scale.Ticks[0].Place),
+                        mantissa = step / Math.Pow(10, Math.Floor(Math.Log10(step) + 1e-3));
+                    Assert.That(new[] { 1.0, 2, 5 }.Min(round => Math.Abs(mantissa / round - 1)),
+                        Is.LessThan(1e-3), what);
+                    Assert.That((scale.Of(low), scale.Of(high)),
+                        Is.EqualTo((Math.Max(scale.Of(low), -1e-6), Math.Min(scale.Of(high), 1 + 1e-6))), what);
                 }
             }
         }

@@ -8,7 +8,8 @@ namespace Glint.Tests
 {
     public sealed class ComparisonTests
     {
-        static readonly PublishedTable Corner = PublishedTable.All.Single(table => table.Name == "table_a2_corner_reflector");
+        static readonly PublishedTable Corner =
+            PublishedTable.All.Single(table => table.Name == "table_a2_corner_reflector");
 
         [Test]
         public void Tables_ThatThePackageOffers_AreAllThere()
@@ -26,7 +27,12 @@ namespace Glint.Tests
         public void Words_OfKnownDifferences_TellTheLargestAndTheRootMeanSquare()
         {
             var comparison = Comparison.With(Corner);
-            var rows = new[] { SamplePoses.At(new SweepPose(0), 46.66582 - 3, 0, 676, 217470), SamplePoses.At(new SweepPose(45), 1, 0, 4, comparison.Rows[45].RaysHit is var hit ? (long)hit : 0), SamplePoses.At(new SweepPose(0.5), 1) };
+            var rows = new[]
+            {
+                SamplePoses.At(new SweepPose(0), 46.66582 - 3, 0, 676, 217470),
+                SamplePoses.At(new SweepPose(45), 1, 0, 4, comparison.Rows[45].RaysHit is var hit ? (long)hit : 0),
+                SamplePoses.At(new SweepPose(0.5), 1)
+            };
             var lines = comparison.Words(rows).Split('\n');
             Assert.That(lines[0], Does.Contain("2 poses in common"));
             // sqrt((9 + 1) / 2); 3 of 46.67 are 6.43 %.
@@ -40,8 +46,14 @@ namespace Glint.Tests
         public void Pairs_WhereTheOtherRunLacksAnAxis_MatchOnTheRest()
         {
             var comparison = Comparison.With(Corner);
-            var rows = new[] { SamplePoses.At(SweepAxis.Angle, 1, SweepAxis.Snapshot, 1), SamplePoses.At(SweepAxis.Angle, 1, SweepAxis.Snapshot, 2), SamplePoses.At(SweepAxis.Angle, 1.5, SweepAxis.Snapshot, 1) };
-            Assert.That(comparison.Pairs(rows).Select(pair => pair.Theirs), Is.EqualTo(new[] { comparison.Rows[1], comparison.Rows[1] }));
+            var rows = new[]
+            {
+                SamplePoses.At(SweepAxis.Angle, 1, SweepAxis.Snapshot, 1),
+                SamplePoses.At(SweepAxis.Angle, 1, SweepAxis.Snapshot, 2),
+                SamplePoses.At(SweepAxis.Angle, 1.5, SweepAxis.Snapshot, 1)
+            };
+            Assert.That(comparison.Pairs(rows).Select(pair => pair.Theirs),
+                Is.EqualTo(new[] { comparison.Rows[1], comparison.Rows[1] }));
         }
 
         [Test]
@@ -67,7 +79,9 @@ namespace Glint.Tests
                 var comparison = Comparison.With(temporary.PathOf("run"));
                 Assert.That(comparison.Title, Is.EqualTo("run"));
                 // 3 - 4i of twice the rays; then nothing.
-                Assert.That(comparison.Rows.Select(row => (row[SweepAxis.Angle], row.Amplitude, row.Normalised, row.RaysReceived)), Is.EqualTo(new (double?, double, double, double)[] { (1, 5, 2.5, 300), (2, 0, 0, 0) }));
+                Assert.That(comparison.Rows.Select(
+                        row => (row[SweepAxis.Angle], row.Amplitude, row.Normalised, row.RaysReceived)),
+                    Is.EqualTo(new (double?, double, double, double)[] { (1, 5, 2.5, 300), (2, 0, 0, 0) }));
                 Assert.Throws<GlintException>(() => Comparison.With(temporary.PathOf("nothing")));
             }
         }
@@ -76,8 +90,10 @@ namespace Glint.Tests
         public void Chart_WithARunLaidOver_ShowsBothOnOneScale()
         {
             var comparison = Comparison.With(Corner);
-            var chart = new SweepChart(new[] { SamplePoses.At(0, 5), SamplePoses.At(90, 10) }, SweepAxis.Angle, Quantity.Normalised, false, false, comparison);
-            Assert.That(chart.Series.Select(series => (series.Name, series.IsCompared)), Is.EqualTo(new[] { ("", false), (comparison.Title, true) }));
+            var chart = new SweepChart(new[] { SamplePoses.At(0, 5), SamplePoses.At(90, 10) }, SweepAxis.Angle,
+                Quantity.Normalised, false, false, comparison);
+            Assert.That(chart.Series.Select(series => (series.Name, series.IsCompared)),
+                Is.EqualTo(new[] { ("", false), (comparison.Title, true) }));
             Assert.That((chart.X.High, chart.Y.High), Is.EqualTo((90.0, 50.0)));
             Assert.That(chart.Series[1].Runs.Single()[0].Y, Is.EqualTo(46.66582 / 50).Within(1e-9));
         }

@@ -37,8 +37,10 @@ namespace Glint.Tests
         [Test]
         public void Legend_CountsThePixels()
         {
-            Assert.That(_sight.Legend(false).Select(entry => entry.text), Is.EqualTo(new[] { "nothing met (1)", "1 bounce (1)", "2 bounces (2)", "received (2)" }));
-            Assert.That(_sight.Legend(true).Select(entry => entry.text), Is.EqualTo(new[] { "nothing met (1)", "Sea (2)", "Wall (1)", "received (2)" }));
+            Assert.That(_sight.Legend(false).Select(entry => entry.text),
+                Is.EqualTo(new[] { "nothing met (1)", "1 bounce (1)", "2 bounces (2)", "received (2)" }));
+            Assert.That(_sight.Legend(true).Select(entry => entry.text),
+                Is.EqualTo(new[] { "nothing met (1)", "Sea (2)", "Wall (1)", "received (2)" }));
         }
 
         [Test]
@@ -47,7 +49,8 @@ namespace Glint.Tests
             foreach (bool byObject in new[] { false, true })
             {
                 var colours = _sight.Colours(byObject);
-                var legend = _sight.Legend(byObject).ToDictionary(entry => entry.text.Split(' ')[0], entry => entry.colour);
+                var legend = _sight.Legend(byObject)
+                    .ToDictionary(entry => entry.text.Split(' ')[0], entry => entry.colour);
                 Assert.That(colours[0], Is.EqualTo(legend["nothing"]));
                 // 60 degrees: cosine 0.5, brightness 0.3 + 0.35.
                 var expected = legend[byObject ? "Sea" : "1"];

@@ -9,7 +9,10 @@ using UnityEngine;
 
 namespace Glint.Cli;
 
-/// <summary>Run time against error: scenes built in code, each traced with more and more rays and compared with what endlessly many would give.</summary>
+/// <summary>
+/// Run time against error: scenes built in code, each traced with more and more rays and compared with
+/// what endlessly many would give.
+/// </summary>
 sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progress)
 {
     // Across; down in the ratio of 16 to 9. A software device is spared the last.
@@ -23,7 +26,10 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
     // A receiver so small, in metres, that no ray meets it.
     const double NoReceiver = 1e-6;
 
-    readonly AccuracyResult _result = new() { Device = GraphicsDevice.Current.Info, UsesTexelBuffers = ShaderLibrary.UsesTexelBuffers, Rounds = rounds };
+    readonly AccuracyResult _result = new()
+    {
+        Device = GraphicsDevice.Current.Info, UsesTexelBuffers = ShaderLibrary.UsesTexelBuffers, Rounds = rounds
+    };
 
     /// <exception cref="GlintException">The device cannot trace.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
@@ -32,15 +38,19 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
         var scenes = AccuracyScene.All();
         var converged = new Dictionary<AccuracyScene, AccuracyReference>();
         using var tracer = new RayTracer(kernel, "accuracy");
-        Steps("converged results", scenes, scene => converged.Add(scene, AccuracyReference.Of(scene, RadarSettings.Default, progress, progress.Cancel)));
+        Steps("converged results", scenes, scene =>
+            converged.Add(scene, AccuracyReference.Of(scene, RadarSettings.Default, progress, progress.Cancel)));
         Steps("poses", scenes, scene => MeasureScene(tracer, scene, converged[scene]));
         Steps("same rays by the judge", scenes, scene => _result.Precision.Add(
-            AccuracyPrecision.Of(scene, RadarSettings.Default, Row(scene, RadarSettings.Default.RaysAcross).Result, progress, progress.Cancel)));
-        Steps("costs", [_result.CostScene = scenes.First(scene => scene.HasMuch)], scene => MeasureCosts(tracer, scene));
+            AccuracyPrecision.Of(scene, RadarSettings.Default, Row(scene, RadarSettings.Default.RaysAcross).Result,
+                progress, progress.Cancel)));
+        Steps("costs", [_result.CostScene = scenes.First(scene => scene.HasMuch)],
+            scene => MeasureCosts(tracer, scene));
         return _result;
     }
 
-    AccuracyRow Row(AccuracyScene scene, int across) => _result.Rows.Single(row => row.Scene == scene && row.Settings.RaysAcross == across);
+    AccuracyRow Row(AccuracyScene scene, int across) =>
+        _result.Rows.Single(row => row.Scene == scene && row.Settings.RaysAcross == across);
 
     void Steps(string what, IReadOnlyList<AccuracyScene> scenes, Action<AccuracyScene> work)
     {

@@ -16,6 +16,8 @@ sealed class AccuracyCost(string what, Series times, RadarResult result, RadarRe
     public long SubRays { get; } = result.Work.SubRays;
 
     /// <summary>True if all sums are the same bit for bit.</summary>
-    public bool IsSame { get; } = result.InPhase == usual.InPhase && result.Quadrature == usual.Quadrature && result.RaysHit == usual.RaysHit
-        && result.RaysReceived == usual.RaysReceived && result.Bounces == usual.Bounces && result.PathLengthMeters == usual.PathLengthMeters;
+    public bool IsSame { get; } = result.InPhase == usual.InPhase && result.Quadrature == usual.Quadrature
+        && result.RaysHit == usual.RaysHit
+        && result.RaysReceived == usual.RaysReceived && result.Bounces == usual.Bounces
+        && result.PathLengthMeters == usual.PathLengthMeters;
 }

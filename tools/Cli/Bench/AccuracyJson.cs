@@ -5,7 +5,9 @@ using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;
 
-/// <summary>The accuracy benchmark's figures as JSON: times in milliseconds, medians unless the name says lowest.</summary>
+/// <summary>
+/// The accuracy benchmark's figures as JSON: times in milliseconds, medians unless the name says lowest.
+/// </summary>
 static class AccuracyJson
 {
     public static void Write(Stream stream, AccuracyResult result)
@@ -65,7 +67,8 @@ static class AccuracyJson
         ["received_difference"] = row.ReceivedDifference,
         ["hits_difference"] = row.HitsDifference,
         ["sum_difference"] = row.SumDifference,
-        ["float32_lengths"] = new JArray(AccuracyPrecision.Float32Ranges.Zip(row.Float32Differences, (range, difference) => new JObject { ["farther_m"] = range, ["sum_difference"] = difference })),
+        ["float32_lengths"] = new JArray(AccuracyPrecision.Float32Ranges.Zip(row.Float32Differences,
+            (range, difference) => new JObject { ["farther_m"] = range, ["sum_difference"] = difference })),
     };
 
     static JObject Cost(AccuracyCost cost) => new()

@@ -7,7 +7,9 @@ using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>Error against time as an SVG picture: both axes logarithmic, a line a scene, from few rays to many.</summary>
+/// <summary>
+/// Error against time as an SVG picture: both axes logarithmic, a line a scene, from few rays to many.
+/// </summary>
 sealed class AccuracyPlot
 {
     const int Width = 1000, Height = 560, Left = 80, Right = 290, Top = 40, Bottom = 64;
@@ -15,7 +17,8 @@ sealed class AccuracyPlot
     // No error below is drawn lower, relative: the converged results are not known better.
     const double LeastError = 1e-4;
 
-    static readonly string[] s_colours = ["#0072b2", "#56b4e9", "#009e73", "#cc79a7", "#e69f00", "#d55e00", "#7f3c8d", "#555555"];
+    static readonly string[] s_colours =
+        ["#0072b2", "#56b4e9", "#009e73", "#cc79a7", "#e69f00", "#d55e00", "#7f3c8d", "#555555"];
 
     readonly Svg _svg;
     readonly int _firstTime, _lastTime, _firstError, _lastError; // powers of ten
@@ -24,7 +27,8 @@ sealed class AccuracyPlot
     {
         _svg = svg;
         (_firstTime, _lastTime) = Decades(result.Rows.Select(row => row.Times.Median));
-        (_firstError, _lastError) = Decades(result.Rows.SelectMany(row => new[] { Relative(row, row.AmplitudeError), Relative(row, row.Result.SamplingError) }));
+        (_firstError, _lastError) = Decades(result.Rows.SelectMany(
+            row => new[] { Relative(row, row.AmplitudeError), Relative(row, row.Result.SamplingError) }));
     }
 
     public static void Write(Stream stream, AccuracyResult result)
@@ -41,7 +45,11 @@ sealed class AccuracyPlot
         foreach (var scene in result.Rows.GroupBy(row => row.Scene))
             DrawScene(scene.Key.Name, [.. scene], number++);
         int y = Top + 28 + 22 * number;
-        foreach (string line in new[] { "filled: error", "hollow: error, flagged as undersampled", "cross: estimate of the error", "left to right: " + Range(result) })
+        foreach (string line in new[]
+        {
+            "filled: error", "hollow: error, flagged as undersampled", "cross: estimate of the error",
+            "left to right: " + Range(result)
+        })
             _svg.Write(Width - Right + 20, y += 20, line, "start");
     }
 
@@ -61,13 +69,15 @@ sealed class AccuracyPlot
         }
         _svg.Write((Left + Width - Right) / 2.0, Height - 18, "time of a pose, milliseconds", "middle");
         double middle = (Top + Height - Bottom) / 2.0;
-        _svg.Write(22, middle, "error of the amplitude, relative", "middle", ("transform", Text($"rotate(-90 22 {middle})")));
+        _svg.Write(22, middle, "error of the amplitude, relative", "middle",
+            ("transform", Text($"rotate(-90 22 {middle})")));
     }
 
     void DrawScene(string name, AccuracyRow[] rows, int number)
     {
         string colour = s_colours[number % s_colours.Length];
-        var places = rows.Select(row => (x: X(row.Times.Median), y: Y(Relative(row, row.AmplitudeError)), estimate: Y(Relative(row, row.Result.SamplingError)), row)).ToArray();
+        var places = rows.Select(row => (x: X(row.Times.Median), y: Y(Relative(row, row.AmplitudeError)),
+            estimate: Y(Relative(row, row.Result.SamplingError)), row)).ToArray();
         _svg.Polyline(places.Select(place => (place.x, place.y)), colour);
         foreach (var (x, y, estimate, row) in places)
         {
@@ -81,17 +91,22 @@ sealed class AccuracyPlot
         _svg.Write(Width - Right + 52, legend, name, "start");
     }
 
-    static double Relative(AccuracyRow row, double error) => Math.Max(LeastError, Math.Abs(error) / row.Converged.Sum.Magnitude);
+    static double Relative(AccuracyRow row, double error) =>
+        Math.Max(LeastError, Math.Abs(error) / row.Converged.Sum.Magnitude);
 
     static (int first, int last) Decades(IEnumerable<double> values) =>
-        ((int)Math.Floor(Math.Log10(values.Min())), (int)Math.Max(Math.Ceiling(Math.Log10(values.Max())), Math.Floor(Math.Log10(values.Min())) + 1));
+        ((int)Math.Floor(Math.Log10(values.Min())),
+            (int)Math.Max(Math.Ceiling(Math.Log10(values.Max())), Math.Floor(Math.Log10(values.Min())) + 1));
 
     static string Range(AccuracyResult result) =>
-        $"{result.Rows.Min(row => row.Settings.RaysAcross)} to {result.Rows.Max(row => row.Settings.RaysAcross)} rays across";
+        $"{result.Rows.Min(row => row.Settings.RaysAcross)} to "
+        + $"{result.Rows.Max(row => row.Settings.RaysAcross)} rays across";
 
-    static string Power(int power) => power is >= -4 and <= 4 ? Math.Pow(10, power).ToString(CultureInfo.InvariantCulture) : Text($"1e{power}");
+    static string Power(int power) =>
+        power is >= -4 and <= 4 ? Math.Pow(10, power).ToString(CultureInfo.InvariantCulture) : Text($"1e{power}");
 
     double X(double time) => Left + (Math.Log10(time) - _firstTime) / (_lastTime - _firstTime) * (Width - Right - Left);
 
-    double Y(double error) => Height - Bottom - (Math.Log10(error) - _firstError) / (_lastError - _firstError) * (Height - Bottom - Top);
+    double Y(double error) =>
+        Height - Bottom - (Math.Log10(error) - _firstError) / (_lastError - _firstError) * (Height - Bottom - Top);
 }

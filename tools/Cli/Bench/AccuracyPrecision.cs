@@ -7,7 +7,10 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>What the tracer's arithmetic costs in accuracy: its sums less the judge's over the same rays, and less those that path lengths in float32 would give.</summary>
+/// <summary>
+/// What the tracer's arithmetic costs in accuracy: its sums less the judge's over the same rays,
+/// and less those that path lengths in float32 would give.
+/// </summary>
 sealed class AccuracyPrecision
 {
     AccuracyPrecision(AccuracyScene scene, RadarResult tracer, long hits, double[] lengths, double wavelength)
@@ -19,10 +22,14 @@ sealed class AccuracyPrecision
         HitsDifference = tracer.RaysHit - hits;
         ReceivedDifference = tracer.RaysReceived - RaysReceived;
         SumDifference = (own - exact).Magnitude;
-        Float32Differences = [.. Float32Ranges.Select(range => (Sum(lengths, wavelength, length => (float)(length + 2 * range) - 2 * range) - exact).Magnitude)];
+        Float32Differences = [.. Float32Ranges.Select(
+            range => (Sum(lengths, wavelength, length => (float)(length + 2 * range) - 2 * range) - exact).Magnitude)];
     }
 
-    /// <summary>So much farther off than the scene's radar stands, metres, are the ranges at which lengths are rounded to float32.</summary>
+    /// <summary>
+    /// So much farther off than the scene's radar stands, metres,
+    /// are the ranges at which lengths are rounded to float32.
+    /// </summary>
     public static double[] Float32Ranges { get; } = [0, 10_000, 100_000];
 
     public AccuracyScene Scene { get; }
@@ -37,11 +44,14 @@ sealed class AccuracyPrecision
     /// <summary>Length of the difference of the two phasor sums, in rays.</summary>
     public double SumDifference { get; }
 
-    /// <summary>The same when each of the judge's path lengths is rounded to float32, at <see cref="Float32Ranges"/>.</summary>
+    /// <summary>
+    /// The same when each of the judge's path lengths is rounded to float32, at <see cref="Float32Ranges"/>.
+    /// </summary>
     public double[] Float32Differences { get; }
 
     /// <param name="tracer">The same rays, by the tracer.</param>
-    public static AccuracyPrecision Of(AccuracyScene scene, RadarSettings settings, RadarResult tracer, IProgress<double> progress, CancellationToken cancel)
+    public static AccuracyPrecision Of(AccuracyScene scene, RadarSettings settings, RadarResult tracer,
+        IProgress<double> progress, CancellationToken cancel)
     {
         var judge = new Judge(scene.Scene, settings, scene.View);
         var lengths = new double[settings.RaysDown][];
@@ -49,7 +59,8 @@ sealed class AccuracyPrecision
         int done = 0;
         Parallel.For(0, settings.RaysDown, new ParallelOptions { CancellationToken = cancel }, row =>
         {
-            var rays = Enumerable.Range(0, settings.RaysAcross).Select(column => judge.Trace(column, row)).Where(ray => ray.Bounces > 0).ToArray();
+            var rays = Enumerable.Range(0, settings.RaysAcross).Select(column => judge.Trace(column, row))
+                .Where(ray => ray.Bounces > 0).ToArray();
             lengths[row] = [.. rays.Where(ray => ray.Received).Select(ray => ray.PathLength)];
             Interlocked.Add(ref hits, rays.Length);
             progress.Report(Interlocked.Increment(ref done) / (double)settings.RaysDown);
@@ -58,5 +69,6 @@ sealed class AccuracyPrecision
     }
 
     static Complex Sum(double[] lengths, double wavelength, Func<double, double> rounded) =>
-        lengths.Aggregate(Complex.Zero, (sum, length) => sum + Complex.FromPolarCoordinates(1, Signal.Phase(rounded(length), wavelength)));
+        lengths.Aggregate(Complex.Zero,
+            (sum, length) => sum + Complex.FromPolarCoordinates(1, Signal.Phase(rounded(length), wavelength)));
 }

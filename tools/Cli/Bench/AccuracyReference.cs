@@ -8,17 +8,20 @@ using Glint.Core;
 namespace Glint.Cli;
 
 /// <summary>
-/// A scene's sums for so many rays that more would change little, by the double-precision judge: a picture of 3840 x 2160 rays, and 64 in each pixel that received one, lies beside one that did,
-/// or on an outline. In the others all is known already.
+/// A scene's sums for so many rays that more would change little, by the double-precision judge:
+/// a picture of 3840 x 2160 rays, and 64 in each pixel that received one, lies beside one that did, or on an outline.
+/// In the others all is known already.
 /// </summary>
 sealed class AccuracyReference
 {
     const int StandardAcross = 3840, SubRays = 8;
 
-    // Error of the whole grid of sub-rays over that of the four of half its density that it is made of: as found for the estimate of the sampling error.
+    // Error of the whole grid of sub-rays over that of the four of half its density that it is made of:
+    // as found for the estimate of the sampling error.
     const double FineOverHalf = 0.35;
 
-    internal AccuracyReference(Complex sum, double uncertainty, double hits) => (Sum, Uncertainty, Hits) = (sum, uncertainty, hits);
+    internal AccuracyReference(Complex sum, double uncertainty, double hits) =>
+        (Sum, Uncertainty, Hits) = (sum, uncertainty, hits);
 
     /// <summary>As if the picture had <see cref="RadarResult.NormalRays"/> rays.</summary>
     public Complex Sum { get; }
@@ -31,7 +34,8 @@ sealed class AccuracyReference
 
     /// <param name="settings">Of which the number of rays is not used.</param>
     /// <param name="across">Rays across the picture that is refined; down in the ratio of 16 to 9.</param>
-    public static AccuracyReference Of(AccuracyScene scene, RadarSettings settings, IProgress<double> progress, CancellationToken cancel, int across = StandardAcross)
+    public static AccuracyReference Of(AccuracyScene scene, RadarSettings settings, IProgress<double> progress,
+        CancellationToken cancel, int across = StandardAcross)
     {
         (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
         var judge = new Judge(scene.Scene, settings, scene.View);
@@ -102,7 +106,8 @@ sealed class AccuracyReference
                 var ray = judge.Trace(column + (a + 0.5) / SubRays - 0.5, row + (b + 0.5) / SubRays - 0.5);
                 hits += ray.Bounces > 0 ? 1 : 0;
                 if (ray.Received)
-                    sums[row, a % 2 + 2 * (b % 2)] += Complex.FromPolarCoordinates(1, Signal.Phase(ray.PathLength, wavelength));
+                    sums[row, a % 2 + 2 * (b % 2)] +=
+                        Complex.FromPolarCoordinates(1, Signal.Phase(ray.PathLength, wavelength));
             }
         return hits;
     }

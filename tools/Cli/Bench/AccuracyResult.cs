@@ -17,7 +17,9 @@ sealed class AccuracyResult
     /// <summary>Of the published number of rays.</summary>
     public List<AccuracyPrecision> Precision { get; } = [];
 
-    /// <summary>The scene in which pieces of work were left out or done otherwise; the first cost is that of a pose as it is.</summary>
+    /// <summary>
+    /// The scene in which pieces of work were left out or done otherwise; the first cost is that of a pose as it is.
+    /// </summary>
     public AccuracyScene CostScene { get; set; }
     public List<AccuracyCost> Costs { get; } = [];
 }

@@ -5,7 +5,8 @@ using Glint.Core;
 namespace Glint.Cli;
 
 /// <summary>One scene at one number of rays: what a pose takes, and how far it is from the converged result.</summary>
-sealed class AccuracyRow(AccuracyScene scene, RadarSettings settings, RadarResult result, Series times, AccuracyReference converged)
+sealed class AccuracyRow(AccuracyScene scene, RadarSettings settings, RadarResult result, Series times,
+    AccuracyReference converged)
 {
     public AccuracyScene Scene { get; } = scene;
     public RadarSettings Settings { get; } = settings;
@@ -20,8 +21,10 @@ sealed class AccuracyRow(AccuracyScene scene, RadarSettings settings, RadarResul
     public double AmplitudeError => Result.NormalisedAmplitude - Converged.Sum.Magnitude;
 
     /// <summary>Of the summed phasor, radians from -pi to pi.</summary>
-    public double PhaseError => new Complex(Result.InPhase, Result.Quadrature) is var sum && sum != 0 && Converged.Sum != 0 ? (sum / Converged.Sum).Phase : 0;
+    public double PhaseError => new Complex(Result.InPhase, Result.Quadrature) is var sum && sum != 0
+        && Converged.Sum != 0 ? (sum / Converged.Sum).Phase : 0;
 
     /// <summary>Of the number of rays that hit, relative.</summary>
-    public double HitsError => Converged.Hits > 0 ? Result.RaysHit * RadarResult.NormalRays / Result.RaysOfPicture / Converged.Hits - 1 : 0;
+    public double HitsError =>
+        Converged.Hits > 0 ? Result.RaysHit * RadarResult.NormalRays / Result.RaysOfPicture / Converged.Hits - 1 : 0;
 }

@@ -18,8 +18,10 @@ sealed class BenchCommand(Terminal terminal)
     public string[] Execute(CommandLine line, IProgressSink progress)
     {
         var json = line.IsGiven(Options.Json) ? new OutputFile(Options.Json.Flag, line.Get(Options.Json)) : null;
-        var sceneFile = line.IsGiven(Options.WriteScene) ? new OutputFile(Options.WriteScene.Flag, line.Get(Options.WriteScene)) : null;
-        var plot = line.IsGiven(Options.Accuracy) ? new OutputFile(Options.Accuracy.Flag, line.Get(Options.Accuracy)) : null;
+        var sceneFile = line.IsGiven(Options.WriteScene) ? new OutputFile(Options.WriteScene.Flag,
+            line.Get(Options.WriteScene)) : null;
+        var plot =
+            line.IsGiven(Options.Accuracy) ? new OutputFile(Options.Accuracy.Flag, line.Get(Options.Accuracy)) : null;
         var subjects = SceneSubjects.Open(line);
         try
         {
@@ -118,7 +120,8 @@ sealed class BenchCommand(Terminal terminal)
         (result.NodesVisited, result.PairsTested) = (work.NodesVisited, work.PairsTested);
     }
 
-    static void Judge(BenchResult result, CommandLine line, RayTracer tracer, RadarView view, RadarScene scene, IProgressSink progress)
+    static void Judge(BenchResult result, CommandLine line, RayTracer tracer, RadarView view,
+        RadarScene scene, IProgressSink progress)
     {
         int every = line.Get(Options.Judge);
         if (!line.IsGiven(Options.Judge))
@@ -126,19 +129,23 @@ sealed class BenchCommand(Terminal terminal)
             if (Math.Max(result.Settings.RaysEmitted, scene.TriangleCount) <= JudgeCheck.Affordable)
                 every = 1;
             else
-                result.NotJudged = FormattableString.Invariant($"not judged: {result.Settings.RaysEmitted:N0} rays and {scene.TriangleCount:N0} triangles take long; --judge 100 judges every 100th ray, --judge all judges them all");
+                result.NotJudged = FormattableString.Invariant(
+                    $"not judged: {result.Settings.RaysEmitted:N0} rays and {scene.TriangleCount:N0} triangles take long; --judge 100 judges every 100th ray, --judge all judges them all");
         }
         if (every == 0)
             return;
         if (every == 1)
         {
-            Step("judge", progress, () => result.Errors = JudgeCheck.All(scene, result.Settings, view, result.Poses.First, new Part(progress, 0, 1), progress.Cancel));
+            Step("judge", progress, () => result.Errors = JudgeCheck.All(scene, result.Settings, view,
+                result.Poses.First, new Part(progress, 0, 1), progress.Cancel));
             return;
         }
         Step("judge", progress, () =>
         {
-            var rays = tracer.Trace(result.Settings, view, KeptRays.All, new Part(progress, 0, 2), progress.Cancel).Rays;
-            result.Errors = JudgeCheck.Some(scene, result.Settings, view, rays, every, new Part(progress, 1, 2), progress.Cancel);
+            var rays =
+                tracer.Trace(result.Settings, view, KeptRays.All, new Part(progress, 0, 2), progress.Cancel).Rays;
+            result.Errors =
+                JudgeCheck.Some(scene, result.Settings, view, rays, every, new Part(progress, 1, 2), progress.Cancel);
         });
     }
 

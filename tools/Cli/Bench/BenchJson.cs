@@ -5,7 +5,10 @@ using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;
 
-/// <summary>A benchmark's figures as JSON: times in milliseconds, medians unless the name says lowest; null where there is no figure.</summary>
+/// <summary>
+/// A benchmark's figures as JSON: times in milliseconds, medians unless the name says lowest;
+/// null where there is no figure.
+/// </summary>
 static class BenchJson
 {
     public static void Write(Stream stream, BenchResult result)
@@ -69,7 +72,8 @@ static class BenchJson
             ["bytes_on_device"] = work.BytesOnDevice,
 
             ["errors"] = result.Errors == null ? null : Errors(result.Errors),
-            ["peers"] = new JArray(result.Peers.SelectMany(peer => peer.Labels.Select(label => Time(peer, label, poses)))),
+            ["peers"] =
+                new JArray(result.Peers.SelectMany(peer => peer.Labels.Select(label => Time(peer, label, poses)))),
         };
     }
 
@@ -79,7 +83,9 @@ static class BenchJson
         ["rays_across"] = settings.RaysAcross,
         ["rays_down"] = settings.RaysDown,
         ["max_bounces"] = settings.MaxBounces,
-        ["region"] = settings.Region.IsWhole ? null : new JArray(settings.Region.Left, settings.Region.Bottom, settings.Region.Width, settings.Region.Height),
+        ["region"] = settings.Region.IsWhole
+            ? null
+            : new JArray(settings.Region.Left, settings.Region.Bottom, settings.Region.Width, settings.Region.Height),
     };
 
     static JObject Errors(JudgeCheck errors) => new()

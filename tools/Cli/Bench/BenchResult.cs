@@ -21,7 +21,9 @@ sealed class BenchResult
     public PoseBench Poses { get; init; }
     public IReadOnlyList<Peer> Peers { get; init; }
 
-    /// <summary>Nodes and triangle pairs of a pose of the scene as it stands, counted in one that was not timed.</summary>
+    /// <summary>
+    /// Nodes and triangle pairs of a pose of the scene as it stands, counted in one that was not timed.
+    /// </summary>
     public long NodesVisited { get; set; }
     public long PairsTested { get; set; }
 

@@ -16,8 +16,10 @@ sealed class BenchTables(Terminal terminal)
     {
         var settings = result.Settings;
         yield return Text($"{result.Subject} on {result.Device.Name}, driver {result.Device.Driver}");
-        yield return Text($"{settings.RaysAcross} x {settings.RaysDown} rays{RegionText(settings.Region)}, at most {settings.MaxBounces} bounces, {settings.FrequencyHz / 1e9:g6} GHz; medians and lowest of {result.Rounds} rounds{(result.UsesTexelBuffers ? "; trees in texel buffers (not in Unity)" : "")}");
-        foreach (var table in new[] { Times(result), Work(result), Errors(result), Peers(result) }.Where(table => table != null))
+        yield return Text(
+            $"{settings.RaysAcross} x {settings.RaysDown} rays{RegionText(settings.Region)}, at most {settings.MaxBounces} bounces, {settings.FrequencyHz / 1e9:g6} GHz; medians and lowest of {result.Rounds} rounds{(result.UsesTexelBuffers ? "; trees in texel buffers (not in Unity)" : "")}");
+        foreach (var table in new[] { Times(result), Work(result), Errors(result), Peers(result) }
+            .Where(table => table != null))
         {
             yield return "";
             foreach (string line in _text.Lines(table))
@@ -47,7 +49,8 @@ sealed class BenchTables(Terminal terminal)
         Add("next pose", poses.Pose);
         if (poses.PoseGpu.Count > 0)
             Add("next pose: kernels, by the device's clock", poses.PoseGpu);
-        Add(poses.PoseGpu.Count > 0 ? "next pose: all but the kernels" : "next pose: all but trace and sum", poses.Other);
+        Add(poses.PoseGpu.Count > 0 ? "next pose: all but the kernels" : "next pose: all but trace and sum",
+            poses.Other);
         return table;
     }
 
@@ -62,7 +65,8 @@ sealed class BenchTables(Terminal terminal)
         Add("bounces", sums.Bounces);
         Add("segments", sums.Segments);
         table.AddRow(Escaped("path length", Text($"{sums.PathLengthMeters:N3}"), "m, up to the last hits"));
-        table.AddRow(Escaped("amplitude", Text($"{sums.Amplitude:0.000}"), sums.AmplitudeDb is { } decibels ? Text($"{decibels:0.00} dB") : ""));
+        table.AddRow(Escaped("amplitude", Text($"{sums.Amplitude:0.000}"),
+            sums.AmplitudeDb is { } decibels ? Text($"{decibels:0.00} dB") : ""));
         Add("objects", sums.Objects);
         Add("triangles", sums.Triangles);
         Add("nodes visited", result.NodesVisited, Each(result.NodesVisited, sums.Segments, "a segment"));
@@ -83,7 +87,8 @@ sealed class BenchTables(Terminal terminal)
         table.AddRow(Escaped("rays hit", Text($"{errors.Hits:+#,0;-#,0;0}"), Text($"of {errors.Judge.RaysHit:N0}")));
         table.AddRow(Escaped("bounces", Text($"{errors.Bounces:+#,0;-#,0;0}"), Text($"of {errors.Judge.Bounces:N0}")));
         table.AddRow(Escaped("path length", Text($"{errors.PathLengthRelative:0.0e+0}"), "relative"));
-        table.AddRow(Escaped("amplitude", Text($"{errors.Amplitude:0.0e+0}"), Text($"of {errors.Judge.Amplitude:0.000}, {errors.AmplitudeRelative:0.0e+0} relative")));
+        table.AddRow(Escaped("amplitude", Text($"{errors.Amplitude:0.0e+0}"),
+            Text($"of {errors.Judge.Amplitude:0.000}, {errors.AmplitudeRelative:0.0e+0} relative")));
         table.AddRow(Escaped("phase", Text($"{errors.Phase:0.0e+0}"), "rad"));
         return table;
     }
@@ -93,20 +98,25 @@ sealed class BenchTables(Terminal terminal)
         if (result.Peers.Count == 0)
             return null;
         bool hasClock = result.Poses.PoseGpu.Count > 0;
-        var table = _text.New(2, ["peer", "time", "median ms", "lowest ms", "/ pose", .. hasClock ? ["/ its kernels"] : Array.Empty<string>()]);
+        var table = _text.New(2, ["peer", "time", "median ms", "lowest ms", "/ pose",
+            .. hasClock ? ["/ its kernels"] : Array.Empty<string>()]);
         foreach (var peer in result.Peers)
             foreach (string label in peer.Labels)
             {
                 var starts = peer.Starts(label);
-                string[] cells = [peer.Name, label, Ms(starts.Median), Ms(starts.Lowest), Ratios(starts, result.Poses.Pose), .. hasClock ? [Ratios(starts, result.Poses.PoseGpu)] : Array.Empty<string>()];
+                string[] cells =
+                    [peer.Name, label, Ms(starts.Median), Ms(starts.Lowest), Ratios(starts, result.Poses.Pose),
+                        .. hasClock ? [Ratios(starts, result.Poses.PoseGpu)] : Array.Empty<string>()];
                 table.AddRow(Escaped(cells));
             }
         return table;
     }
 
-    static string RegionText(RayRegion region) => region.IsWhole ? "" : Text($", of them {region.Width} x {region.Height} from {region.Left}, {region.Bottom}");
+    static string RegionText(RayRegion region) =>
+        region.IsWhole ? "" : Text($", of them {region.Width} x {region.Height} from {region.Left}, {region.Bottom}");
 
     static string Each(long count, long of, string what) => of == 0 ? "" : Text($"{(double)count / of:0.0} {what}");
 
-    static string Ratios(Series peer, Series own) => Text($"{peer.Median / own.Median:0.00}, {peer.Lowest / own.Lowest:0.00}");
+    static string Ratios(Series peer, Series own) =>
+        Text($"{peer.Median / own.Median:0.00}, {peer.Lowest / own.Lowest:0.00}");
 }

@@ -4,7 +4,9 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>Compares the kernel's sums with those of the double-precision tracer, over all rays or every N-th.</summary>
+/// <summary>
+/// Compares the kernel's sums with those of the double-precision tracer, over all rays or every N-th.
+/// </summary>
 sealed class JudgeCheck
 {
     /// <summary>Most rays, and most triangles, that are judged unasked: about a minute's work.</summary>
@@ -21,7 +23,8 @@ sealed class JudgeCheck
     public long Bounces => Glint.Bounces - Judge.Bounces;
 
     /// <summary>Of the sum of lengths; 0 when nothing is hit.</summary>
-    public double PathLengthRelative => Relative(Glint.PathLengthMeters - Judge.PathLengthMeters, Judge.PathLengthMeters);
+    public double PathLengthRelative =>
+        Relative(Glint.PathLengthMeters - Judge.PathLengthMeters, Judge.PathLengthMeters);
 
     public double Amplitude => Glint.Amplitude - Judge.Amplitude;
 
@@ -31,7 +34,8 @@ sealed class JudgeCheck
     public double Phase => Math.IEEERemainder(PhaseOf(Glint) - PhaseOf(Judge), 2 * Math.PI);
 
     /// <summary>All rays.</summary>
-    public static JudgeCheck All(RadarScene scene, RadarSettings settings, RadarView view, RadarResult glint, IProgress<double> progress, CancellationToken cancel)
+    public static JudgeCheck All(RadarScene scene, RadarSettings settings, RadarView view, RadarResult glint,
+        IProgress<double> progress, CancellationToken cancel)
     {
         var judge = new Judge(scene, settings, view);
         return new JudgeCheck(glint, judge.Sum(judge.TraceAll(progress, cancel)));
@@ -39,7 +43,8 @@ sealed class JudgeCheck
 
     /// <summary>The rays whose pixel's number is a multiple of <paramref name="every"/>.</summary>
     /// <param name="glint">All rays of the region one by one.</param>
-    public static JudgeCheck Some(RadarScene scene, RadarSettings settings, RadarView view, RayData[] glint, int every, IProgress<double> progress, CancellationToken cancel)
+    public static JudgeCheck Some(RadarScene scene, RadarSettings settings, RadarView view, RayData[] glint, int every,
+        IProgress<double> progress, CancellationToken cancel)
     {
         var judge = new Judge(scene, settings, view);
         var some = Array.FindAll(glint, ray => ray.Pixel % every == 0);

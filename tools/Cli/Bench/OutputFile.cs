@@ -4,7 +4,10 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>A file that is written when all work is done, and asked for before: hours must not end at a folder that is not there.</summary>
+/// <summary>
+/// A file that is written when all work is done, and asked for before:
+/// hours must not end at a folder that is not there.
+/// </summary>
 sealed class OutputFile
 {
     readonly string _flag, _path;
@@ -36,9 +39,11 @@ sealed class OutputFile
         {
             work();
         }
-        catch (Exception error) when (error is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        catch (Exception error)
+            when (error is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
-            throw new GlintException($"{_flag} {_path}: cannot be written: {error.Message.TrimEnd('.')}; name another file", error);
+            throw new GlintException(
+                $"{_flag} {_path}: cannot be written: {error.Message.TrimEnd('.')}; name another file", error);
         }
     }
 }

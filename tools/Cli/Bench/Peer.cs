@@ -39,7 +39,8 @@ sealed class Peer(PeerCommand command)
     {
         var output = new PeerOutput(Execute(Command.Replace(ScenePlaceholder, Quoted(scene)), cancel));
         if (output.Labels.Count == 0)
-            throw new GlintException($"--peer {Name}: printed no time, which is a number before \" ms\" as in \"frame 81.3 ms\"; its last line: {output.LastLine ?? "none"}");
+            throw new GlintException($"--peer {Name}: printed no time, which is a number before \" ms\" as in \"frame "
+                + $"81.3 ms\"; its last line: {output.LastLine ?? "none"}");
         LastLine = output.LastLine;
         if (!counts)
             return;
@@ -55,7 +56,11 @@ sealed class Peer(PeerCommand command)
     string Execute(string line, CancellationToken cancel)
     {
         cancel.ThrowIfCancellationRequested();
-        var start = new ProcessStartInfo("/bin/sh") { RedirectStandardOutput = true, RedirectStandardError = true, RedirectStandardInput = true, UseShellExecute = false };
+        var start = new ProcessStartInfo("/bin/sh")
+        {
+            RedirectStandardOutput = true, RedirectStandardError = true, RedirectStandardInput = true,
+            UseShellExecute = false
+        };
         start.ArgumentList.Add("-c");
         start.ArgumentList.Add(line);
         var text = new StringBuilder();
@@ -72,7 +77,8 @@ sealed class Peer(PeerCommand command)
         }
         cancel.ThrowIfCancellationRequested();
         if (process.ExitCode != 0)
-            throw new GlintException($"--peer {Name}: ended with exit code {process.ExitCode}: {new PeerOutput(text.ToString()).LastLine ?? "without a word"}");
+            throw new GlintException($"--peer {Name}: ended with exit code {process.ExitCode}: "
+                + $"{new PeerOutput(text.ToString()).LastLine ?? "without a word"}");
         return text.ToString();
     }
 

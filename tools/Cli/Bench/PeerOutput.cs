@@ -7,7 +7,8 @@ using System.Text.RegularExpressions;
 namespace Glint.Cli;
 
 /// <summary>
-/// The times in what a program prints: every number before " ms", named by the words before the first number of its line.
+/// The times in what a program prints: every number before " ms",
+/// named by the words before the first number of its line.
 /// "frame 81.3 ms" is a time named frame, "bvh 1024 nodes 12.5 ms" one named bvh.
 /// </summary>
 sealed partial class PeerOutput
@@ -56,7 +57,8 @@ sealed partial class PeerOutput
 
     // Up to the first word that begins with a digit, without the signs about them.
     static string Words(string text) => string.Join(' ', text.Split(' ', StringSplitOptions.RemoveEmptyEntries)
-        .TakeWhile(word => !char.IsAsciiDigit(word[0])).Select(word => word.Trim(',', ';', ':', '=', '(', ')')).Where(word => word.Length > 0));
+        .TakeWhile(word => !char.IsAsciiDigit(word[0])).Select(word => word.Trim(',', ';', ':', '=', '(', ')'))
+        .Where(word => word.Length > 0));
 
     [GeneratedRegex(@"(?<![\w.])(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?) ms\b")]
     private static partial Regex Time();

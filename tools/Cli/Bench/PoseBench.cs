@@ -7,7 +7,9 @@ using UnityEngine;
 
 namespace Glint.Cli;
 
-/// <summary>Times a radar's poses: the first, for which trees are built, and those after it, as a sweep pays for them.</summary>
+/// <summary>
+/// Times a radar's poses: the first, for which trees are built, and those after it, as a sweep pays for them.
+/// </summary>
 sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
 {
     const int FirstPoses = 3, PosesARound = 6;
@@ -18,7 +20,10 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
     readonly Quaternion _rotation = target == null ? Quaternion.identity : target.rotation;
     int _steps;
 
-    /// <summary>Of first poses: collecting objects (the very first pose only), building trees, filling the device's buffers, all of it with compiling kernels.</summary>
+    /// <summary>
+    /// Of first poses: collecting objects (the very first pose only), building trees, filling the device's buffers,
+    /// all of it with compiling kernels.
+    /// </summary>
     public Series FirstGather { get; } = new();
     public Series Build { get; } = new();
     public Series FirstUpload { get; } = new();
@@ -32,7 +37,9 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
     public Series Trace { get; } = new();
     public Series ReadBack { get; } = new();
 
-    /// <summary>What a later pose takes besides its kernels; besides tracing and summing where the device has no clock.</summary>
+    /// <summary>
+    /// What a later pose takes besides its kernels; besides tracing and summing where the device has no clock.
+    /// </summary>
     public Series Other { get; } = new();
 
     /// <summary>Sums of the scene as it stands, and what its first pose made the computer do.</summary>
@@ -60,11 +67,15 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
         }
     }
 
-    /// <summary>Some poses, each with the target turned on by a step. Wall time and device time are taken in turns: the device's clock costs a little of the former.</summary>
+    /// <summary>
+    /// Some poses, each with the target turned on by a step. Wall time and device time are taken in turns:
+    /// the device's clock costs a little of the former.
+    /// </summary>
     /// <param name="counts">False for a round that only warms up.</param>
     public void RunRound(bool counts, IProgress<double> progress, CancellationToken cancel)
     {
-        Series wall = new(), gpu = new(), gather = new(), upload = new(), trace = new(), readBack = new(), other = new();
+        Series wall = new(), gpu = new(), gather = new(), upload = new(), trace = new(),
+            readBack = new(), other = new();
         var total = Stopwatch.StartNew();
         for (int i = 0; i < PosesARound && (i == 0 || total.Elapsed < RoundTime); i++)
         {

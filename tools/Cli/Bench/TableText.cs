@@ -10,13 +10,19 @@ namespace Glint.Cli;
 /// <summary>Tables as lines of text: framed on a screen, in plain columns in a file.</summary>
 sealed class TableText(Terminal terminal)
 {
-    /// <param name="names">So many columns from the left are names; the others are numbers, save those without a title.</param>
+    /// <param name="names">
+    /// So many columns from the left are names; the others are numbers, save those without a title.
+    /// </param>
     public Table New(int names, params string[] titles)
     {
         var table = new Table { Border = terminal.SharesScreen ? TableBorder.Rounded : TableBorder.None };
         var padding = terminal.SharesScreen ? new Padding(1, 0, 1, 0) : new Padding(0, 0, 2, 0);
         for (int i = 0; i < titles.Length; i++)
-            table.AddColumn(new TableColumn(Markup.Escape(titles[i])) { Alignment = i >= names && (titles[i].Length > 0 || i == names) ? Justify.Right : Justify.Left, NoWrap = true, Padding = padding });
+            table.AddColumn(new TableColumn(Markup.Escape(titles[i]))
+            {
+                Alignment = i >= names && (titles[i].Length > 0 || i == names) ? Justify.Right : Justify.Left,
+                NoWrap = true, Padding = padding
+            });
         return table;
     }
 
@@ -25,7 +31,8 @@ sealed class TableText(Terminal terminal)
         var text = new StringWriter();
         var console = AnsiConsole.Create(new AnsiConsoleSettings
         {
-            Ansi = AnsiSupport.No, ColorSystem = ColorSystemSupport.NoColors, Interactive = InteractionSupport.No, Out = new AnsiConsoleOutput(text),
+            Ansi = AnsiSupport.No, ColorSystem = ColorSystemSupport.NoColors,
+            Interactive = InteractionSupport.No, Out = new AnsiConsoleOutput(text),
         });
         console.Profile.Width = terminal.Width;
         console.Write(table);
@@ -36,5 +43,6 @@ sealed class TableText(Terminal terminal)
 
     public static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture);
 
-    public static string Ms(double value) => double.IsNaN(value) ? "-" : value.ToString(Math.Abs(value) < 1 ? "0.0000" : Math.Abs(value) < 100 ? "0.00" : "0.0", CultureInfo.InvariantCulture);
+    public static string Ms(double value) => double.IsNaN(value) ? "-" : value.ToString(
+        Math.Abs(value) < 1 ? "0.0000" : Math.Abs(value) < 100 ? "0.00" : "0.0", CultureInfo.InvariantCulture);
 }

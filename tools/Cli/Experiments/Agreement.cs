@@ -17,16 +17,22 @@ sealed class Agreement
             throw new InvalidOperationException($"{sweep.Experiment.Title}: no table was published");
         var poses = sweep.Poses.ToArray();
         Poses = poses.Length;
-        Hit = new Series(poses.Where(pose => pose.Theirs.RaysHit > 0).Select(pose => (double)pose.Ours.RaysHit / pose.Theirs.RaysHit));
+        Hit = new Series(poses.Where(pose => pose.Theirs.RaysHit > 0)
+            .Select(pose => (double)pose.Ours.RaysHit / pose.Theirs.RaysHit));
         var both = poses.Where(pose => pose.Theirs.RaysReceived > 0 && pose.Ours.RaysReceived > 0).ToArray();
-        (Both, Neither) = (both.Length, poses.Count(pose => pose.Theirs.RaysReceived == 0 && pose.Ours.RaysReceived == 0));
+        (Both, Neither) =
+            (both.Length, poses.Count(pose => pose.Theirs.RaysReceived == 0 && pose.Ours.RaysReceived == 0));
         Received = new Series(both.Select(pose => (double)pose.Ours.RaysReceived / pose.Theirs.RaysReceived));
-        AmplitudeDb = new Series(both.Select(pose => Decibels(pose.Ours.Amplitude, pose.Theirs.Amplitude)).OfType<double>());
-        HitDifferencePercent = new Series(poses.Where(pose => pose.Theirs.RaysHit > 0).Select(pose => 100 * Math.Abs((double)pose.Ours.RaysHit / pose.Theirs.RaysHit - 1)));
-        ReceivedDifference = new Series(poses.Select(pose => (double)Math.Abs(pose.Ours.RaysReceived - pose.Theirs.RaysReceived)));
+        AmplitudeDb =
+            new Series(both.Select(pose => Decibels(pose.Ours.Amplitude, pose.Theirs.Amplitude)).OfType<double>());
+        HitDifferencePercent = new Series(poses.Where(pose => pose.Theirs.RaysHit > 0)
+            .Select(pose => 100 * Math.Abs((double)pose.Ours.RaysHit / pose.Theirs.RaysHit - 1)));
+        ReceivedDifference =
+            new Series(poses.Select(pose => (double)Math.Abs(pose.Ours.RaysReceived - pose.Theirs.RaysReceived)));
         AmplitudeDifferenceDb = new Series(both.Where(pose => pose.Theirs.Amplitude > LeastComparedAmplitude)
             .Select(pose => Decibels(pose.Ours.Amplitude, pose.Theirs.Amplitude)).OfType<double>().Select(Math.Abs));
-        AmplitudeCorrelation = Correlation([.. poses.Select(pose => pose.Ours.Amplitude)], [.. poses.Select(pose => pose.Theirs.Amplitude)]);
+        AmplitudeCorrelation = Correlation([.. poses.Select(pose => pose.Ours.Amplitude)],
+            [.. poses.Select(pose => pose.Theirs.Amplitude)]);
     }
 
     public int Poses { get; }
@@ -53,7 +59,10 @@ sealed class Agreement
     /// <summary>Size of the difference of rays received, rays, over all poses.</summary>
     public Series ReceivedDifference { get; }
 
-    /// <summary>Size of the difference of amplitudes in decibels, where both received rays and theirs is above <see cref="LeastComparedAmplitude"/>.</summary>
+    /// <summary>
+    /// Size of the difference of amplitudes in decibels, where both received rays and theirs is above
+    /// <see cref="LeastComparedAmplitude"/>.
+    /// </summary>
     public Series AmplitudeDifferenceDb { get; }
 
     /// <summary>Ours over theirs in decibels; null where either is 0.</summary>

@@ -5,7 +5,9 @@ using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>Lines over the steps of a sweep as an SVG picture: panels side by side, with the same lines and steps.</summary>
+/// <summary>
+/// Lines over the steps of a sweep as an SVG picture: panels side by side, with the same lines and steps.
+/// </summary>
 sealed class Chart
 {
     public const int Width = 1000, Height = 340;
@@ -27,7 +29,8 @@ sealed class Chart
 
     /// <param name="steps">Angles or snapshots, ascending.</param>
     /// <param name="stepTitle">What the steps are.</param>
-    public static void Write(Stream stream, string title, IReadOnlyList<double> steps, string stepTitle, params Panel[] panels)
+    public static void Write(Stream stream, string title, IReadOnlyList<double> steps,
+        string stepTitle, params Panel[] panels)
     {
         using var svg = new Svg(stream, Width, Height);
         var chart = new Chart(svg, steps, (double)Width / panels.Length);
@@ -37,7 +40,10 @@ sealed class Chart
             chart.DrawPanel(panels[i], i * chart._panelWidth, stepTitle);
     }
 
-    /// <summary>One panel, as high as a chart, beside other things in a picture of a chart's size; the legend is at its upper right.</summary>
+    /// <summary>
+    /// One panel, as high as a chart, beside other things in a picture of a chart's size;
+    /// the legend is at its upper right.
+    /// </summary>
     public static void Draw(Svg svg, double left, IReadOnlyList<double> steps, string stepTitle, Panel panel)
     {
         var chart = new Chart(svg, steps, Width - left);
@@ -97,7 +103,8 @@ sealed class Chart
             run.Clear();
         }
 
-        IEnumerable<(double x, double y)> Places(IReadOnlyList<double> values) => _steps.Select((step, i) => (X(step, left), Y(scale.Of(values[i]))));
+        IEnumerable<(double x, double y)> Places(IReadOnlyList<double> values) =>
+            _steps.Select((step, i) => (X(step, left), Y(scale.Of(values[i]))));
     }
 
     // A handful, at round steps.
@@ -108,7 +115,8 @@ sealed class Chart
             yield return step;
     }
 
-    double X(double step, double left) => left + Left + (_steps.Count < 2 ? 0.5 : (step - _steps[0]) / (_steps[^1] - _steps[0])) * (_panelWidth - Left - Right);
+    double X(double step, double left) => left + Left
+        + (_steps.Count < 2 ? 0.5 : (step - _steps[0]) / (_steps[^1] - _steps[0])) * (_panelWidth - Left - Right);
 
     static double Y(double place) => Height - Bottom - place * (Height - Bottom - Top);
 }

@@ -10,9 +10,11 @@ namespace Glint.Cli;
 /// <summary>The files of glint experiments: a page of tables and plots, the plots, and all figures.</summary>
 sealed class ExperimentFiles
 {
-    const string PageName = "experiments.md", JsonName = "experiments.json", Summary = "summary", Seas = "seas", Reflector = "images/corner-reflector.svg";
+    const string PageName = "experiments.md", JsonName = "experiments.json", Summary = "summary", Seas = "seas",
+        Reflector = "images/corner-reflector.svg";
 
-    static readonly string[] s_plots = [.. Experiment.All.Select(experiment => experiment.Name), .. Experiment.Seas.Select(pair => SnapshotsResult.NameOf(pair.Ship)), Seas];
+    static readonly string[] s_plots = [.. Experiment.All.Select(experiment => experiment.Name),
+        .. Experiment.Seas.Select(pair => SnapshotsResult.NameOf(pair.Ship)), Seas];
 
     readonly string _path;
     readonly OutputFile _page, _json, _reflector;
@@ -21,7 +23,9 @@ sealed class ExperimentFiles
 
     /// <summary>Makes sure, before any work is done, that all can be written.</summary>
     /// <param name="flag">Option that names the folder, for messages.</param>
-    /// <exception cref="GlintException">The folder cannot be made, a file in it not be written, or the page that is there lacks a marker.</exception>
+    /// <exception cref="GlintException">
+    /// The folder cannot be made, a file in it not be written, or the page that is there lacks a marker.
+    /// </exception>
     public ExperimentFiles(string flag, string path)
     {
         if (File.Exists(path))
@@ -33,9 +37,11 @@ sealed class ExperimentFiles
             Directory.CreateDirectory(Path.Combine(path, Path.GetDirectoryName(PlotName(Seas))));
             _words = new MarkedPage(page, File.Exists(page) ? File.ReadAllText(page) : "");
         }
-        catch (Exception error) when (error is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
+        catch (Exception error)
+            when (error is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
         {
-            throw new GlintException($"{flag} {path}: cannot be used: {error.Message.TrimEnd('.')}; name another folder", error);
+            throw new GlintException(
+                $"{flag} {path}: cannot be used: {error.Message.TrimEnd('.')}; name another folder", error);
         }
         _page = new OutputFile(flag, page);
         _json = new OutputFile(flag, Path.Combine(path, JsonName));
@@ -52,15 +58,19 @@ sealed class ExperimentFiles
         _json.Write(stream => ExperimentsJson.Write(stream, result));
         _words.Put(Summary, "How far they agree", ExperimentTables.Summary(result));
         foreach (var sweep in result.Sweeps)
-            Add(sweep.Experiment.Name, sweep.Experiment.Title, ExperimentTables.Of(sweep), stream => ExperimentPlots.Write(stream, sweep));
-        _reflector.Write(stream => ReflectorPicture.Write(stream, result.Reflector, result.Sweeps.Single(sweep => sweep.Experiment == Experiment.CornerReflector)));
+            Add(sweep.Experiment.Name, sweep.Experiment.Title, ExperimentTables.Of(sweep),
+                stream => ExperimentPlots.Write(stream, sweep));
+        _reflector.Write(stream => ReflectorPicture.Write(stream, result.Reflector,
+            result.Sweeps.Single(sweep => sweep.Experiment == Experiment.CornerReflector)));
         foreach (var (ship, angles) in result.Shares)
             _words.Put(ShareOf(ship), $"{ship.Title}: what the sea adds", ExperimentTables.Of(angles));
         foreach (var ship in result.Ships)
             Add(ship.Name, ship.Title, ExperimentTables.Of(ship), stream => ExperimentPlots.Write(stream, ship));
-        Add(Seas, "Other seas", ExperimentTables.OfSeas(result), stream => SeaPlot.Write(stream, result.Seas, result.PublishedReturning));
+        Add(Seas, "Other seas", ExperimentTables.OfSeas(result),
+            stream => SeaPlot.Write(stream, result.Seas, result.PublishedReturning));
         _page.Write(stream => stream.Write(Encoding.UTF8.GetBytes(_words.Text)));
-        return $"{_page.Path}, {_json.Path}, {_plots.Count + 1} plots in {Path.Combine(_path, Path.GetDirectoryName(PlotName(Seas)))}";
+        return $"{_page.Path}, {_json.Path}, "
+            + $"{_plots.Count + 1} plots in {Path.Combine(_path, Path.GetDirectoryName(PlotName(Seas)))}";
     }
 
     void Add(string name, string title, string tables, Action<Stream> plot)

@@ -15,14 +15,17 @@ sealed class ExperimentRuns(IProgressSink progress)
     static string Project => Path.GetDirectoryName(Application.dataPath);
 
     /// <summary>An experiment's scene swept as it is stored.</summary>
-    /// <exception cref="GlintException">The scene or the published table is not there, or cannot be traced or read.</exception>
+    /// <exception cref="GlintException">
+    /// The scene or the published table is not there, or cannot be traced or read.
+    /// </exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public SweepResult Sweep(Experiment experiment)
     {
         var published = Published(experiment);
         var line = experiment.Line;
         return InScene(line, subjects => new SweepResult(experiment, published,
-            Trace(experiment.Title, subjects, new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots)), subjects.Sea, KeptRays.Received)));
+            Trace(experiment.Title, subjects, new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots)),
+                subjects.Sea, KeptRays.Received)));
     }
 
     /// <summary>The ship of the free space turned on every snapshot of a sea.</summary>
@@ -34,11 +37,14 @@ sealed class ExperimentRuns(IProgressSink progress)
         var turned = Experiment.ShipInFreeSpace with { Options = ship.Options };
         return InScene(turned.Line, subjects =>
         {
-            EditorSceneManager.OpenScene(new ProjectPaths(Project).ToAssetPath(sea.Scene, Directory.GetCurrentDirectory()), OpenSceneMode.Additive);
+            EditorSceneManager.OpenScene(
+                new ProjectPaths(Project).ToAssetPath(sea.Scene, Directory.GetCurrentDirectory()),
+                OpenSceneMode.Additive);
             var shown = SceneSearch.FindSea(sea.Scene);
             var plan = new SweepPlan(turned.Line.Get(Options.Angles), [.. Enumerable.Range(1, shown.Snapshots.Count)]);
             string title = SnapshotsResult.TitleOf(ship);
-            return new SnapshotsResult(SnapshotsResult.NameOf(ship), title, published, Trace(title, subjects, plan, shown, KeptRays.None));
+            return new SnapshotsResult(SnapshotsResult.NameOf(ship), title, published,
+                Trace(title, subjects, plan, shown, KeptRays.None));
         });
     }
 
@@ -53,21 +59,24 @@ sealed class ExperimentRuns(IProgressSink progress)
     /// <param name="angles">Degrees.</param>
     /// <exception cref="GlintException">As for a sweep.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
-    public IReadOnlyList<RadarPicture> Pictures(Experiment experiment, params double[] angles) => InScene(experiment.Line, subjects =>
-    {
-        var rotation = subjects.Target.rotation;
-        return (IReadOnlyList<RadarPicture>)[.. angles.Select(angle =>
+    public IReadOnlyList<RadarPicture> Pictures(Experiment experiment, params double[] angles) =>
+        InScene(experiment.Line, subjects =>
         {
-            subjects.Target.rotation = Quaternion.AngleAxis((float)angle, Vector3.up) * rotation;
-            return subjects.Radar.TracePicture(progress.Cancel);
-        })];
-    });
+            var rotation = subjects.Target.rotation;
+            return (IReadOnlyList<RadarPicture>)[.. angles.Select(angle =>
+            {
+                subjects.Target.rotation = Quaternion.AngleAxis((float)angle, Vector3.up) * rotation;
+                return subjects.Radar.TracePicture(progress.Cancel);
+            })];
+        });
 
-    static IReadOnlyList<PublishedRow> Published(Experiment experiment) => experiment.Published == null ? null : PublishedTable.Read(experiment.Published);
+    static IReadOnlyList<PublishedRow> Published(Experiment experiment) =>
+        experiment.Published == null ? null : PublishedTable.Read(experiment.Published);
 
     IReadOnlyList<SweepRow> Trace(string title, SceneSubjects subjects, SweepPlan plan, Sea sea, KeptRays keep)
     {
-        using var run = new SweepRun(new SweepSetup(subjects.Radar, plan) { Target = subjects.Target, Sea = sea, Scene = subjects.Scene });
+        using var run = new SweepRun(
+            new SweepSetup(subjects.Radar, plan) { Target = subjects.Target, Sea = sea, Scene = subjects.Scene });
         var rows = new List<SweepRow>();
         progress.Start(title, run.Count);
         try

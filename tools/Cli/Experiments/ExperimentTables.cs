@@ -13,14 +13,18 @@ static class ExperimentTables
     /// <summary>How far sweeps and tables agree.</summary>
     public static string Summary(ExperimentsResult result)
     {
-        var table = new MarkdownTable("", "poses", "rays hit, times theirs", "both return, neither", "rays received, times theirs", "amplitude, dB over theirs", "correlation of amplitudes");
+        var table = new MarkdownTable("", "poses", "rays hit, times theirs", "both return, neither",
+            "rays received, times theirs", "amplitude, dB over theirs", "correlation of amplitudes");
         foreach (var sweep in result.Sweeps.Where(sweep => sweep.Published != null))
         {
             var agreement = new Agreement(sweep);
-            table.Add(sweep.Experiment.Title, Text($"{agreement.Poses}"), Range(agreement.Hit, "0.000"), Text($"{agreement.Both}, {agreement.Neither}"),
-                Range(agreement.Received, "0.00"), Range(agreement.AmplitudeDb, "+0.0;-0.0;0.0"), double.IsNaN(agreement.AmplitudeCorrelation) ? None : Text($"{agreement.AmplitudeCorrelation:0.000}"));
+            table.Add(sweep.Experiment.Title, Text($"{agreement.Poses}"), Range(agreement.Hit, "0.000"),
+                Text($"{agreement.Both}, {agreement.Neither}"),
+                Range(agreement.Received, "0.00"), Range(agreement.AmplitudeDb, "+0.0;-0.0;0.0"),
+                double.IsNaN(agreement.AmplitudeCorrelation) ? None : Text($"{agreement.AmplitudeCorrelation:0.000}"));
         }
-        return $"{table}\nMedian (lowest to highest). Amplitudes and rays received are compared where both return rays, the correlation is over all poses. "
+        return $"{table}\nMedian (lowest to highest). "
+            + "Amplitudes and rays received are compared where both return rays, the correlation is over all poses. "
             + Text($"{result.Device.Name}, driver {result.Device.Driver}, Glint {GlintVersion.Text}.\n");
     }
 
@@ -32,66 +36,92 @@ static class ExperimentTables
         {
             var ours = new MarkdownTable(step, "amplitude", "rays received", "rays hit", "received / hit, %");
             foreach (var pose in sweep.Poses)
-                ours.Add(Step(pose.Step), Amplitude(pose.Ours.Amplitude), Count(pose.Ours.RaysReceived), Count(pose.Ours.RaysHit), Ratio(pose.Ours.Ratio));
+                ours.Add(Step(pose.Step), Amplitude(pose.Ours.Amplitude), Count(pose.Ours.RaysReceived),
+                    Count(pose.Ours.RaysHit), Ratio(pose.Ours.Ratio));
             return ours.ToString();
         }
-        var table = new MarkdownTable(step, "amplitude, theirs", "ours", "rays received, theirs", "ours", "rays hit, theirs", "ours", "received / hit, theirs, %", "ours, %", "amplitude, dB over theirs");
+        var table = new MarkdownTable(step, "amplitude, theirs", "ours", "rays received, theirs", "ours",
+            "rays hit, theirs", "ours", "received / hit, theirs, %", "ours, %", "amplitude, dB over theirs");
         foreach (var (at, theirs, ours) in sweep.Poses)
-            table.Add(Step(at), Amplitude(theirs.Amplitude), Amplitude(ours.Amplitude), Count(theirs.RaysReceived), Count(ours.RaysReceived),
+            table.Add(Step(at), Amplitude(theirs.Amplitude), Amplitude(ours.Amplitude), Count(theirs.RaysReceived),
+                Count(ours.RaysReceived),
                 Count(theirs.RaysHit), Count(ours.RaysHit), Ratio(theirs.Ratio), Ratio(ours.Ratio),
-                Agreement.Decibels(ours.Amplitude, theirs.Amplitude) is double decibels ? Text($"{decibels:+0.0;-0.0;0.0}") : None);
+                Agreement.Decibels(ours.Amplitude, theirs.Amplitude) is double decibels
+                    ? Text($"{decibels:+0.0;-0.0;0.0}")
+                    : None);
         return $"{table}\n{Differences(new Agreement(sweep))}\n";
     }
 
     static string Differences(Agreement agreement)
     {
-        string text = Text($"Differences from the table: rays hit {agreement.HitDifferencePercent.Mean:0.0000} % (mean) and {agreement.HitDifferencePercent.Highest:0.0000} % (largest), ")
-            + Text($"rays received {agreement.ReceivedDifference.Mean:0.0} and {agreement.ReceivedDifference.Highest:0}");
+        string text = Text(
+                $"Differences from the table: rays hit {agreement.HitDifferencePercent.Mean:0.0000} % (mean) and {agreement.HitDifferencePercent.Highest:0.0000} % (largest), ")
+            + Text(
+                $"rays received {agreement.ReceivedDifference.Mean:0.0} and {agreement.ReceivedDifference.Highest:0}");
         var amplitude = agreement.AmplitudeDifferenceDb;
         return amplitude.Count == 0
             ? $"{text}."
-            : text + Text($", amplitude {amplitude.Median:0.0} dB (median) and {amplitude.Highest:0.0} dB (largest) in the {amplitude.Count} poses where both receive rays and the published amplitude is above {Agreement.LeastComparedAmplitude}.");
+            : text + Text(
+                $", amplitude {amplitude.Median:0.0} dB (median) and {amplitude.Highest:0.0} dB (largest) in the {amplitude.Count} poses where both receive rays and the published amplitude is above {Agreement.LeastComparedAmplitude}.");
     }
 
     /// <summary>Every angle: the ship's own rays and those that met the sea.</summary>
     public static string Of(IReadOnlyList<SeaShare> angles)
     {
-        var table = new MarkdownTable(["deg", "amplitude in free space", "on the sea", "on the sea, rays of the ship alone", "these rays", "lost", "rays that met the sea",
-            .. Enumerable.Range(1, angles[0].Added.Length).Select(bounces => bounces == 1 ? "by 1 bounce" : Text($"by {bounces}"))]);
+        var table = new MarkdownTable(["deg", "amplitude in free space", "on the sea",
+            "on the sea, rays of the ship alone", "these rays", "lost", "rays that met the sea",
+            .. Enumerable.Range(1, angles[0].Added.Length)
+                .Select(bounces => bounces == 1 ? "by 1 bounce" : Text($"by {bounces}"))]);
         foreach (var angle in angles)
-            table.Add([Step(angle.Step), Amplitude(angle.FreeSpace), Amplitude(angle.OnSea), Amplitude(angle.ShipAlone), Count(angle.Kept), Count(angle.Lost), Count(angle.Added.Sum()), .. angle.Added.Select(count => Count(count))]);
+            table.Add([Step(angle.Step), Amplitude(angle.FreeSpace), Amplitude(angle.OnSea), Amplitude(angle.ShipAlone),
+                Count(angle.Kept), Count(angle.Lost), Count(angle.Added.Sum()),
+                .. angle.Added.Select(count => Count(count))]);
         return table.ToString();
     }
 
     /// <summary>Every angle, theirs beside ours over all snapshots.</summary>
     public static string Of(SnapshotsResult ships)
     {
-        var table = new MarkdownTable("deg", "amplitude, theirs", "ours, median", "lowest", "highest", "rays received, theirs", "ours, median", "lowest", "highest", "rays hit, theirs", "ours, median");
+        var table = new MarkdownTable("deg", "amplitude, theirs", "ours, median", "lowest", "highest",
+            "rays received, theirs", "ours, median", "lowest", "highest", "rays hit, theirs", "ours, median");
         foreach (var (theirs, received, amplitude, hit) in ships.Angles)
-            table.Add(Step(theirs.Step), Amplitude(theirs.Amplitude), Amplitude(amplitude.Median), Amplitude(amplitude.Lowest), Amplitude(amplitude.Highest),
-                Count(theirs.RaysReceived), Count(received.Median), Count(received.Lowest), Count(received.Highest), Count(theirs.RaysHit), Count(hit.Median));
+            table.Add(Step(theirs.Step), Amplitude(theirs.Amplitude), Amplitude(amplitude.Median),
+                Amplitude(amplitude.Lowest), Amplitude(amplitude.Highest),
+                Count(theirs.RaysReceived), Count(received.Median), Count(received.Lowest),
+                Count(received.Highest), Count(theirs.RaysHit), Count(hit.Median));
         return $"{table}\nOver {ships.Snapshots} snapshots.\n";
     }
 
     /// <summary>Each wind and choppiness, then each seed of the stored ones.</summary>
     public static string OfSeas(ExperimentsResult result)
     {
-        var families = new MarkdownTable("sea", "wind, m/s", "choppiness", "snapshots that return", "share, %", "of each seed's, median (lowest to highest)", "seeds with none", "stored seed", "other seeds with fewer, as many, more");
+        var families = new MarkdownTable("sea", "wind, m/s", "choppiness", "snapshots that return", "share, %",
+            "of each seed's, median (lowest to highest)", "seeds with none", "stored seed",
+            "other seeds with fewer, as many, more");
         foreach (var family in result.Seas)
         {
             var waves = family.First.Waves;
             var (fewer, asMany, more) = family.Rank;
-            families.Add(family.Sea + (family.IsStored ? ", as stored" : ""), Text($"{waves.WindSpeed:0.##}"), Text($"{waves.Choppiness:0.##}"), Text($"{family.Returning} of {family.Snapshots}"), Text($"{100 * family.Share:0.0}"),
-                Range(family.PerSea, "0.#"), Text($"{family.Trials.Count(trial => trial.Returning == 0)} of {family.Trials.Count}"), Text($"{family.First.Returning} of {family.First.Snapshots.Count}"), Text($"{fewer}, {asMany}, {more}"));
+            families.Add(family.Sea + (family.IsStored ? ", as stored" : ""), Text($"{waves.WindSpeed:0.##}"),
+                Text($"{waves.Choppiness:0.##}"), Text($"{family.Returning} of {family.Snapshots}"),
+                Text($"{100 * family.Share:0.0}"),
+                Range(family.PerSea, "0.#"),
+                Text($"{family.Trials.Count(trial => trial.Returning == 0)} of {family.Trials.Count}"),
+                Text($"{family.First.Returning} of {family.First.Snapshots.Count}"),
+                Text($"{fewer}, {asMany}, {more}"));
         }
-        return families + string.Concat(result.Seas.Where(family => family.IsStored).Select(family => $"\n{family.Sea}, wind and choppiness as stored:\n\n{Seeds(family)}"));
+        return families + string.Concat(result.Seas.Where(family => family.IsStored)
+            .Select(family => $"\n{family.Sea}, wind and choppiness as stored:\n\n{Seeds(family)}"));
     }
 
     static string Seeds(SeaFamily family)
     {
-        var table = new MarkdownTable("seed", "snapshots that return", "rays received, snapshot by snapshot", "rays hit, median (lowest to highest)");
+        var table = new MarkdownTable("seed", "snapshots that return", "rays received, snapshot by snapshot",
+            "rays hit, median (lowest to highest)");
         foreach (var trial in family.Trials)
-            table.Add(Text($"{trial.Waves.Seed}{(trial == family.First ? " (stored)" : "")}"), Text($"{trial.Returning}"), string.Join(" ", trial.Snapshots.Select(snapshot => Text($"{snapshot.RaysReceived}"))),
+            table.Add(Text($"{trial.Waves.Seed}{(trial == family.First ? " (stored)" : "")}"),
+                Text($"{trial.Returning}"),
+                string.Join(" ", trial.Snapshots.Select(snapshot => Text($"{snapshot.RaysReceived}"))),
                 Range(new Series(trial.Snapshots.Select(snapshot => (double)snapshot.RaysHit)), "#,0"));
         return table.ToString();
     }
@@ -105,7 +135,10 @@ static class ExperimentTables
     static string Ratio(double value) => Text($"{100 * value:0.0000}");
 
     static string Range(Series series, string format) =>
-        series.Count == 0 ? None : $"{Shown(series.Median, format)} ({Shown(series.Lowest, format)} to {Shown(series.Highest, format)})";
+        series.Count == 0
+            ? None
+            : $"{Shown(series.Median, format)} ({Shown(series.Lowest, format)} to {Shown(series.Highest, format)})";
 
-    static string Shown(double value, string format) => value.ToString(format, System.Globalization.CultureInfo.InvariantCulture);
+    static string Shown(double value, string format) =>
+        value.ToString(format, System.Globalization.CultureInfo.InvariantCulture);
 }

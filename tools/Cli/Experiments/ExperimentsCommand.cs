@@ -11,7 +11,10 @@ using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>glint experiments: the published sweeps, the ship on every snapshot, and seas of many seeds; then tables, plots and figures.</summary>
+/// <summary>
+/// glint experiments: the published sweeps, the ship on every snapshot, and seas of many seeds;
+/// then tables, plots and figures.
+/// </summary>
 sealed class ExperimentsCommand(Terminal terminal)
 {
     /// <returns>The report, line by line.</returns>
@@ -19,7 +22,8 @@ sealed class ExperimentsCommand(Terminal terminal)
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public string[] Execute(CommandLine line, IProgressSink progress)
     {
-        var files = new ExperimentFiles(ExperimentOptions.Out.Flag, line.Get(ExperimentOptions.Out) ?? RunDescription.DefaultFolder("experiments"));
+        var files = new ExperimentFiles(ExperimentOptions.Out.Flag,
+            line.Get(ExperimentOptions.Out) ?? RunDescription.DefaultFolder("experiments"));
         var watch = Stopwatch.StartNew();
         var runs = new ExperimentRuns(progress);
         var result = new ExperimentsResult { Device = GraphicsDevice.Current.Info };
@@ -29,7 +33,9 @@ sealed class ExperimentsCommand(Terminal terminal)
         foreach (var (sea, ship) in Experiment.Seas)
             result.Ships.Add(runs.SweepAllSnapshots(sea, ship));
         foreach (var stored in StoredSeas.All)
-            result.Seas.AddRange(runs.Study(Experiment.Seas.Single(pair => Path.GetFileNameWithoutExtension(pair.Sea.Scene) == stored.Name).Sea, stored, line.Get(ExperimentOptions.Seeds)));
+            result.Seas.AddRange(runs.Study(
+                Experiment.Seas.Single(pair => Path.GetFileNameWithoutExtension(pair.Sea.Scene) == stored.Name).Sea,
+                stored, line.Get(ExperimentOptions.Seeds)));
         result.Elapsed = watch.Elapsed;
         return [.. Report(result), $"written: {files.Write(result)}"];
     }
@@ -41,12 +47,15 @@ sealed class ExperimentsCommand(Terminal terminal)
         foreach (var sweep in result.Sweeps.Where(sweep => sweep.Published != null))
         {
             var agreement = new Agreement(sweep);
-            table.AddRow(Escaped(sweep.Experiment.Title, Text($"{agreement.Poses}"), Text($"{agreement.Hit.Median:0.000}"), Text($"{agreement.Received.Median:0.00}"), Text($"{agreement.AmplitudeDb.Median:+0.0;-0.0;0.0}")));
+            table.AddRow(
+                Escaped(sweep.Experiment.Title, Text($"{agreement.Poses}"), Text($"{agreement.Hit.Median:0.000}"),
+                    Text($"{agreement.Received.Median:0.00}"), Text($"{agreement.AmplitudeDb.Median:+0.0;-0.0;0.0}")));
         }
         foreach (string row in text.Lines(table))
             yield return row;
         yield return "";
         foreach (var family in result.Seas.Where(family => family.IsStored))
-            yield return Text($"{family.Sea}: {family.First.Returning} of {family.First.Snapshots.Count} stored snapshots return rays, as {family.Returning} of {family.Snapshots} of all seeds do; published: {result.PublishedReturning(family.Sea).Returning} of {result.PublishedReturning(family.Sea).Snapshots}");
+            yield return Text(
+                $"{family.Sea}: {family.First.Returning} of {family.First.Snapshots.Count} stored snapshots return rays, as {family.Returning} of {family.Snapshots} of all seeds do; published: {result.PublishedReturning(family.Sea).Returning} of {result.PublishedReturning(family.Sea).Snapshots}");
     }
 }

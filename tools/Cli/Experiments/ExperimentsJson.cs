@@ -6,7 +6,9 @@ using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;
 
-/// <summary>The figures of glint experiments as JSON: angles in degrees, amplitudes linear. Lists of a sea follow its times.</summary>
+/// <summary>
+/// The figures of glint experiments as JSON: angles in degrees, amplitudes linear. Lists of a sea follow its times.
+/// </summary>
 static class ExperimentsJson
 {
     public static void Write(Stream stream, ExperimentsResult result)

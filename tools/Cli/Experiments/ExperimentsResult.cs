@@ -21,7 +21,8 @@ sealed class ExperimentsResult
         get
         {
             var freeSpace = Sweeps.Single(sweep => sweep.Experiment == Experiment.ShipInFreeSpace);
-            return Experiment.Seas.Select(pair => (pair.Ship, (IReadOnlyList<SeaShare>)[.. SeaShare.Of(freeSpace, Sweeps.Single(sweep => sweep.Experiment == pair.Ship))]));
+            return Experiment.Seas.Select(pair => (pair.Ship, (IReadOnlyList<SeaShare>)[.. SeaShare.Of(freeSpace,
+                Sweeps.Single(sweep => sweep.Experiment == pair.Ship))]));
         }
     }
 

@@ -16,7 +16,8 @@ sealed class MarkdownTable
         _text.Append("| --- ").Append(string.Concat(Enumerable.Repeat("| ---: ", titles.Length - 1))).Append("|\n");
     }
 
-    public void Add(params IEnumerable<string> cells) => _text.Append("| ").AppendJoin(" | ", cells.Select(Escaped)).Append(" |\n");
+    public void Add(params IEnumerable<string> cells) =>
+        _text.Append("| ").AppendJoin(" | ", cells.Select(Escaped)).Append(" |\n");
 
     /// <summary>With a line's end behind each row.</summary>
     public override string ToString() => _text.ToString();

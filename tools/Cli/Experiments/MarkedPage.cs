@@ -10,7 +10,9 @@ sealed class MarkedPage(string path, string text)
 {
     public string Text { get; private set; } = text;
 
-    /// <summary>Puts text between the markers of a name; at the page's end, below a title, where there are none.</summary>
+    /// <summary>
+    /// Puts text between the markers of a name; at the page's end, below a title, where there are none.
+    /// </summary>
     /// <exception cref="GlintException">Only one of the markers is there.</exception>
     public void Put(string name, string title, string measured)
     {
@@ -28,11 +30,13 @@ sealed class MarkedPage(string path, string text)
     // Where the text between the markers begins and ends; -1 without markers.
     (int from, int to) Find(string name)
     {
-        int begin = Text.IndexOf(Begin(name), StringComparison.Ordinal), end = Text.IndexOf(End(name), StringComparison.Ordinal);
+        int begin = Text.IndexOf(Begin(name), StringComparison.Ordinal),
+            end = Text.IndexOf(End(name), StringComparison.Ordinal);
         if (begin < 0 && end < 0)
             return (-1, -1);
         if (begin < 0 || end < begin)
-            throw new GlintException($"{path}: of the lines \"{Begin(name).Trim()}\" and \"{End(name).Trim()}\" one is missing, or they are in the wrong order: mend the page, or name another folder");
+            throw new GlintException($"{path}: of the lines \"{Begin(name).Trim()}\" and \"{End(name).Trim()}\" one is "
+                + "missing, or they are in the wrong order: mend the page, or name another folder");
         return (begin + Begin(name).Length, end);
     }
 

@@ -7,7 +7,10 @@ using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>The corner reflector on one picture: what the radar sees at two angles, and the amplitude of the sweep beside the published one.</summary>
+/// <summary>
+/// The corner reflector on one picture: what the radar sees at two angles,
+/// and the amplitude of the sweep beside the published one.
+/// </summary>
 static class ReflectorPicture
 {
     /// <summary>In step (three bounces only) and out of step (with the dihedral's return), degrees.</summary>
@@ -33,7 +36,8 @@ static class ReflectorPicture
             new("Glint", ExperimentPlots.Ours, [.. poses.Select(pose => pose.Ours.Amplitude)]),
         ];
         var scale = ValueScale.Linear(lines.Max(line => line.Values.Max()));
-        Chart.Draw(svg, views.Count * (ViewWidth + Margin), [.. poses.Select(pose => pose.Step)], "turn, degrees", new Panel("amplitude (Table A.2)", scale, lines));
+        Chart.Draw(svg, views.Count * (ViewWidth + Margin), [.. poses.Select(pose => pose.Step)], "turn, degrees",
+            new Panel("amplitude (Table A.2)", scale, lines));
     }
 
     static void DrawView(Svg svg, double left, string title, RadarPicture view)
@@ -41,7 +45,8 @@ static class ReflectorPicture
         svg.Write(left + ViewWidth / 2.0, Top - 18, title, "middle");
         svg.Rectangle(left, Top, ViewWidth, ViewHeight, Sky);
         double size = Math.Min((double)ViewWidth / view.Part.Width, (double)ViewHeight / view.Part.Height);
-        double x = left + (ViewWidth - size * view.Part.Width) / 2, y = Top + (ViewHeight - size * view.Part.Height) / 2;
+        double x = left + (ViewWidth - size * view.Part.Width) / 2,
+            y = Top + (ViewHeight - size * view.Part.Height) / 2;
         foreach (var colour in Runs(view).GroupBy(run => run.colour, run => (run.x, run.y, run.length)))
             svg.Pixels(x, y, size, colour.Key, colour);
     }
@@ -63,7 +68,9 @@ static class ReflectorPicture
     static string ColourOf(RadarPicture view, int x, int row)
     {
         int y = view.Part.Height - 1 - row, bounces = view.Bounces(x, y);
-        return bounces == 0 ? null : view.IsReceived(x, y) ? Received : s_bounces[Math.Min(bounces, s_bounces.Length) - 1];
+        return bounces == 0 ? null
+            : view.IsReceived(x, y) ? Received
+            : s_bounces[Math.Min(bounces, s_bounces.Length) - 1];
     }
 
     static void DrawBounces(Svg svg)
@@ -76,7 +83,8 @@ static class ReflectorPicture
             if (isReceived)
                 svg.Rectangle(x - 1, y - 1, size + 2, size + 2, Sky);
             svg.Rectangle(x, y, size, size, isReceived ? Received : s_bounces[i]);
-            svg.Write(x + size + 6, y + size - 1, isReceived ? "received" : i == 0 ? "1 bounce" : Text($"{i + 1} bounces"), "start");
+            svg.Write(x + size + 6, y + size - 1,
+                isReceived ? "received" : i == 0 ? "1 bounce" : Text($"{i + 1} bounces"), "start");
         }
     }
 }

@@ -5,7 +5,9 @@ namespace Glint.Cli;
 
 /// <summary>Seas that differ in nothing but the seed; the stored seed's is the first.</summary>
 /// <param name="Sea">Name of the stored sea that they are like.</param>
-/// <param name="IsStored">Whether wind and choppiness are those of the stored sea: then the first is the stored sea itself.</param>
+/// <param name="IsStored">
+/// Whether wind and choppiness are those of the stored sea: then the first is the stored sea itself.
+/// </param>
 sealed record SeaFamily(string Sea, bool IsStored, IReadOnlyList<SeaTrial> Trials)
 {
     public SeaTrial First => Trials[0];
@@ -25,7 +27,9 @@ sealed record SeaFamily(string Sea, bool IsStored, IReadOnlyList<SeaTrial> Trial
         get
         {
             var others = Trials.Skip(1).Select(trial => trial.Returning).ToArray();
-            return (others.Count(returning => returning < First.Returning), others.Count(returning => returning == First.Returning), others.Count(returning => returning > First.Returning));
+            return (others.Count(returning => returning < First.Returning),
+                others.Count(returning => returning == First.Returning),
+                others.Count(returning => returning > First.Returning));
         }
     }
 }

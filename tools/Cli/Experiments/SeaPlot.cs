@@ -6,7 +6,10 @@ using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>How many snapshots of each sea return anything, as an SVG picture: a column for each wind and choppiness, a disc for all seas with as many, its area their number.</summary>
+/// <summary>
+/// How many snapshots of each sea return anything, as an SVG picture: a column for each wind and choppiness,
+/// a disc for all seas with as many, its area their number.
+/// </summary>
 sealed class SeaPlot
 {
     const int Width = 1000, Height = 420, Left = 70, Right = 12, Top = 96, Bottom = 70;
@@ -22,7 +25,8 @@ sealed class SeaPlot
     }
 
     /// <param name="published">Returning snapshots of a sea as published, and of how many.</param>
-    public static void Write(Stream stream, IReadOnlyList<SeaFamily> families, Func<string, (int Returning, int Snapshots)> published)
+    public static void Write(Stream stream, IReadOnlyList<SeaFamily> families,
+        Func<string, (int Returning, int Snapshots)> published)
     {
         using var svg = new Svg(stream, Width, Height);
         var plot = new SeaPlot(svg, families.Max(family => family.First.Snapshots.Count));

@@ -5,7 +5,10 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>What a sea takes from the rays that a ship returns in free space, and what it adds: a ray that comes back by the same pixel over the same length met the ship alone.</summary>
+/// <summary>
+/// What a sea takes from the rays that a ship returns in free space, and what it adds:
+/// a ray that comes back by the same pixel over the same length met the ship alone.
+/// </summary>
 /// <param name="FreeSpace">Amplitude of the ship in free space.</param>
 /// <param name="ShipAlone">Amplitude, on the sea, of the rays that met the ship alone.</param>
 /// <param name="Kept">Their number; <paramref name="Lost"/> more returned in free space.</param>
@@ -17,17 +20,21 @@ sealed record SeaShare(double Step, double FreeSpace, double OnSea, double ShipA
 
     /// <summary>Angle by angle.</summary>
     /// <param name="freeSpace">Its rows, and those on the sea, carry the rays received.</param>
-    public static IEnumerable<SeaShare> Of(SweepResult freeSpace, SweepResult onSea) => freeSpace.Rows.Zip(onSea.Rows, Of);
+    public static IEnumerable<SeaShare> Of(SweepResult freeSpace, SweepResult onSea) =>
+        freeSpace.Rows.Zip(onSea.Rows, Of);
 
     static SeaShare Of(SweepRow freeSpace, SweepRow onSea)
     {
         var before = freeSpace.Result.Rays.ToDictionary(ray => ray.Pixel, ray => ray.ExactPathLength);
-        var ofShip = onSea.Result.Rays.ToLookup(ray => before.TryGetValue(ray.Pixel, out double length) && Math.Abs(ray.ExactPathLength - length) < SameLength);
+        var ofShip = onSea.Result.Rays.ToLookup(ray => before.TryGetValue(ray.Pixel, out double length)
+            && Math.Abs(ray.ExactPathLength - length) < SameLength);
         var added = new int[RadarSettings.Default.MaxBounces];
         foreach (var ray in ofShip[false])
             added[ray.Bounces - 1]++;
-        double inPhase = ofShip[true].Sum(ray => (double)ray.InPhase), quadrature = ofShip[true].Sum(ray => (double)ray.Quadrature);
+        double inPhase = ofShip[true].Sum(ray => (double)ray.InPhase),
+            quadrature = ofShip[true].Sum(ray => (double)ray.Quadrature);
         int kept = ofShip[true].Count();
-        return new SeaShare(SweepResult.StepOf(onSea.Pose), freeSpace.Result.Amplitude, onSea.Result.Amplitude, Math.Sqrt(inPhase * inPhase + quadrature * quadrature), kept, before.Count - kept, added);
+        return new SeaShare(SweepResult.StepOf(onSea.Pose), freeSpace.Result.Amplitude, onSea.Result.Amplitude,
+            Math.Sqrt(inPhase * inPhase + quadrature * quadrature), kept, before.Count - kept, added);
     }
 }

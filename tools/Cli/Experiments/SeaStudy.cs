@@ -5,8 +5,13 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>How often seas return anything: those like a stored one, and others with less and more wind and choppiness, seed by seed.</summary>
-/// <param name="sea">Before the radar, its extent as it is; its snapshots are taken away, and it is made of waves instead.</param>
+/// <summary>
+/// How often seas return anything: those like a stored one,
+/// and others with less and more wind and choppiness, seed by seed.
+/// </summary>
+/// <param name="sea">
+/// Before the radar, its extent as it is; its snapshots are taken away, and it is made of waves instead.
+/// </param>
 sealed class SeaStudy(RadarController radar, Sea sea, IProgressSink progress)
 {
     // Times the stored sea's, which are the first.
@@ -30,7 +35,8 @@ sealed class SeaStudy(RadarController radar, Sea sea, IProgressSink progress)
                 {
                     var trial = Try(Like(stored, wind, choppiness, seed));
                     trials.Add(trial);
-                    progress.Advance(++done, FormattableString.Invariant($"{trial.Waves.WindSpeed:0.##} m/s, choppiness {trial.Waves.Choppiness:0.##}, seed {seed}"));
+                    progress.Advance(++done, FormattableString.Invariant(
+                        $"{trial.Waves.WindSpeed:0.##} m/s, choppiness {trial.Waves.Choppiness:0.##}, seed {seed}"));
                 }
                 families.Add(new SeaFamily(stored.Name, families.Count == 0, trials));
             }
@@ -43,7 +49,8 @@ sealed class SeaStudy(RadarController radar, Sea sea, IProgressSink progress)
     }
 
     /// <summary>The stored one, then the lowest others.</summary>
-    public static IEnumerable<int> Seeds(int stored, int count) => Enumerable.Range(1, count).Where(seed => seed != stored).Prepend(stored).Take(count);
+    public static IEnumerable<int> Seeds(int stored, int count) =>
+        Enumerable.Range(1, count).Where(seed => seed != stored).Prepend(stored).Take(count);
 
     // Its height factor is its own: each sea is as high as the stored one.
     static SeaRecipe Like(SeaRecipe stored, double wind, double choppiness, int seed)
@@ -62,7 +69,8 @@ sealed class SeaStudy(RadarController radar, Sea sea, IProgressSink progress)
         foreach (double time in recipe.Times)
         {
             sea.TimeSeconds = time;
-            snapshots.Add(radar.Trace(KeptRays.None, new Part(progress, snapshots.Count, recipe.Times.Count), progress.Cancel));
+            snapshots.Add(
+                radar.Trace(KeptRays.None, new Part(progress, snapshots.Count, recipe.Times.Count), progress.Cancel));
         }
         return new SeaTrial(recipe.Settings, snapshots);
     }

@@ -9,7 +9,8 @@ namespace Glint.Cli;
 /// <param name="Name">For files and markers.</param>
 /// <param name="Published">The ship on one sea of this state.</param>
 /// <param name="Rows">Every angle for each snapshot.</param>
-sealed record SnapshotsResult(string Name, string Title, IReadOnlyList<PublishedRow> Published, IReadOnlyList<SweepRow> Rows)
+sealed record SnapshotsResult(string Name, string Title, IReadOnlyList<PublishedRow> Published,
+    IReadOnlyList<SweepRow> Rows)
 {
     public static string NameOf(Experiment ship) => $"{ship.Name}-all-snapshots";
 
@@ -18,9 +19,12 @@ sealed record SnapshotsResult(string Name, string Title, IReadOnlyList<Published
     public int Snapshots => Rows.Max(row => row.Pose.Snapshot.Value);
 
     /// <summary>Angle by angle, over the snapshots.</summary>
-    public IEnumerable<(PublishedRow Theirs, Series Received, Series Amplitude, Series Hit)> Angles => Published.Select(theirs =>
-    {
-        var ours = Rows.Where(row => row.Pose.AngleDegrees == theirs.Step).Select(row => row.Result).ToArray();
-        return (theirs, new Series(ours.Select(result => (double)result.RaysReceived)), new Series(ours.Select(result => result.Amplitude)), new Series(ours.Select(result => (double)result.RaysHit)));
-    });
+    public IEnumerable<(PublishedRow Theirs, Series Received, Series Amplitude, Series Hit)> Angles =>
+        Published.Select(theirs =>
+        {
+            var ours = Rows.Where(row => row.Pose.AngleDegrees == theirs.Step).Select(row => row.Result).ToArray();
+            return (theirs, new Series(ours.Select(result => (double)result.RaysReceived)),
+                new Series(ours.Select(result => result.Amplitude)),
+                new Series(ours.Select(result => (double)result.RaysHit)));
+        });
 }

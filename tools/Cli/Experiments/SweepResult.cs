@@ -11,7 +11,8 @@ sealed record SweepResult(Experiment Experiment, IReadOnlyList<PublishedRow> Pub
 {
     /// <summary>Pose by pose. The published row is null where no table was.</summary>
     public IEnumerable<(double Step, PublishedRow Theirs, RadarResult Ours)> Poses =>
-        Rows.Select(row => (StepOf(row.Pose), Published?.Single(published => published.Step == StepOf(row.Pose)), row.Result));
+        Rows.Select(
+            row => (StepOf(row.Pose), Published?.Single(published => published.Step == StepOf(row.Pose)), row.Result));
 
     /// <summary>What the steps are: "deg" or "snapshot".</summary>
     public string StepName => Rows[0].Pose.AngleDegrees.HasValue ? "deg" : "snapshot";

@@ -6,7 +6,9 @@ using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>An axis of values: where each is shown, from 0 at the foot to 1 at the head, and what is written beside it.</summary>
+/// <summary>
+/// An axis of values: where each is shown, from 0 at the foot to 1 at the head, and what is written beside it.
+/// </summary>
 sealed class ValueScale
 {
     readonly Func<double, double> _place;
@@ -27,7 +29,8 @@ sealed class ValueScale
     public static ValueScale Linear(double greatest)
     {
         double step = Step(greatest), end = Math.Max(step, Math.Ceiling(greatest / step) * step);
-        return new ValueScale(value => value / end, Enumerable.Range(0, (int)Math.Round(end / step) + 1).Select(i => (i * step, Text($"{i * step:#,0.##}"))));
+        return new ValueScale(value => value / end,
+            Enumerable.Range(0, (int)Math.Round(end / step) + 1).Select(i => (i * step, Text($"{i * step:#,0.##}"))));
     }
 
     /// <summary>Whole numbers, logarithmic, with 0 a decade below 1.</summary>
@@ -35,7 +38,8 @@ sealed class ValueScale
     {
         int decades = Math.Max(1, (int)Math.Ceiling(Math.Log10(Math.Max(1, greatest))));
         return new ValueScale(value => value < 1 ? 0 : (1 + Math.Log10(value)) / (1 + decades),
-            Enumerable.Range(0, decades + 1).Select(power => Math.Pow(10, power)).Prepend(0).Select(count => (count, Text($"{count:#,0}"))));
+            Enumerable.Range(0, decades + 1).Select(power => Math.Pow(10, power)).Prepend(0)
+                .Select(count => (count, Text($"{count:#,0}"))));
     }
 
     /// <summary>Amplitudes in decibels. One below the lowest mark is shown at the foot, 0 not at all.</summary>
@@ -43,8 +47,10 @@ sealed class ValueScale
     {
         const int lowest = -20, step = 20;
         int highest = Math.Max(0, step * (int)Math.Ceiling((Signal.Decibels(greatest) ?? lowest) / step));
-        return new ValueScale(value => Signal.Decibels(value) is double decibels ? Math.Max(0, (decibels - lowest) / (highest - lowest)) : double.NaN,
-            Enumerable.Range(0, (highest - lowest) / step + 1).Select(i => lowest + step * i).Select(decibels => (Math.Pow(10, decibels / 20.0), Text($"{decibels}"))));
+        return new ValueScale(value => Signal.Decibels(value) is double decibels ? Math.Max(0,
+            (decibels - lowest) / (highest - lowest)) : double.NaN,
+            Enumerable.Range(0, (highest - lowest) / step + 1).Select(i => lowest + step * i)
+                .Select(decibels => (Math.Pow(10, decibels / 20.0), Text($"{decibels}"))));
     }
 
     // 1, 2 or 5 times a power of ten: three to seven steps.

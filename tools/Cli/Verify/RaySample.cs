@@ -3,7 +3,9 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>Rays to compare, spread evenly over the picture, and over the rays received: about so many of each.</summary>
+/// <summary>
+/// Rays to compare, spread evenly over the picture, and over the rays received: about so many of each.
+/// </summary>
 sealed class RaySample
 {
     readonly int _every, _everyReceived;

@@ -9,7 +9,9 @@ namespace Glint.Cli;
 /// <summary>glint verify: traces a scene with the kernel, and some of its rays with the judge.</summary>
 sealed class VerifyCommand(Terminal terminal)
 {
-    /// <summary>Difference of a received ray's length that is allowed besides rounding, metres: 0.002 rad at 10 GHz.</summary>
+    /// <summary>
+    /// Difference of a received ray's length that is allowed besides rounding, metres: 0.002 rad at 10 GHz.
+    /// </summary>
     public const double LengthTolerance = 1e-5;
 
     // Rays of the kernel that are held at a time: 100 MB.
@@ -70,7 +72,9 @@ sealed class VerifyCommand(Terminal terminal)
     // The rows of the region, as many at a time as are held.
     static List<RayRegion> Bands(RadarSettings settings)
     {
-        var region = settings.Region.IsWhole ? new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown } : settings.Region;
+        var region = settings.Region.IsWhole
+            ? new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown }
+            : settings.Region;
         int rows = Math.Max(PictureTiles.Side, RaysAtOnce / region.Width);
         var bands = new List<RayRegion>();
         for (int row = 0; row < region.Height; row += rows)

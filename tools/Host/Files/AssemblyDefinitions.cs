@@ -31,15 +31,19 @@ internal sealed class AssemblyDefinitions
 
     string Defined(string folder)
     {
-        string file = Directory.EnumerateFiles(_files.Physical(folder), "*.asmdef").Order(StringComparer.Ordinal).FirstOrDefault();
+        string file = Directory.EnumerateFiles(_files.Physical(folder), "*.asmdef")
+            .Order(StringComparer.Ordinal).FirstOrDefault();
         if (file is null)
             return null;
         string shown = _files.Shown(folder + "/" + Path.GetFileName(file));
         try
         {
             using JsonDocument json = JsonDocument.Parse(AssetText.Read(file, shown));
-            return json.RootElement.ValueKind == JsonValueKind.Object && json.RootElement.TryGetProperty("name", out JsonElement name)
-                && name.ValueKind == JsonValueKind.String && name.GetString() is { Length: > 0 } text ? text : throw new GlintException($"{shown}: has no \"name\": add one");
+            return json.RootElement.ValueKind == JsonValueKind.Object
+                && json.RootElement.TryGetProperty("name", out JsonElement name)
+                && name.ValueKind == JsonValueKind.String && name.GetString() is { Length: > 0 } text
+                    ? text
+                    : throw new GlintException($"{shown}: has no \"name\": add one");
         }
         catch (JsonException error)
         {

@@ -24,9 +24,11 @@ internal static class AssetText
             throw new GlintException($"{shownPath}: is empty, or a pipe or device and no file: restore the file");
         if (text.AsSpan(0, Math.Min(text.Length, ProbeBytes)).Contains('\0'))
             throw new GlintException(
-                $"{shownPath}: is serialized as binary: set Asset Serialization to Force Text (Edit, Project Settings, Editor) and save it again");
+                $"{shownPath}: is serialized as binary: set Asset Serialization to Force Text (Edit, Project Settings, "
+                + "Editor) and save it again");
         if (!text.StartsWith("%YAML ", StringComparison.Ordinal))
-            throw new GlintException($"{shownPath}: is no Unity YAML file, it does not begin with '%YAML 1.1': restore the file");
+            throw new GlintException($"{shownPath}: is no Unity YAML file, "
+                + "it does not begin with '%YAML 1.1': restore the file");
         return text;
     }
 
@@ -39,7 +41,8 @@ internal static class AssetText
                 return [];
             byte[] bytes = File.ReadAllBytes(physicalPath);
             if (bytes.AsSpan().StartsWith("version https://git-lfs"u8))
-                throw new GlintException($"{shownPath}: is a git-lfs pointer, not the file's content: run 'git lfs pull'");
+                throw new GlintException($"{shownPath}: is a git-lfs pointer, "
+                    + "not the file's content: run 'git lfs pull'");
             return bytes;
         }
         catch (Exception error) when (error is FileNotFoundException or DirectoryNotFoundException)

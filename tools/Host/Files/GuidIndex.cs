@@ -12,7 +12,8 @@ namespace Glint.Host;
 /// </summary>
 internal sealed class GuidIndex
 {
-    static readonly EnumerationOptions _all = new() { IgnoreInaccessible = true, AttributesToSkip = FileAttributes.None };
+    static readonly EnumerationOptions _all =
+        new() { IgnoreInaccessible = true, AttributesToSkip = FileAttributes.None };
 
     readonly ProjectPaths _paths;
     Lazy<Dictionary<string, List<string>>> _pathsByGuid;
@@ -33,12 +34,14 @@ internal sealed class GuidIndex
         if (!_pathsByGuid.Value.TryGetValue(guid, out List<string> found))
             return null;
         if (found.Count > 1)
-            throw new GlintException($"{found[0]} and {found[1]} have the same guid {guid}: delete the .meta of the copy, and Unity gives it a new one");
+            throw new GlintException($"{found[0]} and {found[1]} have the same guid {guid}: "
+                + "delete the .meta of the copy, and Unity gives it a new one");
         return found[0];
     }
 
     /// <summary>Guid of an asset; null when it has no .meta.</summary>
-    internal string GuidOf(string assetPath) => MetaFile.ReadGuid(_paths.ToPhysicalPath(assetPath) + MetaFile.Extension);
+    internal string GuidOf(string assetPath) =>
+        MetaFile.ReadGuid(_paths.ToPhysicalPath(assetPath) + MetaFile.Extension);
 
     internal bool IsTaken(string guid) => _pathsByGuid.Value.ContainsKey(guid);
 
@@ -73,7 +76,8 @@ internal sealed class GuidIndex
                 if (child.LinkTarget is null || linked.Add(child.ResolveLinkTarget(true).FullName))
                     Scan(child.FullName, assetPath + "/" + child.Name, result, linked);
             }
-            else if (entry.Name.EndsWith(MetaFile.Extension, StringComparison.Ordinal) && MetaFile.ReadGuid(entry.FullName) is string guid)
+            else if (entry.Name.EndsWith(MetaFile.Extension, StringComparison.Ordinal)
+                && MetaFile.ReadGuid(entry.FullName) is string guid)
             {
                 if (!result.TryGetValue(guid, out List<string> found))
                     result.Add(guid, found = new List<string>(1));

@@ -19,10 +19,12 @@ internal static class MetaFile
             // A pipe or device has no length either; to open one can take for ever.
             if (new FileInfo(physicalPath).Length == 0)
                 return null;
-            using FileStream stream = new(physicalPath, FileMode.Open, FileAccess.Read, FileShare.ReadWrite, bufferSize: 0);
+            using FileStream stream =
+                new(physicalPath, FileMode.Open, FileAccess.Read, FileShare.ReadWrite, bufferSize: 0);
             Span<byte> head = stackalloc byte[UsualBytes];
             int length = stream.ReadAtLeast(head, UsualBytes, throwOnEndOfStream: false);
-            return Find(Encoding.UTF8.GetString(head[..length])) ?? (length < UsualBytes ? null : Find(File.ReadAllText(physicalPath)));
+            return Find(Encoding.UTF8.GetString(head[..length]))
+                ?? (length < UsualBytes ? null : Find(File.ReadAllText(physicalPath)));
         }
         catch (Exception error) when (error is IOException or UnauthorizedAccessException)
         {

@@ -3,10 +3,13 @@ using System.Linq;
 
 namespace Glint.Host;
 
-/// <summary>What ProjectSettings says of tags, layers and the scenes of the build; a file that is absent has its defaults.</summary>
+/// <summary>
+/// What ProjectSettings says of tags, layers and the scenes of the build; a file that is absent has its defaults.
+/// </summary>
 internal sealed class ProjectSettings
 {
-    const string TagManagerPath = "ProjectSettings/TagManager.asset", BuildSettingsPath = "ProjectSettings/EditorBuildSettings.asset";
+    const string TagManagerPath = "ProjectSettings/TagManager.asset",
+        BuildSettingsPath = "ProjectSettings/EditorBuildSettings.asset";
 
     internal ProjectSettings(ProjectFiles files)
     {
@@ -16,7 +19,8 @@ internal sealed class ProjectSettings
             Layers = tags.Texts("layers");
         }
         if (Read(files, BuildSettingsPath) is FieldMap build)
-            BuildScenes = build.Maps("m_Scenes").Where(scene => scene.Flag("enabled", true)).Select(scene => scene.Text("path")).ToList();
+            BuildScenes = build.Maps("m_Scenes").Where(scene => scene.Flag("enabled", true))
+                .Select(scene => scene.Text("path")).ToList();
     }
 
     internal IReadOnlyList<string> Tags { get; } = [];
@@ -33,6 +37,7 @@ internal sealed class ProjectSettings
             return null;
         UnityFile file = files.ReadObjects(path);
         UnityDocument document = file.Documents[0];
-        return new ObjectRecord(file.ShownPath, document.ClassId, document.TypeName, document.Id, document.Fields).Fields;
+        return new ObjectRecord(file.ShownPath, document.ClassId, document.TypeName,
+            document.Id, document.Fields).Fields;
     }
 }

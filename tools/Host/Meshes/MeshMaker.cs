@@ -18,7 +18,8 @@ internal static class MeshMaker
             Normals = Vectors(record, Normal, value => (Vector3)value),
             Tangents = Vectors(record, Tangent, value => value),
             Colors = Vectors(record, Colour, value => new Color(value.x, value.y, value.z, value.w)),
-            Uvs = Enumerable.Range(FirstTexture, MeshContents.UvChannels).Select(channel => Vectors(record, channel, value => value)).ToArray(),
+            Uvs = Enumerable.Range(FirstTexture, MeshContents.UvChannels)
+                .Select(channel => Vectors(record, channel, value => value)).ToArray(),
             Indices = record.Indices,
             IndexFormat = record.HasWideIndices ? IndexFormat.UInt32 : IndexFormat.UInt16,
             SubMeshes = record.SubMeshes.Select(Descriptor).ToList(),
@@ -30,15 +31,17 @@ internal static class MeshMaker
         return mesh;
     }
 
-    static SubMeshDescriptor Descriptor(SubMeshRecord subMesh) => new(subMesh.FirstIndex, subMesh.IndexCount, (MeshTopology)subMesh.Topology)
-    {
-        baseVertex = subMesh.BaseVertex,
-        firstVertex = subMesh.FirstVertex,
-        vertexCount = subMesh.VertexCount,
-        bounds = Box(subMesh.Box),
-    };
+    static SubMeshDescriptor Descriptor(SubMeshRecord subMesh) =>
+        new(subMesh.FirstIndex, subMesh.IndexCount, (MeshTopology)subMesh.Topology)
+        {
+            baseVertex = subMesh.BaseVertex,
+            firstVertex = subMesh.FirstVertex,
+            vertexCount = subMesh.VertexCount,
+            bounds = Box(subMesh.Box),
+        };
 
-    static Bounds Box(FieldMap fields) => new(EngineValues.Vector(fields.Map("m_Center")), EngineValues.Vector(fields.Map("m_Extent")) * 2f);
+    static Bounds Box(FieldMap fields) =>
+        new(EngineValues.Vector(fields.Map("m_Center")), EngineValues.Vector(fields.Map("m_Extent")) * 2f);
 
     // Components that a channel does not store are 0; empty where the mesh has no such channel.
     static T[] Vectors<T>(MeshRecord record, int channel, Func<Vector4, T> convert)

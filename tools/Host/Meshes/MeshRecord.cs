@@ -6,7 +6,9 @@ using Glint.Core;
 
 namespace Glint.Host;
 
-/// <summary>What a Mesh asset holds, decoded: an array of numbers for each vertex channel, one of indices, and the submeshes.</summary>
+/// <summary>
+/// What a Mesh asset holds, decoded: an array of numbers for each vertex channel, one of indices, and the submeshes.
+/// </summary>
 internal sealed class MeshRecord
 {
     const int ChannelCount = 14, StreamAlignment = 16, StrideAlignment = 4;
@@ -49,7 +51,10 @@ internal sealed class MeshRecord
 
     int IndexBytes => HasWideIndices ? sizeof(uint) : sizeof(ushort);
 
-    /// <summary>Components a vertex of a channel: 0 position, 1 normal, 2 tangent, 3 colour, 4 to 11 texture coordinates; 0 where absent.</summary>
+    /// <summary>
+    /// Components a vertex of a channel: 0 position, 1 normal, 2 tangent, 3 colour,
+    /// 4 to 11 texture coordinates; 0 where absent.
+    /// </summary>
     internal int Dimension(int channel) => _dimensions[channel];
 
     /// <summary>All values of a channel, vertex by vertex; null where absent.</summary>
@@ -66,7 +71,8 @@ internal sealed class MeshRecord
         byte[] bytes = Hex(data, "_typelessdata");
         int stated = data.Count("m_DataSize");
         if (bytes.Length != stated)
-            throw _record.Flaw($"its vertex data are {bytes.Length} bytes long, and m_DataSize says {stated}: restore the file");
+            throw _record.Flaw($"its vertex data are {bytes.Length} bytes long, "
+                + $"and m_DataSize says {stated}: restore the file");
         if (VertexCount == 0)
             return;
 
@@ -76,14 +82,16 @@ internal sealed class MeshRecord
         long start = 0;
         for (int stream = 0; stream <= VertexChannel.LastStream; stream++)
         {
-            List<int> members = Enumerable.Range(0, channels.Count).Where(i => channels[i].IsPresent && channels[i].Stream == stream).ToList();
+            List<int> members = Enumerable.Range(0, channels.Count)
+                .Where(i => channels[i].IsPresent && channels[i].Stream == stream).ToList();
             if (members.Count == 0)
                 continue;
             int stride = Align(members.Max(i => channels[i].End), StrideAlignment);
             start = Align(start, StreamAlignment);
             long length = (long)stride * VertexCount;
             if (start + length > bytes.Length)
-                throw _record.Flaw($"{VertexCount} vertices need {start + length} bytes, and the file has {bytes.Length}: restore the file");
+                throw _record.Flaw($"{VertexCount} vertices need {start + length} bytes, "
+                    + $"and the file has {bytes.Length}: restore the file");
             foreach (int i in members)
             {
                 _channels[i] = channels[i].Read(bytes.AsSpan((int)start, (int)length), stride, VertexCount);
@@ -96,9 +104,12 @@ internal sealed class MeshRecord
     VertexChannel ReadChannel(FieldMap fields)
     {
         // The high half of a dimension marks channels of instanced data.
-        VertexChannel channel = new(fields.Count("stream"), fields.Count("offset"), fields.Count("format"), fields.Count("dimension") & 0xf);
-        if (channel.Stream > VertexChannel.LastStream || channel.Format > VertexChannel.LastFormat || channel.Offset > byte.MaxValue || channel.Dimension > 4)
-            throw _record.Flaw($"a vertex channel has stream {channel.Stream}, offset {channel.Offset}, format {channel.Format}, dimension {channel.Dimension}, which Unity has not: restore the file");
+        VertexChannel channel = new(fields.Count("stream"), fields.Count("offset"), fields.Count("format"),
+            fields.Count("dimension") & 0xf);
+        if (channel.Stream > VertexChannel.LastStream || channel.Format > VertexChannel.LastFormat
+            || channel.Offset > byte.MaxValue || channel.Dimension > 4)
+            throw _record.Flaw($"a vertex channel has stream {channel.Stream}, offset {channel.Offset}, "
+                + $"format {channel.Format}, dimension {channel.Dimension}, which Unity has not: restore the file");
         return channel;
     }
 
@@ -109,7 +120,9 @@ internal sealed class MeshRecord
         for (int i = 0; i < indices.Length; i++)
         {
             ReadOnlySpan<byte> data = buffer.AsSpan(i * IndexBytes);
-            indices[i] = HasWideIndices ? BinaryPrimitives.ReadInt32LittleEndian(data) : BinaryPrimitives.ReadUInt16LittleEndian(data);
+            indices[i] = HasWideIndices
+                ? BinaryPrimitives.ReadInt32LittleEndian(data)
+                : BinaryPrimitives.ReadUInt16LittleEndian(data);
         }
         return indices;
     }
@@ -117,21 +130,26 @@ internal sealed class MeshRecord
     SubMeshRecord ReadSubMesh(FieldMap fields, int number)
     {
         SubMeshRecord subMesh = new(
-            fields.Count("topology"), fields.Count("firstByte") / IndexBytes, fields.Count("indexCount"), fields.Count("baseVertex"),
+            fields.Count("topology"), fields.Count("firstByte") / IndexBytes,
+            fields.Count("indexCount"), fields.Count("baseVertex"),
             fields.Count("firstVertex"), fields.Count("vertexCount"), fields.Map("localAABB"));
         if ((long)subMesh.FirstIndex + subMesh.IndexCount > Indices.Length)
-            throw _record.Flaw($"submesh {number} has {subMesh.IndexCount} indices from number {subMesh.FirstIndex} on, and m_IndexBuffer holds {Indices.Length}: restore the file");
+            throw _record.Flaw($"submesh {number} has {subMesh.IndexCount} indices from number {subMesh.FirstIndex} "
+                + $"on, and m_IndexBuffer holds {Indices.Length}: restore the file");
         if (subMesh.Topology is not (Triangles or (>= Quads and <= Points)))
-            throw _record.Flaw($"submesh {number} has topology {subMesh.Topology}, which Unity has not: restore the file");
+            throw _record.Flaw($"submesh {number} has topology {subMesh.Topology}, "
+                + "which Unity has not: restore the file");
         int corners = subMesh.Topology switch { Triangles => 3, Quads => 4, _ => 1 };
         if (subMesh.IndexCount % corners != 0)
-            throw _record.Flaw($"submesh {number} has {subMesh.IndexCount} indices, no multiple of {corners}: restore the file");
+            throw _record.Flaw($"submesh {number} has {subMesh.IndexCount} indices, "
+                + $"no multiple of {corners}: restore the file");
         foreach (int index in Indices.AsSpan(subMesh.FirstIndex, subMesh.IndexCount))
         {
             // 32-bit indices are unsigned.
             long vertex = (long)(uint)index + subMesh.BaseVertex;
             if (vertex < 0 || vertex >= VertexCount)
-                throw _record.Flaw($"submesh {number} has index {vertex}, and the mesh has {VertexCount} vertices: mend the mesh");
+                throw _record.Flaw($"submesh {number} has index {vertex}, "
+                    + $"and the mesh has {VertexCount} vertices: mend the mesh");
         }
         return subMesh;
     }
@@ -144,7 +162,8 @@ internal sealed class MeshRecord
         }
         catch (FormatException error)
         {
-            throw new GlintException(_record.Flaw($"{key} is no text of hexadecimal bytes: restore the file").Message, error);
+            throw new GlintException(
+                _record.Flaw($"{key} is no text of hexadecimal bytes: restore the file").Message, error);
         }
     }
 

@@ -3,10 +3,13 @@ using System.Buffers.Binary;
 
 namespace Glint.Host;
 
-/// <summary>One attribute of the vertices (position, normal, ...): in which stream, where, and in which number format.</summary>
+/// <summary>
+/// One attribute of the vertices (position, normal, ...): in which stream, where, and in which number format.
+/// </summary>
 internal readonly record struct VertexChannel(int Stream, int Offset, int Format, int Dimension)
 {
-    const int Float32 = 0, Float16 = 1, UNorm8 = 2, SNorm8 = 3, UNorm16 = 4, SNorm16 = 5, UInt8 = 6, SInt8 = 7, UInt16 = 8, SInt16 = 9, UInt32 = 10, SInt32 = 11;
+    const int Float32 = 0, Float16 = 1, UNorm8 = 2, SNorm8 = 3, UNorm16 = 4, SNorm16 = 5, UInt8 = 6, SInt8 = 7,
+        UInt16 = 8, SInt16 = 9, UInt32 = 10, SInt32 = 11;
     internal const int LastFormat = SInt32;
     internal const int LastStream = 3;
 

@@ -45,7 +45,9 @@ internal sealed class AssetBuilder
     {
         ClassId.Mesh => MeshMaker.Make(new MeshRecord(record)),
         ClassId.Material => ObjectFactory.NewAsset<Material>(),
-        ClassId.MonoBehaviour => _scripts.Find(record, typeof(ScriptableObject), _warnings) is Type type ? ObjectFactory.NewAsset(type) : null,
+        ClassId.MonoBehaviour => _scripts.Find(record, typeof(ScriptableObject), _warnings) is Type type
+            ? ObjectFactory.NewAsset(type)
+            : null,
         _ => null,
     };
 }

@@ -11,7 +11,10 @@ namespace Glint.Host;
 /// <summary>The assets loaded so far, each once: who asks twice for a mesh gets the same object.</summary>
 internal sealed class AssetLibrary
 {
-    static readonly HashSet<string> _models = new(StringComparer.OrdinalIgnoreCase) { ".fbx", ".obj", ".dae", ".blend", ".3ds", ".dxf", ".max", ".ma", ".mb", ".glb", ".gltf", ".stl" };
+    static readonly HashSet<string> _models = new(StringComparer.OrdinalIgnoreCase)
+    {
+        ".fbx", ".obj", ".dae", ".blend", ".3ds", ".dxf", ".max", ".ma", ".mb", ".glb", ".gltf", ".stl"
+    };
 
     readonly ProjectFiles _files;
     readonly Flattener _flattener;
@@ -29,7 +32,9 @@ internal sealed class AssetLibrary
     }
 
     /// <summary>The object that a reference with a guid names.</summary>
-    /// <param name="problem">Why there is none, as "refers to ..." goes on; null for what the host leaves out on purpose.</param>
+    /// <param name="problem">
+    /// Why there is none, as "refers to ..." goes on; null for what the host leaves out on purpose.
+    /// </param>
     internal Object Find(ObjectReference reference, out string problem)
     {
         problem = null;
@@ -71,7 +76,8 @@ internal sealed class AssetLibrary
         if (!IsPrefab(path))
             return file.Objects.Values.FirstOrDefault(type.IsInstanceOfType);
         GameObject root = file.Objects.Values.OfType<GameObject>().First();
-        return type.IsInstanceOfType(root) ? root : typeof(Component).IsAssignableFrom(type) ? root.GetComponent(type) : null;
+        return type.IsInstanceOfType(root) ? root : typeof(Component)
+            .IsAssignableFrom(type) ? root.GetComponent(type) : null;
     }
 
     /// <summary>Takes an object for the asset at a path from now on.</summary>
@@ -84,7 +90,10 @@ internal sealed class AssetLibrary
         (asset.AssetPath, asset.FileId) = (path, record.Id);
     }
 
-    /// <summary>What else than this object its file holds, or what of it is not read here, and so would be lost if it were written; null for nothing.</summary>
+    /// <summary>
+    /// What else than this object its file holds, or what of it is not read here,
+    /// and so would be lost if it were written; null for nothing.
+    /// </summary>
     internal string LostIfWritten(Object asset)
     {
         LoadedFile file = Open(asset.AssetPath);
@@ -93,7 +102,8 @@ internal sealed class AssetLibrary
         FieldMap fields = file.Table.Records[0].Fields;
         if (asset is not Mesh)
             return null;
-        return fields.Map("m_Shapes").Maps("vertices").Count > 0 ? "blend shapes" : fields.Maps("m_BindPose").Count > 0 ? "a skin" : null;
+        return fields.Map("m_Shapes")
+            .Maps("vertices").Count > 0 ? "blend shapes" : fields.Maps("m_BindPose").Count > 0 ? "a skin" : null;
     }
 
     /// <summary>All prefabs are made anew when they are next asked for.</summary>
@@ -115,7 +125,8 @@ internal sealed class AssetLibrary
         {
             Links links = new(file, this, _warnings);
             if (IsPrefab(path))
-                new ObjectBuilder(file, default, _scripts, _warnings).Build(Hierarchy.Read(file.Table, isScene: false), links);
+                new ObjectBuilder(file, default, _scripts, _warnings)
+                    .Build(Hierarchy.Read(file.Table, isScene: false), links);
             else
                 new AssetBuilder(file, _scripts, _warnings).Build(links);
         }
@@ -146,5 +157,6 @@ internal sealed class AssetLibrary
 
     static bool IsPrefab(string path) => path.EndsWith(".prefab", StringComparison.OrdinalIgnoreCase);
 
-    static bool IsObjectFile(string path) => Path.GetExtension(path).ToLowerInvariant() is ".prefab" or ".asset" or ".mat" or ".mesh";
+    static bool IsObjectFile(string path) =>
+        Path.GetExtension(path).ToLowerInvariant() is ".prefab" or ".asset" or ".mat" or ".mesh";
 }

@@ -11,7 +11,8 @@ internal static class BuiltInAssets
 
     /// <summary>Null for what the host leaves out: skyboxes, fonts, shaders.</summary>
     internal static Object Find(ObjectReference reference) => reference.Guid == ResourceGuid
-        ? BuiltinMeshes.ByFileId(reference.FileId) : reference.FileId == BuiltinMaterial.FileId ? BuiltinMaterial.Get() : null;
+        ? BuiltinMeshes.ByFileId(reference.FileId) : reference.FileId
+            == BuiltinMaterial.FileId ? BuiltinMaterial.Get() : null;
 
     /// <summary>The guid of a path that stands for all built-in assets of a kind; null for a project's own.</summary>
     internal static string GuidOf(string assetPath) => assetPath switch

@@ -4,7 +4,9 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Calls of a script's own code while loading and saving: what it throws is logged, as in Unity, and the work goes on.</summary>
+/// <summary>
+/// Calls of a script's own code while loading and saving: what it throws is logged, as in Unity, and the work goes on.
+/// </summary>
 internal static class Callbacks
 {
     internal static void AfterDeserialize(object target)

@@ -59,7 +59,8 @@ internal static class ComponentReader
         renderer.enabled = record.Fields.Flag("m_Enabled", true);
         renderer.StaticBatched = record.Fields.Map("m_StaticBatchInfo").Integer("subMeshCount") > 0;
         renderer.sharedMaterials = record.Fields.References("m_Materials")
-            .Select((material, index) => (Material)links.Resolve(material, typeof(Material), record, $"m_Materials[{index}]")).ToArray();
+            .Select((material, index) =>
+                (Material)links.Resolve(material, typeof(Material), record, $"m_Materials[{index}]")).ToArray();
     }
 
     static void Fill(LODGroup group, ObjectRecord record, Links links)
@@ -69,10 +70,11 @@ internal static class ComponentReader
         group.size = fields.Number("m_Size", 1f);
         group.localReferencePoint = EngineValues.Vector(fields.Map("m_LocalReferencePoint"));
         IReadOnlyList<FieldMap> levels = fields.Maps("m_LODs");
-        group.SetLODs(levels.Select(level => new LOD(level.Number("screenRelativeHeight"), Renderers(level, record, links))
-        {
-            fadeTransitionWidth = level.Number("fadeTransitionWidth"),
-        }).ToArray());
+        group.SetLODs(levels.Select(level =>
+            new LOD(level.Number("screenRelativeHeight"), Renderers(level, record, links))
+            {
+                fadeTransitionWidth = level.Number("fadeTransitionWidth"),
+            }).ToArray());
     }
 
     static Renderer[] Renderers(FieldMap level, ObjectRecord record, Links links) => level.Maps("renderers")

@@ -20,7 +20,8 @@ internal static class ImportedAssets
         switch (Path.GetExtension(path).ToLowerInvariant())
         {
             case ".compute":
-                return WithId(ComputeShaderId, () => new ComputeShader(Path.GetFileNameWithoutExtension(path), files.Paths.Root, shown, Kernels(shown)));
+                return WithId(ComputeShaderId, () =>
+                    new ComputeShader(Path.GetFileNameWithoutExtension(path), files.Paths.Root, shown, Kernels(shown)));
             case ".txt" or ".json" or ".csv" or ".xml" or ".md" or ".bytes" or ".html" or ".htm" or ".yaml" or ".fnt":
                 byte[] bytes = AssetText.ReadBytes(files.Physical(path), shown);
                 return WithId(TextId, () => new TextAsset(bytes.AsSpan()));

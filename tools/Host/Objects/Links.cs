@@ -4,7 +4,9 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>References as one file sees them: its own objects by id, others through the assets of the project.</summary>
+/// <summary>
+/// References as one file sees them: its own objects by id, others through the assets of the project.
+/// </summary>
 internal sealed class Links : ILinks
 {
     readonly LoadedFile _file;
@@ -25,7 +27,8 @@ internal sealed class Links : ILinks
             problem = $"a {found.GetType().Name}, where a {type.Name} is needed";
         if (problem is null)
             return found;
-        _warnings.Add(holder, $"{path} refers to {problem}: the field is left empty, and what needs it may fail: assign it again");
+        _warnings.Add(holder,
+            $"{path} refers to {problem}: the field is left empty, and what needs it may fail: assign it again");
         return null;
     }
 
@@ -40,8 +43,11 @@ internal sealed class Links : ILinks
         if (reference.IsNone)
             return null;
         Object found = Find(reference, out string problem);
-        problem ??= found is null ? $"{reference}, which is no mesh" : found is not UnityEngine.Mesh ? $"a {found.GetType().Name}, which is no mesh" : null;
-        return problem is null ? (Mesh)found : throw holder.Error($"refers to {problem}: restore the file, or assign another mesh (an .asset or a built-in one)");
+        problem ??= found is null ? $"{reference}, which is no mesh"
+            : found is not UnityEngine.Mesh ? $"a {found.GetType().Name}, which is no mesh"
+            : null;
+        return problem is null ? (Mesh)found : throw holder.Error($"refers to {problem}: restore the file, "
+            + "or assign another mesh (an .asset or a built-in one)");
     }
 
     Object Find(ObjectReference reference, out string problem)

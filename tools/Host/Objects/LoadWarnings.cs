@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>What was wrong without changing what is simulated: told once for all objects that have it, when loading is done.</summary>
+/// <summary>
+/// What was wrong without changing what is simulated: told once for all objects that have it, when loading is done.
+/// </summary>
 internal sealed class LoadWarnings
 {
     readonly Dictionary<(string File, string What), List<string>> _subjects = new();

@@ -8,7 +8,10 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Makes the GameObjects of a scene or prefab: first all of them, bare, then their fields, for these refer to each other.</summary>
+/// <summary>
+/// Makes the GameObjects of a scene or prefab: first all of them, bare, then their fields,
+/// for these refer to each other.
+/// </summary>
 internal sealed class ObjectBuilder
 {
     readonly LoadedFile _file;
@@ -28,7 +31,8 @@ internal sealed class ObjectBuilder
     internal IReadOnlyList<GameObject> Build(IReadOnlyList<HierarchyNode> roots, Links links)
     {
         List<GameObject> made = new();
-        Stack<(HierarchyNode Node, Transform Parent)> open = new(roots.Reverse().Select(root => (root, (Transform)null)));
+        Stack<(HierarchyNode Node, Transform Parent)> open =
+            new(roots.Reverse().Select(root => (root, (Transform)null)));
         while (open.TryPop(out (HierarchyNode Node, Transform Parent) next))
         {
             GameObject item = Make(next.Node, next.Parent);
@@ -53,7 +57,9 @@ internal sealed class ObjectBuilder
         GameObject item = ObjectFactory.NewGameObject(fields.Text("m_Name"), _scene);
         _file.Add(node.GameObject, item);
         long layer = fields.Integer("m_Layer");
-        item.layer = layer is >= 0 and < 32 ? (int)layer : throw fields.Wrong("m_Layer", "a layer from 0 to 31", layer.ToString());
+        item.layer = layer is >= 0 and < 32
+            ? (int)layer
+            : throw fields.Wrong("m_Layer", "a layer from 0 to 31", layer.ToString());
         SetTag(item, node.GameObject);
         item.isStatic = fields.Integer("m_StaticEditorFlags") != 0;
         item.ActiveSelf = fields.Flag("m_IsActive", true);
@@ -75,8 +81,10 @@ internal sealed class ObjectBuilder
     void RequireOthers(GameObject item, ObjectRecord record)
     {
         if (_file.Find(record) is MonoBehaviour script
-            && ComponentAdder.Requirements(script.GetType()).FirstOrDefault(type => !type.IsAbstract && item.GetComponent(type) is null) is Type lacking)
-            throw new GlintException($"{record.File}: '{record.Owner}': {script.GetType().Name} needs a {lacking.Name} on the same object: add one");
+            && ComponentAdder.Requirements(script.GetType())
+                .FirstOrDefault(type => !type.IsAbstract && item.GetComponent(type) is null) is Type lacking)
+            throw new GlintException($"{record.File}: '{record.Owner}': "
+                + $"{script.GetType().Name} needs a {lacking.Name} on the same object: add one");
     }
 
     void Attach(GameObject item, Type type, ObjectRecord record) => _file.Add(record, ObjectFactory.Attach(item, type));
@@ -90,7 +98,8 @@ internal sealed class ObjectBuilder
         }
         catch (UnityException)
         {
-            _warnings.Add(record, $"has the tag '{tag}', which the project does not define: it is left untagged, add the tag to ProjectSettings/TagManager.asset");
+            _warnings.Add(record, $"has the tag '{tag}', which the project does not define: it is left untagged, "
+                + "add the tag to ProjectSettings/TagManager.asset");
         }
     }
 

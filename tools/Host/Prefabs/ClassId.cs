@@ -19,6 +19,7 @@ internal static class ClassId
 
     internal static bool IsTransform(int id) => id is Transform or RectTransform;
 
-    internal static bool IsKnown(int id) => id is GameObject or Transform or Camera or Material or MeshRenderer or MeshFilter or Mesh
+    internal static bool IsKnown(int id) =>
+        id is GameObject or Transform or Camera or Material or MeshRenderer or MeshFilter or Mesh
         or MonoBehaviour or SkinnedMeshRenderer or LodGroup or RectTransform or PrefabInstance or SceneRoots;
 }

@@ -5,7 +5,9 @@ using Glint.Core;
 
 namespace Glint.Host;
 
-/// <summary>Turns a file with prefab instances into one table of objects, as if everything had been written out in it.</summary>
+/// <summary>
+/// Turns a file with prefab instances into one table of objects, as if everything had been written out in it.
+/// </summary>
 internal sealed class Flattener
 {
     // Beyond any real prefab; deeper ones would overflow the stack.
@@ -22,11 +24,14 @@ internal sealed class Flattener
     {
         if (_open.Contains(assetPath))
         {
-            string chain = string.Join(" -> ", _open.SkipWhile(path => path != assetPath).Append(assetPath).Select(_files.Shown));
-            throw new GlintException($"{_files.Shown(assetPath)}: the prefab holds itself: {chain}: remove one of these instances");
+            string chain =
+                string.Join(" -> ", _open.SkipWhile(path => path != assetPath).Append(assetPath).Select(_files.Shown));
+            throw new GlintException($"{_files.Shown(assetPath)}: the prefab holds itself: {chain}: "
+                + "remove one of these instances");
         }
         if (_open.Count > MaxDepth)
-            throw new GlintException($"{_files.Shown(_open[0])}: its prefabs lie more than {MaxDepth} deep in each other, down to {_files.Shown(assetPath)}: flatten them");
+            throw new GlintException($"{_files.Shown(_open[0])}: its prefabs lie more than {MaxDepth} deep in each "
+                + $"other, down to {_files.Shown(assetPath)}: flatten them");
         _open.Add(assetPath);
         try
         {
@@ -47,7 +52,8 @@ internal sealed class Flattener
         // Looked through here, where objects still have the ids of their own file, for messages to name.
         IReadOnlyList<HierarchyNode> roots = Hierarchy.Read(table, isScene: false);
         if (roots.Count != 1)
-            throw new GlintException($"{table.ShownPath}: has {roots.Count} root objects, and a prefab has one: restore the file");
+            throw new GlintException($"{table.ShownPath}: has {roots.Count} root objects, "
+                + "and a prefab has one: restore the file");
         table.Root = roots[0].Transform;
         _prefabs.Add(assetPath, table);
         return table;
@@ -68,7 +74,8 @@ internal sealed class Flattener
                 table.AddSkipped(document.Id);
                 continue;
             }
-            ObjectRecord record = new(file.ShownPath, document.ClassId, document.TypeName, document.Id, document.Fields);
+            ObjectRecord record =
+                new(file.ShownPath, document.ClassId, document.TypeName, document.Id, document.Fields);
             RequiredKeys.Check(record);
             table.Add(record);
         }
@@ -105,9 +112,11 @@ internal sealed class Flattener
         if (source.IsNone || source.IsLocal)
             throw Record().Error("has no m_SourcePrefab: restore the file, or delete the instance");
         string path = _files.PathOf(source.Guid)
-            ?? throw Record().Error($"refers to the prefab with guid {source.Guid}, which no .meta in the project has: restore the prefab, or delete the instance");
+            ?? throw Record().Error($"refers to the prefab with guid {source.Guid}, which no .meta in the project has: "
+                + "restore the prefab, or delete the instance");
         if (!path.EndsWith(".prefab", StringComparison.OrdinalIgnoreCase))
-            throw Record().Error($"is an instance of {_files.Shown(path)}, a model, which only Unity reads: make it a prefab with Mesh assets");
+            throw Record().Error($"is an instance of {_files.Shown(path)}, a model, which only Unity reads: "
+                + "make it a prefab with Mesh assets");
         return Prefab(path);
     }
 

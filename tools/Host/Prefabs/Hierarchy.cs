@@ -4,7 +4,10 @@ using Glint.Core;
 
 namespace Glint.Host;
 
-/// <summary>Puts the objects of a table together: components to their GameObjects, children to their parents, all in Unity's order.</summary>
+/// <summary>
+/// Puts the objects of a table together: components to their GameObjects,
+/// children to their parents, all in Unity's order.
+/// </summary>
 internal sealed class Hierarchy
 {
     // Beyond any real scene; deeper ones would overflow the stack of whoever walks them.
@@ -24,13 +27,15 @@ internal sealed class Hierarchy
         Hierarchy hierarchy = new(table);
         foreach (ObjectRecord record in table.Records.Where(record => record.ClassId == ClassId.GameObject))
             hierarchy._nodes.Add(hierarchy.ReadNode(record));
-        if (table.Records.FirstOrDefault(record => record.IsTransform && !hierarchy._owners.ContainsKey(record)) is ObjectRecord loose)
+        if (table.Records.FirstOrDefault(record => record.IsTransform
+            && !hierarchy._owners.ContainsKey(record)) is ObjectRecord loose)
             throw loose.Error("belongs to no GameObject: restore the file");
         foreach (HierarchyNode node in hierarchy._nodes)
             node.Parent = hierarchy.ParentOf(node);
         foreach (HierarchyNode node in hierarchy._nodes)
             hierarchy.ListChildren(node);
-        foreach (HierarchyNode node in hierarchy._nodes.Where(node => node.Parent is not null && !hierarchy._listed.Contains(node)))
+        foreach (HierarchyNode node in hierarchy._nodes.Where(node => node.Parent is not null
+            && !hierarchy._listed.Contains(node)))
             node.Parent.Children.Add(node);
         IReadOnlyList<HierarchyNode> roots = hierarchy.Roots(isScene);
         hierarchy.NameOwners(roots);
@@ -49,7 +54,8 @@ internal sealed class Hierarchy
                 continue;
             ObjectRecord component = Require(gameObject, reference, "a component");
             if (!_owners.TryAdd(component, node))
-                throw gameObject.Flaw($"{component.TypeName} &{component.Id} is a component of two objects: restore the file");
+                throw gameObject.Flaw($"{component.TypeName} &{component.Id} is a component of two "
+                    + "objects: restore the file");
             if (!component.IsTransform)
                 node.Components.Add(component);
             else if (node.Transform is null)
@@ -67,16 +73,19 @@ internal sealed class Hierarchy
             return null;
         ObjectRecord parent = Require(node.GameObject, father, "a parent");
         return parent.IsTransform && _owners.TryGetValue(parent, out HierarchyNode owner)
-            ? owner : throw node.GameObject.Flaw($"its parent &{father.FileId} is no Transform of an object: restore the file");
+            ? owner : throw node.GameObject.Flaw($"its parent &{father.FileId} is no Transform of an "
+                + "object: restore the file");
     }
 
     void ListChildren(HierarchyNode node)
     {
-        foreach (ObjectReference reference in node.Transform.Fields.References("m_Children").Where(reference => !reference.IsNone))
+        foreach (ObjectReference reference in node.Transform.Fields.References("m_Children")
+            .Where(reference => !reference.IsNone))
         {
             ObjectRecord record = Require(node.GameObject, reference, "a child");
             if (!_owners.TryGetValue(record, out HierarchyNode child) || child.Parent != node)
-                throw node.GameObject.Error($"lists &{reference.FileId} as a child, which has another parent: restore the file");
+                throw node.GameObject.Error($"lists &{reference.FileId} as a child, "
+                    + "which has another parent: restore the file");
             if (_listed.Add(child))
                 node.Children.Add(child);
         }
@@ -88,19 +97,22 @@ internal sealed class Hierarchy
         if (!isScene)
             return roots.ToList();
         if (_table.Records.FirstOrDefault(record => record.ClassId == ClassId.SceneRoots) is ObjectRecord list)
-            return list.Fields.References("m_Roots").Select(root => ListedRoot(list, root)).Where(node => node.Parent is null)
+            return list.Fields.References("m_Roots").Select(root => ListedRoot(list, root))
+                .Where(node => node.Parent is null)
                 .Concat(roots).Distinct().ToList();
 
         // Before SceneRoots, which a scene ends with, each Transform had its place among its siblings.
         const string Order = "m_RootOrder";
         if (_nodes.Any(node => !node.Transform.Fields.Has(Order)) || _nodes.Count == 0)
-            throw new GlintException($"{_table.ShownPath}: ends without SceneRoots, it has been cut short: restore the file");
+            throw new GlintException($"{_table.ShownPath}: ends without SceneRoots, "
+                + "it has been cut short: restore the file");
         return roots.OrderBy(node => node.Transform.Fields.Integer(Order)).ToList();
     }
 
     HierarchyNode ListedRoot(ObjectRecord list, ObjectReference reference) =>
         _table.FindRoot(reference.FileId) is ObjectRecord record && _owners.TryGetValue(record, out HierarchyNode node)
-            ? node : throw list.Error($"refers to object &{reference.FileId}, which is not in the file: restore the file");
+            ? node : throw list.Error($"refers to object &{reference.FileId}, "
+                + "which is not in the file: restore the file");
 
     ObjectRecord Require(ObjectRecord holder, ObjectReference reference, string role) => _table.Find(reference.FileId)
         ?? throw holder.Error($"has {role} &{reference.FileId}, which is not in the file: restore the file");
@@ -115,7 +127,8 @@ internal sealed class Hierarchy
             reached++;
             string path = next.Path + next.Node.GameObject.Fields.Text("m_Name");
             if (next.Depth > MaxDepth)
-                throw next.Node.GameObject.Error($"lies more than {MaxDepth} objects deep in the hierarchy: flatten it");
+                throw next.Node.GameObject.Error($"lies more than {MaxDepth} objects deep in the "
+                    + "hierarchy: flatten it");
             next.Node.Transform.Owner = path;
             foreach (ObjectRecord component in next.Node.Components)
                 component.Owner = path;
@@ -123,6 +136,7 @@ internal sealed class Hierarchy
                 open.Push((child, path + "/", next.Depth + 1));
         }
         if (reached < _nodes.Count)
-            throw _nodes.First(node => node.Transform.Owner is null).GameObject.Error("is its own ancestor, or below one that is: restore the file");
+            throw _nodes.First(node => node.Transform.Owner is null)
+                .GameObject.Error("is its own ancestor, or below one that is: restore the file");
     }
 }

@@ -4,7 +4,9 @@ using YamlDotNet.RepresentationModel;
 
 namespace Glint.Host;
 
-/// <summary>One object of a scene, prefab or asset, prefab instances resolved, before anything of the engine is made of it.</summary>
+/// <summary>
+/// One object of a scene, prefab or asset, prefab instances resolved, before anything of the engine is made of it.
+/// </summary>
 internal sealed class ObjectRecord
 {
     /// <param name="file">Path for messages of the file in which the object is written.</param>
@@ -46,7 +48,9 @@ internal sealed class ObjectRecord
         }
     }
 
-    /// <param name="predicate">What the object does or lacks, and what to do: "has two Transforms: restore the file".</param>
+    /// <param name="predicate">
+    /// What the object does or lacks, and what to do: "has two Transforms: restore the file".
+    /// </param>
     internal GlintException Error(string predicate) => new($"{File}: {Subject} {predicate}");
 
     /// <param name="clause">What is wrong within the object, and what to do: "m_Layer must be a number".</param>

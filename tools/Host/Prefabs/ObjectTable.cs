@@ -7,7 +7,8 @@ namespace Glint.Host;
 /// <summary>The objects of one file by id, those of its prefab instances among them.</summary>
 internal sealed class ObjectTable
 {
-    // Prefabs of prefabs, each twice in the next, are small as files and without end in memory. An object weighs as much as so many values.
+    // Prefabs of prefabs, each twice in the next, are small as files and without end in memory.
+    // An object weighs as much as so many values.
     const long MostValues = 20_000_000, ObjectWeight = 50;
 
     readonly Dictionary<long, ObjectRecord> _byId = new();
@@ -36,7 +37,8 @@ internal sealed class ObjectTable
     internal IReadOnlyList<ObjectRecord> Records => _records;
 
     /// <summary>What a copy of all objects takes of memory, in values.</summary>
-    internal long CopySize => _copySize > 0 ? _copySize : _copySize = _records.Sum(record => ObjectWeight + record.Fields.Node.CopySize());
+    internal long CopySize =>
+        _copySize > 0 ? _copySize : _copySize = _records.Sum(record => ObjectWeight + record.Fields.Node.CopySize());
 
     /// <summary>Ids of the objects of classes that the loader does not know.</summary>
     internal IReadOnlyCollection<long> Skipped => _skipped;
@@ -77,7 +79,8 @@ internal sealed class ObjectTable
     {
         _values += values;
         if (_values > MostValues)
-            throw new GlintException($"{ShownPath}: its prefab instances, with those in the prefabs, hold more than {MostValues} values: remove some");
+            throw new GlintException($"{ShownPath}: its prefab instances, with those in the prefabs, "
+                + $"hold more than {MostValues} values: remove some");
     }
 
     /// <summary>A further id of an object, where no other has it.</summary>
@@ -93,7 +96,9 @@ internal sealed class ObjectTable
             _byId.Remove(id);
     }
 
-    /// <summary>What a reference from outside names: an object by its id here, or by its id in a prefab nested in this one.</summary>
+    /// <summary>
+    /// What a reference from outside names: an object by its id here, or by its id in a prefab nested in this one.
+    /// </summary>
     internal ObjectRecord Resolve(ObjectReference reference)
     {
         if (reference.IsLocal || reference.Guid == Guid)

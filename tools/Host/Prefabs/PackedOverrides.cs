@@ -6,8 +6,8 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// An array written as one hexadecimal text, with the overrides of its size and elements still to be applied, in order: that takes
-/// the width of an element, which is known when the array is read into its field.
+/// An array written as one hexadecimal text, with the overrides of its size and elements still to be applied, in order:
+/// that takes the width of an element, which is known when the array is read into its field.
 /// </summary>
 internal static class PackedOverrides
 {
@@ -27,16 +27,19 @@ internal static class PackedOverrides
     /// <summary>Null when the file itself has such a key, with something else.</summary>
     internal static string Hex(YamlMappingNode packed) => (packed.Child(HexKey) as YamlScalarNode)?.Value;
 
-    internal static void AddSize(YamlMappingNode packed, int size) => Add(packed, SizeKey, size.ToString(CultureInfo.InvariantCulture));
+    internal static void AddSize(YamlMappingNode packed, int size) =>
+        Add(packed, SizeKey, size.ToString(CultureInfo.InvariantCulture));
 
-    internal static void AddElement(YamlMappingNode packed, int index, string value) => Add(packed, index.ToString(CultureInfo.InvariantCulture), value);
+    internal static void AddElement(YamlMappingNode packed, int index, string value) =>
+        Add(packed, index.ToString(CultureInfo.InvariantCulture), value);
 
     /// <summary>Index and value of each override; index -1 is the array's size.</summary>
     internal static IEnumerable<(int Index, string Value)> Edits(YamlMappingNode packed) =>
         from edit in packed.Items(EditsKey).OfType<YamlSequenceNode>()
         where edit.Children.Count == 2 && edit.Children.All(part => part is YamlScalarNode)
         let key = ((YamlScalarNode)edit.Children[0]).Value
-        select (int.TryParse(key, NumberStyles.None, CultureInfo.InvariantCulture, out int index) ? index : -1, ((YamlScalarNode)edit.Children[1]).Value);
+        select (int.TryParse(key, NumberStyles.None, CultureInfo.InvariantCulture, out int index) ? index : -1,
+            ((YamlScalarNode)edit.Children[1]).Value);
 
     static void Add(YamlMappingNode packed, string key, string value) =>
         packed.ListAt(EditsKey).Add(new YamlSequenceNode(new YamlScalarNode(key), new YamlScalarNode(value)));

@@ -5,7 +5,9 @@ using YamlDotNet.RepresentationModel;
 
 namespace Glint.Host;
 
-/// <summary>One PrefabInstance document: copies the prefab's objects into a table, under new ids, and changes them as it says.</summary>
+/// <summary>
+/// One PrefabInstance document: copies the prefab's objects into a table, under new ids, and changes them as it says.
+/// </summary>
 internal sealed class PrefabInstance
 {
     const long PositiveMask = long.MaxValue;
@@ -18,7 +20,8 @@ internal sealed class PrefabInstance
     readonly Dictionary<ObjectRecord, ObjectRecord> _copies = new();
 
     /// <param name="standIns">Ids of the stripped documents, and which object of the prefab each stands for.</param>
-    internal PrefabInstance(long id, FieldMap fields, ObjectTable source, IEnumerable<(long Id, ObjectReference Source)> standIns)
+    internal PrefabInstance(long id, FieldMap fields, ObjectTable source,
+        IEnumerable<(long Id, ObjectReference Source)> standIns)
     {
         _id = id;
         _modification = fields.Map("m_Modification");
@@ -50,10 +53,11 @@ internal sealed class PrefabInstance
         long Rename(long id) => _source.Find(id) is ObjectRecord original ? ids[original] : OutsideId(id);
         foreach (ObjectRecord original in _source.Records)
         {
-            ObjectRecord copy = new(original.File, original.ClassId, original.TypeName, ids[original], original.Fields.Node.CloneFields(Rename))
-            {
-                Origins = [.. original.Origins, new ObjectReference(original.Id, _source.Guid)],
-            };
+            ObjectRecord copy = new(original.File, original.ClassId, original.TypeName, ids[original],
+                original.Fields.Node.CloneFields(Rename))
+                {
+                    Origins = [.. original.Origins, new ObjectReference(original.Id, _source.Guid)],
+                };
             table.Add(copy);
             _copies.Add(original, copy);
         }
@@ -86,10 +90,13 @@ internal sealed class PrefabInstance
     }
 
     /// <summary>Copies that the instance does without; <see cref="Removal"/> takes them away.</summary>
-    internal IEnumerable<ObjectRecord> Removed() => _modification.References("m_RemovedComponents").Concat(_modification.References("m_RemovedGameObjects"))
+    internal IEnumerable<ObjectRecord> Removed() => _modification.References("m_RemovedComponents")
+        .Concat(_modification.References("m_RemovedGameObjects"))
         .Select(Copy).Where(record => record is not null);
 
-    /// <summary>How the next file outside names an object of the prefab, where no stripped document gives it an id.</summary>
+    /// <summary>
+    /// How the next file outside names an object of the prefab, where no stripped document gives it an id.
+    /// </summary>
     long OutsideId(long id) => (_id ^ id) & PositiveMask;
 
     long NewId(ObjectRecord original, ObjectTable table, HashSet<long> taken)
@@ -100,7 +107,8 @@ internal sealed class PrefabInstance
         return id;
     }
 
-    ObjectRecord Copy(ObjectReference target) => _source.Resolve(target) is ObjectRecord original ? _copies[original] : null;
+    ObjectRecord Copy(ObjectReference target) =>
+        _source.Resolve(target) is ObjectRecord original ? _copies[original] : null;
 
     void SetParent(ObjectTable table)
     {
@@ -113,7 +121,8 @@ internal sealed class PrefabInstance
             return;
         }
         ObjectRecord father = table.Find(parent.FileId)
-            ?? throw new GlintException($"{table.ShownPath}: PrefabInstance &{_id} lies under object &{parent.FileId}, which is not in the file: restore the file");
+            ?? throw new GlintException($"{table.ShownPath}: PrefabInstance &{_id} lies under object &{parent.FileId}, "
+                + "which is not in the file: restore the file");
         // Behind the others, if it is not among them: a child that is listed twice stands where it is listed first.
         YamlNode children = father.Fields.Node.Child("m_Children");
         if (children.IsEmpty() || children is YamlSequenceNode)

@@ -3,7 +3,9 @@ using YamlDotNet.RepresentationModel;
 
 namespace Glint.Host;
 
-/// <summary>One line of a prefab instance's m_Modifications: a value, or a reference, put at a property path of an object.</summary>
+/// <summary>
+/// One line of a prefab instance's m_Modifications: a value, or a reference, put at a property path of an object.
+/// </summary>
 internal sealed class PropertyOverride
 {
     // Far beyond what anybody overrides by hand; a damaged file must not fill the memory.
@@ -24,7 +26,8 @@ internal sealed class PropertyOverride
         _value = source.Text("value");
         _reference = source.Reference("objectReference");
         string path = source.Text("propertyPath");
-        _steps = PropertyStep.Parse(path) ?? throw source.Wrong("propertyPath", "a path such as 'list.Array.data[0].x'", path);
+        _steps = PropertyStep.Parse(path)
+            ?? throw source.Wrong("propertyPath", "a path such as 'list.Array.data[0].x'", path);
     }
 
     /// <summary>The object, as the prefab names it.</summary>
@@ -32,7 +35,8 @@ internal sealed class PropertyOverride
 
     internal void ApplyTo(ObjectRecord record) => Apply(record.Fields.Node, 0);
 
-    // Returns what takes the node's place. Where the node is of a kind that the path does not fit it stays, as Unity drops such overrides.
+    // Returns what takes the node's place. Where the node is of a kind that the path does not fit it stays,
+    // as Unity drops such overrides.
     YamlNode Apply(YamlNode node, int at)
     {
         if (at == _steps.Count)

@@ -4,7 +4,9 @@ using System.Globalization;
 
 namespace Glint.Host;
 
-/// <summary>A step of a property path such as <c>list.Array.data[0].x</c>: a name, the size of an array, or an index into it.</summary>
+/// <summary>
+/// A step of a property path such as <c>list.Array.data[0].x</c>: a name, the size of an array, or an index into it.
+/// </summary>
 internal readonly record struct PropertyStep(string Name, int Index)
 {
     const int SizeMark = -1;
@@ -40,7 +42,8 @@ internal readonly record struct PropertyStep(string Name, int Index)
             if (next == "size")
                 steps.Add(Size);
             else if (next.StartsWith(DataStart, StringComparison.Ordinal) && next.EndsWith(']')
-                && int.TryParse(next.AsSpan(DataStart.Length, next.Length - DataStart.Length - 1), NumberStyles.None, CultureInfo.InvariantCulture, out int index))
+                && int.TryParse(next.AsSpan(DataStart.Length, next.Length - DataStart.Length - 1), NumberStyles.None,
+                    CultureInfo.InvariantCulture, out int index))
                 steps.Add(new PropertyStep(null, index));
             else
                 return null;

@@ -5,7 +5,9 @@ using YamlDotNet.RepresentationModel;
 
 namespace Glint.Host;
 
-/// <summary>Takes objects out of a table: with a GameObject its components and what lies below it, and the places in lists.</summary>
+/// <summary>
+/// Takes objects out of a table: with a GameObject its components and what lies below it, and the places in lists.
+/// </summary>
 internal sealed class Removal
 {
     readonly ObjectTable _table;

@@ -4,8 +4,8 @@ using Glint.Core;
 namespace Glint.Host;
 
 /// <summary>
-/// Keys that Unity writes in every object of a class. A file that was cut short loses them, and with their defaults it would load
-/// as another, smaller scene.
+/// Keys that Unity writes in every object of a class. A file that was cut short loses them,
+/// and with their defaults it would load as another, smaller scene.
 /// </summary>
 internal static class RequiredKeys
 {
@@ -19,7 +19,8 @@ internal static class RequiredKeys
     static string[] Of(int classId) => classId switch
     {
         ClassId.GameObject => ["m_Component", "m_IsActive"],
-        ClassId.Transform or ClassId.RectTransform => ["m_GameObject", "m_LocalRotation", "m_LocalPosition", "m_LocalScale", "m_Children", "m_Father"],
+        ClassId.Transform or ClassId.RectTransform =>
+            ["m_GameObject", "m_LocalRotation", "m_LocalPosition", "m_LocalScale", "m_Children", "m_Father"],
         ClassId.MeshFilter => ["m_Mesh"],
         ClassId.MeshRenderer => ["m_Enabled"],
         ClassId.LodGroup => ["m_LODs", "m_Enabled"],

@@ -5,20 +5,27 @@ using YamlDotNet.RepresentationModel;
 
 namespace Glint.Host;
 
-/// <summary>Structs of the engine and of Unity.Mathematics. Most are written by the names of their fields, some by names of their own.</summary>
+/// <summary>
+/// Structs of the engine and of Unity.Mathematics. Most are written by the names of their fields,
+/// some by names of their own.
+/// </summary>
 internal static class EngineValues
 {
     const BindingFlags AnyInstance = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
 
-    /// <param name="current">What the field holds so far, of its type; keys that are absent leave their part of it.</param>
-    internal static object Read(FieldMap fields, object current, Func<YamlNode, Type, object, string, object> readMember) => current switch
-    {
-        LayerMask mask => (LayerMask)fields.Bits("m_Bits", mask),
-        Rect rect => Rect(fields, rect),
-        Bounds box => new Bounds(Vector(fields.Map("m_Center"), box.center), Vector(fields.Map("m_Extent"), box.extents) * 2f),
-        Color32 colour => fields.Has("rgba") ? Color32(fields.Bits("rgba", 0)) : colour,
-        _ => ByName(fields, current, readMember),
-    };
+    /// <param name="current">
+    /// What the field holds so far, of its type; keys that are absent leave their part of it.
+    /// </param>
+    internal static object Read(FieldMap fields, object current,
+        Func<YamlNode, Type, object, string, object> readMember) => current switch
+        {
+            LayerMask mask => (LayerMask)fields.Bits("m_Bits", mask),
+            Rect rect => Rect(fields, rect),
+            Bounds box => new Bounds(Vector(fields.Map("m_Center"), box.center),
+                Vector(fields.Map("m_Extent"), box.extents) * 2f),
+            Color32 colour => fields.Has("rgba") ? Color32(fields.Bits("rgba", 0)) : colour,
+            _ => ByName(fields, current, readMember),
+        };
 
     internal static Vector3 Vector(FieldMap fields, Vector3 absent = default) =>
         new(fields.Number("x", absent.x), fields.Number("y", absent.y), fields.Number("z", absent.z));
@@ -27,7 +34,8 @@ internal static class EngineValues
         new(fields.Number("x"), fields.Number("y"), fields.Number("z"), fields.Number("w", 1f));
 
     internal static Rect Rect(FieldMap fields, Rect absent) =>
-        new(fields.Number("x", absent.x), fields.Number("y", absent.y), fields.Number("width", absent.width), fields.Number("height", absent.height));
+        new(fields.Number("x", absent.x), fields.Number("y", absent.y), fields.Number("width", absent.width),
+            fields.Number("height", absent.height));
 
     static Color32 Color32(int rgba) => new((byte)rgba, (byte)(rgba >> 8), (byte)(rgba >> 16), (byte)(rgba >> 24));
 
@@ -40,12 +48,14 @@ internal static class EngineValues
                 continue;
             if (type.GetField(MemberName(type, key), AnyInstance) is FieldInfo { IsInitOnly: false } field)
                 field.SetValue(value, readMember(node, field.FieldType, field.GetValue(value), key));
-            else if (type.GetProperty(key, AnyInstance, null, null, Type.EmptyTypes, null) is { CanRead: true, CanWrite: true } property)
+            else if (type.GetProperty(key, AnyInstance, null, null, Type.EmptyTypes,
+                null) is { CanRead: true, CanWrite: true } property)
                 property.SetValue(value, readMember(node, property.PropertyType, property.GetValue(value), key));
         }
         return value;
     }
 
     // e12 is row 1, column 2.
-    static string MemberName(Type type, string key) => type == typeof(Matrix4x4) && key[0] == 'e' ? "m" + key[1..] : key;
+    static string MemberName(Type type, string key) =>
+        type == typeof(Matrix4x4) && key[0] == 'e' ? "m" + key[1..] : key;
 }

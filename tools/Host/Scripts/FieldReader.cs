@@ -11,8 +11,8 @@ using Object = UnityEngine.Object;
 namespace Glint.Host;
 
 /// <summary>
-/// Fills the serialized fields of a script from its text, by Unity's rules: an absent key leaves the initialiser's value, and no
-/// text, list or serializable class stays null.
+/// Fills the serialized fields of a script from its text, by Unity's rules:
+/// an absent key leaves the initialiser's value, and no text, list or serializable class stays null.
 /// </summary>
 internal sealed class FieldReader
 {
@@ -39,7 +39,8 @@ internal sealed class FieldReader
             if (SerializedFields.IsByReference(field))
             {
                 if (key is not null)
-                    throw _record.Flaw($"{path}{key} is a [SerializeReference] field, which is not read outside of Unity: give it a serializable class by value");
+                    throw _record.Flaw($"{path}{key} is a [SerializeReference] field, "
+                        + "which is not read outside of Unity: give it a serializable class by value");
                 continue;
             }
             object current = field.GetValue(target);
@@ -67,7 +68,8 @@ internal sealed class FieldReader
             return node.IsEmpty() ? NeverNull(current, type, depth) : throw Wrong(path, "a mapping", node);
         FieldMap fields = new(_record, map, path + ".");
         if (SerializedFields.IsPlain(type))
-            return EngineValues.Read(fields, current ?? Activator.CreateInstance(type), (child, childType, old, key) => Value(child, childType, old, $"{path}.{key}", depth));
+            return EngineValues.Read(fields, current ?? Activator.CreateInstance(type),
+                (child, childType, old, key) => Value(child, childType, old, $"{path}.{key}", depth));
         if (depth >= MaxDepth)
             return current;
         object value = current ?? Activator.CreateInstance(type, true);
@@ -93,7 +95,8 @@ internal sealed class FieldReader
         int width = PackedArray.Width(element);
         if (width == 0 || !(node is YamlScalarNode || PackedOverrides.IsOne(node)))
             throw Wrong(path, "a list", node);
-        List<Int128> values = PackedArray.Decode(node, element) ?? throw Wrong(path, $"a text of {width}-byte hexadecimal numbers", node);
+        List<Int128> values = PackedArray.Decode(node, element)
+            ?? throw Wrong(path, $"a text of {width}-byte hexadecimal numbers", node);
         return values.Select((value, index) => Whole(value, element, $"{path}[{index}]")).ToList();
     }
 
@@ -125,14 +128,17 @@ internal sealed class FieldReader
             return Scalars.TryNumber(text, out float single) ? single : throw Wrong(path, "a number", node);
         if (type == typeof(double))
             return Scalars.TryNumber(text, out double number) ? number : throw Wrong(path, "a number", node);
-        return Scalars.TryInteger(text, out Int128 value) ? Whole(value, type, path) : throw Wrong(path, "a whole number", node);
+        return Scalars.TryInteger(text, out Int128 value)
+            ? Whole(value, type, path)
+            : throw Wrong(path, "a whole number", node);
     }
 
     object Whole(Int128 value, Type type, string path)
     {
         (Int128 least, Int128 most) = WholeNumbers.Range(type);
         return value >= least && value <= most
-            ? WholeNumbers.Make(value, type) : throw Wrong(path, $"a whole number from {least} to {most}", new YamlScalarNode(value.ToString()));
+            ? WholeNumbers.Make(value, type) : throw Wrong(path, $"a whole number from {least} to {most}",
+                new YamlScalarNode(value.ToString()));
     }
 
     object NeverNull(object current, Type type, int depth)
@@ -151,5 +157,6 @@ internal sealed class FieldReader
     }
 
     GlintException Wrong(string path, string expected, YamlNode node) =>
-        new FieldMap(_record, new YamlMappingNode()).Wrong(path, expected, node is YamlScalarNode scalar ? scalar.Value : node.ToString());
+        new FieldMap(_record, new YamlMappingNode())
+            .Wrong(path, expected, node is YamlScalarNode scalar ? scalar.Value : node.ToString());
 }

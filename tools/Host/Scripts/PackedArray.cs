@@ -26,18 +26,24 @@ internal static class PackedArray
         };
     }
 
-    /// <summary>Null when the text is none of such bytes, or holds no whole number of elements. What overrides put in is as it was written.</summary>
+    /// <summary>
+    /// Null when the text is none of such bytes, or holds no whole number of elements.
+    /// What overrides put in is as it was written.
+    /// </summary>
     internal static List<Int128> Decode(YamlNode node, Type element)
     {
         int width = Width(element);
-        string hex = PackedOverrides.IsOne(node) ? PackedOverrides.Hex((YamlMappingNode)node) : ((YamlScalarNode)node).Value ?? "";
+        string hex = PackedOverrides.IsOne(node)
+            ? PackedOverrides.Hex((YamlMappingNode)node)
+            : ((YamlScalarNode)node).Value ?? "";
         if (hex is null || hex.Length % (2 * width) != 0 || !hex.All(char.IsAsciiHexDigit))
             return null;
         byte[] bytes = Convert.FromHexString(hex);
         List<Int128> values = new(bytes.Length / width);
         for (int start = 0; start < bytes.Length; start += width)
             values.Add(Element(bytes.AsSpan(start, width), Type.GetTypeCode(element)));
-        return !PackedOverrides.IsOne(node) || Apply(PackedOverrides.Edits((YamlMappingNode)node), values) ? values : null;
+        return !PackedOverrides.IsOne(node)
+            || Apply(PackedOverrides.Edits((YamlMappingNode)node), values) ? values : null;
     }
 
     /// <summary>The hexadecimal bytes of a list, which may be null.</summary>
@@ -79,7 +85,8 @@ internal static class PackedArray
     {
         foreach ((int index, string text) in edits)
         {
-            if (!Scalars.TryInteger(text, out Int128 value) || index < 0 && (value < 0 || value > PropertyOverride.LargestArray))
+            if (!Scalars.TryInteger(text, out Int128 value)
+                || index < 0 && (value < 0 || value > PropertyOverride.LargestArray))
                 return false;
             if (index < 0)
                 Resize(values, (int)value);

@@ -8,7 +8,9 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>Finds the class of a script by the guid of its .cs file: named as the file, in the assembly of the nearest .asmdef.</summary>
+/// <summary>
+/// Finds the class of a script by the guid of its .cs file: named as the file, in the assembly of the nearest .asmdef.
+/// </summary>
 internal sealed partial class ScriptCatalog
 {
     readonly ProjectFiles _files;
@@ -22,7 +24,10 @@ internal sealed partial class ScriptCatalog
         _assemblies = new AssemblyDefinitions(files);
     }
 
-    /// <summary>The class of a script's object, by whose name messages then call it; null, with a warning, when it cannot be had.</summary>
+    /// <summary>
+    /// The class of a script's object, by whose name messages then call it;
+    /// null, with a warning, when it cannot be had.
+    /// </summary>
     internal Type Find(ObjectRecord record, Type kind, LoadWarnings warnings)
     {
         ObjectReference script = record.Fields.Reference("m_Script");
@@ -30,7 +35,8 @@ internal sealed partial class ScriptCatalog
         if (type is not null && !kind.IsAssignableFrom(type))
             (type, problem) = (null, $"its script {type.Name} is no {kind.Name}");
         if (type is null)
-            warnings.Add(record, $"{problem}: it is left out, and anything it did is missing: restore its script or remove it");
+            warnings.Add(record,
+                $"{problem}: it is left out, and anything it did is missing: restore its script or remove it");
         else
             record.TypeName = type.Name;
         return type;
@@ -44,7 +50,8 @@ internal sealed partial class ScriptCatalog
             return guid;
         guid = _files.Guids.Paths.Where(path => Path.GetFileName(path) == type.Name + ".cs" && _files.Exists(path))
             .Select(_files.Guids.GuidOf).FirstOrDefault(found => Find(found).Type == type)
-            ?? throw new UnityException($"the script {type.FullName} is in no file {type.Name}.cs of the project: give the class a file of its own, named as it");
+            ?? throw new UnityException($"the script {type.FullName} is in no file {type.Name}.cs of the project: "
+                + "give the class a file of its own, named as it");
         _guids.Add(type, guid);
         return guid;
     }
@@ -71,7 +78,8 @@ internal sealed partial class ScriptCatalog
             types.RemoveAll(type => !source.Contains($"namespace {type.Namespace}", StringComparison.Ordinal));
         }
         if (types.Count == 0)
-            return (null, $"{shown} has no class {name} that {assemblyName} holds as a MonoBehaviour or ScriptableObject");
+            return (null,
+                $"{shown} has no class {name} that {assemblyName} holds as a MonoBehaviour or ScriptableObject");
         SetOrder(types[0], path);
         return (types[0], null);
     }
@@ -81,7 +89,8 @@ internal sealed partial class ScriptCatalog
 
     static Assembly Load(string name)
     {
-        Assembly loaded = AppDomain.CurrentDomain.GetAssemblies().FirstOrDefault(assembly => assembly.GetName().Name == name);
+        Assembly loaded = AppDomain.CurrentDomain.GetAssemblies()
+            .FirstOrDefault(assembly => assembly.GetName().Name == name);
         if (loaded is not null)
             return loaded;
         try

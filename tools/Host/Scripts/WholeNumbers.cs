@@ -2,11 +2,16 @@ using System;
 
 namespace Glint.Host;
 
-/// <summary>Whole numbers of the C# types that a script's field may have: their range, and a number as an object of the type.</summary>
+/// <summary>
+/// Whole numbers of the C# types that a script's field may have: their range, and a number as an object of the type.
+/// </summary>
 internal static class WholeNumbers
 {
-    /// <summary>What a field may hold; Unity has written flags of 32 bits both as signed and as unsigned numbers.</summary>
-    internal static (Int128 Least, Int128 Most) Range(Type type) => type.IsEnum && PackedArray.Width(type) == sizeof(int)
+    /// <summary>
+    /// What a field may hold; Unity has written flags of 32 bits both as signed and as unsigned numbers.
+    /// </summary>
+    internal static (Int128 Least, Int128 Most) Range(Type type) => type.IsEnum
+        && PackedArray.Width(type) == sizeof(int)
         ? (int.MinValue, uint.MaxValue)
         : Type.GetTypeCode(type) switch
         {

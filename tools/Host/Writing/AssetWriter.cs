@@ -34,7 +34,8 @@ internal sealed class AssetWriter
     {
         Mesh => (ClassId.Mesh, MeshFileId),
         ScriptableObject => (ClassId.MonoBehaviour, ScriptFileId),
-        _ => throw new UnityException($"the {asset.GetType().Name} '{asset.name}' is not written outside of Unity: only meshes, ScriptableObjects and prefabs are"),
+        _ => throw new UnityException($"the {asset.GetType().Name} '{asset.name}' is not written outside of Unity: "
+            + "only meshes, ScriptableObjects and prefabs are"),
     };
 
     internal void WriteAsset(Object asset, string path)
@@ -103,12 +104,15 @@ internal sealed class AssetWriter
     string Place(string path)
     {
         string[] parts = (path ?? "").Split('/');
-        bool isBelowRoot = parts[0] == "Assets" && parts.Length > 1 || parts[0] == "Packages" && parts.Length > 2 && _files.Paths.Packages.ContainsKey(parts[1]);
+        bool isBelowRoot = parts[0] == "Assets" && parts.Length > 1
+            || parts[0] == "Packages" && parts.Length > 2 && _files.Paths.Packages.ContainsKey(parts[1]);
         if (!isBelowRoot || parts.Any(part => part is "" or "." or ".." || part.Contains('\\')))
-            throw new UnityException($"'{path}': no place for an asset: give a path below Assets, or below Packages and the name of an embedded or local package");
+            throw new UnityException($"'{path}': no place for an asset: give a path below Assets, "
+                + "or below Packages and the name of an embedded or local package");
         string folder = path[..path.LastIndexOf('/')];
         if (!Directory.Exists(_files.Physical(folder)))
-            throw new UnityException($"{path}: its folder is not there: make {folder} first (AssetDatabase.CreateFolder)");
+            throw new UnityException($"{path}: its folder is not there: "
+                + $"make {folder} first (AssetDatabase.CreateFolder)");
         foreach (string above in FoldersAbove(parts))
             WriteMeta(above, MetaText.OfFolder);
         return _files.Physical(path);

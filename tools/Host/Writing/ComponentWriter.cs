@@ -5,7 +5,10 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Writes GameObjects and their components with all the keys that Unity 6000.0 has, those that nothing here knows with Unity's defaults.</summary>
+/// <summary>
+/// Writes GameObjects and their components with all the keys that Unity 6000.0 has,
+/// those that nothing here knows with Unity's defaults.
+/// </summary>
 internal sealed class ComponentWriter
 {
     // All of the editor's static flags: GameObject.isStatic knows them only together.
@@ -16,7 +19,8 @@ internal sealed class ComponentWriter
     readonly IReadOnlyDictionary<Object, long> _ids;
     readonly ScriptCatalog _scripts;
 
-    internal ComponentWriter(YamlWriter yaml, ReferenceText references, IReadOnlyDictionary<Object, long> ids, ScriptCatalog scripts)
+    internal ComponentWriter(YamlWriter yaml, ReferenceText references,
+        IReadOnlyDictionary<Object, long> ids, ScriptCatalog scripts)
     {
         _yaml = yaml;
         _references = references;
@@ -29,7 +33,8 @@ internal sealed class ComponentWriter
     {
         Begin(item, ClassId.GameObject, "GameObject");
         _yaml.Field("serializedVersion", 6);
-        _yaml.List("m_Component", item.Components.Count, index => _yaml.Field("component", Own(item.Components[index])));
+        _yaml.List("m_Component", item.Components.Count,
+            index => _yaml.Field("component", Own(item.Components[index])));
         _yaml.Field("m_Layer", item.layer);
         _yaml.Field("m_Name", ScalarText.Of(name));
         _yaml.Field("m_TagString", ScalarText.Of(item.tag));
@@ -66,7 +71,8 @@ internal sealed class ComponentWriter
                 FieldWriter.Write(_yaml, _references, script);
                 break;
             default:
-                throw new UnityException($"{component.GetType().Name} of '{component.name}' is not written outside of Unity: leave it out, or save the prefab in Unity");
+                throw new UnityException($"{component.GetType().Name} of '{component.name}' is not written outside of "
+                    + "Unity: leave it out, or save the prefab in Unity");
         }
     }
 
@@ -116,24 +122,34 @@ internal sealed class ComponentWriter
     void Write(MeshRenderer renderer)
     {
         _yaml.Field("m_Enabled", renderer.enabled);
-        Defaults("m_CastShadows: 1", "m_ReceiveShadows: 1", "m_DynamicOccludee: 1", "m_StaticShadowCaster: 0", "m_MotionVectors: 1", "m_LightProbeUsage: 1",
-            "m_ReflectionProbeUsage: 1", "m_RayTracingMode: 2", "m_RayTraceProcedural: 0", "m_RenderingLayerMask: 1", "m_RendererPriority: 0");
+        Defaults("m_CastShadows: 1", "m_ReceiveShadows: 1", "m_DynamicOccludee: 1", "m_StaticShadowCaster: 0",
+            "m_MotionVectors: 1", "m_LightProbeUsage: 1",
+            "m_ReflectionProbeUsage: 1", "m_RayTracingMode: 2", "m_RayTraceProcedural: 0",
+            "m_RenderingLayerMask: 1", "m_RendererPriority: 0");
         Material[] materials = renderer.sharedMaterials;
-        _yaml.List("m_Materials", materials.Length, index => _yaml.Item(_references.Of(materials[index], renderer, $"m_Materials[{index}]")));
+        _yaml.List("m_Materials", materials.Length,
+            index => _yaml.Item(_references.Of(materials[index], renderer, $"m_Materials[{index}]")));
         _yaml.Map("m_StaticBatchInfo", () => Defaults("firstSubMesh: 0", "subMeshCount: 0"));
-        Defaults("m_StaticBatchRoot: {fileID: 0}", "m_ProbeAnchor: {fileID: 0}", "m_LightProbeVolumeOverride: {fileID: 0}", "m_ScaleInLightmap: 1", "m_ReceiveGI: 1",
-            "m_PreserveUVs: 0", "m_IgnoreNormalsForChartDetection: 0", "m_ImportantGI: 0", "m_StitchLightmapSeams: 1", "m_SelectedEditorRenderState: 3",
-            "m_MinimumChartSize: 4", "m_AutoUVMaxDistance: 0.5", "m_AutoUVMaxAngle: 89", "m_LightmapParameters: {fileID: 0}", "m_SortingLayerID: 0",
-            "m_SortingLayer: 0", "m_SortingOrder: 0", "m_AdditionalVertexStreams: {fileID: 0}", "m_RayTracingAccelStructBuildFlagsOverride: 0",
+        Defaults("m_StaticBatchRoot: {fileID: 0}", "m_ProbeAnchor: {fileID: 0}",
+            "m_LightProbeVolumeOverride: {fileID: 0}", "m_ScaleInLightmap: 1", "m_ReceiveGI: 1",
+            "m_PreserveUVs: 0", "m_IgnoreNormalsForChartDetection: 0", "m_ImportantGI: 0",
+            "m_StitchLightmapSeams: 1", "m_SelectedEditorRenderState: 3",
+            "m_MinimumChartSize: 4", "m_AutoUVMaxDistance: 0.5", "m_AutoUVMaxAngle: 89",
+            "m_LightmapParameters: {fileID: 0}", "m_SortingLayerID: 0",
+            "m_SortingLayer: 0", "m_SortingOrder: 0", "m_AdditionalVertexStreams: {fileID: 0}",
+            "m_RayTracingAccelStructBuildFlagsOverride: 0",
             "m_RayTracingAccelStructBuildFlags: 1", "m_SmallMeshCulling: 1");
     }
 
     void Write(Camera camera)
     {
         _yaml.Field("m_Enabled", camera.enabled);
-        Defaults("serializedVersion: 2", "m_ClearFlags: 1", "m_BackGroundColor: {r: 0.19215687, g: 0.3019608, b: 0.4745098, a: 0}", "m_projectionMatrixMode: 1",
-            "m_GateFitMode: 2", "m_FOVAxisMode: 0", "m_Iso: 200", "m_ShutterSpeed: 0.005", "m_Aperture: 16", "m_FocusDistance: 10", "m_FocalLength: 50",
-            "m_BladeCount: 5", "m_Curvature: {x: 2, y: 11}", "m_BarrelClipping: 0.25", "m_Anamorphism: 0", "m_SensorSize: {x: 36, y: 24}", "m_LensShift: {x: 0, y: 0}");
+        Defaults("serializedVersion: 2", "m_ClearFlags: 1",
+            "m_BackGroundColor: {r: 0.19215687, g: 0.3019608, b: 0.4745098, a: 0}", "m_projectionMatrixMode: 1",
+            "m_GateFitMode: 2", "m_FOVAxisMode: 0", "m_Iso: 200", "m_ShutterSpeed: 0.005",
+            "m_Aperture: 16", "m_FocusDistance: 10", "m_FocalLength: 50",
+            "m_BladeCount: 5", "m_Curvature: {x: 2, y: 11}", "m_BarrelClipping: 0.25", "m_Anamorphism: 0",
+            "m_SensorSize: {x: 36, y: 24}", "m_LensShift: {x: 0, y: 0}");
         _yaml.Map("m_NormalizedViewPortRect", () =>
         {
             Defaults("serializedVersion: 2");
@@ -153,7 +169,8 @@ internal sealed class ComponentWriter
             Defaults("serializedVersion: 2");
             _yaml.Field("m_Bits", (uint)camera.cullingMask);
         });
-        Defaults("m_RenderingPath: -1", "m_TargetTexture: {fileID: 0}", "m_TargetDisplay: 0", "m_TargetEye: 3", "m_HDR: 1", "m_AllowMSAA: 1", "m_AllowDynamicResolution: 0",
+        Defaults("m_RenderingPath: -1", "m_TargetTexture: {fileID: 0}", "m_TargetDisplay: 0", "m_TargetEye: 3",
+            "m_HDR: 1", "m_AllowMSAA: 1", "m_AllowDynamicResolution: 0",
             "m_ForceIntoRT: 0", "m_OcclusionCulling: 1", "m_StereoConvergence: 10", "m_StereoSeparation: 0.022");
     }
 

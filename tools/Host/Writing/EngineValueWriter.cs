@@ -20,7 +20,9 @@ internal static class EngineValueWriter
         _ => null,
     };
 
-    /// <summary>The lines of a struct that takes several; false for one whose fields are written by their names.</summary>
+    /// <summary>
+    /// The lines of a struct that takes several; false for one whose fields are written by their names.
+    /// </summary>
     internal static bool Write(YamlWriter yaml, object value)
     {
         switch (value)
@@ -58,7 +60,9 @@ internal static class EngineValueWriter
         yaml.Field("m_Extent", Line(box.extents));
     }
 
-    /// <summary>The fields of any other struct of Unity.Mathematics, which are all public and make up the whole of it.</summary>
+    /// <summary>
+    /// The fields of any other struct of Unity.Mathematics, which are all public and make up the whole of it.
+    /// </summary>
     internal static FieldInfo[] Fields(System.Type type) =>
         type.GetFields(BindingFlags.Instance | BindingFlags.Public).OrderBy(field => field.MetadataToken).ToArray();
 

@@ -36,7 +36,9 @@ internal sealed class FieldWriter
             if (!SerializedFields.IsByReference(field))
                 Value(field.Name, value, field.FieldType, depth);
             else if (value is not null)
-                throw new UnityException($"{_holder.GetType().Name} of '{_holder.name}': {field.Name} is a [SerializeReference] field, which is not written outside of Unity: give it a serializable class by value");
+                throw new UnityException($"{_holder.GetType().Name} of '{_holder.name}': "
+                    + $"{field.Name} is a [SerializeReference] field, which is not written outside of Unity: "
+                    + "give it a serializable class by value");
         }
     }
 

@@ -8,20 +8,24 @@ using UnityEngine.Rendering;
 
 namespace Glint.Host;
 
-/// <summary>Writes a mesh as <see cref="MeshRecord"/> reads it: one stream of float32 channels, and the indices.</summary>
+/// <summary>
+/// Writes a mesh as <see cref="MeshRecord"/> reads it: one stream of float32 channels, and the indices.
+/// </summary>
 internal static class MeshWriter
 {
     const int ChannelCount = 14, FirstTexture = 4, ChunkBytes = 1 << 16;
     static readonly string[] _rangedVectors = ["m_Vertices", "m_UV", "m_Normals", "m_Tangents", "m_FloatColors"];
     static readonly string[] _compressedVectors =
-        ["m_Vertices", "m_UV", "m_Normals", "m_Tangents", "m_Weights", "m_NormalSigns", "m_TangentSigns", "m_FloatColors", "m_BoneIndices", "m_Triangles"];
+        ["m_Vertices", "m_UV", "m_Normals", "m_Tangents", "m_Weights", "m_NormalSigns", "m_TangentSigns",
+            "m_FloatColors", "m_BoneIndices", "m_Triangles"];
 
     internal static void Write(YamlWriter yaml, Mesh mesh)
     {
         MeshContents contents = mesh.Contents;
         bool isWide = contents.IndexFormat == IndexFormat.UInt32;
         yaml.Field("serializedVersion", 11);
-        yaml.List("m_SubMeshes", contents.SubMeshes.Count, index => SubMesh(yaml, contents.SubMeshes[index], isWide ? sizeof(uint) : sizeof(ushort)));
+        yaml.List("m_SubMeshes", contents.SubMeshes.Count,
+            index => SubMesh(yaml, contents.SubMeshes[index], isWide ? sizeof(uint) : sizeof(ushort)));
         yaml.Map("m_Shapes", () =>
         {
             foreach (string key in new[] { "vertices", "shapes", "channels", "fullWeights" })
@@ -110,25 +114,28 @@ internal static class MeshWriter
         return channels;
     }
 
-    // How many components a texture coordinate was given with is not kept; those after its last that is not 0 are left out.
+    // How many components a texture coordinate was given with is not kept;
+    // those after its last that is not 0 are left out.
     static int TextureDimension(Vector4[] values)
     {
         int dimension = values.Length > 0 ? 2 : 0;
         foreach (Vector4 value in values)
         {
-            while (dimension < 4 && Enumerable.Range(dimension, 4 - dimension).Any(component => BitConverter.SingleToInt32Bits(value[component]) != 0))
+            while (dimension < 4 && Enumerable.Range(dimension, 4 - dimension)
+                .Any(component => BitConverter.SingleToInt32Bits(value[component]) != 0))
                 dimension++;
         }
         return dimension;
     }
 
-    static void Indices(TextWriter text, int[] indices, bool isWide) => Hex(text, indices.Length, isWide ? sizeof(int) : sizeof(ushort), (index, bytes) =>
-    {
-        if (isWide)
-            BinaryPrimitives.WriteInt32LittleEndian(bytes, indices[index]);
-        else
-            BinaryPrimitives.WriteUInt16LittleEndian(bytes, (ushort)indices[index]);
-    });
+    static void Indices(TextWriter text, int[] indices, bool isWide) =>
+        Hex(text, indices.Length, isWide ? sizeof(int) : sizeof(ushort), (index, bytes) =>
+        {
+            if (isWide)
+                BinaryPrimitives.WriteInt32LittleEndian(bytes, indices[index]);
+            else
+                BinaryPrimitives.WriteUInt16LittleEndian(bytes, (ushort)indices[index]);
+        });
 
     // A piece at a time: a mesh of millions of vertices would take its size several times over as one text.
     static void Hex(TextWriter text, int count, int itemBytes, FillItem fill)

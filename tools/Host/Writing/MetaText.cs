@@ -12,11 +12,12 @@ internal static class MetaText
 
     internal static string OfPrefab(string guid) => Text(guid, "PrefabImporter", "");
 
-    internal static string OfObject(string guid, long mainFileId) => Text(guid, "NativeFormatImporter", $"  mainObjectFileID: {mainFileId}\n");
+    internal static string OfObject(string guid, long mainFileId) =>
+        Text(guid, "NativeFormatImporter", $"  mainObjectFileID: {mainFileId}\n");
 
     /// <summary>
-    /// A guid for a new asset, made of its path, where Unity takes a random one: whoever makes the same assets again from a clean tree gets
-    /// the same files, and what refers to them stays right.
+    /// A guid for a new asset, made of its path, where Unity takes a random one:
+    /// whoever makes the same assets again from a clean tree gets the same files, and what refers to them stays right.
     /// </summary>
     /// <param name="isTaken">A file that was moved keeps its guid, so that one at its old place needs another.</param>
     internal static string NewGuid(string assetPath, Func<string, bool> isTaken)
@@ -24,11 +25,13 @@ internal static class MetaText
         string guid;
         int attempt = 0;
         do
-            guid = Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(attempt == 0 ? assetPath : $"{assetPath}\n{attempt}")).AsSpan(0, 16));
+            guid = Convert.ToHexStringLower(SHA256.HashData(
+                Encoding.UTF8.GetBytes(attempt == 0 ? assetPath : $"{assetPath}\n{attempt}")).AsSpan(0, 16));
         while (isTaken(guid) && ++attempt > 0);
         return guid;
     }
 
     static string Text(string guid, string importer, string ownKeys) =>
-        $"fileFormatVersion: 2\nguid: {guid}\n{importer}:\n  externalObjects: {{}}\n{ownKeys}  userData: \n  assetBundleName: \n  assetBundleVariant: \n";
+        $"fileFormatVersion: 2\nguid: {guid}\n{importer}:\n  externalObjects: {{}}\n{ownKeys}  userData: \n"
+        + "  assetBundleName: \n  assetBundleVariant: \n";
 }

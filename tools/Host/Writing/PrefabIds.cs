@@ -10,8 +10,9 @@ using Object = UnityEngine.Object;
 namespace Glint.Host;
 
 /// <summary>
-/// The ids of a prefab's objects, made of each one's path and type: the same hierarchy gets the same ids again, and what is added or
-/// taken away leaves those of the others, by which scenes refer to them. The root's own name is not part of it.
+/// The ids of a prefab's objects, made of each one's path and type: the same hierarchy gets the same ids again,
+/// and what is added or taken away leaves those of the others, by which scenes refer to them.
+/// The root's own name is not part of it.
 /// </summary>
 internal static class PrefabIds
 {

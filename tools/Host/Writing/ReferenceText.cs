@@ -35,7 +35,8 @@ internal sealed class ReferenceText
             return Text(target.FileId, builtIn, BuiltIn);
         if (target.AssetPath is not null && target.FileId != 0 && _guids.GuidOf(target.AssetPath) is string guid)
             return Text(target.FileId, guid, IsNative(target.AssetPath) ? Native : Imported);
-        throw new UnityException($"{holder.GetType().Name} of '{holder.name}': {path} refers to the {target.GetType().Name} '{target.name}', which is neither an asset nor below the same root: "
+        throw new UnityException($"{holder.GetType().Name} of '{holder.name}': {path} refers to the "
+            + $"{target.GetType().Name} '{target.name}', which is neither an asset nor below the same root: "
             + "make it an asset first (AssetDatabase.CreateAsset), or clear the field");
     }
 

@@ -12,9 +12,11 @@ internal static class ScalarText
     const string Indicators = "-?:,[]{}#&*!|>'\"%@`~";
 
     /// <summary>The shortest digits that give the same number again.</summary>
-    internal static string Of(float value) => Special(value) ?? value.ToString("R", CultureInfo.InvariantCulture).Replace('E', 'e');
+    internal static string Of(float value) =>
+        Special(value) ?? value.ToString("R", CultureInfo.InvariantCulture).Replace('E', 'e');
 
-    internal static string Of(double value) => Special(value) ?? value.ToString("R", CultureInfo.InvariantCulture).Replace('E', 'e');
+    internal static string Of(double value) =>
+        Special(value) ?? value.ToString("R", CultureInfo.InvariantCulture).Replace('E', 'e');
 
     /// <summary>Plain where YAML allows, else in quotes; what is no printable ASCII as escapes.</summary>
     internal static string Of(string text)
@@ -29,7 +31,10 @@ internal static class ScalarText
     }
 
     static string Special(double value) =>
-        double.IsNaN(value) ? "NaN" : double.IsPositiveInfinity(value) ? "Infinity" : double.IsNegativeInfinity(value) ? "-Infinity" : null;
+        double.IsNaN(value) ? "NaN"
+            : double.IsPositiveInfinity(value) ? "Infinity"
+            : double.IsNegativeInfinity(value) ? "-Infinity"
+            : null;
 
     static string Escaped(string text)
     {

@@ -5,7 +5,10 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>Writes a file whole or not at all: beside its place first, under a name that Unity does not import, then moved there.</summary>
+/// <summary>
+/// Writes a file whole or not at all: beside its place first,
+/// under a name that Unity does not import, then moved there.
+/// </summary>
 internal static class WholeFile
 {
     static readonly UTF8Encoding _encoding = new(encoderShouldEmitUTF8Identifier: false);
@@ -14,7 +17,8 @@ internal static class WholeFile
     /// <exception cref="UnityException">The system refuses.</exception>
     internal static void Write(string physicalPath, string shownPath, Action<TextWriter> write)
     {
-        string draft = Path.Combine(Path.GetDirectoryName(physicalPath), $".{Path.GetFileName(physicalPath)}.{Environment.ProcessId}.tmp");
+        string draft = Path.Combine(Path.GetDirectoryName(physicalPath),
+            $".{Path.GetFileName(physicalPath)}.{Environment.ProcessId}.tmp");
         try
         {
             try

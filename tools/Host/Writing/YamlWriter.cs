@@ -4,7 +4,10 @@ using System.IO;
 
 namespace Glint.Host;
 
-/// <summary>Unity's kind of YAML, line by line: two spaces a level, and the dash of a list's item at the indent of the list's key.</summary>
+/// <summary>
+/// Unity's kind of YAML, line by line: two spaces a level,
+/// and the dash of a list's item at the indent of the list's key.
+/// </summary>
 internal sealed class YamlWriter
 {
     const int Step = 2;

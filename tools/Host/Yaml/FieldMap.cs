@@ -7,8 +7,8 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// The fields of an object, or of a struct in it. What is absent takes its default, as in Unity; what is there and of the
-/// wrong kind is refused by name.
+/// The fields of an object, or of a struct in it. What is absent takes its default, as in Unity;
+/// what is there and of the wrong kind is refused by name.
 /// </summary>
 internal readonly struct FieldMap
 {
@@ -42,14 +42,18 @@ internal readonly struct FieldMap
     internal int Bits(string key, int absent)
     {
         long value = Integer(key, absent);
-        return value is >= int.MinValue and <= uint.MaxValue ? unchecked((int)value) : throw Wrong(key, "a mask of 32 bits", value.ToString());
+        return value is >= int.MinValue and <= uint.MaxValue
+            ? unchecked((int)value)
+            : throw Wrong(key, "a mask of 32 bits", value.ToString());
     }
 
     /// <summary>An integer that takes part in sizes and offsets.</summary>
     internal int Count(string key, int absent = 0)
     {
         long value = Integer(key, absent);
-        return value is >= 0 and <= int.MaxValue ? (int)value : throw Wrong(key, "a count from 0 to 2147483647", value.ToString());
+        return value is >= 0 and <= int.MaxValue
+            ? (int)value
+            : throw Wrong(key, "a count from 0 to 2147483647", value.ToString());
     }
 
     internal float Number(string key, float absent = 0f)
@@ -66,7 +70,9 @@ internal readonly struct FieldMap
         YamlNode node = Node.Child(key);
         if (node.IsEmpty())
             return default;
-        return ObjectReference.TryRead(node, out ObjectReference reference) ? reference : throw Wrong(key, "a reference {fileID: ...}", node.ToString());
+        return ObjectReference.TryRead(node, out ObjectReference reference)
+            ? reference
+            : throw Wrong(key, "a reference {fileID: ...}", node.ToString());
     }
 
     /// <summary>A nested struct; empty when absent.</summary>
@@ -82,7 +88,8 @@ internal readonly struct FieldMap
     {
         FieldMap self = this;
         return List(key).Select((node, index) => new FieldMap(
-            self._record, node as YamlMappingNode ?? throw self.Wrong($"{key}[{index}]", "a mapping", node.ToString()), $"{self.PathOf(key)}[{index}].")).ToList();
+            self._record, node as YamlMappingNode ?? throw self.Wrong($"{key}[{index}]", "a mapping", node.ToString()),
+            $"{self.PathOf(key)}[{index}].")).ToList();
     }
 
     internal IReadOnlyList<ObjectReference> References(string key)
@@ -95,14 +102,17 @@ internal readonly struct FieldMap
     internal IReadOnlyList<string> Texts(string key)
     {
         FieldMap self = this;
-        return List(key).Select((node, index) => node is YamlScalarNode scalar ? scalar.Value ?? "" : throw self.Wrong($"{key}[{index}]", "text", node.ToString())).ToList();
+        return List(key).Select((node, index) => node is YamlScalarNode scalar
+            ? scalar.Value ?? ""
+            : throw self.Wrong($"{key}[{index}]", "text", node.ToString())).ToList();
     }
 
     internal GlintException Wrong(string key, string expected, string found)
     {
         string line = string.Join(' ', found.Split('\r', '\n'));
         string shown = line.Length > ShownCharacters ? line[..ShownCharacters] + "..." : line;
-        return _record.Flaw($"{PathOf(key)} must be {expected}, and is '{shown}': restore the file, or save it again in Unity");
+        return _record.Flaw($"{PathOf(key)} must be {expected}, and is '{shown}': restore the file, "
+            + "or save it again in Unity");
     }
 
     IList<YamlNode> List(string key) => Node.Child(key) switch

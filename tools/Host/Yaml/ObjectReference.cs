@@ -4,7 +4,8 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// <c>{fileID: N}</c>, an object of the same file, or <c>{fileID: N, guid: G, type: T}</c>, one of the file whose .meta has the guid.
+/// <c>{fileID: N}</c>, an object of the same file, or <c>{fileID: N, guid: G, type: T}</c>,
+/// one of the file whose .meta has the guid.
 /// </summary>
 internal readonly record struct ObjectReference(long FileId, string Guid = null)
 {
@@ -19,7 +20,8 @@ internal readonly record struct ObjectReference(long FileId, string Guid = null)
         reference = default;
         if (node is not YamlMappingNode map)
             return false;
-        if (map.Child("fileID") is not YamlScalarNode id || !long.TryParse(id.Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long fileId))
+        if (map.Child("fileID") is not YamlScalarNode id
+            || !long.TryParse(id.Value, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long fileId))
             return map.Child("instanceID") is YamlScalarNode && map.Children.Count == 1;
         reference = new ObjectReference(fileId, (map.Child("guid") as YamlScalarNode)?.Value?.ToLowerInvariant());
         return true;

@@ -8,8 +8,8 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// One object of a Unity file, <c>--- !u!CLASS &amp;ID</c> and what follows. Its body is read when it is asked for, so that
-/// objects of no interest cost nothing.
+/// One object of a Unity file, <c>--- !u!CLASS &amp;ID</c> and what follows. Its body is read when it is asked for,
+/// so that objects of no interest cost nothing.
 /// </summary>
 internal sealed class UnityDocument
 {
@@ -76,16 +76,19 @@ internal sealed class UnityDocument
             throw Damaged(1, "ends too early", error);
         }
 
-        if (stream.Documents.Count != 1 || stream.Documents[0].RootNode is not YamlMappingNode { Children.Count: 1 } root
+        if (stream.Documents.Count != 1
+            || stream.Documents[0].RootNode is not YamlMappingNode { Children.Count: 1 } root
             || root.Children.First() is not { Key: YamlScalarNode name, Value: YamlNode value })
             throw Damaged(1, "not one object with a class name", null);
         _typeName = name.Value;
-        _fields = value as YamlMappingNode ?? (value.IsEmpty() ? new YamlMappingNode() : throw Damaged(1, $"{name.Value} has no fields", null));
+        _fields = value as YamlMappingNode
+            ?? (value.IsEmpty() ? new YamlMappingNode() : throw Damaged(1, $"{name.Value} has no fields", null));
     }
 
     GlintException Damaged(long line, string what, Exception cause)
     {
         string oneLine = string.Join(' ', what.Split('\r', '\n')).TrimEnd('.');
-        return new GlintException($"{_file}:{_bodyLine + line - 1}: damaged YAML in object &{Id}: {oneLine}: restore the file, or save it again in Unity", cause);
+        return new GlintException($"{_file}:{_bodyLine + line - 1}: damaged YAML in object &{Id}: {oneLine}: "
+            + "restore the file, or save it again in Unity", cause);
     }
 }

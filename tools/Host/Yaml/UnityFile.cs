@@ -5,7 +5,9 @@ using Glint.Core;
 
 namespace Glint.Host;
 
-/// <summary>The objects of a scene, prefab or asset file, cut at their headers by hand, for these are no plain YAML.</summary>
+/// <summary>
+/// The objects of a scene, prefab or asset file, cut at their headers by hand, for these are no plain YAML.
+/// </summary>
 internal sealed class UnityFile
 {
     const string HeaderStart = "--- ";
@@ -54,7 +56,8 @@ internal sealed class UnityFile
     void Close(Header open, string text, int end)
     {
         if (open.Line > 0)
-            _documents.Add(new UnityDocument(ShownPath, open.ClassId, open.Id, open.IsStripped, text, Math.Min(open.Body, end)..end, open.Line + 1));
+            _documents.Add(new UnityDocument(ShownPath, open.ClassId, open.Id, open.IsStripped, text,
+                Math.Min(open.Body, end)..end, open.Line + 1));
     }
 
     Header ReadHeader(ReadOnlySpan<char> header, int line, int body)
@@ -66,8 +69,10 @@ internal sealed class UnityFile
             rest = rest[..^Stripped.Length];
         int gap = rest.IndexOf(IdMark, StringComparison.Ordinal);
         if (gap > 0 && rest.StartsWith(ClassMark, StringComparison.Ordinal)
-            && int.TryParse(rest[ClassMark.Length..gap], NumberStyles.None, CultureInfo.InvariantCulture, out int classId)
-            && long.TryParse(rest[(gap + IdMark.Length)..], NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out long id) && id != 0)
+            && int.TryParse(rest[ClassMark.Length..gap], NumberStyles.None,
+                CultureInfo.InvariantCulture, out int classId)
+            && long.TryParse(rest[(gap + IdMark.Length)..], NumberStyles.AllowLeadingSign,
+                CultureInfo.InvariantCulture, out long id) && id != 0)
             return new Header(classId, id, isStripped, body, line);
         ReadOnlySpan<char> shown = header[..Math.Min(header.Length, ShownCharacters)];
         throw Damaged(line, $"'{shown}' is no header of the form '--- !u!CLASS &ID'");

@@ -11,7 +11,8 @@ internal static class YamlNodes
     internal static YamlNode Child(this YamlMappingNode map, string key) =>
         map.Children.TryGetValue(new YamlScalarNode(key), out YamlNode value) ? value : null;
 
-    internal static void Set(this YamlMappingNode map, string key, YamlNode value) => map.Children[new YamlScalarNode(key)] = value;
+    internal static void Set(this YamlMappingNode map, string key, YamlNode value) =>
+        map.Children[new YamlScalarNode(key)] = value;
 
     /// <summary>Items of a list; none where the key is absent or no list.</summary>
     internal static IList<YamlNode> Items(this YamlMappingNode map, string key) =>
@@ -29,7 +30,9 @@ internal static class YamlNodes
 
     internal static bool IsEmpty(this YamlNode node) => node is null or YamlScalarNode { Value: null or "" };
 
-    /// <summary>Entries of the maps and lists that <see cref="Clone"/> makes anew: what a copy takes of memory.</summary>
+    /// <summary>
+    /// Entries of the maps and lists that <see cref="Clone"/> makes anew: what a copy takes of memory.
+    /// </summary>
     internal static long CopySize(this YamlNode node) => node switch
     {
         YamlMappingNode map when !map.IsFlat() => map.Children.Sum(child => 1 + child.Value.CopySize()),
@@ -37,10 +40,14 @@ internal static class YamlNodes
         _ => 0,
     };
 
-    /// <summary>A copy, its references within the file renamed. Scalars and maps of scalars it shares with the original: nobody changes them in place.</summary>
+    /// <summary>
+    /// A copy, its references within the file renamed. Scalars and maps of scalars it shares with the original:
+    /// nobody changes them in place.
+    /// </summary>
     internal static YamlNode Clone(this YamlNode node, Func<long, long> rename) => node switch
     {
-        YamlMappingNode map when ObjectReference.TryRead(map, out ObjectReference reference) && reference.IsLocal && !reference.IsNone
+        YamlMappingNode map when ObjectReference.TryRead(map, out ObjectReference reference)
+            && reference.IsLocal && !reference.IsNone
             => new ObjectReference(rename(reference.FileId)).ToNode(),
         YamlMappingNode map when !map.IsFlat() => map.CloneFields(rename),
         YamlSequenceNode list => new YamlSequenceNode(list.Children.Select(item => item.Clone(rename))),

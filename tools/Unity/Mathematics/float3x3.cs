@@ -18,8 +18,10 @@ public partial struct float3x3
     public static float3x3 AxisAngle(float3 axis, float angle) => new(quaternion.AxisAngle(axis, angle));
     public static float3x3 EulerZXY(float3 xyz) => Euler(xyz);
     public static float3x3 EulerZXY(float x, float y, float z) => Euler(x, y, z);
-    public static float3x3 Euler(float3 xyz, RotationOrder order = RotationOrder.ZXY) => new(quaternion.Euler(xyz, order));
-    public static float3x3 Euler(float x, float y, float z, RotationOrder order = RotationOrder.ZXY) => Euler(new float3(x, y, z), order);
+    public static float3x3 Euler(float3 xyz, RotationOrder order = RotationOrder.ZXY) =>
+        new(quaternion.Euler(xyz, order));
+    public static float3x3 Euler(float x, float y, float z, RotationOrder order = RotationOrder.ZXY) =>
+        Euler(new float3(x, y, z), order);
 
     public static float3x3 RotateX(float angle)
     {
@@ -55,7 +57,8 @@ public partial struct float3x3
     {
         float3 ahead = normalize(forward);
         float3 side = cross(normalize(up), ahead);
-        bool usable = lengthsq(forward) > 1e-35f && lengthsq(up) > 1e-35f && lengthsq(side) > 1e-35f && isfinite(lengthsq(forward)) && isfinite(lengthsq(up));
+        bool usable = lengthsq(forward) > 1e-35f && lengthsq(up) > 1e-35f && lengthsq(side) > 1e-35f
+            && isfinite(lengthsq(forward)) && isfinite(lengthsq(up));
         return usable ? LookRotation(ahead, normalize(up)) : identity;
     }
 }

@@ -6,7 +6,8 @@ namespace Unity.Mathematics;
 public partial struct float4x4
 {
     public float4x4(float3x3 rotation, float3 translation)
-        : this(new float4(rotation.c0, 0f), new float4(rotation.c1, 0f), new float4(rotation.c2, 0f), new float4(translation, 1f))
+        : this(new float4(rotation.c0, 0f), new float4(rotation.c1, 0f), new float4(rotation.c2, 0f),
+            new float4(translation, 1f))
     {
     }
 
@@ -14,7 +15,8 @@ public partial struct float4x4
     {
     }
 
-    public static implicit operator float4x4(UnityEngine.Matrix4x4 m) => new(m.GetColumn(0), m.GetColumn(1), m.GetColumn(2), m.GetColumn(3));
+    public static implicit operator float4x4(UnityEngine.Matrix4x4 m) =>
+        new(m.GetColumn(0), m.GetColumn(1), m.GetColumn(2), m.GetColumn(3));
     public static implicit operator UnityEngine.Matrix4x4(float4x4 m) => new(m.c0, m.c1, m.c2, m.c3);
 
     /// <summary>Scales first, then rotates, then moves.</summary>
@@ -27,8 +29,10 @@ public partial struct float4x4
     public static float4x4 AxisAngle(float3 axis, float angle) => Turn(float3x3.AxisAngle(axis, angle));
     public static float4x4 EulerZXY(float3 xyz) => Euler(xyz);
     public static float4x4 EulerZXY(float x, float y, float z) => Euler(x, y, z);
-    public static float4x4 Euler(float3 xyz, RotationOrder order = RotationOrder.ZXY) => Turn(float3x3.Euler(xyz, order));
-    public static float4x4 Euler(float x, float y, float z, RotationOrder order = RotationOrder.ZXY) => Euler(new float3(x, y, z), order);
+    public static float4x4 Euler(float3 xyz, RotationOrder order = RotationOrder.ZXY) =>
+        Turn(float3x3.Euler(xyz, order));
+    public static float4x4 Euler(float x, float y, float z, RotationOrder order = RotationOrder.ZXY) =>
+        Euler(new float3(x, y, z), order);
     public static float4x4 RotateX(float angle) => Turn(float3x3.RotateX(angle));
     public static float4x4 RotateY(float angle) => Turn(float3x3.RotateY(angle));
     public static float4x4 RotateZ(float angle) => Turn(float3x3.RotateZ(angle));

@@ -19,7 +19,8 @@ public static partial class math
     public static double asdouble(ulong x) => BitConverter.UInt64BitsToDouble(x);
 
     /// <summary>Bit 0 is x.</summary>
-    public static int bitmask(bool4 value) => (value.x ? 1 : 0) | (value.y ? 2 : 0) | (value.z ? 4 : 0) | (value.w ? 8 : 0);
+    public static int bitmask(bool4 value) =>
+        (value.x ? 1 : 0) | (value.y ? 2 : 0) | (value.z ? 4 : 0) | (value.w ? 8 : 0);
 
     public static int countbits(int x) => BitOperations.PopCount((uint)x);
     public static int countbits(uint x) => BitOperations.PopCount(x);

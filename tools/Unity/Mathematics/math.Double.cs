@@ -17,9 +17,11 @@ public static partial class math
     public static double abs(double x) => Math.Abs(x);
     public static double lerp(double start, double end, double t) => start + t * (end - start);
     public static double unlerp(double start, double end, double x) => (x - start) / (end - start);
-    public static double remap(double srcStart, double srcEnd, double dstStart, double dstEnd, double x) => lerp(dstStart, dstEnd, unlerp(srcStart, srcEnd, x));
+    public static double remap(double srcStart, double srcEnd, double dstStart, double dstEnd, double x) =>
+        lerp(dstStart, dstEnd, unlerp(srcStart, srcEnd, x));
     public static double mad(double mulA, double mulB, double addC) => mulA * mulB + addC;
-    public static double clamp(double valueToClamp, double lowerBound, double upperBound) => max(lowerBound, min(upperBound, valueToClamp));
+    public static double clamp(double valueToClamp, double lowerBound, double upperBound) =>
+        max(lowerBound, min(upperBound, valueToClamp));
     public static double saturate(double x) => clamp(x, 0.0, 1.0);
     public static double dot(double x, double y) => x * y;
     public static double mul(double a, double b) => a * b;

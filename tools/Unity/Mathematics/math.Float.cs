@@ -17,9 +17,11 @@ public static partial class math
     public static float abs(float x) => Math.Abs(x);
     public static float lerp(float start, float end, float t) => start + t * (end - start);
     public static float unlerp(float start, float end, float x) => (x - start) / (end - start);
-    public static float remap(float srcStart, float srcEnd, float dstStart, float dstEnd, float x) => lerp(dstStart, dstEnd, unlerp(srcStart, srcEnd, x));
+    public static float remap(float srcStart, float srcEnd, float dstStart, float dstEnd, float x) =>
+        lerp(dstStart, dstEnd, unlerp(srcStart, srcEnd, x));
     public static float mad(float mulA, float mulB, float addC) => mulA * mulB + addC;
-    public static float clamp(float valueToClamp, float lowerBound, float upperBound) => max(lowerBound, min(upperBound, valueToClamp));
+    public static float clamp(float valueToClamp, float lowerBound, float upperBound) =>
+        max(lowerBound, min(upperBound, valueToClamp));
     public static float saturate(float x) => clamp(x, 0f, 1f);
     public static float dot(float x, float y) => x * y;
     public static float mul(float a, float b) => a * b;

@@ -14,13 +14,15 @@ public static partial class math
     public static float lengthsq(quaternion q) => lengthsq(q.value);
     public static quaternion normalize(quaternion q) => new quaternion(normalize(q.value));
     public static quaternion normalizesafe(quaternion q) => normalizesafe(q, new quaternion(0f, 0f, 0f, 1f));
-    public static quaternion normalizesafe(quaternion q, quaternion defaultvalue) => new quaternion(normalizesafe(q.value, defaultvalue.value));
+    public static quaternion normalizesafe(quaternion q, quaternion defaultvalue) =>
+        new quaternion(normalizesafe(q.value, defaultvalue.value));
 
     /// <summary>b is applied first.</summary>
     public static quaternion mul(quaternion a, quaternion b)
     {
         float4 p = a.value, q = b.value;
-        return new quaternion(new float4(p.w * q.xyz + q.w * p.xyz + cross(p.xyz, q.xyz), p.w * q.w - dot(p.xyz, q.xyz)));
+        return new quaternion(
+            new float4(p.w * q.xyz + q.w * p.xyz + cross(p.xyz, q.xyz), p.w * q.w - dot(p.xyz, q.xyz)));
     }
 
     public static float3 mul(quaternion q, float3 v)

@@ -16,7 +16,10 @@ public partial struct quaternion : IEquatable<quaternion>, IFormattable
     {
     }
 
-    /// <summary>Of orthonormal columns with determinant 1. The largest component comes from a root, so none is lost to cancellation.</summary>
+    /// <summary>
+    /// Of orthonormal columns with determinant 1. The largest component comes from a root,
+    /// so none is lost to cancellation.
+    /// </summary>
     public quaternion(float3x3 m)
     {
         float xx = m.c0.x, yy = m.c1.y, zz = m.c2.z;
@@ -34,7 +37,8 @@ public partial struct quaternion : IEquatable<quaternion>, IFormattable
     }
 
     public static implicit operator quaternion(float4 v) => new(v);
-    public static implicit operator UnityEngine.Quaternion(quaternion q) => new(q.value.x, q.value.y, q.value.z, q.value.w);
+    public static implicit operator UnityEngine.Quaternion(quaternion q) =>
+        new(q.value.x, q.value.y, q.value.z, q.value.w);
     public static implicit operator quaternion(UnityEngine.Quaternion q) => new(q.x, q.y, q.z, q.w);
 
     public static quaternion AxisAngle(float3 axis, float angle)
@@ -60,7 +64,8 @@ public partial struct quaternion : IEquatable<quaternion>, IFormattable
     public static quaternion EulerYZX(float x, float y, float z) => EulerYZX(new float3(x, y, z));
     public static quaternion EulerZXY(float x, float y, float z) => EulerZXY(new float3(x, y, z));
     public static quaternion EulerZYX(float x, float y, float z) => EulerZYX(new float3(x, y, z));
-    public static quaternion Euler(float x, float y, float z, RotationOrder order = RotationOrder.ZXY) => Euler(new float3(x, y, z), order);
+    public static quaternion Euler(float x, float y, float z, RotationOrder order = RotationOrder.ZXY) =>
+        Euler(new float3(x, y, z), order);
 
     public static quaternion Euler(float3 xyz, RotationOrder order = RotationOrder.ZXY) => order switch
     {

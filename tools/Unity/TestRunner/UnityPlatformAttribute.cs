@@ -22,7 +22,8 @@ public class UnityPlatformAttribute : NUnitAttribute, IApplyToTest
     public void ApplyToTest(Test test)
     {
         var platform = Application.platform;
-        if (test.RunState != RunState.Runnable || (include.Length == 0 || include.Contains(platform)) && !exclude.Contains(platform))
+        if (test.RunState != RunState.Runnable
+            || (include.Length == 0 || include.Contains(platform)) && !exclude.Contains(platform))
             return;
         test.RunState = RunState.Skipped;
         test.Properties.Set(PropertyNames.SkipReason, $"not for {platform}");

@@ -10,7 +10,8 @@ using NUnit.Framework.Internal.Commands;
 namespace UnityEngine.TestTools;
 
 [AttributeUsage(AttributeTargets.Method)]
-public class UnityTestAttribute : CombiningStrategyAttribute, ISimpleTestBuilder, IImplyFixture, IApplyToTest, IWrapTestMethod
+public class UnityTestAttribute : CombiningStrategyAttribute, ISimpleTestBuilder, IImplyFixture,
+    IApplyToTest, IWrapTestMethod
 {
     readonly NUnitTestCaseBuilder _builder = new();
 
@@ -19,7 +20,8 @@ public class UnityTestAttribute : CombiningStrategyAttribute, ISimpleTestBuilder
     }
 
     TestMethod ISimpleTestBuilder.BuildFrom(IMethodInfo method, Test suite)
-        => _builder.BuildTestMethod(method, suite, RoutineCases.Expecting(new TestCaseParameters { TestName = method.Name }));
+        => _builder.BuildTestMethod(method, suite,
+            RoutineCases.Expecting(new TestCaseParameters { TestName = method.Name }));
 
     public new void ApplyToTest(Test test)
     {

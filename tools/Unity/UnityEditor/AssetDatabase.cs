@@ -46,18 +46,24 @@ public sealed class AssetDatabase
 
     public static string AssetPathToGUID(string path) => Engine.Assets?.PathToGuid(path) ?? "";
 
-    /// <summary>Writes at once. The folder must be there; an asset that is there is replaced and keeps its guid.</summary>
+    /// <summary>
+    /// Writes at once. The folder must be there; an asset that is there is replaced and keeps its guid.
+    /// </summary>
     /// <exception cref="UnityException">The asset cannot be written there.</exception>
     public static void CreateAsset(Object asset, string path)
     {
         if (Object.IsNull(asset))
             throw new ArgumentNullException(nameof(asset), "The asset to create is null.");
         if (Contains(asset))
-            throw new UnityException($"Creating asset at path {path} failed: '{asset.name}' is the asset {asset.AssetPath} already: copy it first (Object.Instantiate)");
+            throw new UnityException($"Creating asset at path {path} failed: "
+                + $"'{asset.name}' is the asset {asset.AssetPath} already: copy it first (Object.Instantiate)");
         OpenStore.CreateAsset(asset, path);
     }
 
-    /// <summary>The new folder's guid; empty, with an error in the log, where it could not be made. A name that is taken gets a number.</summary>
+    /// <summary>
+    /// The new folder's guid; empty, with an error in the log, where it could not be made.
+    /// A name that is taken gets a number.
+    /// </summary>
     public static string CreateFolder(string parentFolder, string newFolderName)
     {
         try

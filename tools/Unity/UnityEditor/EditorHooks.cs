@@ -8,6 +8,8 @@ public static class EditorHooks
     /// <summary>Called by EditorApplication.Exit with the exit code; returns when the process is to live on.</summary>
     public static Action<int> Exit { get; set; } = Environment.Exit;
 
-    /// <summary>Told how far a progress bar is, null when it goes; whether somebody pressed its cancel button.</summary>
+    /// <summary>
+    /// Told how far a progress bar is, null when it goes; whether somebody pressed its cancel button.
+    /// </summary>
     public static Func<float?, bool> ProgressBar { get; set; } = _ => false;
 }

@@ -68,7 +68,8 @@ public sealed class EditorSceneManager : SceneManager
             return known;
 
         sceneOpening?.Invoke(scenePath, mode);
-        SceneData scene = known.IsValid() && mode != OpenSceneMode.Single ? known.Data : SceneRegistry.AddFile(scenePath);
+        SceneData scene =
+            known.IsValid() && mode != OpenSceneMode.Single ? known.Data : SceneRegistry.AddFile(scenePath);
         if (mode == OpenSceneMode.Single)
             Isolate(scene);
         if (mode != OpenSceneMode.AdditiveWithoutLoading)
@@ -121,7 +122,8 @@ public sealed class EditorSceneManager : SceneManager
     static void Isolate(SceneData scene)
     {
         Scene previous = GetActiveScene();
-        Scene[] closing = SceneRegistry.Scenes.Where(other => other != scene).Select(other => new Scene(other)).ToArray();
+        Scene[] closing = SceneRegistry.Scenes.Where(other => other != scene)
+            .Select(other => new Scene(other)).ToArray();
         foreach (Scene other in closing)
             sceneClosing?.Invoke(other, true);
         SceneRegistry.Isolate(scene);
@@ -140,6 +142,7 @@ public sealed class EditorSceneManager : SceneManager
     static void RequireEditMode(string what, string instead)
     {
         if (Engine.IsPlaying)
-            throw new InvalidOperationException($"{what} cannot be used during play mode, please use {instead} instead.");
+            throw new InvalidOperationException($"{what} cannot be used during play mode, "
+                + $"please use {instead} instead.");
     }
 }

@@ -7,10 +7,12 @@ namespace UnityEditor;
 /// <summary>There is no window to draw a progress bar in; a test may look at it and press its button.</summary>
 public class EditorUtility
 {
-    public static void DisplayProgressBar(string title, string info, float progress) => EditorHooks.ProgressBar(progress);
+    public static void DisplayProgressBar(string title, string info, float progress) =>
+        EditorHooks.ProgressBar(progress);
 
     /// <summary>True when cancel was pressed.</summary>
-    public static bool DisplayCancelableProgressBar(string title, string info, float progress) => EditorHooks.ProgressBar(progress);
+    public static bool DisplayCancelableProgressBar(string title, string info, float progress) =>
+        EditorHooks.ProgressBar(progress);
 
     public static void ClearProgressBar() => EditorHooks.ProgressBar(null);
 

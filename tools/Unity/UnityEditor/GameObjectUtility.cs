@@ -25,7 +25,8 @@ public sealed class GameObjectUtility
     public static void SetStaticEditorFlags(GameObject go, StaticEditorFlags flags) =>
         go.isStatic = (flags & StaticEditorFlags.BatchingStatic) != 0;
 
-    public static bool AreStaticEditorFlagsSet(GameObject go, StaticEditorFlags flags) => (GetStaticEditorFlags(go) & flags) == flags;
+    public static bool AreStaticEditorFlagsSet(GameObject go, StaticEditorFlags flags) =>
+        (GetStaticEditorFlags(go) & flags) == flags;
 
     /// <summary>Below the parent, where it stands, and on its layer.</summary>
     public static void SetParentAndAlign(GameObject child, GameObject parent)

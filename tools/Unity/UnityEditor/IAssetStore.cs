@@ -4,7 +4,9 @@ using Object = UnityEngine.Object;
 namespace Glint.Host;
 
 /// <summary>The project on disk, as the editor's part of the stand-ins writes it. Paths are asset paths.</summary>
-/// <remarks>What cannot be written is refused with a UnityException of one line, and leaves the file as it was.</remarks>
+/// <remarks>
+/// What cannot be written is refused with a UnityException of one line, and leaves the file as it was.
+/// </remarks>
 public interface IAssetStore
 {
     /// <summary>Writes the object as a new asset, or in the place of what is there, whose guid stays.</summary>

@@ -26,7 +26,8 @@ public sealed class PrefabUtility
         if (Object.IsNull(instanceRoot))
             throw new ArgumentNullException(nameof(instanceRoot), "Parameter root is null");
         if (AssetDatabase.Contains(instanceRoot))
-            throw new ArgumentException($"Can't save persistent object as a Prefab asset: '{instanceRoot.name}' is of {instanceRoot.AssetPath}");
+            throw new ArgumentException("Can't save persistent object as a Prefab asset: "
+                + $"'{instanceRoot.name}' is of {instanceRoot.AssetPath}");
         if (string.IsNullOrEmpty(assetPath) || !assetPath.EndsWith(Extension, StringComparison.OrdinalIgnoreCase))
             throw new ArgumentException($"Given path is not valid: '{assetPath}': a prefab's path ends in {Extension}");
         try

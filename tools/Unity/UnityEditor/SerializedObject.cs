@@ -4,7 +4,9 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>An object's fields by their names in a file. Here only whether scripts may read a mesh; null for others.</summary>
+/// <summary>
+/// An object's fields by their names in a file. Here only whether scripts may read a mesh; null for others.
+/// </summary>
 public class SerializedObject : IDisposable
 {
     SerializedProperty _readable;
@@ -13,7 +15,8 @@ public class SerializedObject : IDisposable
 
     public Object targetObject { get; }
 
-    public SerializedProperty FindProperty(string propertyPath) => targetObject is Mesh mesh && propertyPath == "m_IsReadable"
+    public SerializedProperty FindProperty(string propertyPath) => targetObject is Mesh mesh
+        && propertyPath == "m_IsReadable"
         ? _readable ??= new SerializedProperty { boolValue = mesh.isReadable } : null;
 
     /// <summary>Writes what was set, so that it can be undone; false if nothing was.</summary>

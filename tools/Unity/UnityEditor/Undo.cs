@@ -7,7 +7,10 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>Groups of changes that can be taken back, the latest first. What is recorded is changed as far as the scene file is concerned.</summary>
+/// <summary>
+/// Groups of changes that can be taken back, the latest first.
+/// What is recorded is changed as far as the scene file is concerned.
+/// </summary>
 public class Undo
 {
     public delegate void UndoRedoCallback();
@@ -102,7 +105,8 @@ public class Undo
     {
         if (Object.IsNull(target))
             return;
-        bool wasActive = (target as GameObject)?.ActiveSelf ?? false, wasEnabled = (target as Behaviour)?.EnabledSelf ?? false;
+        bool wasActive = (target as GameObject)?.ActiveSelf ?? false,
+            wasEnabled = (target as Behaviour)?.EnabledSelf ?? false;
         target.CopyFrom(state, new CloneMap());
         if (target is GameObject gameObject && gameObject.ActiveSelf != wasActive)
             Activation.Refresh(gameObject);

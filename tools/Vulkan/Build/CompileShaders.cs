@@ -12,9 +12,10 @@ using Microsoft.Build.Framework;
 using Microsoft.Build.Utilities;
 
 /// <summary>
-/// Compiles every kernel of the given .compute files to SPIR-V with glslangValidator. Each file gets a folder of its own path below Output,
-/// with KERNEL.spv for each of its kernels and sources.json with the SHA-256 of all that was read for them. Where the source knows the macro
-/// GLINT_TEXEL_TREE, a second form of each kernel is compiled with it, KERNEL.texel.spv, which reads a Buffer in place of a StructuredBuffer.
+/// Compiles every kernel of the given .compute files to SPIR-V with glslangValidator. Each file gets a folder of its
+/// own path below Output, with KERNEL.spv for each of its kernels and sources.json with the SHA-256 of all that was
+/// read for them. Where the source knows the macro GLINT_TEXEL_TREE, a second form of each kernel is compiled with it,
+/// KERNEL.texel.spv, which reads a Buffer in place of a StructuredBuffer.
 /// </summary>
 public sealed class CompileShaders : Task
 {
@@ -47,7 +48,8 @@ public sealed class CompileShaders : Task
         string folder = Path.Combine(Output, path);
         var read = new SortedSet<string>(StringComparer.Ordinal) { path };
         var kernels = new List<string>();
-        foreach (var match in File.ReadLines(fullPath).Select(line => KernelLine.Match(line)).Where(match => match.Success))
+        foreach (var match in File.ReadLines(fullPath).Select(line => KernelLine.Match(line))
+            .Where(match => match.Success))
         {
             Directory.CreateDirectory(folder);
             string kernel = match.Groups[1].Value;
@@ -79,7 +81,11 @@ public sealed class CompileShaders : Task
     bool CompileKernel(string path, string kernel, string[] defines, string output, SortedSet<string> read)
     {
         string dependencies = output + ".d";
-        var arguments = new List<string> { "-D", "-V", "-S", "comp", "-e", kernel, "--auto-map-bindings", "--hlsl-iomap", "-I.", "-DSHADER_API_VULKAN=1" };
+        var arguments = new List<string>
+        {
+            "-D", "-V", "-S", "comp", "-e",
+            kernel, "--auto-map-bindings", "--hlsl-iomap", "-I.", "-DSHADER_API_VULKAN=1"
+        };
         arguments.AddRange(defines.Select(define => "-D" + define));
         arguments.AddRange(new[] { "--depfile", dependencies, "-o", output, path });
 
@@ -104,7 +110,8 @@ public sealed class CompileShaders : Task
         exitCode = 0;
         var start = new ProcessStartInfo(Compiler, string.Join(" ", arguments.Select(argument => '"' + argument + '"')))
         {
-            WorkingDirectory = Root, UseShellExecute = false, RedirectStandardOutput = true, RedirectStandardError = true,
+            WorkingDirectory = Root, UseShellExecute = false,
+            RedirectStandardOutput = true, RedirectStandardError = true,
         };
         try
         {
@@ -127,10 +134,12 @@ public sealed class CompileShaders : Task
     void Report(string path, string kernel, string messages)
     {
         bool found = false;
-        foreach (var match in messages.Split('\n').Select(line => ErrorLine.Match(line.Trim())).Where(match => match.Success))
+        foreach (var match in messages.Split('\n').Select(line => ErrorLine.Match(line.Trim()))
+            .Where(match => match.Success))
         {
             string file = Path.GetFullPath(Path.Combine(Root, match.Groups[1].Value));
-            Log.LogError(null, null, null, file, int.Parse(match.Groups[2].Value), 0, 0, 0, "kernel " + kernel + ": " + match.Groups[3].Value.Trim());
+            Log.LogError(null, null, null, file, int.Parse(match.Groups[2].Value), 0, 0, 0,
+                "kernel " + kernel + ": " + match.Groups[3].Value.Trim());
             found = true;
         }
         if (!found)
@@ -142,7 +151,8 @@ public sealed class CompileShaders : Task
     {
         var text = new StringBuilder("{\n  \"kernels\": [");
         text.Append(string.Join(", ", kernels.Select(kernel => '"' + kernel + '"'))).Append("],\n  \"sources\": {\n");
-        text.Append(string.Join(",\n", read.Select(path => "    \"" + path + "\": \"" + Hash(Path.Combine(Root, path)) + '"')));
+        text.Append(
+            string.Join(",\n", read.Select(path => "    \"" + path + "\": \"" + Hash(Path.Combine(Root, path)) + '"')));
         return text.Append("\n  }\n}\n").ToString();
     }
 

@@ -3,8 +3,8 @@ using System.IO;
 namespace Glint.Core
 {
     /// <summary>
-    /// Triangles as plain numbers, for other programs: number of vertices and of triangles, x, y, z of each vertex (float32, metres), three vertex numbers of each
-    /// triangle. All little-endian, whole numbers int32.
+    /// Triangles as plain numbers, for other programs: number of vertices and of triangles, x, y, z of each vertex
+    /// (float32, metres), three vertex numbers of each triangle. All little-endian, whole numbers int32.
     /// </summary>
     public static class BinaryScene
     {

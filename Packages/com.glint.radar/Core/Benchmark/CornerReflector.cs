@@ -4,13 +4,17 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The corner reflector of the published experiment with its radar: the only place that holds the recovered geometry.
-    /// The thesis does not give it. It was fitted to rays hit, rays received and amplitudes of all 46 rows of Table A.2 together.
+    /// The corner reflector of the published experiment with its radar:
+    /// the only place that holds the recovered geometry.
+    /// The thesis does not give it. It was fitted to rays hit,
+    /// rays received and amplitudes of all 46 rows of Table A.2 together.
     /// The stored prefabs are made of these numbers by <c>glint reflector</c>.
     /// </summary>
     public static class CornerReflector
     {
-        /// <summary>Distance from the camera to the turning point, metres. The turning point is the world's origin.</summary>
+        /// <summary>
+        /// Distance from the camera to the turning point, metres. The turning point is the world's origin.
+        /// </summary>
         public const double Distance = 41.112;
 
         /// <summary>Elevation of the camera above the turning point, degrees.</summary>
@@ -19,7 +23,9 @@ namespace Glint.Core
         /// <summary>Pitch of the camera below the horizontal, degrees.</summary>
         public const double PitchDegrees = 9.985;
 
-        /// <summary>Pitch of the receiver, upwards from the view axis, degrees: the receiver looks down by 6 degrees.</summary>
+        /// <summary>
+        /// Pitch of the receiver, upwards from the view axis, degrees: the receiver looks down by 6 degrees.
+        /// </summary>
         public const double ReceiverTiltDegrees = 4.0;
 
         /// <summary>Centre of the receiver in the camera's frame (right, up, forward), metres.</summary>
@@ -46,7 +52,8 @@ namespace Glint.Core
                 double elevation = math.radians(ElevationDegrees);
                 var view = AccuracyScene.PublishedView(Distance, PitchDegrees);
                 view.Position = Distance * new double3(0, math.sin(elevation), -math.cos(elevation));
-                view.ReceiverCentre = view.Position + ReceiverOffset.x * view.Right + ReceiverOffset.y * view.Up + ReceiverOffset.z * view.Forward;
+                view.ReceiverCentre = view.Position + ReceiverOffset.x * view.Right + ReceiverOffset.y * view.Up
+                    + ReceiverOffset.z * view.Forward;
                 double tilt = math.radians(ReceiverTiltDegrees), sin = math.sin(tilt), cos = math.cos(tilt);
                 view.ReceiverUp = cos * view.Up - sin * view.Forward;
                 view.ReceiverForward = cos * view.Forward + sin * view.Up;
@@ -54,7 +61,9 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>The reflector turned about the vertical by an angle in degrees, positive as Unity's rotation about Y.</summary>
+        /// <summary>
+        /// The reflector turned about the vertical by an angle in degrees, positive as Unity's rotation about Y.
+        /// </summary>
         public static RadarScene Turned(double degrees) => AccuracyScene.Turned(Mesh, degrees);
 
         /// <summary>The reflector's axes at 0 degrees, a rotation; their origin is the vertex.</summary>
@@ -66,14 +75,17 @@ namespace Glint.Core
                 double3 across = new double3(1, 0, 0), along = new double3(0, -math.sin(lean), -math.cos(lean));
                 var axes = new Affine
                 {
-                    X = (along + across) / math.sqrt(2.0), Y = (along - across) / math.sqrt(2.0), Z = new double3(0, math.cos(lean), -math.sin(lean))
+                    X = (along + across) / math.sqrt(2.0), Y = (along - across) / math.sqrt(2.0),
+                    Z = new double3(0, math.cos(lean), -math.sin(lean))
                 };
                 axes.Origin = axes.Vector(-TurningPoint);
                 return axes;
             }
         }
 
-        /// <summary>Lowest and highest corner of the plate across an axis of the reflector: 0, 1 or 2 for x, y or z.</summary>
+        /// <summary>
+        /// Lowest and highest corner of the plate across an axis of the reflector: 0, 1 or 2 for x, y or z.
+        /// </summary>
         internal static (double3 low, double3 high) Plate(int normal)
         {
             double3 low = PlateStart, high = PlateEnd;
@@ -99,7 +111,8 @@ namespace Glint.Core
         {
             int first = vertices.Count;
             for (int corner = 0; corner < 8; corner++)
-                vertices.Add((float3)axes.Point(new double3((corner & 1) == 0 ? low.x : high.x, (corner & 2) == 0 ? low.y : high.y, (corner & 4) == 0 ? low.z : high.z)));
+                vertices.Add((float3)axes.Point(new double3((corner & 1) == 0 ? low.x : high.x,
+                    (corner & 2) == 0 ? low.y : high.y, (corner & 4) == 0 ? low.z : high.z)));
             for (int axis = 0; axis < 3; axis++)
             {
                 int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;

@@ -5,8 +5,10 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// A scene for benchmarks, the same for the same numbers: a rough sea, 128 x 128 m about the origin, and a ship-like body on it, 60 m long, broadside on to +-Z.
-    /// Only its shape matters: rays bounce between waves, hull and superstructure. It is no sea spectrum and no real ship.
+    /// A scene for benchmarks, the same for the same numbers: a rough sea, 128 x 128 m about the origin,
+    /// and a ship-like body on it, 60 m long, broadside on to +-Z.
+    /// Only its shape matters: rays bounce between waves, hull and superstructure.
+    /// It is no sea spectrum and no real ship.
     /// </summary>
     public sealed class SeaAndShip
     {
@@ -39,7 +41,8 @@ namespace Glint.Core
             var waves = MakeWaves((uint)seed);
             int side = cells + 1;
             // sin(a + b) from the sines and cosines of each axis: a wave costs no sine a vertex.
-            double[] alongX = Phases(waves, side, wave => wave.AlongX, wave => 0), alongZ = Phases(waves, side, wave => wave.AlongZ, wave => wave.Phase);
+            double[] alongX = Phases(waves, side, wave => wave.AlongX, wave => 0),
+                alongZ = Phases(waves, side, wave => wave.AlongZ, wave => wave.Phase);
             var vertices = new float3[side * side];
             for (int z = 0; z < side; z++)
                 for (int x = 0; x < side; x++)
@@ -84,7 +87,8 @@ namespace Glint.Core
             uint state = seed;
             double Next()
             {
-                // Numerical Recipes' generator: the same on every machine. Its low bits are poor, the quotient takes the high ones.
+                // Numerical Recipes' generator: the same on every machine. Its low bits are poor,
+                // the quotient takes the high ones.
                 state = state * 1664525u + 1013904223u;
                 return state / 4294967296.0;
             }
@@ -110,10 +114,22 @@ namespace Glint.Core
         {
             var vertices = new List<float3>();
             var indices = new List<int>();
-            AddBody(vertices, indices, new Body { Centre = new double3(0, 0.5, 0), HalfSize = new double3(30, 4, 5), Roundness = new double2(0.6, 0.75) }, 0.55 * triangles);
-            AddBody(vertices, indices, new Body { Centre = new double3(-5, 6, 0), HalfSize = new double3(9, 3.5, 3.5), Roundness = new double2(0.3, 0.35) }, 0.25 * triangles);
-            AddBody(vertices, indices, new Body { Centre = new double3(9, 5, 0), HalfSize = new double3(4, 2.5, 2.5), Roundness = new double2(0.5, 0.5) }, 0.14 * triangles);
-            AddBody(vertices, indices, new Body { Centre = new double3(-4, 12, 0), HalfSize = new double3(0.8, 5, 0.8), Roundness = new double2(0.4, 1) }, 0.06 * triangles);
+            AddBody(vertices, indices, new Body
+            {
+                Centre = new double3(0, 0.5, 0), HalfSize = new double3(30, 4, 5), Roundness = new double2(0.6, 0.75)
+            }, 0.55 * triangles);
+            AddBody(vertices, indices, new Body
+            {
+                Centre = new double3(-5, 6, 0), HalfSize = new double3(9, 3.5, 3.5), Roundness = new double2(0.3, 0.35)
+            }, 0.25 * triangles);
+            AddBody(vertices, indices, new Body
+            {
+                Centre = new double3(9, 5, 0), HalfSize = new double3(4, 2.5, 2.5), Roundness = new double2(0.5, 0.5)
+            }, 0.14 * triangles);
+            AddBody(vertices, indices, new Body
+            {
+                Centre = new double3(-4, 12, 0), HalfSize = new double3(0.8, 5, 0.8), Roundness = new double2(0.4, 1)
+            }, 0.06 * triangles);
             return new TriangleMesh(vertices.ToArray(), indices.ToArray());
         }
 
@@ -172,10 +188,12 @@ namespace Glint.Core
             {
                 double ring = Power(math.sin(down), Roundness.x);
                 return (float3)(Centre + HalfSize * new double3(
-                    ring * Power(math.cos(about), Roundness.y), Power(math.cos(down), Roundness.x), ring * Power(math.sin(about), Roundness.y)));
+                    ring * Power(math.cos(about), Roundness.y), Power(math.cos(down), Roundness.x),
+                    ring * Power(math.sin(about), Roundness.y)));
             }
 
-            static double Power(double value, double exponent) => Math.Sign(value) * math.pow(math.abs(value), exponent);
+            static double Power(double value, double exponent) =>
+                Math.Sign(value) * math.pow(math.abs(value), exponent);
         }
     }
 }

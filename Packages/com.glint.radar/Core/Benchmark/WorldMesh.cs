@@ -5,7 +5,9 @@ namespace Glint.Core
     /// <summary>A scene as one mesh.</summary>
     public static class WorldMesh
     {
-        /// <summary>All instances in the world's axes, metres, in their order; places rounded to float32 at the end.</summary>
+        /// <summary>
+        /// All instances in the world's axes, metres, in their order; places rounded to float32 at the end.
+        /// </summary>
         /// <exception cref="GlintException">More vertices or indices than an array numbers.</exception>
         public static TriangleMesh Of(RadarScene scene)
         {
@@ -16,7 +18,8 @@ namespace Glint.Core
                 indexCount += instance.Mesh.Indices.Length;
             }
             if (vertexCount > int.MaxValue || indexCount > int.MaxValue)
-                throw new GlintException($"{scene.TriangleCount} triangles do not go into one mesh, which holds at most {int.MaxValue / 3}: use fewer or simpler objects");
+                throw new GlintException($"{scene.TriangleCount} triangles do not go into one mesh, "
+                    + $"which holds at most {int.MaxValue / 3}: use fewer or simpler objects");
 
             var vertices = new float3[vertexCount];
             var indices = new int[indexCount];

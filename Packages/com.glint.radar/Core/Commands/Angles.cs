@@ -9,10 +9,15 @@ namespace Glint.Core
         public const int Limit = NumberList.Limit;
 
         // Unity turns objects by single-precision angles: another turn only costs digits.
-        static readonly NumberList s_list = new NumberList("angle", Interval.Closed(-360, 360), "degrees", ("0:45:1", "0,10,45"));
+        static readonly NumberList s_list =
+            new NumberList("angle", Interval.Closed(-360, 360), "degrees", ("0:45:1", "0,10,45"));
 
-        /// <summary>The angles in the order written. FROM and TO are both included, TO when whole steps reach it.</summary>
-        /// <exception cref="UsageException">Malformed, empty, out of range or more than <see cref="Limit"/>.</exception>
+        /// <summary>
+        /// The angles in the order written. FROM and TO are both included, TO when whole steps reach it.
+        /// </summary>
+        /// <exception cref="UsageException">
+        /// Malformed, empty, out of range or more than <see cref="Limit"/>.
+        /// </exception>
         public static double[] Parse(string text)
         {
             try

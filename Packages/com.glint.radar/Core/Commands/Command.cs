@@ -3,7 +3,9 @@ using System.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>One command: its words for the user, the options it takes, and which of them it cannot do without.</summary>
+    /// <summary>
+    /// One command: its words for the user, the options it takes, and which of them it cannot do without.
+    /// </summary>
     public sealed class Command
     {
         internal Command(string name, string summary)
@@ -30,7 +32,10 @@ namespace Glint.Core
         /// <summary>The options, in the order of the help.</summary>
         public IReadOnlyList<Option> Options { get; internal set; }
 
-        /// <summary>The options that must be given, each for the inputs it goes with; one that needs others, only with one of these.</summary>
+        /// <summary>
+        /// The options that must be given, each for the inputs it goes with;
+        /// one that needs others, only with one of these.
+        /// </summary>
         public IReadOnlyList<Option> Required { get; internal set; } = new Option[0];
 
         /// <summary>Options of which one at least must be given; empty when there are none.</summary>
@@ -43,10 +48,13 @@ namespace Glint.Core
         public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }
 
         /// <summary>What its arguments are called: INPUT, [INPUT], DIR... or SHELL; null when it takes none.</summary>
-        public string InputName => Inputs == InputKind.None ? null : Inputs == InputKind.Shell ? "SHELL" : Inputs == InputKind.Folders ? "DIR..." : HasBuiltIn ? "[INPUT]" : "INPUT";
+        public string InputName => Inputs == InputKind.None ? null : Inputs == InputKind.Shell ? "SHELL" : Inputs
+            == InputKind.Folders ? "DIR..." : HasBuiltIn ? "[INPUT]" : "INPUT";
 
         /// <summary>How the command is called, in one line.</summary>
         public string Usage => string.Join(" ", new[] { "glint", Name, InputName }
-            .Concat(OneOf.Take(1).Concat(Required.Where(option => option.Needs.Count == 0)).Select(option => $"{option.Flag} {option.ValueName}")).Append("[options]").Where(word => word != null));
+            .Concat(OneOf.Take(1).Concat(Required.Where(option => option.Needs.Count == 0))
+                .Select(option => $"{option.Flag} {option.ValueName}")).Append("[options]")
+            .Where(word => word != null));
     }
 }

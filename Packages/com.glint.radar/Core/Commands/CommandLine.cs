@@ -5,7 +5,9 @@ using System.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>A checked command line: what is to be done, to what, with which options. Nothing of it has been opened yet.</summary>
+    /// <summary>
+    /// A checked command line: what is to be done, to what, with which options. Nothing of it has been opened yet.
+    /// </summary>
     public sealed class CommandLine
     {
         /// <summary>Marks, among Unity's own arguments, where those of the command begin.</summary>
@@ -27,7 +29,10 @@ namespace Glint.Core
         /// <summary>What <see cref="Input"/> is: what the command takes, or by the end of its name.</summary>
         public InputKind InputKind { get; private set; }
 
-        /// <summary>The command's name, the input and the options as given: after the name, what <see cref="Parse"/> makes the same line of.</summary>
+        /// <summary>
+        /// The command's name, the input and the options as given: after the name,
+        /// what <see cref="Parse"/> makes the same line of.
+        /// </summary>
         public IReadOnlyList<string> Words { get; private set; }
 
         /// <summary>Value of an option: as given, else its default.</summary>
@@ -36,13 +41,16 @@ namespace Glint.Core
         /// <summary>Whether an option was given.</summary>
         public bool IsGiven(Option option) => _values.ContainsKey(option);
 
-        /// <summary>Reads the arguments of a command in Unity's batch mode: all after <see cref="UnityMarker"/>.</summary>
+        /// <summary>
+        /// Reads the arguments of a command in Unity's batch mode: all after <see cref="UnityMarker"/>.
+        /// </summary>
         /// <exception cref="UsageException">The first thing that is wrong.</exception>
         public static CommandLine FromUnity(Command command, IReadOnlyList<string> processArguments)
         {
             var own = processArguments.SkipWhile(argument => argument != UnityMarker).ToArray();
             if (own.Length == 0)
-                throw new UsageException($"{UnityMarker} is missing: put the arguments of {command.Name} after it, at the end of Unity's command line");
+                throw new UsageException($"{UnityMarker} is missing: put the arguments of {command.Name} after it, "
+                    + "at the end of Unity's command line");
             var line = Parse(command, own.Skip(1).ToArray());
             foreach (var option in line.Command.Options)
                 if (option.UnityRemedy != null && line.IsGiven(option))
@@ -51,7 +59,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Reads the arguments of a command: INPUT and options in any order, <c>--name value</c> or <c>--name=value</c>, after <c>--</c> no options.
+        /// Reads the arguments of a command: INPUT and options in any order,
+        /// <c>--name value</c> or <c>--name=value</c>, after <c>--</c> no options.
         /// A value may begin with '-', as negative numbers do, but not with "--".
         /// </summary>
         /// <exception cref="UsageException">The first thing that is wrong.</exception>
@@ -74,7 +83,8 @@ namespace Glint.Core
                     options.Add(Pair(argument.Substring(0, equals), argument.Substring(equals + 1)));
                 else if (Find(command, argument)?.IsSwitch == true)
                     options.Add(Pair(argument, null));
-                else if (i + 1 < arguments.Count && !arguments[i + 1].StartsWith("--", StringComparison.Ordinal) && Find(command, argument) != null)
+                else if (i + 1 < arguments.Count && !arguments[i + 1].StartsWith("--", StringComparison.Ordinal)
+                    && Find(command, argument) != null)
                     options.Add(Pair(argument, arguments[++i]));
                 else
                     options.Add(Pair(argument, null));
@@ -82,12 +92,16 @@ namespace Glint.Core
             return Create(command, inputs, options);
         }
 
-        /// <summary>Checks what a parser found. Both hosts' command lines end here, so that both refuse the same things in the same words.</summary>
+        /// <summary>
+        /// Checks what a parser found. Both hosts' command lines end here,
+        /// so that both refuse the same things in the same words.
+        /// </summary>
         /// <param name="command">The command.</param>
         /// <param name="inputs">The arguments that are no options.</param>
         /// <param name="options">Options as written, with dashes, and their values; null for a missing value.</param>
         /// <exception cref="UsageException">The first thing that is wrong.</exception>
-        public static CommandLine Create(Command command, IReadOnlyList<string> inputs, IReadOnlyList<KeyValuePair<string, string>> options)
+        public static CommandLine Create(Command command, IReadOnlyList<string> inputs,
+            IReadOnlyList<KeyValuePair<string, string>> options)
         {
             var line = new CommandLine(command);
             foreach (var given in options)
@@ -95,12 +109,15 @@ namespace Glint.Core
             line.SetInput(inputs);
             line.CheckOptionsAgainstInput();
             line.CheckOptionsAgainstEachOther();
-            line.Words = new[] { command.Name }.Concat(options.Select(option => option.Value == null ? option.Key : $"{option.Key}={option.Value}"))
+            line.Words = new[] { command.Name }
+                .Concat(options.Select(option => option.Value == null ? option.Key : $"{option.Key}={option.Value}"))
                 .Concat(inputs.Count == 0 ? inputs : inputs.Prepend("--")).ToArray();
             return line;
         }
 
-        /// <summary>Whether an argument is written as an option: a dash and a letter or dash after it. A negative number is not.</summary>
+        /// <summary>
+        /// Whether an argument is written as an option: a dash and a letter or dash after it. A negative number is not.
+        /// </summary>
         public static bool LooksLikeOption(string argument) =>
             argument.Length > 1 && argument[0] == '-' && (argument[1] == '-' || char.IsLetter(argument[1]));
 
@@ -108,7 +125,8 @@ namespace Glint.Core
         {
             var option = Find(Command, flag);
             if (option == null)
-                throw new UsageException($"{flag}: {Command.Name} has no such option{Suggest(flag, Command.Options.Select(known => known.Flag))}");
+                throw new UsageException($"{flag}: {Command.Name} has no such "
+                    + $"option{Suggest(flag, Command.Options.Select(known => known.Flag))}");
             bool isGiven = _values.TryGetValue(option, out var before);
             if (isGiven && !option.IsRepeatable)
                 throw new UsageException($"{flag}: given twice");
@@ -128,7 +146,9 @@ namespace Glint.Core
             }
             int expected = Command.Inputs == InputKind.None ? 0 : 1;
             if (inputs.Count > expected)
-                throw new UsageException($"{Values.Shown(inputs[expected])}: one argument too many: {(expected == 0 ? Command.Name + " takes none" : $"{Command.InputName.Trim('[', ']')} is {Values.Shown(inputs[0])} already")} (put names with blanks in quotes)");
+                throw new UsageException($"{Values.Shown(inputs[expected])}: one argument too many: "
+                    + $"{(expected == 0 ? Command.Name + " takes none" : $"{Command.InputName.Trim('[', ']')} is {Values.Shown(inputs[0])} already")} "
+                    + "(put names with blanks in quotes)");
             if (expected == 0)
                 return;
             if (inputs.Count == 0 && Command.HasBuiltIn)
@@ -139,14 +159,18 @@ namespace Glint.Core
             if (inputs.Count == 0)
                 throw new UsageException($"{Command.Name}: {Command.InputName} is missing: give {WhatInputIs}");
             if (string.IsNullOrWhiteSpace(inputs[0]))
-                throw new UsageException($"{Command.Name}: {Command.InputName.Trim('[', ']')} is empty: give {WhatInputIs}");
+                throw new UsageException($"{Command.Name}: {Command.InputName.Trim('[', ']')} is empty: "
+                    + $"give {WhatInputIs}");
             Input = inputs[0];
             if (Command.Inputs == InputKind.Shell && !Commands.Shells.Contains(Input))
                 throw new UsageException($"{Command.Name}: {Values.Shown(Input)}: no such shell: give {WhatInputIs}");
-            InputKind = Command.Inputs == InputKind.Results || Command.Inputs == InputKind.Shell ? Command.Inputs : KindOf(Input);
+            InputKind = Command.Inputs == InputKind.Results
+                || Command.Inputs == InputKind.Shell ? Command.Inputs : KindOf(Input);
         }
 
-        string WhatInputIs => Command.Inputs == InputKind.Results ? "a folder with results" : Command.Inputs == InputKind.Shell ? string.Join(", ", Commands.Shells) : "a scene (.unity) or a mesh file (.obj, .stl)";
+        string WhatInputIs => Command.Inputs == InputKind.Results ? "a folder with results"
+            : Command.Inputs == InputKind.Shell ? string.Join(", ", Commands.Shells)
+            : "a scene (.unity) or a mesh file (.obj, .stl)";
 
         void SetFolders(IReadOnlyList<string> folders)
         {
@@ -167,17 +191,22 @@ namespace Glint.Core
                 if (IsGiven(option) && InputKind != InputKind.None && (option.Inputs & InputKind) == 0)
                     throw new UsageException($"{option.Flag}: {option.Refusal}");
             foreach (var option in Command.Required)
-                if (!IsGiven(option) && (InputKind == InputKind.None || (option.Inputs & InputKind) != 0) && (option.Needs.Count == 0 || option.Needs.Any(IsGiven)))
-                    throw new UsageException($"{option.Flag} is missing: {Command.Name} needs {option.Flag} {option.ValueName}");
+                if (!IsGiven(option) && (InputKind == InputKind.None || (option.Inputs & InputKind) != 0)
+                    && (option.Needs.Count == 0 || option.Needs.Any(IsGiven)))
+                    throw new UsageException($"{option.Flag} is missing: "
+                        + $"{Command.Name} needs {option.Flag} {option.ValueName}");
             if (Command.OneOf.Count > 0 && !Command.OneOf.Any(IsGiven) && !Command.Required.Any(IsGiven))
-                throw new UsageException($"{Command.Name}: nothing to step through: give {Either(Command.OneOf.Where(option => (option.Inputs & InputKind) != 0))}");
+                throw new UsageException($"{Command.Name}: nothing to step through: "
+                    + $"give {Either(Command.OneOf.Where(option => (option.Inputs & InputKind) != 0))}");
         }
 
         // "--angles ANGLES, --grazing LIST or --distance LIST"
         static string Either(IEnumerable<Option> options)
         {
             var forms = options.Select(option => $"{option.Flag} {option.ValueName}").ToArray();
-            return forms.Length == 1 ? forms[0] : $"{string.Join(", ", forms.Take(forms.Length - 1))} or {forms[forms.Length - 1]}";
+            return forms.Length == 1
+                ? forms[0]
+                : $"{string.Join(", ", forms.Take(forms.Length - 1))} or {forms[forms.Length - 1]}";
         }
 
         void CheckOptionsAgainstEachOther()
@@ -199,11 +228,13 @@ namespace Glint.Core
                 case ".unity": return InputKind.Scene;
                 case ".obj":
                 case ".stl": return InputKind.MeshFile;
-                default: throw new UsageException($"{Values.Shown(input)}: neither a scene (.unity) nor a mesh file (.obj, .stl)");
+                default: throw new UsageException($"{Values.Shown(input)}: "
+                    + "neither a scene (.unity) nor a mesh file (.obj, .stl)");
             }
         }
 
-        static Option Find(Command command, string flag) => command.Options.FirstOrDefault(option => option.Flag == flag);
+        static Option Find(Command command, string flag) =>
+            command.Options.FirstOrDefault(option => option.Flag == flag);
 
         static string Suggest(string word, IEnumerable<string> names)
         {
@@ -211,6 +242,7 @@ namespace Glint.Core
             return nearest == null ? "" : $"; did you mean {nearest}?";
         }
 
-        static KeyValuePair<string, string> Pair(string flag, string text) => new KeyValuePair<string, string>(flag, text);
+        static KeyValuePair<string, string> Pair(string flag, string text) =>
+            new KeyValuePair<string, string>(flag, text);
     }
 }

@@ -9,11 +9,13 @@ namespace Glint.Core
         public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.Words)
         {
             Group = Group,
-            Help = "Folder for experiments.md, experiments.json and the plots in images/, made with its parents when it is not there."
+            Help = "Folder for experiments.md, experiments.json and the plots in images/, "
+                + "made with its parents when it is not there."
         };
 
         /// <summary>Seas with the same wind and choppiness.</summary>
         public static readonly Option<int> Seeds = Options.Whole("seeds", "N", "20", Interval.Closed(1, 1000), Group,
-            "Seas of each wind and choppiness: the stored one, and others that differ from it in nothing but the seed.");
+            "Seas of each wind and choppiness: the stored one, "
+                + "and others that differ from it in nothing but the seed.");
     }
 }

@@ -26,7 +26,8 @@ namespace Glint.Core
             help.Heading("Commands");
             help.Table(Commands.All.Select(command => (command.Name, command.Summary)));
             help.Heading("Options");
-            help.Table(new[] { ("--help", "Help; glint COMMAND --help lists the options of a command with examples."), ("--version", "The version of Glint.") });
+            help.Table(new[] { ("--help", "Help; glint COMMAND --help lists the options of a command with examples."),
+                ("--version", "The version of Glint.") });
             help.AddExamples(Commands.All.Select(command => command.Examples[0]));
             help.AddExitCodes();
             return help._text.ToString();
@@ -58,8 +59,11 @@ namespace Glint.Core
             if (command.UnityMethod != null)
             {
                 help.Heading("In Unity");
-                help.Paragraph(Margin, $"Unity -batchmode -projectPath DIR -executeMethod {command.UnityMethod} {CommandLine.UnityMarker} {(command.InputName == null ? "" : command.InputName + " ")}[options]");
-                help.Paragraph(Margin, "The same arguments, last on the line. Neither -nographics (there would be no GPU) nor -quit (the command ends Unity itself).");
+                help.Paragraph(Margin,
+                    $"Unity -batchmode -projectPath DIR -executeMethod {command.UnityMethod} {CommandLine.UnityMarker} "
+                        + $"{(command.InputName == null ? "" : command.InputName + " ")}[options]");
+                help.Paragraph(Margin, "The same arguments, last on the line. "
+                    + "Neither -nographics (there would be no GPU) nor -quit (the command ends Unity itself).");
             }
             help.AddExitCodes();
             return help._text.ToString();
@@ -69,7 +73,8 @@ namespace Glint.Core
 
         static string Explanation(Option option)
         {
-            var facts = new[] { option.DefaultText == null ? null : "default " + option.DefaultText, option.Range }.Where(fact => fact != null).ToArray();
+            var facts = new[] { option.DefaultText == null ? null : "default " + option.DefaultText, option.Range }
+                .Where(fact => fact != null).ToArray();
             return facts.Length == 0 ? option.Help : $"{option.Help} [{string.Join("; ", facts)}]";
         }
 

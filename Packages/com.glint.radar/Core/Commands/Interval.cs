@@ -26,7 +26,8 @@ namespace Glint.Core
         static string Text(double value)
         {
             double size = Math.Abs(value);
-            return value.ToString(size < 1e6 && (size >= 0.001 || size == 0) ? "R" : "0.###e0", CultureInfo.InvariantCulture);
+            return value.ToString(size < 1e6 && (size >= 0.001 || size == 0) ? "R" : "0.###e0",
+                CultureInfo.InvariantCulture);
         }
     }
 }

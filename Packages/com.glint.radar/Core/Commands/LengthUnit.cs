@@ -9,7 +9,8 @@ namespace Glint.Core
     {
         static readonly LengthUnit[] Units =
         {
-            new LengthUnit("m", 1), new LengthUnit("dm", 0.1), new LengthUnit("cm", 0.01), new LengthUnit("mm", 0.001), new LengthUnit("um", 1e-6),
+            new LengthUnit("m", 1), new LengthUnit("dm", 0.1), new LengthUnit("cm", 0.01),
+            new LengthUnit("mm", 0.001), new LengthUnit("um", 1e-6),
             new LengthUnit("km", 1000), new LengthUnit("in", 0.0254), new LengthUnit("ft", 0.3048)
         };
 

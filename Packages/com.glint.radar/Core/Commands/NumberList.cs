@@ -4,7 +4,10 @@ using System.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>Reads the numbers of an option, written FROM:TO:STEP or as a list with commas. A <see cref="FormatException"/> says what they must be.</summary>
+    /// <summary>
+    /// Reads the numbers of an option, written FROM:TO:STEP or as a list with commas.
+    /// A <see cref="FormatException"/> says what they must be.
+    /// </summary>
     sealed class NumberList
     {
         /// <summary>Most numbers of one list.</summary>
@@ -23,7 +26,8 @@ namespace Glint.Core
         /// <param name="unit">"degrees".</param>
         /// <param name="examples">Of a range and of a list: "0:45:1", "0,10,45".</param>
         /// <param name="nouns">Several of them, when that is not the noun with an s.</param>
-        public NumberList(string noun, Interval range, string unit, (string range, string list) examples, string nouns = null)
+        public NumberList(string noun, Interval range, string unit,
+            (string range, string list) examples, string nouns = null)
         {
             _noun = noun;
             _nouns = nouns ?? noun + "s";
@@ -32,8 +36,12 @@ namespace Glint.Core
             _forms = $"give FROM:TO:STEP, such as {examples.range}, or a list, such as {examples.list}";
         }
 
-        /// <summary>The numbers in the order written. FROM and TO are both included, TO when whole steps reach it.</summary>
-        /// <exception cref="FormatException">Malformed, empty, out of range or more than <see cref="Limit"/>.</exception>
+        /// <summary>
+        /// The numbers in the order written. FROM and TO are both included, TO when whole steps reach it.
+        /// </summary>
+        /// <exception cref="FormatException">
+        /// Malformed, empty, out of range or more than <see cref="Limit"/>.
+        /// </exception>
         public double[] Read(string text)
         {
             if (string.IsNullOrWhiteSpace(text))
@@ -41,7 +49,8 @@ namespace Glint.Core
             return text.Contains(':') ? Range(text.Split(':')) : List(text.Split(','));
         }
 
-        double[] List(string[] parts) => parts.Length <= Limit ? parts.Select(Value).ToArray() : throw TooMany("give fewer");
+        double[] List(string[] parts) =>
+            parts.Length <= Limit ? parts.Select(Value).ToArray() : throw TooMany("give fewer");
 
         double[] Range(string[] parts)
         {
@@ -57,7 +66,8 @@ namespace Glint.Core
             if ((last - first) / step >= Limit)
                 throw TooMany("take a larger STEP");
             if (step < SmallestStep)
-                throw new FormatException("STEP must be at least " + SmallestStep.ToString(CultureInfo.InvariantCulture));
+                throw new FormatException("STEP must be at least "
+                    + SmallestStep.ToString(CultureInfo.InvariantCulture));
             decimal from = Exact(parts[0]), to = Exact(parts[1]);
             // A step beyond the range is as good as any other that is, and fits a decimal.
             return Steps(from, to, step > 2 * (last - first) ? 2 * (to - from) : Exact(parts[2]));
@@ -86,13 +96,18 @@ namespace Glint.Core
             if (text.Trim().Length == 0)
                 throw new FormatException("a number is missing: " + _forms);
             // + 0 makes -0 a plain 0.
-            return Values.TryReal(text, out double value) ? value + 0.0 : throw new FormatException($"{Values.Shown(text)} is not a number: {_forms}");
+            return Values.TryReal(text, out double value)
+                ? value + 0.0
+                : throw new FormatException($"{Values.Shown(text)} is not a number: {_forms}");
         }
 
-        static decimal Exact(string text) => decimal.Parse(text.Trim(), NumberStyles.Float, CultureInfo.InvariantCulture);
+        static decimal Exact(string text) =>
+            decimal.Parse(text.Trim(), NumberStyles.Float, CultureInfo.InvariantCulture);
 
-        static double Nearest(decimal value) => double.Parse(value.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture) + 0.0;
+        static double Nearest(decimal value) =>
+            double.Parse(value.ToString(CultureInfo.InvariantCulture), CultureInfo.InvariantCulture) + 0.0;
 
-        FormatException TooMany(string remedy) => new FormatException($"more than {Limit.ToString("N0", CultureInfo.InvariantCulture)} {_nouns}: {remedy}");
+        FormatException TooMany(string remedy) =>
+            new FormatException($"more than {Limit.ToString("N0", CultureInfo.InvariantCulture)} {_nouns}: {remedy}");
     }
 }

@@ -27,13 +27,17 @@ namespace Glint.Core
         /// <summary>Range of the value in words; null when any will do.</summary>
         public string Range { get; internal set; }
 
-        /// <summary>Values to offer while a command line is typed; empty when there are too many, or only names of files.</summary>
+        /// <summary>
+        /// Values to offer while a command line is typed; empty when there are too many, or only names of files.
+        /// </summary>
         public IReadOnlyList<string> Choices { get; internal set; } = Array.Empty<string>();
 
         /// <summary>The value when the option is not given, as it would be written; null when there is none.</summary>
         public string DefaultText { get; internal set; }
 
-        /// <summary>The value when the option is given without one, as it would be written; null when it needs one.</summary>
+        /// <summary>
+        /// The value when the option is given without one, as it would be written; null when it needs one.
+        /// </summary>
         public string ImpliedText { get; internal set; }
 
         /// <summary>Whether it stands alone, without a value.</summary>
@@ -48,11 +52,14 @@ namespace Glint.Core
         /// <summary>Why the option is refused with the other inputs, and what to do instead.</summary>
         public string Refusal { get; internal set; }
 
-        /// <summary>Options without all of which this one means nothing: one of them must be given with it. Empty for none.</summary>
+        /// <summary>
+        /// Options without all of which this one means nothing: one of them must be given with it. Empty for none.
+        /// </summary>
         public IReadOnlyList<Option> Needs { get; internal set; } = Array.Empty<Option>();
 
         /// <summary>Options that cannot be given with this one, each with the reason.</summary>
-        public IReadOnlyList<(Option option, string reason)> Excludes { get; internal set; } = Array.Empty<(Option, string)>();
+        public IReadOnlyList<(Option option, string reason)> Excludes { get; internal set; } =
+            Array.Empty<(Option, string)>();
 
         /// <summary>What to use in Unity, which has a way of its own; null for options that both hosts take.</summary>
         public string UnityRemedy { get; internal set; }
@@ -64,7 +71,9 @@ namespace Glint.Core
         public abstract bool IsRepeatable { get; }
 
         /// <summary>Reads a value.</summary>
-        /// <exception cref="UsageException">Malformed or out of range; the message names the option and the text.</exception>
+        /// <exception cref="UsageException">
+        /// Malformed or out of range; the message names the option and the text.
+        /// </exception>
         public abstract object ParseValue(string text);
 
         internal abstract object JoinValues(object before, object value);
@@ -83,7 +92,9 @@ namespace Glint.Core
         /// <param name="read">Reads the value; throws <see cref="FormatException"/> that says what it must be.</param>
         internal Option(string name, string valueName, Func<string, T> read) : base(name, valueName) => _read = read;
 
-        /// <summary>Makes one value of those of an option that may be given more than once; null for other options.</summary>
+        /// <summary>
+        /// Makes one value of those of an option that may be given more than once; null for other options.
+        /// </summary>
         internal Func<T, T, T> Join { get; set; }
 
         /// <summary>The value when the option is not given; the type's default when the table has none.</summary>
@@ -96,12 +107,16 @@ namespace Glint.Core
         public override bool IsRepeatable => Join != null;
 
         /// <summary>Reads a value.</summary>
-        /// <exception cref="UsageException">Malformed or out of range; the message names the option and the text.</exception>
+        /// <exception cref="UsageException">
+        /// Malformed or out of range; the message names the option and the text.
+        /// </exception>
         public T Parse(string text) => Parse(text, Flag);
 
         /// <summary>Reads a value that is written elsewhere than after the option.</summary>
         /// <param name="place">Where, for the message.</param>
-        /// <exception cref="UsageException">Malformed or out of range; the message names the place and the text.</exception>
+        /// <exception cref="UsageException">
+        /// Malformed or out of range; the message names the place and the text.
+        /// </exception>
         public T Parse(string text, string place)
         {
             try

@@ -22,8 +22,11 @@ namespace Glint.Core
         public static PeerCommand Parse(string text)
         {
             int equals = text.IndexOf('=');
-            string name = equals < 0 ? "" : text.Substring(0, equals).Trim(), command = text.Substring(equals + 1).Trim();
-            return name.Length > 0 && command.Length > 0 ? new PeerCommand(name, command) : throw new FormatException("must be NAME=COMMAND, such as \"Embree=./embree {scene}\"");
+            string name = equals < 0 ? "" : text.Substring(0, equals).Trim(),
+                command = text.Substring(equals + 1).Trim();
+            return name.Length > 0 && command.Length > 0
+                ? new PeerCommand(name, command)
+                : throw new FormatException("must be NAME=COMMAND, such as \"Embree=./embree {scene}\"");
         }
     }
 }

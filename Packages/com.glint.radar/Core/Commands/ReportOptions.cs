@@ -19,12 +19,17 @@ namespace Glint.Core
             Help = "The file to write, in a folder that is there. Without it: report.html in the folder of the results."
         };
 
-        /// <summary>Number of the row, from 1, whose pose is shown; 0 when not given: the strongest. <see cref="NoPose"/> for none.</summary>
+        /// <summary>
+        /// Number of the row, from 1, whose pose is shown; 0 when not given: the strongest.
+        /// <see cref="NoPose"/> for none.
+        /// </summary>
         public static readonly Option<int> Pose = new Option<int>("pose", "N|none", ReadPose)
         {
             Choices = new[] { "none" },
             Group = Group,
-            Help = "The pose that is shown in 3-D and as the radar's picture: its row in results.csv, the first being 1. Without it: the one with the largest amplitude. With none the scene is not opened and no GPU is needed."
+            Help = "The pose that is shown in 3-D and as the radar's picture: its row in results.csv, "
+                + "the first being 1. Without it: the one with the largest amplitude. "
+                + "With none the scene is not opened and no GPU is needed."
         };
 
         static int ReadPose(string text)

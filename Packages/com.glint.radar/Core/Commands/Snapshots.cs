@@ -3,14 +3,18 @@ using System.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>The snapshots of a sweep, counted from 1, written FROM:TO, FROM:TO:STEP or as a list with commas.</summary>
+    /// <summary>
+    /// The snapshots of a sweep, counted from 1, written FROM:TO, FROM:TO:STEP or as a list with commas.
+    /// </summary>
     public static class Snapshots
     {
         const string Forms = "give FROM:TO, such as 1:10, or a list, such as 1,4,9";
 
         static readonly Interval Numbers = Interval.Closed(1, 1000000);
 
-        /// <summary>The snapshots in the order written; both ends of a range are included, TO when whole steps reach it.</summary>
+        /// <summary>
+        /// The snapshots in the order written; both ends of a range are included, TO when whole steps reach it.
+        /// </summary>
         /// <exception cref="UsageException">Malformed, empty or out of range.</exception>
         public static int[] Parse(string text)
         {

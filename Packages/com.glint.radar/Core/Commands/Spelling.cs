@@ -10,7 +10,8 @@ namespace Glint.Core
         /// <summary>The known name nearest to a word; null when none is near.</summary>
         public static string Nearest(string word, IEnumerable<string> names)
         {
-            var near = names.Select(name => (name, distance: name.StartsWith(word, StringComparison.Ordinal) && word.Length > 1 ? 0 : Distance(word, name)))
+            var near = names.Select(name => (name, distance: name.StartsWith(word, StringComparison.Ordinal)
+                    && word.Length > 1 ? 0 : Distance(word, name)))
                 .OrderBy(pair => pair.distance).FirstOrDefault();
             return near.name != null && near.distance <= Math.Max(1, word.Length / 3) ? near.name : null;
         }

@@ -7,18 +7,24 @@ namespace Glint.Core
 {
     /// <summary>
     /// Reads the values of options: invariant culture, finite, in range.
-    /// A <see cref="FormatException"/> says what the value must be; the caller puts the option's name and the text before it.
+    /// A <see cref="FormatException"/> says what the value must be;
+    /// the caller puts the option's name and the text before it.
     /// </summary>
     static class Values
     {
-        const NumberStyles RealStyle = NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent;
+        const NumberStyles RealStyle =
+            NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent;
         const int LongestShown = 60;
 
         public static double Real(string text, Interval range) =>
-            Checked(TryReal(text, out double value) ? value : throw new FormatException("must be a number, such as 0.5 or 10e9"), range, "must be ");
+            Checked(TryReal(text, out double value)
+                ? value
+                : throw new FormatException("must be a number, such as 0.5 or 10e9"), range, "must be ");
 
         public static int Whole(string text, Interval range) =>
-            (int)Checked(TryWhole(text, out double value) ? value : throw new FormatException($"must be a whole number {range}"), range, "must be ");
+            (int)Checked(
+                TryWhole(text, out double value) ? value : throw new FormatException($"must be a whole number {range}"),
+                range, "must be ");
 
         /// <summary>ACROSSxDOWN.</summary>
         public static int2 Size(string text, Interval range)
@@ -33,7 +39,8 @@ namespace Glint.Core
         public static double2 Area(string text, Interval range)
         {
             var parts = text.Split('x', 'X');
-            if (parts.Length > 2 || !TryReal(parts[0], out double width) || !TryReal(parts[parts.Length - 1], out double height))
+            if (parts.Length > 2 || !TryReal(parts[0], out double width)
+                || !TryReal(parts[parts.Length - 1], out double height))
                 throw new FormatException("must be SIDE or WIDTHxHEIGHT in metres, such as 3 or 4x2.5");
             return new double2(Each(width, range), Each(height, range));
         }
@@ -42,7 +49,8 @@ namespace Glint.Core
         public static double3 Point(string text, Interval range)
         {
             var parts = text.Split(',');
-            if (parts.Length != 3 || !TryReal(parts[0], out double x) || !TryReal(parts[1], out double y) || !TryReal(parts[2], out double z))
+            if (parts.Length != 3 || !TryReal(parts[0], out double x) || !TryReal(parts[1], out double y)
+                || !TryReal(parts[2], out double z))
                 throw new FormatException("must be X,Y,Z, three numbers, such as 0,1.5,-2");
             return new double3(Each(x, range), Each(y, range), Each(z, range));
         }
@@ -53,9 +61,16 @@ namespace Glint.Core
             var parts = text.Split(',');
             var numbers = new double[parts.Length];
             if (parts.Length != 4 || !parts.Select((part, i) => TryWhole(part, out numbers[i])).All(isWhole => isWhole))
-                throw new FormatException("must be LEFT,BOTTOM,WIDTH,HEIGHT, four whole numbers, such as 480,0,960,540");
-            var region = new RayRegion { Left = (int)Each(numbers[0], range), Bottom = (int)Each(numbers[1], range), Width = (int)Each(numbers[2], range), Height = (int)Each(numbers[3], range) };
-            return region.Width > 0 && region.Height > 0 ? region : throw new FormatException("must have a width and a height above 0");
+                throw new FormatException("must be LEFT,BOTTOM,WIDTH,HEIGHT, four whole numbers, "
+                    + "such as 480,0,960,540");
+            var region = new RayRegion
+            {
+                Left = (int)Each(numbers[0], range), Bottom = (int)Each(numbers[1], range),
+                Width = (int)Each(numbers[2], range), Height = (int)Each(numbers[3], range)
+            };
+            return region.Width > 0 && region.Height > 0
+                ? region
+                : throw new FormatException("must have a width and a height above 0");
         }
 
         /// <summary>"all" is 1, "none" 0, N is N.</summary>
@@ -65,7 +80,9 @@ namespace Glint.Core
             {
                 case "all": return 1;
                 case "none": return 0;
-                default: return TryWhole(text, out double value) ? (int)Checked(value, range, "must be all, none or a number ") : throw new FormatException("must be all, none or a whole number, such as 100 for every 100th ray");
+                default: return TryWhole(text, out double value)
+                    ? (int)Checked(value, range, "must be all, none or a number ")
+                    : throw new FormatException("must be all, none or a whole number, such as 100 for every 100th ray");
             }
         }
 
@@ -84,18 +101,23 @@ namespace Glint.Core
 
         public static bool Given(string text) => text == GivenText ? true : throw new FormatException("takes no value");
 
-        public static string Words(string text) => string.IsNullOrWhiteSpace(text) ? throw new FormatException("must not be empty") : text;
+        public static string Words(string text) =>
+            string.IsNullOrWhiteSpace(text) ? throw new FormatException("must not be empty") : text;
 
         /// <summary>A finite number, blanks around it allowed.</summary>
         public static bool TryReal(string text, out double value) =>
-            double.TryParse(text.Trim(), RealStyle, CultureInfo.InvariantCulture, out value) && !double.IsNaN(value) && !double.IsInfinity(value);
+            double.TryParse(text.Trim(), RealStyle, CultureInfo.InvariantCulture, out value) && !double.IsNaN(value)
+            && !double.IsInfinity(value);
 
-        /// <summary>A given text as messages show it: in quotes where its ends could not be seen, cut where it is long.</summary>
+        /// <summary>
+        /// A given text as messages show it: in quotes where its ends could not be seen, cut where it is long.
+        /// </summary>
         public static string Shown(string text)
         {
             if (text.Length > LongestShown)
                 text = text.Substring(0, LongestShown) + "...";
-            return text.Length == 0 || text.IndexOfAny(new[] { ' ', '\t', '\r', '\n' }) >= 0 ? "\"" + text.Replace('\r', ' ').Replace('\n', ' ') + "\"" : text;
+            return text.Length == 0 || text.IndexOfAny(new[] { ' ', '\t', '\r', '\n' }) >= 0 ? "\""
+                + text.Replace('\r', ' ').Replace('\n', ' ') + "\"" : text;
         }
 
         // As double: ranges are, and a number too long for an int is out of range, not malformed.
@@ -104,6 +126,7 @@ namespace Glint.Core
 
         static double Each(double value, Interval range) => Checked(value, range, "each number must be ");
 
-        static double Checked(double value, Interval range, string must) => range.Contains(value) ? value : throw new FormatException(must + range);
+        static double Checked(double value, Interval range, string must) =>
+            range.Contains(value) ? value : throw new FormatException(must + range);
     }
 }

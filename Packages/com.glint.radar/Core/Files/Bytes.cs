@@ -9,7 +9,9 @@ namespace Glint.Core
     {
         const int LongestShown = 40;
 
-        /// <summary>Reads until the buffer holds <paramref name="count"/> bytes or the stream ends; returns how many it holds.</summary>
+        /// <summary>
+        /// Reads until the buffer holds <paramref name="count"/> bytes or the stream ends; returns how many it holds.
+        /// </summary>
         public static int Fill(Stream stream, byte[] buffer, int count)
         {
             int held = 0;
@@ -25,7 +27,8 @@ namespace Glint.Core
 
         public static bool StartsWith(ReadOnlySpan<byte> bytes, params byte[] start) => bytes.StartsWith(start);
 
-        public static bool StartsWith(ReadOnlySpan<byte> bytes, string ascii) => bytes.Length >= ascii.Length && IsWord(bytes.Slice(0, ascii.Length), ascii);
+        public static bool StartsWith(ReadOnlySpan<byte> bytes, string ascii) =>
+            bytes.Length >= ascii.Length && IsWord(bytes.Slice(0, ascii.Length), ascii);
 
         /// <summary>Whether the bytes are this word of lower-case ASCII letters, in any case.</summary>
         public static bool IsWord(ReadOnlySpan<byte> bytes, string lowerCase)
@@ -33,7 +36,8 @@ namespace Glint.Core
             if (bytes.Length != lowerCase.Length)
                 return false;
             for (int i = 0; i < bytes.Length; i++)
-                if (bytes[i] != lowerCase[i] && (bytes[i] < 'A' || bytes[i] > 'Z' || bytes[i] + ('a' - 'A') != lowerCase[i]))
+                if (bytes[i] != lowerCase[i]
+                    && (bytes[i] < 'A' || bytes[i] > 'Z' || bytes[i] + ('a' - 'A') != lowerCase[i]))
                     return false;
             return true;
         }

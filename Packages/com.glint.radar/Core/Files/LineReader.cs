@@ -21,7 +21,9 @@ namespace Glint.Core
         int _start, _end, _lineStart, _lineLength;
         int _nextNumber = 1;
 
-        /// <param name="joinsContinued">A line ending in a backslash goes on in the next one, comments excepted.</param>
+        /// <param name="joinsContinued">
+        /// A line ending in a backslash goes on in the next one, comments excepted.
+        /// </param>
         public LineReader(Stream stream, string path, bool joinsContinued)
         {
             _stream = stream;
@@ -76,7 +78,8 @@ namespace Glint.Core
             return true;
         }
 
-        // Overwrites backslash and line end by blanks, so that the joined line lies in one piece. Where its first word begins is not looked for twice.
+        // Overwrites backslash and line end by blanks, so that the joined line lies in one piece.
+        // Where its first word begins is not looked for twice.
         bool TryBlankContinuation(int length, ref int word)
         {
             int last = length - 1;
@@ -103,7 +106,8 @@ namespace Glint.Core
             if (_end == _buffer.Length)
             {
                 if (_end >= LongestLine)
-                    throw Error($"the line is longer than {LongestLine} bytes: the file is no text of lines; export it again");
+                    throw Error($"the line is longer than {LongestLine} bytes: "
+                        + "the file is no text of lines; export it again");
                 Array.Resize(ref _buffer, 2 * _buffer.Length);
             }
             int read = _stream.Read(_buffer, _end, _buffer.Length - _end);

@@ -24,7 +24,9 @@ namespace Glint.Core
         /// <summary>Triangles, those without area included.</summary>
         public int TriangleCount => Indices.Length / 3;
 
-        /// <summary>Triangles without area: corners coincide or lie on one line. They are kept, and no ray hits them.</summary>
+        /// <summary>
+        /// Triangles without area: corners coincide or lie on one line. They are kept, and no ray hits them.
+        /// </summary>
         public int CountDegenerate()
         {
             int count = 0;

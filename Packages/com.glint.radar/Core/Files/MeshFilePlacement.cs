@@ -22,7 +22,9 @@ namespace Glint.Core
 
         public float3 Turn(float x, float y, float z) => _up == UpAxis.Z ? new float3(x, z, y) : new float3(x, y, z);
 
-        /// <summary>Puts the corners in the order that keeps each face's outer side: swapping two axes mirrors.</summary>
+        /// <summary>
+        /// Puts the corners in the order that keeps each face's outer side: swapping two axes mirrors.
+        /// </summary>
         public int[] Turn(int[] indices)
         {
             if (_up == UpAxis.Z)

@@ -4,15 +4,20 @@ using System.IO;
 namespace Glint.Core
 {
     /// <summary>
-    /// Reads the triangles of Wavefront OBJ and STL files. Coordinates are taken as Unity's (x right, y up, z forward), not mirrored.
-    /// With z up, (x, y, z) becomes (x, z, y); that mirrors, so the corners of each triangle change order and faces keep their outer side.
+    /// Reads the triangles of Wavefront OBJ and STL files.
+    /// Coordinates are taken as Unity's (x right, y up, z forward), not mirrored.
+    /// With z up, (x, y, z) becomes (x, z, y); that mirrors, so the corners of each triangle change order
+    /// and faces keep their outer side.
     /// The tracer, whose triangles reflect on both sides, does not mind either way.
     /// </summary>
     public static class MeshFileReader
     {
         const int SniffedBytes = 1024;
 
-        /// <summary>Whether the extension, in any case, is of a format that <see cref="Read(string, LengthUnit, UpAxis)"/> takes.</summary>
+        /// <summary>
+        /// Whether the extension, in any case,
+        /// is of a format that <see cref="Read(string, LengthUnit, UpAxis)"/> takes.
+        /// </summary>
         public static bool IsMeshFile(string path) => HasExtension(path, ".obj") || HasExtension(path, ".stl");
 
         /// <summary>Reads a file; coordinates are scaled in double and rounded once to float.</summary>
@@ -20,7 +25,9 @@ namespace Glint.Core
         /// <param name="unit">Unit of the file's coordinates.</param>
         /// <param name="up">Axis of the file that points up.</param>
         /// <exception cref="UsageException">Another extension.</exception>
-        /// <exception cref="GlintException">The file cannot be read, is no such file inside, is damaged, or has no triangles.</exception>
+        /// <exception cref="GlintException">
+        /// The file cannot be read, is no such file inside, is damaged, or has no triangles.
+        /// </exception>
         public static MeshFile Read(string path, LengthUnit unit, UpAxis up)
         {
             RefuseOtherExtension(path);
@@ -46,7 +53,10 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>Reads a stream of known length, from its beginning; <paramref name="path"/> names it in messages and tells the format.</summary>
+        /// <summary>
+        /// Reads a stream of known length, from its beginning;
+        /// <paramref name="path"/> names it in messages and tells the format.
+        /// </summary>
         internal static MeshFile Read(Stream stream, string path, LengthUnit unit, UpAxis up)
         {
             RefuseOtherExtension(path);
@@ -66,7 +76,8 @@ namespace Glint.Core
             throw StlBinaryReader.WrongLength(path, head, stream.Length);
         }
 
-        static GlintException Empty(string path) => new GlintException($"{path}: is empty, or a pipe or device and no file; export the mesh again");
+        static GlintException Empty(string path) =>
+            new GlintException($"{path}: is empty, or a pipe or device and no file; export the mesh again");
 
         static void RefuseOtherExtension(string path)
         {
@@ -84,7 +95,8 @@ namespace Glint.Core
             if (Bytes.StartsWith(head, 0xff, 0xfe) || Bytes.StartsWith(head, 0xfe, 0xff))
                 throw new GlintException($"{path}: is UTF-16 text; save it as UTF-8 or ASCII");
             if (Bytes.StartsWith(head, "version https://git-lfs"))
-                throw new GlintException($"{path}: is a Git LFS pointer, not the mesh itself; fetch it with: git lfs pull");
+                throw new GlintException($"{path}: is a Git LFS pointer, not the mesh itself; "
+                    + "fetch it with: git lfs pull");
         }
 
         static ReadOnlySpan<byte> Head(Stream stream)
@@ -95,6 +107,7 @@ namespace Glint.Core
             return new ReadOnlySpan<byte>(head, 0, count);
         }
 
-        static bool HasExtension(string path, string extension) => path.EndsWith(extension, StringComparison.OrdinalIgnoreCase);
+        static bool HasExtension(string path, string extension) =>
+            path.EndsWith(extension, StringComparison.OrdinalIgnoreCase);
     }
 }

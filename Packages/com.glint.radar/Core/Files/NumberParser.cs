@@ -4,10 +4,13 @@ using System.Text;
 
 namespace Glint.Core
 {
-    /// <summary>Decimal numbers of text files: '.' for the point whatever the culture, correctly rounded to double.</summary>
+    /// <summary>
+    /// Decimal numbers of text files: '.' for the point whatever the culture, correctly rounded to double.
+    /// </summary>
     static class NumberParser
     {
-        // Up to 2^53 an integer is a double, and up to 10^22 a power of ten is: one multiplication or division of the two rounds once.
+        // Up to 2^53 an integer is a double, and up to 10^22 a power of ten is:
+        // one multiplication or division of the two rounds once.
         const ulong LargestExact = 1UL << 53;
         const int LargestExactPower = 22;
         const int MostDigits = 18;
@@ -15,10 +18,14 @@ namespace Glint.Core
 
         static readonly double[] Powers =
         {
-            1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22
+            1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13,
+            1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22
         };
 
-        /// <summary>Reads digits with sign, point and exponent, any of them optional; false for other text, "nan" and "inf" included.</summary>
+        /// <summary>
+        /// Reads digits with sign, point and exponent, any of them optional;
+        /// false for other text, "nan" and "inf" included.
+        /// </summary>
         /// <param name="value">The number; infinite when no double holds it.</param>
         public static bool TryParse(ReadOnlySpan<byte> text, out double value)
         {
@@ -81,7 +88,9 @@ namespace Glint.Core
         {
             bool signed = text[0] == '-' || text[0] == '+';
             string magnitude = Encoding.ASCII.GetString(signed ? text.Slice(1) : text);
-            return double.TryParse(magnitude, NumberStyles.Float, CultureInfo.InvariantCulture, out double value) ? value : double.PositiveInfinity;
+            return double.TryParse(magnitude, NumberStyles.Float, CultureInfo.InvariantCulture, out double value)
+                ? value
+                : double.PositiveInfinity;
         }
     }
 }

@@ -7,8 +7,10 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Reads a Wavefront OBJ: v and f statements. Polygons are cut into a fan about their first corner, or by clipping ears where they are concave.
-    /// Colours, texture coordinates, normals, groups, materials, points, lines and free-form curves and surfaces are passed over.
+    /// Reads a Wavefront OBJ: v and f statements. Polygons are cut into a fan about their first corner,
+    /// or by clipping ears where they are concave.
+    /// Colours, texture coordinates, normals, groups, materials, points,
+    /// lines and free-form curves and surfaces are passed over.
     /// </summary>
     sealed class ObjReader
     {
@@ -17,8 +19,10 @@ namespace Glint.Core
 
         static readonly HashSet<string> PassedOver = new HashSet<string>(StringComparer.Ordinal)
         {
-            "g", "o", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech", "stech",
-            "p", "l", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf", "parm", "trim", "hole", "scrv", "sp", "end", "con"
+            "g", "o", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "lod", "bevel", "c_interp",
+            "d_interp", "shadow_obj", "trace_obj", "ctech", "stech",
+            "p", "l", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf",
+            "parm", "trim", "hole", "scrv", "sp", "end", "con"
         };
 
         readonly string _path;
@@ -28,7 +32,8 @@ namespace Glint.Core
         readonly List<int> _indices = new List<int>();
         readonly List<Polygon> _polygons = new List<Polygon>();
 
-        // A face may stand before its vertices, so the largest reference is compared at the end, and polygons are looked at then.
+        // A face may stand before its vertices, so the largest reference is compared at the end,
+        // and polygons are looked at then.
         long _largestReference;
         int _largestReferenceLine;
 
@@ -44,11 +49,15 @@ namespace Glint.Core
             while (_lines.Read())
                 ReadStatement(new Words(_lines.Line));
             if (_largestReference > _vertices.Count)
-                throw new GlintException($"{_path}:{_largestReferenceLine}: the face refers to vertex {_largestReference}, but the file has {_vertices.Count}: it is truncated or damaged; export it again");
+                throw new GlintException($"{_path}:{_largestReferenceLine}: "
+                    + $"the face refers to vertex {_largestReference}, but the file has {_vertices.Count}: "
+                    + "it is truncated or damaged; export it again");
             if (_indices.Count == 0)
-                throw new GlintException($"{_path}: has no triangles ({_vertices.Count} vertices, no f line); export it as a polygon mesh");
+                throw new GlintException($"{_path}: has no triangles ({_vertices.Count} vertices, no f line); "
+                    + "export it as a polygon mesh");
             CutPolygons();
-            return new MeshFile(Path.GetFileNameWithoutExtension(_path), _vertices.ToArray(), _placement.Turn(_indices.ToArray()));
+            return new MeshFile(Path.GetFileNameWithoutExtension(_path), _vertices.ToArray(),
+                _placement.Turn(_indices.ToArray()));
         }
 
         void ReadStatement(Words words)
@@ -60,14 +69,16 @@ namespace Glint.Core
                 ReadVertex(words);
             else if (keyword.Length == 1 && keyword[0] == 'f')
                 ReadFace(words);
-            else if (keyword.Length != 2 || keyword[0] != 'v' || keyword[1] != 't' && keyword[1] != 'n' && keyword[1] != 'p')
+            else if (keyword.Length != 2 || keyword[0] != 'v'
+                || keyword[1] != 't' && keyword[1] != 'n' && keyword[1] != 'p')
                 PassOver(keyword);
         }
 
         void PassOver(ReadOnlySpan<byte> keyword)
         {
             if (!PassedOver.Contains(Encoding.ASCII.GetString(keyword)))
-                throw _lines.Error($"{Bytes.Quote(keyword)} is no OBJ statement: the file is damaged or no OBJ; export it again or remove the line");
+                throw _lines.Error($"{Bytes.Quote(keyword)} is no OBJ statement: the file is damaged or no OBJ; "
+                    + "export it again or remove the line");
         }
 
         void ReadVertex(Words words)
@@ -78,7 +89,8 @@ namespace Glint.Core
             // A weight or a colour may follow, or both: up to four numbers, not used.
             for (int i = 0; !words.IsComment && words.Next(); i++)
                 if (i == 4 || !NumberParser.TryParse(words.Current, out _))
-                    throw _lines.Error($"{Bytes.Quote(words.Current)} does not belong into a vertex: the line is damaged; export the file again");
+                    throw _lines.Error($"{Bytes.Quote(words.Current)} does not belong into a vertex: "
+                        + "the line is damaged; export the file again");
         }
 
         float Coordinate(ref Words words, string axis)
@@ -86,10 +98,12 @@ namespace Glint.Core
             if (words.IsComment || !words.Next())
                 throw _lines.Error($"the vertex has no {axis}: the line is truncated; export the file again");
             if (!NumberParser.TryParse(words.Current, out double value))
-                throw _lines.Error($"{axis} is {Bytes.Quote(words.Current)}, not a finite number; mend the vertex or export the file again");
+                throw _lines.Error($"{axis} is {Bytes.Quote(words.Current)}, not a finite number; "
+                    + "mend the vertex or export the file again");
             float meters = _placement.Scale(value);
             if (float.IsInfinity(meters))
-                throw _lines.Error($"{axis} is {Bytes.Quote(words.Current)} {_placement.Unit}, more than a float holds (3.4e38 m); mend the vertex or choose another unit");
+                throw _lines.Error($"{axis} is {Bytes.Quote(words.Current)} {_placement.Unit}, "
+                    + "more than a float holds (3.4e38 m); mend the vertex or choose another unit");
             return meters;
         }
 
@@ -110,7 +124,8 @@ namespace Glint.Core
                 previous = corner;
             }
             if (corners < 3)
-                throw _lines.Error($"the face has {corners} corners, but needs at least 3: the line is truncated; export the file again");
+                throw _lines.Error($"the face has {corners} corners, but needs at least 3: the line is truncated; "
+                    + "export the file again");
             if (corners > 3)
                 _polygons.Add(new Polygon(_indices.Count - 3 * (corners - 2), corners, _lines.Number));
         }
@@ -120,8 +135,11 @@ namespace Glint.Core
             var cutter = new PolygonCutter(_vertices);
             foreach (var polygon in _polygons)
                 if (!cutter.TryCut(_indices, polygon.FirstIndex, polygon.Corners - 2))
-                    throw new GlintException($"{_path}:{polygon.Line}: the face of {polygon.Corners} corners cannot be cut into triangles: "
-                        + (polygon.Corners > PolygonCutter.MostCorners ? $"a concave face may have {PolygonCutter.MostCorners}" : "its outline crosses itself or is folded")
+                    throw new GlintException(
+                        $"{_path}:{polygon.Line}: the face of {polygon.Corners} corners cannot be cut into triangles: "
+                        + (polygon.Corners > PolygonCutter.MostCorners
+                            ? $"a concave face may have {PolygonCutter.MostCorners}"
+                            : "its outline crosses itself or is folded")
                         + "; mend it or export triangles");
         }
 
@@ -137,12 +155,15 @@ namespace Glint.Core
             for (; at < word.Length && word[at] >= '0' && word[at] <= '9'; at++)
                 number = Math.Min(ReferenceCap, 10 * number + (word[at] - '0'));
             if (at == start || !IsReferenceEnd(word.Slice(at)))
-                throw _lines.Error($"{Bytes.Quote(word)} is no corner of a face: give v, v/vt, v//vn or v/vt/vn in whole numbers");
+                throw _lines.Error($"{Bytes.Quote(word)} is no corner of a face: give v, v/vt, "
+                    + "v//vn or v/vt/vn in whole numbers");
             if (number == 0)
-                throw _lines.Error($"{Bytes.Quote(word)} refers to vertex 0, but OBJ counts from 1; export the file again");
+                throw _lines.Error($"{Bytes.Quote(word)} refers to vertex 0, but OBJ counts from 1; "
+                    + "export the file again");
 
             if (negative && number > _vertices.Count)
-                throw _lines.Error($"{Bytes.Quote(word)} counts back over {number} vertices, but the file has {_vertices.Count} up to here; export it again");
+                throw _lines.Error($"{Bytes.Quote(word)} counts back over {number} vertices, "
+                    + $"but the file has {_vertices.Count} up to here; export it again");
             if (!negative && number > _largestReference)
             {
                 _largestReference = number;
@@ -167,7 +188,8 @@ namespace Glint.Core
         {
             public readonly int FirstIndex, Corners, Line;
 
-            public Polygon(int firstIndex, int corners, int line) => (FirstIndex, Corners, Line) = (firstIndex, corners, line);
+            public Polygon(int firstIndex, int corners, int line) =>
+                (FirstIndex, Corners, Line) = (firstIndex, corners, line);
         }
     }
 }

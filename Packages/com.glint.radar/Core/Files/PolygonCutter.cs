@@ -6,7 +6,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// Cuts a polygon, seen along its own normal, into triangles that all turn the way it turns: these cover what its outline goes round, and nothing else.
+    /// Cuts a polygon, seen along its own normal, into triangles that all turn the way it turns:
+    /// these cover what its outline goes round, and nothing else.
     /// The fan about the first corner is such a cut of every convex polygon; of the others ears are clipped.
     /// </summary>
     sealed class PolygonCutter
@@ -24,7 +25,9 @@ namespace Glint.Core
 
         public PolygonCutter(IReadOnlyList<float3> vertices) => _vertices = vertices;
 
-        /// <summary>Puts other triangles in the place of a fan where that reaches out of its polygon; false when there are none.</summary>
+        /// <summary>
+        /// Puts other triangles in the place of a fan where that reaches out of its polygon; false when there are none.
+        /// </summary>
         /// <param name="indices">Holds the fan.</param>
         /// <param name="first">Where it begins.</param>
         /// <param name="count">Its triangles.</param>
@@ -91,19 +94,22 @@ namespace Glint.Core
             return flat;
         }
 
-        // Only corners that turn the other way can stand in an ear's way. The ends of a cut to a hole come twice and lie on its corners.
+        // Only corners that turn the other way can stand in an ear's way.
+        // The ends of a cut to a hole come twice and lie on its corners.
         bool HoldsACorner(int a, int b, int c)
         {
             for (int i = 0; i < _ring.Count; i++)
             {
                 int p = _ring[i];
-                if (Turn(a, b, p) >= 0 && Turn(b, c, p) >= 0 && Turn(c, a, p) >= 0 && !IsSame(p, a) && !IsSame(p, b) && !IsSame(p, c) && Turn(Before(i), p, After(i)) <= 0)
+                if (Turn(a, b, p) >= 0 && Turn(b, c, p) >= 0 && Turn(c, a, p) >= 0 && !IsSame(p, a) && !IsSame(p, b)
+                    && !IsSame(p, c) && Turn(Before(i), p, After(i)) <= 0)
                     return true;
             }
             return false;
         }
 
-        bool IsFlat(int a, int b, int c) => math.length(Cross(a, b, c)) <= _slack * max(Distance(a, b), max(Distance(b, c), Distance(c, a)));
+        bool IsFlat(int a, int b, int c) =>
+            math.length(Cross(a, b, c)) <= _slack * max(Distance(a, b), max(Distance(b, c), Distance(c, a)));
 
         bool IsSame(int a, int b) => a == b || _vertices[a].Equals(_vertices[b]);
 
@@ -111,7 +117,9 @@ namespace Glint.Core
 
         int After(int corner) => _ring[corner == _ring.Count - 1 ? 0 : corner + 1];
 
-        /// <summary>Twice the area of a triangle as the polygon's normal sees it; above 0 when it turns the polygon's way.</summary>
+        /// <summary>
+        /// Twice the area of a triangle as the polygon's normal sees it; above 0 when it turns the polygon's way.
+        /// </summary>
         double Turn(int a, int b, int c) => dot(Cross(a, b, c), _normal);
 
         double Distance(int a, int b) => math.length(Position(b) - Position(a));
@@ -126,6 +134,7 @@ namespace Glint.Core
 
         double3 Position(int vertex) => _vertices[vertex];
 
-        static void Put(List<int> indices, int at, int a, int b, int c) => (indices[at], indices[at + 1], indices[at + 2]) = (a, b, c);
+        static void Put(List<int> indices, int at, int a, int b, int c) =>
+            (indices[at], indices[at + 1], indices[at + 2]) = (a, b, c);
     }
 }

@@ -6,7 +6,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Reads a binary STL: 80 bytes of anything, the number of triangles, and 50 bytes for each: normal and three corners in float32, two bytes more.
+    /// Reads a binary STL: 80 bytes of anything, the number of triangles, and 50 bytes for each:
+    /// normal and three corners in float32, two bytes more.
     /// Normals are not used. Corners that coincide are not merged: the tracer looks at one triangle at a time.
     /// </summary>
     sealed class StlBinaryReader
@@ -30,18 +31,23 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Whether the length is the one that the number of triangles asks for. The word "solid" tells nothing: binary files may begin with it.
+        /// Whether the length is the one that the number of triangles asks for. The word "solid" tells nothing:
+        /// binary files may begin with it.
         /// Text read as a number would ask for more than 7 GB.
         /// </summary>
-        public static bool IsBinary(ReadOnlySpan<byte> head, long length) => head.Length >= HeadBytes && length == LengthOf(Count(head));
+        public static bool IsBinary(ReadOnlySpan<byte> head, long length) =>
+            head.Length >= HeadBytes && length == LengthOf(Count(head));
 
         /// <summary>The failure for a file that is neither text nor of the right length.</summary>
         public static GlintException WrongLength(string path, ReadOnlySpan<byte> head, long length)
         {
             if (head.Length < HeadBytes)
-                return new GlintException($"{path}: has {length} bytes, too few for a binary STL ({HeadBytes} and {RecordBytes} for each triangle), and does not begin with \"solid\" as an ASCII one: it is truncated; export it again");
+                return new GlintException($"{path}: has {length} bytes, "
+                    + $"too few for a binary STL ({HeadBytes} and {RecordBytes} for each triangle), "
+                    + "and does not begin with \"solid\" as an ASCII one: it is truncated; export it again");
             uint count = Count(head);
-            return new GlintException($"{path}: announces {count} triangles, which take {LengthOf(count)} bytes, but has {length}: it is truncated, damaged or no STL; export it again");
+            return new GlintException($"{path}: announces {count} triangles, which take {LengthOf(count)} bytes, "
+                + $"but has {length}: it is truncated, damaged or no STL; export it again");
         }
 
         public MeshFile Read()
@@ -53,7 +59,8 @@ namespace Glint.Core
             if (count == 0)
                 throw new GlintException($"{_path}: has no triangles; export the mesh again");
             if (count > MostTriangles)
-                throw new GlintException($"{_path}: has {count} triangles, more than {MostTriangles}; simplify or split the mesh");
+                throw new GlintException($"{_path}: has {count} triangles, more than {MostTriangles}; "
+                    + "simplify or split the mesh");
 
             var vertices = new float3[3 * (int)count];
             var indices = new int[vertices.Length];
@@ -63,9 +70,11 @@ namespace Glint.Core
             {
                 int records = Math.Min(RecordsAtOnce, (int)count - first);
                 if (Bytes.Fill(_stream, buffer, RecordBytes * records) < RecordBytes * records)
-                    throw new GlintException($"{_path}: became shorter while it was read; try again when nothing writes to it");
+                    throw new GlintException($"{_path}: became shorter while it was read; "
+                        + "try again when nothing writes to it");
                 for (int i = 0; i < records; i++)
-                    ReadTriangle(new ReadOnlySpan<byte>(buffer, RecordBytes * i + CornersAt, RecordBytes - CornersAt), first + i, vertices);
+                    ReadTriangle(new ReadOnlySpan<byte>(buffer, RecordBytes * i + CornersAt, RecordBytes - CornersAt),
+                        first + i, vertices);
             }
             return new MeshFile(Path.GetFileNameWithoutExtension(_path), vertices, _placement.Turn(indices));
         }
@@ -74,19 +83,22 @@ namespace Glint.Core
         {
             for (int corner = 0; corner < 3; corner++)
             {
-                float x = Coordinate(corners, triangle, corner, 0), y = Coordinate(corners, triangle, corner, 1), z = Coordinate(corners, triangle, corner, 2);
+                float x = Coordinate(corners, triangle, corner, 0), y = Coordinate(corners, triangle, corner, 1),
+                    z = Coordinate(corners, triangle, corner, 2);
                 vertices[3 * triangle + corner] = _placement.Turn(x, y, z);
             }
         }
 
         float Coordinate(ReadOnlySpan<byte> corners, int triangle, int corner, int axis)
         {
-            float value = BitConverter.Int32BitsToSingle(BinaryPrimitives.ReadInt32LittleEndian(corners.Slice(4 * (3 * corner + axis))));
+            float value = BitConverter.Int32BitsToSingle(
+                BinaryPrimitives.ReadInt32LittleEndian(corners.Slice(4 * (3 * corner + axis))));
             float meters = _placement.Scale(value);
             if (float.IsNaN(value) || float.IsInfinity(value))
                 throw Error(triangle, corner, axis, $"{Name(value)}; mend the mesh or export it again");
             if (float.IsInfinity(meters))
-                throw Error(triangle, corner, axis, $"{Numbers.Format(value)} {_placement.Unit}, more than a float holds (3.4e38 m); mend the mesh or choose another unit");
+                throw Error(triangle, corner, axis, $"{Numbers.Format(value)} {_placement.Unit}, "
+                    + "more than a float holds (3.4e38 m); mend the mesh or choose another unit");
             return meters;
         }
 

@@ -7,7 +7,8 @@ namespace Glint.Core
 {
     /// <summary>
     /// Reads an ASCII STL, word by word, in any case and however the lines are broken. Several solids become one mesh.
-    /// Normals are not used, nor need they be numbers. Corners that coincide are not merged: the tracer looks at one triangle at a time.
+    /// Normals are not used, nor need they be numbers. Corners that coincide are not merged:
+    /// the tracer looks at one triangle at a time.
     /// </summary>
     sealed class StlTextReader
     {
@@ -26,7 +27,10 @@ namespace Glint.Core
 
         ReadOnlySpan<byte> Word => _lines.Line.Slice(_wordAt, _wordLength);
 
-        /// <summary>Whether a file that is not a binary STL by its length should be read as text: it begins with "solid" and no zero byte follows.</summary>
+        /// <summary>
+        /// Whether a file that is not a binary STL by its length should be read as text:
+        /// it begins with "solid" and no zero byte follows.
+        /// </summary>
         public static bool IsText(ReadOnlySpan<byte> head)
         {
             var text = Bytes.StartsWith(head, 0xef, 0xbb, 0xbf) ? head.Slice(3) : head;
@@ -87,10 +91,12 @@ namespace Glint.Core
         {
             Next(axis);
             if (!NumberParser.TryParse(Word, out double value))
-                throw _lines.Error($"{axis} is {Bytes.Quote(Word)}, not a finite number; mend the vertex or export the file again");
+                throw _lines.Error($"{axis} is {Bytes.Quote(Word)}, not a finite number; "
+                    + "mend the vertex or export the file again");
             float meters = _placement.Scale(value);
             if (float.IsInfinity(meters))
-                throw _lines.Error($"{axis} is {Bytes.Quote(Word)} {_placement.Unit}, more than a float holds (3.4e38 m); mend the vertex or choose another unit");
+                throw _lines.Error($"{axis} is {Bytes.Quote(Word)} {_placement.Unit}, "
+                    + "more than a float holds (3.4e38 m); mend the vertex or choose another unit");
             return meters;
         }
 
@@ -103,7 +109,8 @@ namespace Glint.Core
         void Require(string word)
         {
             if (!Bytes.IsWord(Word, word))
-                throw _lines.Error($"{Bytes.Quote(Word)} stands where an STL has {word}: the file is damaged; export it again");
+                throw _lines.Error($"{Bytes.Quote(Word)} stands where an STL has {word}: "
+                    + "the file is damaged; export it again");
         }
 
         void Next(string expected)

@@ -13,18 +13,25 @@ namespace Glint.Core
         public double3 Origin;
 
         /// <summary>Leaves every point where it is.</summary>
-        public static Affine Identity => new Affine { X = new double3(1, 0, 0), Y = new double3(0, 1, 0), Z = new double3(0, 0, 1) };
+        public static Affine Identity =>
+            new Affine { X = new double3(1, 0, 0), Y = new double3(0, 1, 0), Z = new double3(0, 0, 1) };
 
-        /// <summary>Scale first, then rotation, then shift, as a Transform has them from its parent. The rotation need not be normalised; a zero one counts as none, and one that is not finite leaves nothing finite.</summary>
+        /// <summary>
+        /// Scale first, then rotation, then shift, as a Transform has them from its parent. The rotation need not be
+        /// normalised; a zero one counts as none, and one that is not finite leaves nothing finite.
+        /// </summary>
         public static Affine FromTransform(double3 position, double4 rotation, double3 scale)
         {
             double square = math.dot(rotation, rotation);
             double4 q = square == 0 ? new double4(0, 0, 0, 1) : rotation / math.sqrt(square);
             return new Affine
             {
-                X = scale.x * new double3(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z), 2 * (q.x * q.z - q.w * q.y)),
-                Y = scale.y * new double3(2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z), 2 * (q.y * q.z + q.w * q.x)),
-                Z = scale.z * new double3(2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x), 1 - 2 * (q.x * q.x + q.y * q.y)),
+                X = scale.x * new double3(1 - 2 * (q.y * q.y + q.z * q.z), 2 * (q.x * q.y + q.w * q.z),
+                    2 * (q.x * q.z - q.w * q.y)),
+                Y = scale.y * new double3(2 * (q.x * q.y - q.w * q.z), 1 - 2 * (q.x * q.x + q.z * q.z),
+                    2 * (q.y * q.z + q.w * q.x)),
+                Z = scale.z * new double3(2 * (q.x * q.z + q.w * q.y), 2 * (q.y * q.z - q.w * q.x),
+                    1 - 2 * (q.x * q.x + q.y * q.y)),
                 Origin = position,
             };
         }
@@ -33,7 +40,8 @@ namespace Glint.Core
         public double Determinant => math.dot(X, math.cross(Y, Z));
 
         /// <summary>Whether every number is the same.</summary>
-        public bool Equals(Affine other) => X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z) && Origin.Equals(other.Origin);
+        public bool Equals(Affine other) =>
+            X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z) && Origin.Equals(other.Origin);
 
         /// <summary>Where a point goes, metres.</summary>
         public double3 Point(double3 p) => Vector(p) + Origin;
@@ -41,10 +49,13 @@ namespace Glint.Core
         /// <summary>A direction or difference of points: not shifted.</summary>
         public double3 Vector(double3 v) => v.x * X + v.y * Y + v.z * Z;
 
-        /// <summary>First <paramref name="second"/>, then <paramref name="first"/>: as matrices are multiplied.</summary>
+        /// <summary>
+        /// First <paramref name="second"/>, then <paramref name="first"/>: as matrices are multiplied.
+        /// </summary>
         public static Affine operator *(in Affine first, in Affine second) => new Affine
         {
-            X = first.Vector(second.X), Y = first.Vector(second.Y), Z = first.Vector(second.Z), Origin = first.Point(second.Origin),
+            X = first.Vector(second.X), Y = first.Vector(second.Y),
+            Z = first.Vector(second.Z), Origin = first.Point(second.Origin),
         };
 
         /// <summary>The way back; not finite when the transform flattens.</summary>

@@ -5,8 +5,10 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// Writes a tree in <see cref="TreeShape.Binary"/>: a row with the centre of all boxes, nodes of 3 rows from the root on, then leaves of 3.
-    /// A node: middle of child a's box from the centre and reference to a, the same of child b, and the half sizes of both boxes, x, y, z:
+    /// Writes a tree in <see cref="TreeShape.Binary"/>: a row with the centre of all boxes,
+    /// nodes of 3 rows from the root on, then leaves of 3.
+    /// A node: middle of child a's box from the centre and reference to a, the same of child b,
+    /// and the half sizes of both boxes, x, y, z:
     /// the upper halves of floats, a's above b's. A reference is the row of a child; a leaf's has bit 31 set.
     /// </summary>
     sealed class BinaryEncoder
@@ -83,7 +85,8 @@ namespace Glint.Core
             _rows[row + 2] = uint4(halfSizeA << 16 | halfSizeB, 0);
         }
 
-        uint Reference(int child) => child < 0 ? LeafBit | (uint)LeafRow(~child - _firstLeaf) : (uint)NodeRow(child - _root);
+        uint Reference(int child) =>
+            child < 0 ? LeafBit | (uint)LeafRow(~child - _firstLeaf) : (uint)NodeRow(child - _root);
 
         void Measure(in Box box, out float3 middle, out uint3 halfSize)
         {
@@ -92,7 +95,8 @@ namespace Glint.Core
             MeasureAxis(box.Low.z, box.High.z, _centre.z, _margin, out middle.z, out halfSize.z);
         }
 
-        static void MeasureAxis(double low, double high, double centre, double margin, out float middle, out uint halfSize)
+        static void MeasureAxis(double low, double high, double centre, double margin,
+            out float middle, out uint halfSize)
         {
             low -= centre;
             high -= centre;
@@ -100,7 +104,8 @@ namespace Glint.Core
             halfSize = UpperHalfFrom(Math.Max(high - middle, middle - low) + margin);
         }
 
-        // The upper half of the least float that ends in 16 zero bits and is not below a number from 0 on; of the largest finite one if there is none.
+        // The upper half of the least float that ends in 16 zero bits and is not below a number from 0 on;
+        // of the largest finite one if there is none.
         static uint UpperHalfFrom(double number)
         {
             const uint Largest = 0x7f7f;

@@ -9,7 +9,10 @@ namespace Glint.Core
     {
         const int Size = 8192;
 
-        /// <summary>Calls <paramref name="body"/> with the first and the end of each block of 0 .. count - 1. The result must not depend on the blocks' order.</summary>
+        /// <summary>
+        /// Calls <paramref name="body"/> with the first and the end of each block of 0 .. count - 1.
+        /// The result must not depend on the blocks' order.
+        /// </summary>
         /// <exception cref="OperationCanceledException">Cancelled; some blocks were left out.</exception>
         public static void For(int count, Action<int, int> body, CancellationToken cancel = default)
         {
@@ -18,7 +21,8 @@ namespace Glint.Core
             if (blocks <= 1)
                 body(0, count);
             else
-                Parallel.For(0, blocks, new ParallelOptions { CancellationToken = cancel }, block => body(block * Size, (int)Math.Min(count, (block + 1L) * Size)));
+                Parallel.For(0, blocks, new ParallelOptions { CancellationToken = cancel },
+                    block => body(block * Size, (int)Math.Min(count, (block + 1L) * Size)));
         }
     }
 }

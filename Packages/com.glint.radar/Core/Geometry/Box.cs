@@ -18,7 +18,8 @@ namespace Glint.Core
 
         /// <summary>A corner, 0 to 7: bits 1, 2 and 4 stand for the upper x, y and z.</summary>
         public readonly double3 Corner(int number) =>
-            new double3((number & 1) != 0 ? High.x : Low.x, (number & 2) != 0 ? High.y : Low.y, (number & 4) != 0 ? High.z : Low.z);
+            new double3((number & 1) != 0 ? High.x : Low.x, (number & 2) != 0 ? High.y : Low.y,
+                (number & 4) != 0 ? High.z : Low.z);
 
         /// <summary>Half of the surface, which is in proportion to the rays that meet it.</summary>
         public readonly float HalfArea

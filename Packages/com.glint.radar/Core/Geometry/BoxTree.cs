@@ -5,8 +5,10 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// A binary tree over boxes with one box a leaf. As n leaves always have n - 1 inner nodes, the nodes' places are known before the tree is:
-    /// a node stands before its left subtree, that one before the right subtree. So cores that build subtrees need not agree on anything.
+    /// A binary tree over boxes with one box a leaf. As n leaves always have n - 1 inner nodes,
+    /// the nodes' places are known before the tree is:
+    /// a node stands before its left subtree, that one before the right subtree.
+    /// So cores that build subtrees need not agree on anything.
     /// A child is the number of an inner node, or ~ (the complement of) the number of a leaf.
     /// </summary>
     sealed class BoxTree
@@ -35,7 +37,10 @@ namespace Glint.Core
 
         public Box BoxOf(int child) => child < 0 ? Leaves[~child].Box : Nodes[child].Box;
 
-        /// <summary>Metres: boxes are written so much larger on each side, as rays in float32 pass what they hit in truth by some ten-millionths (SLACK_A_SEGMENT in the kernels) of the lengths and coordinates that go into them.</summary>
+        /// <summary>
+        /// Metres: boxes are written so much larger on each side, as rays in float32 pass what they hit in truth by
+        /// some ten-millionths (SLACK_A_SEGMENT in the kernels) of the lengths and coordinates that go into them.
+        /// </summary>
         public double Margin
         {
             get

@@ -4,7 +4,10 @@ using System.Threading.Tasks;
 
 namespace Glint.Core
 {
-    /// <summary>Builds a <see cref="BoxTree"/> from the root down by the surface area heuristic. The tree does not depend on the number of cores.</summary>
+    /// <summary>
+    /// Builds a <see cref="BoxTree"/> from the root down by the surface area heuristic.
+    /// The tree does not depend on the number of cores.
+    /// </summary>
     sealed class BoxTreeBuilder
     {
         /// <summary>Inner levels of a part at most. The stacks of the kernels hold as many.</summary>
@@ -29,7 +32,10 @@ namespace Glint.Core
             _parallel = new ParallelOptions { CancellationToken = cancel };
         }
 
-        /// <summary>Builds the tree and orders <paramref name="leaves"/>. A subtree with at most <paramref name="leavesPerPart"/> leaves, a part, has at most <see cref="MaxLevels"/> inner levels.</summary>
+        /// <summary>
+        /// Builds the tree and orders <paramref name="leaves"/>. A subtree with at most
+        /// <paramref name="leavesPerPart"/> leaves, a part, has at most <see cref="MaxLevels"/> inner levels.
+        /// </summary>
         /// <exception cref="OperationCanceledException">Cancelled; the leaves are in any order.</exception>
         public static BoxTree Build(BoxLeaf[] leaves, int leavesPerPart, CancellationToken cancel = default)
         {
@@ -61,7 +67,8 @@ namespace Glint.Core
 
         void BuildBoth(int node, BoxExtent leftExtent, BoxExtent rightExtent, int levelsBelow)
         {
-            int first = _tree.Nodes[node].First, left = _tree.Nodes[node].LeftCount, right = _tree.Nodes[node].Count - left;
+            int first = _tree.Nodes[node].First, left = _tree.Nodes[node].LeftCount,
+                right = _tree.Nodes[node].Count - left;
             Parallel.Invoke(
                 _parallel,
                 () =>
@@ -77,7 +84,8 @@ namespace Glint.Core
         }
 
         // Orders a node's leaves into a left and a right side and returns the size of the left one.
-        int Split(int first, int count, in BoxExtent extent, int mostOnASide, SplitFinder finder, out BoxExtent leftExtent, out BoxExtent rightExtent)
+        int Split(int first, int count, in BoxExtent extent, int mostOnASide, SplitFinder finder,
+            out BoxExtent leftExtent, out BoxExtent rightExtent)
         {
             if (count > 2 && finder.Find(_leaves, first, count, extent.Centres, mostOnASide))
             {

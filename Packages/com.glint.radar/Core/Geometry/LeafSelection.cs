@@ -1,15 +1,22 @@
 namespace Glint.Core
 {
-    /// <summary>Puts the middle one of some leaves where it would stand if they were sorted by their centres. Time grows with their number, not with its logarithm as well.</summary>
+    /// <summary>
+    /// Puts the middle one of some leaves where it would stand if they were sorted by their centres.
+    /// Time grows with their number, not with its logarithm as well.
+    /// </summary>
     static class LeafSelection
     {
-        /// <summary>Afterwards no centre before place <paramref name="first"/> + <paramref name="count"/> / 2 is above one from there on.</summary>
+        /// <summary>
+        /// Afterwards no centre before place <paramref name="first"/> + <paramref name="count"/> / 2 is
+        /// above one from there on.
+        /// </summary>
         public static void PutMedianInPlace(BoxLeaf[] leaves, int first, int count, int axis)
         {
             int low = first, high = first + count - 1, middle = first + count / 2;
             while (low < high)
             {
-                float pivot = MedianOfThree(Centre(leaves, low, axis), Centre(leaves, low + (high - low) / 2, axis), Centre(leaves, high, axis));
+                float pivot = MedianOfThree(Centre(leaves, low, axis), Centre(leaves, low + (high - low) / 2, axis),
+                    Centre(leaves, high, axis));
                 int i = low, j = high;
                 while (i <= j)
                 {
@@ -33,7 +40,8 @@ namespace Glint.Core
             }
         }
 
-        static float Centre(BoxLeaf[] leaves, int place, int axis) => leaves[place].Box.Low[axis] + leaves[place].Box.High[axis];
+        static float Centre(BoxLeaf[] leaves, int place, int axis) =>
+            leaves[place].Box.Low[axis] + leaves[place].Box.High[axis];
 
         static float MedianOfThree(float a, float b, float c) =>
             a < b ? b < c ? b : a < c ? c : a : a < c ? a : b < c ? c : b;

@@ -6,7 +6,9 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>The trees over a mesh: one, or several where a mesh is too large for one. A mesh without triangles has none.</summary>
+    /// <summary>
+    /// The trees over a mesh: one, or several where a mesh is too large for one. A mesh without triangles has none.
+    /// </summary>
     public sealed class MeshTree
     {
         const int MostCoverBoxes = 64;
@@ -33,8 +35,12 @@ namespace Glint.Core
         /// <summary>Triangles in the trees. Those that reflect nothing are not.</summary>
         public int TriangleCount { get; private set; }
 
-        /// <summary>Builds the trees of a mesh whose coordinates are finite. The same mesh always gives the same trees.</summary>
-        /// <exception cref="System.OperationCanceledException">Cancelled: a tenth of a second later per million triangles at most.</exception>
+        /// <summary>
+        /// Builds the trees of a mesh whose coordinates are finite. The same mesh always gives the same trees.
+        /// </summary>
+        /// <exception cref="System.OperationCanceledException">
+        /// Cancelled: a tenth of a second later per million triangles at most.
+        /// </exception>
         public static MeshTree Build(TriangleMesh mesh, TreeShape shape, CancellationToken cancel = default)
         {
             var pairs = TrianglePairs.Find(mesh, cancel);
@@ -46,7 +52,10 @@ namespace Glint.Core
             Parallel.For(0, parts.Length, new ParallelOptions { CancellationToken = cancel }, part =>
             {
                 var box = tree.BoxOf(roots[part]);
-                parts[part] = new TreePart { Words = TreeRows.Encode(tree, roots[part], shape, writer), Low = box.Low, High = box.High };
+                parts[part] = new TreePart
+                {
+                    Words = TreeRows.Encode(tree, roots[part], shape, writer), Low = box.Low, High = box.High
+                };
             });
             var cover = Cover(tree);
             return new MeshTree
@@ -116,7 +125,8 @@ namespace Glint.Core
             {
                 int largest = -1;
                 for (int i = 0; i < subtrees.Count; i++)
-                    if (subtrees[i] >= 0 && (largest < 0 || tree.BoxOf(subtrees[i]).HalfArea > tree.BoxOf(subtrees[largest]).HalfArea))
+                    if (subtrees[i] >= 0
+                        && (largest < 0 || tree.BoxOf(subtrees[i]).HalfArea > tree.BoxOf(subtrees[largest]).HalfArea))
                         largest = i;
                 subtrees.Add(tree.Right(subtrees[largest]));
                 subtrees[largest] = tree.Left(subtrees[largest]);

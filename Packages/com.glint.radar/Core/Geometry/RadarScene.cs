@@ -3,7 +3,10 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>What the radar sees: meshes, each at one or more places. Trees over a mesh are kept as long as the same TriangleMesh comes again; a place may change at no cost.</summary>
+    /// <summary>
+    /// What the radar sees: meshes, each at one or more places.
+    /// Trees over a mesh are kept as long as the same TriangleMesh comes again; a place may change at no cost.
+    /// </summary>
     public sealed class RadarScene
     {
         /// <summary>A scene of meshes at places.</summary>
@@ -19,7 +22,10 @@ namespace Glint.Core
         /// <summary>The meshes, each at its place; in the order in which triangles are counted.</summary>
         public MeshInstance[] Instances { get; }
 
-        /// <summary>Where in the world the origin of the places stands, metres: for what is written out, as the axes are the world's. Tracing needs none.</summary>
+        /// <summary>
+        /// Where in the world the origin of the places stands, metres: for what is written out,
+        /// as the axes are the world's. Tracing needs none.
+        /// </summary>
         public double3 Origin { get; set; }
 
         /// <summary>Triangles of all instances.</summary>

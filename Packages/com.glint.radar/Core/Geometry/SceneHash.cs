@@ -5,7 +5,10 @@ using System.Security.Cryptography;
 
 namespace Glint.Core
 {
-    /// <summary>Tells the content of scenes apart, from run to run and machine to machine: SHA-256 over numbers as they lie in memory, little-endian.</summary>
+    /// <summary>
+    /// Tells the content of scenes apart, from run to run and machine to machine:
+    /// SHA-256 over numbers as they lie in memory, little-endian.
+    /// </summary>
     sealed class SceneHash : IDisposable
     {
         // Of 64 digits: enough that two scenes never have the same.
@@ -38,7 +41,8 @@ namespace Glint.Core
         }
 
         /// <summary>The hash of all that was added, in hexadecimal digits; then it is empty again.</summary>
-        public string Text() => BitConverter.ToString(_hash.GetHashAndReset()).Replace("-", "").ToLowerInvariant().Substring(0, Digits);
+        public string Text() =>
+            BitConverter.ToString(_hash.GetHashAndReset()).Replace("-", "").ToLowerInvariant().Substring(0, Digits);
 
         public void Dispose() => _hash.Dispose();
     }

@@ -2,7 +2,10 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>Finds the plane through a node that makes its children cheapest by the surface area heuristic, trying the borders of 16 bins along each axis.</summary>
+    /// <summary>
+    /// Finds the plane through a node that makes its children cheapest by the surface area heuristic,
+    /// trying the borders of 16 bins along each axis.
+    /// </summary>
     sealed class SplitFinder
     {
         const int Bins = 16;
@@ -17,11 +20,15 @@ namespace Glint.Core
         /// <summary>The first bin on the right side of the plane found.</summary>
         public int Plane { get; private set; }
 
-        /// <summary>Whether there is a plane that leaves neither side empty nor puts more than <paramref name="mostOnASide"/> leaves on one.</summary>
+        /// <summary>
+        /// Whether there is a plane that leaves neither side empty nor puts more than
+        /// <paramref name="mostOnASide"/> leaves on one.
+        /// </summary>
         public bool Find(BoxLeaf[] leaves, int first, int count, in Box centres, int mostOnASide)
         {
             _low = centres.Low;
-            _scale = new float3(Scale(centres.Low.x, centres.High.x), Scale(centres.Low.y, centres.High.y), Scale(centres.Low.z, centres.High.z));
+            _scale = new float3(Scale(centres.Low.x, centres.High.x), Scale(centres.Low.y, centres.High.y),
+                Scale(centres.Low.z, centres.High.z));
             Fill(leaves, first, count);
             float best = float.PositiveInfinity;
             for (int axis = 0; axis < 3; axis++)

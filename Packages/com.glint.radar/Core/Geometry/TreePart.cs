@@ -5,7 +5,9 @@ namespace Glint.Core
     /// <summary>A tree of its own over some of a mesh's triangles, as the kernel reads it.</summary>
     public sealed class TreePart
     {
-        /// <summary>Nodes and leaves in rows of 16 bytes; the root stands first. References count from the part's start.</summary>
+        /// <summary>
+        /// Nodes and leaves in rows of 16 bytes; the root stands first. References count from the part's start.
+        /// </summary>
         public uint4[] Words { get; internal set; }
 
         /// <summary>Lower corner of the part's triangles, metres.</summary>
@@ -19,7 +21,8 @@ namespace Glint.Core
         /// <param name="second">Which of the two.</param>
         internal void GetTriangle(int row, bool second, out float3 a, out float3 b, out float3 c)
         {
-            float4 first = math.asfloat(Words[row]), next = math.asfloat(Words[row + 1]), last = math.asfloat(Words[row + 2]);
+            float4 first = math.asfloat(Words[row]), next = math.asfloat(Words[row + 1]),
+                last = math.asfloat(Words[row + 2]);
             float3 corner2 = new float3(next.z, next.w, last.x);
             a = first.xyz;
             (b, c) = second ? (corner2, last.yzw) : (new float3(first.w, next.x, next.y), corner2);

@@ -6,7 +6,9 @@ namespace Glint.Core
         /// <summary>Two children with float boxes a node, 48 bytes: for GPUs.</summary>
         Binary,
 
-        /// <summary>Up to four children with 8-bit boxes a node, 48 bytes: for software devices, where fetches cost most.</summary>
+        /// <summary>
+        /// Up to four children with 8-bit boxes a node, 48 bytes: for software devices, where fetches cost most.
+        /// </summary>
         Wide,
     }
 }

@@ -3,7 +3,10 @@ using System.Threading;
 
 namespace Glint.Core
 {
-    /// <summary>Which triangles share an edge. Edge 3t + k of triangle t runs from its corner k to the next one; edges and corners have the same numbers.</summary>
+    /// <summary>
+    /// Which triangles share an edge. Edge 3t + k of triangle t runs from its corner k to the next one;
+    /// edges and corners have the same numbers.
+    /// </summary>
     static class TriangleEdges
     {
         public const int None = -1;
@@ -18,15 +21,19 @@ namespace Glint.Core
         public static int Opposite(int edge) => edge % 3 == 0 ? edge + 2 : edge - 1;
 
         /// <summary>
-        /// For each edge the edge of another triangle between the same vertices, or <see cref="None"/>. Where more than two triangles meet, edges are matched two by two.
+        /// For each edge the edge of another triangle between the same vertices, or <see cref="None"/>.
+        /// Where more than two triangles meet, edges are matched two by two.
         /// </summary>
-        /// <param name="corners">Vertex of each corner, three a triangle; vertices at the same place have the same number.</param>
+        /// <param name="corners">
+        /// Vertex of each corner, three a triangle; vertices at the same place have the same number.
+        /// </param>
         /// <param name="vertexCount">Vertices there are.</param>
         /// <param name="used">Triangles that take part. Their corners must be at three places.</param>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public static int[] Match(int[] corners, int vertexCount, bool[] used, CancellationToken cancel = default)
         {
-            // Edges are gathered by the lower of their vertices: a counting sort, so that time grows with the number of edges only.
+            // Edges are gathered by the lower of their vertices: a counting sort,
+            // so that time grows with the number of edges only.
             var starts = new int[vertexCount + 1];
             for (int edge = 0; edge < corners.Length; edge++)
                 if (used[edge / 3])
@@ -45,7 +52,8 @@ namespace Glint.Core
             {
                 var keys = new ulong[Few];
                 for (int vertex = from; vertex < to; vertex++)
-                    MatchAround(corners, gathered, starts[vertex], starts[vertex + 1] - starts[vertex], ref keys, across);
+                    MatchAround(corners, gathered, starts[vertex],
+                        starts[vertex + 1] - starts[vertex], ref keys, across);
             }, cancel);
             return across;
         }

@@ -2,7 +2,10 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>Triangles in a frame of their own, metres, Unity's axes (left-handed, y up). Both sides of a triangle reflect. It does not change: a mesh that changed is a new one.</summary>
+    /// <summary>
+    /// Triangles in a frame of their own, metres, Unity's axes (left-handed, y up). Both sides of a triangle reflect.
+    /// It does not change: a mesh that changed is a new one.
+    /// </summary>
     public sealed class TriangleMesh
     {
         /// <summary>Metres. Beyond it float32 places are a metre apart, and lengths are no longer right.</summary>
@@ -26,7 +29,9 @@ namespace Glint.Core
         /// <summary>Triangles, those without area included.</summary>
         public int TriangleCount => Indices.Length / 3;
 
-        /// <summary>The box around all triangles; empty without any. A vertex without a triangle is nothing to see.</summary>
+        /// <summary>
+        /// The box around all triangles; empty without any. A vertex without a triangle is nothing to see.
+        /// </summary>
         internal Box Bound()
         {
             var box = Box.Empty;

@@ -6,18 +6,21 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// A mesh's triangles two by two, where two that share an edge fit into a box not much larger than their own: the leaves of its tree.
+    /// A mesh's triangles two by two, where two that share an edge fit into a box not much larger than their own:
+    /// the leaves of its tree.
     /// On a sea or a ship hardly a triangle is left alone, so that a tree has half the leaves and half the nodes.
     /// </summary>
     sealed class TrianglePairs
     {
-        // Square of the least cross product of edges, m4, that float32 can make a normal of: the triangle's area is then half of 1e-16 m2.
+        // Square of the least cross product of edges, m4, that float32 can make a normal of:
+        // the triangle's area is then half of 1e-16 m2.
         const float LeastNormalSquared = 1e-32f;
 
         // Boxes' half areas: that of a pair may be this much larger than those of its triangles together.
         const float MostGrowth = 1.3f;
 
-        // Rounds of pairing triangles that are each other's best partner; what is left takes the best that is free, in the mesh's order.
+        // Rounds of pairing triangles that are each other's best partner;
+        // what is left takes the best that is free, in the mesh's order.
         const int Rounds = 3;
 
         const int Free = -1;
@@ -47,8 +50,10 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Vertex numbers of the pairs, in the order of their first triangles. A pair is (x, y, z) and (x, z, w); a triangle left alone has w = z.
-        /// Triangles of less than 5e-17 m2, or so large that their area is not finite, reflect nothing and are left out.
+        /// Vertex numbers of the pairs, in the order of their first triangles. A pair is (x, y, z) and (x, z, w);
+        /// a triangle left alone has w = z.
+        /// Triangles of less than 5e-17 m2, or so large that their area is not finite,
+        /// reflect nothing and are left out.
         /// </summary>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public static int4[] Find(TriangleMesh mesh, CancellationToken cancel = default)
@@ -91,7 +96,8 @@ namespace Glint.Core
             return normalSquared >= LeastNormalSquared && normalSquared <= float.MaxValue;
         }
 
-        // Two that are each other's best would also meet if all pairs were tried from the best to the worst, but this way no sort is needed and cores can share the work.
+        // Two that are each other's best would also meet if all pairs were tried from the best to the worst,
+        // but this way no sort is needed and cores can share the work.
         void Pair()
         {
             var best = new int[_mates.Length];
@@ -148,7 +154,8 @@ namespace Glint.Core
                 partner.Add(Corner(TriangleEdges.End(edge)));
                 float area = both.HalfArea;
                 int tie = Math.Min(edge, other); // the same seen from both sides
-                if (area <= MostGrowth * (box.HalfArea + partner.HalfArea) && (area < bestArea || area == bestArea && tie < bestTie))
+                if (area <= MostGrowth * (box.HalfArea + partner.HalfArea)
+                    && (area < bestArea || area == bestArea && tie < bestTie))
                     (best, bestArea, bestTie) = (edge, area, tie);
             }
             return best;
@@ -170,15 +177,18 @@ namespace Glint.Core
             return corners;
         }
 
-        bool IsFirst(int triangle) => _mates[triangle] == Free || _mates[triangle] >= 0 && _across[_mates[triangle]] / 3 > triangle;
+        bool IsFirst(int triangle) =>
+            _mates[triangle] == Free || _mates[triangle] >= 0 && _across[_mates[triangle]] / 3 > triangle;
 
         int4 CornersOf(int triangle)
         {
             var indices = _mesh.Indices;
             if (_mates[triangle] == Free)
-                return int4(indices[3 * triangle], indices[3 * triangle + 1], indices[3 * triangle + 2], indices[3 * triangle + 2]);
+                return int4(indices[3 * triangle], indices[3 * triangle + 1], indices[3 * triangle + 2],
+                    indices[3 * triangle + 2]);
             int edge = _mates[triangle];
-            return int4(indices[TriangleEdges.End(edge)], indices[TriangleEdges.Opposite(edge)], indices[edge], indices[TriangleEdges.Opposite(_across[edge])]);
+            return int4(indices[TriangleEdges.End(edge)], indices[TriangleEdges.Opposite(edge)], indices[edge],
+                indices[TriangleEdges.Opposite(_across[edge])]);
         }
     }
 }

@@ -4,7 +4,10 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Core
 {
-    /// <summary>Finds vertices at the same place, as meshes have them whose triangles share no vertices (STL) or are shaded flat.</summary>
+    /// <summary>
+    /// Finds vertices at the same place, as meshes have them whose triangles share
+    /// no vertices (STL) or are shaded flat.
+    /// </summary>
     static class VertexWelder
     {
         /// <summary>For each vertex the lowest number of a vertex with the same bits.</summary>
@@ -15,7 +18,8 @@ namespace Glint.Core
             while (bits < 30 && 1L << bits < 2L * vertices.Length)
                 bits++;
             // A hash table with linear probing: a slot holds a vertex number + 1, 0 is free.
-            // Which slot a place gets depends on the order in which threads arrive; the lowest number it ends with does not.
+            // Which slot a place gets depends on the order in which threads arrive;
+            // the lowest number it ends with does not.
             var table = new int[1 << bits];
             var welded = new int[vertices.Length];
             Blocks.For(vertices.Length, (from, to) =>
@@ -53,7 +57,8 @@ namespace Glint.Core
             }
         }
 
-        static bool SameBits(float3 a, float3 b) => asuint(a.x) == asuint(b.x) && asuint(a.y) == asuint(b.y) && asuint(a.z) == asuint(b.z);
+        static bool SameBits(float3 a, float3 b) =>
+            asuint(a.x) == asuint(b.x) && asuint(a.y) == asuint(b.y) && asuint(a.z) == asuint(b.z);
 
         // The high bits are used: products spread towards them.
         static uint Hash(float3 place)

@@ -3,15 +3,19 @@ using System;
 namespace Glint.Core
 {
     /// <summary>
-    /// Makes nodes of up to four children out of a binary tree, so that the surface of all of them together, which the visits of a ray are in proportion to, is least.
-    /// For each subtree the least surface is known when it has one, two or three roots; a node's choice follows from those of its children.
+    /// Makes nodes of up to four children out of a binary tree, so that the surface of all of them together,
+    /// which the visits of a ray are in proportion to, is least.
+    /// For each subtree the least surface is known when it has one, two or three roots;
+    /// a node's choice follows from those of its children.
     /// On a sea with a ship that leaves a fifth fewer nodes than opening the largest child first.
     /// </summary>
     sealed class WideCollapse
     {
         public const int MostChildren = 4;
 
-        /// <summary>Inner levels at most: half of the binary tree's, as a node can always take the place of two levels.</summary>
+        /// <summary>
+        /// Inner levels at most: half of the binary tree's, as a node can always take the place of two levels.
+        /// </summary>
         public const int MaxLevels = BoxTreeBuilder.MaxLevels / 2;
 
         readonly BoxTree _tree;
@@ -88,7 +92,8 @@ namespace Glint.Core
 
         int Levels(int child) => child < 0 ? 0 : _costs[child - _root].Levels;
 
-        // Finds the children of an inner node and gives them places, and theirs. The node may have this many inner levels, itself included.
+        // Finds the children of an inner node and gives them places, and theirs.
+        // The node may have this many inner levels, itself included.
         void PlaceNode(int place, int node, int levels)
         {
             _childCount = 0;

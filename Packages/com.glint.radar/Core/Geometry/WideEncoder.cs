@@ -5,22 +5,28 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// Writes a tree in <see cref="TreeShape.Wide"/>, in records of 3 rows that number from 0, the root. A node's 12 words: origin x, y, z; exponents of the cell's sides and masks;
-    /// lower planes of the children's boxes in cells from the origin, x, y, z with a byte for each child; upper planes; record of the first child; 0.
+    /// Writes a tree in <see cref="TreeShape.Wide"/>, in records of 3 rows that number from 0, the root.
+    /// A node's 12 words: origin x, y, z; exponents of the cell's sides and masks;
+    /// lower planes of the children's boxes in cells from the origin, x, y, z with a byte for each child; upper planes;
+    /// record of the first child; 0.
     /// </summary>
     sealed class WideEncoder
     {
         const int RecordRows = 3;
 
-        /// <summary>A leaf's record and a third of a node's: a node's children are three records more than it.</summary>
+        /// <summary>
+        /// A leaf's record and a third of a node's: a node's children are three records more than it.
+        /// </summary>
         public const double LeastRowsPerLeaf = RecordRows * (1 + 1 / (WideCollapse.MostChildren - 1.0)) * (1 - 1e-6);
 
         const int LastCell = 255;
 
-        // In cells: beside the tree's margin each plane lies outwards by this at least; the kernels count on half of it.
+        // In cells: beside the tree's margin each plane lies outwards by this at least;
+        // the kernels count on half of it.
         const double Margin = 1.0 / 32;
 
-        // The cell's side is at least this fraction of the largest coordinate, so that float32 places are finer than cells.
+        // The cell's side is at least this fraction of the largest coordinate,
+        // so that float32 places are finer than cells.
         const double LeastCell = 1.0 / (1 << 21);
         const double LeastNormal = 1.17549435e-38;
 
@@ -68,7 +74,8 @@ namespace Glint.Core
             var box = _tree.BoxOf(node.Binary);
             double largest = cmax(max(abs((double3)box.Low), abs((double3)box.High)));
             double least = Math.Max(LeastCell * largest, LeastNormal);
-            Axis x = new Axis(box.Low.x, box.High.x, _margin, least), y = new Axis(box.Low.y, box.High.y, _margin, least), z = new Axis(box.Low.z, box.High.z, _margin, least);
+            Axis x = new Axis(box.Low.x, box.High.x, _margin, least), y =
+                new Axis(box.Low.y, box.High.y, _margin, least), z = new Axis(box.Low.z, box.High.z, _margin, least);
 
             uint leaves = 0, children = 0;
             uint3 low = 0, high = 0;
@@ -83,7 +90,8 @@ namespace Glint.Core
                 high |= uint3(x.Above(inner.High.x), y.Above(inner.High.y), z.Above(inner.High.z)) << (8 * k);
             }
             int row = RecordRows * record;
-            _rows[row] = uint4(asuint(x.Origin), asuint(y.Origin), asuint(z.Origin), x.Exponent | y.Exponent << 8 | z.Exponent << 16 | leaves << 24 | children << 28);
+            _rows[row] = uint4(asuint(x.Origin), asuint(y.Origin), asuint(z.Origin),
+                x.Exponent | y.Exponent << 8 | z.Exponent << 16 | leaves << 24 | children << 28);
             _rows[row + 1] = uint4(low, high.x);
             _rows[row + 2] = uint4(high.y, high.z, (uint)node.FirstChild, 0);
         }
@@ -112,9 +120,11 @@ namespace Glint.Core
                 _margin = margin;
             }
 
-            public uint Below(float place) => (uint)Math.Max(0, Math.Floor((place - _margin - Origin) * _cellsPerMetre - Margin));
+            public uint Below(float place) =>
+                (uint)Math.Max(0, Math.Floor((place - _margin - Origin) * _cellsPerMetre - Margin));
 
-            public uint Above(float place) => (uint)Math.Min(LastCell, Math.Ceiling((place + _margin - Origin) * _cellsPerMetre + Margin));
+            public uint Above(float place) =>
+                (uint)Math.Min(LastCell, Math.Ceiling((place + _margin - Origin) * _cellsPerMetre + Margin));
 
             // The least power of two that is not below a positive number.
             static double PowerOfTwoFrom(double number)
@@ -130,7 +140,8 @@ namespace Glint.Core
                 if (near <= number)
                     return near;
                 int bits = BitConverter.SingleToInt32Bits(near);
-                return BitConverter.Int32BitsToSingle(bits > 0 ? bits - 1 : bits == 0 ? unchecked((int)0x80000001) : bits + 1);
+                return BitConverter.Int32BitsToSingle(
+                    bits > 0 ? bits - 1 : bits == 0 ? unchecked((int)0x80000001) : bits + 1);
             }
         }
     }

@@ -6,7 +6,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The independent tracer that tests and benchmarks compare the kernel with: double precision on the CPU, the same float32 vertices, double transforms, camera and receiver.
+    /// The independent tracer that tests and benchmarks compare the kernel with: double precision on the CPU,
+    /// the same float32 vertices, double transforms, camera and receiver.
     /// Slow on purpose: nothing is skipped and nothing is approximated.
     /// </summary>
     public sealed class Judge
@@ -18,7 +19,8 @@ namespace Glint.Core
         readonly RadarView _view;
         readonly JudgeTree _tree;
         readonly double3 _receiver; // its middle, in the tree's coordinates
-        readonly double _halfWidth, _halfHeight; // of the picture: at distance 1 in perspective, of the aperture for parallel rays
+        // of the picture: at distance 1 in perspective, of the aperture for parallel rays
+        readonly double _halfWidth, _halfHeight;
 
         /// <summary>A tracer of a scene from a place.</summary>
         /// <param name="scene">Places in the coordinates of the view.</param>
@@ -28,17 +30,24 @@ namespace Glint.Core
             _view = view;
             _tree = new JudgeTree(scene);
             _receiver = view.ReceiverCentre - _tree.Middle;
-            _halfHeight = view.IsParallel ? view.ApertureHeight / 2 : math.tan(view.VerticalFovDegrees * math.PI_DBL / 360);
+            _halfHeight =
+                view.IsParallel ? view.ApertureHeight / 2 : math.tan(view.VerticalFovDegrees * math.PI_DBL / 360);
             _halfWidth = _halfHeight * settings.RaysAcross / settings.RaysDown;
         }
 
         /// <summary>Half the diagonal of the box around all triangles, metres.</summary>
         public double SceneRadius => _tree.Radius;
 
-        /// <summary>Distance between the rays of neighbouring pixels where they have gone <paramref name="length"/> metres, metres.</summary>
-        public double RaySpacing(double length) => 2 * _halfHeight / _settings.RaysDown * (_view.IsParallel ? 1 : length);
+        /// <summary>
+        /// Distance between the rays of neighbouring pixels where they have gone
+        /// <paramref name="length"/> metres, metres.
+        /// </summary>
+        public double RaySpacing(double length) =>
+            2 * _halfHeight / _settings.RaysDown * (_view.IsParallel ? 1 : length);
 
-        /// <summary>Every ray of the region (of the whole picture when none is set), row by row from its left and bottom edge.</summary>
+        /// <summary>
+        /// Every ray of the region (of the whole picture when none is set), row by row from its left and bottom edge.
+        /// </summary>
         /// <param name="progress">Told how much is done, 0 to 1, from any thread; may be null.</param>
         /// <param name="cancel">Ends the work.</param>
         /// <exception cref="OperationCanceledException">It was cancelled.</exception>
@@ -58,7 +67,8 @@ namespace Glint.Core
 
         /// <summary>The rays of the same pixels as the kernel's.</summary>
         /// <exception cref="OperationCanceledException">It was cancelled.</exception>
-        public JudgeRay[] TraceSame(RayData[] rays, IProgress<double> progress = null, CancellationToken cancel = default)
+        public JudgeRay[] TraceSame(RayData[] rays, IProgress<double> progress = null,
+            CancellationToken cancel = default)
         {
             const int Together = 256;
             var same = new JudgeRay[rays.Length];
@@ -94,11 +104,13 @@ namespace Glint.Core
         /// <param name="y">Pixels from the bottom.</param>
         public JudgeRay Trace(double x, double y)
         {
-            double3 aside = ((2 * x + 1) / _settings.RaysAcross - 1) * _halfWidth * _view.Right + ((2 * y + 1) / _settings.RaysDown - 1) * _halfHeight * _view.Up;
+            double3 aside = ((2 * x + 1) / _settings.RaysAcross - 1) * _halfWidth * _view.Right
+                + ((2 * y + 1) / _settings.RaysDown - 1) * _halfHeight * _view.Up;
             double3 start = _view.IsParallel ? _view.Position + aside : _view.Position;
             double3 direction = math.normalize(_view.IsParallel ? _view.Forward : _view.Forward + aside);
 
-            // Rounding grows with numbers: those of the search are distances from the scene's middle, and a far ray is followed from just before the scene.
+            // Rounding grows with numbers: those of the search are distances from the scene's middle,
+            // and a far ray is followed from just before the scene.
             double3 place = start - _tree.Middle;
             double length = math.max(0, -math.dot(place, direction) - 2 * _tree.Radius);
             place += length * direction;
@@ -108,7 +120,8 @@ namespace Glint.Core
             {
                 ray.Direction = direction;
                 int hit = _tree.FindNearest(place, direction, out double distance);
-                if (ray.Bounces > 0 && CrossesReceiver(place, direction, out double toReceiver) && toReceiver < distance)
+                if (ray.Bounces > 0 && CrossesReceiver(place, direction, out double toReceiver)
+                    && toReceiver < distance)
                 {
                     ray.Received = true;
                     ray.PathLength = length + toReceiver;

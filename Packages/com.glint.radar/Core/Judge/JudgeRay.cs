@@ -17,7 +17,9 @@ namespace Glint.Core
         /// <summary>From the radar over all hits to the receiver plane, metres; 0 if not received.</summary>
         public double PathLength;
 
-        /// <summary>Received: the whole path. Otherwise: to the last hit. Metres; what RayData has for a length.</summary>
+        /// <summary>
+        /// Received: the whole path. Otherwise: to the last hit. Metres; what RayData has for a length.
+        /// </summary>
         public double LengthToEnd => Received ? PathLength : LengthToLastHit;
 
         /// <summary>Last point of reflection, metres; where the ray started if nothing was hit.</summary>
@@ -29,7 +31,10 @@ namespace Glint.Core
         /// <summary>Triangle last hit, counted over the scene's instances in order; -1 if nothing was hit.</summary>
         public int LastTriangle;
 
-        /// <summary>The same for rays over the same triangles in the same order, else almost surely another; 0 if nothing was hit.</summary>
+        /// <summary>
+        /// The same for rays over the same triangles in the same order,
+        /// else almost surely another; 0 if nothing was hit.
+        /// </summary>
         public long Way;
     }
 }

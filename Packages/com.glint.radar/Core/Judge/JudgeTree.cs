@@ -5,8 +5,10 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The judge's own search for the nearest triangle: double precision, triangles halved along the longest side, plain recursion.
-    /// It shares no code with the kernel or its builder, so that an error in one does not hide in the other. Its coordinates are those of the scene less <see cref="Middle"/>.
+    /// The judge's own search for the nearest triangle: double precision,
+    /// triangles halved along the longest side, plain recursion.
+    /// It shares no code with the kernel or its builder, so that an error in one does not hide in the other.
+    /// Its coordinates are those of the scene less <see cref="Middle"/>.
     /// </summary>
     sealed class JudgeTree
     {
@@ -15,10 +17,12 @@ namespace Glint.Core
         // Fewer triangles than this are sorted sooner than another processor takes them over.
         const int LeastShared = 4096;
 
-        // A ray that starts as near to a triangle's plane as this fraction of the scene's size starts on it, and does not meet it: some hundred roundings of a place.
+        // A ray that starts as near to a triangle's plane as this fraction of the scene's size starts on it,
+        // and does not meet it: some hundred roundings of a place.
         const double OnSurface = 1e-13;
 
-        // Boxes are larger than their triangles by this fraction of the scene's size: rounding must not lose a ray that meets one edge-on.
+        // Boxes are larger than their triangles by this fraction of the scene's size:
+        // rounding must not lose a ray that meets one edge-on.
         const double Margin = 1e-12;
 
         // Corners, unit normals and numbers in the order of the leaves.
@@ -62,21 +66,26 @@ namespace Glint.Core
         /// <summary>Half the diagonal of that box, metres.</summary>
         public double Radius { get; }
 
-        /// <summary>The triangle's number in the scene: over the instances in order, over their triangles in order.</summary>
+        /// <summary>
+        /// The triangle's number in the scene: over the instances in order, over their triangles in order.
+        /// </summary>
         public int Number(int triangle) => _numbers[triangle];
 
         /// <summary>Unit normal of a triangle, 0 for one without area; its side is arbitrary.</summary>
         public double3 Normal(int triangle) => _normals[triangle];
 
         /// <summary>
-        /// The nearest triangle along a ray, other than those in whose plane it starts; -1 and infinity if there is none.
-        /// Of several at the same distance the one of the lowest number. Triangles are counted as the tree has them; <see cref="Number"/> tells the scene's.
+        /// The nearest triangle along a ray, other than those in whose plane it starts;
+        /// -1 and infinity if there is none.
+        /// Of several at the same distance the one of the lowest number. Triangles are counted as the tree has them;
+        /// <see cref="Number"/> tells the scene's.
         /// </summary>
         public int FindNearest(double3 origin, double3 direction, out double distance)
         {
             var search = new Search
             {
-                Origin = origin, Direction = direction, Inverse = new double3(Inverse(direction.x), Inverse(direction.y), Inverse(direction.z)),
+                Origin = origin, Direction = direction,
+                Inverse = new double3(Inverse(direction.x), Inverse(direction.y), Inverse(direction.z)),
                 Hit = -1, Distance = double.PositiveInfinity,
             };
             if (_root != null && Enters(_root, search) < double.PositiveInfinity)
@@ -93,8 +102,12 @@ namespace Glint.Core
             {
                 var place = instance.ToWorld;
                 place.Origin -= Middle;
-                // A surface's normals turn and stretch as its areas do. Differences of float32 corners are exact in double, their cross product nearly so, however thin the triangle.
-                var areas = new Affine { X = math.cross(place.Y, place.Z), Y = math.cross(place.Z, place.X), Z = math.cross(place.X, place.Y) };
+                // A surface's normals turn and stretch as its areas do. Differences of float32 corners are exact in
+                // double, their cross product nearly so, however thin the triangle.
+                var areas = new Affine
+                {
+                    X = math.cross(place.Y, place.Z), Y = math.cross(place.Z, place.X), Z = math.cross(place.X, place.Y)
+                };
                 for (int i = 0; i < instance.Mesh.TriangleCount; i++, number++)
                 {
                     instance.Mesh.GetTriangle(i, out var a, out var b, out var c);
@@ -135,7 +148,8 @@ namespace Glint.Core
                 node.Right = Build(first + half, count - half, centres);
             }
             else
-                Parallel.Invoke(() => node.Left = Build(first, half, centres), () => node.Right = Build(first + half, count - half, centres));
+                Parallel.Invoke(() => node.Left = Build(first, half, centres),
+                    () => node.Right = Build(first + half, count - half, centres));
             return node;
         }
 
@@ -170,25 +184,32 @@ namespace Glint.Core
         void Test(int triangle, ref Search search)
         {
             double there = Distance(triangle, search.Origin, search.Direction);
-            if (there < search.Distance || there == search.Distance && there < double.PositiveInfinity && _numbers[triangle] < _numbers[search.Hit])
+            if (there < search.Distance || there == search.Distance && there < double.PositiveInfinity
+                && _numbers[triangle] < _numbers[search.Hit])
                 (search.Hit, search.Distance) = (triangle, there);
         }
 
         // Where the ray enters the box; infinity if it misses it or has a hit before it. Slab by slab.
         static double Enters(Node node, in Search search)
         {
-            double ax = (node.Low.x - search.Origin.x) * search.Inverse.x, bx = (node.High.x - search.Origin.x) * search.Inverse.x;
-            double ay = (node.Low.y - search.Origin.y) * search.Inverse.y, by = (node.High.y - search.Origin.y) * search.Inverse.y;
-            double az = (node.Low.z - search.Origin.z) * search.Inverse.z, bz = (node.High.z - search.Origin.z) * search.Inverse.z;
+            double ax = (node.Low.x - search.Origin.x) * search.Inverse.x,
+                bx = (node.High.x - search.Origin.x) * search.Inverse.x;
+            double ay = (node.Low.y - search.Origin.y) * search.Inverse.y,
+                by = (node.High.y - search.Origin.y) * search.Inverse.y;
+            double az = (node.Low.z - search.Origin.z) * search.Inverse.z,
+                bz = (node.High.z - search.Origin.z) * search.Inverse.z;
             double enter = Math.Max(Math.Max(Math.Min(ax, bx), Math.Min(ay, by)), Math.Max(Math.Min(az, bz), 0));
-            double leave = Math.Min(Math.Min(Math.Max(ax, bx), Math.Max(ay, by)), Math.Min(Math.Max(az, bz), search.Distance));
+            double leave =
+                Math.Min(Math.Min(Math.Max(ax, bx), Math.Max(ay, by)), Math.Min(Math.Max(az, bz), search.Distance));
             return enter <= leave ? enter : double.PositiveInfinity;
         }
 
-        // A ray along a slab is inside it or enters it nowhere: a large number says so, infinity would give 0 times infinity on the slab's side.
+        // A ray along a slab is inside it or enters it nowhere: a large number says so,
+        // infinity would give 0 times infinity on the slab's side.
         static double Inverse(double component) => Math.Abs(component) > 1e-200 ? 1 / component : 1e200;
 
-        // To where the ray meets the triangle's plane, if it passes its three edges on the same side; infinity if it does not meet it.
+        // To where the ray meets the triangle's plane, if it passes its three edges on the same side;
+        // infinity if it does not meet it.
         double Distance(int triangle, double3 origin, double3 direction)
         {
             double3 a = _a[triangle] - origin, b = _b[triangle] - origin, c = _c[triangle] - origin;
@@ -205,13 +226,16 @@ namespace Glint.Core
 
             // Seen edge-on, the plane is met anywhere; the triangle is not.
             double da = math.dot(a, direction), db = math.dot(b, direction), dc = math.dot(c, direction);
-            double distance = math.clamp(height / facing, math.min(da, math.min(db, dc)), math.max(da, math.max(db, dc)));
+            double distance =
+                math.clamp(height / facing, math.min(da, math.min(db, dc)), math.max(da, math.max(db, dc)));
             return distance > 0 ? distance : double.PositiveInfinity;
         }
 
-        // On which side a ray from the origin passes the edge between two points, times the edge's length and twice the distance. The two triangles at an edge get
-        // exactly opposite numbers, so that no ray passes between them; and an edge that is short and far away costs no digits.
-        static double Passes(double3 direction, double3 from, double3 to, double3 edge) => math.dot(direction, math.cross(from + to, edge));
+        // On which side a ray from the origin passes the edge between two points, times the edge's length and twice
+        // the distance. The two triangles at an edge get exactly opposite numbers, so that no ray passes between them;
+        // and an edge that is short and far away costs no digits.
+        static double Passes(double3 direction, double3 from, double3 to, double3 edge) =>
+            math.dot(direction, math.cross(from + to, edge));
 
         sealed class Node
         {

@@ -6,15 +6,17 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The kernel's rays beside the judge's, one by one. A ray has gone wrong unless it went the judge's way, or passes an edge so near that the judge goes the kernel's way
-    /// from a place in the picture a little beside: so near that float32 cannot tell the places on the target apart.
+    /// The kernel's rays beside the judge's, one by one. A ray has gone wrong unless it went the judge's way,
+    /// or passes an edge so near that the judge goes the kernel's way from a place in the picture a little beside:
+    /// so near that float32 cannot tell the places on the target apart.
     /// </summary>
     public sealed class RayComparison
     {
         /// <summary>Rays that went wrong and are kept one by one, at most.</summary>
         public const int MostKept = 20;
 
-        // Of the scene's size. A float32 place at its rim, brought to a mesh's frame, is rounded some eight times by half a step: 22 micrometres where the scene is 92 m from corner to corner.
+        // Of the scene's size. A float32 place at its rim, brought to a mesh's frame,
+        // is rounded some eight times by half a step: 22 micrometres where the scene is 92 m from corner to corner.
         const double Step = 1.0 / (1 << 22);
 
         // A sliver narrower than a step is not found by steps alone.
@@ -26,7 +28,8 @@ namespace Glint.Core
         // Two float32 numbers hold 48 bits of a length; some are lost on its way.
         const double TwoFloatRounding = 1.0 / (1L << 44);
 
-        // The path of a ray that is not received is followed in float32, which turns thin triangles a little: so much of the scene's size its length may be off.
+        // The path of a ray that is not received is followed in float32, which turns thin triangles a little:
+        // so much of the scene's size its length may be off.
         const double LostOfSize = 1e-3;
 
         readonly Judge _judge;
@@ -37,7 +40,9 @@ namespace Glint.Core
 
         /// <summary>A comparison in which no ray has been compared yet.</summary>
         /// <param name="scene">Places in the coordinates of the view.</param>
-        /// <param name="lengthTolerance">Difference of a received ray's length that is allowed besides rounding, metres.</param>
+        /// <param name="lengthTolerance">
+        /// Difference of a received ray's length that is allowed besides rounding, metres.
+        /// </param>
         public RayComparison(RadarScene scene, in RadarSettings settings, in RadarView view, double lengthTolerance)
         {
             _judge = new Judge(scene, settings, view);
@@ -57,7 +62,9 @@ namespace Glint.Core
         /// <summary>Of these, those that passed an edge on its other side, so near that float32 cannot tell.</summary>
         public long AtEdge { get; private set; }
 
-        /// <summary>Of these, those that went another way, or whose length differs by more than the tolerance.</summary>
+        /// <summary>
+        /// Of these, those that went another way, or whose length differs by more than the tolerance.
+        /// </summary>
         public long Wrong { get; private set; }
 
         /// <summary>The first rays that went wrong.</summary>
@@ -69,11 +76,14 @@ namespace Glint.Core
         /// <summary>The judge's sums over the same rays.</summary>
         public RadarResult JudgeSums { get; }
 
-        /// <summary>Largest difference between the lengths of received rays that went the judge's way, metres.</summary>
+        /// <summary>
+        /// Largest difference between the lengths of received rays that went the judge's way, metres.
+        /// </summary>
         public double LargestLengthDifference { get; private set; }
 
         /// <summary>Root of the mean square of these differences, metres; 0 when no ray was received.</summary>
-        public double RmsLengthDifference => KernelSums.RaysReceived > 0 ? math.sqrt(_sumOfSquares / KernelSums.RaysReceived) : 0;
+        public double RmsLengthDifference =>
+            KernelSums.RaysReceived > 0 ? math.sqrt(_sumOfSquares / KernelSums.RaysReceived) : 0;
 
         /// <summary>Largest difference between their phases, radians.</summary>
         public double LargestPhaseDifference { get; private set; }
@@ -94,7 +104,8 @@ namespace Glint.Core
         void Add(in RayData ray, in JudgeRay judged)
         {
             Rays++;
-            bool isSame = IsAsLong(ray, judged, SameLength) && math.distance(ray.Direction, judged.Direction) <= SameDirection;
+            bool isSame = IsAsLong(ray, judged, SameLength)
+                && math.distance(ray.Direction, judged.Direction) <= SameDirection;
             if (!isSame)
             {
                 var beside = Beside(ray, judged);
@@ -104,7 +115,8 @@ namespace Glint.Core
                     return;
                 }
                 // A path that is lost is right if it is that of a ray a little beside.
-                isSame = IsAsLong(ray, judged, _tolerance) || !judged.Received && IsAmong(ray, beside, judged, onItsWay: true);
+                isSame = IsAsLong(ray, judged, _tolerance)
+                    || !judged.Received && IsAmong(ray, beside, judged, onItsWay: true);
             }
             if (!isSame)
             {
@@ -120,12 +132,15 @@ namespace Glint.Core
         bool IsAsLong(in RayData ray, in JudgeRay judged, double tolerance) =>
             EndsAs(ray, judged) && math.abs(ray.ExactPathLength - judged.LengthToEnd) <= tolerance + Rounding(judged);
 
-        static bool EndsAs(in RayData ray, in JudgeRay judged) => ray.Bounces == judged.Bounces && ray.IsReceived == judged.Received;
+        static bool EndsAs(in RayData ray, in JudgeRay judged) =>
+            ray.Bounces == judged.Bounces && ray.IsReceived == judged.Received;
 
         static bool IsSameWay(in JudgeRay a, in JudgeRay b) => a.Way == b.Way && a.Received == b.Received;
 
         double Rounding(in JudgeRay judged) =>
-            judged.Received ? TwoFloatRounding * judged.PathLength : LostOfSize * _sceneSize + Step * judged.LengthToLastHit;
+            judged.Received
+                ? TwoFloatRounding * judged.PathLength
+                : LostOfSize * _sceneSize + Step * judged.LengthToLastHit;
 
         // The judge's ray, and those through places around it.
         List<JudgeRay> Beside(in RayData ray, in JudgeRay judged)
@@ -140,12 +155,14 @@ namespace Glint.Core
                 for (int side = 0; side < Sides; side++)
                 {
                     double angle = 2 * math.PI_DBL * side / Sides;
-                    rays.Add(_judge.Trace(_judge.ColumnOf(ray) + step * math.cos(angle), _judge.RowOf(ray) + step * math.sin(angle)));
+                    rays.Add(_judge.Trace(_judge.ColumnOf(ray) + step * math.cos(angle),
+                        _judge.RowOf(ray) + step * math.sin(angle)));
                 }
             return rays;
         }
 
-        // True if a ray ends as others that go the judge's way, or that go another: as long as some of them are, or would be a step farther.
+        // True if a ray ends as others that go the judge's way, or that go another:
+        // as long as some of them are, or would be a step farther.
         bool IsAmong(in RayData ray, List<JudgeRay> others, in JudgeRay judged, bool onItsWay)
         {
             foreach (var first in others)
@@ -169,11 +186,13 @@ namespace Glint.Core
             AddTo(JudgeSums, judged.Bounces, judged.LengthToEnd);
             if (!judged.Received)
                 return;
-            double phase = Signal.Phase(judged.PathLength, _settings.Wavelength), difference = math.abs(ray.ExactPathLength - judged.PathLength);
+            double phase = Signal.Phase(judged.PathLength, _settings.Wavelength),
+                difference = math.abs(ray.ExactPathLength - judged.PathLength);
             KernelSums.AddReceived(ray.Phase, ray.InPhase, ray.Quadrature);
             JudgeSums.AddReceived(phase, math.cos(phase), math.sin(phase));
             LargestLengthDifference = math.max(LargestLengthDifference, difference);
-            LargestPhaseDifference = math.max(LargestPhaseDifference, math.abs(Math.IEEERemainder(ray.Phase - phase, 2 * math.PI_DBL)));
+            LargestPhaseDifference =
+                math.max(LargestPhaseDifference, math.abs(Math.IEEERemainder(ray.Phase - phase, 2 * math.PI_DBL)));
             _sumOfSquares += difference * difference;
         }
 

@@ -3,30 +3,41 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>The rectangle that parallel rays leave, from their spacing: as large as what is traced looks from the radar, or of a given size.</summary>
+    /// <summary>
+    /// The rectangle that parallel rays leave, from their spacing:
+    /// as large as what is traced looks from the radar, or of a given size.
+    /// </summary>
     public static class ApertureFit
     {
         // So much of a spacing is rounding: the outermost rays run half a spacing inside of the edges.
         const double Slack = 1e-6;
 
         /// <summary>
-        /// Chooses the picture so that its rays cover the scene as it is seen along <see cref="RadarView.Forward"/>, at the spacing given, with no row or column to spare:
-        /// rays across and down, the aperture's height, and its middle. That is <see cref="RadarView.Position"/> moved sideways, not nearer.
+        /// Chooses the picture so that its rays cover the scene as it is seen along <see cref="RadarView.Forward"/>,
+        /// at the spacing given, with no row or column to spare:
+        /// rays across and down, the aperture's height, and its middle.
+        /// That is <see cref="RadarView.Position"/> moved sideways, not nearer.
         /// </summary>
         /// <param name="spacing">From ray to ray in metres, across and down.</param>
         /// <param name="owner">Who holds the radar, for messages.</param>
-        /// <exception cref="GlintException">The scene has no triangles, or the spacing is out of range or takes too many rays.</exception>
+        /// <exception cref="GlintException">
+        /// The scene has no triangles, or the spacing is out of range or takes too many rays.
+        /// </exception>
         public static void Cover(ref RadarPose pose, double spacing, string owner)
         {
             Project(pose.Scene, pose.View, out var low, out var high);
             if (!(low.x <= high.x))
-                throw new GlintException($"{owner}: there is nothing to fit its aperture to: no triangles are traced (check its layers and roots, or give the aperture a size)");
+                throw new GlintException($"{owner}: there is nothing to fit its aperture to: "
+                    + "no triangles are traced (check its layers and roots, or give the aperture a size)");
             Divide(high - low, spacing, ref pose, owner);
             double2 middle = (low + high) / 2;
             pose.View.Position += middle.x * pose.View.Right + middle.y * pose.View.Up;
         }
 
-        /// <summary>Chooses the picture so that its rays cover a rectangle about the view axis at the spacing given. The aperture is as much larger as it takes for whole rays.</summary>
+        /// <summary>
+        /// Chooses the picture so that its rays cover a rectangle about the view axis at the spacing given.
+        /// The aperture is as much larger as it takes for whole rays.
+        /// </summary>
         /// <param name="size">Width and height of the rectangle, metres.</param>
         /// <param name="spacing">From ray to ray in metres, across and down.</param>
         /// <param name="owner">Who holds the radar, for messages.</param>
@@ -36,7 +47,8 @@ namespace Glint.Core
             CheckSpacing(spacing, owner);
             double2 rays = math.max(1, math.ceil(size / spacing - Slack));
             if (math.cmax(rays) > RadarSettings.RaysPerAxisLimit || rays.x * rays.y > uint.MaxValue)
-                throw new GlintException(FormattableString.Invariant($"{owner}: rays {spacing} m apart over {size.x:g4} x {size.y:g4} m are {rays.x:0} x {rays.y:0}, and the most are {RadarSettings.RaysPerAxisLimit} each way and {uint.MaxValue} in all: take a larger spacing"));
+                throw new GlintException(FormattableString.Invariant(
+                    $"{owner}: rays {spacing} m apart over {size.x:g4} x {size.y:g4} m are {rays.x:0} x {rays.y:0}, and the most are {RadarSettings.RaysPerAxisLimit} each way and {uint.MaxValue} in all: take a larger spacing"));
             (pose.Settings.RaysAcross, pose.Settings.RaysDown) = ((int)rays.x, (int)rays.y);
             pose.View.ApertureHeight = rays.y * spacing;
         }
@@ -46,27 +58,35 @@ namespace Glint.Core
         public static void CheckSpacing(double spacing, string owner)
         {
             if (!(spacing > 0) || double.IsInfinity(spacing))
-                throw new GlintException($"{owner}: ray spacing {RadarSettings.Text(spacing)} m must be positive and finite");
+                throw new GlintException($"{owner}: ray spacing {RadarSettings.Text(spacing)} m must be "
+                    + "positive and finite");
         }
 
-        /// <summary>Makes the receiver as large as the aperture and moves it onto the aperture's axis, neither nearer nor farther.</summary>
+        /// <summary>
+        /// Makes the receiver as large as the aperture and moves it onto the aperture's axis,
+        /// neither nearer nor farther.
+        /// </summary>
         public static void MatchReceiver(ref RadarPose pose)
         {
             var view = pose.View;
             view.ReceiverSize = 2 * view.HalfSize(pose.Settings);
-            view.ReceiverCentre = view.Position + math.dot(view.ReceiverCentre - view.Position, view.Forward) * view.Forward;
+            view.ReceiverCentre =
+                view.Position + math.dot(view.ReceiverCentre - view.Position, view.Forward) * view.Forward;
             pose.View = view;
         }
 
-        // Corners of the rectangle around all triangles, along the view's right and up, from its position; the low beyond the high without triangles.
+        // Corners of the rectangle around all triangles, along the view's right and up, from its position;
+        // the low beyond the high without triangles.
         static void Project(RadarScene scene, in RadarView view, out double2 low, out double2 high)
         {
             (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
             foreach (var instance in scene.Instances)
             {
                 var place = instance.ToWorld;
-                var across = new double3(math.dot(place.X, view.Right), math.dot(place.Y, view.Right), math.dot(place.Z, view.Right));
-                var up = new double3(math.dot(place.X, view.Up), math.dot(place.Y, view.Up), math.dot(place.Z, view.Up));
+                var across = new double3(math.dot(place.X, view.Right), math.dot(place.Y, view.Right),
+                    math.dot(place.Z, view.Right));
+                var up =
+                    new double3(math.dot(place.X, view.Up), math.dot(place.Y, view.Up), math.dot(place.Z, view.Up));
                 var vertices = instance.Mesh.Vertices;
                 double2 least = double.PositiveInfinity, most = double.NegativeInfinity;
                 foreach (int index in instance.Mesh.Indices) // a vertex without a triangle is nothing to see

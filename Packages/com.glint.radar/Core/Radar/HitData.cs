@@ -4,7 +4,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// A reflection of one ray as the kernel writes it. GLINT_HIT_DATA: the same struct stands in Shaders/Types.hlsl; a test compares them.
+    /// A reflection of one ray as the kernel writes it. GLINT_HIT_DATA:
+    /// the same struct stands in Shaders/Types.hlsl; a test compares them.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     struct HitData

@@ -14,7 +14,10 @@ namespace Glint.Core
         /// <summary>Unit direction after the reflection.</summary>
         public double3 Direction;
 
-        /// <summary>Number of the object that reflects, as <see cref="IHitObjects"/> has it; <see cref="NoObject"/> if nobody knows.</summary>
+        /// <summary>
+        /// Number of the object that reflects, as <see cref="IHitObjects"/> has it;
+        /// <see cref="NoObject"/> if nobody knows.
+        /// </summary>
         public int Object;
     }
 }

@@ -4,7 +4,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The tiles of 8 x 8 rays in which something of the scene can be seen: those that the outlines of its boxes cover. The other rays hit nothing and need no tracing.
+    /// The tiles of 8 x 8 rays in which something of the scene can be seen: those that the outlines of its boxes cover.
+    /// The other rays hit nothing and need no tracing.
     /// </summary>
     public sealed class PictureTiles
     {
@@ -14,7 +15,8 @@ namespace Glint.Core
         // Rays by which a box's outline is widened: many times the rounding of the kernel's directions.
         const double Margin = 0.05;
 
-        // Of a mesh that is seen in no more tiles than it has parts, the outlines of its parts would cost more than they save: there may be thousands of such.
+        // Of a mesh that is seen in no more tiles than it has parts, the outlines of its parts would cost more than
+        // they save: there may be thousands of such.
         const int FewTiles = 64;
 
         // Tiles that stay neighbours when the order is spread over processors: they share much of the tree.
@@ -25,7 +27,8 @@ namespace Glint.Core
         readonly double2 _halfSize; // of the picture
         readonly int2 _first, _end; // tiles of the region, first and one past the last
         readonly double3[] _corners = new double3[8];
-        int[] _steps; // by how many more boxes a tile is covered than those before it, in both directions; null before the first box
+        // by how many more boxes a tile is covered than those before it, in both directions; null before the first box
+        int[] _steps;
 
         /// <summary>The tiles of a picture, of which none can be seen yet.</summary>
         /// <param name="settings">Rays and region.</param>
@@ -93,7 +96,8 @@ namespace Glint.Core
             end = (new int2(region.Left + region.Width, region.Bottom + region.Height) + Side - 1) / Side;
         }
 
-        // First and last tile that a box's outline touches, in the picture or beside it; false if the box is behind the camera.
+        // First and last tile that a box's outline touches, in the picture or beside it;
+        // false if the box is behind the camera.
         bool FindOutline(float3 low, float3 high, in Affine toWorld, out int2 from, out int2 to)
         {
             var corners = _corners;
@@ -103,7 +107,8 @@ namespace Glint.Core
             foreach (var corner in corners)
                 size = math.max(size, math.cmax(math.abs(corner)));
 
-            // Of a box that reaches behind the camera the part before it counts: its corners, and where its edges cross a plane just before the camera.
+            // Of a box that reaches behind the camera the part before it counts:
+            // its corners, and where its edges cross a plane just before the camera.
             double nearest = 1e-9 * size;
             double2 least = double.PositiveInfinity, most = double.NegativeInfinity;
             void Include(double3 p)
@@ -131,8 +136,12 @@ namespace Glint.Core
         }
 
         /// <summary>The tiles taken: column | row shifted by 16 bits.</summary>
-        /// <param name="spread">Order them so that every long stretch of the list has its share of all parts of the picture: a software device gives each processor one stretch.
-        /// Otherwise they go from the top of the picture down: what is far off takes longest, and begun last it would keep a GPU waiting.</param>
+        /// <param name="spread">
+        /// Order them so that every long stretch of the list has its share of all parts of the picture:
+        /// a software device gives each processor one stretch.
+        /// Otherwise they go from the top of the picture down: what is far off takes longest,
+        /// and begun last it would keep a GPU waiting.
+        /// </param>
         public uint[] ToArray(bool spread)
         {
             if (_steps == null)
@@ -163,7 +172,8 @@ namespace Glint.Core
         double3 Seen(double3 point)
         {
             double3 v = point - _view.Position;
-            return new double3(new double2(math.dot(v, _view.Right), math.dot(v, _view.Up)) / _halfSize, math.dot(v, _view.Forward));
+            return new double3(new double2(math.dot(v, _view.Right), math.dot(v, _view.Up)) / _halfSize,
+                math.dot(v, _view.Forward));
         }
 
         // The tile of the ray that passes nearest, kept within bounds that an int holds.
@@ -186,7 +196,8 @@ namespace Glint.Core
             _steps[to.y * Stride + to.x]++;
         }
 
-        // Runs of neighbouring tiles, taken with a stride that is about 0.6 of their number and has no divisor in common with it.
+        // Runs of neighbouring tiles, taken with a stride that is about 0.6 of their number and
+        // has no divisor in common with it.
         static uint[] Spread(uint[] tiles)
         {
             int runs = (tiles.Length + Run - 1) / Run;

@@ -4,12 +4,14 @@ using System.Numerics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The phase over a pixel that received rays surround: a parabola through its own and its neighbours' path lengths. Its mean phasor is then known without further rays, also where the phase turns
-    /// by more than half a turn from pixel to pixel, because lengths are known beyond the wavelength.
+    /// The phase over a pixel that received rays surround: a parabola through its own and its neighbours' path lengths.
+    /// Its mean phasor is then known without further rays, also where the phase turns by more than half a turn from
+    /// pixel to pixel, because lengths are known beyond the wavelength.
     /// </summary>
     struct PixelPhase
     {
-        // Most turns from one pixel to the next, and most by which that changes from pixel to pixel, for the mean to hold.
+        // Most turns from one pixel to the next, and most by which that changes from pixel
+        // to pixel, for the mean to hold.
         const double Steepest = 1, MostBend = 1.0 / 16;
 
         double _slopeX, _slopeY, _bendX, _bendY, _twist; // turns a pixel, and turns a pixel squared
@@ -24,23 +26,28 @@ namespace Glint.Core
             get
             {
                 var (x, y) = (new Slope(_slopeX), new Slope(_slopeY));
-                return new Complex(x.Mean * y.Mean, -Math.PI * (_bendX * x.Second * y.Mean + _bendY * y.Second * x.Mean + 2 * _twist * x.First * y.First));
+                return new Complex(x.Mean * y.Mean, -Math.PI * (_bendX * x.Second * y.Mean + _bendY * y.Second * x.Mean
+                    + 2 * _twist * x.First * y.First));
             }
         }
 
         /// <summary>Of a ray all of whose neighbours were received.</summary>
         public static PixelPhase Of(ReceivedPicture picture, int ray, in ReceivedNeighbours near, double wavelength)
         {
-            double centre = picture[ray].Length, west = picture[near.West].Length, east = picture[near.East].Length, south = picture[near.South].Length, north = picture[near.North].Length;
-            double twist = (double)picture[near.NorthEast].Length - picture[near.NorthWest].Length - picture[near.SouthEast].Length + picture[near.SouthWest].Length;
+            double centre = picture[ray].Length, west = picture[near.West].Length, east = picture[near.East].Length,
+                south = picture[near.South].Length, north = picture[near.North].Length;
+            double twist = (double)picture[near.NorthEast].Length - picture[near.NorthWest].Length
+                - picture[near.SouthEast].Length + picture[near.SouthWest].Length;
             return new PixelPhase
             {
                 _slopeX = (east - west) / (2 * wavelength), _slopeY = (north - south) / (2 * wavelength),
-                _bendX = (east - 2 * centre + west) / wavelength, _bendY = (north - 2 * centre + south) / wavelength, _twist = twist / (4 * wavelength),
+                _bendX = (east - 2 * centre + west) / wavelength,
+                _bendY = (north - 2 * centre + south) / wavelength, _twist = twist / (4 * wavelength),
             };
         }
 
-        // Along one axis: the mean of exp(i angle u) over u from -1/2 to 1/2, sin(angle/2) / (angle/2), and its derivatives by the angle.
+        // Along one axis: the mean of exp(i angle u) over u from -1/2 to 1/2, sin(angle/2) / (angle/2),
+        // and its derivatives by the angle.
         readonly struct Slope
         {
             const double LeastTurns = 0.03; // below, the series is as good

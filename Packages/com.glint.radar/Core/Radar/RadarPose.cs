@@ -1,6 +1,9 @@
 namespace Glint.Core
 {
-    /// <summary>All that one pose is traced from. Scene and view are in the same frame; settings and view are of the same picture.</summary>
+    /// <summary>
+    /// All that one pose is traced from. Scene and view are in the same frame;
+    /// settings and view are of the same picture.
+    /// </summary>
     public struct RadarPose
     {
         /// <summary>What is traced.</summary>

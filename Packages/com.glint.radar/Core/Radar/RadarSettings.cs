@@ -15,7 +15,9 @@ namespace Glint.Core
         /// <summary>Carrier frequency in hertz.</summary>
         public double FrequencyHz;
 
-        /// <summary>Rays across the view, 1 to 524,280; with <see cref="RaysDown"/> they set the aspect ratio.</summary>
+        /// <summary>
+        /// Rays across the view, 1 to 524,280; with <see cref="RaysDown"/> they set the aspect ratio.
+        /// </summary>
         public int RaysAcross;
 
         /// <summary>Rays down the view, 1 to 524,280.</summary>
@@ -28,7 +30,8 @@ namespace Glint.Core
         public RayRegion Region;
 
         /// <summary>The published experiment: 10 GHz, 1920 x 1080 rays, 4 bounces.</summary>
-        public static RadarSettings Default => new RadarSettings { FrequencyHz = 10e9, RaysAcross = 1920, RaysDown = 1080, MaxBounces = 4 };
+        public static RadarSettings Default =>
+            new RadarSettings { FrequencyHz = 10e9, RaysAcross = 1920, RaysDown = 1080, MaxBounces = 4 };
 
         /// <summary>Wavelength in metres.</summary>
         public double Wavelength => Signal.Wavelength(FrequencyHz);
@@ -48,13 +51,17 @@ namespace Glint.Core
         public void Validate(string owner)
         {
             if (!(FrequencyHz >= LowestFrequencyHz && FrequencyHz <= HighestFrequencyHz))
-                throw new GlintException($"{owner}: frequency {Text(FrequencyHz)} Hz must be from {Text(LowestFrequencyHz)} to {Text(HighestFrequencyHz)}");
+                throw new GlintException($"{owner}: frequency {Text(FrequencyHz)} Hz must be from "
+                    + $"{Text(LowestFrequencyHz)} to {Text(HighestFrequencyHz)}");
             ValidateRays(owner, "across", RaysAcross);
             ValidateRays(owner, "down", RaysDown);
             if (RayCount > uint.MaxValue)
-                throw new GlintException($"{owner}: {RaysAcross} x {RaysDown} are {RayCount} rays, and a ray's number has 32 bits: use at most {uint.MaxValue}");
+                throw new GlintException($"{owner}: {RaysAcross} x {RaysDown} are {RayCount} rays, "
+                    + $"and a ray's number has 32 bits: use at most {uint.MaxValue}");
             if (!Region.IsWhole && !IsInPicture(Region))
-                throw new GlintException($"{owner}: region {Region.Left},{Region.Bottom},{Region.Width},{Region.Height} must have rays and lie within the picture of {RaysAcross} x {RaysDown}");
+                throw new GlintException($"{owner}: region "
+                    + $"{Region.Left},{Region.Bottom},{Region.Width},{Region.Height} must have rays and lie within the "
+                    + $"picture of {RaysAcross} x {RaysDown}");
             if (MaxBounces < 1 || MaxBounces > BounceLimit)
                 throw new GlintException($"{owner}: maximum bounces {MaxBounces} must be from 1 to {BounceLimit}");
         }

@@ -4,7 +4,8 @@ namespace Glint.Core
 {
     /// <summary>
     /// Where the radar stands and looks, and where it receives. Metres, Unity's axes.
-    /// Rays leave <see cref="Position"/>; the receiver is a rectangle that takes rays travelling against its <see cref="ReceiverForward"/>.
+    /// Rays leave <see cref="Position"/>; the receiver is a rectangle that takes rays travelling against its
+    /// <see cref="ReceiverForward"/>.
     /// </summary>
     public struct RadarView
     {
@@ -14,11 +15,14 @@ namespace Glint.Core
         /// <summary>Unit axes of the camera: x of the picture, y of the picture, view axis.</summary>
         public double3 Right, Up, Forward;
 
-        /// <summary>Vertical field of view in degrees, above 0 and below 180; means nothing for parallel rays.</summary>
+        /// <summary>
+        /// Vertical field of view in degrees, above 0 and below 180; means nothing for parallel rays.
+        /// </summary>
         public double VerticalFovDegrees;
 
         /// <summary>
-        /// Height in metres of the aperture that parallel rays leave: a rectangle through <see cref="Position"/>, across <see cref="Forward"/>, as wide as the picture's aspect ratio makes it.
+        /// Height in metres of the aperture that parallel rays leave: a rectangle through <see cref="Position"/>,
+        /// across <see cref="Forward"/>, as wide as the picture's aspect ratio makes it.
         /// 0: the rays leave <see cref="Position"/> in perspective.
         /// </summary>
         public double ApertureHeight;
@@ -35,10 +39,16 @@ namespace Glint.Core
         /// <summary>Width and height of the receiver.</summary>
         public double2 ReceiverSize;
 
-        /// <summary>Area of the wavefront that each of the parallel rays stands for, square metres; null in perspective.</summary>
-        public double? RayArea(in RadarSettings settings) => IsParallel ? math.pow(ApertureHeight / settings.RaysDown, 2) : (double?)null;
+        /// <summary>
+        /// Area of the wavefront that each of the parallel rays stands for, square metres; null in perspective.
+        /// </summary>
+        public double? RayArea(in RadarSettings settings) =>
+            IsParallel ? math.pow(ApertureHeight / settings.RaysDown, 2) : (double?)null;
 
-        /// <summary>Half the width and height of the picture: on the aperture of parallel rays, metres; in perspective at distance 1.</summary>
+        /// <summary>
+        /// Half the width and height of the picture: on the aperture of parallel rays, metres;
+        /// in perspective at distance 1.
+        /// </summary>
         public double2 HalfSize(in RadarSettings settings)
         {
             double height = IsParallel ? ApertureHeight / 2 : math.tan(math.radians(VerticalFovDegrees) / 2);
@@ -50,22 +60,28 @@ namespace Glint.Core
         {
             if (!IsParallel)
                 return Position;
-            double2 rays = new double2(settings.RaysAcross, settings.RaysDown), place = new double2(pixel % (uint)settings.RaysAcross, pixel / (uint)settings.RaysAcross) + 0.5;
+            double2 rays = new double2(settings.RaysAcross, settings.RaysDown),
+                place = new double2(pixel % (uint)settings.RaysAcross, pixel / (uint)settings.RaysAcross) + 0.5;
             double2 from = (2 * place / rays - 1) * HalfSize(settings);
             return Position + from.x * Right + from.y * Up;
         }
 
         /// <summary>Refuses a view that no ray can leave or return to.</summary>
         /// <param name="owner">Who holds the view, for the message.</param>
-        /// <exception cref="GlintException">Field of view or receiver size out of range, or a position that is not finite.</exception>
+        /// <exception cref="GlintException">
+        /// Field of view or receiver size out of range, or a position that is not finite.
+        /// </exception>
         public void Validate(string owner)
         {
             if (!(ApertureHeight >= 0) || double.IsInfinity(ApertureHeight))
-                throw new GlintException($"{owner}: aperture height {RadarSettings.Text(ApertureHeight)} m must be positive and finite, or 0 for a perspective view");
+                throw new GlintException($"{owner}: aperture height {RadarSettings.Text(ApertureHeight)} m must be "
+                    + "positive and finite, or 0 for a perspective view");
             if (!IsParallel && !(VerticalFovDegrees > 0 && VerticalFovDegrees < 180))
-                throw new GlintException($"{owner}: field of view {RadarSettings.Text(VerticalFovDegrees)} deg must be above 0 and below 180");
+                throw new GlintException($"{owner}: field of view {RadarSettings.Text(VerticalFovDegrees)} deg must be "
+                    + "above 0 and below 180");
             if (!(ReceiverSize.x > 0 && ReceiverSize.y > 0) || !math.all(math.isfinite(ReceiverSize)))
-                throw new GlintException($"{owner}: receiver size {RadarSettings.Text(ReceiverSize.x)} x {RadarSettings.Text(ReceiverSize.y)} m must be positive and finite");
+                throw new GlintException($"{owner}: receiver size {RadarSettings.Text(ReceiverSize.x)} x "
+                    + $"{RadarSettings.Text(ReceiverSize.y)} m must be positive and finite");
             ValidatePlace(owner, "camera", Position);
             ValidatePlace(owner, "receiver", ReceiverCentre);
         }
@@ -73,7 +89,10 @@ namespace Glint.Core
         static void ValidatePlace(string owner, string what, double3 place)
         {
             if (!math.all(math.abs(place) <= TriangleMesh.LargestCoordinate))
-                throw new GlintException($"{owner}: its {what} stands at ({RadarSettings.Text(place.x)}, {RadarSettings.Text(place.y)}, {RadarSettings.Text(place.z)}) m, and every coordinate must be within {RadarSettings.Text(TriangleMesh.LargestCoordinate)} m: bring the scene nearer to the world's origin");
+                throw new GlintException($"{owner}: its {what} stands at ({RadarSettings.Text(place.x)}, "
+                    + $"{RadarSettings.Text(place.y)}, {RadarSettings.Text(place.z)}) m, "
+                    + $"and every coordinate must be within {RadarSettings.Text(TriangleMesh.LargestCoordinate)} m: "
+                    + "bring the scene nearer to the world's origin");
         }
     }
 }

@@ -5,7 +5,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// One ray as the kernel writes it. GLINT_RAY_DATA: the same struct stands in Shaders/Types.hlsl; a test compares them.
+    /// One ray as the kernel writes it. GLINT_RAY_DATA:
+    /// the same struct stands in Shaders/Types.hlsl; a test compares them.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct RayData
@@ -13,13 +14,18 @@ namespace Glint.Core
         /// <summary>Last point of reflection, metres; the camera for a ray that hit nothing.</summary>
         public float3 LastHit;
 
-        /// <summary>Received: the whole path, radar to last hit to receiver plane. Otherwise: radar to last hit. Metres, as float32 has it: see <see cref="ExactPathLength"/>.</summary>
+        /// <summary>
+        /// Received: the whole path, radar to last hit to receiver plane. Otherwise: radar to last hit.
+        /// Metres, as float32 has it: see <see cref="ExactPathLength"/>.
+        /// </summary>
         public float PathLength; // 16 bytes
 
         /// <summary>Unit direction of the last segment.</summary>
         public float3 Direction;
 
-        /// <summary>What float32 leaves out of <see cref="PathLength"/>, metres; known for received rays, else 0.</summary>
+        /// <summary>
+        /// What float32 leaves out of <see cref="PathLength"/>, metres; known for received rays, else 0.
+        /// </summary>
         public float PathLengthRest; // 32 bytes
 
         /// <summary>In-phase part cos(phase), quadrature part sin(phase); both 0 if not received.</summary>
@@ -31,7 +37,10 @@ namespace Glint.Core
         /// <summary>Reflections made.</summary>
         public uint Bounces; // 48 bytes
 
-        /// <summary>The path's length in metres: of a received ray to 1e-8 m, beside the float32 rounding of the corners and places that the scene is given in.</summary>
+        /// <summary>
+        /// The path's length in metres: of a received ray to 1e-8 m, beside the float32 rounding of the corners and
+        /// places that the scene is given in.
+        /// </summary>
         public double ExactPathLength => (double)PathLength + PathLengthRest;
 
         /// <summary>2 pi mod(R, lambda) / lambda, radians, 0 to 2 pi; 0 if not received.</summary>

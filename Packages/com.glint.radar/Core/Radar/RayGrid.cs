@@ -3,7 +3,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The rays of a view as the kernel is given them: about the middle of the scene, and starting on a plane just before it, so that the distance to the radar costs a float32 no digits.
+    /// The rays of a view as the kernel is given them: about the middle of the scene,
+    /// and starting on a plane just before it, so that the distance to the radar costs a float32 no digits.
     /// Start and course (a direction of any length) are linear in the ray's place in the picture.
     /// </summary>
     public sealed class RayGrid
@@ -12,7 +13,9 @@ namespace Glint.Core
         const double Clearance = 1e-3;
 
         /// <summary>The rays of a picture that go through a box.</summary>
-        /// <param name="low">Lower corner of the box around the scene, metres; above <paramref name="high"/> when it is empty.</param>
+        /// <param name="low">
+        /// Lower corner of the box around the scene, metres; above <paramref name="high"/> when it is empty.
+        /// </param>
         public RayGrid(in RadarSettings settings, in RadarView view, double3 low, double3 high)
         {
             bool isEmpty = !(low.x <= high.x);
@@ -24,7 +27,8 @@ namespace Glint.Core
 
             double2 step = 2 * view.HalfSize(settings) / new double2(settings.RaysAcross, settings.RaysDown);
             double3 right = step.x * view.Right, up = step.y * view.Up;
-            // The ray nearest to the middle of the scene: what is added for the others is no larger than the scene, where that matters.
+            // The ray nearest to the middle of the scene:
+            // what is added for the others is no larger than the scene, where that matters.
             double3 seen = Middle - view.Position;
             double2 middle = new double2(math.dot(seen, view.Right), math.dot(seen, view.Up)) / step;
             if (!view.IsParallel)
@@ -57,13 +61,20 @@ namespace Glint.Core
         /// <summary>Middle of the scene's bounds: the origin of the kernel's coordinates.</summary>
         public double3 Middle { get; }
 
-        /// <summary>How far rays go in the scene, or from a start within it: the diagonal of its bounds, and from the middle to a radar that stands near, metres.</summary>
+        /// <summary>
+        /// How far rays go in the scene, or from a start within it: the diagonal of its bounds,
+        /// and from the middle to a radar that stands near, metres.
+        /// </summary>
         public double Size { get; }
 
-        /// <summary>From the radar to the plane where rays start, along the view axis, metres; 0 when the radar is in the scene.</summary>
+        /// <summary>
+        /// From the radar to the plane where rays start, along the view axis, metres; 0 when the radar is in the scene.
+        /// </summary>
         public double StartDepth { get; }
 
-        /// <summary>The place in the picture, in rays from its left and bottom edge, that others are counted from.</summary>
+        /// <summary>
+        /// The place in the picture, in rays from its left and bottom edge, that others are counted from.
+        /// </summary>
         public int2 Reference { get; }
 
         /// <summary>Start of the ray through <see cref="Reference"/>, from <see cref="Middle"/>, metres.</summary>
@@ -75,7 +86,9 @@ namespace Glint.Core
         /// <summary>How the start changes by one ray up, metres.</summary>
         public double3 StartUp { get; }
 
-        /// <summary>Course of the ray through <see cref="Reference"/>: its direction, with 1 along the view axis.</summary>
+        /// <summary>
+        /// Course of the ray through <see cref="Reference"/>: its direction, with 1 along the view axis.
+        /// </summary>
         public double3 Course { get; }
 
         /// <summary>How the course changes by one ray to the right.</summary>

@@ -3,7 +3,10 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>The way of one ray through the scene. Places are in metres and the axes of the world, from the scene's origin (<see cref="RadarScene.Origin"/>).</summary>
+    /// <summary>
+    /// The way of one ray through the scene. Places are in metres and the axes of the world,
+    /// from the scene's origin (<see cref="RadarScene.Origin"/>).
+    /// </summary>
     public struct RayPath
     {
         /// <summary>x + y * rays across; x from the left, y from the bottom of the picture.</summary>

@@ -1,6 +1,9 @@
 namespace Glint.Core
 {
-    /// <summary>A rectangle of the picture, in rays from its left and bottom edge; the rays outside are not emitted. Without area: the whole picture.</summary>
+    /// <summary>
+    /// A rectangle of the picture, in rays from its left and bottom edge; the rays outside are not emitted.
+    /// Without area: the whole picture.
+    /// </summary>
     public struct RayRegion
     {
         /// <summary>Left and bottom edge, width and height, all in rays of the whole picture.</summary>

@@ -3,14 +3,19 @@ using System;
 namespace Glint.Core
 {
     /// <summary>
-    /// The sums that the kernel makes, in whole numbers so that no order of the work changes them. The places of the words stand in Shaders/Sums.hlsl as well; a test compares them.
+    /// The sums that the kernel makes, in whole numbers so that no order of the work changes them.
+    /// The places of the words stand in Shaders/Sums.hlsl as well; a test compares them.
     /// </summary>
     public sealed class RaySums
     {
         /// <summary>Slots that the kernel spreads its sums over, and words of 32 bits in each.</summary>
         public const int Slots = 64, WordsPerSlot = 64;
-        /// <summary>Places in a slot, in words. A sum that 32 bits may not hold takes two words, the lower one first; the histogram takes one a bin.</summary>
-        public const int Hits = 0, Bounces = 1, Received = 2, Returning = 3, Length = 4, InPhase = 6, Quadrature = 8, Nodes = 10, Pairs = 12, Histogram = 16;
+        /// <summary>
+        /// Places in a slot, in words. A sum that 32 bits may not hold takes two words, the lower one first;
+        /// the histogram takes one a bin.
+        /// </summary>
+        public const int Hits = 0, Bounces = 1, Received = 2, Returning = 3, Length = 4, InPhase = 6, Quadrature = 8,
+            Nodes = 10, Pairs = 12, Histogram = 16;
 
         /// <summary>Units of the sums of cos and sin.</summary>
         public const double PhasorUnits = 1 << 24;
@@ -18,7 +23,8 @@ namespace Glint.Core
         // Finer than the float32 that holds a length.
         const int LongestInUnits = 1 << 30;
 
-        static readonly int[] s_single = { Hits, Bounces, Received }, s_pairs = { Length, InPhase, Quadrature, Nodes, Pairs };
+        static readonly int[] s_single = { Hits, Bounces, Received },
+            s_pairs = { Length, InPhase, Quadrature, Nodes, Pairs };
 
         readonly long[] _totals = new long[Histogram];
         readonly int[] _histogram = new int[Signal.PhaseBins];

@@ -4,8 +4,9 @@ using System.Numerics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Where the received part of the picture ends. An edge that lies a little farther out changes the sum by the phasors along it. Along a row or a column of pixels that happens to all of
-    /// them alike, along other edges by chance.
+    /// Where the received part of the picture ends.
+    /// An edge that lies a little farther out changes the sum by the phasors along it.
+    /// Along a row or a column of pixels that happens to all of them alike, along other edges by chance.
     /// </summary>
     sealed class ReceivedEdges
     {
@@ -22,7 +23,10 @@ namespace Glint.Core
             _east = new Complex[_west.Length];
         }
 
-        /// <summary>Takes a ray, after those before it in the picture. One that is surrounded counts for itself: a crease may run through its pixel.</summary>
+        /// <summary>
+        /// Takes a ray, after those before it in the picture. One that is surrounded counts for itself:
+        /// a crease may run through its pixel.
+        /// </summary>
         public void Add(int ray, in ReceivedNeighbours near, Complex phasor)
         {
             long column = _picture[ray].Pixel % _picture.Across, row = _picture[ray].Pixel / _picture.Across;
@@ -40,7 +44,10 @@ namespace Glint.Core
                 _squares++;
         }
 
-        /// <summary>By how much the sum changes, in rays, when edges lie a pixel farther out or in, each line of pixels for itself. Nothing is added afterwards.</summary>
+        /// <summary>
+        /// By how much the sum changes, in rays, when edges lie a pixel farther out or in,
+        /// each line of pixels for itself. Nothing is added afterwards.
+        /// </summary>
         public double Strength()
         {
             EndRow(-1);

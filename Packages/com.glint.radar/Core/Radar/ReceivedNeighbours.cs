@@ -1,6 +1,9 @@
 namespace Glint.Core
 {
-    /// <summary>The eight neighbours of received rays, one ray after another in the order of their pixels. -1 where none was received.</summary>
+    /// <summary>
+    /// The eight neighbours of received rays, one ray after another in the order of their pixels.
+    /// -1 where none was received.
+    /// </summary>
     struct ReceivedNeighbours
     {
         public int West, East, South, North, SouthWest, SouthEast, NorthWest, NorthEast;
@@ -21,7 +24,8 @@ namespace Glint.Core
         }
 
         /// <summary>Received rays among the eight.</summary>
-        public int Count => Has(West) + Has(East) + Has(South) + Has(North) + Has(SouthWest) + Has(SouthEast) + Has(NorthWest) + Has(NorthEast);
+        public int Count => Has(West) + Has(East) + Has(South) + Has(North) + Has(SouthWest) + Has(SouthEast)
+            + Has(NorthWest) + Has(NorthEast);
 
         /// <summary>Finds the neighbours of a ray, the same as before or a later one.</summary>
         public void MoveTo(int ray)
@@ -30,8 +34,10 @@ namespace Glint.Core
             bool hasWest = column > 0, hasEast = column + 1 < _picture.Across;
             West = hasWest && ray > 0 && _picture[ray - 1].Pixel == pixel - 1 ? ray - 1 : -1;
             East = hasEast && ray + 1 < _picture.Count && _picture[ray + 1].Pixel == pixel + 1 ? ray + 1 : -1;
-            FindRow((long)pixel - _picture.Across, hasWest, hasEast, ref _below, out SouthWest, out South, out SouthEast);
-            FindRow((long)pixel + _picture.Across, hasWest, hasEast, ref _above, out NorthWest, out North, out NorthEast);
+            FindRow((long)pixel - _picture.Across, hasWest, hasEast, ref _below, out SouthWest,
+                out South, out SouthEast);
+            FindRow((long)pixel + _picture.Across, hasWest, hasEast, ref _above, out NorthWest,
+                out North, out NorthEast);
         }
 
         void FindRow(long middle, bool hasWest, bool hasEast, ref int first, out int west, out int centre, out int east)

@@ -1,6 +1,8 @@
 namespace Glint.Core
 {
-    /// <summary>The received rays in the order of their pixels. Memory goes with the rays, not with the picture.</summary>
+    /// <summary>
+    /// The received rays in the order of their pixels. Memory goes with the rays, not with the picture.
+    /// </summary>
     sealed class ReceivedPicture
     {
         const int DigitBits = 11, Digits = 1 << DigitBits;
@@ -10,7 +12,9 @@ namespace Glint.Core
         /// <param name="received">Each pixel at most once, in any order, which is lost.</param>
         public ReceivedPicture(in RadarSettings settings, ReceivedRay[] received, int count)
         {
-            var region = settings.Region.IsWhole ? new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown } : settings.Region;
+            var region = settings.Region.IsWhole
+                ? new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown }
+                : settings.Region;
             Across = (uint)settings.RaysAcross;
             (Left, Right) = (region.Left, region.Left + region.Width - 1);
             (Bottom, Top) = (region.Bottom, region.Bottom + region.Height - 1);

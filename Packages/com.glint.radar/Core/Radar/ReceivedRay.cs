@@ -9,7 +9,9 @@ namespace Glint.Core
         /// <summary>x + y * rays across; x from the left, y from the bottom of the whole picture.</summary>
         public uint Pixel;
 
-        /// <summary>Path length in metres less a length common to all rays of the pose, so that float32 holds it to micrometres.</summary>
+        /// <summary>
+        /// Path length in metres less a length common to all rays of the pose, so that float32 holds it to micrometres.
+        /// </summary>
         public float Length;
     }
 }

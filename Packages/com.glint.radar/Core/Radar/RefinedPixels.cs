@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace Glint.Core
 {
-    /// <summary>The pixels to look at more closely: received ones that are not smooth, and all that touch a received one, inside the traced part of the picture.</summary>
+    /// <summary>
+    /// The pixels to look at more closely: received ones that are not smooth, and all that touch a received one,
+    /// inside the traced part of the picture.
+    /// </summary>
     static class RefinedPixels
     {
         /// <param name="isSmooth">By ray: left out.</param>
@@ -13,7 +16,8 @@ namespace Glint.Core
             var pixels = new List<uint>();
             if (picture.Count == 0)
                 return pixels;
-            long firstRow = picture[0].Pixel / picture.Across, lastRow = picture[picture.Count - 1].Pixel / picture.Across;
+            long firstRow = picture[0].Pixel / picture.Across,
+                lastRow = picture[picture.Count - 1].Pixel / picture.Across;
             var (below, here, above) = (new Row(picture), new Row(picture), new Row(picture));
             for (long row = Math.Max(firstRow - 1, picture.Bottom); row <= Math.Min(lastRow + 1, picture.Top); row++)
             {
@@ -26,7 +30,8 @@ namespace Glint.Core
         }
 
         // The columns of the received rays of three rows, merged, and those beside them.
-        static void AddRow(ReceivedPicture picture, bool[] isSmooth, long row, Row below, Row here, Row above, List<uint> pixels)
+        static void AddRow(ReceivedPicture picture, bool[] isSmooth, long row, Row below, Row here,
+            Row above, List<uint> pixels)
         {
             long next = picture.Left, start = row * picture.Across;
             int own = here.First;

@@ -6,24 +6,35 @@ using System.Numerics;
 namespace Glint.Core
 {
     /// <summary>
-    /// How far the amplitude of a pose is from that of endlessly many rays. It is made from the received rays; the tracer then looks more closely at the pixels it names, with
-    /// <see cref="SubRays"/> x <see cref="SubRays"/> rays in each, and hands over their sums to <see cref="Finish"/>. An estimate of size, not a bound; how it is made and how well it holds: Documentation~/accuracy.md.
+    /// How far the amplitude of a pose is from that of endlessly many rays. It is made from the received rays;
+    /// the tracer then looks more closely at the pixels it names, with <see cref="SubRays"/> x
+    /// <see cref="SubRays"/> rays in each, and hands over their sums to <see cref="Finish"/>. An estimate of size,
+    /// not a bound; how it is made and how well it holds: Documentation~/accuracy.md.
     /// </summary>
     public sealed class SamplingEstimate
     {
-        /// <summary>Sub-rays across and down a pixel: sub-ray (a, b) goes through ((a + 1/2) / 4, (b + 1/2) / 4) of it, from its left and bottom edge, and has number a + 4 b.</summary>
+        /// <summary>
+        /// Sub-rays across and down a pixel: sub-ray (a, b) goes through ((a + 1/2) / 4, (b + 1/2) / 4) of it,
+        /// from its left and bottom edge, and has number a + 4 b.
+        /// </summary>
         public const int SubRays = 4;
 
-        /// <summary>Sub-rays a pixel. Those of one number, of all pixels, are a grid as dense as the picture's.</summary>
+        /// <summary>
+        /// Sub-rays a pixel. Those of one number, of all pixels, are a grid as dense as the picture's.
+        /// </summary>
         public const int SubGrids = SubRays * SubRays;
 
         /// <summary>Fewer received rays say little about what lies between them.</summary>
         internal const int FewestRays = 16;
 
-        /// <summary>Wavelengths by which the paths of neighbours differ that are too far apart to say what lies between them.</summary>
+        /// <summary>
+        /// Wavelengths by which the paths of neighbours differ that are too far apart to say what lies between them.
+        /// </summary>
         internal const double StepApart = 0.5;
 
-        /// <summary>Share of neighbours so far apart, and of rays without any, beyond which the sum is no integral any more.</summary>
+        /// <summary>
+        /// Share of neighbours so far apart, and of rays without any, beyond which the sum is no integral any more.
+        /// </summary>
         internal const double MostApart = 0.5;
 
         // Pixels that are refined in any case; beyond, as many as make the sub-rays as many as the rays of the pose.
@@ -32,7 +43,8 @@ namespace Glint.Core
         // How well sub-rays know where an edge lies, in pixels. They cannot be off by more than 1/8.
         const double EdgePlace = 0.06;
 
-        // A ray alone stands for a return smaller than its pixel, of which rays miss others. As much of one ray, where the rays' phases are by chance.
+        // A ray alone stands for a return smaller than its pixel, of which rays miss others. As much of one ray,
+        // where the rays' phases are by chance.
         const double Missed = 1.0 / 3;
 
         readonly double _wavelength, _referenceTurns;
@@ -60,14 +72,19 @@ namespace Glint.Core
             _refined = SumRefined();
         }
 
-        /// <summary>Largest difference of path length between received rays that are among each other's eight neighbours in the picture, wavelengths.</summary>
+        /// <summary>
+        /// Largest difference of path length between received rays that are among each other's eight
+        /// neighbours in the picture, wavelengths.
+        /// </summary>
         public double LargestPathStep => _tally.LargestStep / _wavelength;
 
         /// <summary>The pixels in which to trace sub-rays, in order: x + y * rays across.</summary>
         public uint[] PixelsToRefine { get; }
 
         /// <summary>Puts the estimate into a pose's result, which has its sums already.</summary>
-        /// <param name="inPhase">By number of the sub-ray: sum of cos(phase) over those received, of all <see cref="PixelsToRefine"/>.</param>
+        /// <param name="inPhase">
+        /// By number of the sub-ray: sum of cos(phase) over those received, of all <see cref="PixelsToRefine"/>.
+        /// </param>
         /// <param name="quadrature">The same of sin(phase).</param>
         public void Finish(double[] inPhase, double[] quadrature, RadarResult result)
         {
@@ -76,9 +93,11 @@ namespace Glint.Core
             Complex fine = coarse + _tally.Smooth + _share * (subRays / SubGrids - _refined);
             double edges = EdgePlace * _edges, difference = coarse.Magnitude - fine.Magnitude;
             double missed = Missed * Missed * (_picture.Count > 0 ? _tally.Alone : 1);
-            result.SamplingError = Math.Sqrt(difference * difference + edges * edges + missed) * RadarResult.NormalRays / result.RaysOfPicture;
+            result.SamplingError = Math.Sqrt(difference * difference + edges * edges + missed)
+                * RadarResult.NormalRays / result.RaysOfPicture;
             result.LargestPathStep = LargestPathStep;
-            result.Undersampled = _picture.Count < FewestRays || _tally.Apart + _tally.Alone > MostApart * (_tally.Pairs + _tally.Alone);
+            result.Undersampled = _picture.Count < FewestRays
+                || _tally.Apart + _tally.Alone > MostApart * (_tally.Pairs + _tally.Alone);
         }
 
         // In blocks that are added in their order: the same sum on any machine.
@@ -152,7 +171,8 @@ namespace Glint.Core
             uint every = (uint)Math.Max(1, (pixels.Count + most - 1) / most);
             if (every > 1)
                 pixels.RemoveAll(pixel => Scattered(pixel) % every != 0);
-            // The others' errors add to theirs if they are alike, their squares do if they are by chance: between the two.
+            // The others' errors add to theirs if they are alike,
+            // their squares do if they are by chance: between the two.
             share = Math.Sqrt(every);
             return pixels.ToArray();
         }

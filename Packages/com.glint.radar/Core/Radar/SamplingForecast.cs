@@ -3,7 +3,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// How densely rays would return, before any is traced: as a large mirror returns them that stands at a point and faces the radar.
+    /// How densely rays would return, before any is traced:
+    /// as a large mirror returns them that stands at a point and faces the radar.
     /// Neighbours that a curved surface sends apart lie farther apart than these, and those that are focused nearer.
     /// </summary>
     public struct SamplingForecast
@@ -11,7 +12,10 @@ namespace Glint.Core
         // Points of the receiver at which returns are looked at, across and down.
         const int Points = 16;
 
-        static readonly double2[] s_neighbours = { new double2(1, 0), new double2(-1, 1), new double2(0, 1), new double2(1, 1) };
+        static readonly double2[] s_neighbours =
+        {
+            new double2(1, 0), new double2(-1, 1), new double2(0, 1), new double2(1, 1)
+        };
 
         /// <summary>From ray to ray at the mirror, across and down, metres.</summary>
         public double RaySpacing;
@@ -19,16 +23,26 @@ namespace Glint.Core
         /// <summary>Rays that the receiver takes.</summary>
         public double RaysReceived;
 
-        /// <summary>Largest difference of path length between received rays that are neighbours in the picture, wavelengths: <see cref="RadarResult.LargestPathStep"/>.</summary>
+        /// <summary>
+        /// Largest difference of path length between received rays that are neighbours in the picture, wavelengths:
+        /// <see cref="RadarResult.LargestPathStep"/>.
+        /// </summary>
         public double LargestPathStep;
 
-        /// <summary>Whether neighbouring paths differ so much that even a mirror's return would be <see cref="RadarResult.Undersampled"/>.</summary>
+        /// <summary>
+        /// Whether neighbouring paths differ so much that even a mirror's return would be
+        /// <see cref="RadarResult.Undersampled"/>.
+        /// </summary>
         public bool IsTooCoarse;
 
-        /// <summary>Whether fewer rays return than say anything: <see cref="RadarResult.Undersampled"/> for that reason.</summary>
+        /// <summary>
+        /// Whether fewer rays return than say anything: <see cref="RadarResult.Undersampled"/> for that reason.
+        /// </summary>
         public bool IsTooFew => RaysReceived < SamplingEstimate.FewestRays;
 
-        /// <summary>The forecast; null where the point is not before the radar, or the receiver does not face it.</summary>
+        /// <summary>
+        /// The forecast; null where the point is not before the radar, or the receiver does not face it.
+        /// </summary>
         /// <param name="middle">Where the mirror stands.</param>
         public static SamplingForecast? Of(in RadarSettings settings, in RadarView view, double3 middle)
         {
@@ -46,21 +60,25 @@ namespace Glint.Core
                     continue;
                 lit++;
                 foreach (double2 neighbour in s_neighbours)
-                    if (mirror.Meet(ray + neighbour * mirror.Step, out double3 there, out double other) && mirror.IsReceived(there))
+                    if (mirror.Meet(ray + neighbour * mirror.Step, out double3 there, out double other)
+                        && mirror.IsReceived(there))
                     {
                         double step = math.abs(other - length) / settings.Wavelength;
                         forecast.LargestPathStep = math.max(forecast.LargestPathStep, step);
                         pairs++;
                         apart += step >= SamplingEstimate.StepApart ? 1 : 0;
                     }
-                if (mirror.Meet(ray + new double2(mirror.Step, 0), out double3 right, out _) && mirror.Meet(ray + new double2(0, mirror.Step), out double3 above, out _))
-                    forecast.RaysReceived += view.ReceiverSize.x * view.ReceiverSize.y / (Points * Points) / math.length(math.cross(right - here, above - here));
+                if (mirror.Meet(ray + new double2(mirror.Step, 0), out double3 right, out _)
+                    && mirror.Meet(ray + new double2(0, mirror.Step), out double3 above, out _))
+                    forecast.RaysReceived += view.ReceiverSize.x * view.ReceiverSize.y / (Points * Points)
+                        / math.length(math.cross(right - here, above - here));
             }
             forecast.IsTooCoarse = apart > SamplingEstimate.MostApart * pairs;
             return lit > 0 ? forecast : (SamplingForecast?)null;
         }
 
-        // Rays as they come back from the mirror. A ray is named by its place in the picture, as RadarView.HalfSize measures it.
+        // Rays as they come back from the mirror. A ray is named by its place in the picture,
+        // as RadarView.HalfSize measures it.
         readonly struct Mirror
         {
             readonly RadarView _view;
@@ -93,7 +111,10 @@ namespace Glint.Core
                 return math.all(math.abs(ray) <= _half);
             }
 
-            /// <summary>Where a ray comes back to the plane of the receiver, and how long its way from the mirror image of the radar is; false if it does not.</summary>
+            /// <summary>
+            /// Where a ray comes back to the plane of the receiver, and how long its way from the mirror image
+            /// of the radar is; false if it does not.
+            /// </summary>
             public bool Meet(double2 ray, out double3 point, out double length)
             {
                 double3 aside = ray.x * _view.Right + ray.y * _view.Up;
@@ -109,7 +130,8 @@ namespace Glint.Core
             public bool IsReceived(double3 point)
             {
                 double3 aside = point - _view.ReceiverCentre;
-                return math.all(math.abs(new double2(math.dot(aside, _view.ReceiverRight), math.dot(aside, _view.ReceiverUp))) <= _view.ReceiverSize / 2);
+                return math.all(math.abs(new double2(math.dot(aside, _view.ReceiverRight),
+                    math.dot(aside, _view.ReceiverUp))) <= _view.ReceiverSize / 2);
             }
 
             double3 Mirrored(double3 v) => v - 2 * math.dot(v, _normal) * _normal;

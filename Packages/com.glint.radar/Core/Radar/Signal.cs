@@ -2,7 +2,10 @@ using System;
 
 namespace Glint.Core
 {
-    /// <summary>From path lengths to phase, in-phase and quadrature: Documentation~/conventions.md, Signal. Phase and sum are those of the published experiment (a master's thesis of 2023, named in Editor/Published/README.md).</summary>
+    /// <summary>
+    /// From path lengths to phase, in-phase and quadrature: Documentation~/conventions.md, Signal. Phase and sum are
+    /// those of the published experiment (a master's thesis of 2023, named in Editor/Published/README.md).
+    /// </summary>
     public static class Signal
     {
         /// <summary>Speed of light in vacuum, m/s (exact by definition of the metre).</summary>
@@ -14,7 +17,11 @@ namespace Glint.Core
         /// <summary>Wavelength in metres of a frequency in hertz.</summary>
         public static double Wavelength(double frequencyHz) => SpeedOfLight / frequencyHz;
 
-        /// <summary>Phase 2 pi mod(R, lambda) / lambda in radians, 0 to 2 pi, of a whole path of <paramref name="pathLength"/> metres, out and back; <paramref name="wavelength"/> in metres too. It grows with the path: the conjugate of exp(-jkR).</summary>
+        /// <summary>
+        /// Phase 2 pi mod(R, lambda) / lambda in radians, 0 to 2 pi, of a whole path
+        /// of <paramref name="pathLength"/> metres, out and back; <paramref name="wavelength"/> in metres too.
+        /// It grows with the path: the conjugate of exp(-jkR).
+        /// </summary>
         public static double Phase(double pathLength, double wavelength)
         {
             double turns = pathLength / wavelength;
@@ -24,7 +31,10 @@ namespace Glint.Core
         /// <summary>An angle in radians as one from 0 to 2 pi.</summary>
         public static double Turned(double radians) => radians < 0 ? radians + 2 * Math.PI : radians;
 
-        /// <summary>20 log10 of an amplitude, not calibrated to a radar cross section; null for amplitude 0, which has no decibels.</summary>
+        /// <summary>
+        /// 20 log10 of an amplitude, not calibrated to a radar cross section;
+        /// null for amplitude 0, which has no decibels.
+        /// </summary>
         public static double? Decibels(double amplitude) => amplitude > 0 ? 20 * Math.Log10(amplitude) : (double?)null;
 
         /// <summary>The histogram bin of a phase in radians; any phase is taken modulo 2 pi.</summary>

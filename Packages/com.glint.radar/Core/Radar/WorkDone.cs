@@ -15,10 +15,15 @@ namespace Glint.Core
         /// <summary>Kernel launches.</summary>
         public int Dispatches;
 
-        /// <summary>Tiles of 8 x 8 rays traced, and those left out because nothing of the scene can be in them.</summary>
+        /// <summary>
+        /// Tiles of 8 x 8 rays traced, and those left out because nothing of the scene can be in them.
+        /// </summary>
         public long TilesTraced, TilesSkipped;
 
-        /// <summary>Rays followed once more in two-float arithmetic because they may be received, and smaller ones around them for the sampling error.</summary>
+        /// <summary>
+        /// Rays followed once more in two-float arithmetic because they may be received,
+        /// and smaller ones around them for the sampling error.
+        /// </summary>
         public long RaysFollowedExactly, SubRays;
 
         /// <summary>Boxes' nodes read and pairs of triangles tested; 0 unless the tracer was asked to count.</summary>

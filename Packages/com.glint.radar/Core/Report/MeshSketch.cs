@@ -4,14 +4,20 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>A mesh for the eye: coordinates of 16 bits, and no more triangles than asked for. Where there are too many, points of one cube are drawn as one.</summary>
+    /// <summary>
+    /// A mesh for the eye: coordinates of 16 bits, and no more triangles than asked for. Where there are too many,
+    /// points of one cube are drawn as one.
+    /// </summary>
     public sealed class MeshSketch
     {
         const int Steps = ushort.MaxValue;
 
         MeshSketch(double3 low, double3 size) => (Low, Size) = (low, size);
 
-        /// <summary>Corner and size of the box that the coordinates divide into 65,535 steps an axis, metres, in the mesh's frame.</summary>
+        /// <summary>
+        /// Corner and size of the box that the coordinates divide into 65,535 steps an axis,
+        /// metres, in the mesh's frame.
+        /// </summary>
         public double3 Low { get; }
 
         /// <inheritdoc cref="Low"/>
@@ -54,7 +60,8 @@ namespace Glint.Core
             }
         }
 
-        // Points in a cube of the side are one, the one nearest to the border of the mesh, so that tiles laid side by side still meet; with side 0 each is its own.
+        // Points in a cube of the side are one, the one nearest to the border of the mesh,
+        // so that tiles laid side by side still meet; with side 0 each is its own.
         static MeshSketch Drawn(TriangleMesh mesh, double3 low, double3 size, double side)
         {
             var sketch = new MeshSketch(low, size);
@@ -64,8 +71,11 @@ namespace Glint.Core
             var drawn = new HashSet<int3>();
             for (int i = 0; i < mesh.Indices.Length; i += 3)
             {
-                var corners = new int3(sketch.Number(mesh, i, side, numbers, outward, own), sketch.Number(mesh, i + 1, side, numbers, outward, own), sketch.Number(mesh, i + 2, side, numbers, outward, own));
-                if (corners.x == corners.y || corners.y == corners.z || corners.z == corners.x || side > 0 && !drawn.Add(Sorted(corners)))
+                var corners = new int3(sketch.Number(mesh, i, side, numbers, outward, own),
+                    sketch.Number(mesh, i + 1, side, numbers, outward, own),
+                    sketch.Number(mesh, i + 2, side, numbers, outward, own));
+                if (corners.x == corners.y || corners.y == corners.z || corners.z == corners.x
+                    || side > 0 && !drawn.Add(Sorted(corners)))
                     continue;
                 sketch.Indices.Add(corners.x);
                 sketch.Indices.Add(corners.y);
@@ -74,7 +84,8 @@ namespace Glint.Core
             return sketch;
         }
 
-        int Number(TriangleMesh mesh, int corner, double side, Dictionary<int3, int> numbers, List<double> outward, int[] own)
+        int Number(TriangleMesh mesh, int corner, double side, Dictionary<int3, int> numbers,
+            List<double> outward, int[] own)
         {
             int vertex = mesh.Indices[corner];
             if (own[vertex] > 0)
@@ -95,7 +106,8 @@ namespace Glint.Core
             {
                 outward[number] = reach;
                 for (int axis = 0; axis < 3; axis++)
-                    Positions[3 * number + axis] = (ushort)(Size[axis] > 0 ? Math.Round(place[axis] / Size[axis] * Steps) : 0);
+                    Positions[3 * number + axis] =
+                        (ushort)(Size[axis] > 0 ? Math.Round(place[axis] / Size[axis] * Steps) : 0);
             }
             own[vertex] = number + 1;
             return number;
@@ -103,7 +115,8 @@ namespace Glint.Core
 
         static int3 Sorted(int3 numbers)
         {
-            int low = Math.Min(numbers.x, Math.Min(numbers.y, numbers.z)), high = Math.Max(numbers.x, Math.Max(numbers.y, numbers.z));
+            int low = Math.Min(numbers.x, Math.Min(numbers.y, numbers.z)),
+                high = Math.Max(numbers.x, Math.Max(numbers.y, numbers.z));
             return new int3(low, numbers.x + numbers.y + numbers.z - low - high, high);
         }
     }

@@ -6,7 +6,10 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>What the radar sees, a ray a pixel: how often the ray is reflected, whether it is received, which object it meets first, and how squarely.</summary>
+    /// <summary>
+    /// What the radar sees, a ray a pixel: how often the ray is reflected, whether it is received,
+    /// which object it meets first, and how squarely.
+    /// </summary>
     public sealed class RadarPicture
     {
         const byte ReceivedBit = 128;
@@ -46,35 +49,46 @@ namespace Glint.Core
         /// <summary>Whether a pixel's ray reaches the receiver.</summary>
         public bool IsReceived(int x, int y) => (_bounces[y * Part.Width + x] & ReceivedBit) != 0;
 
-        /// <summary>Number of the object that a pixel's ray meets first; <see cref="PathHit.NoObject"/> if none, or if nobody knows.</summary>
+        /// <summary>
+        /// Number of the object that a pixel's ray meets first;
+        /// <see cref="PathHit.NoObject"/> if none, or if nobody knows.
+        /// </summary>
         public int Object(int x, int y) => _objects[y * Part.Width + x];
 
-        /// <summary>Cosine of the angle between a pixel's ray and the first surface's normal, 0 to 1; 0 where nothing is met.</summary>
+        /// <summary>
+        /// Cosine of the angle between a pixel's ray and the first surface's normal, 0 to 1; 0 where nothing is met.
+        /// </summary>
         public double Facing(int x, int y) => _facing[y * Part.Width + x] / 255.0;
 
         /// <summary>Numbers of the objects that are seen, in ascending order.</summary>
-        public IReadOnlyList<int> Objects() => _objects.Where(number => number != PathHit.NoObject).Distinct().OrderBy(number => number).ToArray();
+        public IReadOnlyList<int> Objects() =>
+            _objects.Where(number => number != PathHit.NoObject).Distinct().OrderBy(number => number).ToArray();
 
         /// <summary>Sets the pixel of a ray.</summary>
         public void Set(in RayPath path)
         {
-            int place = ((int)(path.Pixel / (uint)RaysAcross) - Part.Bottom) * Part.Width + (int)(path.Pixel % (uint)RaysAcross) - Part.Left;
+            int place = ((int)(path.Pixel / (uint)RaysAcross) - Part.Bottom) * Part.Width
+                + (int)(path.Pixel % (uint)RaysAcross) - Part.Left;
             _bounces[place] = (byte)(path.Bounces + (path.IsReceived ? ReceivedBit : 0));
             _facing[place] = path.Bounces > 0 ? (byte)Math.Round(255 * Math.Min(1, Facing(path))) : (byte)0;
             _objects[place] = path.Bounces > 0 ? path.Hits[0].Object : PathHit.NoObject;
         }
 
         // A mirror turns a direction by twice its part along the normal.
-        static double Facing(in RayPath path) => math.length(path.Hits[0].Direction - math.normalize(path.Hits[0].Place - path.Start)) / 2;
+        static double Facing(in RayPath path) =>
+            math.length(path.Hits[0].Direction - math.normalize(path.Hits[0].Place - path.Start)) / 2;
 
-        // Rows from the bottom. Of a byte of bounces the highest bit says that the ray is received; of objects the number in the list of names, from 1.
+        // Rows from the bottom. Of a byte of bounces the highest bit says that the ray is received;
+        // of objects the number in the list of names, from 1.
         internal JObject ToJson(Func<int, string> nameOf)
         {
             var seen = Objects();
             var places = new Dictionary<int, byte> { [PathHit.NoObject] = 0 };
             for (int i = 0; i < seen.Count; i++)
                 places[seen[i]] = (byte)Math.Min(i + 1, MostNames);
-            return ToJson(seen.Take(MostNames).Select((number, i) => i == MostNames - 1 && seen.Count > MostNames ? "others" : nameOf(number)), Array.ConvertAll(_objects, number => places[number]));
+            return ToJson(seen.Take(MostNames)
+                    .Select((number, i) => i == MostNames - 1 && seen.Count > MostNames ? "others" : nameOf(number)),
+                Array.ConvertAll(_objects, number => places[number]));
         }
 
         JObject ToJson(IEnumerable<string> names, byte[] objects) => new JObject

@@ -6,7 +6,9 @@ using Newtonsoft.Json.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>The report of a run: one HTML file that opens offline, made of a template and the run's figures.</summary>
+    /// <summary>
+    /// The report of a run: one HTML file that opens offline, made of a template and the run's figures.
+    /// </summary>
     public static class ReportFile
     {
         /// <summary>Name of the file in a results folder.</summary>
@@ -24,7 +26,8 @@ namespace Glint.Core
         {
             int place = template.IndexOf(Place, StringComparison.Ordinal);
             if (place < 0 || template.IndexOf(Place, place + 1, StringComparison.Ordinal) >= 0)
-                throw new GlintException("the report's template is damaged: restore Editor/Report/Template.txt of the package");
+                throw new GlintException("the report's template is damaged: "
+                    + "restore Editor/Report/Template.txt of the package");
             var data = new JObject
             {
                 ["glint"] = GlintVersion.Text,
@@ -38,7 +41,9 @@ namespace Glint.Core
         }
 
         /// <summary>Writes a page, whole or not at all.</summary>
-        /// <exception cref="GlintException">The path is a folder, or is in none that is there, or the file cannot be written.</exception>
+        /// <exception cref="GlintException">
+        /// The path is a folder, or is in none that is there, or the file cannot be written.
+        /// </exception>
         public static void Write(string path, string page)
         {
             if (Directory.Exists(path))
@@ -48,7 +53,8 @@ namespace Glint.Core
             {
                 string folder = Path.GetDirectoryName(Path.GetFullPath(path));
                 if (!Directory.Exists(folder))
-                    throw new GlintException($"{path}: the folder {folder} is not there: make it, or name another file with {ReportOptions.Out.Flag}");
+                    throw new GlintException($"{path}: the folder {folder} is not there: make it, "
+                        + $"or name another file with {ReportOptions.Out.Flag}");
                 try
                 {
                     File.WriteAllText(draft, page, new UTF8Encoding(false));
@@ -62,9 +68,11 @@ namespace Glint.Core
                     File.Delete(draft);
                 }
             }
-            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException || error is ArgumentException || error is NotSupportedException)
+            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException
+                || error is ArgumentException || error is NotSupportedException)
             {
-                throw new GlintException($"{path}: the report cannot be written: {error.Message.TrimEnd('.')}; name another file with {ReportOptions.Out.Flag}", error);
+                throw new GlintException($"{path}: the report cannot be written: {error.Message.TrimEnd('.')}; "
+                    + $"name another file with {ReportOptions.Out.Flag}", error);
             }
         }
     }

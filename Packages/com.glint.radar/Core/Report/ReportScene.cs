@@ -6,7 +6,9 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>What a report shows of one pose: triangles, the ways of received rays, and the radar's picture.</summary>
+    /// <summary>
+    /// What a report shows of one pose: triangles, the ways of received rays, and the radar's picture.
+    /// </summary>
     public sealed class ReportScene
     {
         /// <summary>Triangles drawn at most; a scene with more is drawn coarser.</summary>
@@ -24,7 +26,9 @@ namespace Glint.Core
         /// <summary>What was received when the pose was traced again.</summary>
         public RadarResult Result;
 
-        /// <summary>Ways of received rays, evenly chosen: start, points of reflection, receiver; in the frame of the scene.</summary>
+        /// <summary>
+        /// Ways of received rays, evenly chosen: start, points of reflection, receiver; in the frame of the scene.
+        /// </summary>
         public IReadOnlyList<double3[]> Paths = Array.Empty<double3[]>();
 
         /// <summary>The radar's picture; null for none.</summary>
@@ -33,11 +37,15 @@ namespace Glint.Core
         /// <summary>Names of the picture's objects by their numbers.</summary>
         public Func<int, string> ObjectName = number => $"object {number}";
 
-        /// <summary>The scene in the form that the report's page reads. Lengths in metres about the middle of what is drawn, Unity's axes; arrays of numbers as base64, little-endian.</summary>
+        /// <summary>
+        /// The scene in the form that the report's page reads. Lengths in metres about the middle of what is drawn,
+        /// Unity's axes; arrays of numbers as base64, little-endian.
+        /// </summary>
         internal JObject ToJson()
         {
             var sketches = Sketches(Pose.Scene.Instances);
-            var drawn = Pose.Scene.Instances.Where(instance => instance.Mesh.TriangleCount > 0).Take(MostInstances).ToArray();
+            var drawn = Pose.Scene.Instances.Where(instance => instance.Mesh.TriangleCount > 0)
+                .Take(MostInstances).ToArray();
             double3 middle = Middle(drawn, sketches);
             var order = sketches.Keys.ToList();
             return new JObject
@@ -48,11 +56,16 @@ namespace Glint.Core
                 ["triangles"] = Pose.Scene.TriangleCount,
                 ["drawn"] = drawn.Sum(instance => (long)sketches[instance.Mesh].TriangleCount),
                 ["meshes"] = new JArray(order.Select(mesh => ToJson(sketches[mesh]))),
-                ["instances"] = new JArray(drawn.Select(instance => new JObject { ["mesh"] = order.IndexOf(instance.Mesh), ["place"] = ToJson(instance.ToWorld, middle) })),
+                ["instances"] = new JArray(drawn.Select(instance => new JObject
+                {
+                    ["mesh"] = order.IndexOf(instance.Mesh), ["place"] = ToJson(instance.ToWorld, middle)
+                })),
                 ["radar"] = ToJson(Pose.View, Pose.Settings, middle),
                 ["paths"] = new JObject
                 {
-                    ["points"] = Base64(Paths.SelectMany(path => path).SelectMany(point => Floats(point - middle)).ToArray(), sizeof(float)),
+                    ["points"] =
+                        Base64(Paths.SelectMany(path => path).SelectMany(point => Floats(point - middle)).ToArray(),
+                            sizeof(float)),
                     ["counts"] = new JArray(Paths.Select(path => path.Length))
                 },
                 ["picture"] = Picture?.ToJson(ObjectName)
@@ -64,7 +77,8 @@ namespace Glint.Core
         {
             const int least = 12;
             var sketches = new Dictionary<TriangleMesh, MeshSketch>();
-            var uses = instances.Where(instance => instance.Mesh.TriangleCount > 0).Take(MostInstances).GroupBy(instance => instance.Mesh)
+            var uses = instances.Where(instance => instance.Mesh.TriangleCount > 0).Take(MostInstances)
+                .GroupBy(instance => instance.Mesh)
                 .OrderBy(group => (long)group.Key.TriangleCount * group.Count()).ToArray();
             long left = MostTriangles;
             for (int i = 0; i < uses.Length; i++)
@@ -86,7 +100,8 @@ namespace Glint.Core
                 for (int corner = 0; corner < 8; corner++)
                 {
                     var sketch = sketches[instance.Mesh];
-                    double3 place = instance.ToWorld.Point(sketch.Low + sketch.Size * new double3(corner & 1, corner >> 1 & 1, corner >> 2));
+                    double3 place = instance.ToWorld.Point(sketch.Low
+                        + sketch.Size * new double3(corner & 1, corner >> 1 & 1, corner >> 2));
                     (low, high) = (math.min(low, place), math.max(high, place));
                 }
             return low + 0.5 * (high - low);
@@ -100,7 +115,8 @@ namespace Glint.Core
             ["indices"] = Base64(sketch.Indices.ToArray(), sizeof(int))
         };
 
-        static JArray ToJson(in Affine place, double3 middle) => new JArray(new[] { place.X, place.Y, place.Z, place.Origin - middle }.SelectMany(ToJson));
+        static JArray ToJson(in Affine place, double3 middle) =>
+            new JArray(new[] { place.X, place.Y, place.Z, place.Origin - middle }.SelectMany(ToJson));
 
         static JObject ToJson(in RadarView view, in RadarSettings settings, double3 middle)
         {

@@ -6,7 +6,8 @@ using System.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// Keeps a results folder for one run, from before its first row to its end: makes the folder and holds a lock file in it.
+    /// Keeps a results folder for one run, from before its first row to its end:
+    /// makes the folder and holds a lock file in it.
     /// The lock is the system's and goes with the process; a file that a killed run left behind locks nothing.
     /// </summary>
     sealed class FolderLock : IDisposable
@@ -31,7 +32,8 @@ namespace Glint.Core
             catch (Exception error)
             {
                 Dispose();
-                throw error is GlintException ? error : new GlintException($"{path}: cannot be written as a results folder: {Reason(path, error)}; {Remedy}", error);
+                throw error is GlintException ? error : new GlintException(
+                    $"{path}: cannot be written as a results folder: {Reason(path, error)}; {Remedy}", error);
             }
         }
 
@@ -48,12 +50,15 @@ namespace Glint.Core
             string file = Path.Combine(path, FileName);
             try
             {
-                // A file of its own: only FileShare.None locks against processes on every system, and results.csv must stay open to readers.
-                return new FileStream(file, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None, 1, FileOptions.DeleteOnClose);
+                // A file of its own: only FileShare.None locks against processes on every system,
+                // and results.csv must stay open to readers.
+                return new FileStream(file, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None, 1,
+                    FileOptions.DeleteOnClose);
             }
             catch (IOException error) when (File.Exists(file))
             {
-                throw new GlintException($"{path}: another run is writing its results there; wait for its end or {Remedy}", error);
+                throw new GlintException(
+                    $"{path}: another run is writing its results there; wait for its end or {Remedy}", error);
             }
         }
 
@@ -75,13 +80,16 @@ namespace Glint.Core
         {
             var file = Ancestry(path).FirstOrDefault(folder => File.Exists(folder.FullName));
             if (file != null)
-                throw new GlintException($"{(file.FullName == Path.GetFullPath(path) ? path : $"{path}: {file.FullName}")} is a file, not a folder: {Remedy}");
+                throw new GlintException(
+                    $"{(file.FullName == Path.GetFullPath(path) ? path : $"{path}: {file.FullName}")} is a file, "
+                    + $"not a folder: {Remedy}");
         }
 
         static string NearestFolder(string path) => Ancestry(path).First(folder => folder.Exists).FullName;
 
         // Deepest first.
-        static List<string> MissingFolders(string path) => Ancestry(path).TakeWhile(folder => !folder.Exists).Select(folder => folder.FullName).ToList();
+        static List<string> MissingFolders(string path) =>
+            Ancestry(path).TakeWhile(folder => !folder.Exists).Select(folder => folder.FullName).ToList();
 
         static IEnumerable<DirectoryInfo> Ancestry(string path)
         {

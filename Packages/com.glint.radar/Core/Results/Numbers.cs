@@ -6,10 +6,14 @@ namespace Glint.Core
     /// <summary>Numbers as text in result files.</summary>
     public static class Numbers
     {
-        // .NET's R gives the shortest digits; Mono's gives 15 or 17, so 16 and the rest are tried too and both write the same.
+        // .NET's R gives the shortest digits; Mono's gives 15 or 17,
+        // so 16 and the rest are tried too and both write the same.
         static readonly string[] Formats = { "R", "G15", "G16", "G17" };
 
-        /// <summary>The shortest text that reads back as the same double: '.' for the point, "1E+20" for large powers, "0" for both zeros.</summary>
+        /// <summary>
+        /// The shortest text that reads back as the same double: '.'
+        /// for the point, "1E+20" for large powers, "0" for both zeros.
+        /// </summary>
         /// <exception cref="ArgumentOutOfRangeException">The number is NaN or infinite.</exception>
         public static string Format(double value)
         {

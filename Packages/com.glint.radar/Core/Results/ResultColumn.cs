@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace Glint.Core
 {
-    /// <summary>One column of result files. The table <see cref="All"/> is the only place that knows them; CSV and JSON follow it.</summary>
+    /// <summary>
+    /// One column of result files. The table <see cref="All"/> is the only place that knows them;
+    /// CSV and JSON follow it.
+    /// </summary>
     public sealed class ResultColumn
     {
         static readonly ResultColumn[] Table =
@@ -64,7 +67,8 @@ namespace Glint.Core
         {
             double? value = _value(row);
             if (value is double number && (double.IsNaN(number) || double.IsInfinity(number)))
-                throw new GlintException($"{Name} is not finite{At(row.Pose)}: check the scene for huge coordinates, and report it if there are none");
+                throw new GlintException($"{Name} is not finite{At(row.Pose)}: check the scene for huge coordinates, "
+                    + "and report it if there are none");
             return value;
         }
 

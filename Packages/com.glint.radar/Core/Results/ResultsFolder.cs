@@ -9,7 +9,8 @@ namespace Glint.Core
     /// <summary>
     /// The folder that a run or sweep writes: results.csv, row by row as they are done, and results.json at the end.
     /// Until then a sweep also keeps results.partial there, from which it can be resumed.
-    /// Before the first row only a lock file is there, and older results stay. One run at a time has the folder, until it is disposed or finished.
+    /// Before the first row only a lock file is there, and older results stay. One run at a time has the folder,
+    /// until it is disposed or finished.
     /// </summary>
     public sealed class ResultsFolder : IDisposable
     {
@@ -22,7 +23,8 @@ namespace Glint.Core
         /// <summary>File of a sweep that is not finished.</summary>
         public const string PartialName = "results.partial";
 
-        const string StartAnew = "take the same as before, choose another results folder, or leave --resume out to replace what is there";
+        const string StartAnew =
+            "take the same as before, choose another results folder, or leave --resume out to replace what is there";
 
         static readonly UTF8Encoding Utf8 = new UTF8Encoding(false);
 
@@ -65,7 +67,9 @@ namespace Glint.Core
         /// Makes sure, before any work is done, that no other run has the folder, and that both files can be written.
         /// Disposing it without a row leaves everything as it was.
         /// </summary>
-        /// <exception cref="GlintException">Another run is writing there, or it cannot be written; the message names the folder or file.</exception>
+        /// <exception cref="GlintException">
+        /// Another run is writing there, or it cannot be written; the message names the folder or file.
+        /// </exception>
         public static ResultsFolder Open(string path)
         {
             if (string.IsNullOrEmpty(path))
@@ -95,12 +99,16 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Goes on, after <see cref="Begin(SweepIdentity, DateTime)"/>, with the same sweep where it was ended. Whole rows are kept, but at least the last pose of all is left to do.
+        /// Goes on, after <see cref="Begin(SweepIdentity, DateTime)"/>, with the same sweep where it was ended.
+        /// Whole rows are kept, but at least the last pose of all is left to do.
         /// Where nothing was begun the sweep begins.
         /// </summary>
         /// <param name="poses">Poses of the sweep, or of its part.</param>
         /// <returns>The poses that are done: all of them when results.json is there too.</returns>
-        /// <exception cref="GlintException">Another sweep's results are there, or they are damaged; the message says what differs. Nothing is changed then.</exception>
+        /// <exception cref="GlintException">
+        /// Another sweep's results are there, or they are damaged;
+        /// the message says what differs. Nothing is changed then.
+        /// </exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public int Resume(int poses)
         {
@@ -112,12 +120,14 @@ namespace Glint.Core
                 var done = StoredRun.ReadFile(JsonPath);
                 Require(done.Info.Sweep, JsonPath);
                 if (done.Rows.Count != poses)
-                    throw new GlintException($"{JsonPath}: has {done.Rows.Count} rows of {poses}: it was changed; restore it, or leave --resume out");
+                    throw new GlintException($"{JsonPath}: has {done.Rows.Count} rows of {poses}: it was changed; "
+                        + "restore it, or leave --resume out");
                 _rows.AddRange(done.Rows);
                 return poses;
             }
             if (File.Exists(CsvPath))
-                throw new GlintException($"{CsvPath}: {PartialName} is not beside it, so that the sweep cannot be resumed: restore it, or leave --resume out");
+                throw new GlintException($"{CsvPath}: {PartialName} is not beside it, "
+                    + "so that the sweep cannot be resumed: restore it, or leave --resume out");
             return 0;
         }
 
@@ -125,7 +135,9 @@ namespace Glint.Core
         /// Writes one row to results.csv, so that it is there even if the program is ended at once.
         /// The first row makes the folder, replaces an older results.csv and removes an older results.json.
         /// </summary>
-        /// <exception cref="GlintException">The disk is full or the file cannot be written; earlier rows stay. Or a value is not finite.</exception>
+        /// <exception cref="GlintException">
+        /// The disk is full or the file cannot be written; earlier rows stay. Or a value is not finite.
+        /// </exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public void Append(SweepRow row) => Append(new StoredRow(row));
 
@@ -154,7 +166,8 @@ namespace Glint.Core
             {
                 var text = new StringWriter { NewLine = "\n" };
                 ResultsJson.Write(text, info, _rows);
-                Try($"{JsonPath}: cannot be written ({CsvPath} is complete)", () => ReplaceJson(Utf8.GetBytes(text.ToString())));
+                Try($"{JsonPath}: cannot be written ({CsvPath} is complete)",
+                    () => ReplaceJson(Utf8.GetBytes(text.ToString())));
                 Try($"{PartialPath}: cannot be removed (the results are complete)", () => File.Delete(PartialPath));
             }
             finally
@@ -219,7 +232,8 @@ namespace Glint.Core
                 while (same < there.Length && same < csv.Length && there[same] == csv[same])
                     same++;
                 if (same < there.Length)
-                    throw new GlintException($"{CsvPath}, line {1 + there.Take(same).Count(letter => letter == '\n')}: differs from what {PartialName} holds: restore it, or delete it to have it written anew");
+                    throw new GlintException($"{CsvPath}, line {1 + there.Take(same).Count(letter => letter == '\n')}: "
+                        + $"differs from what {PartialName} holds: restore it, or delete it to have it written anew");
                 _partial = Open(PartialPath, FileMode.Open);
                 _partial.SetLength(_partialLength = earlier.Ends[kept]);
                 _partial.Seek(0, SeekOrigin.End);
@@ -253,7 +267,8 @@ namespace Glint.Core
                 _csvLength += Put(_csv, lines);
                 _partialLength += more;
             }
-            catch (Exception error) when (error is IOException || error is ArgumentException) // the second where a file may not grow further
+            // the second where a file may not grow further
+            catch (Exception error) when (error is IOException || error is ArgumentException)
             {
                 KeepWholeRows();
                 throw Failure($"{CsvPath}: cannot be written ({_rows.Count} rows are in it)", error);
@@ -269,7 +284,8 @@ namespace Glint.Core
         }
 
         // Without a buffer a row that failed is not written again on closing.
-        static FileStream Open(string path, FileMode mode) => new FileStream(path, mode, FileAccess.Write, FileShare.Read, 1);
+        static FileStream Open(string path, FileMode mode) =>
+            new FileStream(path, mode, FileAccess.Write, FileShare.Read, 1);
 
         // Half a row must not stay, nor a file without rows. If even this fails, the first failure is the one to tell.
         void KeepWholeRows()
@@ -315,9 +331,11 @@ namespace Glint.Core
         static void CheckReplaceable(string path)
         {
             if (Directory.Exists(path))
-                throw new GlintException($"{path}: is a folder, but a file of that name has to be written; remove it or choose another results folder");
+                throw new GlintException($"{path}: is a folder, but a file of that name has to be written; "
+                    + "remove it or choose another results folder");
             if (File.Exists(path))
-                Try($"{path}: cannot be replaced (is it open in another program?)", () => new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.Read).Dispose());
+                Try($"{path}: cannot be replaced (is it open in another program?)",
+                    () => new FileStream(path, FileMode.Open, FileAccess.Write, FileShare.Read).Dispose());
         }
 
         static void Try(string failure, Action work, Action afterFailure = null)
@@ -326,7 +344,8 @@ namespace Glint.Core
             {
                 work();
             }
-            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException || error is ArgumentException || error is NotSupportedException)
+            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException
+                || error is ArgumentException || error is NotSupportedException)
             {
                 afterFailure?.Invoke();
                 throw Failure(failure, error);
@@ -334,6 +353,7 @@ namespace Glint.Core
         }
 
         static GlintException Failure(string failure, Exception error) =>
-            new GlintException($"{failure}: {error.Message.TrimEnd('.')}; free the disk or the file, or choose another results folder", error);
+            new GlintException($"{failure}: {error.Message.TrimEnd('.')}; free the disk or the file, "
+                + "or choose another results folder", error);
     }
 }

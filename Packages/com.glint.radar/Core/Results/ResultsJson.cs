@@ -196,7 +196,8 @@ namespace Glint.Core
                 _json.WriteStartObject();
         }
 
-        void Time(DateTime startedUtc) => Text("started_utc", startedUtc.ToString(TimeFormat, CultureInfo.InvariantCulture));
+        void Time(DateTime startedUtc) =>
+            Text("started_utc", startedUtc.ToString(TimeFormat, CultureInfo.InvariantCulture));
 
         void Text(string name, string text)
         {

@@ -4,35 +4,50 @@ using System.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>Joins the parts of a sweep (--shard) to the files that the whole sweep would have written, timings aside.</summary>
+    /// <summary>
+    /// Joins the parts of a sweep (--shard) to the files that the whole sweep would have written, timings aside.
+    /// </summary>
     public static class ResultsMerge
     {
-        /// <summary>Reads the parts, checks that they are all parts of one sweep, each once, and writes the whole.</summary>
+        /// <summary>
+        /// Reads the parts, checks that they are all parts of one sweep, each once, and writes the whole.
+        /// </summary>
         /// <param name="folders">Results folders of the parts, in any order.</param>
         /// <param name="output">Results folder to write, none of the parts'.</param>
         /// <returns>The folder written.</returns>
-        /// <exception cref="GlintException">A part is missing, twice there, not finished, damaged or of another sweep, or the output cannot be written; the message names it.</exception>
+        /// <exception cref="GlintException">
+        /// A part is missing, twice there, not finished, damaged or of another sweep,
+        /// or the output cannot be written; the message names it.
+        /// </exception>
         public static ResultsFolder Merge(IReadOnlyList<string> folders, string output)
         {
             if (IsOneOf(folders, output))
-                throw new GlintException($"{output}: is one of the parts, which the whole would replace: choose another results folder");
-            var parts = folders.Select(folder => (folder, results: Read(folder))).OrderBy(part => part.results.Info.Sweep.Shard.Value.Number).ToArray();
+                throw new GlintException($"{output}: is one of the parts, which the whole would replace: "
+                    + "choose another results folder");
+            var parts = folders.Select(folder => (folder, results: Read(folder)))
+                .OrderBy(part => part.results.Info.Sweep.Shard.Value.Number).ToArray();
             var first = parts[0];
             int count = first.results.Info.Sweep.Shard.Value.Count;
             foreach (var part in parts)
                 CheckBelongs(part.folder, part.results.Info.Sweep, first.folder, first.results.Info.Sweep);
             for (int i = 1; i < parts.Length; i++)
                 if (parts[i].results.Info.Sweep.Shard.Equals(parts[i - 1].results.Info.Sweep.Shard))
-                    throw new GlintException($"{parts[i - 1].folder} and {parts[i].folder} are both part {parts[i].results.Info.Sweep.Shard}: give each part once");
-            var missing = Enumerable.Range(1, count).Except(parts.Select(part => part.results.Info.Sweep.Shard.Value.Number)).ToArray();
+                    throw new GlintException($"{parts[i - 1].folder} and {parts[i].folder} are both part "
+                        + $"{parts[i].results.Info.Sweep.Shard}: give each part once");
+            var missing = Enumerable.Range(1, count)
+                .Except(parts.Select(part => part.results.Info.Sweep.Shard.Value.Number)).ToArray();
             if (missing.Length > 0)
-                throw new GlintException($"{(missing.Length == 1 ? "a part is" : "parts are")} missing: {string.Join(", ", missing.Take(8).Select(number => new SweepShard(number, count)))}{(missing.Length > 8 ? $" and {missing.Length - 8} more" : "")}: sweep with --shard for each, and give its folder too");
+                throw new GlintException($"{(missing.Length == 1 ? "a part is" : "parts are")} missing: "
+                    + $"{string.Join(", ", missing.Take(8).Select(number => new SweepShard(number, count)))}"
+                    + $"{(missing.Length > 8 ? $" and {missing.Length - 8} more" : "")}: sweep with --shard for each, "
+                    + "and give its folder too");
             CheckRows(parts);
             return Write(parts.Select(part => part.results).ToArray(), output);
         }
 
         /// <summary>Whether the output is one of the parts.</summary>
-        internal static bool IsOneOf(IReadOnlyList<string> folders, string output) => folders.Any(folder => FullPathOf(folder) == FullPathOf(output));
+        internal static bool IsOneOf(IReadOnlyList<string> folders, string output) =>
+            folders.Any(folder => FullPathOf(folder) == FullPathOf(output));
 
         /// <summary>The same for all ways to write a folder's name, links aside.</summary>
         internal static string FullPathOf(string folder) => Path.GetFullPath(folder).TrimEnd('/', '\\');
@@ -47,15 +62,19 @@ namespace Glint.Core
             if (File.Exists(Path.Combine(folder, ResultsFolder.PartialName)))
                 throw new GlintException($"{folder}: its sweep is not finished: finish it with --resume");
             if (!File.Exists(path))
-                throw new GlintException($"{folder}: has no {ResultsFolder.JsonName}: give the results folders of the parts");
+                throw new GlintException($"{folder}: has no {ResultsFolder.JsonName}: "
+                    + "give the results folders of the parts");
             var results = StoredRun.ReadFile(path);
-            return results.Info.Sweep?.Shard != null ? results : throw new GlintException($"{folder}: is no part of a sweep, it was not made with --shard");
+            return results.Info.Sweep?.Shard != null
+                ? results
+                : throw new GlintException($"{folder}: is no part of a sweep, it was not made with --shard");
         }
 
         static void CheckBelongs(string folder, SweepIdentity part, string firstFolder, SweepIdentity first)
         {
             if (part.Shard.Value.Count != first.Shard.Value.Count)
-                throw new GlintException($"{folder} is part {part.Shard} and {firstFolder} is part {first.Shard}: they are of sweeps divided otherwise");
+                throw new GlintException($"{folder} is part {part.Shard} and {firstFolder} is part {first.Shard}: "
+                    + "they are of sweeps divided otherwise");
             string difference = part.WithShard(null).DifferenceFrom(first.WithShard(null));
             if (difference != null)
                 throw new GlintException($"{folder} is of another sweep than {firstFolder}: {difference}");
@@ -70,7 +89,9 @@ namespace Glint.Core
                 var shard = results.Info.Sweep.Shard.Value;
                 int expected = shard.End(poses) - shard.First(poses);
                 if (results.Rows.Count != expected)
-                    throw new GlintException($"{Path.Combine(folder, ResultsFolder.JsonName)}: has {results.Rows.Count} rows where part {shard} of {poses} poses has {expected}: a file was changed; trace the part again");
+                    throw new GlintException($"{Path.Combine(folder, ResultsFolder.JsonName)}: "
+                        + $"has {results.Rows.Count} rows where part {shard} of {poses} poses has {expected}: "
+                        + "a file was changed; trace the part again");
             }
         }
 

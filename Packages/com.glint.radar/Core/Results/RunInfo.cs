@@ -3,13 +3,18 @@ using System.Collections.Generic;
 
 namespace Glint.Core
 {
-    /// <summary>What a run or sweep worked on and with, for results.json. What is not known stays null and is written as null.</summary>
+    /// <summary>
+    /// What a run or sweep worked on and with, for results.json. What is not known stays null and is written as null.
+    /// </summary>
     public sealed class RunInfo
     {
         /// <summary>Scene or mesh file as an asset path or as the user gave it.</summary>
         public string ScenePath;
 
-        /// <summary>The command line that asked for it, as <see cref="CommandLine.Words"/>, without where its files go; null for a run that no command began.</summary>
+        /// <summary>
+        /// The command line that asked for it, as <see cref="CommandLine.Words"/>, without where its files go;
+        /// null for a run that no command began.
+        /// </summary>
         public IReadOnlyList<string> Command;
 
         /// <summary>Object that was turned.</summary>

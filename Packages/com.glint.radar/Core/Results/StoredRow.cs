@@ -5,10 +5,13 @@ using Newtonsoft.Json.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>What results.json needs of a row once it is in results.csv: not the rays, which may be millions.</summary>
+    /// <summary>
+    /// What results.json needs of a row once it is in results.csv: not the rays, which may be millions.
+    /// </summary>
     sealed class StoredRow
     {
-        static readonly Dictionary<string, int> s_places = Enumerable.Range(0, ResultColumn.All.Count).ToDictionary(i => ResultColumn.All[i].Name);
+        static readonly Dictionary<string, int> s_places = Enumerable.Range(0, ResultColumn.All.Count)
+            .ToDictionary(i => ResultColumn.All[i].Name);
 
         readonly double?[] _values;
 
@@ -27,7 +30,8 @@ namespace Glint.Core
             _values = ResultColumn.All.Select(column => Value(row, column)).ToArray();
             Timings = new Timings
             {
-                GatherMs = Time(row, "gather_ms"), BuildMs = Time(row, "build_ms"), UploadMs = Time(row, "upload_ms"), TraceMs = Time(row, "trace_ms"), ReadBackMs = Time(row, "read_back_ms"),
+                GatherMs = Time(row, "gather_ms"), BuildMs = Time(row, "build_ms"), UploadMs = Time(row, "upload_ms"),
+                TraceMs = Time(row, "trace_ms"), ReadBackMs = Time(row, "read_back_ms"),
             };
             PhaseHistogram = row["phase_histogram"]?.ToObject<int[]>();
         }
@@ -35,8 +39,12 @@ namespace Glint.Core
         /// <summary>The value of a column, by its name; null where there is none.</summary>
         public double? this[string column] => _values[s_places[column]];
 
-        /// <summary>Texts in the order of <see cref="ResultColumn.All"/>; null where there is no value. The shortest text of a number is the one that was read.</summary>
-        public IEnumerable<string> Cells => _values.Select(value => value.HasValue ? Numbers.Format(value.Value) : null);
+        /// <summary>
+        /// Texts in the order of <see cref="ResultColumn.All"/>; null where there is no value.
+        /// The shortest text of a number is the one that was read.
+        /// </summary>
+        public IEnumerable<string> Cells =>
+            _values.Select(value => value.HasValue ? Numbers.Format(value.Value) : null);
 
         public Timings Timings { get; }
 
@@ -57,6 +65,7 @@ namespace Glint.Core
             }
         }
 
-        static double Time(JObject row, string name) => (row["timings"]?[name] ?? throw new FormatException($"a row has no {name}")).Value<double>();
+        static double Time(JObject row, string name) =>
+            (row["timings"]?[name] ?? throw new FormatException($"a row has no {name}")).Value<double>();
     }
 }

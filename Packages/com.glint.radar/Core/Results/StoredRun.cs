@@ -8,7 +8,10 @@ using Newtonsoft.Json.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>What <see cref="ResultsJson"/> wrote, read again: the results.json of a run, for reports, to be merged or resumed; and, by its parts, the lines of a sweep that is not finished.</summary>
+    /// <summary>
+    /// What <see cref="ResultsJson"/> wrote, read again: the results.json of a run, for reports,
+    /// to be merged or resumed; and, by its parts, the lines of a sweep that is not finished.
+    /// </summary>
     public sealed class StoredRun
     {
         StoredRun(JObject json)
@@ -18,14 +21,18 @@ namespace Glint.Core
             Info = new RunInfo
             {
                 StartedUtc = Time(json), ElapsedMs = Number(json, "elapsed_ms"),
-                Command = (json["command"] as JArray)?.Select(word => (string)word).ToArray(), ScenePath = Text(json, "scene", "path"), TargetName = Text(json, "scene", "target"),
+                Command = (json["command"] as JArray)?.Select(word => (string)word).ToArray(),
+                ScenePath = Text(json, "scene", "path"), TargetName = Text(json, "scene", "target"),
                 Objects = (long)Number(json, "scene", "objects"), Triangles = (long)Number(json, "scene", "triangles"),
                 DeviceName = Text(json, "device", "name"), GraphicsApi = Text(json, "device", "graphics_api"),
-                GlintVersion = Text(json, "versions", "glint"), UnityVersion = Text(json, "versions", "unity"), Host = Text(json, "versions", "host"), OperatingSystem = Text(json, "versions", "operating_system"),
+                GlintVersion = Text(json, "versions", "glint"), UnityVersion = Text(json, "versions", "unity"),
+                Host = Text(json, "versions", "host"), OperatingSystem = Text(json, "versions", "operating_system"),
                 Sweep = json["sweep"] is JObject sweep ? Identity(sweep) : null,
             };
             foreach (var setting in ((JObject)Find(json, "settings")).Properties())
-                Info.Settings.Add(setting.Value is JObject number ? new RunSetting(setting.Name, Number(number, "value"), Text(number, "unit")) : new RunSetting(setting.Name, (string)setting.Value));
+                Info.Settings.Add(setting.Value is JObject number
+                    ? new RunSetting(setting.Name, Number(number, "value"), Text(number, "unit"))
+                    : new RunSetting(setting.Name, (string)setting.Value));
             Rows = ((JArray)Find(json, "rows")).Select(row => new StoredRow((JObject)row)).ToArray();
         }
 
@@ -44,17 +51,22 @@ namespace Glint.Core
             if (File.Exists(folder))
                 throw new GlintException($"{folder}: is a file: give the folder that holds {ResultsFolder.JsonName}");
             if (!Directory.Exists(folder))
-                throw new GlintException($"{folder}: there is no such folder: give the one that a sweep or run wrote its results to");
+                throw new GlintException($"{folder}: there is no such folder: "
+                    + "give the one that a sweep or run wrote its results to");
             string path = Path.Combine(folder, ResultsFolder.JsonName);
             if (!File.Exists(path))
                 throw new GlintException(File.Exists(Path.Combine(folder, ResultsFolder.CsvName))
-                    ? $"{folder}: has no {ResultsFolder.JsonName}: the sweep was not finished, or is still at work; let it end"
-                    : $"{folder}: holds no results: give the folder that a sweep or run wrote {ResultsFolder.JsonName} to");
+                    ? $"{folder}: has no {ResultsFolder.JsonName}: the sweep was not finished, "
+                        + "or is still at work; let it end"
+                    : $"{folder}: holds no results: "
+                        + $"give the folder that a sweep or run wrote {ResultsFolder.JsonName} to");
             return ReadFile(path);
         }
 
         /// <summary>Reads a results.json.</summary>
-        /// <exception cref="GlintException">It cannot be read or is damaged; the message names it and the way out.</exception>
+        /// <exception cref="GlintException">
+        /// It cannot be read or is damaged; the message names it and the way out.
+        /// </exception>
         internal static StoredRun ReadFile(string path)
         {
             try
@@ -67,13 +79,17 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>Where a pose, counted from 0, stands on an axis; null where the axis was left alone. The angle is 0 then.</summary>
+        /// <summary>
+        /// Where a pose, counted from 0, stands on an axis; null where the axis was left alone. The angle is 0 then.
+        /// </summary>
         public double? Value(int pose, SweepAxis axis) => Rows[pose][axis.Column];
 
         /// <summary>Amplitude of a pose, counted from 0.</summary>
         public double Amplitude(int pose) => Rows[pose]["amplitude"].Value;
 
-        /// <summary>The pose with the largest amplitude, counted from 0; of equals the first; -1 without poses.</summary>
+        /// <summary>
+        /// The pose with the largest amplitude, counted from 0; of equals the first; -1 without poses.
+        /// </summary>
         public int Strongest()
         {
             int strongest = -1;
@@ -86,7 +102,8 @@ namespace Glint.Core
         /// <summary>One JSON object; dates stay texts.</summary>
         internal static JObject Parse(string text)
         {
-            using (var reader = new JsonTextReader(new StringReader(text)) { DateParseHandling = DateParseHandling.None })
+            using (var reader = new JsonTextReader(
+                new StringReader(text)) { DateParseHandling = DateParseHandling.None })
             {
                 var json = JObject.Load(reader);
                 while (reader.Read())
@@ -97,7 +114,8 @@ namespace Glint.Core
         }
 
         internal static DateTime Time(JObject json) =>
-            DateTime.ParseExact(Text(json, "started_utc"), ResultsJson.TimeFormat, CultureInfo.InvariantCulture, DateTimeStyles.AssumeUniversal | DateTimeStyles.AdjustToUniversal);
+            DateTime.ParseExact(Text(json, "started_utc"), ResultsJson.TimeFormat, CultureInfo.InvariantCulture,
+                DateTimeStyles.AssumeUniversal | DateTimeStyles.AdjustToUniversal);
 
         internal static SweepIdentity Identity(JObject json)
         {
@@ -111,11 +129,15 @@ namespace Glint.Core
         }
 
         /// <summary>Whether an error says that a file cannot be read or is not what it should be.</summary>
-        internal static bool IsUnreadable(Exception error) => error is IOException || error is UnauthorizedAccessException || error is JsonException
-            || error is FormatException || error is InvalidCastException || error is ArgumentException || error is OverflowException;
+        internal static bool IsUnreadable(Exception error) => error is IOException
+            || error is UnauthorizedAccessException || error is JsonException
+            || error is FormatException || error is InvalidCastException || error is ArgumentException
+            || error is OverflowException;
 
         internal static GlintException Damaged(string path, Exception error) => new GlintException(
-            $"{path}: cannot be read{(error is IOException || error is UnauthorizedAccessException ? "" : " as results, it is damaged")}: {error.Message.TrimEnd('.')}; restore it, or make it anew (the sweep without --resume)", error);
+            $"{path}: cannot be "
+                + $"read{(error is IOException || error is UnauthorizedAccessException ? "" : " as results, it is damaged")}: "
+                + $"{error.Message.TrimEnd('.')}; restore it, or make it anew (the sweep without --resume)", error);
 
         static JToken Find(JObject json, params string[] path)
         {
@@ -129,6 +151,7 @@ namespace Glint.Core
 
         static double Number(JObject json, params string[] path) => Find(json, path).Value<double>();
 
-        static bool IsNotFinite(JValue value) => value.Value is double number && (double.IsNaN(number) || double.IsInfinity(number));
+        static bool IsNotFinite(JValue value) =>
+            value.Value is double number && (double.IsNaN(number) || double.IsInfinity(number));
     }
 }

@@ -4,7 +4,8 @@ using System.Globalization;
 namespace Glint.Core
 {
     /// <summary>
-    /// One thing that a sweep steps through. The table <see cref="All"/> is where plan, result files, tables and messages know the axes from;
+    /// One thing that a sweep steps through. The table <see cref="All"/> is where plan, result files,
+    /// tables and messages know the axes from;
     /// an option of glint sweep gives the values, and Glint.AxisMotions shows them.
     /// </summary>
     public sealed class SweepAxis
@@ -19,7 +20,8 @@ namespace Glint.Core
         public static readonly SweepAxis Range = new SweepAxis(2, "range", "range_m", "m", "range {0} m", 9);
 
         /// <summary>How far the radar looks down, degrees.</summary>
-        public static readonly SweepAxis Grazing = new SweepAxis(3, "grazing", "grazing_deg", "deg", "grazing {0} deg", 7);
+        public static readonly SweepAxis Grazing =
+            new SweepAxis(3, "grazing", "grazing_deg", "deg", "grazing {0} deg", 7);
 
         /// <summary>Turn of the target about the world's vertical, degrees.</summary>
         public static readonly SweepAxis Angle = new SweepAxis(4, "angle", "angle_deg", "deg", "{0} deg", 7);
@@ -55,7 +57,8 @@ namespace Glint.Core
         internal int Width { get; }
 
         /// <summary>A value in a few words: "15 deg", "snapshot 3".</summary>
-        public string Describe(double value) => string.Format(CultureInfo.InvariantCulture, _words, Numbers.Format(value));
+        public string Describe(double value) =>
+            string.Format(CultureInfo.InvariantCulture, _words, Numbers.Format(value));
 
         /// <summary>The name.</summary>
         public override string ToString() => Name;

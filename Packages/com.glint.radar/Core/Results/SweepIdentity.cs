@@ -4,7 +4,8 @@ using System.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// What makes a sweep the one it is: its poses, scene and settings, the device and the versions, each as a name and a text.
+    /// What makes a sweep the one it is: its poses, scene and settings, the device and the versions,
+    /// each as a name and a text.
     /// Rows of equal identities belong together.
     /// </summary>
     public sealed class SweepIdentity
@@ -28,7 +29,9 @@ namespace Glint.Core
             return other;
         }
 
-        /// <summary>The first thing in which another sweep differs, as "frequency was 9 and is 10"; null when it is the same.</summary>
+        /// <summary>
+        /// The first thing in which another sweep differs, as "frequency was 9 and is 10"; null when it is the same.
+        /// </summary>
         /// <param name="earlier">The sweep that was.</param>
         public string DifferenceFrom(SweepIdentity earlier)
         {

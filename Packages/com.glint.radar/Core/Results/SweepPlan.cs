@@ -6,7 +6,8 @@ namespace Glint.Core
 {
     /// <summary>
     /// The poses of a sweep, in order: every value of each axis with every value of the others.
-    /// The last of <see cref="SweepAxis.All"/> changes from pose to pose, the first slowest: every angle for each grazing angle, all these for each range, and so on.
+    /// The last of <see cref="SweepAxis.All"/> changes from pose to pose, the first slowest:
+    /// every angle for each grazing angle, all these for each range, and so on.
     /// </summary>
     public sealed class SweepPlan
     {
@@ -23,12 +24,15 @@ namespace Glint.Core
         /// <param name="angles">Turns of the target in degrees; null when it is not turned.</param>
         /// <param name="snapshots">Snapshots of the sea, from 1; null when it is left as it is.</param>
         public SweepPlan(IReadOnlyList<double> angles, IReadOnlyList<int> snapshots = null)
-            : this((SweepAxis.Angle, angles), (SweepAxis.Snapshot, snapshots?.Select(number => (double)number).ToArray()))
+            : this((SweepAxis.Angle, angles),
+                (SweepAxis.Snapshot, snapshots?.Select(number => (double)number).ToArray()))
         {
         }
 
         /// <summary>A plan over any of the axes.</summary>
-        /// <param name="axes">Each axis once, with its values in its unit; an axis without values (null) is left alone.</param>
+        /// <param name="axes">
+        /// Each axis once, with its values in its unit; an axis without values (null) is left alone.
+        /// </param>
         /// <exception cref="UsageException">There are more than <see cref="Limit"/> poses.</exception>
         public SweepPlan(params (SweepAxis axis, IReadOnlyList<double> values)[] axes)
         {
@@ -39,7 +43,8 @@ namespace Glint.Core
             {
                 count *= values.Count;
                 if (count > Limit)
-                    throw new UsageException($"the sweep has more than {Limit.ToString("N0", CultureInfo.InvariantCulture)} poses: shorten a list");
+                    throw new UsageException("the sweep has more than "
+                        + $"{Limit.ToString("N0", CultureInfo.InvariantCulture)} poses: shorten a list");
             }
             Count = (int)count;
         }
@@ -71,7 +76,9 @@ namespace Glint.Core
         /// <summary>Whether an axis has values.</summary>
         public bool Has(SweepAxis axis) => Values(axis) != null;
 
-        /// <summary>The first pose with another value on an axis than the pose that a sweep begins with; 0 when there is none.</summary>
+        /// <summary>
+        /// The first pose with another value on an axis than the pose that a sweep begins with; 0 when there is none.
+        /// </summary>
         internal int FirstChange(SweepAxis axis)
         {
             if (!Has(axis))

@@ -2,13 +2,17 @@ using System.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>Where a sweep stands: a value for each axis that it steps through, null for what it leaves alone.</summary>
+    /// <summary>
+    /// Where a sweep stands: a value for each axis that it steps through, null for what it leaves alone.
+    /// </summary>
     public readonly struct SweepPose
     {
         readonly double?[] _values;
 
         /// <summary>A pose of a sweep over angles, snapshots, or both.</summary>
-        /// <param name="angleDegrees">Turn of the target about the world's vertical, positive as Unity's Y rotation.</param>
+        /// <param name="angleDegrees">
+        /// Turn of the target about the world's vertical, positive as Unity's Y rotation.
+        /// </param>
         /// <param name="snapshot">Which snapshot of the sea, from 1.</param>
         public SweepPose(double? angleDegrees, int? snapshot = null) : this(new double?[SweepAxis.All.Count])
         {
@@ -28,11 +32,14 @@ namespace Glint.Core
         /// <summary>Which snapshot of the sea, from 1.</summary>
         public int? Snapshot => (int?)this[SweepAxis.Snapshot];
 
-        /// <summary>The pose in a few words: "15 deg", "snapshot 3", "snapshot 3, 15 deg"; empty for a pose that moves nothing.</summary>
+        /// <summary>
+        /// The pose in a few words: "15 deg", "snapshot 3", "snapshot 3, 15 deg"; empty for a pose that moves nothing.
+        /// </summary>
         public override string ToString()
         {
             var pose = this;
-            return string.Join(", ", SweepAxis.All.Where(axis => pose[axis].HasValue).Select(axis => axis.Describe(pose[axis].Value)));
+            return string.Join(", ",
+                SweepAxis.All.Where(axis => pose[axis].HasValue).Select(axis => axis.Describe(pose[axis].Value)));
         }
     }
 }

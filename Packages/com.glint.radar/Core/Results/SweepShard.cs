@@ -36,8 +36,10 @@ namespace Glint.Core
         internal static SweepShard Parse(string text)
         {
             var parts = text.Split('/');
-            if (parts.Length != 2 || !TryRead(parts[0], out int number) || !TryRead(parts[1], out int count) || number < 1 || number > count || count > Limit)
-                throw new FormatException(FormattableString.Invariant($"must be K/N, part K of N, such as 2/8, with K from 1 to N and N at most {Limit}"));
+            if (parts.Length != 2 || !TryRead(parts[0], out int number) || !TryRead(parts[1], out int count)
+                || number < 1 || number > count || count > Limit)
+                throw new FormatException(FormattableString.Invariant(
+                    $"must be K/N, part K of N, such as 2/8, with K from 1 to N and N at most {Limit}"));
             return new SweepShard(number, count);
         }
 
@@ -53,6 +55,7 @@ namespace Glint.Core
         /// <summary>"2/8".</summary>
         public override string ToString() => FormattableString.Invariant($"{Number}/{Count}");
 
-        static bool TryRead(string text, out int number) => int.TryParse(text.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out number);
+        static bool TryRead(string text, out int number) =>
+            int.TryParse(text.Trim(), NumberStyles.None, CultureInfo.InvariantCulture, out number);
     }
 }

@@ -7,7 +7,8 @@ using Newtonsoft.Json.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// results.partial of a sweep that is not finished: its identity in the first line, a row in each line after it, as JSON.
+    /// results.partial of a sweep that is not finished: its identity in the first line,
+    /// a row in each line after it, as JSON.
     /// It holds all that results.json will say of the rows, so that a killed sweep loses nothing.
     /// </summary>
     sealed class UnfinishedSweep
@@ -28,9 +29,13 @@ namespace Glint.Core
         /// <summary>Bytes up to the end of the first line, and of each row.</summary>
         public List<long> Ends { get; } = new List<long>();
 
-        /// <summary>Reads the file. A last line without its end, at which the program was ended, counts as not written.</summary>
+        /// <summary>
+        /// Reads the file. A last line without its end, at which the program was ended, counts as not written.
+        /// </summary>
         /// <returns>Null when not even the first line is whole.</returns>
-        /// <exception cref="GlintException">It cannot be read, or a whole line is damaged; the message names it.</exception>
+        /// <exception cref="GlintException">
+        /// It cannot be read, or a whole line is damaged; the message names it.
+        /// </exception>
         public static UnfinishedSweep Read(string path)
         {
             UnfinishedSweep sweep = null;
@@ -43,7 +48,8 @@ namespace Glint.Core
                     line++;
                     var json = StoredRun.Parse(Encoding.UTF8.GetString(bytes, from, end - from));
                     if (sweep == null)
-                        sweep = new UnfinishedSweep(StoredRun.Time(json), StoredRun.Identity(json["sweep"] as JObject ?? throw new FormatException("it names no sweep")));
+                        sweep = new UnfinishedSweep(StoredRun.Time(json), StoredRun.Identity(json["sweep"] as JObject
+                            ?? throw new FormatException("it names no sweep")));
                     else
                         sweep.Rows.Add(new StoredRow(json));
                     sweep.Ends.Add(end + 1);

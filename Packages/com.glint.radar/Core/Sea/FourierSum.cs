@@ -42,7 +42,8 @@ namespace Glint.Core
             return real;
         }
 
-        // Radix 2 in place, over elements that are stretches of so many numbers: single ones along x, whole rows along z.
+        // Radix 2 in place, over elements that are stretches of so many numbers:
+        // single ones along x, whole rows along z.
         void Transform(double[] real, double[] imaginary, int start, int stride, int width)
         {
             for (int half = 1; half < _cells; half *= 2)
@@ -53,7 +54,8 @@ namespace Glint.Core
                         int a = start + (block + n) * stride, b = a + half * stride;
                         for (int end = a + width; a < end; a++, b++)
                         {
-                            double turnedReal = real[b] * cosine - imaginary[b] * sine, turnedImaginary = real[b] * sine + imaginary[b] * cosine;
+                            double turnedReal = real[b] * cosine - imaginary[b] * sine,
+                                turnedImaginary = real[b] * sine + imaginary[b] * cosine;
                             real[b] = real[a] - turnedReal;
                             imaginary[b] = imaginary[a] - turnedImaginary;
                             real[a] += turnedReal;

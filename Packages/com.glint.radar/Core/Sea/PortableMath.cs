@@ -3,7 +3,8 @@ using System;
 namespace Glint.Core
 {
     /// <summary>
-    /// Elementary functions of + - * / alone. Those of System.Math come from each platform's own library and differ in the last bits from one to the next;
+    /// Elementary functions of + - * / alone. Those of System.Math come from each platform's own library and differ in
+    /// the last bits from one to the next;
     /// these give the same bits wherever double is IEEE 754.
     /// </summary>
     static class PortableMath
@@ -17,7 +18,8 @@ namespace Glint.Core
         /// <summary>Arguments of <see cref="Exp"/> below it give 0, those above its negative are not for it.</summary>
         public const double LeastExponent = -708;
 
-        // ln 2 in two parts: the first has 21 zero bits at its end, so that its multiples by whole numbers up to 2^20 are exact.
+        // ln 2 in two parts: the first has 21 zero bits at its end,
+        // so that its multiples by whole numbers up to 2^20 are exact.
         const double Ln2High = 0.6931471803691238, Ln2Low = 1.9082149292705877e-10;
 
         /// <summary>e^x, for x up to 708.</summary>
@@ -55,7 +57,10 @@ namespace Glint.Core
         /// <summary>x^y for x above 0.</summary>
         public static double Pow(double x, double y) => Exp(y * Log(x));
 
-        /// <summary>Sine and cosine of an angle in whole turns, which need no pi to be brought near 0: multiples of 1/8 are exact in it.</summary>
+        /// <summary>
+        /// Sine and cosine of an angle in whole turns, which need no pi to be brought near 0:
+        /// multiples of 1/8 are exact in it.
+        /// </summary>
         public static (double Sine, double Cosine) SinCos(double turns)
         {
             double eighths = 8 * (turns - Math.Floor(turns));

@@ -8,7 +8,9 @@ namespace Glint.Core
     {
         /// <summary>A sea to be stored.</summary>
         /// <param name="name">Of the sea, for files and messages.</param>
-        /// <param name="settings">Its height factor is found here: the one that makes Hs of all snapshots together that asked for.</param>
+        /// <param name="settings">
+        /// Its height factor is found here: the one that makes Hs of all snapshots together that asked for.
+        /// </param>
         /// <param name="times">Moments of the snapshots, seconds.</param>
         /// <param name="tiles">Tiles along X and Z of each snapshot.</param>
         /// <exception cref="GlintException">A setting is out of its range.</exception>

@@ -3,7 +3,8 @@ using System;
 namespace Glint.Core
 {
     /// <summary>
-    /// Variance of a sea's height over wave vectors, m4: its integral over them is m0. Waves run with the wind and up to a right angle from it, spread as the squared cosine;
+    /// Variance of a sea's height over wave vectors, m4: its integral over them is m0.
+    /// Waves run with the wind and up to a right angle from it, spread as the squared cosine;
     /// none run against it, as in a sea that has risen where it is seen. Sources: Documentation~/sea.md.
     /// </summary>
     static class SeaSpectrum
@@ -11,7 +12,10 @@ namespace Glint.Core
         /// <summary>Standard gravity as the sources of the spectra round it, m/s2.</summary>
         public const double Gravity = 9.81;
 
-        /// <summary>Density at wave number k (rad/m), the cosine being that of the angle from the wind. Phillips' has no scale of its own: its constant is 1.</summary>
+        /// <summary>
+        /// Density at wave number k (rad/m), the cosine being that of the angle from the wind.
+        /// Phillips' has no scale of its own: its constant is 1.
+        /// </summary>
         public static double Density(in SeaSettings settings, double waveNumber, double cosine)
         {
             if (!(cosine > 0) || settings.ShortestWave > 0 && waveNumber * settings.ShortestWave > 2 * Math.PI)
@@ -22,7 +26,9 @@ namespace Glint.Core
                 : Omnidirectional(settings, waveNumber) / waveNumber * (2 / Math.PI) * squared;
         }
 
-        /// <summary>Radians a second of a wave in deep water, w^2 = g k, surface tension left out; the wave number in rad/m.</summary>
+        /// <summary>
+        /// Radians a second of a wave in deep water, w^2 = g k, surface tension left out; the wave number in rad/m.
+        /// </summary>
         public static double AngularFrequency(double waveNumber) => Math.Sqrt(Gravity * waveNumber);
 
         // Tessendorf 2001, eq. 40.
@@ -34,7 +40,9 @@ namespace Glint.Core
 
         /// <summary>Variance a wave number over all directions, m3.</summary>
         public static double Omnidirectional(in SeaSettings settings, double k) =>
-            settings.Kind == SeaSpectrumKind.PiersonMoskowitz ? PiersonMoskowitz(k, settings.WindSpeed) : Jonswap(settings, k);
+            settings.Kind == SeaSpectrumKind.PiersonMoskowitz
+                ? PiersonMoskowitz(k, settings.WindSpeed)
+                : Jonswap(settings, k);
 
         // Pierson and Moskowitz 1964, with the wind at 19.5 m.
         static double PiersonMoskowitz(double k, double wind)
@@ -51,7 +59,8 @@ namespace Glint.Core
             double peak = 22 * PortableMath.Pow(Gravity * Gravity / (wind * fetch), 1.0 / 3);
             double w = AngularFrequency(k), ratio = peak / w, ratio2 = ratio * ratio;
             double width = (w <= peak ? 0.07 : 0.09) * peak, off = (w - peak) / width;
-            double enhancement = PortableMath.Exp(PortableMath.Exp(-0.5 * off * off) * PortableMath.Log(settings.PeakEnhancement));
+            double enhancement =
+                PortableMath.Exp(PortableMath.Exp(-0.5 * off * off) * PortableMath.Log(settings.PeakEnhancement));
             return alpha / (2 * k * k * k) * PortableMath.Exp(-1.25 * ratio2 * ratio2) * enhancement;
         }
     }

@@ -1,6 +1,9 @@
 namespace Glint.Core
 {
-    /// <summary>The sea states of the World Meteorological Organization (code table 3700, the Douglas scale) as significant wave heights in metres.</summary>
+    /// <summary>
+    /// The sea states of the World Meteorological Organization (code table 3700, the Douglas scale) as
+    /// significant wave heights in metres.
+    /// </summary>
     public static class SeaState
     {
         /// <summary>The codes with a range of heights: 0 is a calm, and 9 (above 14 m) has no upper end.</summary>
@@ -22,7 +25,8 @@ namespace Glint.Core
         public static (double From, double To) Range(int code)
         {
             if (code < Lowest || code > Highest)
-                throw new GlintException($"sea state {code} must be from {Lowest} to {Highest}: 0 has no waves and 9 no greatest height; ask for the significant wave height in metres instead");
+                throw new GlintException($"sea state {code} must be from {Lowest} to {Highest}: "
+                    + "0 has no waves and 9 no greatest height; ask for the significant wave height in metres instead");
             return (s_ends[code - 1], s_ends[code]);
         }
     }

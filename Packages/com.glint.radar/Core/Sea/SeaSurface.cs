@@ -5,8 +5,10 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// A sea's tile at any time: waves of random amplitude and phase (Tessendorf, Simulating Ocean Water, 2001), each running with the wind at the speed of deep water.
-    /// Since none runs against it, the variance over the tile is the same at all times; it differs from seed to seed, the more so the fewer waves the tile holds.
+    /// A sea's tile at any time: waves of random amplitude and phase (Tessendorf, Simulating Ocean Water, 2001),
+    /// each running with the wind at the speed of deep water.
+    /// Since none runs against it, the variance over the tile is the same at all times; it differs from seed to seed,
+    /// the more so the fewer waves the tile holds.
     /// </summary>
     public sealed class SeaSurface
     {
@@ -23,7 +25,9 @@ namespace Glint.Core
         readonly int[] _indices;
 
         /// <summary>Draws the amplitudes, once.</summary>
-        /// <exception cref="GlintException">A setting is out of its range, or the wind raises no wave that the tile's grid holds.</exception>
+        /// <exception cref="GlintException">
+        /// A setting is out of its range, or the wind raises no wave that the tile's grid holds.
+        /// </exception>
         public SeaSurface(SeaSettings settings)
         {
             settings.Validate();
@@ -40,15 +44,22 @@ namespace Glint.Core
         /// <summary>What the sea was made from.</summary>
         public SeaSettings Settings => _settings;
 
-        /// <summary>Hs of the spectrum, metres, which this sea has on average over seeds: that asked for times the factor.</summary>
+        /// <summary>
+        /// Hs of the spectrum, metres, which this sea has on average over seeds: that asked for times the factor.
+        /// </summary>
         public double SignificantWaveHeight { get; }
 
         internal IReadOnlyList<SeaMode> Modes => _modes;
 
-        /// <summary>Hs of this very sea, metres: four standard deviations of its waves' heights over the tile.</summary>
+        /// <summary>
+        /// Hs of this very sea, metres: four standard deviations of its waves' heights over the tile.
+        /// </summary>
         public double MeasuredWaveHeight(double timeSeconds) => 4 * Math.Sqrt(Variance(timeSeconds));
 
-        /// <summary>The height factor that makes Hs of the sea at these times together (four roots of the mean variance) that asked for.</summary>
+        /// <summary>
+        /// The height factor that makes Hs of the sea at these times together
+        /// (four roots of the mean variance) that asked for.
+        /// </summary>
         /// <exception cref="GlintException">As for the surface; or there are no times.</exception>
         public static double FactorFor(SeaSettings settings, IReadOnlyCollection<double> times)
         {
@@ -63,7 +74,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// The tile at a time, centred on the origin: x and z from half its size below 0 to half above, y up with mean 0, all displaced sideways by the choppiness.
+        /// The tile at a time, centred on the origin: x and z from half its size below 0 to half above,
+        /// y up with mean 0, all displaced sideways by the choppiness.
         /// Opposite edges are the same but for the tile's size.
         /// </summary>
         /// <exception cref="GlintException">The time is not a number, or too far from 0.</exception>
@@ -85,10 +97,13 @@ namespace Glint.Core
                 {
                     // The last row and column are the first ones, a tile further on: to the bit, not only to rounding.
                     int column = x % cells, row = z % cells, at = row * cells + column;
-                    double placeX = Rounded(tile * ((double)column / cells - 0.5) + (alongX == null ? 0 : alongX[at]), step);
-                    double placeZ = Rounded(tile * ((double)row / cells - 0.5) + (alongZ == null ? 0 : alongZ[at]), step);
+                    double placeX =
+                        Rounded(tile * ((double)column / cells - 0.5) + (alongX == null ? 0 : alongX[at]), step);
+                    double placeZ =
+                        Rounded(tile * ((double)row / cells - 0.5) + (alongZ == null ? 0 : alongZ[at]), step);
                     vertices[z * side + x] = new float3(
-                        (float)(x == cells ? placeX + tile : placeX), (float)Rounded(height[at], FinestStep), (float)(z == cells ? placeZ + tile : placeZ));
+                        (float)(x == cells ? placeX + tile : placeX), (float)Rounded(height[at], FinestStep),
+                        (float)(z == cells ? placeZ + tile : placeZ));
                 }
             return new TriangleMesh(vertices, _indices);
         }
@@ -107,7 +122,8 @@ namespace Glint.Core
                     if (row == 0 && column == 0)
                         continue;
                     double length = Math.Sqrt((double)row * row + (double)column * column);
-                    double variance = SeaSpectrum.Density(settings, number * length, (column * windX + row * windZ) / length);
+                    double variance =
+                        SeaSpectrum.Density(settings, number * length, (column * windX + row * windZ) / length);
                     if (!(variance > 0))
                         continue;
                     sum += variance;
@@ -115,7 +131,10 @@ namespace Glint.Core
                     modes.Add(MakeMode(column, row, length, number, seed));
                 }
             if (!(sum > 1e-200))
-                throw new GlintException($"sea: the wind of {RadarSettings.Text(settings.WindSpeed)} m/s raises no wave between {RadarSettings.Text(settings.TileSize / reach)} and {RadarSettings.Text(settings.TileSize)} m, which are those that the grid holds: give it more wind, a smaller tile or a larger grid");
+                throw new GlintException($"sea: the wind of {RadarSettings.Text(settings.WindSpeed)} m/s raises no "
+                    + $"wave between {RadarSettings.Text(settings.TileSize / reach)} and "
+                    + $"{RadarSettings.Text(settings.TileSize)} m, which are those that the grid holds: "
+                    + "give it more wind, a smaller tile or a larger grid");
 
             double asked = settings.SignificantWaveHeight * settings.HeightFactor / 4, scale = asked * asked / sum;
             var drawn = modes.ToArray();
@@ -131,7 +150,8 @@ namespace Glint.Core
             return drawn;
         }
 
-        // Real and imaginary part of normal distribution, variance 1 each, by Box and Muller. A wave's chance hangs on its own number: not on the grid, nor on the order.
+        // Real and imaginary part of normal distribution, variance 1 each, by Box and Muller.
+        // A wave's chance hangs on its own number: not on the grid, nor on the order.
         static SeaMode MakeMode(int column, int row, double length, double number, ulong seed)
         {
             var random = new SplitMix64(new SplitMix64(seed + ((ulong)(uint)column << 32 | (uint)row)).Next());
@@ -149,7 +169,8 @@ namespace Glint.Core
         WaveCoefficients At(double time)
         {
             if (!(Math.Abs(time) <= LongestTime))
-                throw new GlintException($"sea: time {RadarSettings.Text(time)} s must be within {RadarSettings.Text(LongestTime)} s of 0");
+                throw new GlintException($"sea: time {RadarSettings.Text(time)} s must be within "
+                    + $"{RadarSettings.Text(LongestTime)} s of 0");
             var waves = new WaveCoefficients(_reach);
             foreach (var mode in _modes)
             {

@@ -1,6 +1,8 @@
 namespace Glint.Core
 {
-    /// <summary>The SplitMix64 generator (Steele, Lea and Flood 2014): whole numbers only, so the same on every machine.</summary>
+    /// <summary>
+    /// The SplitMix64 generator (Steele, Lea and Flood 2014): whole numbers only, so the same on every machine.
+    /// </summary>
     struct SplitMix64
     {
         ulong _state;

@@ -15,7 +15,8 @@ namespace Glint.Core
             _sines = new double[_cosines.Length];
             for (int n = 0; n <= reach; n++)
                 for (int i = 0; i < cells; i++)
-                    (_sines[n * cells + i], _cosines[n * cells + i]) = PortableMath.SinCos((double)((long)n * i % cells) / cells);
+                    (_sines[n * cells + i], _cosines[n * cells + i]) =
+                        PortableMath.SinCos((double)((long)n * i % cells) / cells);
         }
 
         public double[] Sum(WaveCoefficients waves)
@@ -43,8 +44,10 @@ namespace Glint.Core
             {
                 int plus = waves.IndexOf(n, row), minus = waves.IndexOf(-n, row);
                 double half = n == 0 ? 0.5 : 1;
-                double sumReal = half * (waves.Real[plus] + waves.Real[minus]), sumImaginary = half * (waves.Imaginary[plus] + waves.Imaginary[minus]);
-                double differenceReal = waves.Real[plus] - waves.Real[minus], differenceImaginary = waves.Imaginary[plus] - waves.Imaginary[minus];
+                double sumReal = half * (waves.Real[plus] + waves.Real[minus]),
+                    sumImaginary = half * (waves.Imaginary[plus] + waves.Imaginary[minus]);
+                double differenceReal = waves.Real[plus] - waves.Real[minus],
+                    differenceImaginary = waves.Imaginary[plus] - waves.Imaginary[minus];
                 for (int x = 0, at = n * _cells; x < _cells; x++)
                 {
                     double cosine = _cosines[at + x], sine = _sines[at + x];

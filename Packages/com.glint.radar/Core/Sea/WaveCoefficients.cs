@@ -1,6 +1,9 @@
 namespace Glint.Core
 {
-    /// <summary>Coefficients c of a real field over a tile, 2 Re sum c e^(2 pi i (column x + row z)), x and z in tiles from its corner.</summary>
+    /// <summary>
+    /// Coefficients c of a real field over a tile, 2 Re sum c e^(2 pi i (column x + row z)),
+    /// x and z in tiles from its corner.
+    /// </summary>
     sealed class WaveCoefficients
     {
         /// <param name="reach">Greatest column and row; columns go down to its negative, rows to 0.</param>

@@ -3,10 +3,13 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>An upright box on the deckhouse, windows set into its front and sides, below a roof that overhangs.</summary>
+    /// <summary>
+    /// An upright box on the deckhouse, windows set into its front and sides, below a roof that overhangs.
+    /// </summary>
     sealed class Bridge
     {
-        // Sill and head of the windows over the foot, of the storey's height; the wall between two windows, of a window's width.
+        // Sill and head of the windows over the foot, of the storey's height;
+        // the wall between two windows, of a window's width.
         const double Sill = 0.42, Head = 0.78, Post = 0.25;
 
         // At the corners the wall is wider than the windows of the other wall are deep, metres.
@@ -27,7 +30,11 @@ namespace Glint.Core
             Roof = house.UpperRoof + settings.StoreyHeight;
             _x = WindowEdges(-HalfWidth, HalfWidth, settings.Windows, settings.WindowDepth + Corner);
             _z = WindowEdges(Front, Aft, (2 * settings.Windows + 2) / 3, settings.WindowDepth + Corner);
-            _y = new[] { house.UpperRoof - Deckhouse.Overlap, house.UpperRoof + Sill * settings.StoreyHeight, house.UpperRoof + Head * settings.StoreyHeight, Roof };
+            _y = new[]
+            {
+                house.UpperRoof - Deckhouse.Overlap, house.UpperRoof + Sill * settings.StoreyHeight,
+                house.UpperRoof + Head * settings.StoreyHeight, Roof
+            };
         }
 
         public double HalfWidth { get; }
@@ -55,7 +62,8 @@ namespace Glint.Core
 
         /// <summary>A slab that reaches out over the windows.</summary>
         public ShipPart BuildRoof() => ShipPart.Box(
-            new double3(-HalfWidth - 0.3, Roof - Deckhouse.Overlap, Front - 0.4), new double3(HalfWidth + 0.3, Roof + 0.15, Aft + 0.2));
+            new double3(-HalfWidth - 0.3, Roof - Deckhouse.Overlap, Front - 0.4),
+            new double3(HalfWidth + 0.3, Roof + 0.15, Aft + 0.2));
 
         // Each second cell of the window row is a recess: four reveals and a pane.
         static void AddWindowWall(ShipPart part, double3[][] wall, double3 inward)
@@ -76,7 +84,8 @@ namespace Glint.Core
                 }
         }
 
-        static void AddQuad(ShipPart part, double3 a, double3 b, double3 c, double3 d) => part.AddPatch(new[] { new[] { a, d }, new[] { b, c } });
+        static void AddQuad(ShipPart part, double3 a, double3 b, double3 c, double3 d) =>
+            part.AddPatch(new[] { new[] { a, d }, new[] { b, c } });
 
         static double3[][] Grid(double[] rows, double[] columns, Func<double, double, double3> place) =>
             Array.ConvertAll(rows, row => Array.ConvertAll(columns, column => place(row, column)));

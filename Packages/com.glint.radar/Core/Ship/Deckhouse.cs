@@ -3,7 +3,10 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>The lower two storeys, the deckhouse and on it what carries bridge and funnel: upright flat fronts and ends, sides that lean inwards.</summary>
+    /// <summary>
+    /// The lower two storeys, the deckhouse and on it what carries bridge and funnel:
+    /// upright flat fronts and ends, sides that lean inwards.
+    /// </summary>
     sealed class Deckhouse
     {
         // Parts reach so far into each other, metres: no two faces lie in one plane.
@@ -24,7 +27,10 @@ namespace Glint.Core
             _hull = hull;
         }
 
-        /// <summary>Heights of the roofs of the deckhouse and, on it, of the house below the bridge and of the casing below the funnel.</summary>
+        /// <summary>
+        /// Heights of the roofs of the deckhouse and, on it,
+        /// of the house below the bridge and of the casing below the funnel.
+        /// </summary>
         public double LowerRoof => _settings.Freeboard + _settings.Forecastle + _settings.StoreyHeight;
 
         public double UpperRoof => LowerRoof + _settings.StoreyHeight;
@@ -52,9 +58,12 @@ namespace Glint.Core
             return new[]
             {
                 // Its foot stays below the deck, which slopes from the shoulder to the end, and inside the hull.
-                Storey(LowerRoof, At(front, foredeck), At(UpperFront, foredeck), At(0, quarterdeck), At(aft, quarterdeck)),
-                Storey(UpperRoof, new double3(UpperHalfWidth, onRoof, UpperFront), new double3(UpperHalfWidth, onRoof, CasingFront)),
-                Storey(CasingRoof, new double3(CasingHalfWidth, onRoof, CasingFront - Overlap), new double3(CasingHalfWidth, onRoof, CasingAft)),
+                Storey(LowerRoof, At(front, foredeck), At(UpperFront, foredeck),
+                    At(0, quarterdeck), At(aft, quarterdeck)),
+                Storey(UpperRoof, new double3(UpperHalfWidth, onRoof, UpperFront),
+                    new double3(UpperHalfWidth, onRoof, CasingFront)),
+                Storey(CasingRoof, new double3(CasingHalfWidth, onRoof, CasingFront - Overlap),
+                    new double3(CasingHalfWidth, onRoof, CasingAft)),
             };
         }
 
@@ -74,7 +83,8 @@ namespace Glint.Core
                 }
                 return outline;
             }
-            return ShipPart.Block(Outline(at => new double3(at.x + Lean * (roof - at.y), at.yz)), Outline(at => new double3(at.x, roof, at.z)));
+            return ShipPart.Block(Outline(at => new double3(at.x + Lean * (roof - at.y), at.yz)),
+                Outline(at => new double3(at.x, roof, at.z)));
         }
 
         // Leaves side decks to walk on.

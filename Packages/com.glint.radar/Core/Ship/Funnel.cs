@@ -12,7 +12,8 @@ namespace Glint.Core
         /// <param name="rings">Steps up its side.</param>
         public static ShipPart[] Build(double3 foot, double height, double halfWidth, double2[] circle, int rings)
         {
-            double3[] Ring(double up, double size) => Circle.Level(circle, foot + new double3(0, up, Lean * up), size * halfWidth, size * Length * halfWidth);
+            double3[] Ring(double up, double size) =>
+                Circle.Level(circle, foot + new double3(0, up, Lean * up), size * halfWidth, size * Length * halfWidth);
             var side = new double3[rings + 1][];
             for (int i = 0; i <= rings; i++)
             {

@@ -2,7 +2,10 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>A gun in a turret with sloped faces, on the deckhouse before the bridge: from there it does not stand between a radar ahead and the deckhouse's front.</summary>
+    /// <summary>
+    /// A gun in a turret with sloped faces, on the deckhouse before the bridge:
+    /// from there it does not stand between a radar ahead and the deckhouse's front.
+    /// </summary>
     static class Gun
     {
         public static ShipPart[] Build(double3 foot, double2[] circle)

@@ -2,7 +2,10 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>The hull: round sides that flare towards the bow, a raked stem, a flat transom, and a deck that is level but for its sheer towards the bow.</summary>
+    /// <summary>
+    /// The hull: round sides that flare towards the bow, a raked stem, a flat transom,
+    /// and a deck that is level but for its sheer towards the bow.
+    /// </summary>
     sealed class Hull
     {
         // Where the hull is widest, and where the keel begins to rise towards the stern, of the length from the stern.
@@ -11,7 +14,8 @@ namespace Glint.Core
         // Steps across the flat deck and the flat transom.
         const int Across = 6;
 
-        // The deck begins to rise so far before the deckhouse, metres: a ray that grazes it by 10 degrees and returns by the house front meets a level deck.
+        // The deck begins to rise so far before the deckhouse, metres:
+        // a ray that grazes it by 10 degrees and returns by the house front meets a level deck.
         const double LevelBeforeHouse = 4;
 
         readonly ShipSettings _settings;
@@ -26,7 +30,8 @@ namespace Glint.Core
             // Beside the deckhouse it rises from the quarterdeck to the foredeck.
             double low = _settings.HouseAftZ, high = Deckhouse.Shoulder * _settings.HouseFrontZ;
             double rise = math.clamp((low - z) / (low - high), 0, 1);
-            return _settings.Freeboard + _settings.Forecastle * rise * rise * (3 - 2 * rise) + _settings.Sheer * forward * forward;
+            return _settings.Freeboard + _settings.Forecastle * rise * rise * (3 - 2 * rise)
+                + _settings.Sheer * forward * forward;
         }
 
         /// <summary>Half the width of the deck there.</summary>
@@ -38,7 +43,8 @@ namespace Glint.Core
             // Cells of the sides as long as high: a side is some seven times as long as its girth.
             int down = math.max(8, (int)math.round(math.sqrt(triangles / 34.0)));
             int along = math.max(8, (int)math.round((triangles - 2.0 * down * Across) / (4 * down + 2 * Across)));
-            double3[][] starboard = new double3[along + 1][], port = new double3[along + 1][], deck = new double3[along + 1][];
+            double3[][] starboard = new double3[along + 1][], port = new double3[along + 1][],
+                deck = new double3[along + 1][];
             for (int i = 0; i <= along; i++)
             {
                 starboard[i] = new double3[down + 1];
@@ -53,7 +59,8 @@ namespace Glint.Core
             }
             var transom = new double3[down + 1][];
             for (int j = 0; j <= down; j++)
-                transom[j] = System.Array.ConvertAll(Crossing(starboard[0][down - j]), point => new double3(-point.x, point.yz));
+                transom[j] =
+                    System.Array.ConvertAll(Crossing(starboard[0][down - j]), point => new double3(-point.x, point.yz));
 
             var part = new ShipPart();
             part.AddPatch(starboard);
@@ -76,11 +83,13 @@ namespace Glint.Core
         /// <param name="girth">0 at the keel, 1 at the deck.</param>
         double3 Point(double along, double girth)
         {
-            // Bow and stern of a frame between circle and square: (2u, 2u^2)/(1 + u^2) is a quarter circle from the keel to the side.
+            // Bow and stern of a frame between circle and square:
+            // (2u, 2u^2)/(1 + u^2) is a quarter circle from the keel to the side.
             double quarter = 1 + girth * girth, out2 = 2 * girth / quarter, up2 = 2 * girth * girth / quarter;
             double width = (out2 + math.sqrt(out2)) / 2, height = 1 - (1 - up2 + math.sqrt(1 - up2)) / 2;
 
-            // Towards the stem the frame becomes a V, its foot a little round: no two points of it fall together on the keel.
+            // Towards the stem the frame becomes a V, its foot a little round:
+            // no two points of it fall together on the keel.
             double towardsBow = math.max(0, (along - Widest) / (1 - Widest)), vee = towardsBow * towardsBow;
             width += 0.9 * vee * (height - width);
 

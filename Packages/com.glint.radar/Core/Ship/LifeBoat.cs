@@ -21,7 +21,8 @@ namespace Glint.Core
                 double at = circle[i].x, size = circle[i].y;
                 // The ends rise, and frames are between circle and square.
                 frames[i] = System.Array.ConvertAll(circle, p =>
-                    middle + new double3(HalfWidth * size * Full(p.x), Height / 2 * size * Full(p.y) + 0.25 * at * at, HalfLength * at));
+                    middle + new double3(HalfWidth * size * Full(p.x),
+                        Height / 2 * size * Full(p.y) + 0.25 * at * at, HalfLength * at));
             }
             return new[] { ShipPart.Loft(frames), Chock(foot, -0.5 * HalfLength), Chock(foot, 0.5 * HalfLength) };
         }
@@ -29,6 +30,7 @@ namespace Glint.Core
         static double Full(double value) => value * (1.25 - 0.25 * value * value);
 
         static ShipPart Chock(double3 foot, double z) =>
-            ShipPart.Box(foot + new double3(-0.6, -Deckhouse.Overlap, z - 0.12), foot + new double3(0.6, KeelHeight + 0.5, z + 0.12));
+            ShipPart.Box(foot + new double3(-0.6, -Deckhouse.Overlap, z - 0.12),
+                foot + new double3(0.6, KeelHeight + 0.5, z + 0.12));
     }
 }

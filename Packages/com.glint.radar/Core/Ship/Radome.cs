@@ -14,7 +14,8 @@ namespace Glint.Core
                 profile[i] = radius * new double2(circle[i].y, 1.2 - circle[i].x);
             return new[]
             {
-                Circle.Turned(circle, foot, true, new double2(0.6 * radius, -Deckhouse.Overlap), new double2(0.5 * radius, 0.5 * radius)),
+                Circle.Turned(circle, foot, true, new double2(0.6 * radius, -Deckhouse.Overlap),
+                    new double2(0.5 * radius, 0.5 * radius)),
                 Circle.Turned(circle, foot, false, profile),
             };
         }

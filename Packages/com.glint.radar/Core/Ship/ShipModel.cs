@@ -5,13 +5,19 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// A procedural naval vessel of closed solids that reach into each other. Bow towards -Z, y up, the water at y = 0, x = z = 0 in the middle of its length.
-    /// The same settings give the same bits on every machine: sums, products, quotients and square roots in double, rounded to 2^-16 m.
-    /// A new part is a class that returns a ShipPart, and a line in Build; the hull takes the triangles that the other parts leave.
+    /// A procedural naval vessel of closed solids that reach into each other. Bow towards -Z, y up, the water at y = 0,
+    /// x = z = 0 in the middle of its length.
+    /// The same settings give the same bits on every machine: sums, products,
+    /// quotients and square roots in double, rounded to 2^-16 m.
+    /// A new part is a class that returns a ShipPart, and a line in Build;
+    /// the hull takes the triangles that the other parts leave.
     /// </summary>
     public static class ShipModel
     {
-        /// <summary>Each patch of a surface has vertices of its own: normals recalculated from the triangles are smooth on it and sharp at its edges.</summary>
+        /// <summary>
+        /// Each patch of a surface has vertices of its own:
+        /// normals recalculated from the triangles are smooth on it and sharp at its edges.
+        /// </summary>
         /// <exception cref="GlintException">A setting is out of its range.</exception>
         public static TriangleMesh Build(in ShipSettings settings)
         {
@@ -34,7 +40,8 @@ namespace Glint.Core
             parts.AddRange(Radome.Build(new double3(0, bridge.Roof, bridge.Front + 2), 0.8, fine));
             parts.AddRange(Gun.Build(OnLower(0, 0.84 * settings.HouseFrontZ), coarse));
             parts.AddRange(Mast.Build(OnCasing(house.CasingFront + 2), bridge.Roof + settings.MastHeight, coarse));
-            parts.AddRange(Funnel.Build(OnCasing(house.CasingAft - 5), 5.5, 0.65 * house.CasingHalfWidth, fine, Steps(14)));
+            parts.AddRange(
+                Funnel.Build(OnCasing(house.CasingAft - 5), 5.5, 0.65 * house.CasingHalfWidth, fine, Steps(14)));
             parts.AddRange(Radome.Build(OnLower(0, settings.HouseAftZ - 4), 0.9, fine));
             foreach (var part in LifeBoat.Build(OnLower(house.LowerHalfWidth - 1, house.CasingAft - 7), fine))
             {

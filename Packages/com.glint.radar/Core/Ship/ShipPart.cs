@@ -5,12 +5,15 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// A closed solid made of patches: grids of points, each a surface without a crease. Patches that meet give the same points on their common edge.
-    /// Which way round a patch is given does not matter, as long as all patches of a part are given alike (from outside: rows turn left into columns, or all of them right).
+    /// A closed solid made of patches: grids of points, each a surface without a crease.
+    /// Patches that meet give the same points on their common edge.
+    /// Which way round a patch is given does not matter, as long as all patches of a part are given alike
+    /// (from outside: rows turn left into columns, or all of them right).
     /// </summary>
     sealed class ShipPart
     {
-        // Finest step of a coordinate, a power of two: float32 holds it up to 128 m, and flat faces along the axes stay flat to the last bit.
+        // Finest step of a coordinate, a power of two: float32 holds it up to 128 m,
+        // and flat faces along the axes stay flat to the last bit.
         const double StepsPerMetre = 65536;
 
         readonly List<float3> _vertices = new List<float3>();
@@ -18,7 +21,10 @@ namespace Glint.Core
 
         public int TriangleCount => _indices.Count / 3;
 
-        /// <summary>A surface through rows of points. Rows or columns may shrink to a point. It has vertices of its own: its edges are creases.</summary>
+        /// <summary>
+        /// A surface through rows of points. Rows or columns may shrink to a point.
+        /// It has vertices of its own: its edges are creases.
+        /// </summary>
         public void AddPatch(double3[][] rows)
         {
             var known = new Dictionary<float3, int>();
@@ -32,7 +38,9 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>The flat or ruled surface between two curves of equally many points, in so many steps from one to the other.</summary>
+        /// <summary>
+        /// The flat or ruled surface between two curves of equally many points, in so many steps from one to the other.
+        /// </summary>
         public void AddRuled(double3[] from, double3[] to, int steps = 1)
         {
             var rows = new double3[steps + 1][];
@@ -41,7 +49,9 @@ namespace Glint.Core
             AddPatch(rows);
         }
 
-        /// <summary>A solid through closed rings (the last point is the first again) of equally many points, with flat ends.</summary>
+        /// <summary>
+        /// A solid through closed rings (the last point is the first again) of equally many points, with flat ends.
+        /// </summary>
         /// <param name="creases">True if each ring is an edge, false if the side is round from ring to ring.</param>
         public static ShipPart Loft(double3[][] rings, bool creases = false)
         {
@@ -56,7 +66,9 @@ namespace Glint.Core
             return part;
         }
 
-        /// <summary>A solid between two convex outlines (corners in order, the first not repeated), with flat sides.</summary>
+        /// <summary>
+        /// A solid between two convex outlines (corners in order, the first not repeated), with flat sides.
+        /// </summary>
         public static ShipPart Block(double3[] bottom, double3[] top)
         {
             var part = new ShipPart();
@@ -71,7 +83,11 @@ namespace Glint.Core
         /// <summary>A box along the axes.</summary>
         public static ShipPart Box(double3 low, double3 high)
         {
-            double3[] Outline(double y) => new[] { new double3(low.x, y, low.z), new double3(high.x, y, low.z), new double3(high.x, y, high.z), new double3(low.x, y, high.z) };
+            double3[] Outline(double y) => new[]
+            {
+                new double3(low.x, y, low.z), new double3(high.x, y, low.z), new double3(high.x, y, high.z),
+                new double3(low.x, y, high.z)
+            };
             return Block(Outline(low.y), Outline(high.y));
         }
 
@@ -99,7 +115,9 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>The points a part of the way from one curve to another; at 0 and 1 those of the curves to the last bit.</summary>
+        /// <summary>
+        /// The points a part of the way from one curve to another; at 0 and 1 those of the curves to the last bit.
+        /// </summary>
         public static double3[] Between(double3[] from, double3[] to, double part)
         {
             var points = new double3[from.Length];
@@ -161,7 +179,8 @@ namespace Glint.Core
         {
             double sum = 0;
             for (int i = 0; i < _indices.Count; i += 3)
-                sum += math.dot(_vertices[_indices[i]], math.cross((double3)_vertices[_indices[i + 1]], _vertices[_indices[i + 2]]));
+                sum += math.dot(_vertices[_indices[i]],
+                    math.cross((double3)_vertices[_indices[i + 1]], _vertices[_indices[i + 2]]));
             return sum / 6;
         }
     }

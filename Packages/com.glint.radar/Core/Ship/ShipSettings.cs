@@ -2,15 +2,22 @@ using System;
 
 namespace Glint.Core
 {
-    /// <summary>The named parameters of the procedural ship. Lengths in metres; heights are above the water, which lies at y = 0.</summary>
+    /// <summary>
+    /// The named parameters of the procedural ship. Lengths in metres;
+    /// heights are above the water, which lies at y = 0.
+    /// </summary>
     [Serializable]
     public struct ShipSettings
     {
-        internal static readonly Interval Lengths = Interval.Closed(55, 90), Beams = Interval.Closed(11, 16), Freeboards = Interval.Closed(1.5, 6),
-            Forecastles = Interval.Closed(0, 3), Draughts = Interval.Closed(2, 8), Sheers = Interval.Closed(0, 3), Rakes = Interval.Closed(0, 6),
+        internal static readonly Interval Lengths = Interval.Closed(55, 90), Beams = Interval.Closed(11, 16),
+            Freeboards = Interval.Closed(1.5, 6),
+            Forecastles = Interval.Closed(0, 3), Draughts = Interval.Closed(2, 8),
+            Sheers = Interval.Closed(0, 3), Rakes = Interval.Closed(0, 6),
             Flares = Interval.Closed(0, 0.8), Transoms = Interval.Closed(0.4, 1), Storeys = Interval.Closed(2, 4),
-            WindowCounts = Interval.Closed(1, 15), WindowDepths = Interval.Closed(0.02, 0.5), MastHeights = Interval.Closed(5, 20),
-            HouseFronts = Interval.Closed(0.28, 0.36), HouseAfts = Interval.Closed(0.2, 0.34), TriangleCounts = Interval.Closed(15000, 200000);
+            WindowCounts = Interval.Closed(1, 15),
+            WindowDepths = Interval.Closed(0.02, 0.5), MastHeights = Interval.Closed(5, 20),
+            HouseFronts = Interval.Closed(0.28, 0.36), HouseAfts = Interval.Closed(0.2, 0.34),
+            TriangleCounts = Interval.Closed(15000, 200000);
 
         /// <summary>From the stern to the tip of the bow, metres: 55 to 90.</summary>
         public double Length;
@@ -33,38 +40,59 @@ namespace Glint.Core
         /// <summary>How far the tip of the bow reaches out over the stem at the water, metres: 0 to 6.</summary>
         public double Rake;
 
-        /// <summary>How much finer the bow is at the keel than at the deck: 0 (as upright as amidships) to 0.8.</summary>
+        /// <summary>
+        /// How much finer the bow is at the keel than at the deck: 0 (as upright as amidships) to 0.8.
+        /// </summary>
         public double Flare;
 
         /// <summary>Width of the flat transom at the deck, of the beam: 0.4 to 1.</summary>
         public double Transom;
 
-        /// <summary>From the middle of the ship forward to the flat front of the deckhouse, of the length: 0.28 to 0.36. With the deck before it it is a dihedral: the peak bow-on.</summary>
+        /// <summary>
+        /// From the middle of the ship forward to the flat front of the deckhouse, of the length: 0.28 to 0.36.
+        /// With the deck before it it is a dihedral: the peak bow-on.
+        /// </summary>
         public double HouseFront;
 
-        /// <summary>From the middle of the ship aft to the flat end of the deckhouse, of the length: 0.2 to 0.34. With the deck behind it it is a dihedral: the peak stern-on.</summary>
+        /// <summary>
+        /// From the middle of the ship aft to the flat end of the deckhouse, of the length: 0.2 to 0.34.
+        /// With the deck behind it it is a dihedral: the peak stern-on.
+        /// </summary>
         public double HouseAft;
 
-        /// <summary>Height of each of the three storeys over the one below (deckhouse, upper house, bridge), metres: 2 to 4.</summary>
+        /// <summary>
+        /// Height of each of the three storeys over the one below (deckhouse, upper house, bridge), metres: 2 to 4.
+        /// </summary>
         public double StoreyHeight;
 
         /// <summary>Windows across the bridge's front, 1 to 15; each side has two thirds as many.</summary>
         public int Windows;
 
-        /// <summary>How deep the windows are set into the bridge, metres: 0.02 to 0.5. Sill, jambs and pane of each are small corner reflectors.</summary>
+        /// <summary>
+        /// How deep the windows are set into the bridge, metres: 0.02 to 0.5.
+        /// Sill, jambs and pane of each are small corner reflectors.
+        /// </summary>
         public double WindowDepth;
 
         /// <summary>Height of the mast's top over the bridge's roof, metres: 5 to 20.</summary>
         public double MastHeight;
 
-        /// <summary>Triangles of the whole ship, 15,000 to 200,000, met within 2 %. Most are the hull's; round parts are the rounder the more there are.</summary>
+        /// <summary>
+        /// Triangles of the whole ship, 15,000 to 200,000, met within 2 %. Most are the hull's;
+        /// round parts are the rounder the more there are.
+        /// </summary>
         public int Triangles;
 
-        /// <summary>A patrol vessel that fills the radar's picture about as the published experiment's ship does, from the bow, the sides and the stern.</summary>
+        /// <summary>
+        /// A patrol vessel that fills the radar's picture about as the published experiment's ship does,
+        /// from the bow, the sides and the stern.
+        /// </summary>
         public static ShipSettings Default => new ShipSettings
         {
-            Length = 62, Beam = 13.4, Freeboard = 2.4, Forecastle = 2.2, Draught = 5.6, Sheer = 1, Rake = 3.4, Flare = 0.5, Transom = 0.55,
-            HouseFront = 0.355, HouseAft = 0.234, StoreyHeight = 3.5, Windows = 9, WindowDepth = 0.15, MastHeight = 12, Triangles = 44000,
+            Length = 62, Beam = 13.4, Freeboard = 2.4, Forecastle = 2.2, Draught = 5.6,
+            Sheer = 1, Rake = 3.4, Flare = 0.5, Transom = 0.55,
+            HouseFront = 0.355, HouseAft = 0.234, StoreyHeight = 3.5, Windows = 9,
+            WindowDepth = 0.15, MastHeight = 12, Triangles = 44000,
         };
 
         // Where front and end of the deckhouse stand: z, metres.

@@ -33,7 +33,9 @@ namespace Glint.Editor
             Undo.CollapseUndoOperations(group);
         }
 
-        /// <summary>Changes serialized fields so that Undo takes it back, and an instance of a prefab keeps it as an override.</summary>
+        /// <summary>
+        /// Changes serialized fields so that Undo takes it back, and an instance of a prefab keeps it as an override.
+        /// </summary>
         public static void Change<T>(T target, string name, Action<T> change) where T : Object
         {
             Undo.RecordObject(target, name);

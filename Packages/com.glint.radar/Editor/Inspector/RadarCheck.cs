@@ -9,7 +9,10 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>Looks at a radar and the scene as they stand: what keeps it from tracing or would mislead, and its figures. It has a gatherer of its own, so that the radar's knows nothing of it.</summary>
+    /// <summary>
+    /// Looks at a radar and the scene as they stand: what keeps it from tracing or would mislead, and its figures.
+    /// It has a gatherer of its own, so that the radar's knows nothing of it.
+    /// </summary>
     sealed class RadarCheck
     {
         readonly RadarController _radar;
@@ -20,8 +23,12 @@ namespace Glint.Editor
 
         public RadarCheck(RadarController radar) => _radar = radar;
 
-        /// <summary>Whether there is a scene to look at: a prefab that is no scene's, or one that is open by itself, traces nothing.</summary>
-        public static bool CanLook(Component component) => !EditorUtility.IsPersistent(component) && !EditorSceneManager.IsPreviewSceneObject(component);
+        /// <summary>
+        /// Whether there is a scene to look at: a prefab that is no scene's,
+        /// or one that is open by itself, traces nothing.
+        /// </summary>
+        public static bool CanLook(Component component) =>
+            !EditorUtility.IsPersistent(component) && !EditorSceneManager.IsPreviewSceneObject(component);
 
         /// <summary>What was found last, errors first.</summary>
         public IReadOnlyList<Finding> Findings => _findings;
@@ -49,7 +56,8 @@ namespace Glint.Editor
             Seconds = watch.Elapsed.TotalSeconds;
         }
 
-        void Add(Severity severity, string text, Fix fix = null, UnityEngine.Object where = null) => _findings.Add(new Finding(severity, text, fix, where));
+        void Add(Severity severity, string text, Fix fix = null, UnityEngine.Object where = null) =>
+            _findings.Add(new Finding(severity, text, fix, where));
 
         void CheckRadar()
         {
@@ -81,17 +89,25 @@ namespace Glint.Editor
         {
             var roots = _radar.Roots.FindAll(root => root != null);
             var seen = _visible.Find(_radar.Layers, roots, _radar.Receiver).OfType<MeshRenderer>()
-                .Select(renderer => (renderer, mesh: renderer.TryGetComponent<MeshFilter>(out var filter) ? filter.sharedMesh : null))
+                .Select(renderer =>
+                    (renderer, mesh: renderer.TryGetComponent<MeshFilter>(out var filter) ? filter.sharedMesh : null))
                 .Where(pair => pair.mesh != null).Distinct().ToList();
             var batched = seen.FindAll(pair => pair.renderer.isPartOfStaticBatch).ConvertAll(pair => pair.renderer);
             if (batched.Count > 0)
-                Add(Severity.Error, SceneGatherer.InStaticBatch(batched[0]) + More(batched.Count), Application.isPlaying ? null : MeshFixes.ClearBatching(batched), batched[0]);
-            var marked = seen.FindAll(pair => !pair.renderer.isPartOfStaticBatch && MeshFixes.IsBatchingStatic(pair.renderer)).ConvertAll(pair => pair.renderer);
+                Add(Severity.Error, SceneGatherer.InStaticBatch(batched[0]) + More(batched.Count),
+                    Application.isPlaying ? null : MeshFixes.ClearBatching(batched), batched[0]);
+            var marked = seen.FindAll(pair => !pair.renderer.isPartOfStaticBatch
+                && MeshFixes.IsBatchingStatic(pair.renderer)).ConvertAll(pair => pair.renderer);
             if (marked.Count > 0)
-                Add(Severity.Warning, $"'{marked[0].name}' is marked Batching Static, and cannot be traced once Unity has merged it with others when the scene is played: clear Batching Static among its static flags{More(marked.Count)}", MeshFixes.ClearBatching(marked), marked[0]);
-            var unreadable = seen.FindAll(pair => !pair.renderer.isPartOfStaticBatch && !pair.mesh.isReadable).GroupBy(pair => pair.mesh).Select(group => group.First()).ToList();
+                Add(Severity.Warning, $"'{marked[0].name}' is marked Batching Static, and cannot be traced once Unity "
+                    + "has merged it with others when the scene is played: clear Batching Static among its static "
+                    + $"flags{More(marked.Count)}", MeshFixes.ClearBatching(marked), marked[0]);
+            var unreadable = seen.FindAll(pair => !pair.renderer.isPartOfStaticBatch && !pair.mesh.isReadable)
+                .GroupBy(pair => pair.mesh).Select(group => group.First()).ToList();
             if (unreadable.Count > 0)
-                Add(Severity.Error, SceneGatherer.NotReadable(unreadable[0].mesh, unreadable[0].renderer) + More(unreadable.Count), MeshFixes.MakeReadable(unreadable.ConvertAll(pair => pair.mesh)), unreadable[0].renderer);
+                Add(Severity.Error,
+                    SceneGatherer.NotReadable(unreadable[0].mesh, unreadable[0].renderer) + More(unreadable.Count),
+                    MeshFixes.MakeReadable(unreadable.ConvertAll(pair => pair.mesh)), unreadable[0].renderer);
             if (seen.Count == 0)
                 CheckLayers(roots);
         }
@@ -100,9 +116,11 @@ namespace Glint.Editor
         {
             string where = roots.Count == 0 ? "in the loaded scenes" : "below its Roots";
             if (_visible.Find(~0, roots, _radar.Receiver).OfType<MeshRenderer>().Any())
-                Add(Severity.Warning, $"{_radar.Subject} traces nothing: no active object {where} with an enabled MeshRenderer is on its Layers: choose others", RadarFixes.TraceAllLayers(_radar));
+                Add(Severity.Warning, $"{_radar.Subject} traces nothing: no active object {where} with an enabled "
+                    + "MeshRenderer is on its Layers: choose others", RadarFixes.TraceAllLayers(_radar));
             else
-                Add(Severity.Warning, $"{_radar.Subject} traces nothing: there is no active object {where} with an enabled MeshRenderer and a mesh: add one");
+                Add(Severity.Warning, $"{_radar.Subject} traces nothing: "
+                    + $"there is no active object {where} with an enabled MeshRenderer and a mesh: add one");
         }
 
         static string More(int count) => count > 1 ? $" (and {count - 1} more)" : "";
@@ -137,9 +155,11 @@ namespace Glint.Editor
         {
             pose.Settings.Region = default;
             if (_boxes.AreSeen(pose))
-                Add(Severity.Warning, $"{_radar.Subject}: nothing that is traced lies in the region of its picture: choose another, or trace the whole picture", RadarFixes.TraceWholePicture(_radar));
+                Add(Severity.Warning, $"{_radar.Subject}: nothing that is traced lies in the region of its picture: "
+                    + "choose another, or trace the whole picture", RadarFixes.TraceWholePicture(_radar));
             else
-                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: nothing that is traced lies in its picture; the middle of it is {Figures.Distance:g4} m away: turn the radar towards it"),
+                Add(Severity.Warning, FormattableString.Invariant(
+                    $"{_radar.Subject}: nothing that is traced lies in its picture; the middle of it is {Figures.Distance:g4} m away: turn the radar towards it"),
                     RadarFixes.LookAt(_radar, Figures.Middle - pose.View.Position));
         }
 
@@ -148,13 +168,21 @@ namespace Glint.Editor
         {
             string remedy = _radar.IsFitted ? "take a smaller Ray Spacing" : "give it more rays or a narrower view";
             if (Figures.MostRaysHit < SamplingEstimate.FewestRays)
-                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: its rays are {Figures.RaySpacing:g3} m apart at the target, which is {Figures.TargetSize:g3} m large: fewer than {SamplingEstimate.FewestRays} can hit it, too few for the amplitude to be trusted: {remedy}"), Denser());
+                Add(Severity.Warning, FormattableString.Invariant(
+                    $"{_radar.Subject}: its rays are {Figures.RaySpacing:g3} m apart at the target, which is {Figures.TargetSize:g3} m large: fewer than {SamplingEstimate.FewestRays} can hit it, too few for the amplitude to be trusted: {remedy}"),
+                    Denser());
             else if (!(Figures.Forecast is SamplingForecast forecast))
-                Add(Severity.Warning, $"{_radar.Subject}: no ray that a mirror at the target sends straight back comes to its receiver '{_radar.Receiver.name}': put it behind the camera, facing as the camera does", RadarFixes.AlignReceiver(_radar), _radar.Receiver);
+                Add(Severity.Warning, $"{_radar.Subject}: no ray that a mirror at the target sends straight back comes "
+                    + $"to its receiver '{_radar.Receiver.name}': put it behind the camera, facing as the camera does",
+                    RadarFixes.AlignReceiver(_radar), _radar.Receiver);
             else if (forecast.IsTooFew)
-                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: a mirror at the target, facing the radar, would send {forecast.RaysReceived:0.#} rays to its receiver, fewer than the {SamplingEstimate.FewestRays} that an amplitude takes to be trusted: give it a larger receiver, or {remedy}"), Denser());
+                Add(Severity.Warning, FormattableString.Invariant(
+                    $"{_radar.Subject}: a mirror at the target, facing the radar, would send {forecast.RaysReceived:0.#} rays to its receiver, fewer than the {SamplingEstimate.FewestRays} that an amplitude takes to be trusted: give it a larger receiver, or {remedy}"),
+                    Denser());
             else if (forecast.IsTooCoarse)
-                Add(Severity.Warning, FormattableString.Invariant($"{_radar.Subject}: its rays are {forecast.RaySpacing:g3} m apart at the target: a mirror there, facing the radar, would return rays most of whose neighbours' paths differ by {SamplingEstimate.StepApart} wavelengths or more (up to {forecast.LargestPathStep:0.##}), too much for the amplitude to be trusted; other returns may do better: {remedy}"), Denser());
+                Add(Severity.Warning, FormattableString.Invariant(
+                    $"{_radar.Subject}: its rays are {forecast.RaySpacing:g3} m apart at the target: a mirror there, facing the radar, would return rays most of whose neighbours' paths differ by {SamplingEstimate.StepApart} wavelengths or more (up to {forecast.LargestPathStep:0.##}), too much for the amplitude to be trusted; other returns may do better: {remedy}"),
+                    Denser());
         }
 
         Fix Denser() => RadarFixes.TraceDenser(_radar, Figures.EnoughTimes(_radar.Subject));

@@ -5,7 +5,10 @@ using Unity.Mathematics;
 
 namespace Glint.Editor
 {
-    /// <summary>What follows from a radar and the scene as they stand, without tracing. The target is the middle of the box around all that is traced.</summary>
+    /// <summary>
+    /// What follows from a radar and the scene as they stand, without tracing.
+    /// The target is the middle of the box around all that is traced.
+    /// </summary>
     sealed class RadarFigures
     {
         // Times as many rays across and down, at most, that would be enough.
@@ -44,7 +47,10 @@ namespace Glint.Editor
         /// <summary>From the radar to the target, metres.</summary>
         public double Distance { get; }
 
-        /// <summary>Width and height of the view in the plane of the target, metres; of the aperture where rays are parallel. Null when the target is behind the radar.</summary>
+        /// <summary>
+        /// Width and height of the view in the plane of the target, metres; of the aperture where rays are parallel.
+        /// Null when the target is behind the radar.
+        /// </summary>
         public double2? Footprint { get; }
 
         /// <summary>From ray to ray at the target, across the view axis, metres.</summary>
@@ -65,7 +71,10 @@ namespace Glint.Editor
 
         double MostRays(int times) => RaySpacing is double spacing ? math.pow(times * TargetSize / spacing + 1, 2) : 0;
 
-        /// <summary>Times as many rays across and down, 2, 4, 8 or 16, that a mirror at the target would return densely enough; null if none are, or there is no room for so many.</summary>
+        /// <summary>
+        /// Times as many rays across and down, 2, 4, 8 or 16, that a mirror at the target would return densely enough;
+        /// null if none are, or there is no room for so many.
+        /// </summary>
         /// <param name="radar">Named if there is no room.</param>
         public int? EnoughTimes(string radar)
         {
@@ -74,7 +83,9 @@ namespace Glint.Editor
                 var settings = Denser(_pose.Settings, times);
                 if (!IsRoomFor(settings, radar))
                     return null;
-                if (MostRays(times) >= SamplingEstimate.FewestRays && SamplingForecast.Of(settings, _pose.View, Middle) is SamplingForecast forecast && !forecast.IsTooFew && !forecast.IsTooCoarse)
+                if (MostRays(times) >= SamplingEstimate.FewestRays
+                    && SamplingForecast.Of(settings, _pose.View, Middle) is SamplingForecast forecast
+                    && !forecast.IsTooFew && !forecast.IsTooCoarse)
                     return times;
             }
             return null;
@@ -85,7 +96,11 @@ namespace Glint.Editor
         {
             settings.RaysAcross *= times;
             settings.RaysDown *= times;
-            settings.Region = new RayRegion { Left = times * settings.Region.Left, Bottom = times * settings.Region.Bottom, Width = times * settings.Region.Width, Height = times * settings.Region.Height };
+            settings.Region = new RayRegion
+            {
+                Left = times * settings.Region.Left, Bottom = times * settings.Region.Bottom,
+                Width = times * settings.Region.Width, Height = times * settings.Region.Height
+            };
             return settings;
         }
 
@@ -107,22 +122,36 @@ namespace Glint.Editor
         public IEnumerable<(string label, string value, string tooltip)> Rows()
         {
             yield return ("Wavelength", Length(Settings.Wavelength), "Speed of light over frequency.");
-            yield return ("Rays", FormattableString.Invariant($"{Settings.RaysAcross} x {Settings.RaysDown}, {Settings.RaysEmitted:N0} emitted"), "Of the whole picture; those outside of its region are not emitted.");
-            yield return ("Distance", Length(Distance), "From the radar to the middle of the box around all that is traced.");
-            yield return (_pose.View.IsParallel ? "Aperture" : "Footprint", Footprint is double2 size ? $"{Length(size.x)} x {Length(size.y)}" : "behind the radar",
-                _pose.View.IsParallel ? "Width and height of the rectangle that the rays leave." : "Width and height of the view at that distance.");
+            yield return ("Rays", FormattableString.Invariant(
+                    $"{Settings.RaysAcross} x {Settings.RaysDown}, {Settings.RaysEmitted:N0} emitted"),
+                "Of the whole picture; those outside of its region are not emitted.");
+            yield return ("Distance", Length(Distance),
+                "From the radar to the middle of the box around all that is traced.");
+            yield return (_pose.View.IsParallel ? "Aperture" : "Footprint",
+                Footprint is double2 size ? $"{Length(size.x)} x {Length(size.y)}" : "behind the radar",
+                _pose.View.IsParallel
+                    ? "Width and height of the rectangle that the rays leave."
+                    : "Width and height of the view at that distance.");
             if (RaySpacing is double spacing)
-                yield return ("Ray spacing", FormattableString.Invariant($"{Length(spacing)}, {spacing / Settings.Wavelength:0.##} wavelengths"), "From ray to ray at that distance, across the view axis.");
+                yield return ("Ray spacing",
+                    FormattableString.Invariant($"{Length(spacing)}, {spacing / Settings.Wavelength:0.##} wavelengths"),
+                    "From ray to ray at that distance, across the view axis.");
             if (Forecast is SamplingForecast forecast)
                 yield return ("Path step", FormattableString.Invariant($"{forecast.LargestPathStep:0.###} wavelengths"),
-                    "Between neighbouring rays that a mirror at that distance, facing the radar, returns to the receiver. From half a wavelength on the sum is no integral any more.");
-            yield return ("Traced", FormattableString.Invariant($"{Triangles:N0} triangles of {Objects:N0} objects"), "Everything active on the radar's layers and below its roots.");
-            yield return ("Memory", $"{Text.Mebibytes(Memory.DeviceBytes)} on the device, {Text.Mebibytes(Memory.HostBytes)} here",
-                "About. On the device: trees, tiles, and the buffers of one dispatch at most. Here: meshes and trees, and all rays if all are kept; each received ray takes some 130 bytes more.");
+                    "Between neighbouring rays that a mirror at that distance, facing the radar, "
+                        + "returns to the receiver. From half a wavelength on the sum is no integral any more.");
+            yield return ("Traced", FormattableString.Invariant($"{Triangles:N0} triangles of {Objects:N0} objects"),
+                "Everything active on the radar's layers and below its roots.");
+            yield return ("Memory",
+                $"{Text.Mebibytes(Memory.DeviceBytes)} on the device, {Text.Mebibytes(Memory.HostBytes)} here",
+                "About. On the device: trees, tiles, and the buffers of one dispatch at most. Here: meshes and trees, "
+                    + "and all rays if all are kept; each received ray takes some 130 bytes more.");
         }
 
         // Three digits or more.
         static string Length(double metres) =>
-            metres < 1 ? FormattableString.Invariant($"{1000 * metres:0.###} mm") : metres < 10000 ? FormattableString.Invariant($"{metres:0.##} m") : FormattableString.Invariant($"{metres / 1000:0.###} km");
+            metres < 1 ? FormattableString.Invariant($"{1000 * metres:0.###} mm")
+                : metres < 10000 ? FormattableString.Invariant($"{metres:0.##} m")
+                : FormattableString.Invariant($"{metres / 1000:0.###} km");
     }
 }

@@ -21,34 +21,42 @@ namespace Glint.Editor
 
         public static Fix MakeReceiver(RadarController radar) => new Fix("Make a receiver", () =>
         {
-            var receiver = MeshFileScene.MakeReceiver(radar.transform, radar.TryGetComponent<Camera>(out var camera) && camera.orthographic);
+            var receiver = MeshFileScene.MakeReceiver(radar.transform,
+                radar.TryGetComponent<Camera>(out var camera) && camera.orthographic);
             Undo.RegisterCreatedObjectUndo(receiver.gameObject, "Make a receiver");
             Fix.Change(radar, "Make a receiver", it => it.Receiver = receiver);
         });
 
-        public static Fix AlignReceiver(RadarController radar) => new Fix("Align the receiver", () => Fix.Change(radar.Receiver, "Align the receiver", it =>
-        {
-            var model = MeshFileScene.MakeReceiver(radar.transform, radar.GetComponent<Camera>().orthographic);
-            it.SetPositionAndRotation(model.position, model.rotation);
-            Object.DestroyImmediate(model.gameObject);
-        }));
+        public static Fix AlignReceiver(RadarController radar) => new Fix("Align the receiver", () =>
+            Fix.Change(radar.Receiver, "Align the receiver", it =>
+            {
+                var model = MeshFileScene.MakeReceiver(radar.transform, radar.GetComponent<Camera>().orthographic);
+                it.SetPositionAndRotation(model.position, model.rotation);
+                Object.DestroyImmediate(model.gameObject);
+            }));
 
-        public static Fix AddCamera(RadarController radar) => new Fix("Add a Camera", () => Undo.AddComponent<Camera>(radar.gameObject));
+        public static Fix AddCamera(RadarController radar) =>
+            new Fix("Add a Camera", () => Undo.AddComponent<Camera>(radar.gameObject));
 
-        public static Fix ShowRayPaths(RadarController radar) => new Fix("Show Ray Paths", () => Undo.AddComponent<RayPaths>(radar.gameObject));
+        public static Fix ShowRayPaths(RadarController radar) =>
+            new Fix("Show Ray Paths", () => Undo.AddComponent<RayPaths>(radar.gameObject));
 
-        public static Fix FitAperture(RadarController radar) => new Fix("Fit the aperture to what is traced", () => Fix.Change(radar, "Fit the aperture", it => it.FitAperture = true));
+        public static Fix FitAperture(RadarController radar) => new Fix("Fit the aperture to what is traced",
+            () => Fix.Change(radar, "Fit the aperture", it => it.FitAperture = true));
 
-        public static Fix RemoveEmptyRoots(RadarController radar) => new Fix("Remove empty entries", () => Fix.Change(radar, "Remove empty entries", it => it.Roots.RemoveAll(root => root == null)));
+        public static Fix RemoveEmptyRoots(RadarController radar) => new Fix("Remove empty entries",
+            () => Fix.Change(radar, "Remove empty entries", it => it.Roots.RemoveAll(root => root == null)));
 
-        public static Fix TraceAllLayers(RadarController radar) => new Fix("Trace all layers", () => Fix.Change(radar, "Trace all layers", it => it.Layers = ~0));
+        public static Fix TraceAllLayers(RadarController radar) =>
+            new Fix("Trace all layers", () => Fix.Change(radar, "Trace all layers", it => it.Layers = ~0));
 
-        public static Fix TraceWholePicture(RadarController radar) => new Fix("Trace the whole picture", () => Fix.Change(radar, "Trace the whole picture", it =>
-        {
-            var settings = it.Settings;
-            settings.Region = default;
-            it.Settings = settings;
-        }));
+        public static Fix TraceWholePicture(RadarController radar) => new Fix("Trace the whole picture", () =>
+            Fix.Change(radar, "Trace the whole picture", it =>
+            {
+                var settings = it.Settings;
+                settings.Region = default;
+                it.Settings = settings;
+            }));
 
         /// <param name="times">As many rays across and down; null: no fix.</param>
         public static Fix TraceDenser(RadarController radar, int? times)
@@ -56,9 +64,11 @@ namespace Glint.Editor
             if (!(times is int more))
                 return null;
             if (radar.IsFitted)
-                return new Fix(FormattableString.Invariant($"Set Ray Spacing to {radar.RaySpacing / more:0.####} m"), () => Fix.Change(radar, "Set Ray Spacing", it => it.RaySpacing /= more));
+                return new Fix(FormattableString.Invariant($"Set Ray Spacing to {radar.RaySpacing / more:0.####} m"),
+                    () => Fix.Change(radar, "Set Ray Spacing", it => it.RaySpacing /= more));
             var denser = RadarFigures.Denser(radar.Settings, more);
-            return new Fix($"Trace {denser.RaysAcross} x {denser.RaysDown} rays", () => Fix.Change(radar, "Trace more rays", it => it.Settings = denser));
+            return new Fix($"Trace {denser.RaysAcross} x {denser.RaysDown} rays",
+                () => Fix.Change(radar, "Trace more rays", it => it.Settings = denser));
         }
 
         /// <param name="way">Where to look, in the world's axes.</param>
@@ -66,14 +76,16 @@ namespace Glint.Editor
         {
             var forward = math.normalize(way);
             return new Fix("Turn the radar towards it", () =>
-                Fix.Change(radar.transform, "Turn the radar", it => it.rotation = Quaternion.LookRotation(new Vector3((float)forward.x, (float)forward.y, (float)forward.z))));
+                Fix.Change(radar.transform, "Turn the radar", it => it.rotation =
+                    Quaternion.LookRotation(new Vector3((float)forward.x, (float)forward.y, (float)forward.z))));
         }
 
         /// <summary>Null when the radar has the kernel already, or the project has none.</summary>
         public static Fix AssignKernel(RadarController radar)
         {
             var kernel = ProjectAssets.Kernel;
-            return kernel == null || radar.Kernel == kernel ? null : new Fix("Assign Trace.compute", () => Fix.Change(radar, "Assign Trace.compute", it => it.Kernel = kernel));
+            return kernel == null || radar.Kernel == kernel ? null : new Fix("Assign Trace.compute",
+                () => Fix.Change(radar, "Assign Trace.compute", it => it.Kernel = kernel));
         }
     }
 }

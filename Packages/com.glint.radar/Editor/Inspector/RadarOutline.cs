@@ -3,10 +3,15 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>Where a radar receives, as its fields and transforms say: for the eye, without a look at the scene.</summary>
+    /// <summary>
+    /// Where a radar receives, as its fields and transforms say: for the eye, without a look at the scene.
+    /// </summary>
     static class RadarOutline
     {
-        /// <summary>Corners of the receiver in the world, around it; none without one, or where it is as large as an aperture that each pose fits anew.</summary>
+        /// <summary>
+        /// Corners of the receiver in the world, around it; none without one,
+        /// or where it is as large as an aperture that each pose fits anew.
+        /// </summary>
         public static Vector3[] Receiver(RadarController radar)
         {
             if (radar.Receiver == null || !radar.TryGetComponent<Camera>(out var camera))
@@ -18,7 +23,8 @@ namespace Glint.Editor
                 if (radar.FitAperture)
                     return Array.Empty<Vector3>();
                 size = 2 * camera.orthographicSize * new Vector2((float)radar.Settings.Aspect, 1);
-                centre = camera.transform.position + Vector3.Project(centre - camera.transform.position, camera.transform.forward);
+                centre = camera.transform.position
+                    + Vector3.Project(centre - camera.transform.position, camera.transform.forward);
             }
             Vector3 right = size.x / 2 * radar.Receiver.right, up = size.y / 2 * radar.Receiver.up;
             return new[] { centre - right - up, centre + right - up, centre + right + up, centre - right + up };

@@ -6,8 +6,9 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// Poses of a radar at the press of a button, with a bar that can be cancelled. The device's buffers stay for the next one until this is disposed of
-    /// (or <see cref="ReleaseBuffers"/> comes first); while the scene plays they are its own.
+    /// Poses of a radar at the press of a button, with a bar that can be cancelled. The device's buffers stay for
+    /// the next one until this is disposed of (or <see cref="ReleaseBuffers"/> comes first);
+    /// while the scene plays they are its own.
     /// </summary>
     sealed class RadarTracing : IDisposable
     {
@@ -19,7 +20,10 @@ namespace Glint.Editor
         /// <summary>Why the last pose was not traced, for the user; null when it was.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Traces one pose as everything stands; the result is the radar's. A cancelled or refused one leaves the result before.</summary>
+        /// <summary>
+        /// Traces one pose as everything stands; the result is the radar's.
+        /// A cancelled or refused one leaves the result before.
+        /// </summary>
         public void Trace()
         {
             Problem = null;
@@ -49,15 +53,28 @@ namespace Glint.Editor
         /// <summary>A result as an inspector shows it: label, value, what it means.</summary>
         public static IEnumerable<(string label, string value, string tooltip)> Rows(RadarResult result)
         {
-            yield return ("Amplitude", FormattableString.Invariant($"{result.Amplitude:g6}{(result.AmplitudeDb is double db ? FormattableString.Invariant($" ({db:0.00} dB)") : "")}"), "Length of the summed phasor: 1 for one ray.");
-            yield return ("Normalised", FormattableString.Invariant($"{result.NormalisedAmplitude:g6} ± {result.SamplingError:g3}"), "As if the same field of view had 1920 x 1080 rays, and about how far that is from endlessly many rays.");
-            yield return ("Rays hit", FormattableString.Invariant($"{result.RaysHit:N0} of {result.RaysEmitted:N0}"), "Rays whose first segment hits anything, of those emitted.");
-            yield return ("Rays received", FormattableString.Invariant($"{result.RaysReceived:N0}"), "Rays that reached the receiver.");
-            yield return ("Path step", FormattableString.Invariant($"{result.LargestPathStep:0.###} wavelengths"), "Largest difference of path length between received rays that are neighbours in the picture.");
-            yield return ("Undersampled", result.Undersampled ? "yes: give it more rays or a narrower view" : "no", "Whether the rays are too far apart, or too few return, for the amplitude and its error to be trusted.");
+            yield return ("Amplitude", FormattableString.Invariant(
+                $"{result.Amplitude:g6}{(result.AmplitudeDb is double db ? FormattableString.Invariant($" ({db:0.00} dB)") : "")}"),
+                "Length of the summed phasor: 1 for one ray.");
+            yield return ("Normalised",
+                FormattableString.Invariant($"{result.NormalisedAmplitude:g6} ± {result.SamplingError:g3}"),
+                "As if the same field of view had 1920 x 1080 rays, "
+                    + "and about how far that is from endlessly many rays.");
+            yield return ("Rays hit", FormattableString.Invariant($"{result.RaysHit:N0} of {result.RaysEmitted:N0}"),
+                "Rays whose first segment hits anything, of those emitted.");
+            yield return ("Rays received", FormattableString.Invariant($"{result.RaysReceived:N0}"),
+                "Rays that reached the receiver.");
+            yield return ("Path step", FormattableString.Invariant($"{result.LargestPathStep:0.###} wavelengths"),
+                "Largest difference of path length between received rays that are neighbours in the picture.");
+            yield return ("Undersampled", result.Undersampled ? "yes: give it more rays or a narrower view" : "no",
+                "Whether the rays are too far apart, or too few return, "
+                    + "for the amplitude and its error to be trusted.");
             var times = result.Timings;
-            yield return ("Times", FormattableString.Invariant($"gather {times.GatherMs:0.#}, build {times.BuildMs:0.#}, upload {times.UploadMs:0.#}, trace {times.TraceMs:0.#} ms"), "What the last pose took; what stays as it was is not built or uploaded again.");
-            yield return ("On the device", Text.Mebibytes(result.Work.BytesOnDevice), "Bytes of all the radar's buffers.");
+            yield return ("Times", FormattableString.Invariant(
+                $"gather {times.GatherMs:0.#}, build {times.BuildMs:0.#}, upload {times.UploadMs:0.#}, trace {times.TraceMs:0.#} ms"),
+                "What the last pose took; what stays as it was is not built or uploaded again.");
+            yield return ("On the device", Text.Mebibytes(result.Work.BytesOnDevice),
+                "Bytes of all the radar's buffers.");
         }
     }
 }

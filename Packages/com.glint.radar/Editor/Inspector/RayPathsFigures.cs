@@ -10,19 +10,24 @@ namespace Glint.Editor
         public static Finding Check(RayPaths paths)
         {
             if (paths.FewestBounces > paths.MostBounces)
-                return new Finding(Severity.Warning, FormattableString.Invariant($"no rays are drawn: none has {paths.FewestBounces} bounces or more and {paths.MostBounces} or fewer; lower Fewest Bounces, or raise Most Bounces"));
+                return new Finding(Severity.Warning, FormattableString.Invariant(
+                    $"no rays are drawn: none has {paths.FewestBounces} bounces or more and {paths.MostBounces} or fewer; lower Fewest Bounces, or raise Most Bounces"));
             if (paths.GetComponent<RadarController>().Result == null)
-                return new Finding(Severity.Warning, "no rays are drawn: nothing is traced yet; press Trace now, or play the scene");
+                return new Finding(Severity.Warning,
+                    "no rays are drawn: nothing is traced yet; press Trace now, or play the scene");
             if (paths.IsOutdated)
-                return new Finding(Severity.Warning, "no rays are drawn: the scene or the radar has changed since the last pose, or the radar has let go of it; press Trace now");
+                return new Finding(Severity.Warning, "no rays are drawn: the scene or the radar has changed since the "
+                    + "last pose, or the radar has let go of it; press Trace now");
             return null;
         }
 
         /// <summary>Label, value and meaning of what is drawn.</summary>
         public static IEnumerable<(string label, string value, string tooltip)> Rows(RayPaths paths)
         {
-            string followed = paths.LeftOut > 0 ? FormattableString.Invariant($"; followed {RayPaths.MostRays:N0} of {(long)RayPaths.MostRays + paths.LeftOut:N0}") : "";
-            yield return ("Rays drawn", FormattableString.Invariant($"{paths.Count:N0}{followed}"), "Rays of the pose last drawn that pass the filters. Of more than are followed, so many are taken evenly.");
+            string followed = paths.LeftOut > 0 ? FormattableString.Invariant(
+                $"; followed {RayPaths.MostRays:N0} of {(long)RayPaths.MostRays + paths.LeftOut:N0}") : "";
+            yield return ("Rays drawn", FormattableString.Invariant($"{paths.Count:N0}{followed}"), "Rays of the pose "
+                + "last drawn that pass the filters. Of more than are followed, so many are taken evenly.");
         }
     }
 }

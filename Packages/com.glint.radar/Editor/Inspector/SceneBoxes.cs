@@ -27,7 +27,8 @@ namespace Glint.Editor
             foreach (var instance in scene.Instances)
             {
                 if (!_boxes.TryGetValue(instance.Mesh, out var box))
-                    _boxes.Add(instance.Mesh, box = before.TryGetValue(instance.Mesh, out var known) ? known : instance.Mesh.Bound());
+                    _boxes.Add(instance.Mesh,
+                        box = before.TryGetValue(instance.Mesh, out var known) ? known : instance.Mesh.Bound());
                 if (instance.Mesh.TriangleCount > 0)
                     Add(box, instance.ToWorld);
             }

@@ -36,7 +36,8 @@ namespace Glint.Editor
         public IEnumerable<(string label, string value, string tooltip)> Rows()
         {
             if (Plan != null)
-                yield return ("Poses", FormattableString.Invariant($"{Plan.Count:N0}"), "Every value of each list with every value of the others.");
+                yield return ("Poses", FormattableString.Invariant($"{Plan.Count:N0}"),
+                    "Every value of each list with every value of the others.");
         }
 
         void CheckPoses()
@@ -63,12 +64,15 @@ namespace Glint.Editor
         // Of several enabled radars the first; one is made where there is none at all.
         Fix FindRadar()
         {
-            var all = Object.FindObjectsByType<RadarController>(FindObjectsInactive.Include, FindObjectsSortMode.InstanceID);
+            var all =
+                Object.FindObjectsByType<RadarController>(FindObjectsInactive.Include, FindObjectsSortMode.InstanceID);
             var radar = all.FirstOrDefault(found => found.isActiveAndEnabled);
             if (radar != null)
-                return new Fix($"Take '{radar.name}'", () => Fix.Change(_sweep, "Take a radar", it => it.Radar = radar));
+                return new Fix($"Take '{radar.name}'",
+                    () => Fix.Change(_sweep, "Take a radar", it => it.Radar = radar));
             return all.Length > 0 ? RadarFixes.Enable(all[0])
-                : new Fix("Make a radar", () => SceneObjects.MakeRadar(_sweep.Target == null ? null : _sweep.Target.gameObject));
+                : new Fix("Make a radar",
+                    () => SceneObjects.MakeRadar(_sweep.Target == null ? null : _sweep.Target.gameObject));
         }
     }
 }

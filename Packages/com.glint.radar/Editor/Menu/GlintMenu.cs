@@ -18,7 +18,8 @@ namespace Glint.Editor
         }
 
         [MenuItem(Folder + "Corner reflector", false, Priority)]
-        static void MakeCornerReflector(MenuCommand command) => SceneObjects.MakeCornerReflector(command.context as GameObject);
+        static void MakeCornerReflector(MenuCommand command) =>
+            SceneObjects.MakeCornerReflector(command.context as GameObject);
 
         [MenuItem(Folder + "Sea", false, Priority)]
         static void MakeSea(MenuCommand command) => SceneObjects.MakeSea(command.context as GameObject);

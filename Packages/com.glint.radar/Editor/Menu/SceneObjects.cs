@@ -6,7 +6,10 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>New objects of the menu GameObject > Glint, made by code, with nothing stored beside the scene; each is one step of Undo, and selected.</summary>
+    /// <summary>
+    /// New objects of the menu GameObject > Glint, made by code, with nothing stored beside the scene;
+    /// each is one step of Undo, and selected.
+    /// </summary>
     static class SceneObjects
     {
         // Of a ball around the target: seen so from so far it fills two thirds of a view of 60 degrees.
@@ -15,7 +18,11 @@ namespace Glint.Editor
         // The radar's camera is no window onto the scene: others draw over it.
         const float DrawnFirst = -10;
 
-        /// <summary>A radar with its receiver and its ray paths. It looks down on an object as the radar of the published experiment does, from as far as takes it all in; on none, at the world's origin from where that radar stands.</summary>
+        /// <summary>
+        /// A radar with its receiver and its ray paths.
+        /// It looks down on an object as the radar of the published experiment does, from as far as takes it all in;
+        /// on none, at the world's origin from where that radar stands.
+        /// </summary>
         /// <param name="target">May be null.</param>
         public static RadarController MakeRadar(GameObject target)
         {
@@ -32,7 +39,9 @@ namespace Glint.Editor
             return radar;
         }
 
-        /// <summary>The corner reflector of the published experiment, open towards -Z, about its turning point.</summary>
+        /// <summary>
+        /// The corner reflector of the published experiment, open towards -Z, about its turning point.
+        /// </summary>
         /// <param name="parent">May be null.</param>
         public static GameObject MakeCornerReflector(GameObject parent)
         {

@@ -20,10 +20,14 @@ namespace Glint.Editor
             var run = StoredRun.Read(line.Input);
             int pose = line.Get(ReportOptions.Pose);
             if (pose > run.Count)
-                throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: must be from 1 to {run.Count}, the poses of {line.Input}, or none");
-            string path = line.IsGiven(ReportOptions.Out) ? line.Get(ReportOptions.Out) : Path.Combine(line.Input, ReportFile.Name);
+                throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: must be from 1 to {run.Count}, "
+                    + $"the poses of {line.Input}, or none");
+            string path = line.IsGiven(ReportOptions.Out)
+                ? line.Get(ReportOptions.Out)
+                : Path.Combine(line.Input, ReportFile.Name);
             int shown = pose > 0 ? pose - 1 : run.Strongest();
-            Write(run, pose == ReportOptions.NoPose || shown < 0 ? (Func<ReportScene>)null : () => SceneCapture.Of(run, shown, SceneCapture.Open(run), progress), path);
+            Write(run, pose == ReportOptions.NoPose || shown < 0 ? (Func<ReportScene>)null : () =>
+                SceneCapture.Of(run, shown, SceneCapture.Open(run), progress), path);
             progress.Print($"written: {path} ({new FileInfo(path).Length / 1e6:0.0} MB)");
             return Batch.Done;
         }

@@ -5,7 +5,9 @@ using Glint.Core;
 
 namespace Glint.Editor
 {
-    /// <summary>Opens what a stored run was traced from, puts one of its poses up again, and traces what a report shows of it.</summary>
+    /// <summary>
+    /// Opens what a stored run was traced from, puts one of its poses up again, and traces what a report shows of it.
+    /// </summary>
     static class SceneCapture
     {
         /// <summary>Ways of rays at most.</summary>
@@ -18,15 +20,20 @@ namespace Glint.Editor
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public static ReportScene Of(StoredRun run, int number, SceneSubjects subjects, IProgressSink progress)
         {
-            var plan = new SweepPlan(SweepAxis.All.Select(axis => (axis, Only(axis == SweepAxis.Angle && subjects.Target == null ? null : run.Value(number, axis)))).ToArray());
+            var plan = new SweepPlan(SweepAxis.All.Select(axis => (axis,
+                Only(axis == SweepAxis.Angle && subjects.Target == null ? null : run.Value(number, axis)))).ToArray());
             var radar = subjects.Radar;
             progress.Start(subjects.Name, 1);
             try
             {
                 using (var sweep = new SweepRun(subjects.Sweep(plan)))
                 {
-                    var scene = new ReportScene { Number = number, Result = sweep.Step(progress, progress.Cancel).Result, Pose = radar.Gather() };
-                    scene.Paths = Array.ConvertAll(radar.TracePaths(Chosen(radar.ReceivedPixels()), null, progress.Cancel), path => path.Points());
+                    var scene = new ReportScene
+                    {
+                        Number = number, Result = sweep.Step(progress, progress.Cancel).Result, Pose = radar.Gather()
+                    };
+                    scene.Paths = Array.ConvertAll(
+                        radar.TracePaths(Chosen(radar.ReceivedPixels()), null, progress.Cancel), path => path.Points());
                     scene.Picture = radar.TracePicture(progress.Cancel);
                     scene.ObjectName = NamesIn(radar, scene.Picture.Objects());
                     progress.Advance(1, null);
@@ -64,14 +71,17 @@ namespace Glint.Editor
         static CommandLine LineOf(StoredRun run)
         {
             if (run.Info.Command != null)
-                return CommandLine.Parse(run.Info.Command.FirstOrDefault() == Commands.Run.Name ? Commands.Run : Commands.Sweep, run.Info.Command.Skip(1).ToArray());
+                return CommandLine.Parse(
+                    run.Info.Command.FirstOrDefault() == Commands.Run.Name ? Commands.Run : Commands.Sweep,
+                    run.Info.Command.Skip(1).ToArray());
             if (string.IsNullOrEmpty(run.Info.ScenePath))
                 throw new GlintException("the results name no scene: it was not saved when it was traced");
             var words = new List<string> { "--", run.Info.ScenePath };
             if (run.Count > 0 && run.Value(0, SweepAxis.Snapshot) != null)
                 words.Insert(0, $"{Options.Snapshots.Flag}=1");
             if (run.Info.TargetName != null)
-                words.InsertRange(0, new[] { $"{Options.Target.Flag}={run.Info.TargetName}", $"{Options.Angles.Flag}=0" });
+                words.InsertRange(0,
+                    new[] { $"{Options.Target.Flag}={run.Info.TargetName}", $"{Options.Angles.Flag}=0" });
             return CommandLine.Parse(words.Count > 2 ? Commands.Sweep : Commands.Run, words);
         }
     }

@@ -9,7 +9,9 @@ namespace Glint.Editor
     [Serializable]
     sealed class ChartChoice
     {
-        /// <summary>Name of the axis; one that the run does not step through stands for the one that changes from pose to pose.</summary>
+        /// <summary>
+        /// Name of the axis; one that the run does not step through stands for the one that changes from pose to pose.
+        /// </summary>
         public string Axis = "";
 
         /// <summary>Amplitudes in decibels, around a middle, and raw in place of normalised.</summary>
@@ -26,11 +28,14 @@ namespace Glint.Editor
         }
 
         public SweepChart Amplitude(IReadOnlyList<PoseFigures> rows, Comparison compared) =>
-            new SweepChart(rows, AxisOf(rows), IsRaw ? Quantity.Amplitude : Quantity.Normalised, InDecibels, IsPolar, compared);
+            new SweepChart(rows, AxisOf(rows), IsRaw ? Quantity.Amplitude : Quantity.Normalised,
+                InDecibels, IsPolar, compared);
 
-        public SweepChart Received(IReadOnlyList<PoseFigures> rows, Comparison compared) => new SweepChart(rows, AxisOf(rows), Quantity.RaysReceived, false, IsPolar, compared);
+        public SweepChart Received(IReadOnlyList<PoseFigures> rows, Comparison compared) =>
+            new SweepChart(rows, AxisOf(rows), Quantity.RaysReceived, false, IsPolar, compared);
 
-        public SweepChart Hit(IReadOnlyList<PoseFigures> rows, Comparison compared) => new SweepChart(rows, AxisOf(rows), Quantity.RaysHit, false, IsPolar, compared);
+        public SweepChart Hit(IReadOnlyList<PoseFigures> rows, Comparison compared) =>
+            new SweepChart(rows, AxisOf(rows), Quantity.RaysHit, false, IsPolar, compared);
 
         /// <summary>The chosen pose, or the strongest; null without poses.</summary>
         public PoseFigures Chosen(IReadOnlyList<PoseFigures> rows)

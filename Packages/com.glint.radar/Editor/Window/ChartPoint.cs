@@ -3,7 +3,8 @@ namespace Glint.Editor
     /// <summary>A pose in a chart, by chart coordinates: x and y from 0 at the left and the bottom to 1.</summary>
     readonly struct ChartPoint
     {
-        public ChartPoint(PoseFigures pose, int row, (double, double) place, (double, double) low, (double, double) high)
+        public ChartPoint(PoseFigures pose, int row, (double, double) place,
+            (double, double) low, (double, double) high)
         {
             Pose = pose;
             Row = row;

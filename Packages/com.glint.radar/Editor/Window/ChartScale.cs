@@ -5,7 +5,10 @@ using System.Linq;
 
 namespace Glint.Editor
 {
-    /// <summary>An axis of a chart: from 0 at its low end to 1 at its high end, with ticks at whole multiples of 1, 2 or 5 times a power of ten.</summary>
+    /// <summary>
+    /// An axis of a chart: from 0 at its low end to 1 at its high end,
+    /// with ticks at whole multiples of 1, 2 or 5 times a power of ten.
+    /// </summary>
     sealed class ChartScale
     {
         ChartScale(double low, double high, IEnumerable<double> ticks)
@@ -31,14 +34,16 @@ namespace Glint.Editor
         {
             Widen(ref low, ref high);
             double step = Step(high - low, most);
-            return new ChartScale(low, high, Multiples(Math.Ceiling(low / step - 1e-9), Math.Floor(high / step + 1e-9), step));
+            return new ChartScale(low, high,
+                Multiples(Math.Ceiling(low / step - 1e-9), Math.Floor(high / step + 1e-9), step));
         }
 
         /// <summary>Beyond both values, to the next ticks.</summary>
         public static ChartScale Around(double low, double high, int most = 6)
         {
             Widen(ref low, ref high);
-            double step = Step(high - low, most), first = Math.Floor(low / step + 1e-9), last = Math.Ceiling(high / step - 1e-9);
+            double step = Step(high - low, most), first = Math.Floor(low / step + 1e-9),
+                last = Math.Ceiling(high / step - 1e-9);
             return new ChartScale(first * step, last * step, Multiples(first, last, step));
         }
 
@@ -49,7 +54,9 @@ namespace Glint.Editor
         public static string Label(double value)
         {
             double size = Math.Abs(value);
-            return value.ToString(size != 0 && (size >= 1e7 || size < 1e-4) ? "0.###e0" : size >= 1000 ? "#,0.##" : "0.######", CultureInfo.InvariantCulture);
+            return value.ToString(
+                size != 0 && (size >= 1e7 || size < 1e-4) ? "0.###e0" : size >= 1000 ? "#,0.##" : "0.######",
+                CultureInfo.InvariantCulture);
         }
 
         // A single value, or values that differ by rounding only, stand in the middle.
@@ -64,7 +71,8 @@ namespace Glint.Editor
         static double Step(double span, int most)
         {
             double power = Math.Pow(10, Math.Floor(Math.Log10(span / most)));
-            return new[] { 1.0, 2, 5, 10 }.Select(factor => factor * power).First(step => span / step <= most * (1 + 1e-9));
+            return new[] { 1.0, 2, 5, 10 }.Select(factor => factor * power)
+                .First(step => span / step <= most * (1 + 1e-9));
         }
 
         static IEnumerable<double> Multiples(double first, double last, double step)

@@ -17,7 +17,9 @@ namespace Glint.Editor
         /// <summary>Whether it is of the run that is laid over.</summary>
         public bool IsCompared { get; }
 
-        /// <summary>The pieces of the line, along the axis. Between two of them is a pose that has no decibels.</summary>
+        /// <summary>
+        /// The pieces of the line, along the axis. Between two of them is a pose that has no decibels.
+        /// </summary>
         public IReadOnlyList<IReadOnlyList<ChartPoint>> Runs { get; }
     }
 }

@@ -42,7 +42,8 @@ namespace Glint.Editor
             if (Largest == 0)
                 return $"{_quantity.Title}: equal";
             string share = Theirs > 0 ? FormattableString.Invariant($" ({100 * Largest / Theirs:+0.##;-0.##} %)") : "";
-            return FormattableString.Invariant($"{_quantity.Title}: at most {Largest:+#,0.####;-#,0.####}{share} at {At.Name}, rms {Rms:#,0.####}");
+            return FormattableString.Invariant(
+                $"{_quantity.Title}: at most {Largest:+#,0.####;-#,0.####}{share} at {At.Name}, rms {Rms:#,0.####}");
         }
     }
 }

@@ -17,7 +17,8 @@ namespace Glint.Editor
         {
             string file = Path.Combine(folder, name);
             if (!File.Exists(file))
-                throw new GlintException($"{file}: is not there{(name == ResultsFolder.JsonName ? ": it is written when the sweep is complete" : ": trace a sweep first")}");
+                throw new GlintException($"{file}: is not "
+                    + $"there{(name == ResultsFolder.JsonName ? ": it is written when the sweep is complete" : ": trace a sweep first")}");
             if (Path.GetFullPath(file) != Path.GetFullPath(path))
                 Write(path, () => File.Copy(file, path, true));
         }
@@ -26,7 +27,10 @@ namespace Glint.Editor
         /// <exception cref="GlintException">They cannot be written.</exception>
         public static void Picture(byte[] png, string path) => Write(path, () => File.WriteAllBytes(path, png));
 
-        /// <summary>Writes the HTML report. The pose is shown in 3-D as the open scene has it, if this is the scene of the results; nothing is opened or closed for it.</summary>
+        /// <summary>
+        /// Writes the HTML report. The pose is shown in 3-D as the open scene has it,
+        /// if this is the scene of the results; nothing is opened or closed for it.
+        /// </summary>
         /// <param name="folder">Of the results.</param>
         /// <param name="pose">Which is shown in 3-D, from 0.</param>
         /// <param name="form">Radar and target of the open scene.</param>
@@ -41,11 +45,14 @@ namespace Glint.Editor
         static SceneSubjects Subjects(StoredRun run, SweepForm form)
         {
             if (form.Radar == null || form.Radar.gameObject.scene.path != run.Info.ScenePath)
-                throw new GlintException($"the scene of these results, {run.Info.ScenePath ?? "which they do not name"}, is not open");
+                throw new GlintException("the scene of these results, "
+                    + $"{run.Info.ScenePath ?? "which they do not name"}, is not open");
             if (run.Info.TargetName != null && (form.Target == null || form.Target.name != run.Info.TargetName))
-                throw new GlintException($"the target of these results, '{run.Info.TargetName}', is not the one that is chosen");
+                throw new GlintException($"the target of these results, '{run.Info.TargetName}', "
+                    + "is not the one that is chosen");
             bool hasSnapshots = run.Count > 0 && run.Value(0, SweepAxis.Snapshot) != null;
-            return SceneSubjects.InOpenScene(form.Radar, run.Info.TargetName == null ? null : form.Target, hasSnapshots ? SceneSearch.FindSea(run.Info.ScenePath) : null);
+            return SceneSubjects.InOpenScene(form.Radar, run.Info.TargetName == null ? null : form.Target,
+                hasSnapshots ? SceneSearch.FindSea(run.Info.ScenePath) : null);
         }
 
         static void Write(string path, Action write)
@@ -54,9 +61,11 @@ namespace Glint.Editor
             {
                 write();
             }
-            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException || error is ArgumentException || error is NotSupportedException)
+            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException
+                || error is ArgumentException || error is NotSupportedException)
             {
-                throw new GlintException($"{path}: cannot be written: {error.Message.TrimEnd('.')}; choose another file", error);
+                throw new GlintException(
+                    $"{path}: cannot be written: {error.Message.TrimEnd('.')}; choose another file", error);
             }
         }
     }

@@ -14,9 +14,11 @@ namespace Glint.Editor
             int most = bins.Append(0).Max();
             Y = ChartScale.Around(0, Math.Max(1, most), 4);
             Heights = bins.Select(bin => Y.Of(bin)).ToArray();
-            Words = pose == null ? "No pose is chosen." : pose.PhaseHistogram == null ? $"{pose.Name}: the phases are not known."
+            Words = pose == null ? "No pose is chosen."
+                : pose.PhaseHistogram == null ? $"{pose.Name}: the phases are not known."
                 : pose.RaysReceived == 0 ? $"{pose.Name}: no ray was received."
-                : FormattableString.Invariant($"{pose.Name}: {pose.RaysReceived:#,0} {(pose.RaysReceived == 1 ? "ray" : "rays")} in bins of {360.0 / bins.Length:0.##} degrees. Rays of like phase add up; spread evenly over all phases they cancel.");
+                : FormattableString.Invariant(
+                    $"{pose.Name}: {pose.RaysReceived:#,0} {(pose.RaysReceived == 1 ? "ray" : "rays")} in bins of {360.0 / bins.Length:0.##} degrees. Rays of like phase add up; spread evenly over all phases they cancel.");
         }
 
         /// <summary>Of the bars, from phase 0 to 360 degrees, 0 to 1.</summary>

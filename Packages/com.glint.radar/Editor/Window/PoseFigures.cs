@@ -33,7 +33,11 @@ namespace Glint.Editor
         /// <param name="axis">What the table steps through.</param>
         public static PoseFigures Of(PublishedRow row, SweepAxis axis)
         {
-            var figures = new PoseFigures { Amplitude = row.Amplitude, Normalised = row.Amplitude, RaysReceived = row.RaysReceived, RaysHit = row.RaysHit };
+            var figures = new PoseFigures
+            {
+                Amplitude = row.Amplitude, Normalised = row.Amplitude, RaysReceived = row.RaysReceived,
+                RaysHit = row.RaysHit
+            };
             figures._place[axis.Index] = row.Step;
             return figures;
         }
@@ -48,9 +52,13 @@ namespace Glint.Editor
             return Of(UnfinishedSweep.Read(partial)?.Rows ?? (IReadOnlyList<StoredRow>)Array.Empty<StoredRow>());
         }
 
-        static IReadOnlyList<PoseFigures> Of(IReadOnlyList<StoredRow> rows) => rows.Select(row => new PoseFigures(row)).ToArray();
+        static IReadOnlyList<PoseFigures> Of(IReadOnlyList<StoredRow> rows) =>
+            rows.Select(row => new PoseFigures(row)).ToArray();
 
-        /// <summary>Where it stands on an axis, in its unit; null where the axis was left alone. Of a stored row the angle is 0 then.</summary>
+        /// <summary>
+        /// Where it stands on an axis, in its unit; null where the axis was left alone.
+        /// Of a stored row the angle is 0 then.
+        /// </summary>
         public double? this[SweepAxis axis] => _place[axis.Index];
 
         /// <summary>"15 deg", "snapshot 3, 15 deg"; "the pose" where nothing was moved.</summary>
@@ -59,9 +67,12 @@ namespace Glint.Editor
         /// <summary>The pose and its figures, in a line.</summary>
         public string Words()
         {
-            string level = Signal.Decibels(Normalised) is double decibels ? FormattableString.Invariant($" ({decibels:0.##} dB)") : "";
+            string level = Signal.Decibels(Normalised) is double decibels
+                ? FormattableString.Invariant($" ({decibels:0.##} dB)")
+                : "";
             string error = SamplingError > 0 ? FormattableString.Invariant($" +- {SamplingError:g2}") : "";
-            return FormattableString.Invariant($"{Name}: normalised amplitude {Normalised:g5}{level}{error}{(IsUndersampled ? ", undersampled" : "")}, {RaysReceived:#,0} of {RaysHit:#,0} rays that hit were received");
+            return FormattableString.Invariant(
+                $"{Name}: normalised amplitude {Normalised:g5}{level}{error}{(IsUndersampled ? ", undersampled" : "")}, {RaysReceived:#,0} of {RaysHit:#,0} rays that hit were received");
         }
 
         public double Amplitude { get; private set; }
@@ -69,7 +80,9 @@ namespace Glint.Editor
         /// <summary>The amplitude as if the picture had 2,073,600 rays.</summary>
         public double Normalised { get; private set; }
 
-        /// <summary>About how far <see cref="Normalised"/> is from that of endlessly many rays; 0 where it is not known.</summary>
+        /// <summary>
+        /// About how far <see cref="Normalised"/> is from that of endlessly many rays; 0 where it is not known.
+        /// </summary>
         public double SamplingError { get; private set; }
 
         public double RaysReceived { get; private set; }

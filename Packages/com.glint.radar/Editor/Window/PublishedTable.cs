@@ -8,7 +8,9 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>The tables of the published experiment, which the package carries as text (Editor/Published/README.md).</summary>
+    /// <summary>
+    /// The tables of the published experiment, which the package carries as text (Editor/Published/README.md).
+    /// </summary>
     sealed class PublishedTable
     {
         /// <summary>Where they are.</summary>
@@ -25,7 +27,8 @@ namespace Glint.Editor
         public static IReadOnlyList<PublishedTable> All { get; } = new[]
         {
             new PublishedTable("table_a2_corner_reflector", "Corner reflector (Table A.2)", SweepAxis.Angle),
-            new PublishedTable("corner_reflector_recovered", "Corner reflector, traced in double precision", SweepAxis.Angle),
+            new PublishedTable("corner_reflector_recovered",
+                "Corner reflector, traced in double precision", SweepAxis.Angle),
             new PublishedTable("table_a1_ocean_ss6", "Sea state 6 (Table A.1)", SweepAxis.Snapshot),
             new PublishedTable("table_a3_ship_free_space", "Ship in free space (Table A.3)", SweepAxis.Angle),
             new PublishedTable("table_a4_ship_ss5", "Ship on sea state 5 (Table A.4)", SweepAxis.Angle),
@@ -57,17 +60,23 @@ namespace Glint.Editor
             var lines = text.Replace("\r", "").TrimEnd('\n').Split('\n');
             int columns = lines[0].Split(',').Length;
             return lines.Skip(1).Select((line, i) => ReadRow(line.Split(','), columns) ?? throw new GlintException(
-                $"{path}: line {i + 2} is not a step, an amplitude, rays received and rays hit, in {columns} columns: restore the package")).ToArray();
+                $"{path}: line {i + 2} is not a step, an amplitude, rays received and rays hit, in {columns} columns: "
+                + "restore the package")).ToArray();
         }
 
         // The ratio of the last two, a fifth column of most tables, is told by them.
-        static PublishedRow ReadRow(string[] cells, int columns) => cells.Length >= 4 && cells.Length == columns && cells.Skip(4).All(cell => TryReal(cell, out _))
-            && TryReal(cells[0], out double step) && TryReal(cells[1], out double amplitude) && TryCount(cells[2], out long received) && TryCount(cells[3], out long hit)
+        static PublishedRow ReadRow(string[] cells, int columns) => cells.Length >= 4 && cells.Length == columns
+            && cells.Skip(4).All(cell => TryReal(cell, out _))
+            && TryReal(cells[0], out double step) && TryReal(cells[1], out double amplitude)
+            && TryCount(cells[2], out long received) && TryCount(cells[3], out long hit)
                 ? new PublishedRow(step, amplitude, received, hit)
                 : null;
 
-        static bool TryReal(string cell, out double value) => double.TryParse(cell, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && !double.IsNaN(value) && !double.IsInfinity(value);
+        static bool TryReal(string cell, out double value) =>
+            double.TryParse(cell, NumberStyles.Float, CultureInfo.InvariantCulture, out value) && !double.IsNaN(value)
+            && !double.IsInfinity(value);
 
-        static bool TryCount(string cell, out long value) => long.TryParse(cell, NumberStyles.None, CultureInfo.InvariantCulture, out value);
+        static bool TryCount(string cell, out long value) =>
+            long.TryParse(cell, NumberStyles.None, CultureInfo.InvariantCulture, out value);
     }
 }

@@ -6,9 +6,12 @@ namespace Glint.Editor
     /// <summary>A figure of a pose that a chart can show.</summary>
     sealed class Quantity
     {
-        public static readonly Quantity Normalised = new Quantity("Amplitude, normalised", true, pose => pose.Normalised, pose => pose.SamplingError);
-        public static readonly Quantity Amplitude = new Quantity("Amplitude", true, pose => pose.Amplitude, pose => pose.Normalised > 0 ? pose.SamplingError * pose.Amplitude / pose.Normalised : 0);
-        public static readonly Quantity RaysReceived = new Quantity("Rays received", false, pose => pose.RaysReceived, pose => 0);
+        public static readonly Quantity Normalised =
+            new Quantity("Amplitude, normalised", true, pose => pose.Normalised, pose => pose.SamplingError);
+        public static readonly Quantity Amplitude = new Quantity("Amplitude", true, pose => pose.Amplitude,
+            pose => pose.Normalised > 0 ? pose.SamplingError * pose.Amplitude / pose.Normalised : 0);
+        public static readonly Quantity RaysReceived =
+            new Quantity("Rays received", false, pose => pose.RaysReceived, pose => 0);
         public static readonly Quantity RaysHit = new Quantity("Rays hit", false, pose => pose.RaysHit, pose => 0);
 
         readonly Func<PoseFigures, double> _value, _error;

@@ -7,7 +7,9 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>The radar's view of a pose, in colours: how often each ray is reflected, or which object it meets first.</summary>
+    /// <summary>
+    /// The radar's view of a pose, in colours: how often each ray is reflected, or which object it meets first.
+    /// </summary>
     sealed class RadarSight
     {
         /// <summary>Objects that have a line in the legend; of more, those that take the most pixels.</summary>
@@ -16,11 +18,17 @@ namespace Glint.Editor
         static readonly Color32 s_nothing = new Color32(16, 22, 28, 255), s_received = new Color32(255, 255, 255, 255);
 
         // Those of the HTML report, which the colour-blind tell apart.
-        static readonly Color32[] s_bounces = { new Color32(238, 106, 36, 255), new Color32(0, 176, 131, 255), new Color32(86, 180, 233, 255), new Color32(240, 228, 66, 255) };
+        static readonly Color32[] s_bounces =
+        {
+            new Color32(238, 106, 36, 255), new Color32(0, 176, 131, 255),
+            new Color32(86, 180, 233, 255), new Color32(240, 228, 66, 255)
+        };
         static readonly Color32[] s_objects =
         {
-            new Color32(230, 159, 0, 255), new Color32(86, 180, 233, 255), new Color32(0, 158, 115, 255), new Color32(204, 121, 167, 255),
-            new Color32(0, 114, 178, 255), new Color32(213, 94, 0, 255), new Color32(240, 228, 66, 255), new Color32(0, 238, 170, 255),
+            new Color32(230, 159, 0, 255), new Color32(86, 180, 233, 255),
+            new Color32(0, 158, 115, 255), new Color32(204, 121, 167, 255),
+            new Color32(0, 114, 178, 255), new Color32(213, 94, 0, 255),
+            new Color32(240, 228, 66, 255), new Color32(0, 238, 170, 255),
         };
 
         readonly RadarPicture _picture;
@@ -32,8 +40,10 @@ namespace Glint.Editor
         public RadarSight(RadarPicture picture, Dictionary<int, string> names)
         {
             (_picture, _names) = (picture, names);
-            _pixels = All().Where(at => picture.Bounces(at.x, at.y) > 0).GroupBy(at => picture.Object(at.x, at.y)).ToDictionary(group => group.Key, group => group.Count());
-            _objects = _pixels.Keys.Where(number => number != PathHit.NoObject).OrderByDescending(number => _pixels[number]).ThenBy(number => number).ToList();
+            _pixels = All().Where(at => picture.Bounces(at.x, at.y) > 0).GroupBy(at => picture.Object(at.x, at.y))
+                .ToDictionary(group => group.Key, group => group.Count());
+            _objects = _pixels.Keys.Where(number => number != PathHit.NoObject)
+                .OrderByDescending(number => _pixels[number]).ThenBy(number => number).ToList();
         }
 
         /// <summary>Pixels across and down.</summary>
@@ -47,10 +57,14 @@ namespace Glint.Editor
         public static RadarSight Of(RadarController radar, CancellationToken cancel = default)
         {
             var picture = radar.TracePicture(cancel);
-            return new RadarSight(picture, picture.Objects().ToDictionary(number => number, number => radar.ObjectAt(number).name));
+            return new RadarSight(picture,
+                picture.Objects().ToDictionary(number => number, number => radar.ObjectAt(number).name));
         }
 
-        /// <summary>Colours of all pixels, row by row from the bottom. Brightness tells how squarely a ray meets the first surface; white stripes mark rays that are received.</summary>
+        /// <summary>
+        /// Colours of all pixels, row by row from the bottom.
+        /// Brightness tells how squarely a ray meets the first surface; white stripes mark rays that are received.
+        /// </summary>
         public Color32[] Colours(bool byObject) => All().Select(at => ColourAt(at.x, at.y, byObject)).ToArray();
 
         /// <summary>What the colours mean.</summary>
@@ -66,8 +80,10 @@ namespace Glint.Editor
             }
             else
             {
-                foreach (var bounces in All().Select(at => _picture.Bounces(at.x, at.y)).Where(count => count > 0).GroupBy(count => count).OrderBy(group => group.Key))
-                    yield return (BounceColour(bounces.Key), $"{bounces.Key} bounce{(bounces.Key == 1 ? "" : "s")} ({bounces.Count()})");
+                foreach (var bounces in All().Select(at => _picture.Bounces(at.x, at.y)).Where(count => count > 0)
+                    .GroupBy(count => count).OrderBy(group => group.Key))
+                    yield return (BounceColour(bounces.Key),
+                        $"{bounces.Key} bounce{(bounces.Key == 1 ? "" : "s")} ({bounces.Count()})");
             }
             yield return (s_received, $"received ({All().Count(at => _picture.IsReceived(at.x, at.y))})");
         }
@@ -79,7 +95,8 @@ namespace Glint.Editor
             if (bounces == 0)
                 return "nothing met";
             string first = _names.TryGetValue(_picture.Object(x, y), out var name) ? $", first {name}" : "";
-            return $"{bounces} bounce{(bounces == 1 ? "" : "s")}{first}{(_picture.IsReceived(x, y) ? ", received" : "")}";
+            return $"{bounces} bounce{(bounces == 1 ? "" : "s")}{first}"
+                + $"{(_picture.IsReceived(x, y) ? ", received" : "")}";
         }
 
         IEnumerable<int2> All()
@@ -96,7 +113,9 @@ namespace Glint.Editor
                 return s_nothing;
             if (_picture.IsReceived(x, y) && (x + y) % 6 < 2)
                 return s_received;
-            return Color32.Lerp(new Color32(0, 0, 0, 255), byObject ? ObjectColour(_picture.Object(x, y)) : BounceColour(bounces), 0.3f + 0.7f * (float)_picture.Facing(x, y));
+            return Color32.Lerp(new Color32(0, 0, 0, 255),
+                byObject ? ObjectColour(_picture.Object(x, y)) : BounceColour(bounces),
+                0.3f + 0.7f * (float)_picture.Facing(x, y));
         }
 
         static Color32 BounceColour(int bounces) => s_bounces[(bounces - 1) % s_bounces.Length];

@@ -6,8 +6,10 @@ using Glint.Core;
 namespace Glint.Editor
 {
     /// <summary>
-    /// A figure of the poses of a sweep over one of its axes, ready to be drawn: a line for each combination of the other axes, and those of a run laid over.
-    /// Polar, the angle grows clockwise from the top, as a target turns that is seen from above; values grow from the middle, (0.5, 0.5), to the radius 0.5.
+    /// A figure of the poses of a sweep over one of its axes, ready to be drawn:
+    /// a line for each combination of the other axes, and those of a run laid over.
+    /// Polar, the angle grows clockwise from the top, as a target turns that is seen from above;
+    /// values grow from the middle, (0.5, 0.5), to the radius 0.5.
     /// </summary>
     sealed class SweepChart
     {
@@ -26,19 +28,23 @@ namespace Glint.Editor
         /// <param name="inDecibels">20 log10 of amplitudes; does not matter to others.</param>
         /// <param name="isPolar">Around the middle; does not matter where the axis is no angle.</param>
         /// <param name="compared">A run to lay over; may be null.</param>
-        public SweepChart(IReadOnlyList<PoseFigures> rows, SweepAxis axis, Quantity quantity, bool inDecibels, bool isPolar, Comparison compared = null)
+        public SweepChart(IReadOnlyList<PoseFigures> rows, SweepAxis axis, Quantity quantity, bool inDecibels,
+            bool isPolar, Comparison compared = null)
         {
             _axis = axis;
             _quantity = quantity;
             _inDecibels = inDecibels && quantity.IsAmplitude;
             IsPolar = isPolar && CanBePolar(axis);
-            var groups = Groups(rows, null).Concat(compared == null ? Enumerable.Empty<Group>() : Groups(compared.Rows, compared.Title)).ToArray();
+            var groups = Groups(rows, null)
+                .Concat(compared == null ? Enumerable.Empty<Group>() : Groups(compared.Rows, compared.Title)).ToArray();
             // The run laid over comes last and is wanted most.
             var shown = groups.Where(group => group.IsCompared).Take(MostSeries / 2).ToArray();
             shown = groups.Where(group => !group.IsCompared).Take(MostSeries - shown.Length).Concat(shown).ToArray();
             LeftOut = groups.Length - shown.Length;
             var poses = shown.SelectMany(group => group.Poses.Select(pose => pose.Pose)).ToArray();
-            X = IsPolar ? ChartScale.Turn() : poses.Length == 0 ? ChartScale.Over(0, 1) : ChartScale.Over(poses.Min(At), poses.Max(At));
+            X = IsPolar ? ChartScale.Turn()
+                : poses.Length == 0 ? ChartScale.Over(0, 1)
+                : ChartScale.Over(poses.Min(At), poses.Max(At));
             Y = Values(poses);
             Series = shown.Select(Line).ToArray();
         }
@@ -57,7 +63,9 @@ namespace Glint.Editor
 
         public bool IsPolar { get; }
 
-        public string XTitle => _axis == SweepAxis.Frequency ? "Frequency, GHz" : _axis == SweepAxis.Angle ? "Angle, deg" : _axis == SweepAxis.Grazing ? "Grazing angle, deg" : _axis == SweepAxis.Range ? "Range, m" : "Snapshot";
+        public string XTitle =>
+            _axis == SweepAxis.Frequency ? "Frequency, GHz" : _axis == SweepAxis.Angle ? "Angle, deg" : _axis
+                == SweepAxis.Grazing ? "Grazing angle, deg" : _axis == SweepAxis.Range ? "Range, m" : "Snapshot";
 
         public string YTitle => _inDecibels ? _quantity.Title + ", dB" : _quantity.Title;
 
@@ -89,7 +97,8 @@ namespace Glint.Editor
             return nearest;
         }
 
-        internal static bool Varies(IReadOnlyList<PoseFigures> rows, SweepAxis axis) => rows.Count > 0 && rows.Any(row => row[axis] != rows[0][axis]);
+        internal static bool Varies(IReadOnlyList<PoseFigures> rows, SweepAxis axis) =>
+            rows.Count > 0 && rows.Any(row => row[axis] != rows[0][axis]);
 
         // The poses of one combination of the other axes.
         sealed class Group
@@ -99,12 +108,14 @@ namespace Glint.Editor
             public (PoseFigures Pose, int Row)[] Poses;
         }
 
-        // In a sweep every combination has its first pose before the next one's second, or all before: in the order of the first either way.
+        // In a sweep every combination has its first pose before the next one's second, or all before:
+        // in the order of the first either way.
         IEnumerable<Group> Groups(IReadOnlyList<PoseFigures> rows, string compared)
         {
             var others = SweepAxis.All.Where(axis => axis != _axis && Varies(rows, axis)).ToArray();
             return rows.Select((pose, row) => (pose, row)).Where(item => item.pose[_axis].HasValue)
-                .GroupBy(item => string.Join(", ", others.Where(axis => item.pose[axis].HasValue).Select(axis => axis.Describe(item.pose[axis].Value))))
+                .GroupBy(item => string.Join(", ", others.Where(axis => item.pose[axis].HasValue)
+                    .Select(axis => axis.Describe(item.pose[axis].Value))))
                 .Select(group => new Group
                 {
                     Name = compared == null ? group.Key : group.Key.Length == 0 ? compared : $"{compared}: {group.Key}",
@@ -116,8 +127,10 @@ namespace Glint.Editor
         ChartScale Values(PoseFigures[] poses)
         {
             if (!_inDecibels)
-                return ChartScale.Around(0, poses.Select(pose => _quantity.Of(pose) + _quantity.ErrorOf(pose)).Append(0).Max() is var most && most > 0 ? most : 1);
-            var levels = poses.Select(pose => Level(_quantity.Of(pose))).Where(level => level.HasValue).Select(level => level.Value).ToArray();
+                return ChartScale.Around(0, poses.Select(pose => _quantity.Of(pose) + _quantity.ErrorOf(pose)).Append(0)
+                    .Max() is var most && most > 0 ? most : 1);
+            var levels = poses.Select(pose => Level(_quantity.Of(pose))).Where(level => level.HasValue)
+                .Select(level => level.Value).ToArray();
             if (levels.Length == 0)
                 return ChartScale.Around(-20, 0);
             double high = levels.Max();
@@ -139,7 +152,8 @@ namespace Glint.Editor
                 if (isBroken)
                     runs.Add(new List<ChartPoint>());
                 isBroken = false;
-                runs[runs.Count - 1].Add(new ChartPoint(pose, row, Place(pose, height), Place(pose, Height(value - error) ?? 0), Place(pose, Height(value + error) ?? height)));
+                runs[runs.Count - 1].Add(new ChartPoint(pose, row, Place(pose, height),
+                    Place(pose, Height(value - error) ?? 0), Place(pose, Height(value + error) ?? height)));
             }
             return new ChartSeries(group.Name, group.IsCompared, runs);
         }

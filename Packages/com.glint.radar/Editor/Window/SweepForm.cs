@@ -7,7 +7,10 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>What a user fills in for a sweep of the open scene: the options of <c>glint sweep</c>, as text, read by the same parsers.</summary>
+    /// <summary>
+    /// What a user fills in for a sweep of the open scene: the options of <c>glint sweep</c>,
+    /// as text, read by the same parsers.
+    /// </summary>
     [Serializable]
     sealed class SweepForm
     {
@@ -20,7 +23,9 @@ namespace Glint.Editor
         /// <summary>FROM:TO:STEP or a list with commas; empty where the axis is left alone.</summary>
         public string Angles = "0:45:1", GrazingAngles = "", Distances = "", Frequencies = "", Snapshots = "";
 
-        /// <summary>For the result files, relative to the project; empty: Results/&lt;scene&gt; beside Assets.</summary>
+        /// <summary>
+        /// For the result files, relative to the project; empty: Results/&lt;scene&gt; beside Assets.
+        /// </summary>
         public string Folder = "";
 
         /// <summary>Go on with a sweep that was ended.</summary>
@@ -31,14 +36,16 @@ namespace Glint.Editor
         {
             if (Radar != null)
                 return;
-            var all = UnityEngine.Object.FindObjectsByType<RadarController>(FindObjectsInactive.Exclude, FindObjectsSortMode.None);
+            var all = UnityEngine.Object.FindObjectsByType<RadarController>(FindObjectsInactive.Exclude,
+                FindObjectsSortMode.None);
             Radar = all.Length == 1 ? all[0] : null;
         }
 
         /// <summary>The text for an axis.</summary>
         public string this[SweepAxis axis]
         {
-            get => axis == SweepAxis.Angle ? Angles : axis == SweepAxis.Grazing ? GrazingAngles : axis == SweepAxis.Range ? Distances : axis == SweepAxis.Frequency ? Frequencies : Snapshots;
+            get => axis == SweepAxis.Angle ? Angles : axis == SweepAxis.Grazing ? GrazingAngles : axis
+                == SweepAxis.Range ? Distances : axis == SweepAxis.Frequency ? Frequencies : Snapshots;
             set
             {
                 if (axis == SweepAxis.Angle)
@@ -56,7 +63,11 @@ namespace Glint.Editor
 
         /// <summary>The option whose values an axis takes.</summary>
         public static Option OptionOf(SweepAxis axis) =>
-            axis == SweepAxis.Angle ? Options.Angles : axis == SweepAxis.Grazing ? Options.GrazingAngles : axis == SweepAxis.Range ? Options.Distances : axis == SweepAxis.Frequency ? Options.Frequencies : (Option)Options.Snapshots;
+            axis == SweepAxis.Angle ? Options.Angles
+                : axis == SweepAxis.Grazing ? Options.GrazingAngles
+                : axis == SweepAxis.Range ? Options.Distances
+                : axis == SweepAxis.Frequency ? Options.Frequencies
+                : (Option)Options.Snapshots;
 
         /// <summary>What is wrong with the text for an axis, in the command's words; null when nothing is.</summary>
         public string ProblemOf(SweepAxis axis)
@@ -98,11 +109,14 @@ namespace Glint.Editor
             {
                 try
                 {
-                    return string.IsNullOrWhiteSpace(Folder) ? RunDescription.DefaultFolder(Name) : RunDescription.InProject(Folder.Trim());
+                    return string.IsNullOrWhiteSpace(Folder)
+                        ? RunDescription.DefaultFolder(Name)
+                        : RunDescription.InProject(Folder.Trim());
                 }
                 catch (ArgumentException error)
                 {
-                    throw new GlintException($"results folder {Values.Shown(Folder)}: {error.Message.TrimEnd('.')}: name another", error);
+                    throw new GlintException(
+                        $"results folder {Values.Shown(Folder)}: {error.Message.TrimEnd('.')}: name another", error);
                 }
             }
         }
@@ -114,7 +128,8 @@ namespace Glint.Editor
             try
             {
                 return !isRunning && File.Exists(Path.Combine(FolderPath, ResultsFolder.PartialName))
-                    ? $"{FolderPath} holds a sweep that is not finished: Resume goes on with it, otherwise the first row replaces it."
+                    ? $"{FolderPath} holds a sweep that is not finished: Resume goes on with it, "
+                        + "otherwise the first row replaces it."
                     : FolderPath;
             }
             catch (GlintException problem)
@@ -124,7 +139,8 @@ namespace Glint.Editor
         }
 
         /// <summary>Name of the radar's scene.</summary>
-        public string Name => Radar == null || string.IsNullOrEmpty(ScenePath) ? "Untitled" : Path.GetFileNameWithoutExtension(ScenePath);
+        public string Name =>
+            Radar == null || string.IsNullOrEmpty(ScenePath) ? "Untitled" : Path.GetFileNameWithoutExtension(ScenePath);
 
         string ScenePath => Radar.gameObject.scene.path;
 
@@ -134,7 +150,10 @@ namespace Glint.Editor
         {
             RequireRadar();
             var line = Line();
-            var setup = new SweepSetup(Radar, Batch.PlanOf(line)) { Scene = ScenePath, Command = string.IsNullOrEmpty(ScenePath) ? null : Batch.WordsOf(line) };
+            var setup = new SweepSetup(Radar, Batch.PlanOf(line))
+            {
+                Scene = ScenePath, Command = string.IsNullOrEmpty(ScenePath) ? null : Batch.WordsOf(line)
+            };
             if (line.IsGiven(Options.Target))
                 setup.Target = Target;
             if (line.IsGiven(Options.Snapshots))
@@ -145,7 +164,8 @@ namespace Glint.Editor
         void RequireRadar()
         {
             if (Radar == null)
-                throw new GlintException("no radar: choose the RadarController of the scene, or add one to a camera (Glint > Radar Controller)");
+                throw new GlintException("no radar: choose the RadarController of the scene, "
+                    + "or add one to a camera (Glint > Radar Controller)");
             if (!Radar.isActiveAndEnabled)
                 throw new GlintException($"RadarController of '{Radar.name}' is disabled or inactive: enable it");
         }
@@ -156,7 +176,8 @@ namespace Glint.Editor
             var words = new List<string>();
             foreach (var axis in SweepAxis.All.Reverse().Where(IsGiven))
                 words.Add($"{OptionOf(axis).Flag}={this[axis].Trim()}");
-            if (Target != null && Options.Target.Needs.Any(option => words.Any(word => word.StartsWith(option.Flag + "=", StringComparison.Ordinal))))
+            if (Target != null && Options.Target.Needs.Any(
+                option => words.Any(word => word.StartsWith(option.Flag + "=", StringComparison.Ordinal))))
                 words.Add($"{Options.Target.Flag}={SceneSubjects.PathOf(Target)}");
             words.Add("--");
             words.Add(string.IsNullOrEmpty(ScenePath) ? "Untitled.unity" : ScenePath);

@@ -13,8 +13,10 @@ using Debug = UnityEngine.Debug;
 namespace Glint.Editor
 {
     /// <summary>
-    /// A sweep, or a single pose, of the open scene, in edit mode or in play mode: a pose a tick, the files those of the command.
-    /// However it ends, everything that was moved is put back, also before scripts are reloaded, play mode changes, or the scene is saved or closed.
+    /// A sweep, or a single pose, of the open scene, in edit mode or in play mode:
+    /// a pose a tick, the files those of the command.
+    /// However it ends, everything that was moved is put back, also before scripts are reloaded, play mode changes,
+    /// or the scene is saved or closed.
     /// </summary>
     sealed class SweepSession : IDisposable
     {
@@ -35,7 +37,8 @@ namespace Glint.Editor
             try
             {
                 SceneSubjects.LaySeas();
-                // How a scene is divided depends on what was seen to move. Nothing of what was traced before is to show in the rows, which are those of the command.
+                // How a scene is divided depends on what was seen to move.
+                // Nothing of what was traced before is to show in the rows, which are those of the command.
                 _radar.Release();
                 _folder = folder == null ? null : ResultsFolder.Open(folder);
                 _run = new SweepRun(setup, _folder, null, resume);
@@ -61,15 +64,18 @@ namespace Glint.Editor
         /// <exception cref="GlintException">It cannot begin; the message says why. Everything is as it was.</exception>
         public static SweepSession Sweep(SweepForm form)
         {
-            foreach (var other in UnityEngine.Object.FindObjectsByType<Glint.Sweep>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
+            foreach (var other in UnityEngine.Object.FindObjectsByType<Glint.Sweep>(FindObjectsInactive.Exclude,
+                FindObjectsSortMode.None))
                 if (other.IsRunning)
-                    throw new GlintException($"the Sweep of '{other.name}' is sweeping this scene: wait for its end, or disable it");
+                    throw new GlintException($"the Sweep of '{other.name}' is sweeping this scene: "
+                        + "wait for its end, or disable it");
             return new SweepSession(form.Setup(), form.FolderPath, form.Resume);
         }
 
         /// <summary>The pose as it stands, without files.</summary>
         /// <exception cref="GlintException">It cannot be traced.</exception>
-        public static SweepSession Pose(RadarController radar) => new SweepSession(new SweepSetup(radar, SweepPlan.Single), null, false);
+        public static SweepSession Pose(RadarController radar) =>
+            new SweepSession(new SweepSetup(radar, SweepPlan.Single), null, false);
 
         /// <summary>Poses in all, and those that are traced; those before a resumption count.</summary>
         public int Count { get; }
@@ -96,7 +102,8 @@ namespace Glint.Editor
         public string Problem { get; private set; }
 
         /// <summary>Seconds until the last pose is traced, by those so far; null before the first.</summary>
-        public double? SecondsLeft => Done > _before ? _watch.Elapsed.TotalSeconds / (Done - _before) * (Count - Done) : (double?)null;
+        public double? SecondsLeft =>
+            Done > _before ? _watch.Elapsed.TotalSeconds / (Done - _before) * (Count - Done) : (double?)null;
 
         /// <summary>Where it stands, in a line.</summary>
         public string Status()
@@ -108,7 +115,9 @@ namespace Glint.Editor
         }
 
         /// <summary>Traces the next pose.</summary>
-        /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null. It may call <see cref="Cancel"/>.</param>
+        /// <param name="progress">
+        /// Told how much of the pose is done, 0 to 1; may be null. It may call <see cref="Cancel"/>.
+        /// </param>
         public void Tick(IProgress<double> progress = null)
         {
             if (!IsRunning || _isTracing)
@@ -147,7 +156,10 @@ namespace Glint.Editor
             }
         }
 
-        /// <summary>Ends the pose in hand at once, and the sweep; the rows stay. Between two poses everything is put back when this returns.</summary>
+        /// <summary>
+        /// Ends the pose in hand at once, and the sweep; the rows stay.
+        /// Between two poses everything is put back when this returns.
+        /// </summary>
         public void Cancel() => Stop("cancelled");
 
         /// <summary>As <see cref="Cancel"/>.</summary>

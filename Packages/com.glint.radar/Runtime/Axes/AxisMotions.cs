@@ -14,7 +14,8 @@ namespace Glint
         {
             var plan = setup.Plan;
             if (setup.Target != null && !setup.Target.gameObject.scene.IsValid())
-                throw new GlintException($"the target '{setup.Target.name}' of the sweep is a prefab: choose the object in the scene");
+                throw new GlintException($"the target '{setup.Target.name}' of the sweep is a prefab: "
+                    + "choose the object in the scene");
             if (setup.Target != null)
                 StandCheck.RefuseNowhere(setup.Target, $"the target '{setup.Target.name}' of the sweep");
             try
@@ -24,7 +25,8 @@ namespace Glint
                 if (plan.Has(SweepAxis.Frequency))
                     _motions.Add(new Carrier(setup.Radar));
                 if (plan.Has(SweepAxis.Range) || plan.Has(SweepAxis.Grazing))
-                    _motions.Add(setup.Mount ?? RadarMount.About(setup.Radar, setup.Target, plan.Has(SweepAxis.Grazing)));
+                    _motions.Add(setup.Mount
+                        ?? RadarMount.About(setup.Radar, setup.Target, plan.Has(SweepAxis.Grazing)));
                 if (plan.Has(SweepAxis.Angle))
                     _motions.Add(new TargetTurn(setup.Target, setup.Radar));
             }

@@ -45,32 +45,41 @@ namespace Glint
         }
 
         /// <summary>
-        /// Puts a scene's radar on a mount about the point of its view axis that is nearest to the target. The radar stays where it is, and is put back in the end.
+        /// Puts a scene's radar on a mount about the point of its view axis that is nearest to the target.
+        /// The radar stays where it is, and is put back in the end.
         /// </summary>
         /// <param name="turns">Whether the grazing angle is to change.</param>
-        /// <exception cref="GlintException">There is no such point or no direction to look down from, or the receiver would stay behind.</exception>
+        /// <exception cref="GlintException">
+        /// There is no such point or no direction to look down from, or the receiver would stay behind.
+        /// </exception>
         internal static RadarMount About(RadarController controller, Transform target, bool turns)
         {
             var radar = controller.transform;
             string subject = $"RadarController of '{controller.name}'";
             if (controller.Receiver != null && !controller.Receiver.IsChildOf(radar))
-                throw new GlintException($"{subject} cannot be moved by a sweep: its receiver '{controller.Receiver.name}' would stay behind: put it below the radar in the hierarchy");
+                throw new GlintException($"{subject} cannot be moved by a sweep: its receiver "
+                    + $"'{controller.Receiver.name}' would stay behind: put it below the radar in the hierarchy");
             if (target.IsChildOf(radar) || radar.IsChildOf(target))
-                throw new GlintException($"{subject} cannot be moved about '{target.name}': one is below the other in the hierarchy: separate them");
+                throw new GlintException($"{subject} cannot be moved about '{target.name}': "
+                    + "one is below the other in the hierarchy: separate them");
             if (radar.parent != null && math.any(math.abs((float3)radar.parent.lossyScale - 1) > ScaleTolerance))
-                throw new GlintException($"{subject} cannot be moved by a sweep: '{radar.parent.name}', above it, is scaled: give it and all above it the scale 1");
+                throw new GlintException($"{subject} cannot be moved by a sweep: '{radar.parent.name}', above it, "
+                    + "is scaled: give it and all above it the scale 1");
             double3 forward = (float3)radar.forward, place = (float3)radar.position;
             double distance = math.dot((float3)target.position - place, forward);
             if (!(distance > 0))
-                throw new GlintException($"{subject} cannot be moved about '{target.name}', which is not before it: turn the radar to look at it");
+                throw new GlintException($"{subject} cannot be moved about '{target.name}', which is not before it: "
+                    + "turn the radar to look at it");
             if (turns && math.abs(forward.y) > SteepestForward)
-                throw new GlintException($"{subject} looks straight {(forward.y < 0 ? "down" : "up")}, so that its grazing angle says nothing of where it stands: tilt it a degree or more");
+                throw new GlintException($"{subject} looks straight {(forward.y < 0 ? "down" : "up")}, "
+                    + "so that its grazing angle says nothing of where it stands: tilt it a degree or more");
             return Mounted(radar, place + distance * forward, (float)distance);
         }
 
         static RadarMount Mounted(Transform radar, double3 point, float distance)
         {
-            var (parent, place, rotation, order) = (radar.parent, radar.localPosition, radar.localRotation, radar.GetSiblingIndex());
+            var (parent, place, rotation, order) =
+                (radar.parent, radar.localPosition, radar.localRotation, radar.GetSiblingIndex());
             var aim = new GameObject("Radar Aim").transform;
             aim.SetParent(parent, false);
             aim.rotation = radar.rotation;
@@ -81,7 +90,8 @@ namespace Glint
             {
                 // In edit mode Unity leaves what is part of a prefab instance where it is, and only says so in the log.
                 Object.DestroyImmediate(aim.gameObject);
-                throw new GlintException($"RadarController of '{radar.name}' cannot be moved by a sweep: it is part of a prefab instance: unpack the prefab");
+                throw new GlintException($"RadarController of '{radar.name}' cannot be moved by a sweep: "
+                    + "it is part of a prefab instance: unpack the prefab");
             }
             radar.localRotation = Quaternion.identity;
             var mount = new RadarMount(aim, radar, angles.y, angles.z);
@@ -100,7 +110,8 @@ namespace Glint
         internal override void Show(SweepPose pose)
         {
             if (_radar == null || _aim == null)
-                throw new GlintException($"the radar of the sweep was destroyed before {pose}: it must stay until the last pose");
+                throw new GlintException($"the radar of the sweep was destroyed before {pose}: "
+                    + "it must stay until the last pose");
             if (pose[SweepAxis.Grazing] is double grazing)
                 Turn(grazing);
             if (pose[SweepAxis.Range] is double range)
@@ -120,7 +131,8 @@ namespace Glint
 
         void Remember() => (_rotation, _distance) = (_aim.localRotation, -_radar.localPosition.z);
 
-        void Turn(double grazingDegrees) => _aim.rotation = Quaternion.Euler((float)grazingDegrees, (float)_azimuthDegrees, (float)_rollDegrees);
+        void Turn(double grazingDegrees) =>
+            _aim.rotation = Quaternion.Euler((float)grazingDegrees, (float)_azimuthDegrees, (float)_rollDegrees);
 
         void HoldOut(double distance) => _radar.localPosition = new Vector3(0, 0, -(float)distance);
 

@@ -21,7 +21,8 @@ namespace Glint
         internal override void Show(SweepPose pose)
         {
             if (_sea == null)
-                throw new GlintException($"the Sea of the sweep was destroyed before {pose}: it must stay until the last pose");
+                throw new GlintException($"the Sea of the sweep was destroyed before {pose}: "
+                    + "it must stay until the last pose");
             _sea.Snapshot = pose.Snapshot.Value;
         }
 

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>Turns the target about the world's vertical through its own position, from its rotation at the beginning.</summary>
+    /// <summary>
+    /// Turns the target about the world's vertical through its own position, from its rotation at the beginning.
+    /// </summary>
     sealed class TargetTurn : AxisMotion
     {
         readonly Transform _target;
@@ -22,7 +24,8 @@ namespace Glint
         internal override void Show(SweepPose pose)
         {
             if (_target == null)
-                throw new GlintException($"the target of the sweep was destroyed before {pose}: it must stay until the last pose");
+                throw new GlintException($"the target of the sweep was destroyed before {pose}: "
+                    + "it must stay until the last pose");
             _target.rotation = Quaternion.AngleAxis((float)pose.AngleDegrees.Value, Vector3.up) * _rotation;
         }
 

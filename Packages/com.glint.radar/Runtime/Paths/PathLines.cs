@@ -5,11 +5,20 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>Lines for the ways of rays: one mesh, however many there are. Its vertices are about the middle of all, so that float32 holds them wherever the scene stands.</summary>
+    /// <summary>
+    /// Lines for the ways of rays: one mesh, however many there are. Its vertices are about the middle of all,
+    /// so that float32 holds them wherever the scene stands.
+    /// </summary>
     sealed class PathLines
     {
-        /// <summary>Colours of the segments in order, as in the published experiment; then again from the first.</summary>
-        public static readonly Color32[] SegmentColours = { new Color32(255, 0, 0, 255), new Color32(0, 255, 0, 255), new Color32(0, 64, 255, 255), new Color32(255, 255, 0, 255) };
+        /// <summary>
+        /// Colours of the segments in order, as in the published experiment; then again from the first.
+        /// </summary>
+        public static readonly Color32[] SegmentColours =
+        {
+            new Color32(255, 0, 0, 255), new Color32(0, 255, 0, 255), new Color32(0, 64, 255, 255),
+            new Color32(255, 255, 0, 255)
+        };
 
         /// <summary>Colour of the receiver and of the points of reflection.</summary>
         public static readonly Color32 White = new Color32(255, 255, 255, 255);
@@ -63,12 +72,14 @@ namespace Glint
                 from = to;
             }
             if (path.Bounces > 0)
-                Add(from, path.End ?? from + LeavingPart * _size * path.Hits[path.Bounces - 1].Direction, Colour(path.Bounces));
+                Add(from, path.End ?? from + LeavingPart * _size * path.Hits[path.Bounces - 1].Direction,
+                    Colour(path.Bounces));
         }
 
         void AddReceiver(in RadarView view)
         {
-            double3 right = view.ReceiverSize.x / 2 * view.ReceiverRight, up = view.ReceiverSize.y / 2 * view.ReceiverUp, centre = view.ReceiverCentre;
+            double3 right = view.ReceiverSize.x / 2 * view.ReceiverRight,
+                up = view.ReceiverSize.y / 2 * view.ReceiverUp, centre = view.ReceiverCentre;
             Add(centre - right - up, centre + right - up, White);
             Add(centre + right - up, centre + right + up, White);
             Add(centre + right + up, centre - right + up, White);

@@ -7,8 +7,10 @@ using UnityEngine.Rendering;
 namespace Glint
 {
     /// <summary>
-    /// Draws the ways of the radar's rays in Scene and Game view: the segments red, green, blue and yellow in this order, and the receiver white.
-    /// They are those of the pose last traced. As long as no camera shows them, as in batch mode, they are not traced; nor are they once the scene is no longer that of the pose.
+    /// Draws the ways of the radar's rays in Scene and Game view: the segments red, green,
+    /// blue and yellow in this order, and the receiver white.
+    /// They are those of the pose last traced. As long as no camera shows them, as in batch mode, they are not traced;
+    /// nor are they once the scene is no longer that of the pose.
     /// </summary>
     [AddComponentMenu("Glint/Ray Paths")]
     [RequireComponent(typeof(RadarController))]
@@ -71,10 +73,16 @@ namespace Glint
         /// <summary>Rays asked for and not followed, as there are more than <see cref="MostRays"/>.</summary>
         public int LeftOut { get; private set; }
 
-        /// <summary>Whether rays were to be followed when the scene, or the radar, was no longer as the pose found it, or the radar had let go of the pose: none are drawn until the next.</summary>
+        /// <summary>
+        /// Whether rays were to be followed when the scene, or the radar, was no longer as the pose found it,
+        /// or the radar had let go of the pose: none are drawn until the next.
+        /// </summary>
         internal bool IsOutdated { get; private set; }
 
-        /// <summary>The lines that are drawn, two vertices each, about a point near their middle; null before the first pose. Reading it brings them up to date.</summary>
+        /// <summary>
+        /// The lines that are drawn, two vertices each, about a point near their middle; null before the first pose.
+        /// Reading it brings them up to date.
+        /// </summary>
         /// <exception cref="GlintException">The radar or a mesh is not fit to be traced any more.</exception>
         public Mesh Lines()
         {
@@ -128,10 +136,14 @@ namespace Glint
             if (Prepare() == null)
                 return;
             double3 place = _pose.Scene.Origin + _middle;
-            Graphics.RenderMesh(new RenderParams(Lit()) { camera = camera, layer = gameObject.layer, worldBounds = new Bounds((float3)place, _lines.bounds.size) }, _lines, 0, Matrix4x4.Translate((float3)place));
+            Graphics.RenderMesh(new RenderParams(Lit())
+            {
+                camera = camera, layer = gameObject.layer, worldBounds = new Bounds((float3)place, _lines.bounds.size)
+            }, _lines, 0, Matrix4x4.Translate((float3)place));
         }
 
-        // The lines; null if there are none, and if the radar cannot be traced, which is said once: the next pose, or another setting, tries again.
+        // The lines; null if there are none, and if the radar cannot be traced, which is said once:
+        // the next pose, or another setting, tries again.
         Mesh Prepare()
         {
             try
@@ -171,7 +183,8 @@ namespace Glint
         // Every n-th, and evenly as many as are followed. Pixels: null for the whole picture's.
         uint[] Chosen(uint[] pixels)
         {
-            long all = (pixels?.Length ?? _pose.Settings.RayCount) / math.max(1, _every), count = math.min(all, MostRays);
+            long all = (pixels?.Length ?? _pose.Settings.RayCount) / math.max(1, _every),
+                count = math.min(all, MostRays);
             LeftOut = (int)math.min(int.MaxValue, all - count);
             var chosen = new uint[count];
             for (long i = 0; i < count; i++)
@@ -188,14 +201,18 @@ namespace Glint
             if (_radar.Result == null)
                 return;
             if (_lines == null)
-                _lines = new Mesh { name = "Ray Paths", hideFlags = HideFlags.HideAndDontSave, indexFormat = IndexFormat.UInt32 };
+                _lines = new Mesh
+                {
+                    name = "Ray Paths", hideFlags = HideFlags.HideAndDontSave, indexFormat = IndexFormat.UInt32
+                };
             var shown = Array.FindAll(_paths, IsShown);
             Count = shown.Length;
             _middle = new PathLines(_pose.View, shown, _hitPoints).WriteTo(_lines);
         }
 
         bool IsMeant(RayPath path) =>
-            (path.IsReceived || !_receivedOnly) && (_meeting == null || path.Meets(number => number != PathHit.NoObject && _radar.ObjectAt(number).IsChildOf(_meeting)));
+            (path.IsReceived || !_receivedOnly) && (_meeting == null
+                || path.Meets(number => number != PathHit.NoObject && _radar.ObjectAt(number).IsChildOf(_meeting)));
 
         bool IsShown(RayPath path) => path.Bounces >= _fewestBounces && path.Bounces <= _mostBounces;
 
@@ -203,7 +220,8 @@ namespace Glint
         Material Lit()
         {
             if (_material == null)
-                _material = new Material(Shader.Find("Hidden/Internal-Colored")) { hideFlags = HideFlags.HideAndDontSave };
+                _material =
+                    new Material(Shader.Find("Hidden/Internal-Colored")) { hideFlags = HideFlags.HideAndDontSave };
             return _material;
         }
 

@@ -4,7 +4,10 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>Objects of a <see cref="RigidGroup"/>, merged into one mesh in its frame. It is built anew only when one of them changes.</summary>
+    /// <summary>
+    /// Objects of a <see cref="RigidGroup"/>, merged into one mesh in its frame.
+    /// It is built anew only when one of them changes.
+    /// </summary>
     sealed class Body
     {
         List<Part> _parts = new List<Part>(), _merged = new List<Part>();
@@ -44,7 +47,8 @@ namespace Glint
         /// <summary>The mesh where the group's frame stands now.</summary>
         public MeshInstance Place(MeshReader reader)
         {
-            // A lone object that is stretched has its scale put into vertices of its own: the tree is better over shapes as they are.
+            // A lone object that is stretched has its scale put into vertices of its own:
+            // the tree is better over shapes as they are.
             if (_parts.Count == 1 && Shape.Evenness(_first.ToScene) >= Shape.EvenEnough)
             {
                 (_mesh, _merged) = (null, new List<Part>());
@@ -84,7 +88,8 @@ namespace Glint
             vertexCount = 0;
             int indexCount = 0;
             foreach (var part in _parts)
-                reader.Append(part.Source.Mesh, into * part.InFrame, vertices, ref vertexCount, indices, ref indexCount);
+                reader.Append(part.Source.Mesh, into * part.InFrame, vertices, ref vertexCount,
+                    indices, ref indexCount);
             _mesh = new TriangleMesh(vertices, indices);
             _finder = null;
             (_parts, _merged) = (_merged, _parts);
@@ -97,7 +102,8 @@ namespace Glint
             public int Version;
             public Affine InFrame;
 
-            public bool Equals(in Part other) => Source == other.Source && Version == other.Version && InFrame.Equals(other.InFrame);
+            public bool Equals(in Part other) =>
+                Source == other.Source && Version == other.Version && InFrame.Equals(other.InFrame);
         }
     }
 }

@@ -9,8 +9,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Sums up a mesh's content, in order, in 64 bits: Unity does not say when a mesh changes. A change of one number always shows,
-    /// others but for a chance of 1 in 10^19. Good within one run only.
+    /// Sums up a mesh's content, in order, in 64 bits: Unity does not say when a mesh changes.
+    /// A change of one number always shows, others but for a chance of 1 in 10^19. Good within one run only.
     /// </summary>
     struct ContentHash
     {
@@ -65,7 +65,8 @@ namespace Glint
         void AddChunks(int count, Func<int, int, ulong> sumOf)
         {
             var sums = new ulong[(count + ChunkSize - 1) / ChunkSize];
-            Parallel.For(0, sums.Length, chunk => sums[chunk] = sumOf(chunk * ChunkSize, Math.Min(count, (chunk + 1) * ChunkSize)));
+            Parallel.For(0, sums.Length,
+                chunk => sums[chunk] = sumOf(chunk * ChunkSize, Math.Min(count, (chunk + 1) * ChunkSize)));
             foreach (ulong sum in sums)
                 _a = Mix(_a, sum);
         }

@@ -5,13 +5,19 @@ using UnityEngine.SceneManagement;
 
 namespace Glint
 {
-    /// <summary>Lists the renderers of active objects as the Hierarchy window lists them: scene by scene, parents before children, siblings in order.</summary>
+    /// <summary>
+    /// Lists the renderers of active objects as the Hierarchy window lists them: scene by scene,
+    /// parents before children, siblings in order.
+    /// </summary>
     sealed class HierarchyWalk
     {
         readonly List<Renderer> _found = new List<Renderer>(), _below = new List<Renderer>();
         readonly List<GameObject> _sceneRoots = new List<GameObject>();
 
-        /// <summary>The renderers at and below the roots, in their order; those of nested roots more than once. No roots: those of every loaded scene.</summary>
+        /// <summary>
+        /// The renderers at and below the roots, in their order; those of nested roots more than once.
+        /// No roots: those of every loaded scene.
+        /// </summary>
         public IReadOnlyList<Renderer> Find(IReadOnlyList<Transform> roots)
         {
             _found.Clear();
@@ -45,7 +51,8 @@ namespace Glint
         void AddSurvivors()
         {
             var roots = new HashSet<Transform>();
-            foreach (var renderer in Object.FindObjectsByType<Renderer>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
+            foreach (var renderer in Object.FindObjectsByType<Renderer>(FindObjectsInactive.Exclude,
+                FindObjectsSortMode.None))
                 if (!IsListed(renderer.gameObject.scene))
                     roots.Add(renderer.transform.root);
             foreach (var root in roots.OrderBy(root => root.GetSiblingIndex()))

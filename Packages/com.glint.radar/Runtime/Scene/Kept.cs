@@ -2,7 +2,9 @@ using System.Collections.Generic;
 
 namespace Glint
 {
-    /// <summary>What is kept of one gather for the next, by key. What a gather does not ask for is forgotten when it ends.</summary>
+    /// <summary>
+    /// What is kept of one gather for the next, by key. What a gather does not ask for is forgotten when it ends.
+    /// </summary>
     sealed class Kept<TKey, TValue> where TValue : class, new()
     {
         Dictionary<TKey, TValue> _now = new Dictionary<TKey, TValue>();

@@ -55,14 +55,17 @@ namespace Glint
             {
                 var topology = mesh.GetTopology(submesh);
                 if (topology != MeshTopology.Triangles && topology != MeshTopology.Quads)
-                    throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} is made of {topology}: the radar traces triangles and quads, remove the submesh or disable the MeshRenderer");
+                    throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} is made of {topology}: "
+                        + "the radar traces triangles and quads, remove the submesh or disable the MeshRenderer");
                 mesh.GetIndices(_indices, submesh);
                 int corners = topology == MeshTopology.Quads ? 4 : 3;
                 if (_indices.Count % corners != 0)
-                    throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} has {_indices.Count} indices, no multiple of {corners}: mend the mesh");
+                    throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} has {_indices.Count} "
+                        + $"indices, no multiple of {corners}: mend the mesh");
                 foreach (int index in _indices)
                     if (index < 0 || index >= vertices)
-                        throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} has index {index}, and the mesh has {vertices} vertices: mend the mesh");
+                        throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} has index {index}, "
+                            + $"and the mesh has {vertices} vertices: mend the mesh");
                 triangles += _indices.Count / corners * (corners - 2);
             }
             return triangles;
@@ -79,15 +82,19 @@ namespace Glint
                 if (math.all(math.abs(place) <= TriangleMesh.LargestCoordinate))
                     continue;
                 var position = (float3)place;
-                throw new GlintException(FormattableString.Invariant($"{Subject(mesh, owner)}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the scene, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: mend the mesh, or the position, rotation or scale of the object or of one above it"));
+                throw new GlintException(FormattableString.Invariant(
+                    $"{Subject(mesh, owner)}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the scene, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: mend the mesh, or the position, rotation or scale of the object or of one above it"));
             }
         }
 
         /// <summary>Writes a mesh's triangles behind those that are there.</summary>
-        /// <param name="place">From the mesh's coordinates to those of the vertices written; computed in double, then rounded.</param>
+        /// <param name="place">
+        /// From the mesh's coordinates to those of the vertices written; computed in double, then rounded.
+        /// </param>
         /// <param name="vertexCount">Vertices there; moved on.</param>
         /// <param name="indexCount">Indices there; moved on.</param>
-        public void Append(Mesh mesh, in Affine place, float3[] vertices, ref int vertexCount, int[] indices, ref int indexCount)
+        public void Append(Mesh mesh, in Affine place, float3[] vertices, ref int vertexCount,
+            int[] indices, ref int indexCount)
         {
             int first = vertexCount;
             mesh.GetVertices(_vertices);
@@ -108,7 +115,8 @@ namespace Glint
         {
             for (int i = 0; i < _indices.Count; i += 4)
             {
-                int a = first + _indices[i], b = first + _indices[i + 1], c = first + _indices[i + 2], d = first + _indices[i + 3];
+                int a = first + _indices[i], b = first + _indices[i + 1], c = first + _indices[i + 2],
+                    d = first + _indices[i + 3];
                 (indices[count], indices[count + 1], indices[count + 2]) = (a, b, c);
                 (indices[count + 3], indices[count + 4], indices[count + 5]) = (a, c, d);
                 count += 6;

@@ -4,7 +4,9 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>A Mesh as the last gather found it, and its triangles in its own coordinates once an instance asks for them.</summary>
+    /// <summary>
+    /// A Mesh as the last gather found it, and its triangles in its own coordinates once an instance asks for them.
+    /// </summary>
     sealed class MeshSource
     {
         // All vertices are far from the mesh's origin when their middle lies beyond so many halves of their box.

@@ -4,7 +4,10 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>Finds which of the parts of a merged mesh a triangle comes from, by its corners: the trees do not keep triangles' numbers.</summary>
+    /// <summary>
+    /// Finds which of the parts of a merged mesh a triangle comes from, by its corners:
+    /// the trees do not keep triangles' numbers.
+    /// </summary>
     sealed class PartFinder
     {
         readonly Dictionary<(float3, float3, float3), int> _parts = new Dictionary<(float3, float3, float3), int>();

@@ -4,8 +4,9 @@ using Unity.Mathematics;
 namespace Glint
 {
     /// <summary>
-    /// Objects with the same nearest moving transform above them: they keep still relative to each other. Their frame stands at the nearest transform above them all,
-    /// so that nothing in it changes when that transform, or one above it, moves.
+    /// Objects with the same nearest moving transform above them: they keep still relative to each other.
+    /// Their frame stands at the nearest transform above them all, so that nothing in it changes when that transform,
+    /// or one above it, moves.
     /// </summary>
     sealed class RigidGroup
     {

@@ -5,12 +5,17 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>Looks for numbers that are none in what a radar, receiver or target stands on: Unity refuses them from scripts, and takes them from files.</summary>
+    /// <summary>
+    /// Looks for numbers that are none in what a radar, receiver or target stands on:
+    /// Unity refuses them from scripts, and takes them from files.
+    /// </summary>
     static class StandCheck
     {
         /// <summary>Refuses a place that is not finite.</summary>
         /// <param name="subject">What stands there, for the message.</param>
-        /// <exception cref="GlintException">A position, rotation or scale of the transform or of one above it is not finite; the message names it.</exception>
+        /// <exception cref="GlintException">
+        /// A position, rotation or scale of the transform or of one above it is not finite; the message names it.
+        /// </exception>
         public static void RefuseNowhere(in Affine stand, Transform place, string subject)
         {
             if (!math.all(math.isfinite(stand.X + stand.Y + stand.Z + stand.Origin)))
@@ -22,7 +27,8 @@ namespace Glint
         {
             for (var at = place; at != null; at = at.parent)
                 if (WhatIsNotFinite(at) is string what)
-                    throw new GlintException($"{subject} stands nowhere: the {what} of '{at.name}'{(at == place ? "" : ", above it,")} is not finite: set it anew");
+                    throw new GlintException($"{subject} stands nowhere: "
+                        + $"the {what} of '{at.name}'{(at == place ? "" : ", above it,")} is not finite: set it anew");
         }
 
         static string WhatIsNotFinite(Transform transform)

@@ -5,7 +5,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// A transform at or above a traced object, the radar or its receiver, as the gather found it. Transforms are composed in double from local position, rotation and scale:
+    /// A transform at or above a traced object, the radar or its receiver, as the gather found it.
+    /// Transforms are composed in double from local position, rotation and scale:
     /// Unity's float32 world matrices lose centimetres far from the origin.
     /// </summary>
     sealed class TransformNode
@@ -54,7 +55,9 @@ namespace Glint
             return world;
         }
 
-        /// <summary>Takes the transform as it stands now. One that does not stand as it did moves from now on.</summary>
+        /// <summary>
+        /// Takes the transform as it stands now. One that does not stand as it did moves from now on.
+        /// </summary>
         /// <param name="moves">True to count it as moving already.</param>
         public void Update(Transform transform, TransformNode parent, bool moves)
         {
@@ -93,7 +96,9 @@ namespace Glint
         public Affine ToWorld() => Parent == null ? _local : Parent.ToWorld() * _local;
 
         /// <summary>Composes <see cref="ToScene"/>. Parents come before their children.</summary>
-        /// <param name="centre">The transform whose place is the scene's origin: neither it nor what stands above it shifts anything.</param>
+        /// <param name="centre">
+        /// The transform whose place is the scene's origin: neither it nor what stands above it shifts anything.
+        /// </param>
         public void Compose(TransformNode centre)
         {
             IsInScene = this == centre || Parent != null && Parent.IsInScene;
@@ -103,14 +108,19 @@ namespace Glint
                 ToScene = Parent.ToScene * _local;
         }
 
-        /// <summary>From this transform's coordinates to the scene's as if it had no scale of its own: of one that is a frame, whose scale the vertices carry.</summary>
+        /// <summary>
+        /// From this transform's coordinates to the scene's as if it had no scale of its own: of one that is a frame,
+        /// whose scale the vertices carry.
+        /// </summary>
         public Affine FrameToScene()
         {
             var unscaled = Local((float3)_position, 1);
             return Parent.IsInScene ? Parent.ToScene * unscaled : WithoutShift(Parent.ToWorld() * unscaled);
         }
 
-        /// <summary>From this transform's coordinates to those of a frame at or above it, which has no scale of its own.</summary>
+        /// <summary>
+        /// From this transform's coordinates to those of a frame at or above it, which has no scale of its own.
+        /// </summary>
         public Affine InFrame(TransformNode frame)
         {
             if (_frame != frame)
@@ -118,7 +128,10 @@ namespace Glint
             return _inFrame;
         }
 
-        /// <summary>Where it stands in the scene; the columns are its right, up and forward as Unity has them: unit vectors, whatever scales are above, as rotations are multiplied.</summary>
+        /// <summary>
+        /// Where it stands in the scene; the columns are its right, up and forward as Unity has them:
+        /// unit vectors, whatever scales are above, as rotations are multiplied.
+        /// </summary>
         public Affine Stand()
         {
             var turn = Turn();
@@ -140,7 +153,10 @@ namespace Glint
             return Scaled(signs) * turn * Scaled(signs);
         }
 
-        static Affine Scaled(double3 scale) => new Affine { X = new double3(scale.x, 0, 0), Y = new double3(0, scale.y, 0), Z = new double3(0, 0, scale.z) };
+        static Affine Scaled(double3 scale) => new Affine
+        {
+            X = new double3(scale.x, 0, 0), Y = new double3(0, scale.y, 0), Z = new double3(0, 0, scale.z)
+        };
 
         static Affine WithoutShift(Affine transform)
         {

@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>The transforms of a scene from the traced objects, the radar and its receiver up to the roots.</summary>
+    /// <summary>
+    /// The transforms of a scene from the traced objects, the radar and its receiver up to the roots.
+    /// </summary>
     sealed class TransformTree
     {
         readonly Kept<Transform, TransformNode> _nodes = new Kept<Transform, TransformNode>();
@@ -17,7 +19,9 @@ namespace Glint
         /// <returns>False when it was so already.</returns>
         public bool ExpectMotion(Transform transform) => _expected.Add(transform);
 
-        /// <summary>Takes <see cref="ExpectMotion"/> back. What has moved is known to move until <see cref="Forget"/>.</summary>
+        /// <summary>
+        /// Takes <see cref="ExpectMotion"/> back. What has moved is known to move until <see cref="Forget"/>.
+        /// </summary>
         public void ExpectNoMotion(Transform transform) => _expected.Remove(transform);
 
         public void Begin()
@@ -41,7 +45,9 @@ namespace Glint
             return node;
         }
 
-        /// <summary>Composes the places of all that was visited in a scene whose origin stands at <paramref name="centre"/>.</summary>
+        /// <summary>
+        /// Composes the places of all that was visited in a scene whose origin stands at <paramref name="centre"/>.
+        /// </summary>
         public void Compose(TransformNode centre)
         {
             foreach (var node in _visited) // parents first

@@ -3,7 +3,10 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>Where float32 vertices keep the most digits: in metres, about, and with the origin among them. To go there and back rounds no double.</summary>
+    /// <summary>
+    /// Where float32 vertices keep the most digits: in metres, about, and with the origin among them.
+    /// To go there and back rounds no double.
+    /// </summary>
     struct VertexFrame
     {
         /// <summary>In the coordinates outside.</summary>
@@ -29,6 +32,10 @@ namespace Glint
         public Affine Back => Scaled(1 / Unit, Origin);
 
         static Affine Scaled(double scale, double3 origin) =>
-            new Affine { X = new double3(scale, 0, 0), Y = new double3(0, scale, 0), Z = new double3(0, 0, scale), Origin = origin };
+            new Affine
+            {
+                X = new double3(scale, 0, 0),
+                Y = new double3(0, scale, 0), Z = new double3(0, 0, scale), Origin = origin
+            };
     }
 }

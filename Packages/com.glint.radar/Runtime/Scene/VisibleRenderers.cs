@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>The renderers that a radar sees: enabled, of active objects on its layers and below its roots, of level 0 where there are levels of detail, and not below its receiver.</summary>
+    /// <summary>
+    /// The renderers that a radar sees: enabled, of active objects on its layers and below its roots,
+    /// of level 0 where there are levels of detail, and not below its receiver.
+    /// </summary>
     sealed class VisibleRenderers
     {
         readonly HierarchyWalk _walk = new HierarchyWalk();
@@ -18,7 +21,8 @@ namespace Glint
             foreach (var renderer in _walk.Find(roots))
             {
                 var owner = renderer.gameObject;
-                if (!renderer.enabled || !owner.activeInHierarchy || (layers.value & (1 << owner.layer)) == 0 || lowerDetail.Contains(renderer))
+                if (!renderer.enabled || !owner.activeInHierarchy || (layers.value & (1 << owner.layer)) == 0
+                    || lowerDetail.Contains(renderer))
                     continue;
                 if (receiver == null || !renderer.transform.IsChildOf(receiver))
                     yield return renderer;
@@ -29,7 +33,8 @@ namespace Glint
         {
             var first = new HashSet<Renderer>();
             var lower = new HashSet<Renderer>();
-            foreach (var group in Object.FindObjectsByType<LODGroup>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
+            foreach (var group in Object.FindObjectsByType<LODGroup>(FindObjectsInactive.Exclude,
+                FindObjectsSortMode.None))
             {
                 var lods = group.GetLODs();
                 lower.UnionWith(lods.Skip(1).SelectMany(lod => lod.renderers));

@@ -6,7 +6,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// A sea of any extent: one periodic tile, laid side by side. The tile is a stored snapshot or, without snapshots, made from the wave settings.
+    /// A sea of any extent: one periodic tile, laid side by side. The tile is a stored snapshot or, without snapshots,
+    /// made from the wave settings.
     /// All tiles are instances of one mesh, so that a sea of a thousand costs little more memory than one.
     /// They are children of this object, made when it is enabled, in edit mode too, and never saved.
     /// </summary>
@@ -15,7 +16,8 @@ namespace Glint
     [DisallowMultipleComponent]
     public sealed class Sea : MonoBehaviour
     {
-        [SerializeField, Tooltip("Stored moments of a sea, in order; one of them is shown. Empty: the tile is made from Waves.")]
+        [SerializeField,
+            Tooltip("Stored moments of a sea, in order; one of them is shown. Empty: the tile is made from Waves.")]
         List<SeaSnapshot> _snapshots = new List<SeaSnapshot>();
 
         [SerializeField, Min(1), Tooltip("Which snapshot is shown, from 1.")]
@@ -30,10 +32,12 @@ namespace Glint
         [SerializeField, Tooltip("Metres along this object's X and Z that are covered at least; whole tiles are laid.")]
         Vector2 _extent = new Vector2(64, 128);
 
-        [SerializeField, Tooltip("What stays in the middle, the radar or the ship: the tiles follow it by whole tiles, the waves stay where they are. Empty: this object.")]
+        [SerializeField, Tooltip("What stays in the middle, the radar or the ship: the tiles follow it by whole tiles, "
+            + "the waves stay where they are. Empty: this object.")]
         Transform _centre;
 
-        [SerializeField, Tooltip("While the scene plays: nothing, one snapshot after the other, or running waves (without snapshots).")]
+        [SerializeField, Tooltip("While the scene plays: nothing, one snapshot after the other, "
+            + "or running waves (without snapshots).")]
         SeaMotion _motion;
 
         [SerializeField, Min(0.01f), Tooltip("How long each snapshot is shown, in seconds.")]
@@ -97,19 +101,23 @@ namespace Glint
         /// <summary>What happens while the scene plays.</summary>
         public SeaMotion Motion { get => _motion; set => _motion = value; }
 
-        /// <summary>How long each snapshot is shown when the motion is <see cref="SeaMotion.Snapshots"/>, seconds.</summary>
+        /// <summary>
+        /// How long each snapshot is shown when the motion is <see cref="SeaMotion.Snapshots"/>, seconds.
+        /// </summary>
         /// <exception cref="GlintException">It is not above 0.</exception>
         public float SecondsPerSnapshot
         {
             get => _secondsPerSnapshot;
-            set => _secondsPerSnapshot = value > 0 ? value : throw new GlintException(FormattableString.Invariant($"{Subject}: {value} seconds a snapshot: must be above 0"));
+            set => _secondsPerSnapshot = value > 0 ? value : throw new GlintException(
+                FormattableString.Invariant($"{Subject}: {value} seconds a snapshot: must be above 0"));
         }
 
         /// <summary>What it looks like. Call <see cref="Lay"/> after a change.</summary>
         internal Material Material { set => _material = value; }
 
         /// <summary>The snapshot that is shown; null when there is none of that number.</summary>
-        internal SeaSnapshot ShownSnapshot => _snapshot >= 1 && _snapshot <= _snapshots.Count ? _snapshots[_snapshot - 1] : null;
+        internal SeaSnapshot ShownSnapshot =>
+            _snapshot >= 1 && _snapshot <= _snapshots.Count ? _snapshots[_snapshot - 1] : null;
 
         /// <summary>Tiles that are shown.</summary>
         internal int TileCount => _tiles.Shown;
@@ -128,11 +136,14 @@ namespace Glint
         }
 
         /// <summary>Refuses what cannot be shown.</summary>
-        /// <exception cref="GlintException">A setting of the waves is out of its range, a snapshot is missing, or it is to move as it cannot.</exception>
+        /// <exception cref="GlintException">
+        /// A setting of the waves is out of its range, a snapshot is missing, or it is to move as it cannot.
+        /// </exception>
         internal void Check()
         {
             if (_motion == SeaMotion.Waves && _snapshots.Count > 0)
-                throw new GlintException($"{Subject}: its motion is Waves and it has snapshots, which stand still: choose Snapshots or Still, or remove the snapshots");
+                throw new GlintException($"{Subject}: its motion is Waves and it has snapshots, which stand still: "
+                    + "choose Snapshots or Still, or remove the snapshots");
             if (_snapshots.Count > 0)
                 CheckSnapshot(_snapshot);
             else
@@ -144,11 +155,13 @@ namespace Glint
         internal void CheckSnapshot(int number)
         {
             if (_snapshots.Count == 0)
-                throw new GlintException($"{Subject} has no snapshots: put prefabs that glint sea wrote into its list Snapshots");
+                throw new GlintException($"{Subject} has no snapshots: "
+                    + "put prefabs that glint sea wrote into its list Snapshots");
             if (number < 1 || number > _snapshots.Count)
                 throw new GlintException($"{Subject} has no snapshot {number}: it has 1 to {_snapshots.Count}");
             if (_snapshots[number - 1] == null || _snapshots[number - 1].Tile == null)
-                throw new GlintException($"{Subject}: entry {number} of its list Snapshots is empty or has no tile: put a prefab there that glint sea wrote");
+                throw new GlintException($"{Subject}: entry {number} of its list Snapshots is empty or has no tile: "
+                    + "put a prefab there that glint sea wrote");
         }
 
         Mesh Tile(out double size)

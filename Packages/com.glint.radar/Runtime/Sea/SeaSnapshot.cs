@@ -4,7 +4,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// One stored moment of a sea: the mesh of a tile and the recipe that it was made by. It is on the root of a prefab that shows the sea; <c>glint sea</c> writes them.
+    /// One stored moment of a sea: the mesh of a tile and the recipe that it was made by.
+    /// It is on the root of a prefab that shows the sea; <c>glint sea</c> writes them.
     /// </summary>
     [AddComponentMenu("")]
     [DisallowMultipleComponent]
@@ -19,7 +20,8 @@ namespace Glint
         [SerializeField, Tooltip("Moment of the sea in seconds.")]
         double _timeSeconds;
 
-        [SerializeField, Tooltip("Significant wave height of this moment in metres: 4 times the standard deviation of its heights. Over the snapshots of a sea it scatters about the one asked for.")]
+        [SerializeField, Tooltip("Significant wave height of this moment in metres: 4 times the standard deviation of "
+            + "its heights. Over the snapshots of a sea it scatters about the one asked for.")]
         double _waveHeight;
 
         /// <summary>The tile, periodic over its width.</summary>

@@ -19,21 +19,28 @@ namespace Glint
         /// <summary>Tiles last laid that are not hidden.</summary>
         public int Shown { get; private set; }
 
-        /// <summary>Shows a tile over an extent; objects that are there already are taken again, those left over are hidden.</summary>
+        /// <summary>
+        /// Shows a tile over an extent; objects that are there already are taken again, those left over are hidden.
+        /// </summary>
         /// <param name="parent">Has the tiles as children.</param>
         /// <param name="size">Side of the tile in metres.</param>
         /// <param name="extent">Metres along the parent's X and Z to cover at least.</param>
-        /// <param name="middle">Where the extent's middle should be, in the parent's coordinates; it is met within half a tile.</param>
+        /// <param name="middle">
+        /// Where the extent's middle should be, in the parent's coordinates; it is met within half a tile.
+        /// </param>
         /// <param name="subject">Whose sea it is, for messages.</param>
         /// <exception cref="GlintException">The extent takes too many tiles, or none.</exception>
-        public void Lay(Transform parent, Mesh mesh, Material material, double size, Vector2 extent, Vector3 middle, string subject)
+        public void Lay(Transform parent, Mesh mesh, Material material, double size, Vector2 extent,
+            Vector3 middle, string subject)
         {
             int across = Count(extent.x, size, subject), along = Count(extent.y, size, subject);
             if ((long)across * along > MostTiles)
-                throw new GlintException(FormattableString.Invariant($"{subject}: an extent of {extent.x} x {extent.y} m takes {(long)across * along} tiles of {size} m, and {MostTiles} is the limit: take larger tiles or a smaller extent"));
+                throw new GlintException(FormattableString.Invariant(
+                    $"{subject}: an extent of {extent.x} x {extent.y} m takes {(long)across * along} tiles of {size} m, and {MostTiles} is the limit: take larger tiles or a smaller extent"));
             Find(parent);
             // By whole tiles: the waves stay where they are.
-            var whole = new Vector3((float)(size * Math.Round(middle.x / size)), 0, (float)(size * Math.Round(middle.z / size)));
+            var whole = new Vector3((float)(size * Math.Round(middle.x / size)), 0,
+                (float)(size * Math.Round(middle.z / size)));
             for (int i = 0; i < across * along; i++)
             {
                 if (i == _tiles.Count)
@@ -51,9 +58,12 @@ namespace Glint
         }
 
         /// <summary>Where a tile stands when so many are laid about the origin.</summary>
-        public static Vector3 Place(int x, int z, int2 tiles, double size) => new Vector3((float)(size * (x - (tiles.x - 1) / 2.0)), 0, (float)(size * (z - (tiles.y - 1) / 2.0)));
+        public static Vector3 Place(int x, int z, int2 tiles, double size) =>
+            new Vector3((float)(size * (x - (tiles.x - 1) / 2.0)), 0, (float)(size * (z - (tiles.y - 1) / 2.0)));
 
-        /// <summary>Hides all tiles. They stay: objects must not be destroyed while one above them is switched on or off.</summary>
+        /// <summary>
+        /// Hides all tiles. They stay: objects must not be destroyed while one above them is switched on or off.
+        /// </summary>
         public void Hide(Transform parent)
         {
             Find(parent);
@@ -72,21 +82,24 @@ namespace Glint
         {
             _tiles.Clear();
             for (int i = 0; i < parent.childCount; i++)
-                if (parent.GetChild(i).hideFlags == Made && parent.GetChild(i).TryGetComponent<MeshFilter>(out var tile))
+                if (parent.GetChild(i).hideFlags == Made
+                    && parent.GetChild(i).TryGetComponent<MeshFilter>(out var tile))
                     _tiles.Add(tile);
         }
 
         static int Count(float extent, double size, string subject)
         {
             if (!(extent > 0) || float.IsInfinity(extent))
-                throw new GlintException(FormattableString.Invariant($"{subject}: its extent has a side of {extent} m: give both sides in metres, above 0"));
+                throw new GlintException(FormattableString.Invariant(
+                    $"{subject}: its extent has a side of {extent} m: give both sides in metres, above 0"));
             // An extent of whole tiles, but for rounding, takes no more.
             return (int)Math.Min(int.MaxValue / 2, Math.Ceiling(extent / size - 1e-6));
         }
 
         static MeshFilter MakeTile(Transform parent)
         {
-            var tile = new GameObject("Tile", typeof(MeshFilter), typeof(MeshRenderer)) { layer = parent.gameObject.layer };
+            var tile = new GameObject("Tile", typeof(MeshFilter),
+                typeof(MeshRenderer)) { layer = parent.gameObject.layer };
             tile.transform.SetParent(parent, false);
             tile.hideFlags = tile.transform.hideFlags = Made;
             return tile.GetComponent<MeshFilter>();

@@ -4,7 +4,10 @@ using UnityEngine;
 
 namespace Glint.Samples
 {
-    /// <summary>A radar without a scene of its own: makes a plate and a radar that looks at it, traces it, reads the rays, and sweeps.</summary>
+    /// <summary>
+    /// A radar without a scene of its own: makes a plate and a radar that looks at it,
+    /// traces it, reads the rays, and sweeps.
+    /// </summary>
     public sealed class RadarFromCode : MonoBehaviour
     {
         [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Trace.compute")]
@@ -18,9 +21,11 @@ namespace Glint.Samples
             var plate = MakePlate(1, 10);
             var radar = MakeRadar();
             var result = radar.Trace();
-            Debug.Log($"{result.RaysReceived} of {result.RaysHit} rays that hit came back: amplitude {result.Amplitude:0.0}, {result.AmplitudeDb:0.0} dB");
+            Debug.Log($"{result.RaysReceived} of {result.RaysHit} rays that hit came back: "
+                + $"amplitude {result.Amplitude:0.0}, {result.AmplitudeDb:0.0} dB");
             DrawRays(radar, result);
-            Sweep(radar, plate, Path.Combine(Path.GetDirectoryName(Application.dataPath), "Results", nameof(RadarFromCode)));
+            Sweep(radar, plate,
+                Path.Combine(Path.GetDirectoryName(Application.dataPath), "Results", nameof(RadarFromCode)));
         }
 
         /// <summary>A square plate across the radar's axis.</summary>
@@ -64,7 +69,8 @@ namespace Glint.Samples
             foreach (var ray in result.Rays)
                 Debug.DrawLine(radar.transform.position, ray.LastHit, Color.green, 10);
             if (result.Rays.Length > 0)
-                Debug.Log($"the first: {result.Rays[0].ExactPathLength:0.000} m, {result.Rays[0].Bounces} bounces, phase {result.Rays[0].Phase:0.00} rad");
+                Debug.Log($"the first: {result.Rays[0].ExactPathLength:0.000} m, {result.Rays[0].Bounces} bounces, "
+                    + $"phase {result.Rays[0].Phase:0.00} rad");
         }
 
         /// <summary>Turns the target from -2 to 2 degrees and writes the same files as glint sweep.</summary>
@@ -74,7 +80,8 @@ namespace Glint.Samples
         /// <exception cref="GlintException">The files cannot be written, or the scene cannot be traced.</exception>
         public static void Sweep(RadarController radar, Transform target, string folder)
         {
-            var setup = new SweepSetup(radar, new SweepPlan(Angles.Parse("-2:2:0.5"))) { Target = target, Scene = target.gameObject.scene.path };
+            var setup = new SweepSetup(radar,
+                new SweepPlan(Angles.Parse("-2:2:0.5"))) { Target = target, Scene = target.gameObject.scene.path };
             using (var results = ResultsFolder.Open(folder))
             using (var run = new SweepRun(setup, results))
                 while (!run.IsComplete)

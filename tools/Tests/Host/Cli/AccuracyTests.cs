@@ -25,7 +25,8 @@ public sealed class AccuracyTests
         view.ApertureHeight = 4.5; // 8 m wide
         view.ReceiverSize = 20;
         const double width = 3.21, height = 2.34;
-        var reference = AccuracyReference.Of(Plate(width, height, view), RadarSettings.Default, s_deaf, CancellationToken.None, across: 320);
+        var reference = AccuracyReference.Of(Plate(width, height, view), RadarSettings.Default, s_deaf,
+            CancellationToken.None, across: 320);
 
         double share = RadarResult.NormalRays * width * height / (8 * 4.5);
         Assert.That(reference.Hits, Is.EqualTo(share).Within(0.2).Percent);
@@ -58,7 +59,8 @@ public sealed class AccuracyTests
         Assert.That(lines.Length, Is.EqualTo(2));
         foreach (string place in lines.SelectMany(line => line.Attribute("points").Value.Split(' ')))
         {
-            var numbers = place.Split(',').Select(number => double.Parse(number, System.Globalization.CultureInfo.InvariantCulture)).ToArray();
+            var numbers = place.Split(',')
+                .Select(number => double.Parse(number, System.Globalization.CultureInfo.InvariantCulture)).ToArray();
             Assert.That(numbers[0], Is.InRange(0, width));
             Assert.That(numbers[1], Is.InRange(0, height));
         }
@@ -82,7 +84,10 @@ public sealed class AccuracyTests
     [Test]
     public void Tables_NameScenesAndFlags()
     {
-        var terminal = new Terminal { Out = TextWriter.Null, Error = TextWriter.Null, Live = null, Width = 100, SharesScreen = false };
+        var terminal = new Terminal
+        {
+            Out = TextWriter.Null, Error = TextWriter.Null, Live = null, Width = 100, SharesScreen = false
+        };
         string text = string.Join("\n", new AccuracyTables(terminal).Lines(Sample()));
         foreach (string part in new[] { "near <1> & far", "480 x 270 *", "960 x 540 ", "same" })
             Assert.That(text, Does.Contain(part));
@@ -91,23 +96,29 @@ public sealed class AccuracyTests
     [Test]
     public void Accuracy_WithoutAFile_NamesOne()
     {
-        Assert.That(CommandLine.Parse(Commands.Bench, ["--accuracy"]).Get(Options.Accuracy), Is.EqualTo("accuracy.svg"));
-        Assert.That(CommandLine.Parse(Commands.Bench, ["--accuracy", "--json", "x.json"]).Get(Options.Accuracy), Is.EqualTo("accuracy.svg"));
-        Assert.That(CommandLine.Parse(Commands.Bench, ["--accuracy", "plot.svg"]).Get(Options.Accuracy), Is.EqualTo("plot.svg"));
+        Assert.That(CommandLine.Parse(Commands.Bench, ["--accuracy"]).Get(Options.Accuracy),
+            Is.EqualTo("accuracy.svg"));
+        Assert.That(CommandLine.Parse(Commands.Bench, ["--accuracy", "--json", "x.json"]).Get(Options.Accuracy),
+            Is.EqualTo("accuracy.svg"));
+        Assert.That(CommandLine.Parse(Commands.Bench, ["--accuracy", "plot.svg"]).Get(Options.Accuracy),
+            Is.EqualTo("plot.svg"));
     }
 
     [Test]
     public void Accuracy_OfAnInput_IsRefused() =>
-        Assert.That(() => CommandLine.Parse(Commands.Bench, ["boat.obj", "--accuracy", "plot.svg"]), Throws.TypeOf<UsageException>().With.Message.StartsWith("--accuracy: "));
+        Assert.That(() => CommandLine.Parse(Commands.Bench, ["boat.obj", "--accuracy", "plot.svg"]),
+            Throws.TypeOf<UsageException>().With.Message.StartsWith("--accuracy: "));
 
     [Test]
     public void Accuracy_WithRaysOfTheUsersOwn_IsRefused() =>
-        Assert.That(() => CommandLine.Parse(Commands.Bench, ["--accuracy", "plot.svg", "--size", "64x36"]), Throws.TypeOf<UsageException>().With.Message.Contains("--size"));
+        Assert.That(() => CommandLine.Parse(Commands.Bench, ["--accuracy", "plot.svg", "--size", "64x36"]),
+            Throws.TypeOf<UsageException>().With.Message.Contains("--size"));
 
     static AccuracyScene Plate(double width, double height, RadarView view)
     {
         float x = (float)(width / 2), y = (float)(height / 2);
-        return new AccuracyScene("plate", new RadarScene(new TriangleMesh([new float3(-x, -y, 0), new float3(x, -y, 0), new float3(x, y, 0), new float3(-x, y, 0)], [0, 1, 2, 0, 2, 3])), view);
+        return new AccuracyScene("plate", new RadarScene(new TriangleMesh([new float3(-x, -y, 0), new float3(x, -y, 0),
+            new float3(x, y, 0), new float3(-x, y, 0)], [0, 1, 2, 0, 2, 3])), view);
     }
 
     // Two scenes of two poses each, made up.
@@ -122,7 +133,11 @@ public sealed class AccuracyTests
             {
                 var settings = RadarSettings.Default;
                 (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
-                var sums = new RadarResult { InPhase = 12, RaysOfPicture = settings.RayCount, RaysHit = 200, SamplingError = 7, Undersampled = across == 480 };
+                var sums = new RadarResult
+                {
+                    InPhase = 12, RaysOfPicture = settings.RayCount, RaysHit = 200, SamplingError = 7,
+                    Undersampled = across == 480
+                };
                 result.Rows.Add(new AccuracyRow(scene, settings, sums, new Series(across / 48.0), converged));
             }
             result.CostScene = scene;

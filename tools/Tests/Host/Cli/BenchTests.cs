@@ -12,7 +12,8 @@ namespace Glint.Host.Tests;
 /// <summary>glint bench on few rays: figures, files, refusals. Nothing here is about time.</summary>
 public sealed class BenchTests
 {
-    static readonly string[] Small = ["bench", "--size", "96x54", "--rounds", "1", "--sea-triangles", "2000", "--ship-triangles", "2000"];
+    static readonly string[] Small =
+        ["bench", "--size", "96x54", "--rounds", "1", "--sea-triangles", "2000", "--ship-triangles", "2000"];
 
     string _folder;
 
@@ -29,20 +30,32 @@ public sealed class BenchTests
         Assert.That(code, Is.EqualTo(0), error);
         var figures = JObject.Parse(File.ReadAllText(file));
         long Number(string name) => figures[name].ToObject<long>();
-        foreach (string time in new[] { "pose_ms", "pose_lowest_ms", "pose_gpu_ms", "trace_ms", "build_ms", "upload_ms", "readback_ms", "gather_ms", "first_pose_ms" })
+        foreach (string time in new[]
+        {
+            "pose_ms", "pose_lowest_ms", "pose_gpu_ms", "trace_ms", "build_ms", "upload_ms", "readback_ms", "gather_ms",
+            "first_pose_ms"
+        })
             Assert.That(figures[time].ToObject<double>(), Is.GreaterThan(0).And.LessThan(60000), time);
         Assert.That(figures["device"].ToString(), Is.EqualTo(GraphicsDevice.Current.Info.Name));
         Assert.That(Number("rays_emitted"), Is.EqualTo(96 * 54));
         Assert.That(Number("rays_hit"), Is.InRange(96 * 54 / 3, 96 * 54));
         Assert.That(Number("segments"), Is.EqualTo(Number("rays_emitted") + Number("bounces")));
-        Assert.That(Number("triangles"), Is.EqualTo(new SeaAndShip(1, 2000, 2000) is var scene ? scene.Sea.TriangleCount + scene.Ship.TriangleCount : 0));
-        foreach (string work in new[] { "nodes_visited", "pairs_tested", "tiles_traced", "dispatches", "first_bytes_uploaded", "bytes_read_back", "bytes_on_device", "trees_built" })
+        Assert.That(Number("triangles"), Is.EqualTo(
+            new SeaAndShip(1, 2000, 2000) is var scene ? scene.Sea.TriangleCount + scene.Ship.TriangleCount : 0));
+        foreach (string work in new[]
+        {
+            "nodes_visited", "pairs_tested", "tiles_traced", "dispatches", "first_bytes_uploaded", "bytes_read_back",
+            "bytes_on_device", "trees_built"
+        })
             Assert.That(Number(work), Is.GreaterThan(0), work);
         Assert.That(figures["errors"]["rays_judged"].ToObject<int>(), Is.EqualTo(96 * 54));
         Assert.That(figures["errors"]["rays_hit"].ToObject<int>(), Is.InRange(-1, 1));
         Assert.That(figures["errors"]["path_length_relative"].ToObject<double>(), Is.EqualTo(0).Within(1e-3));
         Assert.That(figures["peers"], Is.Empty);
-        foreach (string title in new[] { "next pose", "kernels", "nodes visited", "bytes read back", "5,184 rays judged" })
+        foreach (string title in new[]
+        {
+            "next pose", "kernels", "nodes visited", "bytes read back", "5,184 rays judged"
+        })
             Assert.That(output, Does.Contain(title));
     }
 
@@ -60,16 +73,20 @@ public sealed class BenchTests
         Assert.That(figures["errors"]["rays_hit_judge"].ToObject<int>(), Is.GreaterThan(expected / 4));
         Assert.That(figures["errors"]["rays_hit"].ToObject<int>(), Is.InRange(-1, 1));
         Assert.That(figures["rays_emitted"].ToObject<int>(), Is.EqualTo(60 * 40));
-        Assert.That(figures["settings"]["region"].Select(number => number.ToObject<int>()), Is.EqualTo(new[] { 11, 5, 60, 40 }));
+        Assert.That(figures["settings"]["region"].Select(number => number.ToObject<int>()),
+            Is.EqualTo(new[] { 11, 5, 60, 40 }));
     }
 
     [Test]
     public void Bench_OfAMeshFileWithPeers_HandsThemTheScene()
     {
-        string plate = Path.Combine(_folder, "plate.obj"), scene = Path.Combine(_folder, "it's a scene.bin"), file = Path.Combine(_folder, "figures.json");
+        string plate = Path.Combine(_folder, "plate.obj"), scene = Path.Combine(_folder, "it's a scene.bin"),
+            file = Path.Combine(_folder, "figures.json");
         File.WriteAllText(plate, "v -0.5 -0.5 0\nv 0.5 -0.5 0\nv 0.5 0.5 0\nv -0.5 0.5 0\nf 1 2 3 4\n");
-        var (code, output, error) = Run("bench", plate, "--grazing", "0", "--fov", "2.29153", "--size", "64x64", "--rounds", "2", "--judge", "none",
-            "--write-scene", scene, "--json", file, "--peer", "Bytes=echo size $(wc -c < {scene}) ms", "--peer", "Fixed=printf 'build 7 ms\\nframe 5 ms\\nframe 6 ms\\n'");
+        var (code, output, error) = Run("bench", plate, "--grazing", "0", "--fov", "2.29153", "--size", "64x64",
+            "--rounds", "2", "--judge", "none",
+            "--write-scene", scene, "--json", file, "--peer", "Bytes=echo size $(wc -c < {scene}) ms", "--peer",
+            "Fixed=printf 'build 7 ms\\nframe 5 ms\\nframe 6 ms\\n'");
 
         Assert.That(code, Is.EqualTo(0), error);
         const int bytes = 8 + 4 * 12 + 2 * 12;
@@ -77,8 +94,10 @@ public sealed class BenchTests
         var figures = JObject.Parse(File.ReadAllText(file));
         Assert.That(figures["rays_received"].ToObject<int>(), Is.EqualTo(1024));
         Assert.That(figures["errors"].Type, Is.EqualTo(JTokenType.Null));
-        var peers = figures["peers"].Select(peer => (peer["name"].ToString(), peer["time"].ToString(), peer["median_ms"].ToObject<double>(), peer["starts"].ToObject<int>()));
-        Assert.That(peers, Is.EqualTo(new[] { ("Bytes", "size", (double)bytes, 2), ("Fixed", "build", 7.0, 2), ("Fixed", "frame", 5.5, 2) }));
+        var peers = figures["peers"].Select(peer => (peer["name"].ToString(), peer["time"].ToString(),
+            peer["median_ms"].ToObject<double>(), peer["starts"].ToObject<int>()));
+        Assert.That(peers, Is.EqualTo(
+            new[] { ("Bytes", "size", (double)bytes, 2), ("Fixed", "build", 7.0, 2), ("Fixed", "frame", 5.5, 2) }));
         Assert.That(output, Does.Contain("Fixed ended with: frame 6 ms").And.Contain($"written: {scene}"));
     }
 
@@ -86,7 +105,8 @@ public sealed class BenchTests
     public void Bench_WithAPeerOnly_LeavesNoSceneBehind()
     {
         string path = Path.Combine(_folder, "path");
-        var (code, _, error) = Run([.. Small, "--judge", "none", "--peer", $"P=echo {{scene}} > {path}; echo frame 1 ms"]);
+        var (code, _, error) =
+            Run([.. Small, "--judge", "none", "--peer", $"P=echo {{scene}} > {path}; echo frame 1 ms"]);
 
         Assert.That(code, Is.EqualTo(0), error);
         string scene = File.ReadAllText(path).Trim();
@@ -100,7 +120,8 @@ public sealed class BenchTests
         var (code, output, error) = Run([.. Small, "--peer", "Broken=echo out of luck; exit 9"]);
 
         Assert.That(code, Is.EqualTo(1));
-        Assert.That(error.TrimEnd().Split('\n')[^1].TrimEnd(), Is.EqualTo("glint: --peer Broken: ended with exit code 9: out of luck"));
+        Assert.That(error.TrimEnd().Split('\n')[^1].TrimEnd(),
+            Is.EqualTo("glint: --peer Broken: ended with exit code 9: out of luck"));
         Assert.That(output, Is.Empty);
     }
 
@@ -122,7 +143,8 @@ public sealed class BenchTests
         var line = CommandLine.Parse(Commands.Bench, [.. Small[1..], "--json", file, "--peer", "Sleeper=sleep 60"]);
         var progress = new CancelInTheFirstRound();
 
-        Assert.Throws<OperationCanceledException>(() => new BenchCommand(Quiet(TextWriter.Null, TextWriter.Null)).Execute(line, progress));
+        Assert.Throws<OperationCanceledException>(() => new BenchCommand(Quiet(TextWriter.Null, TextWriter.Null))
+            .Execute(line, progress));
         Assert.That(File.Exists(file), Is.False);
     }
 
@@ -130,7 +152,8 @@ public sealed class BenchTests
     public void Table_OnAScreen_IsFramed()
     {
         var output = new StringWriter();
-        var terminal = new Terminal { Out = output, Error = TextWriter.Null, Live = null, Width = 100, SharesScreen = true };
+        var terminal =
+            new Terminal { Out = output, Error = TextWriter.Null, Live = null, Width = 100, SharesScreen = true };
         Assert.That(new Shell(terminal).Run([.. Small, "--judge", "none"]), Is.EqualTo(0));
         Assert.That(output.ToString(), Does.Contain("│ rays hit").And.Contain("╭"));
     }
@@ -156,7 +179,8 @@ public sealed class BenchTests
         public void Print(string line) { }
     }
 
-    static Terminal Quiet(TextWriter output, TextWriter error) => new() { Out = output, Error = error, Live = null, Width = 100, SharesScreen = false };
+    static Terminal Quiet(TextWriter output, TextWriter error) =>
+        new() { Out = output, Error = error, Live = null, Width = 100, SharesScreen = false };
 
     static (int code, string output, string error) Run(params string[] arguments)
     {

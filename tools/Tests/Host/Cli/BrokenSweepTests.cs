@@ -7,7 +7,10 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Sweeps that the disk, the device or somebody's editor ends: one line, exit code 1, whole rows kept, and what --resume makes of them.</summary>
+/// <summary>
+/// Sweeps that the disk, the device or somebody's editor ends: one line, exit code 1, whole rows kept,
+/// and what --resume makes of them.
+/// </summary>
 [Platform("Linux")]
 public sealed class BrokenSweepTests
 {
@@ -27,15 +30,18 @@ public sealed class BrokenSweepTests
     [TearDown]
     public void RemoveCorner() => Directory.Delete(_folder, true);
 
-    /// <summary>A process that may write no file larger than 8 KiB meets what a full disk is, in the middle of a row.</summary>
+    /// <summary>
+    /// A process that may write no file larger than 8 KiB meets what a full disk is, in the middle of a row.
+    /// </summary>
     [Test]
     public void Sweep_WhoseDiskIsFull_KeepsItsRowsAndResumes()
     {
         Sweep("whole");
-        var start = new ProcessStartInfo("bash", ["-c", "trap '' XFSZ; ulimit -f 8; exec \"$@\"", "bash", "dotnet", Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), "sweep", Corner, .. s_sweep, "--out", At("swept")])
-        {
-            RedirectStandardOutput = true, RedirectStandardError = true
-        };
+        var start = new ProcessStartInfo("bash", ["-c", "trap '' XFSZ; ulimit -f 8; exec \"$@\"", "bash", "dotnet",
+            Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), "sweep", Corner, .. s_sweep, "--out", At("swept")])
+            {
+                RedirectStandardOutput = true, RedirectStandardError = true
+            };
         // The runtime maps its code from a file of its own otherwise.
         start.Environment["DOTNET_EnableWriteXorExecute"] = "0";
         using var process = Process.Start(start);
@@ -44,7 +50,8 @@ public sealed class BrokenSweepTests
         process.WaitForExit();
 
         Assert.That(process.ExitCode, Is.EqualTo(1), error + output.Result);
-        Assert.That(error, Does.Contain($"glint: {At("swept")}/results.csv: cannot be written (").And.Contain("free the disk"));
+        Assert.That(error,
+            Does.Contain($"glint: {At("swept")}/results.csv: cannot be written (").And.Contain("free the disk"));
         AssertKeptAndResumed(error);
     }
 
@@ -59,8 +66,10 @@ public sealed class BrokenSweepTests
         {
             var (code, error) = Run("sweep", [Corner, .. s_sweep, "--out", At("swept")]);
             Assert.That(code, Is.EqualTo(1));
-            Assert.That(error, Does.Contain("glint: could not run ").And.Contain("the device was lost").And.Contain("--resume"));
-            Assert.That(error, Does.Contain($" of {Poses} poses are done and kept; the same command with --resume goes on"));
+            Assert.That(error,
+                Does.Contain("glint: could not run ").And.Contain("the device was lost").And.Contain("--resume"));
+            Assert.That(error,
+                Does.Contain($" of {Poses} poses are done and kept; the same command with --resume goes on"));
             AssertKeptAndResumed(error, GraphicsDevice.Close);
         }
         finally
@@ -97,7 +106,8 @@ public sealed class BrokenSweepTests
     {
         Run("sweep", [Corner, "--angles", "0,1", "--size", "4x4", "--shard", "1/2", "--out", At("swept")]);
         Damage(file, content);
-        AssertRefused(file, "sweep", Corner, ["--angles", "0,1", "--size", "4x4", "--shard", "1/2", "--out", At("swept"), "--resume"]);
+        AssertRefused(file, "sweep", Corner,
+            ["--angles", "0,1", "--size", "4x4", "--shard", "1/2", "--out", At("swept"), "--resume"]);
         AssertRefused(content == "FOLDER" ? "swept" : file, "merge", At("swept"), ["--out", At("merged")]);
         AssertRefused(content == "FOLDER" ? "swept" : file, "report", At("swept"), ["--pose", "none"]);
     }
@@ -126,7 +136,8 @@ public sealed class BrokenSweepTests
         Assert.That(error, Does.Contain($"{kept} of {Poses} poses are done and kept"));
         between?.Invoke();
         Sweep("swept", "--resume");
-        Assert.That(Directory.GetFiles(At("swept")).Select(Path.GetFileName), Is.EquivalentTo(new[] { "results.csv", "results.json" }));
+        Assert.That(Directory.GetFiles(At("swept")).Select(Path.GetFileName),
+            Is.EquivalentTo(new[] { "results.csv", "results.json" }));
         Assert.That(Timeless.Csv(At("swept")), Is.EqualTo(Timeless.Csv(At("whole"))));
         Assert.That(Timeless.Json(At("swept")), Is.EqualTo(Timeless.Json(At("whole"))));
     }
@@ -142,7 +153,9 @@ public sealed class BrokenSweepTests
         Assert.That(Listing(), Is.EqualTo(before), error);
     }
 
-    string Listing() => string.Join("\n", Directory.GetFileSystemEntries(At("swept")).OrderBy(path => path, StringComparer.Ordinal).Select(path => File.Exists(path) ? $"{path} {Convert.ToHexString(File.ReadAllBytes(path))}" : path));
+    string Listing() =>
+        string.Join("\n", Directory.GetFileSystemEntries(At("swept")).OrderBy(path => path, StringComparer.Ordinal)
+            .Select(path => File.Exists(path) ? $"{path} {Convert.ToHexString(File.ReadAllBytes(path))}" : path));
 
     void Damage(string file, string content)
     {
@@ -167,7 +180,8 @@ public sealed class BrokenSweepTests
     static (int code, string error) Run(string command, string[] words)
     {
         var error = new StringWriter();
-        int code = new Shell(new Terminal { Out = TextWriter.Null, Error = error, Live = null, Width = 100 }).Run([command, .. words]);
+        int code = new Shell(new Terminal { Out = TextWriter.Null, Error = error, Live = null, Width = 100 })
+            .Run([command, .. words]);
         return (code, error.ToString());
     }
 }

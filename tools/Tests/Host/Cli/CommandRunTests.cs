@@ -24,11 +24,13 @@ public sealed class CommandRunTests
     public void RemovePlate() => Directory.Delete(_folder, true);
 
     // The view is 2 m high and wide at the plate, which covers the middle of it: 32 x 32 of 64 x 64 rays.
-    // A ray comes back at twice its offset on the plate (the receiver stands 0.2 m further off), so within 1.01 m of the axis.
+    // A ray comes back at twice its offset on the plate (the receiver stands 0.2 m further off),
+    // so within 1.01 m of the axis.
     [Test]
     public void Run_OfAPlateAcrossTheView_ReceivesEveryRayThatHits()
     {
-        var (code, output, _) = Run("run", Plate, "--grazing", "0", "--distance", "50", "--fov", "2.29153", "--size", "64x64");
+        var (code, output, _) =
+            Run("run", Plate, "--grazing", "0", "--distance", "50", "--fov", "2.29153", "--size", "64x64");
 
         Assert.That(code, Is.EqualTo(0));
         var row = Rows(output).Single();
@@ -39,7 +41,8 @@ public sealed class CommandRunTests
     [Test]
     public void Run_InMillimetres_IsAThousandthOfTheSize()
     {
-        var (code, output, _) = Run("run", Plate, "--unit", "mm", "--grazing", "0", "--distance", "0.05", "--fov", "2.29153", "--size", "64x64");
+        var (code, output, _) = Run("run", Plate, "--unit", "mm", "--grazing", "0", "--distance", "0.05",
+            "--fov", "2.29153", "--size", "64x64");
 
         Assert.That(code, Is.EqualTo(0));
         Assert.That(Rows(output).Single()[^1], Is.EqualTo("1024"));
@@ -53,7 +56,8 @@ public sealed class CommandRunTests
     public void Run_OfARegion_CountsItsRaysOnly(string region, int hit)
     {
         string folder = Path.Combine(_folder, "results");
-        var (code, output, _) = Run("run", Plate, "--grazing", "0", "--distance", "50", "--fov", "2.29153", "--size", "64x64", "--region", region, "--out", folder);
+        var (code, output, _) = Run("run", Plate, "--grazing", "0", "--distance", "50", "--fov", "2.29153",
+            "--size", "64x64", "--region", region, "--out", folder);
 
         Assert.That(code, Is.EqualTo(0));
         Assert.That(Rows(output).Single()[^1], Is.EqualTo($"{hit}"));
@@ -61,7 +65,8 @@ public sealed class CommandRunTests
         int[] numbers = region.Split(',').Select(int.Parse).ToArray();
         Assert.That(results["rows"][0]["rays_emitted"].ToObject<int>(), Is.EqualTo(numbers[2] * numbers[3]));
         var settings = results["settings"];
-        Assert.That(new[] { "left", "bottom", "width", "height" }.Select(name => settings["region_" + name]["value"].ToObject<int>()), Is.EqualTo(numbers));
+        Assert.That(new[] { "left", "bottom", "width", "height" }
+            .Select(name => settings["region_" + name]["value"].ToObject<int>()), Is.EqualTo(numbers));
     }
 
     [Test]
@@ -77,7 +82,8 @@ public sealed class CommandRunTests
     public void Sweep_OfAPlate_LosesTheReturnAsItTurnsAway()
     {
         string results = Path.Combine(_folder, "results");
-        var (code, output, _) = Run("sweep", Plate, "--angles", "-10,0,10", "--grazing", "0", "--fov", "2.29153", "--size", "64x64", "--out", results);
+        var (code, output, _) = Run("sweep", Plate, "--angles", "-10,0,10", "--grazing", "0", "--fov", "2.29153",
+            "--size", "64x64", "--out", results);
 
         Assert.That(code, Is.EqualTo(0));
         Assert.That(Rows(output).Select(row => row[0]), Is.EqualTo(new[] { "-10", "0", "10" }));
@@ -92,18 +98,24 @@ public sealed class CommandRunTests
     {
         string results = Path.Combine(_folder, "results");
         string[] common = [Plate, "--fov", "3", "--size", "64x64"];
-        Assert.That(Run(["sweep", .. common, "--distance", "40,5000", "--grazing", "0,0.3", "--frequency", "9e9,10e9", "--out", results]).code, Is.Zero);
+        Assert.That(Run(["sweep", .. common, "--distance", "40,5000", "--grazing", "0,0.3", "--frequency", "9e9,10e9",
+            "--out", results]).code, Is.Zero);
         var rows = JObject.Parse(File.ReadAllText(Path.Combine(results, "results.json")))["rows"];
         Assert.That(rows.Count(), Is.EqualTo(8));
         foreach (var row in rows)
         {
             string single = Path.Combine(_folder, "single");
-            Run(["run", .. common, "--distance", (string)row["range_m"], "--grazing", (string)row["grazing_deg"], "--frequency", (string)row["frequency_hz"], "--out", single]);
+            Run(["run", .. common, "--distance", (string)row["range_m"], "--grazing", (string)row["grazing_deg"],
+                "--frequency", (string)row["frequency_hz"], "--out", single]);
             var alone = JObject.Parse(File.ReadAllText(Path.Combine(single, "results.json")))["rows"][0];
-            foreach (string column in new[] { "in_phase", "quadrature", "rays_hit", "rays_received", "path_length_m", "sampling_error" })
+            foreach (string column in new[]
+            {
+                "in_phase", "quadrature", "rays_hit", "rays_received", "path_length_m", "sampling_error"
+            })
                 Assert.That((double)row[column], Is.EqualTo((double)alone[column]), $"{column} of {row}");
         }
-        Assert.That(rows.Select(row => (double)row["in_phase"]).Distinct().Count(), Is.GreaterThan(4), "the poses differ");
+        Assert.That(rows.Select(row => (double)row["in_phase"]).Distinct().Count(),
+            Is.GreaterThan(4), "the poses differ");
     }
 
     [TestCase("run", "Scenes/None.unity")]
@@ -117,7 +129,8 @@ public sealed class CommandRunTests
         Assert.That(code, Is.EqualTo(1));
         Assert.That(error.Split('\n', System.StringSplitOptions.RemoveEmptyEntries).Length, Is.EqualTo(1), error);
         Assert.That(error, Does.StartWith("glint: ").And.Not.Contain("internal error"));
-        Assert.That(error, Does.Contain(arguments.First(argument => argument.StartsWith("N") || argument.Contains("one") || argument.Contains("no such"))));
+        Assert.That(error, Does.Contain(arguments.First(argument => argument.StartsWith("N") || argument.Contains("one")
+            || argument.Contains("no such"))));
     }
 
     [Test]
@@ -126,7 +139,8 @@ public sealed class CommandRunTests
         var (code, _, error) = Run("run", "Scene/CornerReflector.unity");
 
         Assert.That(code, Is.EqualTo(1));
-        Assert.That(error, Does.StartWith("glint: Scene/CornerReflector.unity: there is no such scene").And.Contain("/Scene/CornerReflector.unity"));
+        Assert.That(error, Does.StartWith("glint: Scene/CornerReflector.unity: there is no such scene")
+            .And.Contain("/Scene/CornerReflector.unity"));
     }
 
     [Test]
@@ -138,7 +152,8 @@ public sealed class CommandRunTests
     }
 
     [Test]
-    public void Info_OfADeviceThatIsNotThere_PrintsNothing() => Assert.That(Run("info", "--device", "99").output, Is.Empty);
+    public void Info_OfADeviceThatIsNotThere_PrintsNothing() =>
+        Assert.That(Run("info", "--device", "99").output, Is.Empty);
 
     [TestCase("info")]
     [TestCase("--help")]
@@ -147,19 +162,23 @@ public sealed class CommandRunTests
     public void Command_WhoseOutputIsFull_FailsInOneLine(string line)
     {
         var error = new StringWriter();
-        var terminal = new Terminal { Out = Terminal.Results(new FullWriter()), Error = error, Live = null, Width = 100 };
+        var terminal =
+            new Terminal { Out = Terminal.Results(new FullWriter()), Error = error, Live = null, Width = 100 };
         int code = new Shell(terminal).Run(line.Replace("PLATE", Plate).Split(' '));
 
         Assert.That(code, Is.EqualTo(1));
-        Assert.That(error.ToString(), Is.EqualTo("glint: standard output cannot be written: no space" + System.Environment.NewLine));
+        Assert.That(error.ToString(),
+            Is.EqualTo("glint: standard output cannot be written: no space" + System.Environment.NewLine));
     }
 
     [Test]
     public void Sweep_WhoseMessagesAreLost_IsDone()
     {
         var output = new StringWriter();
-        var terminal = new Terminal { Out = output, Error = Terminal.Messages(new FullWriter()), Live = null, Width = 100 };
-        string[] sweep = ["sweep", Plate, "--angles", "0,1", "--size", "2x2", "--out", Path.Combine(_folder, "results")];
+        var terminal =
+            new Terminal { Out = output, Error = Terminal.Messages(new FullWriter()), Live = null, Width = 100 };
+        string[] sweep =
+            ["sweep", Plate, "--angles", "0,1", "--size", "2x2", "--out", Path.Combine(_folder, "results")];
 
         Assert.That(new Shell(terminal).Run(sweep), Is.EqualTo(0));
         Assert.That(output.ToString(), Does.Contain("written: "));
@@ -180,8 +199,10 @@ public sealed class CommandRunTests
     string Plate => Path.Combine(_folder, "plate.obj");
 
     // Lines of the table begin with a number or, for a single pose, with '-'.
-    static string[][] Rows(string output) => output.Split('\n').Select(line => line.Split(' ', System.StringSplitOptions.RemoveEmptyEntries))
-        .Where(words => words.Length == 5 && (words[0] == "-" || double.TryParse(words[0], NumberStyles.Float, CultureInfo.InvariantCulture, out _))).ToArray();
+    static string[][] Rows(string output) => output.Split('\n')
+        .Select(line => line.Split(' ', System.StringSplitOptions.RemoveEmptyEntries))
+        .Where(words => words.Length == 5 && (words[0] == "-"
+            || double.TryParse(words[0], NumberStyles.Float, CultureInfo.InvariantCulture, out _))).ToArray();
 
     static (int code, string output, string error) Run(params string[] arguments)
     {

@@ -8,16 +8,21 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>The System.CommandLine tree and the tables' own parser are one grammar: the two hosts take and refuse the same.</summary>
+/// <summary>
+/// The System.CommandLine tree and the tables' own parser are one grammar: the two hosts take and refuse the same.
+/// </summary>
 public sealed class CommandTreeTests
 {
     const string Refused = "refused";
 
     static readonly string[] Vocabulary =
     [
-        "sweep.unity", "plate.obj", "part.STL", "x.fbx", "-", "--", "", "@file", "[suggest]", "/?x", "-5", "-10:10:5", "0:45:1", "0,1", "17", "4", "3x3", "mm", "z", "1,2,3",
-        "--target", "--angles", "--out", "--size", "--region", "--seed", "--judge", "--peer", "--json", "a=b", "--frequency", "--bounces", "--receiver", "--unit", "--up", "--distance", "--grazing", "--aim", "--device",
-        "--target=Ship", "--target=--Ship", "--target=", "--angles=0:2:1", "--bounces=2", "--bounces=x=y", "--fov=60", "--peer=a=b", "--peer=", "--region=0,0,1,1", "--unknown", "--unknown=3", "-out", "-b"
+        "sweep.unity", "plate.obj", "part.STL", "x.fbx", "-", "--", "", "@file", "[suggest]", "/?x", "-5", "-10:10:5",
+        "0:45:1", "0,1", "17", "4", "3x3", "mm", "z", "1,2,3",
+        "--target", "--angles", "--out", "--size", "--region", "--seed", "--judge", "--peer", "--json", "a=b",
+        "--frequency", "--bounces", "--receiver", "--unit", "--up", "--distance", "--grazing", "--aim", "--device",
+        "--target=Ship", "--target=--Ship", "--target=", "--angles=0:2:1", "--bounces=2", "--bounces=x=y", "--fov=60",
+        "--peer=a=b", "--peer=", "--region=0,0,1,1", "--unknown", "--unknown=3", "-out", "-b"
     ];
 
     [TestCase("run")]
@@ -82,7 +87,8 @@ public sealed class CommandTreeTests
     public void Parser_OfAnyText_RefusesOnlyByUsageException()
     {
         var options = Commands.All.SelectMany(command => command.Options).Distinct().ToArray();
-        Prop.ForAll(ArbMap.Default.ArbFor<string>().Filter(text => text != null), text => options.All(option => Refuses(option, text)))
+        Prop.ForAll(ArbMap.Default.ArbFor<string>().Filter(text => text != null),
+                text => options.All(option => Refuses(option, text)))
             .Check(Config.QuickThrowOnFailure.WithMaxTest(500));
     }
 
@@ -119,7 +125,8 @@ public sealed class CommandTreeTests
         {
             var line = parse();
             var given = line.Command.Options.Where(line.IsGiven).Select(option => option.Flag);
-            return $"{line.Command.Name} {line.Input} {line.Get(Options.Target)} {line.Get(Options.Out)} {line.Get(Options.Bounces)} {line.Get(Options.Peers)?.Length} {string.Join(" ", given)}";
+            return $"{line.Command.Name} {line.Input} {line.Get(Options.Target)} {line.Get(Options.Out)} "
+                + $"{line.Get(Options.Bounces)} {line.Get(Options.Peers)?.Length} {string.Join(" ", given)}";
         }
         catch (UsageException)
         {
@@ -138,7 +145,8 @@ public sealed class CommandTreeTests
         return parsed;
     }
 
-    static Terminal Quiet(TextWriter output) => new() { Out = output, Error = TextWriter.Null, Live = null, Width = 100 };
+    static Terminal Quiet(TextWriter output) =>
+        new() { Out = output, Error = TextWriter.Null, Live = null, Width = 100 };
 
     static Command Find(string name) => Commands.All.Single(command => command.Name == name);
 }

@@ -31,7 +31,8 @@ public sealed class CompletionTests
     [Test]
     public void FirstWord_IsACommand()
     {
-        Assert.That(Complete(""), Is.EquivalentTo(Commands.All.Select(command => command.Name).Concat(["--help", "--version"])));
+        Assert.That(Complete(""),
+            Is.EquivalentTo(Commands.All.Select(command => command.Name).Concat(["--help", "--version"])));
         Assert.That(Complete("s"), Is.EquivalentTo(new[] { "sweep", "sea", "ship" }));
     }
 
@@ -39,7 +40,8 @@ public sealed class CompletionTests
     public void Dashes_AreTheOptionsOfTheCommand(string name)
     {
         var command = Commands.All.Single(known => known.Name == name);
-        Assert.That(Complete(name, "--"), Is.EquivalentTo(command.Options.Select(option => option.Flag).Append("--help")));
+        Assert.That(Complete(name, "--"),
+            Is.EquivalentTo(command.Options.Select(option => option.Flag).Append("--help")));
     }
 
     static IEnumerable<string> Names => Commands.All.Select(command => command.Name);
@@ -66,8 +68,10 @@ public sealed class CompletionTests
     [Test]
     public void Choices_OfEveryOption_AreTaken()
     {
-        var options = Commands.All.SelectMany(command => command.Options).Distinct().Where(option => option.Choices.Count > 0).ToArray();
-        Assert.That(options.Select(option => option.Name), Is.SupersetOf(new[] { "unit", "up", "judge", "pose", "spectrum" }));
+        var options = Commands.All.SelectMany(command => command.Options).Distinct()
+            .Where(option => option.Choices.Count > 0).ToArray();
+        Assert.That(options.Select(option => option.Name),
+            Is.SupersetOf(new[] { "unit", "up", "judge", "pose", "spectrum" }));
         foreach (var option in options)
             foreach (string choice in option.Choices)
                 Assert.That(() => option.ParseValue(choice), Throws.Nothing, $"{option.Flag} {choice}");
@@ -90,8 +94,12 @@ public sealed class CompletionTests
     string[] Complete(params string[] words)
     {
         string[] line = ["glint", .. words];
-        const string Ask = "cd \"$1\" && source ./script && rm script && shift && COMP_WORDS=(\"$@\") && COMP_CWORD=$(($# - 1)) && { _glint; printf '%s\\n' \"${COMPREPLY[@]}\"; }";
-        using var bash = Process.Start(new ProcessStartInfo("bash", ["--norc", "-c", Ask, "bash", _folder, .. line]) { RedirectStandardOutput = true, RedirectStandardError = true });
+        const string Ask = "cd \"$1\" && source ./script && rm script && shift && COMP_WORDS=(\"$@\") && "
+            + "COMP_CWORD=$(($# - 1)) && { _glint; printf '%s\\n' \"${COMPREPLY[@]}\"; }";
+        using var bash = Process.Start(new ProcessStartInfo("bash", ["--norc", "-c", Ask, "bash", _folder, .. line])
+        {
+            RedirectStandardOutput = true, RedirectStandardError = true
+        });
         var output = bash.StandardOutput.ReadToEndAsync();
         string error = bash.StandardError.ReadToEnd();
         bash.WaitForExit();

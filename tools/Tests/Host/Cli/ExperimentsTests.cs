@@ -17,7 +17,8 @@ namespace Glint.Host.Tests;
 /// <summary>glint experiments in pieces: the whole takes minutes.</summary>
 public sealed class ExperimentsTests
 {
-    static readonly Experiment s_odd = new("odd", "a <b> & | c", "none", "Scenes/Odd.unity", "--target", "Odd", "--angles", "0:30:15");
+    static readonly Experiment s_odd =
+        new("odd", "a <b> & | c", "none", "Scenes/Odd.unity", "--target", "Odd", "--angles", "0:30:15");
 
     string _folder;
 
@@ -35,9 +36,12 @@ public sealed class ExperimentsTests
         var rows = PublishedTable.Read(((Experiment)experiment).Published);
         var line = ((Experiment)experiment).Line;
         var plan = new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots));
-        Assert.That(rows.Select(row => row.Step), Is.EqualTo(Enumerable.Range(0, plan.Count).Select(pose => SweepResult.StepOf(plan[pose]))));
+        Assert.That(rows.Select(row => row.Step),
+            Is.EqualTo(Enumerable.Range(0, plan.Count).Select(pose => SweepResult.StepOf(plan[pose]))));
         // The publication's own ratio, to its last digit.
-        var ratios = File.ReadLines(Path.Combine(Root, $"{PublishedTable.Folder}/{((Experiment)experiment).Published}.csv")).Skip(1).Select(row => double.Parse(row.Split(',')[4], CultureInfo.InvariantCulture));
+        var ratios =
+            File.ReadLines(Path.Combine(Root, $"{PublishedTable.Folder}/{((Experiment)experiment).Published}.csv"))
+                .Skip(1).Select(row => double.Parse(row.Split(',')[4], CultureInfo.InvariantCulture));
         Assert.That(rows.Zip(ratios, (row, ratio) => Math.Abs(row.Ratio - ratio)).Max(), Is.LessThan(1e-8));
     }
 
@@ -58,12 +62,14 @@ public sealed class ExperimentsTests
     public void PublishedTable_WithABadRow_IsRefusedByItsLine(string row)
     {
         string text = $"step,amplitude,rays_received,rays_hit,ratio\n0,1,2,3,0.5\n{row}\n1,1,2,3,0.5\n";
-        Assert.That(() => PublishedTable.Parse(text, "t.csv"), Throws.TypeOf<GlintException>().With.Message.Contains("t.csv: line 3 "));
+        Assert.That(() => PublishedTable.Parse(text, "t.csv"),
+            Throws.TypeOf<GlintException>().With.Message.Contains("t.csv: line 3 "));
     }
 
     [Test]
     public void PublishedTable_ThatIsNotThere_IsNamed() =>
-        Assert.That(() => PublishedTable.Read("table_z"), Throws.TypeOf<GlintException>().With.Message.Contains("table_z.csv: the published table is missing"));
+        Assert.That(() => PublishedTable.Read("table_z"),
+            Throws.TypeOf<GlintException>().With.Message.Contains("table_z.csv: the published table is missing"));
 
     // In the second pose neither receives anything.
     [Test]
@@ -86,8 +92,10 @@ public sealed class ExperimentsTests
     {
         var rows = Cells(ExperimentTables.Of(Odd((10, 4), (0, 0), (6, 2))));
         Assert.That(rows.Length, Is.EqualTo(3));
-        Assert.That(rows[0], Is.EqualTo(new[] { "0", "10.00", "20.00", "4", "8", "1,000", "2,000", "0.4000", "0.4000", "+6.0" }));
-        Assert.That(rows[1], Is.EqualTo(new[] { "15", "0.00", "0.00", "0", "0", "1,000", "2,000", "0.0000", "0.0000", "-" }));
+        Assert.That(rows[0],
+            Is.EqualTo(new[] { "0", "10.00", "20.00", "4", "8", "1,000", "2,000", "0.4000", "0.4000", "+6.0" }));
+        Assert.That(rows[1],
+            Is.EqualTo(new[] { "15", "0.00", "0.00", "0", "0", "1,000", "2,000", "0.0000", "0.0000", "-" }));
     }
 
     [Test]
@@ -102,8 +110,10 @@ public sealed class ExperimentsTests
     public void Table_OverSnapshots_HasMedianAndRange()
     {
         var rows = Cells(ExperimentTables.Of(OddShips()));
-        Assert.That(rows[0], Is.EqualTo(new[] { "0", "5.00", "10.00", "0.00", "20.00", "7", "10", "0", "20", "900", "1,000" }));
-        Assert.That(rows[1], Is.EqualTo(new[] { "15", "5.00", "20.00", "0.00", "40.00", "7", "20", "0", "40", "900", "1,000" }));
+        Assert.That(rows[0],
+            Is.EqualTo(new[] { "0", "5.00", "10.00", "0.00", "20.00", "7", "10", "0", "20", "900", "1,000" }));
+        Assert.That(rows[1],
+            Is.EqualTo(new[] { "15", "5.00", "20.00", "0.00", "40.00", "7", "20", "0", "40", "900", "1,000" }));
     }
 
     [Test]
@@ -112,7 +122,8 @@ public sealed class ExperimentsTests
         var result = OddResult();
         string text = ExperimentTables.OfSeas(result);
         // 1 of 2 snapshots returns, then 2, 0 and 1.
-        Assert.That(Cells(text)[0], Is.EqualTo(new[] { "Odd, as stored", "9", "1", "4 of 8", "50.0", "1 (0 to 2)", "1 of 4", "1 of 2", "1, 1, 1" }));
+        Assert.That(Cells(text)[0], Is.EqualTo(
+            new[] { "Odd, as stored", "9", "1", "4 of 8", "50.0", "1 (0 to 2)", "1 of 4", "1 of 2", "1, 1, 1" }));
         Assert.That(text, Does.Contain("| 7 (stored) | 1 | 0 5 |"));
     }
 
@@ -122,7 +133,8 @@ public sealed class ExperimentsTests
         var result = OddResult();
         result.Sweeps.Add(result.Sweeps[0] with { Published = null });
         string text = ExperimentTables.Summary(result);
-        Assert.That(Cells(text).Single(), Is.EqualTo(new[] { @"a &lt;b> & \| c", "3", "2.000 (2.000 to 2.000)", "2, 1", "2.00 (2.00 to 2.00)", "+6.0 (+6.0 to +6.0)", "1.000" }));
+        Assert.That(Cells(text).Single(), Is.EqualTo(new[] { @"a &lt;b> & \| c", "3", "2.000 (2.000 to 2.000)", "2, 1",
+            "2.00 (2.00 to 2.00)", "+6.0 (+6.0 to +6.0)", "1.000" }));
         Assert.That(text, Does.Contain(result.Device.Name));
     }
 
@@ -159,8 +171,11 @@ public sealed class ExperimentsTests
     {
         foreach (var (scale, value, place) in new (ValueScale, double, double)[]
         {
-            (ValueScale.Linear(1_400_000), 700_000, 0.5), (ValueScale.Linear(0), 0, 0), (ValueScale.Counts(1000), 0, 0), (ValueScale.Counts(1000), 1, 0.25), (ValueScale.Counts(1000), 1000, 1),
-            (ValueScale.Decibels(100), 100, 1), (ValueScale.Decibels(100), 1, 1 / 3.0), (ValueScale.Decibels(100), 1e-9, 0), (ValueScale.Decibels(100), 0, double.NaN), (ValueScale.Decibels(0), 1, 1),
+            (ValueScale.Linear(1_400_000), 700_000, 0.5), (ValueScale.Linear(0), 0, 0), (ValueScale.Counts(1000), 0, 0),
+            (ValueScale.Counts(1000), 1, 0.25), (ValueScale.Counts(1000), 1000, 1),
+            (ValueScale.Decibels(100), 100, 1), (ValueScale.Decibels(100), 1, 1 / 3.0),
+            (ValueScale.Decibels(100), 1e-9, 0),
+            (ValueScale.Decibels(100), 0, double.NaN), (ValueScale.Decibels(0), 1, 1),
         })
         {
             Assert.That(scale.Of(value), Is.EqualTo(place).Within(1e-12));
@@ -183,7 +198,8 @@ public sealed class ExperimentsTests
         Assert.That(json["sweeps"][0]["published"][2]["amplitude"].ToObject<double>(), Is.EqualTo(6));
         Assert.That(json["ships"][0]["rows"].Count(), Is.EqualTo(6));
         Assert.That(json["ships"][0]["rows"][5]["snapshot"].ToObject<int>(), Is.EqualTo(3));
-        Assert.That(json["seas"][0]["seeds"].Select(seed => seed["returning"].ToObject<int>()), Is.EqualTo(new[] { 1, 2, 0, 1 }));
+        Assert.That(json["seas"][0]["seeds"].Select(seed => seed["returning"].ToObject<int>()),
+            Is.EqualTo(new[] { 1, 2, 0, 1 }));
         Assert.That(json["seas"][0]["seeds"][1]["rays_received"].ToObject<long[]>(), Is.EqualTo(new[] { 3, 4 }));
     }
 
@@ -193,7 +209,8 @@ public sealed class ExperimentsTests
         var page = new MarkedPage("page.md", "words\n<!-- measured: a -->\nold\n<!-- end of a -->\nmore\n");
         page.Put("a", "A", "new\n");
         page.Put("b", "B", "first\n");
-        Assert.That(page.Text, Is.EqualTo("words\n<!-- measured: a -->\nnew\n<!-- end of a -->\nmore\n\n## B\n\n<!-- measured: b -->\nfirst\n<!-- end of b -->\n"));
+        Assert.That(page.Text, Is.EqualTo("words\n<!-- measured: a -->\nnew\n<!-- end of a -->\nmore\n\n## B\n\n"
+            + "<!-- measured: b -->\nfirst\n<!-- end of b -->\n"));
     }
 
     [TestCase("<!-- measured: seas -->\n")]
@@ -214,7 +231,8 @@ public sealed class ExperimentsTests
         File.WriteAllText(file, "");
         var (code, output, error) = Run("experiments", "--out", file);
         Assert.That((code, output), Is.EqualTo((1, "")));
-        Assert.That(error.Split('\n', StringSplitOptions.RemoveEmptyEntries).Single(), Does.StartWith($"glint: --out {file}: "));
+        Assert.That(error.Split('\n', StringSplitOptions.RemoveEmptyEntries).Single(),
+            Does.StartWith($"glint: --out {file}: "));
     }
 
     [Test]
@@ -235,7 +253,8 @@ public sealed class ExperimentsTests
     {
         var (code, output, error) = Run(arguments);
         Assert.That((code, output), Is.EqualTo((2, "")));
-        Assert.That(error.Split('\n', StringSplitOptions.RemoveEmptyEntries).Single(), Does.StartWith("glint: ").And.Contain(what).And.Contain(why));
+        Assert.That(error.Split('\n', StringSplitOptions.RemoveEmptyEntries).Single(),
+            Does.StartWith("glint: ").And.Contain(what).And.Contain(why));
     }
 
     [Test]
@@ -250,7 +269,8 @@ public sealed class ExperimentsTests
     [Test]
     public void Sweep_OfTheCornerReflector_HitsAsPublished()
     {
-        var sweep = new ExperimentRuns(new LogProgress()).Sweep(Experiment.CornerReflector with { Options = ["--target", "Corner Reflector", "--angles", "0,45"] });
+        var sweep = new ExperimentRuns(new LogProgress())
+            .Sweep(Experiment.CornerReflector with { Options = ["--target", "Corner Reflector", "--angles", "0,45"] });
         var agreement = new Agreement(sweep);
         Assert.That(agreement.Poses, Is.EqualTo(2));
         Assert.That(agreement.HitDifferencePercent.Highest, Is.LessThan(0.03));
@@ -269,10 +289,14 @@ public sealed class ExperimentsTests
 
         Assert.That(families.Count(family => family.IsStored), Is.EqualTo(1));
         Assert.That(families[0].IsStored);
-        Assert.That(families[0].First.Snapshots.Select(snapshot => (snapshot.RaysHit, snapshot.Bounces)), Is.EqualTo(stored.Select(snapshot => (snapshot.RaysHit, snapshot.Bounces))));
-        Assert.That(families.Select(family => (family.First.Waves.WindSpeed, family.First.Waves.Choppiness)), Is.Unique);
+        Assert.That(families[0].First.Snapshots.Select(snapshot => (snapshot.RaysHit, snapshot.Bounces)),
+            Is.EqualTo(stored.Select(snapshot => (snapshot.RaysHit, snapshot.Bounces))));
+        Assert.That(
+            families.Select(family => (family.First.Waves.WindSpeed, family.First.Waves.Choppiness)), Is.Unique);
         foreach (var waves in families.Select(family => family.First.Waves))
-            Assert.That(Math.Sqrt(StoredSeas.All[0].Times.Average(time => Math.Pow(new SeaSurface(waves).MeasuredWaveHeight(time), 2))), Is.EqualTo(waves.SignificantWaveHeight).Within(1e-9));
+            Assert.That(Math.Sqrt(StoredSeas.All[0]
+                    .Times.Average(time => Math.Pow(new SeaSurface(waves).MeasuredWaveHeight(time), 2))),
+                Is.EqualTo(waves.SignificantWaveHeight).Within(1e-9));
     }
 
     // The ship's own scene shows one of the snapshots.
@@ -286,19 +310,23 @@ public sealed class ExperimentsTests
         var alone = runs.Sweep(ship).Rows;
 
         Assert.That(all.Count, Is.EqualTo(10));
-        Assert.That(all.Select(row => (row.Result.RaysHit, row.Result.Bounces)), Does.Contain((alone[0].Result.RaysHit, alone[0].Result.Bounces)));
+        Assert.That(all.Select(row => (row.Result.RaysHit, row.Result.Bounces)),
+            Does.Contain((alone[0].Result.RaysHit, alone[0].Result.Bounces)));
     }
 
     // What users read, against what was published.
     [TestCaseSource(nameof(Tabled))]
     public void PageOfTheDocumentation_HasEveryPublishedRow(object experiment)
     {
-        string page = File.ReadAllText(Path.Combine(Root, "Packages/com.glint.radar/Documentation~/experiments.md")), name = ((Experiment)experiment).Name;
+        string page = File.ReadAllText(Path.Combine(Root, "Packages/com.glint.radar/Documentation~/experiments.md")),
+            name = ((Experiment)experiment).Name;
         string measured = Between(page, name);
         var published = PublishedTable.Read(((Experiment)experiment).Published);
         Assert.That(Cells(measured).Select(cells => $"{cells[0]} {cells[1]} {cells[3]} {cells[5]}"),
-            Is.EqualTo(published.Select(row => FormattableString.Invariant($"{row.Step} {row.Amplitude:0.00} {row.RaysReceived:#,0} {row.RaysHit:#,0}"))));
-        Assert.That(File.Exists(Path.Combine(Root, "Packages/com.glint.radar/Documentation~", Regex.Match(measured, @"\]\(([^)]*)\)").Groups[1].Value)));
+            Is.EqualTo(published.Select(row => FormattableString.Invariant(
+                $"{row.Step} {row.Amplitude:0.00} {row.RaysReceived:#,0} {row.RaysHit:#,0}"))));
+        Assert.That(File.Exists(Path.Combine(Root, "Packages/com.glint.radar/Documentation~",
+            Regex.Match(measured, @"\]\(([^)]*)\)").Groups[1].Value)));
     }
 
     [Test]
@@ -310,12 +338,14 @@ public sealed class ExperimentsTests
         string seas = Between(page, "seas");
         foreach (var stored in StoredSeas.All)
         {
-            Assert.That(seas, Does.Contain($"| {stored.Name}, as stored | {Numbers.Format(stored.Settings.WindSpeed)} | {Numbers.Format(stored.Settings.Choppiness)} |"));
+            Assert.That(seas, Does.Contain($"| {stored.Name}, as stored | {Numbers.Format(stored.Settings.WindSpeed)} "
+                + $"| {Numbers.Format(stored.Settings.Choppiness)} |"));
             Assert.That(seas, Does.Contain($"| {stored.Settings.Seed} (stored) |"));
         }
     }
 
-    static Experiment Few(Experiment experiment) => experiment with { Options = [.. experiment.Options, "--size", "192x108"] };
+    static Experiment Few(Experiment experiment) =>
+        experiment with { Options = [.. experiment.Options, "--size", "192x108"] };
 
     static string Between(string page, string name)
     {
@@ -325,17 +355,20 @@ public sealed class ExperimentsTests
     }
 
     // Rows of the first table of a text.
-    static string[][] Cells(string markdown) => [.. markdown.Split('\n').SkipWhile(line => !line.StartsWith("| ---")).Skip(1).TakeWhile(line => line.StartsWith('|'))
+    static string[][] Cells(string markdown) => [.. markdown.Split('\n').SkipWhile(line => !line.StartsWith("| ---"))
+        .Skip(1).TakeWhile(line => line.StartsWith('|'))
         .Select(line => Regex.Split(line, @"(?<!\\)\|")[1..^1].Select(cell => cell.Trim()).ToArray())];
 
     static IEnumerable<(double x, double y)> Places(XElement svg)
     {
-        double Number(XElement element, string name) => double.Parse(element.Attribute(name).Value, CultureInfo.InvariantCulture);
+        double Number(XElement element, string name) =>
+            double.Parse(element.Attribute(name).Value, CultureInfo.InvariantCulture);
         foreach (var element in svg.Elements())
         {
             if (element.Attribute("points") is { } points)
                 foreach (string place in points.Value.Split(' '))
-                    yield return (double.Parse(place.Split(',')[0], CultureInfo.InvariantCulture), double.Parse(place.Split(',')[1], CultureInfo.InvariantCulture));
+                    yield return (double.Parse(place.Split(',')[0], CultureInfo.InvariantCulture),
+                        double.Parse(place.Split(',')[1], CultureInfo.InvariantCulture));
             foreach (var (x, y) in new[] { ("x", "y"), ("cx", "cy"), ("x1", "y1"), ("x2", "y2") })
                 if (element.Attribute(x) != null)
                     yield return (Number(element, x), Number(element, y));
@@ -345,11 +378,14 @@ public sealed class ExperimentsTests
     // Of each pose the published amplitude and rays received; ours are twice as many.
     static SweepResult Odd(params (double amplitude, long received)[] poses) => new(s_odd,
         [.. poses.Select((pose, i) => new PublishedRow(15 * i, pose.amplitude, pose.received, 1000))],
-        [.. poses.Select((pose, i) => new SweepRow(new SweepPose(15 * i), Received(2 * pose.amplitude, 2 * pose.received)))]);
+        [.. poses.Select(
+            (pose, i) => new SweepRow(new SweepPose(15 * i), Received(2 * pose.amplitude, 2 * pose.received)))]);
 
-    static SnapshotsResult OddShips() => new("odd-all", s_odd.Title, [new PublishedRow(0, 5, 7, 900), new PublishedRow(15, 5, 7, 900)],
-        [.. from snapshot in new[] { 1, 2, 3 } from angle in new[] { 0, 15 } let much = 10 * (snapshot - 1) * (1 + angle / 15)
-            select new SweepRow(new SweepPose(angle, snapshot), Received(much, much, 1000))]);
+    static SnapshotsResult OddShips() =>
+        new("odd-all", s_odd.Title, [new PublishedRow(0, 5, 7, 900), new PublishedRow(15, 5, 7, 900)],
+            [.. from snapshot in new[] { 1, 2, 3 } from angle in new[] { 0, 15 } let much = 10
+                * (snapshot - 1) * (1 + angle / 15)
+                select new SweepRow(new SweepPose(angle, snapshot), Received(much, much, 1000))]);
 
     // Two pixels met once and received, in a picture of 4 x 3.
     static RadarPicture[] OddViews() => [.. ReflectorPicture.Angles.Select(_ =>
@@ -364,19 +400,23 @@ public sealed class ExperimentsTests
     static ExperimentsResult OddResult()
     {
         SeaTrial Trial(int seed, params long[] received) =>
-            new(SeaSettings.Default with { WindSpeed = 9, Seed = seed }, [.. received.Select(count => Received(count, count))]);
+            new(SeaSettings.Default with { WindSpeed = 9, Seed = seed },
+                [.. received.Select(count => Received(count, count))]);
         var result = new ExperimentsResult { Device = GraphicsDevice.Current.Info };
         result.Sweeps.Add(Odd((10, 4), (0, 0), (6, 2)));
         result.Seas.Add(new SeaFamily("Odd", true, [Trial(7, 0, 5), Trial(1, 3, 4), Trial(2, 0, 0), Trial(3, 1, 0)]));
         return result;
     }
 
-    static RadarResult Received(double amplitude, long received, long hit = 2000) => new() { InPhase = amplitude, RaysReceived = received, RaysHit = hit };
+    static RadarResult Received(double amplitude, long received, long hit = 2000) =>
+        new() { InPhase = amplitude, RaysReceived = received, RaysHit = hit };
 
     static (int code, string output, string error) Run(params string[] arguments)
     {
         var (output, error) = (new StringWriter(), new StringWriter());
-        int code = new Shell(new Terminal { Out = output, Error = error, Live = null, Width = 100, SharesScreen = false }).Run(arguments);
+        int code =
+            new Shell(new Terminal { Out = output, Error = error, Live = null, Width = 100, SharesScreen = false })
+                .Run(arguments);
         return (code, output.ToString(), error.ToString());
     }
 }

@@ -14,7 +14,8 @@ public sealed class KilledSweepTests
 {
     const int Poses = 11 * 2 * 2;
 
-    static readonly string[] s_sweep = ["--angles", "-3:2:0.5", "--grazing", "0,0.5", "--frequency", "9e9,10e9", "--fov", "2.3", "--size", "200x150"];
+    static readonly string[] s_sweep =
+        ["--angles", "-3:2:0.5", "--grazing", "0,0.5", "--frequency", "9e9,10e9", "--fov", "2.3", "--size", "200x150"];
 
     string _folder;
 
@@ -28,7 +29,10 @@ public sealed class KilledSweepTests
     [TearDown]
     public void RemoveCorner() => Directory.Delete(_folder, true);
 
-    /// <summary>Moments are chosen by what is on the disk, so that a slow machine kills no earlier: a number of bytes of results.partial.</summary>
+    /// <summary>
+    /// Moments are chosen by what is on the disk, so that a slow machine kills no earlier:
+    /// a number of bytes of results.partial.
+    /// </summary>
     [Test]
     public void Sweep_KilledTwice_ResumesToTheFilesOfAnUndisturbedOne()
     {
@@ -54,11 +58,14 @@ public sealed class KilledSweepTests
         AssertSame("merged", "three parts");
     }
 
-    /// <summary>A part has not seen the snapshots and the radar's places before it, by which a scene is divided otherwise.</summary>
+    /// <summary>
+    /// A part has not seen the snapshots and the radar's places before it, by which a scene is divided otherwise.
+    /// </summary>
     [Test]
     public void Sweep_OverASeaInParts_MergesToTheFilesOfAnUndividedOne()
     {
-        string[] sweep = ["sweep", "Scenes/SeaState6.unity", "--target", "Sea", "--snapshots", "2,1,2,3", "--grazing", "15,20", "--size", "160x90", "--out"];
+        string[] sweep = ["sweep", "Scenes/SeaState6.unity", "--target", "Sea", "--snapshots", "2,1,2,3",
+            "--grazing", "15,20", "--size", "160x90", "--out"];
         Run([.. sweep, At("whole")]);
         Run([.. sweep, At("1"), "--shard", "1/2"]);
         Run([.. sweep, At("2"), "--shard", "2/2"]);
@@ -85,13 +92,15 @@ public sealed class KilledSweepTests
     {
         var (code, _, error) = Execute(["sweep", Corner, "--angles", "0,1", .. options]);
         Assert.That(code, Is.EqualTo(2));
-        Assert.That(error, Does.StartWith("glint: " + message).And.EndsWith("(see glint sweep --help)" + Environment.NewLine));
+        Assert.That(error,
+            Does.StartWith("glint: " + message).And.EndsWith("(see glint sweep --help)" + Environment.NewLine));
     }
 
     void KillAt(int bytes, string[] arguments)
     {
         string partial = Path.Combine(At("killed"), "results.partial");
-        var start = new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), .. arguments]) { RedirectStandardOutput = true, RedirectStandardError = true };
+        var start = new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"),
+            .. arguments]) { RedirectStandardOutput = true, RedirectStandardError = true };
         using var process = Process.Start(start);
         process.OutputDataReceived += (_, _) => { };
         process.ErrorDataReceived += (_, _) => { };
@@ -105,7 +114,8 @@ public sealed class KilledSweepTests
 
     void AssertSame(string folder, string message)
     {
-        Assert.That(Directory.GetFiles(At(folder)).Select(Path.GetFileName), Is.EquivalentTo(new[] { "results.csv", "results.json" }), message);
+        Assert.That(Directory.GetFiles(At(folder)).Select(Path.GetFileName),
+            Is.EquivalentTo(new[] { "results.csv", "results.json" }), message);
         Assert.That(Timeless.Csv(At(folder)), Is.EqualTo(Timeless.Csv(At("whole"))), message);
         Assert.That(Timeless.Json(At(folder)), Is.EqualTo(Timeless.Json(At("whole"))), message);
         Assert.That(Timeless.Csv(At("whole")).Split('\n').Length, Is.EqualTo(Poses + 2));

@@ -6,7 +6,9 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>glint run and sweep with parallel rays, on a plate of 1 x 1 m: what they cover, what comes back, what the files say.</summary>
+/// <summary>
+/// glint run and sweep with parallel rays, on a plate of 1 x 1 m: what they cover, what comes back, what the files say.
+/// </summary>
 public sealed class ParallelRunTests
 {
     string _folder;
@@ -26,12 +28,14 @@ public sealed class ParallelRunTests
     [TestCase("100000")]
     public void Run_OfAPlateSeenHeadOn_ReceivesEveryRayInPhase(string distance)
     {
-        var (code, output, error) = Run("run", Plate, "--grazing", "0", "--distance", distance, "--spacing", "0.03125", "--out", Results);
+        var (code, output, error) =
+            Run("run", Plate, "--grazing", "0", "--distance", distance, "--spacing", "0.03125", "--out", Results);
 
         Assert.That(code, Is.EqualTo(0), error);
         Assert.That(output, Does.Contain("0.000976562 m2 a ray"));
         var row = Json["rows"].Single();
-        Assert.That(new[] { "rays_emitted", "rays_hit", "rays_received" }.Select(name => row[name].ToObject<int>()), Is.EqualTo(new[] { 1024, 1024, 1024 }));
+        Assert.That(new[] { "rays_emitted", "rays_hit", "rays_received" }.Select(name => row[name].ToObject<int>()),
+            Is.EqualTo(new[] { 1024, 1024, 1024 }));
         Assert.That(row["amplitude"].ToObject<double>(), Is.EqualTo(1024).Within(1e-3));
         Assert.That(row["ray_area_m2"].ToObject<double>(), Is.EqualTo(1 / 1024.0).Within(1e-12));
         Assert.That(row["largest_path_step_wavelengths"].ToObject<double>(), Is.EqualTo(0).Within(1e-4));
@@ -40,25 +44,32 @@ public sealed class ParallelRunTests
     [Test]
     public void Run_OverAnAperture_MissesBesideThePlate()
     {
-        var (code, _, error) = Run("run", Plate, "--grazing", "0", "--spacing", "0.0625", "--aperture", "3x2", "--receiver", "5", "--out", Results);
+        var (code, _, error) = Run("run", Plate, "--grazing", "0", "--spacing", "0.0625", "--aperture", "3x2",
+            "--receiver", "5", "--out", Results);
 
         Assert.That(code, Is.EqualTo(0), error);
         var row = Json["rows"].Single();
-        Assert.That(new[] { "rays_emitted", "rays_hit", "rays_received" }.Select(name => row[name].ToObject<int>()), Is.EqualTo(new[] { 48 * 32, 256, 256 }));
+        Assert.That(new[] { "rays_emitted", "rays_hit", "rays_received" }.Select(name => row[name].ToObject<int>()),
+            Is.EqualTo(new[] { 48 * 32, 256, 256 }));
         Assert.That(Text("projection") + " " + Text("aperture"), Is.EqualTo("parallel given"));
-        Assert.That(Numbers("rays_across", "rays_down", "aperture_width", "aperture_height", "ray_spacing", "receiver_width"), Is.EqualTo(new[] { 48, 32, 3, 2, 0.0625, 5 }).Within(1e-12));
+        Assert.That(
+            Numbers("rays_across", "rays_down", "aperture_width", "aperture_height", "ray_spacing", "receiver_width"),
+            Is.EqualTo(new[] { 48, 32, 3, 2, 0.0625, 5 }).Within(1e-12));
         Assert.That(Json["settings"]["vertical_fov"], Is.Null);
     }
 
     [Test]
     public void Sweep_OfAPlate_IsFittedAtEachAngle()
     {
-        var (code, _, error) = Run("sweep", Plate, "--angles", "0,60", "--grazing", "0", "--spacing", "0.03125", "--out", Results);
+        var (code, _, error) =
+            Run("sweep", Plate, "--angles", "0,60", "--grazing", "0", "--spacing", "0.03125", "--out", Results);
 
         Assert.That(code, Is.EqualTo(0), error);
-        Assert.That(Json["rows"].Select(row => row["rays_emitted"].ToObject<int>()), Is.EqualTo(new[] { 32 * 32, 16 * 32 }), "half as wide at 60 deg");
+        Assert.That(Json["rows"].Select(row => row["rays_emitted"].ToObject<int>()),
+            Is.EqualTo(new[] { 32 * 32, 16 * 32 }), "half as wide at 60 deg");
         Assert.That(Text("projection") + " " + Text("aperture"), Is.EqualTo("parallel fitted"));
-        Assert.That(Numbers("aperture_width", "aperture_height", "receiver_width", "receiver_height"), Is.EqualTo(new[] { 0.5, 1, 0.5, 1 }).Within(1e-12), "those of the last angle");
+        Assert.That(Numbers("aperture_width", "aperture_height", "receiver_width", "receiver_height"),
+            Is.EqualTo(new[] { 0.5, 1, 0.5, 1 }).Within(1e-12), "those of the last angle");
     }
 
     [Test]
@@ -79,7 +90,8 @@ public sealed class ParallelRunTests
 
     string Text(string setting) => Json["settings"][setting].ToString();
 
-    double[] Numbers(params string[] settings) => settings.Select(name => Json["settings"][name]["value"].ToObject<double>()).ToArray();
+    double[] Numbers(params string[] settings) =>
+        settings.Select(name => Json["settings"][name]["value"].ToObject<double>()).ToArray();
 
     static (int code, string output, string error) Run(params string[] arguments)
     {

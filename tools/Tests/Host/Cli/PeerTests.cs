@@ -26,7 +26,8 @@ public sealed class PeerTests
     [Test]
     public void Output_OfManyLines_GivesTheMedianOfEachTime()
     {
-        var output = new PeerOutput("some GPU\nbuild 60 ms\nframe 9 ms\nframe 3 ms\nframe 1 ms\nframe 4 ms, alone 2 ms\n\nhit 5 ms2 12 msec\n");
+        var output = new PeerOutput("some GPU\nbuild 60 ms\nframe 9 ms\nframe 3 ms\nframe 1 ms\n"
+            + "frame 4 ms, alone 2 ms\n\nhit 5 ms2 12 msec\n");
         Assert.That(output.Labels, Is.EqualTo(new[] { "build", "frame", "alone" }));
         Assert.That(output.Median("frame"), Is.EqualTo(3.5));
         Assert.That(output.LastLine, Is.EqualTo("hit 5 ms2 12 msec"));
@@ -56,10 +57,12 @@ public sealed class PeerTests
 
     [TestCase("false", "ended with exit code 1: without a word")]
     [TestCase("echo no such scene >&2; exit 3", "ended with exit code 3: no such scene")]
-    [TestCase("echo hit 12", "printed no time, which is a number before \" ms\" as in \"frame 81.3 ms\"; its last line: hit 12")]
+    [TestCase("echo hit 12",
+        "printed no time, which is a number before \" ms\" as in \"frame 81.3 ms\"; its last line: hit 12")]
     public void Peer_ThatFails_SaysSoByName(string command, string message)
     {
-        var error = Assert.Throws<GlintException>(() => new Peer(PeerCommand.Parse("P=" + command)).Run(null, true, default));
+        var error =
+            Assert.Throws<GlintException>(() => new Peer(PeerCommand.Parse("P=" + command)).Run(null, true, default));
         Assert.That(error.Message, Is.EqualTo("--peer P: " + message));
     }
 
@@ -68,7 +71,8 @@ public sealed class PeerTests
     {
         using var source = new CancellationTokenSource(TimeSpan.FromMilliseconds(200));
         var watch = Stopwatch.StartNew();
-        Assert.Throws<OperationCanceledException>(() => new Peer(PeerCommand.Parse("Sleeper=sleep 60; echo frame 1 ms")).Run(null, true, source.Token));
+        Assert.Throws<OperationCanceledException>(() => new Peer(PeerCommand.Parse("Sleeper=sleep 60; echo frame 1 ms"))
+            .Run(null, true, source.Token));
         Assert.That(watch.Elapsed, Is.LessThan(TimeSpan.FromSeconds(20)));
     }
 

@@ -81,7 +81,8 @@ public sealed class ProgressTests
     public void Bar_OnATerminalOfItsOwn_LeavesResultsBare()
     {
         var (output, screen) = (new StringWriter(), new StringWriter());
-        var terminal = new Terminal { Out = output, Error = screen, Live = Ansi(screen), SharesScreen = false, Width = 100 };
+        var terminal =
+            new Terminal { Out = output, Error = screen, Live = Ansi(screen), SharesScreen = false, Width = 100 };
         using var cancellation = new Cancellation(terminal);
 
         int code = ProgressBar.During(terminal, cancellation, progress =>
@@ -105,10 +106,14 @@ public sealed class ProgressTests
     public void Bar_WhenTheWorkFails_PassesTheFailureOn()
     {
         var screen = new StringWriter();
-        var terminal = new Terminal { Out = TextWriter.Null, Error = screen, Live = Ansi(screen), SharesScreen = false, Width = 100 };
+        var terminal = new Terminal
+        {
+            Out = TextWriter.Null, Error = screen, Live = Ansi(screen), SharesScreen = false, Width = 100
+        };
         using var cancellation = new Cancellation(terminal);
 
-        Assert.Throws<InvalidDataException>(() => ProgressBar.During(terminal, cancellation, _ => throw new InvalidDataException()));
+        Assert.Throws<InvalidDataException>(
+            () => ProgressBar.During(terminal, cancellation, _ => throw new InvalidDataException()));
     }
 
     [Test]
@@ -116,7 +121,10 @@ public sealed class ProgressTests
     {
         const string show = "\u001b[?25h";
         var screen = new StringWriter();
-        using var cancellation = new Cancellation(new Terminal { Out = TextWriter.Null, Error = screen, Live = Ansi(screen), SharesScreen = true, Width = 100 });
+        using var cancellation = new Cancellation(new Terminal
+        {
+            Out = TextWriter.Null, Error = screen, Live = Ansi(screen), SharesScreen = true, Width = 100
+        });
 
         Assert.That(cancellation.Press(), Is.True);
         Assert.That(cancellation.IsRequested && cancellation.Token.IsCancellationRequested);
@@ -127,14 +135,19 @@ public sealed class ProgressTests
 
     static IAnsiConsole Ansi(TextWriter screen)
     {
-        var console = AnsiConsole.Create(new AnsiConsoleSettings { Ansi = AnsiSupport.Yes, Interactive = InteractionSupport.Yes, Out = new AnsiConsoleOutput(screen) });
+        var console = AnsiConsole.Create(new AnsiConsoleSettings
+        {
+            Ansi = AnsiSupport.Yes, Interactive = InteractionSupport.Yes, Out = new AnsiConsoleOutput(screen)
+        });
         console.Profile.Width = 100;
         return console;
     }
 
-    static Terminal Quiet(TextWriter messages) => new() { Out = TextWriter.Null, Error = messages, Live = null, Width = 100 };
+    static Terminal Quiet(TextWriter messages) =>
+        new() { Out = TextWriter.Null, Error = messages, Live = null, Width = 100 };
 
-    static string[] Lines(StringWriter text) => text.ToString().Split(Environment.NewLine, StringSplitOptions.RemoveEmptyEntries).ToArray();
+    static string[] Lines(StringWriter text) =>
+        text.ToString().Split(Environment.NewLine, StringSplitOptions.RemoveEmptyEntries).ToArray();
 
     sealed class StoppedClock : TimeProvider
     {

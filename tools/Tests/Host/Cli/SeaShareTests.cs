@@ -27,14 +27,17 @@ public sealed class SeaShareTests
     public void Table_OfShares_HasARowAnAngle()
     {
         string table = ExperimentTables.Of([new SeaShare(15, 10, 12.5, 10, 100, 1, [0, 20, 30, 4])]);
-        Assert.That(table.Split('\n')[2], Is.EqualTo("| 15 | 10.00 | 12.50 | 10.00 | 100 | 1 | 54 | 0 | 20 | 30 | 4 |"));
+        Assert.That(table.Split('\n')[2],
+            Is.EqualTo("| 15 | 10.00 | 12.50 | 10.00 | 100 | 1 | 54 | 0 | 20 | 30 | 4 |"));
     }
 
     // The amplitude of a pose is made up: 5.
-    static SweepResult Sweep(params RayData[] rays) => new(Experiment.ShipInFreeSpace, null, [new SweepRow(new SweepPose(30), new RadarResult { InPhase = 3, Quadrature = 4, Rays = rays })]);
+    static SweepResult Sweep(params RayData[] rays) => new(Experiment.ShipInFreeSpace, null,
+        [new SweepRow(new SweepPose(30), new RadarResult { InPhase = 3, Quadrature = 4, Rays = rays })]);
 
     static RayData Ray(uint pixel, double length, float inPhase, float quadrature, uint bounces) => new()
     {
-        Pixel = pixel, PathLength = (float)length, PathLengthRest = (float)(length - (float)length), InPhase = inPhase, Quadrature = quadrature, Bounces = bounces,
+        Pixel = pixel, PathLength = (float)length, PathLengthRest = (float)(length - (float)length),
+        InPhase = inPhase, Quadrature = quadrature, Bounces = bounces,
     };
 }

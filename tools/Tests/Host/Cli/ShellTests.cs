@@ -13,13 +13,15 @@ public sealed class ShellTests
     [TestCase("dance", "glint: \"dance\": no such command: the commands are COMMANDS (see glint --help)")]
     [TestCase("run x.obj --bounces 17", "glint: --bounces 17: must be from 1 to 16 (see glint run --help)")]
     [TestCase("run x.obj --size 0x5", "glint: --size 0x5: each number must be from 1 to 524280 (see glint run --help)")]
-    [TestCase("sweep x.unity --target Ship --angles 0:45", "glint: --angles 0:45: a range has three parts: give FROM:TO:STEP, such as 0:45:1, or a list, such as 0,10,45 (see glint sweep --help)")]
+    [TestCase("sweep x.unity --target Ship --angles 0:45", "glint: --angles 0:45: a range has three parts: "
+        + "give FROM:TO:STEP, such as 0:45:1, or a list, such as 0,10,45 (see glint sweep --help)")]
     public void Line_Wrong_IsToldInOneLineOfTheErrorStream(string line, string message)
     {
         var (code, output, error) = Run(line.Split(' ', System.StringSplitOptions.RemoveEmptyEntries));
 
         Assert.That(code, Is.EqualTo(2));
-        Assert.That(error, Is.EqualTo(message.Replace("COMMANDS", string.Join(", ", Commands.All.Select(command => command.Name))) + System.Environment.NewLine));
+        Assert.That(error, Is.EqualTo(message.Replace("COMMANDS",
+            string.Join(", ", Commands.All.Select(command => command.Name))) + System.Environment.NewLine));
         Assert.That(output, Is.Empty);
     }
 

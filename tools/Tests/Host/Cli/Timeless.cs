@@ -4,16 +4,20 @@ using System.Text.RegularExpressions;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Result files without what another run of the same sweep has otherwise: started_utc, and all that ends in _ms.</summary>
+/// <summary>
+/// Result files without what another run of the same sweep has otherwise: started_utc, and all that ends in _ms.
+/// </summary>
 static class Timeless
 {
     public static string Csv(string folder)
     {
-        var lines = File.ReadAllText(Path.Combine(folder, "results.csv")).Split('\n').Select(line => line.Split(',')).ToArray();
+        var lines = File.ReadAllText(Path.Combine(folder, "results.csv")).Split('\n')
+            .Select(line => line.Split(',')).ToArray();
         int time = System.Array.IndexOf(lines[0], "trace_ms");
         return string.Join("\n", lines.Select(line => string.Join(",", line.Where((_, i) => i != time))));
     }
 
     public static string Json(string folder) =>
-        Regex.Replace(File.ReadAllText(Path.Combine(folder, "results.json")), "\"([a-z_]+_ms|started_utc)\": [^\n]*", "\"$1\"");
+        Regex.Replace(File.ReadAllText(Path.Combine(folder, "results.json")),
+            "\"([a-z_]+_ms|started_utc)\": [^\n]*", "\"$1\"");
 }

@@ -9,8 +9,8 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Every command called wrongly: one line that names the command, the option or the file. Exit code 2 is for what the words alone show,
-/// 1 for what is found on opening files.
+/// Every command called wrongly: one line that names the command, the option or the file.
+/// Exit code 2 is for what the words alone show, 1 for what is found on opening files.
 /// </summary>
 public sealed class WrongCallTests
 {
@@ -47,19 +47,22 @@ public sealed class WrongCallTests
 
     static IEnumerable<string> Names => Commands.All.Select(command => command.Name);
 
-    static IEnumerable<TestCaseData> Options => Commands.All.SelectMany(command => command.Options.Select(option => new TestCaseData(command.Name, option.Name).SetArgDisplayNames($"{command.Name} {option.Flag}")));
+    static IEnumerable<TestCaseData> Options => Commands.All.SelectMany(command => command.Options.Select(
+        option => new TestCaseData(command.Name, option.Name).SetArgDisplayNames($"{command.Name} {option.Flag}")));
 
     [Test]
     public void Table_OfTheseTests_HasEveryCommand() => Assert.That(s_right.Keys, Is.EquivalentTo(Names));
 
     [TestCaseSource(nameof(Names))]
-    public void Option_Unknown_IsRefused(string command) => AssertRefused(2, "--nonesuch", [command, .. s_right[command], "--nonesuch"]);
+    public void Option_Unknown_IsRefused(string command) =>
+        AssertRefused(2, "--nonesuch", [command, .. s_right[command], "--nonesuch"]);
 
     [TestCaseSource(nameof(Names))]
     public void Argument_OneTooMany_IsRefused(string command)
     {
         if (command != "merge")
-            AssertRefused(2, "surplus", [command, .. s_right[command], .. command == "bench" || s_right[command].Length > 0 ? new[] { "surplus" } : ["surplus", "surplus"]]);
+            AssertRefused(2, "surplus", [command, .. s_right[command],
+                .. command == "bench" || s_right[command].Length > 0 ? new[] { "surplus" } : ["surplus", "surplus"]]);
     }
 
     [TestCaseSource(nameof(Names))]
@@ -86,14 +89,17 @@ public sealed class WrongCallTests
     }
 
     [TestCaseSource(nameof(Options))]
-    public void Option_OfAnEmptyValue_IsRefused(string command, string name) => AssertRefused(2, $"--{name} \"\"", [command, .. Without(command, Find(command, name)), $"--{name}="]);
+    public void Option_OfAnEmptyValue_IsRefused(string command, string name) =>
+        AssertRefused(2, $"--{name} \"\"", [command, .. Without(command, Find(command, name)), $"--{name}="]);
 
     [TestCaseSource(nameof(Options))]
     public void Option_GivenTwice_IsRefused(string command, string name)
     {
         var option = Find(command, name);
         if (!option.IsRepeatable)
-            AssertRefused(2, option.Flag, [command, .. Without(command, option), .. option.IsSwitch ? [option.Flag, option.Flag] : new[] { option.Flag, option.DefaultText ?? "1", option.Flag, option.DefaultText ?? "1" }]);
+            AssertRefused(2, option.Flag, [command, .. Without(command, option), .. option.IsSwitch
+                ? [option.Flag, option.Flag]
+                : new[] { option.Flag, option.DefaultText ?? "1", option.Flag, option.DefaultText ?? "1" }]);
     }
 
     // Every range of the table excludes one of these, and no plain word is a number or a choice.
@@ -140,7 +146,8 @@ public sealed class WrongCallTests
     [TestCase(2, "nothing to step through", "sweep", "MESH")]
     [TestCase(2, "--out is missing", "merge", "DIR")]
     [TestCase(2, "\"surplus\": no such command", "surplus", "run", "MESH")]
-    public void Call_OfWhatIsNotThereOrNotEnough_IsRefused(int code, string named, params string[] words) => AssertRefused(code, named, words);
+    public void Call_OfWhatIsNotThereOrNotEnough_IsRefused(int code, string named, params string[] words) =>
+        AssertRefused(code, named, words);
 
     void AssertRefused(int code, string named, string[] words)
     {
@@ -150,13 +157,15 @@ public sealed class WrongCallTests
         string line = $"glint {string.Join(' ', words)}: {error}";
         Assert.That(actual, Is.EqualTo(code), line);
         Assert.That(error.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries), Has.Length.EqualTo(1), line);
-        Assert.That(error.ToString(), Does.StartWith("glint: ").And.Contain(Put(named)).And.Not.Contain("internal error"));
+        Assert.That(error.ToString(),
+            Does.StartWith("glint: ").And.Contain(Put(named)).And.Not.Contain("internal error"));
         Assert.That(output.ToString(), Is.Empty, line);
     }
 
     string Put(string word) => word.Replace("MESH", "DIR/mesh.obj").Replace("DIR", _folder);
 
-    static Option Find(string command, string name) => Commands.All.Single(known => known.Name == command).Options.Single(option => option.Name == name);
+    static Option Find(string command, string name) =>
+        Commands.All.Single(known => known.Name == command).Options.Single(option => option.Name == name);
 
     // The right words without an option and its value.
     static string[] Without(string command, Option option)

@@ -17,8 +17,10 @@ public sealed class ApplicationTests : EngineFixture
         try
         {
             string settings = root.CreateSubdirectory("ProjectSettings").FullName;
-            File.WriteAllText(Path.Combine(settings, "ProjectVersion.txt"), "m_EditorVersion: 6000.0.99f9\nm_EditorVersionWithRevision: 6000.0.99f9 (0)\n");
-            File.WriteAllText(Path.Combine(settings, "ProjectSettings.asset"), "PlayerSettings:\n  companyName: Waves\n  productName: Sea\n");
+            File.WriteAllText(Path.Combine(settings, "ProjectVersion.txt"),
+                "m_EditorVersion: 6000.0.99f9\nm_EditorVersionWithRevision: 6000.0.99f9 (0)\n");
+            File.WriteAllText(Path.Combine(settings, "ProjectSettings.asset"),
+                "PlayerSettings:\n  companyName: Waves\n  productName: Sea\n");
             Engine.Assets = new FakeProject { ProjectRoot = root.FullName };
             Assert.That(Application.unityVersion, Is.EqualTo("6000.0.99f9"));
             Assert.That(Application.dataPath, Is.EqualTo(Path.Combine(root.FullName, "Assets")));

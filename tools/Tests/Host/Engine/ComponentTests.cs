@@ -66,7 +66,8 @@ public sealed class ComponentTests : EngineFixture
         var item = new GameObject("a", typeof(Demanding));
         Assert.That(item.AddComponent<Demanding>() == null);
         Assert.That(item.AddComponent<MeshFilter>() == null);
-        Assert.That(Errors[0], Is.EqualTo("Can't add 'Demanding' to a because a 'Demanding' is already added to the game object!"));
+        Assert.That(Errors[0],
+            Is.EqualTo("Can't add 'Demanding' to a because a 'Demanding' is already added to the game object!"));
         Assert.That(item.AddComponent<Actor>() != null, "an ordinary one may be there twice");
     }
 

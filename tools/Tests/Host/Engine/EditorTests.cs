@@ -59,7 +59,8 @@ public sealed class EditorTests : EngineFixture
         Engine.Assets = project;
         Assert.That(AssetDatabase.LoadAssetAtPath<Preset>("Assets/P.asset"), Is.SameAs(asset));
         Assert.That(AssetDatabase.GetAssetPath(asset), Is.EqualTo("Assets/P.asset"));
-        Assert.That(AssetDatabase.GUIDToAssetPath(AssetDatabase.AssetPathToGUID("Assets/P.asset")), Is.EqualTo("Assets/P.asset"));
+        Assert.That(AssetDatabase.GUIDToAssetPath(AssetDatabase.AssetPathToGUID("Assets/P.asset")),
+            Is.EqualTo("Assets/P.asset"));
         Assert.That(AssetDatabase.LoadAssetAtPath<Mesh>("Assets/P.asset"), Is.Null);
         Assert.That(AssetDatabase.LoadAssetAtPath<Preset>("Assets/No.asset"), Is.Null);
         Assert.That(FileUtil.GetPhysicalPath("Assets/P.asset"), Is.EqualTo("/project/Assets/P.asset"));

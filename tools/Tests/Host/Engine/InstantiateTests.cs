@@ -108,9 +108,12 @@ public sealed class InstantiateTests : EngineFixture
         parent.transform.position = new Vector3(10f, 0f, 0f);
         var original = new GameObject("a");
         original.transform.localPosition = new Vector3(1f, 2f, 3f);
-        Assert.That(Object.Instantiate(original, parent.transform).transform.position, Is.EqualTo(new Vector3(11f, 2f, 3f)));
-        Assert.That(Object.Instantiate(original, parent.transform, true).transform.position, Is.EqualTo(new Vector3(1f, 2f, 3f)));
-        Transform placed = Object.Instantiate(original, new Vector3(5f, 6f, 7f), Quaternion.Euler(0f, 90f, 0f), parent.transform).transform;
+        Assert.That(Object.Instantiate(original, parent.transform).transform.position,
+            Is.EqualTo(new Vector3(11f, 2f, 3f)));
+        Assert.That(Object.Instantiate(original, parent.transform, true).transform.position,
+            Is.EqualTo(new Vector3(1f, 2f, 3f)));
+        Transform placed = Object.Instantiate(original, new Vector3(5f, 6f, 7f), Quaternion.Euler(0f, 90f, 0f),
+            parent.transform).transform;
         Assert.That(placed.position, Is.EqualTo(new Vector3(5f, 6f, 7f)));
         Assert.That(placed.eulerAngles.y, Is.EqualTo(90f).Within(1e-3f));
     }

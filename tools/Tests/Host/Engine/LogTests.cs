@@ -47,7 +47,8 @@ public sealed class LogTests : EngineFixture
             Console.SetError(error);
         }
         Assert.That(outText.ToString().Trim(), Is.EqualTo("note"));
-        Assert.That(errorText.ToString().Split('\n', StringSplitOptions.TrimEntries)[..2], Is.EqualTo(new[] { "careful", "broken" }));
+        Assert.That(errorText.ToString().Split('\n', StringSplitOptions.TrimEntries)[..2],
+            Is.EqualTo(new[] { "careful", "broken" }));
     }
 
     [Test]

@@ -67,12 +67,14 @@ public sealed class MessageOrderTests : EngineFixture
         root.gameObject.SetActive(true);
         Assert.That(
             Diary.Text,
-            Is.EqualTo("EarlyBird.Awake EarlyBird.OnEnable Talker.Awake Talker.OnEnable Latecomer.Awake Latecomer.OnEnable"));
+            Is.EqualTo("EarlyBird.Awake EarlyBird.OnEnable Talker.Awake Talker.OnEnable Latecomer.Awake "
+                + "Latecomer.OnEnable"));
         Diary.Clear();
         Steps(1);
         Assert.That(
             Diary.Text,
-            Is.EqualTo("EarlyBird.Start Talker.Start Latecomer.Start EarlyBird.Update Talker.Update Latecomer.Update Talker.LateUpdate"));
+            Is.EqualTo("EarlyBird.Start Talker.Start Latecomer.Start EarlyBird.Update Talker.Update "
+                + "Latecomer.Update Talker.LateUpdate"));
     }
 
     [Test]

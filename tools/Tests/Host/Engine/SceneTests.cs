@@ -72,7 +72,8 @@ public sealed class SceneTests : EngineFixture
         Play();
         SceneManager.LoadScene(One);
         Steps(1);
-        AsyncOperation operation = EditorSceneManager.LoadSceneAsyncInPlayMode(Two, new LoadSceneParameters(LoadSceneMode.Additive));
+        AsyncOperation operation =
+            EditorSceneManager.LoadSceneAsyncInPlayMode(Two, new LoadSceneParameters(LoadSceneMode.Additive));
         bool called = false;
         operation.completed += _ => called = true;
         Assert.That(operation.isDone, Is.False);

@@ -12,7 +12,8 @@ public sealed class SerializedFieldsTests
     public void Fields_OfMixedKinds_AreThoseThatUnitySerializesInOrder()
     {
         string[] names = SerializedFields.Of(typeof(Mixed)).Select(field => field.Name).ToArray();
-        Assert.That(names, Is.EqualTo(new[] { "Base", "Number", "Numbers", "Place", "Level", "_kept", "Data", "List", "_shape" }));
+        Assert.That(names,
+            Is.EqualTo(new[] { "Base", "Number", "Numbers", "Place", "Level", "_kept", "Data", "List", "_shape" }));
     }
 
 // The fields are only looked at.

@@ -13,9 +13,12 @@ public sealed class TransformTests : EngineFixture
     [SetUp]
     public void BuildChain()
     {
-        _top = Make("top", null, new Vector3(3f, -2f, 5f), Quaternion.Euler(20f, 70f, -35f), new Vector3(2f, 0.5f, -1.5f));
-        _middle = Make("middle", _top, new Vector3(-1f, 4f, 0.5f), Quaternion.Euler(-50f, 10f, 120f), new Vector3(0.7f, 3f, 1.2f));
-        _bottom = Make("bottom", _middle, new Vector3(0.3f, 0.2f, -2f), Quaternion.Euler(5f, -80f, 60f), new Vector3(1f, -2f, 1f));
+        _top =
+            Make("top", null, new Vector3(3f, -2f, 5f), Quaternion.Euler(20f, 70f, -35f), new Vector3(2f, 0.5f, -1.5f));
+        _middle = Make("middle", _top, new Vector3(-1f, 4f, 0.5f), Quaternion.Euler(-50f, 10f, 120f),
+            new Vector3(0.7f, 3f, 1.2f));
+        _bottom = Make("bottom", _middle, new Vector3(0.3f, 0.2f, -2f), Quaternion.Euler(5f, -80f, 60f),
+            new Vector3(1f, -2f, 1f));
     }
 
     [Test]
@@ -53,7 +56,8 @@ public sealed class TransformTests : EngineFixture
         Transform child = Make("child", mirror, Vector3.zero, Quaternion.Euler(0f, 40f, 10f), Vector3.one);
         // The matrix takes the child's axes to the rotation's, but for the mirrored x axis of the parent.
         double[,] world = Product(Local(mirror), Local(child));
-        double[,] rotated = Product(Rotation(child.rotation), new double[,] { { -1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 }, { 0, 0, 0, 1 } });
+        double[,] rotated = Product(Rotation(child.rotation),
+            new double[,] { { -1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 }, { 0, 0, 0, 1 } });
         for (int row = 0; row < 3; row++)
         {
             for (int column = 0; column < 3; column++)
@@ -82,8 +86,10 @@ public sealed class TransformTests : EngineFixture
     [Test]
     public void SetParent_WorldPositionStays_KeepsThePose()
     {
-        Transform parent = Make("p", null, new Vector3(1f, 2f, 3f), Quaternion.Euler(10f, 20f, 30f), new Vector3(2f, 2f, 2f));
-        Transform child = Make("c", null, new Vector3(-4f, 0f, 2f), Quaternion.Euler(0f, 90f, 45f), new Vector3(1f, 3f, 5f));
+        Transform parent =
+            Make("p", null, new Vector3(1f, 2f, 3f), Quaternion.Euler(10f, 20f, 30f), new Vector3(2f, 2f, 2f));
+        Transform child =
+            Make("c", null, new Vector3(-4f, 0f, 2f), Quaternion.Euler(0f, 90f, 45f), new Vector3(1f, 3f, 5f));
         Matrix4x4 before = child.localToWorldMatrix;
         child.SetParent(parent);
         AssertClose(child.localToWorldMatrix, Doubles(before));
@@ -95,7 +101,8 @@ public sealed class TransformTests : EngineFixture
     [Test]
     public void SetParent_WorldPositionGoes_KeepsTheLocalValues()
     {
-        Transform child = Make("c", null, new Vector3(-4f, 0f, 2f), Quaternion.Euler(0f, 90f, 45f), new Vector3(1f, 3f, 5f));
+        Transform child =
+            Make("c", null, new Vector3(-4f, 0f, 2f), Quaternion.Euler(0f, 90f, 45f), new Vector3(1f, 3f, 5f));
         child.SetParent(_bottom, false);
         Assert.That(child.localPosition, Is.EqualTo(new Vector3(-4f, 0f, 2f)));
         Assert.That(child.localScale, Is.EqualTo(new Vector3(1f, 3f, 5f)));
@@ -259,7 +266,8 @@ public sealed class TransformTests : EngineFixture
         for (int row = 0; row < 4; row++)
         {
             for (int column = 0; column < 4; column++)
-                Assert.That(actual[row, column], Is.EqualTo(expected[row, column]).Within(Tolerance), $"m{row}{column}");
+                Assert.That(actual[row, column],
+                    Is.EqualTo(expected[row, column]).Within(Tolerance), $"m{row}{column}");
         }
     }
 

@@ -10,7 +10,9 @@ using Unity.Mathematics;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Damaged files are read or refused by one line: no other exception, no long wait, no memory by the word of the file.</summary>
+/// <summary>
+/// Damaged files are read or refused by one line: no other exception, no long wait, no memory by the word of the file.
+/// </summary>
 public sealed class MeshFileFuzzTests
 {
     const int Cases = 4000;
@@ -22,7 +24,8 @@ public sealed class MeshFileFuzzTests
 
     static readonly string[] Splinters =
     {
-        "nan", "-", "1e999", "-1e-999", "99999999999999999999", "\0", "\\\n", "\\", "\r", "\n", "#", "/", "//", "-1", "0", "\ufeff",
+        "nan", "-", "1e999", "-1e-999", "99999999999999999999", "\0", "\\\n", "\\",
+        "\r", "\n", "#", "/", "//", "-1", "0", "\ufeff",
         "f 1 2 3 4 5\n", "v 1 2 3\n", "solid ", "endsolid", "facet normal 0 0 0", "\uffff\uffff"
     };
 
@@ -31,7 +34,8 @@ public sealed class MeshFileFuzzTests
 
     [Test]
     public void ObjOfAllForms_Damaged_IsReadOrRefused() => Fuzz("mesh.obj", Encoding.UTF8.GetBytes(
-        "\ufeff# c \\\r\nmtllib a.mtl\r\nv 0 0 0 1\r\nv 1 0 0 .5 .5 .5\r\nv +1.5e-3 -1E2 .25\r\nvt 0 0\r\nvn 0 0 1\r\nf 1/1/1 2//1 \\\r\n3/1\r\nf -1 -2 -3 # d\r\nl 1 2"), 2);
+        "\ufeff# c \\\r\nmtllib a.mtl\r\nv 0 0 0 1\r\nv 1 0 0 .5 .5 .5\r\nv +1.5e-3 -1E2 .25\r\nvt 0 0\r\nvn 0 0 1\r\n"
+        + "f 1/1/1 2//1 \\\r\n3/1\r\nf -1 -2 -3 # d\r\nl 1 2"), 2);
 
     [Test]
     public void StlText_Damaged_IsReadOrRefused() => Fuzz("mesh.stl", MeshFileWriter.StlText(Vertices, Indices), 3);
@@ -40,7 +44,8 @@ public sealed class MeshFileFuzzTests
     public void StlBinary_Damaged_IsReadOrRefused() => Fuzz("mesh.stl", MeshFileWriter.StlBinary(Vertices, Indices), 4);
 
     [Test]
-    public void StlBinaryBeginningWithSolid_Damaged_IsReadOrRefused() => Fuzz("mesh.stl", MeshFileWriter.StlBinary(Vertices, Indices, "solid"), 5);
+    public void StlBinaryBeginningWithSolid_Damaged_IsReadOrRefused() =>
+        Fuzz("mesh.stl", MeshFileWriter.StlBinary(Vertices, Indices, "solid"), 5);
 
     static void Fuzz(string name, byte[] good, int seed)
     {
@@ -61,12 +66,15 @@ public sealed class MeshFileFuzzTests
         var before = content.Take(at);
         switch (random.Next(6))
         {
-            case 0: return content.Select(value => random.Next(content.Length) < 3 ? (byte)(value ^ 1 << random.Next(8)) : value).ToArray();
+            case 0: return content.Select(
+                value => random.Next(content.Length) < 3 ? (byte)(value ^ 1 << random.Next(8)) : value).ToArray();
             case 1: return before.ToArray();
             case 2: return before.Concat(content.Skip(at + length)).ToArray();
             case 3: return before.Concat(content.Skip(at).Take(length)).Concat(content.Skip(at)).ToArray();
-            case 4: return before.Concat(Encoding.UTF8.GetBytes(Splinters[random.Next(Splinters.Length)])).Concat(content.Skip(at)).ToArray();
-            default: return before.Concat(content.Skip(at).Take(length).Select(_ => (byte)random.Next(256))).Concat(content.Skip(at + length)).ToArray();
+            case 4: return before.Concat(Encoding.UTF8.GetBytes(Splinters[random.Next(Splinters.Length)]))
+                .Concat(content.Skip(at)).ToArray();
+            default: return before.Concat(content.Skip(at).Take(length).Select(_ => (byte)random.Next(256)))
+                .Concat(content.Skip(at + length)).ToArray();
         }
     }
 
@@ -77,8 +85,10 @@ public sealed class MeshFileFuzzTests
         try
         {
             var mesh = MeshFileReader.Read(new MemoryStream(content), name, LengthUnit.Parse("m"), UpAxis.Z);
-            bool sound = mesh.TriangleCount > 0 && mesh.Indices.Length % 3 == 0 && mesh.Indices.All(index => index >= 0 && index < mesh.Vertices.Length)
-                && mesh.Vertices.All(vertex => float.IsFinite(vertex.x) && float.IsFinite(vertex.y) && float.IsFinite(vertex.z));
+            bool sound = mesh.TriangleCount > 0 && mesh.Indices.Length % 3 == 0
+                && mesh.Indices.All(index => index >= 0 && index < mesh.Vertices.Length)
+                && mesh.Vertices.All(vertex => float.IsFinite(vertex.x) && float.IsFinite(vertex.y)
+                    && float.IsFinite(vertex.z));
             if (!sound)
                 Assert.Fail($"{which} was read as a mesh that is none");
         }
@@ -90,6 +100,7 @@ public sealed class MeshFileFuzzTests
             Assert.Fail($"{which}: {error}");
         }
         if (watch.Elapsed > LongestTime || GC.GetAllocatedBytesForCurrentThread() - before > MostBytes)
-            Assert.Fail($"{which} took {watch.ElapsedMilliseconds} ms and {GC.GetAllocatedBytesForCurrentThread() - before} bytes");
+            Assert.Fail($"{which} took {watch.ElapsedMilliseconds} ms and "
+                + $"{GC.GetAllocatedBytesForCurrentThread() - before} bytes");
     }
 }

@@ -27,13 +27,15 @@ public sealed class MeshFileProperties
         from numbers in FiniteFloats.ArrayOf(3 * vertexCount)
         from triangleCount in Gen.Choose(1, 60)
         from indices in Gen.Choose(0, vertexCount - 1).ArrayOf(3 * triangleCount)
-        select new Triangles(Enumerable.Range(0, vertexCount).Select(i => new float3(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2])).ToArray(), indices);
+        select new Triangles(Enumerable.Range(0, vertexCount)
+            .Select(i => new float3(numbers[3 * i], numbers[3 * i + 1], numbers[3 * i + 2])).ToArray(), indices);
 
     [Test]
     public void Obj_WrittenAndRead_IsTheSame() => ForAllMeshes(mesh =>
     {
         var read = Read("mesh.obj", MeshFileWriter.Obj(mesh.Vertices, mesh.Indices));
-        return read.Vertices.Select(Bits).SequenceEqual(mesh.Vertices.Select(Bits)) && read.Indices.SequenceEqual(mesh.Indices);
+        return read.Vertices.Select(Bits).SequenceEqual(mesh.Vertices.Select(Bits))
+            && read.Indices.SequenceEqual(mesh.Indices);
     });
 
     [Test]
@@ -42,7 +44,8 @@ public sealed class MeshFileProperties
 
     [Test]
     public void StlBinary_WrittenAndRead_HasTheSameCorners() =>
-        ForAllMeshes(mesh => HasCornersOf(mesh, Read("mesh.stl", MeshFileWriter.StlBinary(mesh.Vertices, mesh.Indices, "solid"))));
+        ForAllMeshes(mesh =>
+            HasCornersOf(mesh, Read("mesh.stl", MeshFileWriter.StlBinary(mesh.Vertices, mesh.Indices, "solid"))));
 
     [Test]
     public void Coordinate_AnyDoubleInAnyNotation_IsRoundedOnce() => Prop.ForAll(Arb.From(Decimals), text =>
@@ -51,23 +54,29 @@ public sealed class MeshFileProperties
         float expected = (float)(double.Parse(text, CultureInfo.InvariantCulture) * 0.0254);
         if (!float.IsFinite(expected))
             return true;
-        var mesh = MeshFileReader.Read(new MemoryStream(Encoding.ASCII.GetBytes($"v {text} 0 0\nf 1 1 1")), "mesh.obj", LengthUnit.Parse("in"), UpAxis.Y);
+        var mesh = MeshFileReader.Read(new MemoryStream(Encoding.ASCII.GetBytes($"v {text} 0 0\nf 1 1 1")), "mesh.obj",
+            LengthUnit.Parse("in"), UpAxis.Y);
         return BitConverter.SingleToInt32Bits(mesh.Vertices[0].x) == BitConverter.SingleToInt32Bits(expected);
     }).Check(Config.QuickThrowOnFailure.WithMaxTest(5000));
 
     static readonly Gen<string> Decimals =
-        from value in Gen.OneOf(FiniteFloats.Select(value => (double)value), ArbMap.Default.GeneratorFor<double>().Where(double.IsFinite))
+        from value in Gen.OneOf(FiniteFloats.Select(value => (double)value),
+            ArbMap.Default.GeneratorFor<double>().Where(double.IsFinite))
         from format in Gen.Elements("R", "G9", "G17", "G25", "E3", "E20", "F6", "F12")
         select value.ToString(format, CultureInfo.InvariantCulture);
 
-    static void ForAllMeshes(Func<Triangles, bool> holds) => Prop.ForAll(Arb.From(Meshes), holds).Check(Config.QuickThrowOnFailure.WithMaxTest(200));
+    static void ForAllMeshes(Func<Triangles, bool> holds) =>
+        Prop.ForAll(Arb.From(Meshes), holds).Check(Config.QuickThrowOnFailure.WithMaxTest(200));
 
-    static MeshFile Read(string name, byte[] content) => MeshFileReader.Read(new MemoryStream(content), name, LengthUnit.Parse("m"), UpAxis.Y);
+    static MeshFile Read(string name, byte[] content) =>
+        MeshFileReader.Read(new MemoryStream(content), name, LengthUnit.Parse("m"), UpAxis.Y);
 
     static bool HasCornersOf(Triangles mesh, MeshFile read) =>
-        read.Indices.Select(index => Bits(read.Vertices[index])).SequenceEqual(mesh.Indices.Select(index => Bits(mesh.Vertices[index])));
+        read.Indices.Select(index => Bits(read.Vertices[index]))
+            .SequenceEqual(mesh.Indices.Select(index => Bits(mesh.Vertices[index])));
 
     // By bits, since -0 equals 0.
     static (int, int, int) Bits(float3 point) =>
-        (BitConverter.SingleToInt32Bits(point.x), BitConverter.SingleToInt32Bits(point.y), BitConverter.SingleToInt32Bits(point.z));
+        (BitConverter.SingleToInt32Bits(point.x), BitConverter.SingleToInt32Bits(point.y),
+            BitConverter.SingleToInt32Bits(point.z));
 }

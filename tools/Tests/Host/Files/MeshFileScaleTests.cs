@@ -12,7 +12,8 @@ public sealed class MeshFileScaleTests
     public void Obj_OfABlankLineContinuedAgainAndAgain_IsReadInProportionToItsSize()
     {
         var text = new StringBuilder().Insert(0, "\\\n", 4_000_000).Append("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-        var mesh = MeshFileReader.Read(new MemoryStream(Encoding.ASCII.GetBytes(text.ToString())), "mesh.obj", LengthUnit.Parse("m"), UpAxis.Y);
+        var mesh = MeshFileReader.Read(new MemoryStream(Encoding.ASCII.GetBytes(text.ToString())), "mesh.obj",
+            LengthUnit.Parse("m"), UpAxis.Y);
         Assert.That(mesh.TriangleCount, Is.EqualTo(1));
     }
 }

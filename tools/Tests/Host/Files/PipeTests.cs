@@ -41,7 +41,8 @@ public sealed class PipeTests
     {
         using TemporaryProject project = new();
         MakePipe(project, "Assets/" + name);
-        AssertRefused(project, name.EndsWith(".unity") ? () => project.Load() : () => AssetDatabase.LoadMainAssetAtPath("Assets/" + name),
+        AssertRefused(project, name.EndsWith(".unity") ? () => project.Load() : () =>
+            AssetDatabase.LoadMainAssetAtPath("Assets/" + name),
             $"Assets/{name}: is empty, or a pipe or device and no file: restore the file");
     }
 
@@ -53,7 +54,8 @@ public sealed class PipeTests
         File.Delete(Path.Combine(project.Root, "Assets/Ship.prefab"));
         MakePipe(project, "Assets/Ship.prefab");
         project.Write("Assets/Scene.unity", UnityText.Scene(UnityText.Instance(50, 7), 50));
-        AssertRefused(project, () => project.Load(), "Assets/Ship.prefab: is empty, or a pipe or device and no file: restore the file");
+        AssertRefused(project, () => project.Load(),
+            "Assets/Ship.prefab: is empty, or a pipe or device and no file: restore the file");
     }
 
     [Test]
@@ -63,7 +65,8 @@ public sealed class PipeTests
         project.Write("Assets/Hull.asset", MeshText.Of([0, 0, 0, 0, 1, 0, 1, 0, 0], 0, 1, 2).ToString());
         MakePipe(project, "Assets/Hull.asset.meta");
         _ = project.Project;
-        var load = Task.Run(() => (AssetDatabase.AssetPathToGUID("Assets/Hull.asset"), AssetDatabase.GUIDToAssetPath(TemporaryProject.Guid(1))));
+        var load = Task.Run(() => (AssetDatabase.AssetPathToGUID("Assets/Hull.asset"),
+            AssetDatabase.GUIDToAssetPath(TemporaryProject.Guid(1))));
         Assert.That(load.Wait(s_longEnough));
         Assert.That(load.Result, Is.EqualTo(("", "")));
     }
@@ -76,7 +79,8 @@ public sealed class PipeTests
         MakePipe(project, "Packages/manifest.json");
         var open = Task.Run(() => Assert.Throws<GlintException>(() => Project.Open(project.Root)));
         Assert.That(open.Wait(s_longEnough));
-        Assert.That(open.Result.Message, Is.EqualTo($"{project.Root}/Packages/manifest.json: is empty, or a pipe or device and no file: restore the file"));
+        Assert.That(open.Result.Message, Is.EqualTo($"{project.Root}/Packages/manifest.json: is empty, "
+            + "or a pipe or device and no file: restore the file"));
     }
 
     static void MakePipe(TemporaryProject project, string path)
@@ -95,7 +99,8 @@ public sealed class PipeTests
 
     static void AssertRefused(string path)
     {
-        var read = Task.Run(() => Assert.Throws<GlintException>(() => MeshFileReader.Read(path, LengthUnit.Parse("m"), UpAxis.Y)));
+        var read = Task.Run(
+            () => Assert.Throws<GlintException>(() => MeshFileReader.Read(path, LengthUnit.Parse("m"), UpAxis.Y)));
         Assert.That(read.Wait(s_longEnough), path);
         Assert.That(read.Result.Message, Does.StartWith(path + ": ").And.Contain("pipe"));
     }

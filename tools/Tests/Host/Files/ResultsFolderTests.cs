@@ -8,7 +8,9 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Failures of the disk that only Linux makes at will: /dev/full is always full, /proc takes no files.</summary>
+/// <summary>
+/// Failures of the disk that only Linux makes at will: /dev/full is always full, /proc takes no files.
+/// </summary>
 [Platform("Linux")]
 public sealed class ResultsFolderTests
 {
@@ -23,8 +25,10 @@ public sealed class ResultsFolderTests
             File.CreateSymbolicLink(Path.Combine(path, full), "/dev/full");
             using var results = ResultsFolder.Open(path);
             results.Begin(new SweepIdentity(), DateTime.UtcNow);
-            var error = Assert.Throws<GlintException>(() => results.Append(new SweepRow(new SweepPose(0), new RadarResult())));
-            Assert.That(error.Message, Does.StartWith(Path.Combine(path, "results.csv")).And.Contain("cannot be written").And.Contain("space"));
+            var error =
+                Assert.Throws<GlintException>(() => results.Append(new SweepRow(new SweepPose(0), new RadarResult())));
+            Assert.That(error.Message, Does.StartWith(Path.Combine(path, "results.csv"))
+                .And.Contain("cannot be written").And.Contain("space"));
             Assert.That(Directory.GetFileSystemEntries(path), Is.Empty);
         }
         finally
@@ -40,10 +44,12 @@ public sealed class ResultsFolderTests
         string path = Directory.CreateTempSubdirectory("glint-tests-").FullName;
         try
         {
-            var start = new ProcessStartInfo("flock", ["--close", Path.Combine(path, "results.lock"), "sh", "-c", "echo held; exec sleep 60"]) { RedirectStandardOutput = true };
+            var start = new ProcessStartInfo("flock", ["--close", Path.Combine(path, "results.lock"), "sh", "-c",
+                "echo held; exec sleep 60"]) { RedirectStandardOutput = true };
             using var holder = Process.Start(start);
             holder.StandardOutput.ReadLine();
-            Assert.That(Assert.Throws<GlintException>(() => ResultsFolder.Open(path)).Message, Does.StartWith(path + ": another run is writing"));
+            Assert.That(Assert.Throws<GlintException>(() => ResultsFolder.Open(path)).Message,
+                Does.StartWith(path + ": another run is writing"));
             holder.Kill(true);
             holder.WaitForExit();
             ResultsFolder.Open(path).Dispose();

@@ -11,10 +11,13 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Damaged scenes, prefabs, assets, .meta files, settings, meshes and command lines: each is loaded, read or traced, or refused in one line that names the file or the object.
-/// All else is a finding: another exception, a crash, a wait of more than 10 s, memory without end, numbers that are not finite.
-/// A case is its seed and its number, no more. GLINT_FUZZ_MINUTES=60 goes on for an hour, GLINT_FUZZ_SEED=7 takes other cases, GLINT_FUZZ_CASE=1234 runs that one alone
-/// and leaves its damaged files in the temporary folder. Counts by verdict are printed, every minute and at the end.
+/// Damaged scenes, prefabs, assets, .meta files, settings, meshes and command lines: each is loaded, read or traced,
+/// or refused in one line that names the file or the object.
+/// All else is a finding: another exception, a crash, a wait of more than 10 s, memory without end,
+/// numbers that are not finite.
+/// A case is its seed and its number, no more. GLINT_FUZZ_MINUTES=60 goes on for an hour, GLINT_FUZZ_SEED=7 takes other
+/// cases, GLINT_FUZZ_CASE=1234 runs that one alone and leaves its damaged files in the temporary folder.
+/// Counts by verdict are printed, every minute and at the end.
 /// </summary>
 public sealed partial class FuzzTests
 {
@@ -33,7 +36,8 @@ public sealed partial class FuzzTests
     {
         int seed = Variable("GLINT_FUZZ_SEED") ?? StandardSeed;
         int? minutes = Variable("GLINT_FUZZ_MINUTES"), only = Variable("GLINT_FUZZ_CASE");
-        var (first, end) = only is int number ? (number, number + 1) : (0, minutes == null ? StandardCases : int.MaxValue);
+        var (first, end) =
+            only is int number ? (number, number + 1) : (0, minutes == null ? StandardCases : int.MaxValue);
         var time = minutes is int given ? TimeSpan.FromMinutes(given) : TimeSpan.MaxValue;
         string kept = only == null ? null : Directory.CreateTempSubdirectory("glint-fuzz-").FullName;
         using (_scenes = new SceneCases(Project.FindRoot(ThisFolder()), kept))
@@ -76,7 +80,9 @@ public sealed partial class FuzzTests
         // A busy computer is no finding: what took long is tried again.
         if (time > LongestCase)
             (kind, outcome, time) = Try(seed, number);
-        return (kind, outcome.Verdict == Verdict.Finding || time <= LongestCase ? outcome : Outcome.Finding($"took {time.TotalSeconds} s"));
+        return (kind, outcome.Verdict == Verdict.Finding || time <= LongestCase
+            ? outcome
+            : Outcome.Finding($"took {time.TotalSeconds} s"));
     }
 
     (string Kind, Outcome Outcome, TimeSpan Time) Try(int seed, int number)
@@ -94,7 +100,9 @@ public sealed partial class FuzzTests
         _case.Restart();
         var outcome = Outcome.Of(() => run(random), []);
         bytes = GC.GetAllocatedBytesForCurrentThread() - bytes;
-        return (kind, bytes <= MostBytes || outcome.Verdict == Verdict.Finding ? outcome : Outcome.Finding($"took {bytes} bytes"), _case.Elapsed);
+        return (kind,
+            bytes <= MostBytes || outcome.Verdict == Verdict.Finding ? outcome : Outcome.Finding($"took {bytes} bytes"),
+            _case.Elapsed);
     }
 
     // Neighbouring seeds of System.Random begin alike, so the bits are mixed before.
@@ -109,10 +117,12 @@ public sealed partial class FuzzTests
     string Counts()
     {
         lock (_counts)
-            return $"{_counts.Values.Sum()} cases: {string.Join(", ", _counts.Select(count => $"{count.Key} {count.Value}"))}";
+            return $"{_counts.Values.Sum()} cases: "
+                + $"{string.Join(", ", _counts.Select(count => $"{count.Key} {count.Value}"))}";
     }
 
-    static int? Variable(string name) => Environment.GetEnvironmentVariable(name) is { Length: > 0 } text ? int.Parse(text) : null;
+    static int? Variable(string name) =>
+        Environment.GetEnvironmentVariable(name) is { Length: > 0 } text ? int.Parse(text) : null;
 
     // Findings that differ in these only are told once.
     [GeneratedRegex(@"(?<!\w)[\w.\\-]*\d[\w.]*|'[^']*'|""[^""]*""|/tmp\S*")]

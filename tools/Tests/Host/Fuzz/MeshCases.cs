@@ -14,12 +14,15 @@ static class MeshCases
 {
     static readonly float[] Coordinates =
     [
-        0, -0f, 1, -1, 0.5f, 1.25f, 1e-3f, -3, 100, 1e-20f, 1e-30f, float.Epsilon, -1e-40f, 3e10f, 1e7f, -1.1e7f, 1e20f, float.MaxValue, float.MinValue, float.NaN, float.PositiveInfinity
+        0, -0f, 1, -1, 0.5f, 1.25f, 1e-3f, -3, 100, 1e-20f, 1e-30f, float.Epsilon, -1e-40f, 3e10f, 1e7f, -1.1e7f, 1e20f,
+        float.MaxValue, float.MinValue, float.NaN, float.PositiveInfinity
     ];
 
     static readonly string[] ObjLines =
     [
-        "# c \\\r\nmtllib a.mtl", "v 0 0 0 1", "v 1 0 0 .5 .5 .5", "v +1.5e-3 -1E2 .25", "vt 0 0", "vn 0 0 1", "vp 1", "f 1/1/1 2//1 \\\r\n3/1", "f -1 -2 -3 # d", "l 1 2", "p 1", "usemtl a b", "g", "s off", "f 1 2 3 4", "f 4 3 2 1 2", "\\", "curv 0 1 1 2"
+        "# c \\\r\nmtllib a.mtl", "v 0 0 0 1", "v 1 0 0 .5 .5 .5", "v +1.5e-3 -1E2 .25", "vt 0 0", "vn 0 0 1", "vp 1",
+        "f 1/1/1 2//1 \\\r\n3/1", "f -1 -2 -3 # d", "l 1 2", "p 1", "usemtl a b", "g", "s off",
+        "f 1 2 3 4", "f 4 3 2 1 2", "\\", "curv 0 1 1 2"
     ];
 
     static readonly byte[][] Others = ObjLines.Select(Encoding.ASCII.GetBytes).ToArray();
@@ -31,14 +34,17 @@ static class MeshCases
     {
         // Most coordinates are sane, or hardly a file would be read to its end.
         bool isSane = random.Next(2) == 0;
-        float Coordinate() => isSane || random.Next(8) > 0 ? random.Next(-4, 5) * 0.5f : Coordinates[random.Next(Coordinates.Length)];
-        var vertices = Enumerable.Range(0, random.Next(1, 12)).Select(_ => new float3(Coordinate(), Coordinate(), Coordinate())).ToArray();
+        float Coordinate() =>
+            isSane || random.Next(8) > 0 ? random.Next(-4, 5) * 0.5f : Coordinates[random.Next(Coordinates.Length)];
+        var vertices = Enumerable.Range(0, random.Next(1, 12))
+            .Select(_ => new float3(Coordinate(), Coordinate(), Coordinate())).ToArray();
         var indices = Enumerable.Range(0, 3 * random.Next(0, 12)).Select(_ => random.Next(vertices.Length)).ToArray();
         int form = random.Next(4);
         byte[] content = form switch
         {
             0 => MeshFileWriter.Obj(vertices, indices),
-            1 => Encoding.UTF8.GetBytes(ObjOfAllForms(vertices.Length, random) + Encoding.ASCII.GetString(MeshFileWriter.Obj(vertices, indices))),
+            1 => Encoding.UTF8.GetBytes(ObjOfAllForms(vertices.Length, random)
+                + Encoding.ASCII.GetString(MeshFileWriter.Obj(vertices, indices))),
             2 => MeshFileWriter.StlText(vertices, indices),
             _ => MeshFileWriter.StlBinary(vertices, indices, random.Next(2) == 0 ? "solid" : "")
         };
@@ -54,11 +60,14 @@ static class MeshCases
         var outcome = Outcome.Of(() =>
         {
             var mesh = MeshFileReader.Read(new MemoryStream(content), name, unit, up);
-            bool isSound = mesh.TriangleCount > 0 && mesh.Indices.Length % 3 == 0 && mesh.Indices.All(index => index >= 0 && index < mesh.Vertices.Length)
-                && mesh.Vertices.All(vertex => math.all(math.isfinite(vertex))) && mesh.CountDegenerate() <= mesh.TriangleCount;
+            bool isSound = mesh.TriangleCount > 0 && mesh.Indices.Length % 3 == 0
+                && mesh.Indices.All(index => index >= 0 && index < mesh.Vertices.Length)
+                && mesh.Vertices.All(vertex => math.all(math.isfinite(vertex)))
+                && mesh.CountDegenerate() <= mesh.TriangleCount;
             return isSound ? Outcome.Done : Outcome.Finding("read as a mesh that is none");
         }, [name]);
-        return outcome.Verdict == Verdict.Finding ? Outcome.Finding($"{outcome.Text}\n{Convert.ToBase64String(content)}") : outcome;
+        return outcome.Verdict
+            == Verdict.Finding ? Outcome.Finding($"{outcome.Text}\n{Convert.ToBase64String(content)}") : outcome;
     }
 
     static string ObjOfAllForms(int vertices, Random random)

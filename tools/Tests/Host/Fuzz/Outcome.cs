@@ -17,13 +17,16 @@ public enum Verdict
 public readonly partial record struct Outcome(Verdict Verdict, string Text)
 {
     // Words of .NET, which say nothing of the user's file.
-    static readonly string[] ForeignWords = ["Exception", "internal error", "Object reference", "(Parameter '", "Index was out", "Unable to cast", "System.", "Arg_"];
+    static readonly string[] ForeignWords = ["Exception", "internal error", "Object reference", "(Parameter '",
+        "Index was out", "Unable to cast", "System.", "Arg_"];
 
     public static Outcome Done => new(Verdict.Done, "");
 
     public static Outcome Finding(string text) => new(Verdict.Finding, text);
 
-    /// <summary>A refusal if the message is one line, and names one of the subjects or an object in quotes; else a finding.</summary>
+    /// <summary>
+    /// A refusal if the message is one line, and names one of the subjects or an object in quotes; else a finding.
+    /// </summary>
     public static Outcome Refused(string message, IEnumerable<string> subjects) =>
         Unclear(message, subjects) is string why ? Finding($"{why}: {message}") : new Outcome(Verdict.Refused, message);
 
@@ -52,7 +55,8 @@ public readonly partial record struct Outcome(Verdict Verdict, string Text)
             return Finding($"a line of its own in messages: {error}");
         var failures = lines.Where(line => line.StartsWith("glint: ")).ToArray();
         if (code == 0)
-            return failures.Length > 0 ? Finding($"exit code 0 and a failure: {error}") : NotFinite().IsMatch(output) ? Finding($"numbers that are not finite: {output}") : Done;
+            return failures.Length > 0 ? Finding($"exit code 0 and a failure: {error}") : NotFinite()
+                .IsMatch(output) ? Finding($"numbers that are not finite: {output}") : Done;
         // glint verify says so of rays that go wrong, as some of a damaged mesh may, and nothing failed.
         if (code == 1 && failures.Length == 0 && output.Contains("wrong: pixel "))
             return Done;

@@ -14,16 +14,19 @@ using static Glint.Host.Tests.UnityText;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// A small project: the published experiment's scene and prefab, and a scene with everything that the loader knows. In each case a file or two of it are damaged,
-/// and a scene is loaded, or traced by a few rays.
+/// A small project: the published experiment's scene and prefab, and a scene with everything that the loader knows.
+/// In each case a file or two of it are damaged, and a scene is loaded, or traced by a few rays.
 /// </summary>
 sealed class SceneCases : IDisposable
 {
-    const string Radar = "Packages/com.glint.radar", Experiment = "Assets/CornerReflector.unity", Whole = "Assets/Scene.unity";
+    const string Radar = "Packages/com.glint.radar", Experiment = "Assets/CornerReflector.unity",
+        Whole = "Assets/Scene.unity";
     const int Mast = 1, Fleet = 2, Hull = 3, Options = 4, Paint = 5, MarkerScript = 9, OptionsScript = 10;
 
-    static readonly string[] Experiments = ["Scenes/CornerReflector.unity", "Meshes/CornerReflector/Corner Reflector.prefab"];
-    static readonly string[] Scripts = ["Runtime/RadarController.cs", "Runtime/Sweep.cs", "Runtime/Glint.asmdef", "package.json", "Shaders/Trace.compute.meta"];
+    static readonly string[] Experiments =
+        ["Scenes/CornerReflector.unity", "Meshes/CornerReflector/Corner Reflector.prefab"];
+    static readonly string[] Scripts = ["Runtime/RadarController.cs", "Runtime/Sweep.cs", "Runtime/Glint.asmdef",
+        "package.json", "Shaders/Trace.compute.meta"];
 
     readonly TemporaryProject _project = new();
     readonly Action<LogType, string> _logBefore = LogSink.Writer;
@@ -40,8 +43,10 @@ sealed class SceneCases : IDisposable
         CopyExperiment(productRoot);
         WriteWhole();
         // The kernels' sources stay as they are.
-        var all = Directory.EnumerateFiles(_project.Root, "*", SearchOption.AllDirectories).Select(path => Path.GetRelativePath(_project.Root, path)).ToArray();
-        _files = all.Where(path => Path.GetExtension(path) is not (".hlsl" or ".compute" or ".cs")).Order(StringComparer.Ordinal)
+        var all = Directory.EnumerateFiles(_project.Root, "*", SearchOption.AllDirectories)
+            .Select(path => Path.GetRelativePath(_project.Root, path)).ToArray();
+        _files = all.Where(path => Path.GetExtension(path) is not (".hlsl" or ".compute" or ".cs"))
+            .Order(StringComparer.Ordinal)
             .Select(path => (path, File.ReadAllBytes(Path.Combine(_project.Root, path)))).ToArray();
         _subjects = [.. all.Select(Path.GetFileNameWithoutExtension), "mesh", "--", "results"];
         _ = _project.Project;
@@ -90,10 +95,11 @@ sealed class SceneCases : IDisposable
     /// <summary>The same in a process of its own: what a user calls.</summary>
     public Outcome Start(Random random) => Command(random, arguments =>
     {
-        var start = new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), .. arguments])
-        {
-            RedirectStandardOutput = true, RedirectStandardError = true, WorkingDirectory = _project.Root
-        };
+        var start =
+            new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), .. arguments])
+            {
+                RedirectStandardOutput = true, RedirectStandardError = true, WorkingDirectory = _project.Root
+            };
         using var process = Process.Start(start);
         var error = process.StandardError.ReadToEndAsync();
         string output = process.StandardOutput.ReadToEnd();
@@ -129,9 +135,12 @@ sealed class SceneCases : IDisposable
         {
             var (code, output, error) = run(arguments);
             var outcome = Outcome.OfCommand(code, output, error, _subjects);
-            string written = string.Concat(Directory.EnumerateFiles(_project.Root, "results.*", SearchOption.AllDirectories).Select(File.ReadAllText));
+            string written = string.Concat(Directory.EnumerateFiles(_project.Root, "results.*",
+                SearchOption.AllDirectories).Select(File.ReadAllText));
             outcome = outcome.Verdict == Verdict.Done ? Outcome.OfCommand(0, written, "", _subjects) : outcome;
-            return outcome.Verdict == Verdict.Finding ? outcome with { Text = $"glint {string.Join(' ', arguments)}: {outcome.Text}" } : outcome;
+            return outcome.Verdict == Verdict.Finding
+                ? outcome with { Text = $"glint {string.Join(' ', arguments)}: {outcome.Text}" }
+                : outcome;
         }
         finally
         {
@@ -144,16 +153,21 @@ sealed class SceneCases : IDisposable
     string[] SceneLine(string scene, Random random)
     {
         string[] line = random.Next(2) == 0 ? [Pick(["run", "verify"], random), PathOf(scene)]
-            : ["sweep", PathOf(scene), "--target", scene == Experiment ? "Corner Reflector" : "Deck", "--angles", Pick(["0", "0,1", "-360,1e-9", "0:1:0.5"], random), "--out", Out(random)];
+            : ["sweep", PathOf(scene), "--target", scene == Experiment ? "Corner Reflector" : "Deck",
+                "--angles", Pick(["0", "0,1", "-360,1e-9", "0:1:0.5"], random), "--out", Out(random)];
         return [.. line, "--size", "16x9", .. RadarOptions(random)];
     }
 
     string[] MeshLine(string name, Random random)
     {
-        List<string> line = random.Next(4) == 0 ? ["sweep", PathOf(name), "--angles", Pick(["0", "45,90", "1e-5"], random), "--out", Out(random)] : [Pick(["run", "verify"], random), PathOf(name)];
+        List<string> line = random.Next(4) == 0
+            ? ["sweep", PathOf(name), "--angles", Pick(["0", "45,90", "1e-5"], random), "--out", Out(random)]
+            : [Pick(["run", "verify"], random), PathOf(name)];
         // Rays of a plane wave from a rectangle of their own; one fitted to any mesh may have billions.
         bool isParallel = random.Next(4) == 0;
-        line.AddRange(isParallel ? ["--spacing", Pick(["0.5", "1", "0.25"], random), "--aperture", Pick(["3", "1e-6", "2x5"], random)] : ["--size", Pick(["16x9", "1x1", "5x8", "64x1"], random)]);
+        line.AddRange(isParallel
+            ? ["--spacing", Pick(["0.5", "1", "0.25"], random), "--aperture", Pick(["3", "1e-6", "2x5"], random)]
+            : ["--size", Pick(["16x9", "1x1", "5x8", "64x1"], random)]);
         line.AddRange(RadarOptions(random));
         Add("--unit", "mm", "km", "um", "ft");
         Add("--up", "y", "z");
@@ -197,10 +211,13 @@ sealed class SceneCases : IDisposable
         {
             case 0:
                 Directory.CreateDirectory(folder);
-                File.WriteAllText(Path.Combine(folder, Pick(["results.csv", "results.json", "results.lock"], random)), Pick(["", "angle_deg,NaN\n", "{"], random));
+                File.WriteAllText(Path.Combine(folder, Pick(["results.csv", "results.json", "results.lock"], random)),
+                    Pick(["", "angle_deg,NaN\n", "{"], random));
                 return folder;
-            case 1: return Directory.CreateDirectory(Path.Combine(folder, Pick(["results.csv", "results.json", "results.lock", "other"], random))).Parent.FullName;
-            case 2: return Pick([PathOf(Whole), PathOf(Whole) + "/out", "/proc/results", "/dev/null/results", folder + new string('x', 300), folder + "\t"], random);
+            case 1: return Directory.CreateDirectory(Path.Combine(folder,
+                Pick(["results.csv", "results.json", "results.lock", "other"], random))).Parent.FullName;
+            case 2: return Pick([PathOf(Whole), PathOf(Whole) + "/out", "/proc/results", "/dev/null/results",
+                folder + new string('x', 300), folder + "\t"], random);
             default: return folder;
         }
     }
@@ -212,7 +229,8 @@ sealed class SceneCases : IDisposable
         for (int count = random.Next(5) == 0 ? 2 : 1; count > 0; count--)
         {
             var file = random.Next(2) == 0 ? _files.Single(file => file.Path == scene) : Pick(_files, random);
-            File.WriteAllBytes(PathOf(file.Path), Damage.Of(file.Content, random, _files.Select(other => other.Content).ToArray()));
+            File.WriteAllBytes(PathOf(file.Path),
+                Damage.Of(file.Content, random, _files.Select(other => other.Content).ToArray()));
             damaged.Add(file);
             Keep(file.Path);
         }
@@ -235,7 +253,8 @@ sealed class SceneCases : IDisposable
     {
         foreach (var instance in new SceneGatherer().Gather(~0, [], null).Instances)
         {
-            bool isFinite = math.all(math.isfinite(instance.ToWorld.X) & math.isfinite(instance.ToWorld.Y) & math.isfinite(instance.ToWorld.Z) & math.isfinite(instance.ToWorld.Origin))
+            bool isFinite = math.all(math.isfinite(instance.ToWorld.X) & math.isfinite(instance.ToWorld.Y)
+                    & math.isfinite(instance.ToWorld.Z) & math.isfinite(instance.ToWorld.Origin))
                 && instance.Mesh.Vertices.All(vertex => math.all(math.isfinite(vertex)));
             if (!isFinite || instance.Mesh.Indices.Any(index => index < 0 || index >= instance.Mesh.Vertices.Length))
                 return Outcome.Finding("gathered a mesh that is none");
@@ -245,7 +264,8 @@ sealed class SceneCases : IDisposable
 
     Outcome WithoutErrors(Outcome outcome)
     {
-        string error = _log.FirstOrDefault(line => !(line.StartsWith("[Log]") || line.StartsWith("[Warning]")) || line.Any(char.IsControl));
+        string error = _log.FirstOrDefault(line => !(line.StartsWith("[Log]") || line.StartsWith("[Warning]"))
+            || line.Any(char.IsControl));
         return error == null ? outcome : Outcome.Finding($"logged: {error}");
     }
 
@@ -258,42 +278,70 @@ sealed class SceneCases : IDisposable
         }
         foreach (string file in Experiments.SelectMany(file => new[] { file, file + ".meta" }))
             Copy(file, "Assets/" + Path.GetFileName(file));
-        foreach (string file in Scripts.Concat(Scripts.Where(script => script.EndsWith(".cs")).Select(script => script + ".meta")))
+        foreach (string file in Scripts.Concat(Scripts.Where(script => script.EndsWith(".cs"))
+            .Select(script => script + ".meta")))
             Copy($"{Radar}/{file}", $"{Radar}/{file}");
-        foreach (string file in Directory.EnumerateFiles(Path.Combine(productRoot, Radar, "Shaders")).Select(Path.GetFileName).Where(file => !file.EndsWith(".meta")))
+        foreach (string file in Directory.EnumerateFiles(Path.Combine(productRoot, Radar, "Shaders"))
+            .Select(Path.GetFileName).Where(file => !file.EndsWith(".meta")))
             Copy($"{Radar}/Shaders/{file}", $"{Radar}/Shaders/{file}");
         Copy("ProjectSettings/ProjectVersion.txt", "ProjectSettings/ProjectVersion.txt");
         Copy("ProjectSettings/EditorBuildSettings.asset", "ProjectSettings/EditorBuildSettings.asset");
-        _project.Write("ProjectSettings/TagManager.asset", Header + "--- !u!78 &1\nTagManager:\n  serializedVersion: 2\n  tags:\n  - Ship\n  layers:\n  - Default\n  - \n  - Water\n");
+        _project.Write("ProjectSettings/TagManager.asset", Header + "--- !u!78 &1\nTagManager:\n  serializedVersion: "
+            + "2\n  tags:\n  - Ship\n  layers:\n  - Default\n  - \n  - Water\n");
     }
 
     void WriteWhole()
     {
         _project.WriteScript(typeof(Marker), MarkerScript);
         _project.WriteScript(typeof(MarkerOptions), OptionsScript);
-        _project.Write("Assets/Hull.asset", MeshText.Of([0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1, 1], 0, 1, 2, 1, 2, 3).ToString(), Hull);
+        _project.Write("Assets/Hull.asset",
+            MeshText.Of([0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 1, 1], 0, 1, 2, 1, 2, 3).ToString(), Hull);
         _project.Write("Assets/Paint.mat", Header + "--- !u!21 &2100000\nMaterial:\n  m_Name: Paint\n", Paint);
-        _project.Write("Assets/Options.asset", Header + $"--- !u!114 &11400000\nMonoBehaviour:\n  m_Script: {Asset(11500000, OptionsScript)}\n  m_Name: Options\n  Frequency: 3\n  Next: {Asset(11400000, Options, 2)}\n", Options);
-        _project.Write("Assets/Mast.prefab", Prefab(Object(100, "Mast", children: [111], position: "{x: 0, y: 5, z: 0}") + Object(110, "Radar", father: 101, components: Component(112, 113, 114))
-            + MeshFilter(112, 110) + MeshRenderer(113, 110) + Script(114, 110, MarkerScript, "  Target: {fileID: 101}\n  Numbers:\n  - 1.5\n  Packed: 0100000002000000\n")), Mast);
-        _project.Write("Assets/Fleet.prefab", Prefab(Object(200, "Fleet") + Object(220, "Boat", father: 201, components: Component(222, 223)) + MeshFilter(222, 220) + MeshRenderer(223, 220)
-            + Instance(250, Mast, father: 201, modifications: "\n" + Change(101, Mast, "m_LocalPosition.x", "2")) + StandIn(4, 260, 101, Mast, 250)), Fleet);
-        string script = $"{{fileID: 11500000, guid: 3a55cc0a53d649f99bad66d013e746cd, type: 3}}", kernel = "{fileID: 7200000, guid: ffd30fe9c86540ae9308a11817044a2f, type: 3}";
-        string changes = "\n" + Change(114, Mast, "Numbers.Array.size", "3") + Change(114, Mast, "Packed.Array.data[1]", "-7") + Change(110, Mast, "m_Name", "Scanner") + Change(114, Mast, "Main.Length", "12")
+        _project.Write("Assets/Options.asset",
+            Header + $"--- !u!114 &11400000\nMonoBehaviour:\n  m_Script: {Asset(11500000, OptionsScript)}\n"
+                + $"  m_Name: Options\n  Frequency: 3\n  Next: {Asset(11400000, Options, 2)}\n", Options);
+        _project.Write("Assets/Mast.prefab", Prefab(Object(100, "Mast", children: [111], position: "{x: 0, y: 5, z: 0}")
+            + Object(110, "Radar", father: 101, components: Component(112, 113, 114))
+            + MeshFilter(112, 110) + MeshRenderer(113, 110) + Script(114, 110, MarkerScript,
+                "  Target: {fileID: 101}\n  Numbers:\n  - 1.5\n  Packed: 0100000002000000\n")), Mast);
+        _project.Write("Assets/Fleet.prefab",
+            Prefab(Object(200, "Fleet") + Object(220, "Boat", father: 201, components: Component(222, 223))
+                + MeshFilter(222, 220) + MeshRenderer(223, 220)
+                + Instance(250, Mast, father: 201, modifications: "\n" + Change(101, Mast, "m_LocalPosition.x", "2"))
+                + StandIn(4, 260, 101, Mast, 250)), Fleet);
+        string script = $"{{fileID: 11500000, guid: 3a55cc0a53d649f99bad66d013e746cd, type: 3}}",
+            kernel = "{fileID: 7200000, guid: ffd30fe9c86540ae9308a11817044a2f, type: 3}";
+        string changes = "\n" + Change(114, Mast, "Numbers.Array.size", "3") + Change(114, Mast, "Packed.Array.data[1]",
+                "-7") + Change(110, Mast, "m_Name", "Scanner") + Change(114, Mast, "Main.Length", "12")
             + Change(112, Mast, "m_Mesh", "", Asset(4300000, Hull, 2));
         _project.Write(Whole, Scene(
-            Object(10, "Deck", children: [21, 600, 51], components: Component(12, 13, 14)) + MeshFilter(12, 10, Asset(4300000, Hull, 2)) + MeshRenderer(13, 10, $"  m_Enabled: 1\n  m_Materials:\n  - {Asset(2100000, Paint, 2)}\n")
-            + Script(14, 10, MarkerScript, $"  Target: {{fileID: 21}}\n  Shape: {Asset(4300000, Hull, 2)}\n  Settings: {Asset(11400000, Options, 2)}\n  Packed: 0100000002000000\n  Main:\n    Length: 2\n    Label: a\n  Cell: {{x: 1, y: 2}}\n  Kind: 4\n  Colour: {{r: 1, g: 1, b: 1, a: 1}}\n  Words:\n  - a\n  - b\n")
-            + Object(20, "Rail", father: 11, components: Component(22, 23, 24), position: "{x: 1, y: 2, z: 3}") + MeshFilter(22, 20) + MeshRenderer(23, 20)
-            + "--- !u!205 &24\nLODGroup:\n  m_GameObject: {fileID: 20}\n  m_LODs:\n  - screenRelativeHeight: 0.5\n    renderers:\n    - renderer: {fileID: 23}\n  - screenRelativeHeight: 0.1\n    renderers:\n    - renderer: {fileID: 13}\n  m_Enabled: 1\n"
+            Object(10, "Deck", children: [21, 600, 51], components: Component(12, 13, 14))
+                + MeshFilter(12, 10, Asset(4300000, Hull, 2))
+                + MeshRenderer(13, 10, $"  m_Enabled: 1\n  m_Materials:\n  - {Asset(2100000, Paint, 2)}\n")
+            + Script(14, 10, MarkerScript, $"  Target: {{fileID: 21}}\n  Shape: {Asset(4300000, Hull, 2)}\n  Settings: "
+                + $"{Asset(11400000, Options, 2)}\n  Packed: 0100000002000000\n  Main:\n    Length: 2\n    Label: a\n"
+                + "  Cell: {x: 1, y: 2}\n  Kind: 4\n  Colour: {r: 1, g: 1, b: 1, a: 1}\n  Words:\n  - a\n  - b\n")
+            + Object(20, "Rail", father: 11, components: Component(22, 23, 24), position: "{x: 1, y: 2, z: 3}")
+            + MeshFilter(22, 20) + MeshRenderer(23, 20)
+            + "--- !u!205 &24\nLODGroup:\n  m_GameObject: {fileID: 20}\n  m_LODs:\n  - screenRelativeHeight: 0.5\n"
+            + "    renderers:\n    - renderer: {fileID: 23}\n  - screenRelativeHeight: 0.1\n    renderers:\n"
+            + "    - renderer: {fileID: 13}\n  m_Enabled: 1\n"
             + Object(30, "Camera", children: [41], components: Component(32, 33), position: "{x: 0, y: 0, z: -20}")
-            + "--- !u!20 &32\nCamera:\n  m_GameObject: {fileID: 30}\n  m_Enabled: 1\n  field of view: 30\n  orthographic: 0\n"
-            + $"--- !u!114 &33\nMonoBehaviour:\n  m_GameObject: {{fileID: 30}}\n  m_Enabled: 1\n  m_Script: {script}\n  m_Name: \n  _frequencyHz: 10000000000\n  _maxBounces: 3\n  _receiver: {{fileID: 41}}\n  _receiverSize: {{x: 3, y: 3}}\n  _roots:\n  - {{fileID: 11}}\n  _kernel: {kernel}\n"
+            + "--- !u!20 &32\nCamera:\n  m_GameObject: {fileID: 30}\n  m_Enabled: 1\n  field of view: "
+            + "30\n  orthographic: 0\n"
+            + $"--- !u!114 &33\nMonoBehaviour:\n  m_GameObject: {{fileID: 30}}\n  m_Enabled: 1\n  m_Script: {script}\n"
+            + "  m_Name: \n  _frequencyHz: 10000000000\n  _maxBounces: 3\n  _receiver: {fileID: 41}\n  _receiverSize: "
+            + $"{{x: 3, y: 3}}\n  _roots:\n  - {{fileID: 11}}\n  _kernel: {kernel}\n"
             + Object(40, "Receiver", father: 31)
-            + Object(50, "Lamp", father: 11, components: Component(52, 53)) + "--- !u!108 &52\nLight:\n  m_GameObject: {fileID: 50}\n--- !u!137 &53\nSkinnedMeshRenderer:\n  m_GameObject: {fileID: 50}\n  m_Enabled: 1\n  m_Mesh: " + Asset(4300000, Hull, 2) + "\n"
-            + Instance(500, Mast, father: 11, modifications: changes, addedObjects: "\n" + Added(111, Mast, 71)) + StandIn(4, 600, 101, Mast, 500) + StandIn(4, 610, 111, Mast, 500)
+            + Object(50, "Lamp", father: 11, components: Component(52, 53))
+            + "--- !u!108 &52\nLight:\n  m_GameObject: {fileID: 50}\n--- !u!137 &53\nSkinnedMeshRenderer:\n"
+            + "  m_GameObject: {fileID: 50}\n  m_Enabled: 1\n  m_Mesh: " + Asset(4300000, Hull, 2) + "\n"
+            + Instance(500, Mast, father: 11, modifications: changes, addedObjects: "\n" + Added(111, Mast, 71))
+            + StandIn(4, 600, 101, Mast, 500) + StandIn(4, 610, 111, Mast, 500)
             + Object(70, "Flag", father: 610)
-            + Instance(501, Fleet, modifications: "\n" + Change(101, Mast, "m_LocalPosition.y", "9"), removedComponents: "\n    - " + Asset(223, Fleet) + "\n", removedObjects: "\n    - " + Asset(110, Mast) + "\n"),
+            + Instance(501, Fleet, modifications: "\n" + Change(101, Mast, "m_LocalPosition.y", "9"),
+                removedComponents: "\n    - " + Asset(223, Fleet) + "\n",
+                removedObjects: "\n    - " + Asset(110, Mast) + "\n"),
             11, 31, 501), 0x20);
     }
 

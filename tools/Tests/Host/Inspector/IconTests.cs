@@ -5,7 +5,10 @@ using UnityEditor;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Each component's script names the icon that is drawn for it. Whether the pictures are as drawn, .ci/run asks tools/icons/make.py.</summary>
+/// <summary>
+/// Each component's script names the icon that is drawn for it.
+/// Whether the pictures are as drawn, .ci/run asks tools/icons/make.py.
+/// </summary>
 public sealed class IconTests
 {
     const string Package = "Packages/com.glint.radar";

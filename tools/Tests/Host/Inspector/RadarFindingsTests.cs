@@ -7,7 +7,10 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Findings of what a test in Unity cannot make: static batches, imported models, other devices, a radar without what it requires.</summary>
+/// <summary>
+/// Findings of what a test in Unity cannot make: static batches, imported models, other devices,
+/// a radar without what it requires.
+/// </summary>
 public sealed class RadarFindingsTests
 {
     RadarController _radar;
@@ -18,7 +21,8 @@ public sealed class RadarFindingsTests
     public void MakeScene()
     {
         _plate = GameObject.CreatePrimitive(PrimitiveType.Quad);
-        (_plate.name, _plate.transform.position, _plate.transform.localScale) = ("Plate", new Vector3(0, 0, 20), new Vector3(4, 4, 1));
+        (_plate.name, _plate.transform.position, _plate.transform.localScale) =
+            ("Plate", new Vector3(0, 0, 20), new Vector3(4, 4, 1));
         _radar = new GameObject("Radar", typeof(Camera)).AddComponent<RadarController>();
         _radar.Receiver = MeshFileScene.MakeReceiver(_radar.transform, false);
         _radar.Kernel = TestKernels.Trace;
@@ -65,7 +69,8 @@ public sealed class RadarFindingsTests
     public void Update_StaticBatch_IsRefusedInTheGatherersWords()
     {
         _plate.GetComponent<MeshRenderer>().StaticBatched = true;
-        Assert.That(Found().Single(), Is.EqualTo("Error: 'Plate' is part of a static batch, whose meshes Unity has merged: clear Batching Static among the static flags of 'Plate'"));
+        Assert.That(Found().Single(), Is.EqualTo("Error: 'Plate' is part of a static batch, "
+            + "whose meshes Unity has merged: clear Batching Static among the static flags of 'Plate'"));
     }
 
     [Test]
@@ -73,7 +78,8 @@ public sealed class RadarFindingsTests
     {
         var other = Object.Instantiate(_plate, _plate.transform);
         _plate.isStatic = other.isStatic = true;
-        Assert.That(Found().Single(), Does.StartWith("Warning: 'Plate' is marked Batching Static").And.EndWith("(and 1 more)"));
+        Assert.That(Found().Single(),
+            Does.StartWith("Warning: 'Plate' is marked Batching Static").And.EndWith("(and 1 more)"));
         _check.Findings[0].Fix.Apply();
         Assert.That(Found(), Is.Empty);
         Undo.PerformUndo();
@@ -86,7 +92,8 @@ public sealed class RadarFindingsTests
     {
         MakeModel(path);
         AssetImporter.Known.Clear();
-        Assert.That(Found().Single(), Is.EqualTo("Error: mesh 'Hull' of 'Plate' is not readable: tick Read/Write in the mesh's import settings"));
+        Assert.That(Found().Single(),
+            Is.EqualTo("Error: mesh 'Hull' of 'Plate' is not readable: tick Read/Write in the mesh's import settings"));
         _check.Findings[0].Fix.Apply();
         Assert.That(Found(), Is.Empty);
         Undo.PerformUndo();

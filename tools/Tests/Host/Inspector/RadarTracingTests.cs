@@ -8,7 +8,9 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>The inspector's button: a pose with a progress bar, its problems as text, and the buffers given back.</summary>
+/// <summary>
+/// The inspector's button: a pose with a progress bar, its problems as text, and the buffers given back.
+/// </summary>
 public sealed class RadarTracingTests
 {
     readonly List<float?> _bar = new();

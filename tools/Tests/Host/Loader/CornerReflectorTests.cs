@@ -34,7 +34,8 @@ public sealed class CornerReflectorTests
 
     [Test]
     public void Roots_AreInTheScenesOrder() =>
-        Assert.That(_roots.Select(root => root.name), Is.EqualTo(new[] { "Corner Reflector Radar", "Directional Light", "Sweep", "Corner Reflector" }));
+        Assert.That(_roots.Select(root => root.name),
+            Is.EqualTo(new[] { "Corner Reflector Radar", "Directional Light", "Sweep", "Corner Reflector" }));
 
     [Test]
     public void Radar_StandsAsTheExperimentSays()
@@ -47,22 +48,26 @@ public sealed class CornerReflectorTests
         Assert.That(radar.GetComponent<Camera>().fieldOfView, Is.EqualTo(60f));
 
         RadarController controller = radar.GetComponent<RadarController>();
-        Assert.That((controller.Settings.FrequencyHz, controller.Settings.RaysAcross, controller.Settings.RaysDown, controller.Settings.MaxBounces), Is.EqualTo((10e9, 1920, 1080, 4)));
+        Assert.That((controller.Settings.FrequencyHz, controller.Settings.RaysAcross, controller.Settings.RaysDown,
+            controller.Settings.MaxBounces), Is.EqualTo((10e9, 1920, 1080, 4)));
         Assert.That(controller.Receiver, Is.SameAs(radar.Find("Receiver")));
-        Assert.That((controller.ReceiverSize.x, controller.ReceiverSize.y, controller.Layers.value), Is.EqualTo((3f, 3f, -1)));
+        Assert.That((controller.ReceiverSize.x, controller.ReceiverSize.y, controller.Layers.value),
+            Is.EqualTo((3f, 3f, -1)));
         Assert.That(controller.Kernel.name, Is.EqualTo("Trace"));
     }
 
     [Test]
     public void Reflector_VertexAndAxes_AreTheRecoveredGeometry()
     {
-        // The inner corner is the frame's origin: sqrt(2) 7.871 sin b - 8.052 cos b up, sqrt(2) 7.871 cos b + 8.052 sin b back, b = 49.132 degrees.
+        // The inner corner is the frame's origin: sqrt(2) 7.871 sin b - 8.052 cos b up,
+        // sqrt(2) 7.871 cos b + 8.052 sin b back, b = 49.132 degrees.
         Transform frame = _roots[3].transform.Find("Frame");
         Vector3 vertex = frame.position;
         Assert.That(vertex.x, Is.EqualTo(0f).Within(1e-4));
         Assert.That(vertex.y, Is.EqualTo(3.1491f).Within(1e-4));
         Assert.That(vertex.z, Is.EqualTo(13.3725f).Within(1e-4));
-        Assert.That(frame.Cast<Transform>().Select(plate => plate.name), Is.EqualTo(new[] { "Plate X", "Plate Y", "Plate Z" }));
+        Assert.That(frame.Cast<Transform>().Select(plate => plate.name),
+            Is.EqualTo(new[] { "Plate X", "Plate Y", "Plate Z" }));
         foreach (Transform plate in frame)
         {
             Assert.That(plate.GetComponent<MeshFilter>().sharedMesh.GetIndices(0), Has.Length.EqualTo(36));
@@ -72,7 +77,8 @@ public sealed class CornerReflectorTests
 
     [Test]
     public void Gatherer_FindsTheTrianglesOfThreeCubes() =>
-        Assert.That(_roots[0].GetComponentInChildren<RadarController>().GatherScene().TriangleCount, Is.EqualTo(3 * 12));
+        Assert.That(_roots[0].GetComponentInChildren<RadarController>().GatherScene().TriangleCount,
+            Is.EqualTo(3 * 12));
 
     static string ThisFolder([CallerFilePath] string file = null) => Path.GetDirectoryName(file);
 }

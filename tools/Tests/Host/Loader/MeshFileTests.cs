@@ -37,10 +37,12 @@ public sealed class MeshFileTests
         plate.SubMeshes.Add((0, 6, 0, 0));
         Mesh mesh = Load(plate);
         Assert.That(mesh.name, Is.EqualTo("Plate"));
-        Assert.That(mesh.vertices.Select(v => (v.x, v.y, v.z)), Is.EqualTo(new[] { (-1f, 0f, -1f), (-1f, 0f, 1f), (1f, 0f, 1f), (1f, 0f, -1f) }));
+        Assert.That(mesh.vertices.Select(v => (v.x, v.y, v.z)),
+            Is.EqualTo(new[] { (-1f, 0f, -1f), (-1f, 0f, 1f), (1f, 0f, 1f), (1f, 0f, -1f) }));
         Assert.That(mesh.normals.Select(n => n.y), Is.All.EqualTo(1f));
         Assert.That(mesh.GetIndices(0), Is.EqualTo(new[] { 0, 1, 2, 0, 2, 3 }));
-        Assert.That((mesh.bounds.center.z, mesh.bounds.extents.x, mesh.isReadable), Is.EqualTo((3f, 4f, true)), "Unity takes the bounds from the file");
+        Assert.That((mesh.bounds.center.z, mesh.bounds.extents.x, mesh.isReadable), Is.EqualTo((3f, 4f, true)),
+            "Unity takes the bounds from the file");
     }
 
     [TestCase(1, "0000003c", 0f, 1f, TestName = "Float16")]
@@ -91,7 +93,8 @@ public sealed class MeshFileTests
         Mesh mesh = Load(text);
         Assert.That(mesh.GetIndices(0), Is.EqualTo(new[] { 3, 4, 5 }));
         Assert.That(mesh.GetIndices(1), Is.EqualTo(new[] { 0, 1, 2, 3 }));
-        Assert.That((mesh.GetTopology(0), mesh.GetTopology(1)), Is.EqualTo((MeshTopology.Triangles, MeshTopology.Quads)));
+        Assert.That((mesh.GetTopology(0), mesh.GetTopology(1)),
+            Is.EqualTo((MeshTopology.Triangles, MeshTopology.Quads)));
     }
 
     [Test]
@@ -107,8 +110,10 @@ public sealed class MeshFileTests
     {
         Mesh first = Load(MeshText.Of(_triangle, 0, 1, 2));
         Assert.That(_project.Project.LoadAsset(Path, typeof(Mesh)), Is.SameAs(first));
-        string scene = UnityText.Object(10, "A", components: UnityText.Component(12)) + UnityText.MeshFilter(12, 10, UnityText.Asset(4300000, Guid, 2));
-        Assert.That(_project.LoadScene(UnityText.Scene(scene, 11)).Single().GetComponent<MeshFilter>().sharedMesh, Is.SameAs(first));
+        string scene = UnityText.Object(10, "A", components: UnityText.Component(12))
+            + UnityText.MeshFilter(12, 10, UnityText.Asset(4300000, Guid, 2));
+        Assert.That(_project.LoadScene(UnityText.Scene(scene, 11)).Single().GetComponent<MeshFilter>().sharedMesh,
+            Is.SameAs(first));
     }
 
     [Test]
@@ -120,22 +125,27 @@ public sealed class MeshFileTests
     {
         MeshText text = MeshText.Of(_triangle, 0, 1, 2);
         text.SubMeshes = [(0, 6, 0, 0)];
-        AssertRefused(text.ToString(), "Assets/Hull.asset: Mesh 'Hull': submesh 0 has 6 indices from number 0 on, and m_IndexBuffer holds 3: restore the file");
+        AssertRefused(text.ToString(), "Assets/Hull.asset: Mesh 'Hull': submesh 0 has 6 indices from number 0 on, "
+            + "and m_IndexBuffer holds 3: restore the file");
     }
 
     [Test]
     public void VertexData_OfTheWrongSize_AreRefused()
     {
         AssertRefused(MeshText.Of(_triangle, 0, 1, 2).ToString().Replace("m_DataSize: 36", "m_DataSize: 40"),
-            "Assets/Hull.asset: Mesh 'Hull': its vertex data are 36 bytes long, and m_DataSize says 40: restore the file");
-        AssertRefused(MeshText.Of(_triangle, 0, 1, 2).ToString().Replace("m_VertexCount: 3", "m_VertexCount: 2000000000"),
-            "Assets/Hull.asset: Mesh 'Hull': 2000000000 vertices need 24000000000 bytes, and the file has 36: restore the file");
+            "Assets/Hull.asset: Mesh 'Hull': its vertex data are 36 bytes long, "
+                + "and m_DataSize says 40: restore the file");
+        AssertRefused(MeshText.Of(_triangle, 0, 1, 2).ToString()
+            .Replace("m_VertexCount: 3", "m_VertexCount: 2000000000"),
+            "Assets/Hull.asset: Mesh 'Hull': 2000000000 vertices need 24000000000 bytes, "
+                + "and the file has 36: restore the file");
         AssertRefused(MeshText.Of(_triangle, 0, 1, 2).ToString().Replace("_typelessdata: 0", "_typelessdata: g"),
             "Assets/Hull.asset: Mesh 'Hull': _typelessdata is no text of hexadecimal bytes: restore the file");
     }
 
     [Test]
-    public void CompressedMesh_IsRefusedWithTheRemedy() => AssertRefused(MeshText.Of(_triangle, 0, 1, 2).ToString().Replace("m_MeshCompression: 0", "m_MeshCompression: 2"),
+    public void CompressedMesh_IsRefusedWithTheRemedy() => AssertRefused(MeshText.Of(_triangle, 0, 1, 2).ToString()
+        .Replace("m_MeshCompression: 0", "m_MeshCompression: 2"),
         "Assets/Hull.asset: Mesh 'Hull' is compressed: set its Mesh Compression to Off");
 
     [Test]
@@ -166,7 +176,11 @@ public sealed class MeshFileTests
         uint[] indices = (from row in Enumerable.Range(0, side - 1)
                           from column in Enumerable.Range(0, side - 1)
                           let corner = (uint)(row * side + column)
-                          from index in new[] { corner, corner + (uint)side, corner + 1, corner + 1, corner + (uint)side, corner + (uint)side + 1 }
+                          from index in new[]
+                          {
+                              corner, corner + (uint)side, corner + 1, corner + 1, corner + (uint)side,
+                              corner + (uint)side + 1
+                          }
                           select index).ToArray();
         MeshText text = MeshText.Of(positions, indices);
         text.WideIndices = true;
@@ -182,6 +196,7 @@ public sealed class MeshFileTests
     void AssertRefused(string text, string message)
     {
         _project.Write(Path, text, Guid);
-        Assert.That(Assert.Throws<GlintException>(() => _project.Project.LoadAsset(Path, typeof(Mesh))).Message, Is.EqualTo(message));
+        Assert.That(Assert.Throws<GlintException>(() => _project.Project.LoadAsset(Path, typeof(Mesh))).Message,
+            Is.EqualTo(message));
     }
 }

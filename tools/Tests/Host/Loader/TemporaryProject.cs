@@ -6,7 +6,10 @@ using UnityEngine.SceneManagement;
 
 namespace Glint.Host.Tests;
 
-/// <summary>A small Unity project in a folder of its own, and what loading from it logs. Closing it opens again what was open before.</summary>
+/// <summary>
+/// A small Unity project in a folder of its own, and what loading from it logs.
+/// Closing it opens again what was open before.
+/// </summary>
 public sealed class TemporaryProject : IDisposable
 {
     readonly IAssetSource _before = Engine.Assets;

@@ -30,8 +30,10 @@ public sealed class TransformValueTests : EngineFixture
         Assert.That((_child.localPosition.x, _child.position.x), Is.EqualTo((1f, 11f)));
         Assert.That(Errors, Is.EqualTo(new[]
         {
-            "transform.localPosition assign attempt for 'Hull' is not valid. Input localPosition is { 0.000000, NaN, -1.500000 }.",
-            "transform.position assign attempt for 'Hull' is not valid. Input position is { -Infinity, 0.000000, 0.000000 }.",
+            "transform.localPosition assign attempt for 'Hull' is not valid. "
+                + "Input localPosition is { 0.000000, NaN, -1.500000 }.",
+            "transform.position assign attempt for 'Hull' is not valid. Input position is { -Infinity, "
+                + "0.000000, 0.000000 }.",
         }));
         Assert.That(Log.Select(entry => entry.Type), Is.All.EqualTo(LogType.Error));
     }
@@ -41,7 +43,8 @@ public sealed class TransformValueTests : EngineFixture
     {
         _child.localScale = new Vector3(Inf, 1f, 1f);
         Assert.That(_child.localScale, Is.EqualTo(Vector3.one));
-        Assert.That(Errors.Single(), Is.EqualTo("transform.localScale assign attempt for 'Hull' is not valid. Input localScale is { Infinity, 1.000000, 1.000000 }."));
+        Assert.That(Errors.Single(), Is.EqualTo("transform.localScale assign attempt for 'Hull' is not valid. "
+            + "Input localScale is { Infinity, 1.000000, 1.000000 }."));
     }
 
     [Test]
@@ -55,18 +58,22 @@ public sealed class TransformValueTests : EngineFixture
         Assert.That(_child.localRotation, Is.EqualTo(before));
         Assert.That(Errors.Take(2), Is.EqualTo(new[]
         {
-            "transform.localRotation assign attempt for 'Hull' is not valid. Input rotation is { NaN, 0.000000, 0.000000, 1.000000 }.",
-            "transform.rotation assign attempt for 'Hull' is not valid. Input rotation is { 0.000000, NaN, 0.000000, 1.000000 }.",
+            "transform.localRotation assign attempt for 'Hull' is not valid. Input rotation is { NaN, 0.000000, "
+                + "0.000000, 1.000000 }.",
+            "transform.rotation assign attempt for 'Hull' is not valid. Input rotation is { 0.000000, NaN, "
+                + "0.000000, 1.000000 }.",
         }));
         Assert.That(Errors, Has.Length.EqualTo(3));
     }
 
     [TestCase("NaN", NaN), TestCase("nan", NaN), TestCase(".nan", NaN), TestCase("-nan", NaN)]
-    [TestCase("Infinity", Inf), TestCase("inf", Inf), TestCase(".inf", Inf), TestCase("+.inf", Inf), TestCase("-inf", -Inf), TestCase("-Infinity", -Inf)]
+    [TestCase("Infinity", Inf), TestCase("inf", Inf), TestCase(".inf", Inf), TestCase("+.inf", Inf),
+        TestCase("-inf", -Inf), TestCase("-Infinity", -Inf)]
     public void Position_OfAFile_IsTakenAsItIs(string written, float expected)
     {
         using TemporaryProject project = new();
-        Transform loaded = project.LoadScene(Scene(Object(10, "A", position: $"{{x: {written}, y: 0, z: 0}}"), 11)).Single().transform;
+        Transform loaded =
+            project.LoadScene(Scene(Object(10, "A", position: $"{{x: {written}, y: 0, z: 0}}"), 11)).Single().transform;
         Assert.That(loaded.localPosition.x, Is.EqualTo(expected));
         Assert.That(Errors, Is.Empty);
     }

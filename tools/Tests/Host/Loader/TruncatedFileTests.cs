@@ -27,13 +27,15 @@ public sealed class TruncatedFileTests
     [Test, MaxTime(300_000)]
     public void CornerReflector_CutAnywhere_IsRefusedOrHasItsThreePlates()
     {
-        string whole = File.ReadAllText(Path.Combine(Project.FindRoot(ThisFolder()), "Meshes/CornerReflector/Corner Reflector.prefab"));
+        string whole = File.ReadAllText(
+            Path.Combine(Project.FindRoot(ThisFolder()), "Meshes/CornerReflector/Corner Reflector.prefab"));
         string[] plates = Plates(whole, 0);
         Assert.That(plates, Has.Length.EqualTo(3));
         int refused = 0;
         foreach (int length in Cuts(whole))
         {
-            if (Refusal(() => Assert.That(Plates(whole[..length], length), Is.EqualTo(plates), $"{length} bytes")) is not string message)
+            if (Refusal(() => Assert.That(Plates(whole[..length], length), Is.EqualTo(plates), $"{length} bytes"))
+                is not string message)
                 continue;
             refused++;
             Assert.That(message, Does.StartWith($"Assets/{length}.prefab").And.Not.Contain("\n"), $"{length} bytes");
@@ -52,7 +54,8 @@ public sealed class TruncatedFileTests
             string message = Refusal(() =>
             {
                 Mesh mesh = (Mesh)_project.Project.LoadAsset(path, typeof(Mesh));
-                Assert.That(mesh.vertices, Is.EqualTo(new[] { Vector3.zero, Vector3.right, Vector3.forward }), $"{length} bytes");
+                Assert.That(mesh.vertices,
+                    Is.EqualTo(new[] { Vector3.zero, Vector3.right, Vector3.forward }), $"{length} bytes");
                 Assert.That(mesh.GetIndices(0), Is.EqualTo(new[] { 0, 1, 2 }), $"{length} bytes");
             });
             if (message is not null)
@@ -79,7 +82,8 @@ public sealed class TruncatedFileTests
     public void Transform_WithoutOneOfItsLinks_IsRefused(string key)
     {
         string scene = Scene(Object(10, "A").Replace($"  {key}:", "  unknown:"), 11);
-        Assert.That(Refusal(() => _project.LoadScene(scene)), Is.EqualTo($"Assets/Scene.unity: Transform &11 has no {key}, the file has been cut short: restore the file"));
+        Assert.That(Refusal(() => _project.LoadScene(scene)), Is.EqualTo("Assets/Scene.unity: "
+            + $"Transform &11 has no {key}, the file has been cut short: restore the file"));
     }
 
     [Test]
@@ -87,7 +91,8 @@ public sealed class TruncatedFileTests
     {
         string loose = Object(20, "B", father: 11);
         string scene = Scene(Object(10, "A") + loose[loose.IndexOf("--- !u!4")..], 11);
-        Assert.That(Refusal(() => _project.LoadScene(scene)), Is.EqualTo("Assets/Scene.unity: Transform &21 belongs to no GameObject: restore the file"));
+        Assert.That(Refusal(() => _project.LoadScene(scene)),
+            Is.EqualTo("Assets/Scene.unity: Transform &21 belongs to no GameObject: restore the file"));
     }
 
     string[] Plates(string text, int name)
@@ -97,7 +102,8 @@ public sealed class TruncatedFileTests
         GameObject root = (GameObject)_project.Project.LoadAsset(path, typeof(GameObject));
         return root.GetComponentsInChildren<MeshFilter>(true)
             .Where(filter => filter.GetComponent<MeshRenderer>().enabled)
-            .Select(filter => $"{filter.name} {filter.sharedMesh.name} {filter.transform.localToWorldMatrix}").ToArray();
+            .Select(filter => $"{filter.name} {filter.sharedMesh.name} {filter.transform.localToWorldMatrix}")
+            .ToArray();
     }
 
     // Every end of a line, without and with the line break, and places inside lines.

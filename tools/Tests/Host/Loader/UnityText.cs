@@ -16,7 +16,8 @@ public static class UnityText
     public static string Prefab(string objects) => Header + objects;
 
     /// <summary>A GameObject with its Transform, whose id is one more.</summary>
-    public static string Object(long id, string name, long father = 0, long[] children = null, string components = "", string fields = "", string position = "{x: 0, y: 0, z: 0}") =>
+    public static string Object(long id, string name, long father = 0, long[] children = null, string components = "",
+        string fields = "", string position = "{x: 0, y: 0, z: 0}") =>
         $"""
         --- !u!1 &{id}
         GameObject:
@@ -40,7 +41,8 @@ public static class UnityText
 
         """;
 
-    public static string Component(params long[] ids) => string.Concat(ids.Select(id => $"  - component: {Reference(id)}\n"));
+    public static string Component(params long[] ids) =>
+        string.Concat(ids.Select(id => $"  - component: {Reference(id)}\n"));
 
     public static string MeshFilter(long id, long owner, string mesh = CubeMesh) =>
         $"--- !u!33 &{id}\nMeshFilter:\n  m_GameObject: {Reference(owner)}\n  m_Mesh: {mesh}\n";
@@ -49,25 +51,35 @@ public static class UnityText
         $"--- !u!23 &{id}\nMeshRenderer:\n  m_GameObject: {Reference(owner)}\n{fields}";
 
     public static string Script(long id, long owner, int guid, string fields) =>
-        $"--- !u!114 &{id}\nMonoBehaviour:\n  m_GameObject: {Reference(owner)}\n  m_Enabled: 1\n  m_Script: {Asset(11500000, guid)}\n  m_Name: \n{fields}";
+        $"--- !u!114 &{id}\nMonoBehaviour:\n  m_GameObject: {Reference(owner)}\n  m_Enabled: 1\n"
+        + $"  m_Script: {Asset(11500000, guid)}\n  m_Name: \n{fields}";
 
-    public static string Instance(long id, int prefab, long father = 0, string modifications = " []\n", string removedComponents = " []\n", string removedObjects = " []\n", string addedObjects = " []\n", string addedComponents = " []\n") =>
-        $"--- !u!1001 &{id}\nPrefabInstance:\n  m_ObjectHideFlags: 0\n  serializedVersion: 2\n  m_Modification:\n    serializedVersion: 3\n    m_TransformParent: {Reference(father)}\n"
-        + $"    m_Modifications:{modifications}    m_RemovedComponents:{removedComponents}    m_RemovedGameObjects:{removedObjects}    m_AddedGameObjects:{addedObjects}    m_AddedComponents:{addedComponents}"
+    public static string Instance(long id, int prefab, long father = 0, string modifications = " []\n",
+        string removedComponents = " []\n", string removedObjects = " []\n", string addedObjects = " []\n",
+        string addedComponents = " []\n") =>
+        $"--- !u!1001 &{id}\nPrefabInstance:\n  m_ObjectHideFlags: 0\n  serializedVersion: 2\n  m_Modification:\n"
+        + $"    serializedVersion: 3\n    m_TransformParent: {Reference(father)}\n"
+        + $"    m_Modifications:{modifications}    m_RemovedComponents:{removedComponents}    "
+        + $"m_RemovedGameObjects:{removedObjects}    m_AddedGameObjects:{addedObjects}    "
+        + $"m_AddedComponents:{addedComponents}"
         + $"  m_SourcePrefab: {Asset(100100000, prefab)}\n";
 
     public static string Change(long target, int prefab, string path, string value, string reference = "{fileID: 0}") =>
-        $"    - target: {Asset(target, prefab)}\n      propertyPath: {path}\n      value: {value}\n      objectReference: {reference}\n";
+        $"    - target: {Asset(target, prefab)}\n      propertyPath: {path}\n      value: {value}\n"
+        + $"      objectReference: {reference}\n";
 
     public static string Added(long target, int prefab, long added, int index = -1) =>
-        $"    - targetCorrespondingSourceObject: {Asset(target, prefab)}\n      insertIndex: {index}\n      addedObject: {Reference(added)}\n";
+        $"    - targetCorrespondingSourceObject: {Asset(target, prefab)}\n      insertIndex: {index}\n"
+        + $"      addedObject: {Reference(added)}\n";
 
     public static string StandIn(int classId, long id, long source, int prefab, long instance) =>
-        $"--- !u!{classId} &{id} stripped\nTransform:\n  m_CorrespondingSourceObject: {Asset(source, prefab)}\n  m_PrefabInstance: {Reference(instance)}\n  m_PrefabAsset: {Reference(0)}\n";
+        $"--- !u!{classId} &{id} stripped\nTransform:\n  m_CorrespondingSourceObject: {Asset(source, prefab)}\n"
+        + $"  m_PrefabInstance: {Reference(instance)}\n  m_PrefabAsset: {Reference(0)}\n";
 
     public static string Reference(long id) => $"{{fileID: {id}}}";
 
-    public static string Asset(long id, int guid, int type = 3) => $"{{fileID: {id}, guid: {TemporaryProject.Guid(guid)}, type: {type}}}";
+    public static string Asset(long id, int guid, int type = 3) =>
+        $"{{fileID: {id}, guid: {TemporaryProject.Guid(guid)}, type: {type}}}";
 
     static string Vector(string x, string y, string z) => $"{{x: {x}, y: {y}, z: {z}}}";
 

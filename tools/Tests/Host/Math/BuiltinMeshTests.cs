@@ -71,7 +71,8 @@ public class BuiltinMeshTests
     {
         // The equator's 32 points span equal angles: a regular polygon.
         double polygon = 32 / 2.0 * 0.25 * Math.Sin(2 * Math.PI / 32);
-        Assert.That(Volume(BuiltinMeshes.Get(PrimitiveType.Capsule)), Is.EqualTo(Volume(BuiltinMeshes.Get(PrimitiveType.Sphere)) + polygon).Within(Tolerance));
+        Assert.That(Volume(BuiltinMeshes.Get(PrimitiveType.Capsule)),
+            Is.EqualTo(Volume(BuiltinMeshes.Get(PrimitiveType.Sphere)) + polygon).Within(Tolerance));
         Near.Point(BuiltinMeshes.Get(PrimitiveType.Capsule).bounds.size, 1, 2, 1, 1e-6);
     }
 

@@ -7,7 +7,9 @@ internal static class DoubleMatrix
 {
     internal static double[,] Identity() => Fill((row, column) => row == column ? 1 : 0);
 
-    /// <summary>Right-handed turn by the right-hand rule, which is left-handed by the left-hand rule: the matrix is the same.</summary>
+    /// <summary>
+    /// Right-handed turn by the right-hand rule, which is left-handed by the left-hand rule: the matrix is the same.
+    /// </summary>
     internal static double[,] Turn(int axis, double degrees)
     {
         int from = (axis + 1) % 3, to = (axis + 2) % 3;
@@ -19,7 +21,8 @@ internal static class DoubleMatrix
         return m;
     }
 
-    internal static double[,] Diagonal(double x, double y, double z) => Fill((row, column) => row != column ? 0 : row switch { 0 => x, 1 => y, 2 => z, _ => 1 });
+    internal static double[,] Diagonal(double x, double y, double z) =>
+        Fill((row, column) => row != column ? 0 : row switch { 0 => x, 1 => y, 2 => z, _ => 1 });
 
     internal static double[,] Move(double x, double y, double z)
     {

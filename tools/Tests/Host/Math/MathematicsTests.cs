@@ -80,7 +80,8 @@ public class MathematicsTests
         double3 ray = refract(double3(sin(angle), -cos(angle), 0), double3(0, 1, 0), ratio);
         Assert.That(ray.x, Is.EqualTo(sin(angle) * ratio).Within(1e-15));
         Assert.That(length(ray), Is.EqualTo(1).Within(1e-15));
-        Assert.That(refract(double3(sin(angle), -cos(angle), 0), double3(0, 1, 0), 1.6).Equals(new double3(0)), "total reflection");
+        Assert.That(refract(double3(sin(angle), -cos(angle), 0), double3(0, 1, 0), 1.6).Equals(new double3(0)),
+            "total reflection");
     }
 
     [Test]
@@ -174,7 +175,8 @@ public class MathematicsTests
         var random = new System.Random(7);
         for (int i = 0; i < 100; i++)
         {
-            quaternion q = Rotation.Euler((float)random.NextDouble() * 6, (float)random.NextDouble() * 6, (float)random.NextDouble() * 6);
+            quaternion q = Rotation.Euler((float)random.NextDouble() * 6, (float)random.NextDouble() * 6,
+                (float)random.NextDouble() * 6);
             Assert.That(abs(dot(q, new quaternion(new float3x3(q)))), Is.EqualTo(1).Within(1e-6));
         }
     }
@@ -199,11 +201,13 @@ public class MathematicsTests
     public void Trs_OfThePose_IsUnitysMatrix()
     {
         float4x4 m = Affine.TRS(float3(10, -20, 30), _turn, float3(2, 3, 0.5f));
-        Matrix4x4 expected = Matrix4x4.TRS(new Vector3(10, -20, 30), Quaternion.Euler(15, 25, 35), new Vector3(2, 3, 0.5f));
+        Matrix4x4 expected =
+            Matrix4x4.TRS(new Vector3(10, -20, 30), Quaternion.Euler(15, 25, 35), new Vector3(2, 3, 0.5f));
         Near.Matrix((Matrix4x4)m, DoubleMatrix.Fill((i, j) => expected[i, j]), 1e-6);
         Vector3 moved = expected.MultiplyPoint3x4(new Vector3(1, 2, 3));
         Near.Point(transform(m, float3(1, 2, 3)), moved.x, moved.y, moved.z, 1e-5);
-        Near.Matrix(new double4x4(mul(fastinverse(float4x4(_turn, float3(1, 2, 3))), float4x4(_turn, float3(1, 2, 3)))), DoubleMatrix.Identity(), 1e-6);
+        Near.Matrix(new double4x4(mul(fastinverse(float4x4(_turn, float3(1, 2, 3))), float4x4(_turn, float3(1, 2, 3)))),
+            DoubleMatrix.Identity(), 1e-6);
     }
 
     [Test]

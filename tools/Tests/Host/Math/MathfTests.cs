@@ -41,7 +41,10 @@ public class MathfTests
     [Test]
     public void Colours_ThroughHueAndBack_AreTheSame()
     {
-        foreach (Color colour in new[] { Color.red, Color.green, Color.blue, Color.yellow, Color.gray, new Color(0.2f, 0.7f, 0.4f) })
+        foreach (Color colour in new[]
+        {
+            Color.red, Color.green, Color.blue, Color.yellow, Color.gray, new Color(0.2f, 0.7f, 0.4f)
+        })
         {
             Color.RGBToHSV(colour, out float hue, out float saturation, out float value);
             Assert.That(Color.HSVToRGB(hue, saturation, value) == colour, $"{colour}");

@@ -6,13 +6,15 @@ namespace Glint.Host.Tests;
 
 public class Matrix4x4Tests
 {
-    static readonly Matrix4x4 _pose = Matrix4x4.TRS(new Vector3(10, -20, 30), Quaternion.Euler(15, 25, 35), new Vector3(2, 3, 0.5f));
+    static readonly Matrix4x4 _pose =
+        Matrix4x4.TRS(new Vector3(10, -20, 30), Quaternion.Euler(15, 25, 35), new Vector3(2, 3, 0.5f));
 
     [Test]
     public void Trs_OfPositionAnglesAndScale_ScalesThenTurnsThenMoves()
     {
         double[,] expected = DoubleMatrix.Product(
-            DoubleMatrix.Move(10, -20, 30), DoubleMatrix.Turn(1, 25), DoubleMatrix.Turn(0, 15), DoubleMatrix.Turn(2, 35), DoubleMatrix.Diagonal(2, 3, 0.5));
+            DoubleMatrix.Move(10, -20, 30), DoubleMatrix.Turn(1, 25), DoubleMatrix.Turn(0, 15),
+            DoubleMatrix.Turn(2, 35), DoubleMatrix.Diagonal(2, 3, 0.5));
         Near.Matrix(_pose, expected, 1e-6);
     }
 
@@ -31,7 +33,8 @@ public class Matrix4x4Tests
     public void Product_OfMatrices_IsTheTextbooks()
     {
         Matrix4x4 a = Numbers(5), b = Numbers(6);
-        double[,] expected = DoubleMatrix.Product(DoubleMatrix.Fill((i, j) => a[i, j]), DoubleMatrix.Fill((i, j) => b[i, j]));
+        double[,] expected =
+            DoubleMatrix.Product(DoubleMatrix.Fill((i, j) => a[i, j]), DoubleMatrix.Fill((i, j) => b[i, j]));
         Near.Matrix(a * b, expected, 1e-6);
     }
 
@@ -85,7 +88,8 @@ public class Matrix4x4Tests
         double top = Math.Tan(Math.PI / 6);
         Near.Point(m.MultiplyPoint(new Vector3(0, 0, -0.5f)), 0, 0, -1, 1e-5);
         Near.Point(m.MultiplyPoint(new Vector3(0, 0, -100)), 0, 0, 1, 1e-5);
-        Near.Point(m.MultiplyPoint(new Vector3((float)(2 * top), (float)top, -1) * 7), 1, 1, (100.5 - 100 / 7.0) / 99.5, 1e-5);
+        Near.Point(m.MultiplyPoint(new Vector3((float)(2 * top), (float)top, -1) * 7), 1, 1,
+            (100.5 - 100 / 7.0) / 99.5, 1e-5);
     }
 
     [Test]
@@ -115,8 +119,10 @@ public class Matrix4x4Tests
     public void TransformPlane_ByAPose_KeepsItsPointsOnIt()
     {
         var plane = new Plane(new Vector3(1, 2, 3), new Vector3(1, 0, 0));
-        Plane moved = Matrix4x4.TRS(new Vector3(1, 2, 3), Quaternion.Euler(15, 25, 35), Vector3.one).TransformPlane(plane);
-        Vector3 point = Matrix4x4.TRS(new Vector3(1, 2, 3), Quaternion.Euler(15, 25, 35), Vector3.one).MultiplyPoint3x4(new Vector3(1, 0, 0));
+        Plane moved =
+            Matrix4x4.TRS(new Vector3(1, 2, 3), Quaternion.Euler(15, 25, 35), Vector3.one).TransformPlane(plane);
+        Vector3 point = Matrix4x4.TRS(new Vector3(1, 2, 3), Quaternion.Euler(15, 25, 35), Vector3.one)
+            .MultiplyPoint3x4(new Vector3(1, 0, 0));
         Assert.That(moved.GetDistanceToPoint(point), Is.Zero.Within(1e-5));
     }
 

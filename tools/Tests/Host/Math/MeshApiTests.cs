@@ -16,7 +16,8 @@ public class MeshApiTests
     public void Mesh_Fresh_IsEmptyAndReadable()
     {
         var mesh = new Mesh();
-        Assert.That((mesh.vertexCount, mesh.subMeshCount, mesh.triangles.Length, mesh.indexFormat), Is.EqualTo((0, 1, 0, IndexFormat.UInt16)));
+        Assert.That((mesh.vertexCount, mesh.subMeshCount, mesh.triangles.Length, mesh.indexFormat),
+            Is.EqualTo((0, 1, 0, IndexFormat.UInt16)));
         Assert.That(mesh.isReadable);
     }
 
@@ -45,7 +46,8 @@ public class MeshApiTests
     public void Triangles_Malformed_AreRefused(int count, int subMesh, string message)
     {
         Mesh mesh = Square();
-        Assert.That(Errors(() => mesh.SetTriangles(new int[count], subMesh)).Single(), Is.EqualTo("Failed setting triangles. " + message));
+        Assert.That(Errors(() => mesh.SetTriangles(new int[count], subMesh)).Single(),
+            Is.EqualTo("Failed setting triangles. " + message));
     }
 
     [Test]
@@ -63,7 +65,8 @@ public class MeshApiTests
     public void Vertices_FewerThanReferenced_AreRefused()
     {
         Mesh mesh = Square();
-        Assert.That(Errors(() => mesh.vertices = new Vector3[3]).Single(), Does.StartWith("Mesh.vertices is too small."));
+        Assert.That(Errors(() => mesh.vertices = new Vector3[3]).Single(),
+            Does.StartWith("Mesh.vertices is too small."));
         Assert.That(mesh.vertexCount, Is.EqualTo(4));
     }
 
@@ -72,7 +75,8 @@ public class MeshApiTests
     {
         Mesh mesh = Square();
         Assert.That(Errors(() => mesh.normals = new Vector3[3]).Single(),
-            Is.EqualTo("Mesh.normals is out of bounds. The supplied array needs to be the same size as the Mesh.vertices array."));
+            Is.EqualTo("Mesh.normals is out of bounds. "
+                + "The supplied array needs to be the same size as the Mesh.vertices array."));
     }
 
     [Test]
@@ -83,11 +87,13 @@ public class MeshApiTests
         mesh.UploadMeshData(true);
         Vector3[] vertices = null;
         Assert.That(Errors(() => vertices = mesh.vertices).Single(),
-            Is.EqualTo("Not allowed to access vertices on mesh 'X' (isReadable is false; Read/Write must be enabled in import settings)"));
+            Is.EqualTo("Not allowed to access vertices on mesh 'X' (isReadable is false; "
+                + "Read/Write must be enabled in import settings)"));
         Assert.That(vertices, Is.Empty);
         Assert.That(Errors(() => Assert.That(mesh.triangles, Is.Empty)), Has.Count.EqualTo(1));
         Assert.That(Errors(() => mesh.vertices = new Vector3[9]), Has.Count.EqualTo(1));
-        Assert.That(Assert.Throws<InvalidOperationException>(() => Mesh.AcquireReadOnlyMeshData(mesh)).Message, Does.Contain("mesh 'X'"));
+        Assert.That(Assert.Throws<InvalidOperationException>(() => Mesh.AcquireReadOnlyMeshData(mesh)).Message,
+            Does.Contain("mesh 'X'"));
         Assert.That((mesh.vertexCount, mesh.GetIndexCount(0)), Is.EqualTo((4, 6u)), "counts stay known");
     }
 
@@ -98,11 +104,13 @@ public class MeshApiTests
         mesh.subMeshCount = 3;
         mesh.SetIndices(new[] { 0, 1, 2, 3 }, MeshTopology.Quads, 2);
         mesh.SetIndices(new[] { 0, 2 }, MeshTopology.Lines, 1);
-        Assert.That(Enumerable.Range(0, 3).Select(i => (mesh.GetIndexStart(i), mesh.GetIndexCount(i))), Is.EqualTo(new[] { (0u, 6u), (6u, 2u), (8u, 4u) }));
+        Assert.That(Enumerable.Range(0, 3).Select(i => (mesh.GetIndexStart(i), mesh.GetIndexCount(i))),
+            Is.EqualTo(new[] { (0u, 6u), (6u, 2u), (8u, 4u) }));
         Assert.That(mesh.GetIndices(2), Is.EqualTo(new[] { 0, 1, 2, 3 }));
         Assert.That(mesh.GetTriangles(2), Is.EqualTo(new[] { 0, 1, 2, 0, 2, 3 }));
         Assert.That(mesh.triangles, Has.Length.EqualTo(12), "without the lines");
-        Assert.That(Errors(() => mesh.GetTriangles(1)).Single(), Is.EqualTo("Failed getting triangles. Submesh topology is lines or points."));
+        Assert.That(Errors(() => mesh.GetTriangles(1)).Single(),
+            Is.EqualTo("Failed getting triangles. Submesh topology is lines or points."));
         mesh.SetTriangles(new[] { 0, 1, 2 }, 0);
         Assert.That(mesh.GetIndices(2), Is.EqualTo(new[] { 0, 1, 2, 3 }));
         Assert.Throws<IndexOutOfRangeException>(() => mesh.GetSubMesh(3));

@@ -20,7 +20,8 @@ internal static class Near
         for (int row = 0; row < 4; row++)
         {
             for (int column = 0; column < 4; column++)
-                Assert.That(actual[row, column], Is.EqualTo(expected[row, column]).Within(tolerance), $"row {row}, column {column}");
+                Assert.That(actual[row, column], Is.EqualTo(expected[row, column]).Within(tolerance),
+                    $"row {row}, column {column}");
         }
     }
 
@@ -29,7 +30,8 @@ internal static class Near
         for (int row = 0; row < 4; row++)
         {
             for (int column = 0; column < 4; column++)
-                Assert.That(actual[column][row], Is.EqualTo(expected[row, column]).Within(tolerance), $"row {row}, column {column}");
+                Assert.That(actual[column][row], Is.EqualTo(expected[row, column]).Within(tolerance),
+                    $"row {row}, column {column}");
         }
     }
 }

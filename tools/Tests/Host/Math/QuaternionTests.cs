@@ -12,7 +12,8 @@ public class QuaternionTests
     [TestCase(0, 90, 0, 0, 0, 1, 1, 0, 0, TestName = "Euler_PositiveYaw_TurnsForwardToTheRight")]
     [TestCase(90, 0, 0, 0, 0, 1, 0, -1, 0, TestName = "Euler_PositivePitch_TurnsForwardDown")]
     [TestCase(0, 0, 90, 1, 0, 0, 0, 1, 0, TestName = "Euler_PositiveRoll_TurnsRightUp")]
-    public void Euler_QuarterTurn(float pitch, float yaw, float roll, float x, float y, float z, double toX, double toY, double toZ)
+    public void Euler_QuarterTurn(float pitch, float yaw, float roll, float x, float y, float z,
+        double toX, double toY, double toZ)
     {
         Near.Point(Quaternion.Euler(pitch, yaw, roll) * new Vector3(x, y, z), toX, toY, toZ, Tolerance);
     }
@@ -24,7 +25,8 @@ public class QuaternionTests
         for (int i = 0; i < 200; i++)
         {
             float x = Angle(random), y = Angle(random), z = Angle(random);
-            double[,] expected = DoubleMatrix.Product(DoubleMatrix.Turn(1, y), DoubleMatrix.Turn(0, x), DoubleMatrix.Turn(2, z));
+            double[,] expected =
+                DoubleMatrix.Product(DoubleMatrix.Turn(1, y), DoubleMatrix.Turn(0, x), DoubleMatrix.Turn(2, z));
             Near.Matrix(Matrix4x4.Rotate(Quaternion.Euler(x, y, z)), expected, Tolerance);
         }
     }
@@ -143,7 +145,8 @@ public class QuaternionTests
     {
         Quaternion from = Quaternion.Euler(0, 10, 0), to = Quaternion.Euler(0, 100, 0);
         Assert.That(Quaternion.Slerp(from, to, 1f / 3f).eulerAngles.y, Is.EqualTo(40).Within(1e-3));
-        Assert.That(Quaternion.Slerp(from, new Quaternion(-to.x, -to.y, -to.z, -to.w), 1f / 3f).eulerAngles.y, Is.EqualTo(40).Within(1e-3));
+        Assert.That(Quaternion.Slerp(from, new Quaternion(-to.x, -to.y, -to.z, -to.w), 1f / 3f).eulerAngles.y,
+            Is.EqualTo(40).Within(1e-3));
         Assert.That(Quaternion.Slerp(from, to, 2).eulerAngles.y, Is.EqualTo(100).Within(1e-3));
     }
 

@@ -25,10 +25,12 @@ public class VectorTests
         try
         {
             CultureInfo.CurrentCulture = new CultureInfo("") { NumberFormat = { NumberDecimalSeparator = "," } };
-            Assert.That(new Vector3(1, 2.345f, -3).ToString(), Is.EqualTo("(1.00, 2.35, -3.00)").Or.EqualTo("(1.00, 2.34, -3.00)"));
+            Assert.That(new Vector3(1, 2.345f, -3).ToString(),
+                Is.EqualTo("(1.00, 2.35, -3.00)").Or.EqualTo("(1.00, 2.34, -3.00)"));
             Assert.That(new Vector2(1, 2).ToString("F1"), Is.EqualTo("(1.0, 2.0)"));
             Assert.That(new Vector3Int(1, -2, 3).ToString(), Is.EqualTo("(1, -2, 3)"));
-            Assert.That(new Bounds(Vector3.zero, Vector3.one).ToString(), Is.EqualTo("Center: (0.00, 0.00, 0.00), Extents: (0.50, 0.50, 0.50)"));
+            Assert.That(new Bounds(Vector3.zero, Vector3.one).ToString(),
+                Is.EqualTo("Center: (0.00, 0.00, 0.00), Extents: (0.50, 0.50, 0.50)"));
             Assert.That(Color.red.ToString(), Is.EqualTo("RGBA(1.000, 0.000, 0.000, 1.000)"));
         }
         finally
@@ -105,9 +107,11 @@ public class VectorTests
     [TestCase(0, 0, 0, 0, 0, 1, true, -1)]
     [TestCase(0, 2, -5, 0, 0, 1, false, 0)]
     [TestCase(0, 0, 5, 0, 0, 1, false, 0)]
-    public void IntersectRay_OfTheCube_GivesTheWayIn(float x, float y, float z, float dx, float dy, float dz, bool hits, float enters)
+    public void IntersectRay_OfTheCube_GivesTheWayIn(float x, float y, float z, float dx, float dy,
+        float dz, bool hits, float enters)
     {
-        bool hit = new Bounds(Vector3.zero, Vector3.one * 2).IntersectRay(new Ray(new Vector3(x, y, z), new Vector3(dx, dy, dz)), out float distance);
+        bool hit = new Bounds(Vector3.zero, Vector3.one * 2)
+            .IntersectRay(new Ray(new Vector3(x, y, z), new Vector3(dx, dy, dz)), out float distance);
         Assert.That(hit, Is.EqualTo(hits));
         Assert.That(distance, Is.EqualTo(enters));
     }

@@ -9,7 +9,9 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>The entries of Unity's -executeMethod, called with Unity's command line: what they write, log and end Unity with.</summary>
+/// <summary>
+/// The entries of Unity's -executeMethod, called with Unity's command line: what they write, log and end Unity with.
+/// </summary>
 public sealed class BatchTests
 {
     readonly List<(LogType type, string text)> _log = new();
@@ -39,10 +41,12 @@ public sealed class BatchTests
     public void Sweep_OfTheCornerReflector_WritesTheFilesAndEndsUnityWithZero()
     {
         string results = Path.Combine(_folder, "results");
-        Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0,45", "--size", "192x108", "--out", results);
+        Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0,45",
+            "--size", "192x108", "--out", results);
 
         Assert.That(_exitCode, Is.EqualTo(0), string.Join("\n", _log));
-        Assert.That(File.ReadAllLines(Path.Combine(results, "results.csv")).Skip(1).Select(line => line.Split(',')[0]), Is.EqualTo(new[] { "0", "45" }));
+        Assert.That(File.ReadAllLines(Path.Combine(results, "results.csv")).Skip(1).Select(line => line.Split(',')[0]),
+            Is.EqualTo(new[] { "0", "45" }));
         Assert.That(File.Exists(Path.Combine(results, "results.json")));
         Assert.That(_log.Select(line => line.text), Has.Some.Contains("2 of 2"));
     }
@@ -51,12 +55,14 @@ public sealed class BatchTests
     public void Sweep_CancelledAfterAPose_KeepsItsRow()
     {
         string results = Path.Combine(_folder, "results");
-        var line = CommandLine.Parse(Commands.Sweep, new[] { "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0,10,20", "--size", "64x36", "--out", results });
+        var line = CommandLine.Parse(Commands.Sweep, new[] { "Scenes/CornerReflector.unity", "--target",
+            "Corner Reflector", "--angles", "0,10,20", "--size", "64x36", "--out", results });
         var progress = new CancelAfterAPose();
 
         Assert.That(Batch.Execute(line, progress), Is.EqualTo(130));
         Assert.That(progress.Part, Is.EqualTo(1), "told how much of the pose is done");
-        Assert.That(File.ReadAllLines(Path.Combine(results, "results.csv")).Skip(1).Select(row => row.Split(',')[0]), Is.EqualTo(new[] { "0" }));
+        Assert.That(File.ReadAllLines(Path.Combine(results, "results.csv")).Skip(1).Select(row => row.Split(',')[0]),
+            Is.EqualTo(new[] { "0" }));
         Assert.That(File.Exists(Path.Combine(results, "results.json")), Is.False);
     }
 
@@ -72,7 +78,8 @@ public sealed class BatchTests
     {
         GraphicsDevice.IsNull = true;
         string results = Path.Combine(_folder, "results");
-        Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0,45", "--out", results);
+        Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector",
+            "--angles", "0,45", "--out", results);
 
         Assert.That(_exitCode, Is.EqualTo(1));
         Assert.That(Errors.Single(), Does.Contain("start Unity without -nographics"));
@@ -90,7 +97,8 @@ public sealed class BatchTests
     [Test]
     public void Sweep_WithDevice_PointsToUnitysOwnOption()
     {
-        Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0", "--device", "1");
+        Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector",
+            "--angles", "0", "--device", "1");
         Assert.That(_exitCode, Is.EqualTo(2));
         Assert.That(Errors.Single(), Does.Contain("-force-device-index"));
     }
@@ -122,10 +130,14 @@ public sealed class BatchTests
         public void Print(string line) { }
     }
 
-    IEnumerable<string> Errors => _log.Where(line => line.type is LogType.Error or LogType.Exception).Select(line => line.text);
+    IEnumerable<string> Errors =>
+        _log.Where(line => line.type is LogType.Error or LogType.Exception).Select(line => line.text);
 
     static void Call(Command command, params string[] arguments) =>
-        Batch.ExecuteAndExit(command, new[] { "Unity", "-batchmode", "-executeMethod", command.UnityMethod ?? "", "--glint" }.Concat(arguments).ToArray());
+        Batch.ExecuteAndExit(command, new[]
+        {
+            "Unity", "-batchmode", "-executeMethod", command.UnityMethod ?? "", "--glint"
+        }.Concat(arguments).ToArray());
 
     void Hear(string text, string stack, LogType type) => _log.Add((type, text));
 }

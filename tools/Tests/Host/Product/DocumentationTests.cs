@@ -11,19 +11,24 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What the pages say is so: their links lead somewhere, the messages they quote are in the sources, their code runs.</summary>
+/// <summary>
+/// What the pages say is so: their links lead somewhere, the messages they quote are in the sources, their code runs.
+/// </summary>
 public sealed class DocumentationTests
 {
     static readonly string s_root = Project.FindRoot(AppContext.BaseDirectory);
-    static readonly string s_package = Path.Combine(s_root, "Packages/com.glint.radar"), s_pages = Path.Combine(s_package, "Documentation~");
+    static readonly string s_package = Path.Combine(s_root, "Packages/com.glint.radar"),
+        s_pages = Path.Combine(s_package, "Documentation~");
 
-    static IEnumerable<string> Pages => Directory.GetFiles(s_pages, "*.md").Append(Path.Combine(s_root, "README.md")).Append(Path.Combine(s_package, "README.md")).Select(path => Path.GetRelativePath(s_root, path));
+    static IEnumerable<string> Pages => Directory.GetFiles(s_pages, "*.md").Append(Path.Combine(s_root, "README.md"))
+        .Append(Path.Combine(s_package, "README.md")).Select(path => Path.GetRelativePath(s_root, path));
 
     [TestCaseSource(nameof(Pages))]
     public void Links_LeadToFiles(string page)
     {
         string folder = Path.GetDirectoryName(Path.Combine(s_root, page));
-        var links = Regex.Matches(File.ReadAllText(Path.Combine(s_root, page)), @"\]\(([^)#]+)[^)]*\)").Select(match => match.Groups[1].Value)
+        var links = Regex.Matches(File.ReadAllText(Path.Combine(s_root, page)), @"\]\(([^)#]+)[^)]*\)")
+            .Select(match => match.Groups[1].Value)
             .Where(link => !link.StartsWith("http"));
         Assert.That(links.Where(link => !File.Exists(Path.Combine(folder, link))), Is.Empty);
     }
@@ -32,7 +37,8 @@ public sealed class DocumentationTests
     public void Index_LinksEveryPage()
     {
         string index = File.ReadAllText(Path.Combine(s_pages, "index.md"));
-        foreach (string page in Directory.GetFiles(s_pages, "*.md").Select(Path.GetFileName).Where(name => name != "index.md"))
+        foreach (string page in Directory.GetFiles(s_pages, "*.md").Select(Path.GetFileName)
+            .Where(name => name != "index.md"))
             Assert.That(index, Does.Contain($"]({page})"));
     }
 
@@ -40,22 +46,33 @@ public sealed class DocumentationTests
     [Test]
     public void Messages_OfTroubleshooting_AreInTheSources()
     {
-        string sources = string.Concat(new[] { Path.Combine(s_package, "Core"), Path.Combine(s_package, "Runtime"), Path.Combine(s_package, "Editor"), Path.Combine(s_root, "tools/Vulkan"), Path.Combine(s_root, "tools/Cli") }
-            .SelectMany(folder => Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories)).Select(File.ReadAllText)).Replace("\\\"", "\"");
+        string sources = string.Concat(new[] { Path.Combine(s_package, "Core"), Path.Combine(s_package, "Runtime"),
+            Path.Combine(s_package, "Editor"), Path.Combine(s_root, "tools/Vulkan"), Path.Combine(s_root, "tools/Cli") }
+            .SelectMany(folder => Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories))
+            .Select(File.ReadAllText)).Replace("\\\"", "\"");
         // What a message takes from a constant or an option stands in the text itself.
-        foreach (var (name, value) in new[] { ("Options.Resume.Flag", "--resume"), ("noun", "radar"), ("remedy", "RadarController (Glint > Radar Controller) to a camera of the scene"), ("StartAnew", "take the same as before, choose another results folder, or leave --resume out to replace what is there") })
+        foreach (var (name, value) in new[]
+        {
+            ("Options.Resume.Flag", "--resume"),
+            ("noun", "radar"), ("remedy", "RadarController (Glint > Radar Controller) to a camera of the scene"),
+            ("StartAnew", "take the same as before, choose another results folder, "
+                + "or leave --resume out to replace what is there")
+        })
             sources = sources.Replace("{" + name + "}", value);
-        var quotes = File.ReadLines(Path.Combine(s_pages, "troubleshooting.md")).Where(line => line.StartsWith("> ")).Select(line => line[2..].Trim()).ToArray();
+        var quotes = File.ReadLines(Path.Combine(s_pages, "troubleshooting.md")).Where(line => line.StartsWith("> "))
+            .Select(line => line[2..].Trim()).ToArray();
         Assert.That(quotes, Has.Length.GreaterThan(20));
         foreach (string quote in quotes)
-            foreach (string part in quote.Split("...").Select(part => part.Trim(' ', '\'', ':', ';')).Where(part => part.Length > 3))
+            foreach (string part in quote.Split("...").Select(part => part.Trim(' ', '\'', ':', ';'))
+                .Where(part => part.Length > 3))
                 Assert.That(sources.Contains(part), $"\"{part}\" of: {quote}");
     }
 
     [Test]
     public void Quickstart_HasTheCodeOfTheTestBelow()
     {
-        string code = Regex.Match(File.ReadAllText(Path.Combine(s_pages, "quickstart.md")), @"```csharp\n(\[Test\].*?)```", RegexOptions.Singleline).Groups[1].Value;
+        string code = Regex.Match(File.ReadAllText(Path.Combine(s_pages, "quickstart.md")),
+            @"```csharp\n(\[Test\].*?)```", RegexOptions.Singleline).Groups[1].Value;
         Assert.That(Lines(File.ReadAllText(ThisFile())), Does.Contain(Lines(code)));
     }
 

@@ -11,11 +11,14 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>glint sea, glint ship and glint reflector in a project that has the product and no generated mesh yet.</summary>
+/// <summary>
+/// glint sea, glint ship and glint reflector in a project that has the product and no generated mesh yet.
+/// </summary>
 public sealed class GeneratedAssetsTests
 {
     // Older than the command, with guids that scenes refer to.
-    static readonly string[] s_olderMetas = ["Meshes/CornerReflector.meta", "Meshes/CornerReflector/Corner Reflector.prefab.meta"];
+    static readonly string[] s_olderMetas =
+        ["Meshes/CornerReflector.meta", "Meshes/CornerReflector/Corner Reflector.prefab.meta"];
 
     TemporaryProject _project;
     string _real, _workingFolder;
@@ -28,7 +31,8 @@ public sealed class GeneratedAssetsTests
         _project = new TemporaryProject();
         _project.Write("Packages/manifest.json", """{ "dependencies": { "com.glint.meshes": "file:../Meshes" } }""");
         _project.Write("Meshes/package.json", """{ "name": "com.glint.meshes", "version": "1.0.0" }""");
-        Directory.CreateSymbolicLink(Path.Combine(_project.Root, "Packages/com.glint.radar"), Path.Combine(_real, "Packages/com.glint.radar"));
+        Directory.CreateSymbolicLink(Path.Combine(_project.Root, "Packages/com.glint.radar"),
+            Path.Combine(_real, "Packages/com.glint.radar"));
         _ = _project.Project;
         Directory.SetCurrentDirectory(_project.Root);
     }
@@ -49,20 +53,26 @@ public sealed class GeneratedAssetsTests
 
         string[] made = Files(_project.Root);
         Assert.That(made, Is.EqualTo(Files(_real)));
-        Assert.That(made.Length, Is.EqualTo(4 + 2 * 10 * 4 + 4 + 2 * 2), "four folders' .meta; mesh, prefab and their .meta of each, two prefabs");
+        Assert.That(made.Length, Is.EqualTo(4 + 2 * 10 * 4 + 4 + 2 * 2),
+            "four folders' .meta; mesh, prefab and their .meta of each, two prefabs");
         foreach (string file in made.Except(s_olderMetas))
-            Assert.That(Same(file), $"{file} is not what the command writes: run glint sea, glint ship and glint reflector");
+            Assert.That(Same(file),
+                $"{file} is not what the command writes: run glint sea, glint ship and glint reflector");
     }
 
     [Test]
     public void Sea_OfOnesOwn_IsWrittenWhereAskedForAndHasItsHeight()
     {
-        Execute(Commands.Sea, "--out", "Assets/Seas/Breeze", "--wave-height", "1.5", "--tile", "100", "--cells", "40", "--grid", "32", "--times", "0,5", "--tiles", "3x2");
+        Execute(Commands.Sea, "--out", "Assets/Seas/Breeze", "--wave-height", "1.5", "--tile", "100", "--cells", "40",
+            "--grid", "32", "--times", "0,5", "--tiles", "3x2");
 
-        var snapshot = AssetDatabase.LoadAssetAtPath<GameObject>("Assets/Seas/Breeze/Snapshot 02.prefab").GetComponent<SeaSnapshot>();
-        Assert.That(snapshot.WaveHeight, Is.EqualTo(1.5).Within(1e-9), "no wave runs against the wind: all moments are as high");
+        var snapshot = AssetDatabase.LoadAssetAtPath<GameObject>("Assets/Seas/Breeze/Snapshot 02.prefab")
+            .GetComponent<SeaSnapshot>();
+        Assert.That(snapshot.WaveHeight, Is.EqualTo(1.5).Within(1e-9),
+            "no wave runs against the wind: all moments are as high");
         Assert.That(snapshot.TimeSeconds, Is.EqualTo(5));
-        Assert.That(snapshot.GetComponentsInChildren<MeshFilter>(true).Select(tile => tile.transform.localPosition.x).Distinct(), Is.EquivalentTo(new[] { -100f, 0, 100 }));
+        Assert.That(snapshot.GetComponentsInChildren<MeshFilter>(true).Select(tile => tile.transform.localPosition.x)
+            .Distinct(), Is.EquivalentTo(new[] { -100f, 0, 100 }));
         Assert.That(snapshot.Tile.vertexCount, Is.EqualTo(41 * 41));
     }
 
@@ -74,7 +84,8 @@ public sealed class GeneratedAssetsTests
         Execute(Commands.Sea, "--out", "Assets/Sea", "--cells", "16");
 
         Assert.That(AssetDatabase.AssetPathToGUID("Assets/Sea/Snapshot 01.asset"), Is.EqualTo(guid));
-        Assert.That(AssetDatabase.LoadAssetAtPath<Mesh>("Assets/Sea/Snapshot 01.asset").vertexCount, Is.EqualTo(17 * 17));
+        Assert.That(AssetDatabase.LoadAssetAtPath<Mesh>("Assets/Sea/Snapshot 01.asset").vertexCount,
+            Is.EqualTo(17 * 17));
     }
 
     [Test]
@@ -91,14 +102,18 @@ public sealed class GeneratedAssetsTests
 
     [Test]
     public void Sea_OutsideOfTheProject_IsRefused() =>
-        Assert.That(Assert.Throws<GlintException>(() => Execute(Commands.Sea, "--out", Path.GetTempPath())).Message, Does.Contain("outside of the Unity project"));
+        Assert.That(Assert.Throws<GlintException>(() => Execute(Commands.Sea, "--out", Path.GetTempPath())).Message,
+            Does.Contain("outside of the Unity project"));
 
-    static void Execute(Command command, params string[] arguments) => Assert.That(Batch.Execute(CommandLine.Parse(command, arguments), new Silent()), Is.Zero);
+    static void Execute(Command command, params string[] arguments) =>
+        Assert.That(Batch.Execute(CommandLine.Parse(command, arguments), new Silent()), Is.Zero);
 
-    bool Same(string file) => File.ReadAllBytes(Path.Combine(_project.Root, file)).AsSpan().SequenceEqual(File.ReadAllBytes(Path.Combine(_real, file)));
+    bool Same(string file) => File.ReadAllBytes(Path.Combine(_project.Root, file)).AsSpan()
+        .SequenceEqual(File.ReadAllBytes(Path.Combine(_real, file)));
 
     static string[] Files(string root) => [.. new[] { "CornerReflector", "SeaState5", "SeaState6", "Ship" }
-        .SelectMany(name => Directory.GetFiles(Path.Combine(root, "Meshes", name)).Append(Path.Combine(root, "Meshes", name + ".meta")))
+        .SelectMany(name => Directory.GetFiles(Path.Combine(root, "Meshes", name))
+            .Append(Path.Combine(root, "Meshes", name + ".meta")))
         .Select(file => Path.GetRelativePath(root, file)).OrderBy(file => file, StringComparer.Ordinal)];
 
     static string ThisFolder([CallerFilePath] string file = "") => Path.GetDirectoryName(file);

@@ -21,17 +21,23 @@ public sealed class PackageTests
     public void Manifest_OfAPackageThatUsesAModule_NamesIt(string package, string module, string use)
     {
         string folder = Path.Combine(s_root, package);
-        Assert.That(Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories).Any(file => Regex.IsMatch(File.ReadAllText(file), use)), "the package uses it");
+        Assert.That(Directory.EnumerateFiles(folder, "*.cs", SearchOption.AllDirectories)
+            .Any(file => Regex.IsMatch(File.ReadAllText(file), use)), "the package uses it");
         using var manifest = JsonDocument.Parse(File.ReadAllText(Path.Combine(folder, "package.json")));
-        Assert.That(manifest.RootElement.GetProperty("dependencies").EnumerateObject().Select(dependency => dependency.Name), Has.Member("com.unity.modules." + module));
+        Assert.That(
+            manifest.RootElement.GetProperty("dependencies").EnumerateObject().Select(dependency => dependency.Name),
+            Has.Member("com.unity.modules." + module));
     }
 
     // Of modules that no package names: a script that needs one of them is an error in the editor.
-    [TestCase(@"\b(JsonUtility|AudioSource|AudioListener|ParticleSystem|Animator|Animation|Rigidbody|Collider|Terrain|UnityWebRequest|ScreenCapture|VideoPlayer|Cloth|Tilemap|WheelCollider)\b")]
+    [TestCase(
+        @"\b(JsonUtility|AudioSource|AudioListener|ParticleSystem|Animator|Animation|Rigidbody|Collider|Terrain|UnityWebRequest|ScreenCapture|VideoPlayer|Cloth|Tilemap|WheelCollider)\b")]
     public void Scripts_UseNoModuleThatNoPackageNames(string uses)
     {
-        var scripts = new[] { "Packages", "Tests", "Assets" }.SelectMany(folder => Directory.EnumerateFiles(Path.Combine(s_root, folder), "*.cs", SearchOption.AllDirectories));
-        Assert.That(scripts.Where(file => File.ReadLines(file).Any(line => !line.TrimStart().StartsWith("//") && Regex.IsMatch(line, uses))), Is.Empty);
+        var scripts = new[] { "Packages", "Tests", "Assets" }.SelectMany(
+            folder => Directory.EnumerateFiles(Path.Combine(s_root, folder), "*.cs", SearchOption.AllDirectories));
+        Assert.That(scripts.Where(file => File.ReadLines(file)
+            .Any(line => !line.TrimStart().StartsWith("//") && Regex.IsMatch(line, uses))), Is.Empty);
     }
 
     static string ThisFolder([CallerFilePath] string path = "") => Path.GetDirectoryName(path);

@@ -14,7 +14,8 @@ public sealed class RayPathsTests
         GameObject wall = GameObject.CreatePrimitive(PrimitiveType.Quad), place = new("Radar", typeof(Camera));
         wall.transform.position = new Vector3(0f, 0f, 10f);
         var radar = place.AddComponent<RadarController>();
-        radar.Kernel = UnityEditor.AssetDatabase.LoadAssetAtPath<ComputeShader>("Packages/com.glint.radar/Shaders/Trace.compute");
+        radar.Kernel =
+            UnityEditor.AssetDatabase.LoadAssetAtPath<ComputeShader>("Packages/com.glint.radar/Shaders/Trace.compute");
         var receiver = radar.Receiver = new GameObject("Receiver").transform;
         receiver.position = new Vector3(0f, 0f, -1f);
         radar.Settings = RadarSettings.Default with { RaysAcross = 64, RaysDown = 36 };
@@ -65,7 +66,9 @@ public sealed class RayPathsTests
             paths.Every = 2;
             Camera.onPreCull(camera);
             Camera.onPreCull(camera);
-            Assert.That(log.Messages, Is.EqualTo(new[] { (LogType.Warning, "Ray Paths of 'Radar': RadarController of 'Radar' has no receiver: assign a Transform behind the camera to its field Receiver") }), "said once");
+            Assert.That(log.Messages,
+                Is.EqualTo(new[] { (LogType.Warning, "Ray Paths of 'Radar': RadarController of 'Radar' has no "
+                    + "receiver: assign a Transform behind the camera to its field Receiver") }), "said once");
         }
         paths.enabled = false;
         Assert.That(Camera.onPreCull, Is.Null);

@@ -16,7 +16,10 @@ namespace Glint.Host.Tests;
 /// <summary>glint report: from a results folder to one file that needs nothing else.</summary>
 public sealed class ReportTests
 {
-    static readonly string[] Corner = { "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--size", "192x108" };
+    static readonly string[] Corner =
+    {
+        "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--size", "192x108"
+    };
 
     readonly List<string> _warnings = new();
     string _folder;
@@ -44,16 +47,20 @@ public sealed class ReportTests
 
         var data = Data();
         var results = JObject.Parse(File.ReadAllText(Path.Combine(_folder, "results.json")));
-        Assert.That(data["run"]["rows"].Select(row => (double)row["amplitude"]), Is.EqualTo(results["rows"].Select(row => (double)row["amplitude"])));
+        Assert.That(data["run"]["rows"].Select(row => (double)row["amplitude"]),
+            Is.EqualTo(results["rows"].Select(row => (double)row["amplitude"])));
         int strongest = results["rows"].Select((row, i) => ((double)row["amplitude"], -i)).Max().Item2 * -1;
         Assert.That((int)data["scene"]["pose"], Is.EqualTo(strongest));
-        Assert.That((long)data["scene"]["received"], Is.EqualTo((long)results["rows"][strongest]["rays_received"]), "the same pose, traced again");
-        Assert.That((double)data["scene"]["amplitude"], Is.EqualTo((double)results["rows"][strongest]["amplitude"]).Within(1e-9));
+        Assert.That((long)data["scene"]["received"], Is.EqualTo((long)results["rows"][strongest]["rays_received"]),
+            "the same pose, traced again");
+        Assert.That((double)data["scene"]["amplitude"],
+            Is.EqualTo((double)results["rows"][strongest]["amplitude"]).Within(1e-9));
         Assert.That((long)data["scene"]["drawn"], Is.EqualTo(36).And.EqualTo((long)data["scene"]["triangles"]));
         Assert.That(_warnings, Is.Empty);
     }
 
-    // The lengths of the drawn ways, as their points have them, give the phases, and these the sums that the radar measured.
+    // The lengths of the drawn ways, as their points have them, give the phases,
+    // and these the sums that the radar measured.
     [Test]
     public void Paths_OfThePose_AddUpToItsInPhaseAndQuadrature()
     {
@@ -72,7 +79,8 @@ public sealed class ReportTests
             // 3 x 3 m: its corners are 2.12 m from its middle.
             Assert.That(Length(path[^1], receiver), Is.LessThan(2.13));
         }
-        var phases = paths.Select(path => 2 * Math.PI * path.Zip(path.Skip(1), Length).Sum() / (299792458 / 10e9)).ToArray();
+        var phases =
+            paths.Select(path => 2 * Math.PI * path.Zip(path.Skip(1), Length).Sum() / (299792458 / 10e9)).ToArray();
         // Points of float32 some 50 m from the middle: a path is right within 20 um, 0.004 rad.
         Assert.That(phases.Sum(Math.Cos), Is.EqualTo((double)row["in_phase"]).Within(0.004 * paths.Length));
         Assert.That(phases.Sum(Math.Sin), Is.EqualTo((double)row["quadrature"]).Within(0.004 * paths.Length));
@@ -87,7 +95,8 @@ public sealed class ReportTests
         var picture = Data()["scene"]["picture"];
         var bounces = Convert.FromBase64String((string)picture["bounces"]);
         Assert.That(bounces, Has.Length.EqualTo((int)picture["width"] * (int)picture["height"]));
-        // The corner reflector in free space: most of the picture of its surroundings is empty, and it has one, two and three reflections.
+        // The corner reflector in free space: most of the picture of its surroundings is empty,
+        // and it has one, two and three reflections.
         Assert.That(bounces.Select(pixel => pixel & 127).Distinct(), Is.SupersetOf(new[] { 0, 1, 2 }));
         Assert.That(bounces.Any(pixel => pixel >= 128), "some ray is received");
         Assert.That(bounces.Where(pixel => pixel >= 128).All(pixel => (pixel & 127) is >= 1 and <= 4));
@@ -106,7 +115,8 @@ public sealed class ReportTests
     {
         string plate = Path.Combine(_folder, "plate.obj");
         File.WriteAllText(plate, "v -500 -500 0\nv 500 -500 0\nv 500 500 0\nv -500 500 0\nf 1 2 3 4\n");
-        Batch.Execute(CommandLine.Parse(Commands.Sweep, new[] { plate, "--angles", "0,30", "--unit", "mm", "--grazing", "0", "--fov", "2.29153", "--size", "64x64", "--out", _folder }), new LogProgress());
+        Batch.Execute(CommandLine.Parse(Commands.Sweep, new[] { plate, "--angles", "0,30", "--unit", "mm", "--grazing",
+            "0", "--fov", "2.29153", "--size", "64x64", "--out", _folder }), new LogProgress());
         Report();
 
         // Seen head-on it covers 32 x 32 rays, and returns all.
@@ -119,8 +129,10 @@ public sealed class ReportTests
     public void Report_OfOnePoseOfAnStlFile_ShowsThatPose()
     {
         string plate = Path.Combine(_folder, "plate.stl");
-        string Facet(string corners) => $"facet normal 0 0 0\nouter loop\n{string.Concat(corners.Split(';').Select(corner => $"vertex {corner}\n"))}endloop\nendfacet\n";
-        File.WriteAllText(plate, $"solid plate\n{Facet("-500 -500 0;500 -500 0;500 500 0")}{Facet("-500 -500 0;500 500 0;-500 500 0")}endsolid plate\n");
+        string Facet(string corners) => "facet normal 0 0 0\nouter loop\n"
+            + $"{string.Concat(corners.Split(';').Select(corner => $"vertex {corner}\n"))}endloop\nendfacet\n";
+        File.WriteAllText(plate, $"solid plate\n{Facet("-500 -500 0;500 -500 0;500 500 0")}"
+            + $"{Facet("-500 -500 0;500 500 0;-500 500 0")}endsolid plate\n");
         Execute(Commands.Run, plate, "--unit", "mm", "--grazing", "0", "--fov", "2.29153", "--size", "64x64");
         Report();
 
@@ -155,8 +167,10 @@ public sealed class ReportTests
     [TestCase(8)]
     public void Report_OfASweepOverSeveralAxes_PutsThePoseUpAgain(int pose)
     {
-        Execute(Commands.Sweep, Corner.Concat(new[] { "--angles", "0,8", "--grazing", "10,12", "--frequency", "9e9,10e9" }).ToArray());
-        Assert.That(Data(Path.Combine(_folder, "results.json"))["rows"].Select(row => (double)row["in_phase"]).Distinct().Count(), Is.EqualTo(8));
+        Execute(Commands.Sweep,
+            Corner.Concat(new[] { "--angles", "0,8", "--grazing", "10,12", "--frequency", "9e9,10e9" }).ToArray());
+        Assert.That(Data(Path.Combine(_folder, "results.json"))["rows"].Select(row => (double)row["in_phase"])
+            .Distinct().Count(), Is.EqualTo(8));
         Report("--pose", $"{pose}");
         AssertShown(pose - 1);
     }
@@ -165,9 +179,11 @@ public sealed class ReportTests
     [Test]
     public void Report_OfASweepThatNoCommandBegan_OpensItsScene()
     {
-        var subjects = SceneSubjects.Open(CommandLine.Parse(Commands.Sweep, Corner.Take(3).Concat(new[] { "--angles", "0" }).ToArray()));
+        var subjects = SceneSubjects.Open(
+            CommandLine.Parse(Commands.Sweep, Corner.Take(3).Concat(new[] { "--angles", "0" }).ToArray()));
         using (var folder = ResultsFolder.Open(_folder))
-        using (var run = new SweepRun(new SweepSetup(subjects.Radar, new SweepPlan(new[] { 0.0, 20 })) { Target = subjects.Target, Scene = subjects.Scene }, folder))
+        using (var run = new SweepRun(new SweepSetup(subjects.Radar,
+            new SweepPlan(new[] { 0.0, 20 })) { Target = subjects.Target, Scene = subjects.Scene }, folder))
             while (!run.IsComplete)
                 run.Step();
         Report("--pose", "2");
@@ -181,7 +197,9 @@ public sealed class ReportTests
     {
         string plate = Path.Combine(_folder, "plate.obj");
         File.WriteAllText(plate, "v -1 -1 0\nv 1 -1 0\nv 1 1 0\nf 1 2 3\n");
-        Batch.Execute(CommandLine.Parse(Commands.Run, new[] { plate, "--grazing", "0", "--size", "64x64", "--out", _folder }), new LogProgress());
+        Batch.Execute(
+            CommandLine.Parse(Commands.Run, new[] { plate, "--grazing", "0", "--size", "64x64", "--out", _folder }),
+            new LogProgress());
         File.Delete(plate);
         Report();
 
@@ -205,7 +223,8 @@ public sealed class ReportTests
     public void Report_OfAPoseThatIsNotThere_IsRefused()
     {
         Sweep("0,15");
-        Assert.That(() => Report("--pose", "3"), Throws.TypeOf<GlintException>().With.Message.Contain("--pose 3: must be from 1 to 2,").And.Message.Contain("or none"));
+        Assert.That(() => Report("--pose", "3"), Throws.TypeOf<GlintException>()
+            .With.Message.Contain("--pose 3: must be from 1 to 2,").And.Message.Contain("or none"));
         Assert.That(File.Exists(ReportPath), Is.False);
     }
 
@@ -218,21 +237,27 @@ public sealed class ReportTests
         var made = Regex.Match(template, "^<!DOCTYPE html>\n<!-- sources ([0-9a-f]{64}) page ([0-9a-f]{64}) -->\n");
         Assert.That(made.Success, "the first two lines of Template.txt");
 
-        var files = new[] { "build", "build.mjs", "package.json", "package-lock.json" }.Concat(Directory.GetFiles(Path.Combine(sources, "src")).Select(path => "src/" + Path.GetFileName(path)));
-        string list = string.Concat(files.OrderBy(path => path, StringComparer.Ordinal).Select(path => $"{Hash(File.ReadAllBytes(Path.Combine(sources, path)))}  {path}\n"));
-        Assert.That(made.Groups[1].Value, Is.EqualTo(Hash(Encoding.UTF8.GetBytes(list))), "sources changed: run tools/report/build");
-        Assert.That(made.Groups[2].Value, Is.EqualTo(Hash(Encoding.UTF8.GetBytes(template[made.Length..]))), "the template changed by itself: run tools/report/build");
+        var files = new[] { "build", "build.mjs", "package.json", "package-lock.json" }
+            .Concat(Directory.GetFiles(Path.Combine(sources, "src")).Select(path => "src/" + Path.GetFileName(path)));
+        string list = string.Concat(files.OrderBy(path => path, StringComparer.Ordinal)
+            .Select(path => $"{Hash(File.ReadAllBytes(Path.Combine(sources, path)))}  {path}\n"));
+        Assert.That(made.Groups[1].Value, Is.EqualTo(Hash(Encoding.UTF8.GetBytes(list))),
+            "sources changed: run tools/report/build");
+        Assert.That(made.Groups[2].Value, Is.EqualTo(Hash(Encoding.UTF8.GetBytes(template[made.Length..]))),
+            "the template changed by itself: run tools/report/build");
     }
 
     [Test]
     public void Template_AsksForNothing()
     {
-        var template = File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "Packages/com.glint.radar/Editor/Report/Template.txt"));
+        var template = File.ReadAllText(
+            Path.Combine(Engine.Assets.ProjectRoot, "Packages/com.glint.radar/Editor/Report/Template.txt"));
         string markup = Regex.Replace(template, "<script>.*?</script>", "", RegexOptions.Singleline);
         Assert.That(markup, Does.Contain("default-src 'none'"), "the browser refuses requests");
         Assert.That(Regex.Matches(markup, "(?:src|href)=\"(?!#|data:)"), Is.Empty);
         Assert.That(markup, Does.Contain("MIT License").Or.Contain("The MIT License"), "licences of what is bundled");
-        Assert.That(File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "tools/report/package-lock.json")), Does.Not.Contain("\"resolved\""), "no registry's name");
+        Assert.That(File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "tools/report/package-lock.json")),
+            Does.Not.Contain("\"resolved\""), "no registry's name");
     }
 
     // The pose of a row, traced again from what the results say of it, with the row's very figures.
@@ -246,28 +271,35 @@ public sealed class ReportTests
         Assert.That(Paths(scene), Is.Not.Empty);
     }
 
-    void Execute(Command command, params string[] words) => Batch.Execute(CommandLine.Parse(command, words.Concat(new[] { "--out", _folder }).ToArray()), new LogProgress());
+    void Execute(Command command, params string[] words) => Batch.Execute(
+        CommandLine.Parse(command, words.Concat(new[] { "--out", _folder }).ToArray()), new LogProgress());
 
-    void Sweep(string angles) => Batch.Execute(CommandLine.Parse(Commands.Sweep, Corner.Concat(new[] { "--angles", angles, "--out", _folder }).ToArray()), new LogProgress());
+    void Sweep(string angles) => Batch.Execute(
+        CommandLine.Parse(Commands.Sweep, Corner.Concat(new[] { "--angles", angles, "--out", _folder }).ToArray()),
+        new LogProgress());
 
     void Report(params string[] options)
     {
         _warnings.Clear();
-        Assert.That(Batch.Execute(CommandLine.Parse(Commands.Report, options.Prepend(_folder).ToArray()), new LogProgress()), Is.EqualTo(0));
+        Assert.That(
+            Batch.Execute(CommandLine.Parse(Commands.Report, options.Prepend(_folder).ToArray()), new LogProgress()),
+            Is.EqualTo(0));
     }
 
     string ReportPath => Path.Combine(_folder, "report.html");
 
     static JObject Data(string path) => JObject.Parse(File.ReadAllText(path));
 
-    JObject Data() => JObject.Parse(Regex.Match(File.ReadAllText(ReportPath), "<script type=\"application/json\" id=\"data\">(.*?)</script>", RegexOptions.Singleline).Groups[1].Value);
+    JObject Data() => JObject.Parse(Regex.Match(File.ReadAllText(ReportPath),
+        "<script type=\"application/json\" id=\"data\">(.*?)</script>", RegexOptions.Singleline).Groups[1].Value);
 
     static double[][][] Paths(JToken scene)
     {
         var bytes = Convert.FromBase64String((string)scene["paths"]["points"]);
         int at = 0;
         double Next() => BitConverter.ToSingle(bytes, 4 * at++);
-        return scene["paths"]["counts"].Select(count => Enumerable.Range(0, (int)count).Select(point => new[] { Next(), Next(), Next() }).ToArray()).ToArray();
+        return scene["paths"]["counts"].Select(count => Enumerable.Range(0, (int)count)
+            .Select(point => new[] { Next(), Next(), Next() }).ToArray()).ToArray();
     }
 
     static double[] Vector(JToken numbers) => numbers.Select(number => (double)number).ToArray();

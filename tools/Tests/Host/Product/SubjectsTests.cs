@@ -17,8 +17,10 @@ public sealed class SubjectsTests
         wall.GetComponent<MeshRenderer>().StaticBatched = true;
         try
         {
-            var problem = Assert.Throws<GlintException>(() => new SceneGatherer().Gather(~0, new[] { wall.transform }, null));
-            Assert.That(problem.Message, Does.Contain("'Wall'").And.Contain("static batch").And.Contain("Batching Static"));
+            var problem =
+                Assert.Throws<GlintException>(() => new SceneGatherer().Gather(~0, new[] { wall.transform }, null));
+            Assert.That(problem.Message,
+                Does.Contain("'Wall'").And.Contain("static batch").And.Contain("Batching Static"));
         }
         finally
         {
@@ -26,7 +28,8 @@ public sealed class SubjectsTests
         }
     }
 
-    [TestCase("RadarController of 'Radar Camera' has no receiver", "_receiver: {fileID: 111}", "_receiver: {fileID: 0}")]
+    [TestCase("RadarController of 'Radar Camera' has no receiver", "_receiver: {fileID: 111}",
+        "_receiver: {fileID: 0}")]
     [TestCase("RadarController of 'Radar Camera' is disabled or inactive; enable it", "m_IsActive: 1", "m_IsActive: 0")]
     [TestCase("field of view 0 deg", "field of view: 60", "field of view: 0")]
     [TestCase("field of view 180 deg", "field of view: 60", "field of view: 180")]
@@ -35,9 +38,12 @@ public sealed class SubjectsTests
     [TestCase("rays across -5", "_raysAcross: 1920", "_raysAcross: -5")]
     [TestCase("maximum bounces 17", "_maxBounces: 4", "_maxBounces: 17")]
     [TestCase("receiver size -3 x 3 m", "_receiverSize: {x: 3, y: 3}", "_receiverSize: {x: -3, y: 3}")]
-    [TestCase("RadarController of 'Radar Camera': the radar stands nowhere: the rotation of 'Radar Camera' is not finite: set it anew", "m_LocalRotation: {x: 0.087155744", "m_LocalRotation: {x: .nan")]
-    [TestCase("RadarController of 'Radar Camera': its receiver 'Receiver' stands nowhere: the position of 'Receiver' is not finite: set it anew", "y: 0, z: -0.2}", "y: 0, z: -.inf}")]
-    [TestCase("RadarController of 'Radar Camera' has no kernel", "_kernel: {fileID: 7200000", "_kernel: {fileID: 0} # {fileID: 7200000")]
+    [TestCase("RadarController of 'Radar Camera': the radar stands nowhere: the rotation of 'Radar Camera' is not "
+        + "finite: set it anew", "m_LocalRotation: {x: 0.087155744", "m_LocalRotation: {x: .nan")]
+    [TestCase("RadarController of 'Radar Camera': its receiver 'Receiver' stands nowhere: "
+        + "the position of 'Receiver' is not finite: set it anew", "y: 0, z: -0.2}", "y: 0, z: -.inf}")]
+    [TestCase("RadarController of 'Radar Camera' has no kernel", "_kernel: {fileID: 7200000",
+        "_kernel: {fileID: 0} # {fileID: 7200000")]
     public void Run_OfASceneWithABadRadar_IsRefusedByName(string message, params string[] replacements)
     {
         string scene = File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "Scenes/CornerReflector.unity"));
@@ -48,12 +54,15 @@ public sealed class SubjectsTests
         }
         string root = Engine.Assets.ProjectRoot;
         using var project = new TemporaryProject();
-        Directory.CreateSymbolicLink(Path.Combine(project.Root, "Packages/com.glint.radar"), Path.Combine(root, "Packages/com.glint.radar"));
+        Directory.CreateSymbolicLink(Path.Combine(project.Root, "Packages/com.glint.radar"),
+            Path.Combine(root, "Packages/com.glint.radar"));
         Directory.CreateSymbolicLink(Path.Combine(project.Root, "Assets/Meshes"), Path.Combine(root, "Meshes"));
         project.Write("Assets/Bad.unity", scene);
         _ = project.Project;
 
-        var problem = Assert.Throws<GlintException>(() => Batch.Execute(CommandLine.Parse(Commands.Run, new[] { Path.Combine(project.Root, "Assets/Bad.unity") }), new LogProgress()));
+        var problem = Assert.Throws<GlintException>(() =>
+            Batch.Execute(CommandLine.Parse(Commands.Run, new[] { Path.Combine(project.Root, "Assets/Bad.unity") }),
+                new LogProgress()));
         Assert.That(problem.Message, Does.Contain(message));
     }
 
@@ -66,8 +75,10 @@ public sealed class SubjectsTests
         var radar = new GameObject("Radar", typeof(Camera)).AddComponent<RadarController>();
         try
         {
-            Assert.That(Assert.Throws<GlintException>(() => new AxisMotions(new SweepSetup(radar, new SweepPlan(new[] { 0.0, 1.0 })) { Target = target })).Message, Is.EqualTo(
-                "the target 'Antenna' of the sweep stands nowhere: the rotation of 'Mast', above it, is not finite: set it anew"));
+            Assert.That(Assert.Throws<GlintException>(() => new AxisMotions(
+                new SweepSetup(radar, new SweepPlan(new[] { 0.0, 1.0 })) { Target = target })).Message, Is.EqualTo(
+                    "the target 'Antenna' of the sweep stands nowhere: the rotation of 'Mast', above it, "
+                    + "is not finite: set it anew"));
         }
         finally
         {
@@ -88,7 +99,8 @@ public sealed class SubjectsTests
         try
         {
             Assert.That(Assert.Throws<GlintException>(() => radar.Gather()).Message, Is.EqualTo(
-                "RadarController of 'Radar': its receiver 'Antenna' stands nowhere: the rotation of 'Mast', above it, is not finite: set it anew"));
+                "RadarController of 'Radar': its receiver 'Antenna' stands nowhere: the rotation of 'Mast', above it, "
+                + "is not finite: set it anew"));
         }
         finally
         {
@@ -106,8 +118,10 @@ public sealed class SubjectsTests
         wall.transform.Load(Vector3.zero, new Quaternion(float.NaN, 0f, 0f, 1f), Vector3.one);
         try
         {
-            var problem = Assert.Throws<GlintException>(() => new SceneGatherer().Gather(~0, new[] { wall.transform }, null));
-            Assert.That(problem.Message, Does.Contain("'Wall'").And.Contain("mend the mesh, or the position, rotation or scale of the object or of one above it"));
+            var problem =
+                Assert.Throws<GlintException>(() => new SceneGatherer().Gather(~0, new[] { wall.transform }, null));
+            Assert.That(problem.Message, Does.Contain("'Wall'")
+                .And.Contain("mend the mesh, or the position, rotation or scale of the object or of one above it"));
         }
         finally
         {
@@ -118,7 +132,8 @@ public sealed class SubjectsTests
     [Test]
     public void Version_InResults_IsThatOfThePackage()
     {
-        string package = File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "Packages/com.glint.radar/package.json"));
+        string package =
+            File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "Packages/com.glint.radar/package.json"));
         Assert.That(package, Does.Contain($"\"version\": \"{GlintVersion.Text}\""));
     }
 }

@@ -27,7 +27,11 @@ public sealed class SweepSessionTests
     {
         _folder = Directory.CreateTempSubdirectory("glint-session-").FullName;
         EditorSceneManager.OpenScene(Corner, OpenSceneMode.Single);
-        _form = new SweepForm { Target = GameObject.Find("Corner Reflector").transform, Angles = "0:30:10", Folder = Path.Combine(_folder, "session") };
+        _form = new SweepForm
+        {
+            Target = GameObject.Find("Corner Reflector").transform, Angles = "0:30:10",
+            Folder = Path.Combine(_folder, "session")
+        };
         _form.FindRadar();
         SetSize();
         _rotation = _form.Target.localRotation;
@@ -50,19 +54,24 @@ public sealed class SweepSessionTests
         Assert.That(rows.Count, Is.EqualTo(16));
         Assert.That(Batch.Execute(CommandLine.Parse(Commands.Sweep, new[]
         {
-            Corner, "--target", "Corner Reflector", "--angles", "0:30:10", "--grazing", "5,10", "--frequency", "9e9:10e9:1e9", "--size", "96x54", "--out", Path.Combine(_folder, "command")
+            Corner, "--target", "Corner Reflector", "--angles", "0:30:10", "--grazing", "5,10", "--frequency",
+            "9e9:10e9:1e9", "--size", "96x54", "--out", Path.Combine(_folder, "command")
         }), new LogProgress()), Is.Zero);
         Assert.That(Timeless.Csv(_form.FolderPath), Is.EqualTo(Timeless.Csv(Path.Combine(_folder, "command"))));
         // The words of the command aside: of the session they name no size.
         Assert.That(WithoutCommand(_form.FolderPath), Is.EqualTo(WithoutCommand(Path.Combine(_folder, "command"))));
-        Assert.That(StoredRun.Read(_form.FolderPath).Info.Command, Is.EqualTo(new[] { "sweep", "--angles=0:30:10", "--grazing=5,10", "--frequency=9e9:10e9:1e9", "--target=Corner Reflector", "--", Corner }));
+        Assert.That(StoredRun.Read(_form.FolderPath).Info.Command, Is.EqualTo(new[] { "sweep", "--angles=0:30:10",
+            "--grazing=5,10", "--frequency=9e9:10e9:1e9", "--target=Corner Reflector", "--", Corner }));
     }
 
     // A scene is divided by what was seen to move: what was swept or traced before must not show in the results.
     void MoveAPart()
     {
         var part = GameObject.Find("Plate X").transform;
-        Run(new SweepForm { Radar = _form.Radar, Target = part, Angles = "0,5", Folder = Path.Combine(_folder, "part") });
+        Run(new SweepForm
+        {
+            Radar = _form.Radar, Target = part, Angles = "0,5", Folder = Path.Combine(_folder, "part")
+        });
         var place = part.localPosition;
         _form.Radar.Trace();
         part.localPosition += Vector3.up;
@@ -75,19 +84,22 @@ public sealed class SweepSessionTests
     {
         var sea = new GameObject("Sea").AddComponent<Sea>();
         sea.Extent = Vector2.zero;
-        Assert.That(() => SweepSession.Pose(_form.Radar), Throws.TypeOf<GlintException>().With.Message.Contains("Sea of 'Sea': its extent"));
+        Assert.That(() => SweepSession.Pose(_form.Radar),
+            Throws.TypeOf<GlintException>().With.Message.Contains("Sea of 'Sea': its extent"));
     }
 
     [Test]
     public void Tick_TracesAPoseAndShowsItsRow()
     {
         using var session = SweepSession.Sweep(_form);
-        Assert.That((session.Count, session.Done, session.IsRunning, session.SecondsLeft), Is.EqualTo((4, 0, true, (double?)null)));
+        Assert.That((session.Count, session.Done, session.IsRunning, session.SecondsLeft),
+            Is.EqualTo((4, 0, true, (double?)null)));
         session.Tick();
         Assert.That((session.Done, session.Rows.Count, session.Rows[0].RaysHit > 0), Is.EqualTo((1, 1, true)));
         Assert.That(session.Status(), Does.StartWith("1 of 4 poses, "));
         session.Tick();
-        Assert.That(Quaternion.Angle(_form.Target.localRotation, _rotation), Is.EqualTo(10).Within(0.01), "at the pose that was traced");
+        Assert.That(Quaternion.Angle(_form.Target.localRotation, _rotation), Is.EqualTo(10).Within(0.01),
+            "at the pose that was traced");
         while (session.IsRunning)
             session.Tick();
         Assert.That((session.Done, session.Problem, session.Status()), Is.EqualTo((4, (string)null, "4 of 4 poses")));
@@ -117,7 +129,8 @@ public sealed class SweepSessionTests
         AssertAsBefore();
         Assert.That(File.ReadAllLines(Path.Combine(_form.FolderPath, "results.csv")).Length, Is.EqualTo(3));
         Assert.That(session.Status(), Does.Contain("2 of 4 poses").And.Contain("Resume"));
-        Assert.That(PoseFigures.OfFolder(_form.FolderPath).Select(row => row.Amplitude), Is.EqualTo(session.Rows.Select(row => row.Amplitude)), "as a window finds them after a reload");
+        Assert.That(PoseFigures.OfFolder(_form.FolderPath).Select(row => row.Amplitude),
+            Is.EqualTo(session.Rows.Select(row => row.Amplitude)), "as a window finds them after a reload");
     }
 
     [Test]
@@ -187,7 +200,9 @@ public sealed class SweepSessionTests
         session.Tick();
         session.Tick();
         session.Cancel();
-        Assert.That((_form.FolderWords(false), _form.FolderWords(true)), Is.EqualTo((_form.FolderPath + " holds a sweep that is not finished: Resume goes on with it, otherwise the first row replaces it.", _form.FolderPath)));
+        Assert.That((_form.FolderWords(false), _form.FolderWords(true)),
+            Is.EqualTo((_form.FolderPath + " holds a sweep that is not finished: Resume goes on with it, "
+                + "otherwise the first row replaces it.", _form.FolderPath)));
         _form.Resume = true;
         using (var resumed = SweepSession.Sweep(_form))
         {
@@ -199,7 +214,8 @@ public sealed class SweepSessionTests
         Assert.That(_form.FolderWords(false), Is.EqualTo(_form.FolderPath));
         string whole = Timeless.Csv(_form.FolderPath);
         using (var again = SweepSession.Sweep(_form))
-            Assert.That((again.IsRunning, again.Rows.Count, again.Problem), Is.EqualTo((false, 4, (string)null)), "complete already");
+            Assert.That((again.IsRunning, again.Rows.Count, again.Problem),
+                Is.EqualTo((false, 4, (string)null)), "complete already");
         _form.Folder = Path.Combine(_folder, "whole");
         Run(_form);
         Assert.That(Timeless.Csv(_form.FolderPath), Is.EqualTo(whole));
@@ -223,7 +239,8 @@ public sealed class SweepSessionTests
         try
         {
             FillAgain();
-            foreach (var sweep in Object.FindObjectsByType<Sweep>(FindObjectsInactive.Include, FindObjectsSortMode.None))
+            foreach (var sweep in Object.FindObjectsByType<Sweep>(FindObjectsInactive.Include,
+                FindObjectsSortMode.None))
                 Object.DestroyImmediate(sweep);
             Assert.That(Run(_form).Select(row => row.Amplitude), Is.EqualTo(rows.Select(row => row.Amplitude)));
         }
@@ -242,7 +259,8 @@ public sealed class SweepSessionTests
             FillAgain();
             Object.FindFirstObjectByType<Sweep>().OutputFolder = Path.Combine(_folder, "component");
             Engine.Step();
-            Assert.That(() => SweepSession.Sweep(_form), Throws.TypeOf<GlintException>().With.Message.Contains("'Sweep' is sweeping this scene"));
+            Assert.That(() => SweepSession.Sweep(_form),
+                Throws.TypeOf<GlintException>().With.Message.Contains("'Sweep' is sweeping this scene"));
         }
         finally
         {
@@ -291,7 +309,8 @@ public sealed class SweepSessionTests
         _form.Frequencies = "9e9,10e9";
         Assert.That(_form.Problem(), Is.Null, "nothing is turned");
         _form.Snapshots = "1:3";
-        Assert.That(() => SweepSession.Sweep(_form), Throws.TypeOf<GlintException>().With.Message.Contains("has no sea"));
+        Assert.That(() => SweepSession.Sweep(_form),
+            Throws.TypeOf<GlintException>().With.Message.Contains("has no sea"));
         _form.Radar.enabled = false;
         Assert.That(_form.Problem(), Does.Contain("is disabled"));
         _form.Radar = null;
@@ -323,7 +342,8 @@ public sealed class SweepSessionTests
         return session.Rows;
     }
 
-    static string WithoutCommand(string folder) => System.Text.RegularExpressions.Regex.Replace(Timeless.Json(folder), "\"command\": \\[[^\\]]*\\]", "");
+    static string WithoutCommand(string folder) =>
+        System.Text.RegularExpressions.Regex.Replace(Timeless.Json(folder), "\"command\": \\[[^\\]]*\\]", "");
 
     sealed class Reports : IProgress<double>
     {

@@ -22,7 +22,11 @@ public sealed class WindowExportTests
     {
         _folder = Directory.CreateTempSubdirectory("glint-export-").FullName;
         EditorSceneManager.OpenScene("Packages/com.glint.scenes/CornerReflector.unity", OpenSceneMode.Single);
-        _form = new SweepForm { Target = GameObject.Find("Corner Reflector").transform, Angles = "0,20", Folder = Path.Combine(_folder, "results") };
+        _form = new SweepForm
+        {
+            Target = GameObject.Find("Corner Reflector").transform, Angles = "0,20",
+            Folder = Path.Combine(_folder, "results")
+        };
         _form.FindRadar();
         var settings = _form.Radar.Settings;
         (settings.RaysAcross, settings.RaysDown) = (192, 108);
@@ -48,10 +52,16 @@ public sealed class WindowExportTests
         string copy = Path.Combine(_folder, "copy.csv");
         File.WriteAllText(copy, "older");
         Export.Copy(_form.FolderPath, ResultsFolder.CsvName, copy);
-        Assert.That(File.ReadAllBytes(copy), Is.EqualTo(File.ReadAllBytes(Path.Combine(_form.FolderPath, "results.csv"))));
-        Assert.DoesNotThrow(() => Export.Copy(_form.FolderPath, ResultsFolder.CsvName, Path.Combine(_form.FolderPath, "results.csv")), "onto itself");
-        Assert.That(() => Export.Copy(_form.FolderPath, ResultsFolder.CsvName, Path.Combine(_folder, "none", "copy.csv")), Throws.TypeOf<GlintException>().With.Message.Contains("cannot be written"));
-        Assert.That(() => Export.Copy(_folder, ResultsFolder.JsonName, copy), Throws.TypeOf<GlintException>().With.Message.Contains("is complete"));
+        Assert.That(File.ReadAllBytes(copy),
+            Is.EqualTo(File.ReadAllBytes(Path.Combine(_form.FolderPath, "results.csv"))));
+        Assert.DoesNotThrow(
+            () => Export.Copy(_form.FolderPath, ResultsFolder.CsvName, Path.Combine(_form.FolderPath, "results.csv")),
+            "onto itself");
+        Assert.That(
+            () => Export.Copy(_form.FolderPath, ResultsFolder.CsvName, Path.Combine(_folder, "none", "copy.csv")),
+            Throws.TypeOf<GlintException>().With.Message.Contains("cannot be written"));
+        Assert.That(() => Export.Copy(_folder, ResultsFolder.JsonName, copy),
+            Throws.TypeOf<GlintException>().With.Message.Contains("is complete"));
     }
 
     [Test]
@@ -62,7 +72,8 @@ public sealed class WindowExportTests
         string path = Path.Combine(_folder, "report.html");
         Export.Report(_form.FolderPath, 1, _form, path, new LogProgress());
         Assert.That(File.ReadAllText(path), Does.Contain("\"pose\":1,"));
-        Assert.That((SceneManager.GetActiveScene(), _form.Radar == radar, radar != null, _form.Target.localRotation), Is.EqualTo((scene, true, true, rotation)));
+        Assert.That((SceneManager.GetActiveScene(), _form.Radar == radar, radar != null, _form.Target.localRotation),
+            Is.EqualTo((scene, true, true, rotation)));
         Assert.That(_warnings, Is.Empty);
     }
 

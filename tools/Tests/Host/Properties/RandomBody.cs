@@ -26,7 +26,10 @@ sealed record RandomBody(float3[] Corners, double3 Position, double4 Rotation, d
         int triangles = Corners.Length / 3;
         for (int part = triangles / 2; part > 0; part /= 2)
             for (int first = 0; first < triangles && part < triangles; first += part)
-                yield return this with { Corners = [.. Corners[..(3 * first)], .. Corners[(3 * Math.Min(triangles, first + part))..]] };
+                yield return this with
+                {
+                    Corners = [.. Corners[..(3 * first)], .. Corners[(3 * Math.Min(triangles, first + part))..]]
+                };
         if (any(Rotation != NoRotation))
             yield return this with { Rotation = NoRotation };
         // None may come again, or shrinking would never end.
@@ -37,7 +40,8 @@ sealed record RandomBody(float3[] Corners, double3 Position, double4 Rotation, d
             yield return this with { Position = 0 };
         foreach (int digits in new[] { 1, 2, 4 })
         {
-            var corners = Array.ConvertAll(Corners, corner => float3(Short(corner.x, digits), Short(corner.y, digits), Short(corner.z, digits)));
+            var corners = Array.ConvertAll(Corners,
+                corner => float3(Short(corner.x, digits), Short(corner.y, digits), Short(corner.z, digits)));
             if (!corners.SequenceEqual(Corners))
                 yield return this with { Corners = corners };
         }
@@ -50,5 +54,6 @@ sealed record RandomBody(float3[] Corners, double3 Position, double4 Rotation, d
 
     static string Text(float3 v) => string.Create(CultureInfo.InvariantCulture, $"({v.x:R} {v.y:R} {v.z:R})");
 
-    static float Short(float value, int digits) => float.Parse(value.ToString("E" + digits, CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
+    static float Short(float value, int digits) =>
+        float.Parse(value.ToString("E" + digits, CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
 }

@@ -15,7 +15,8 @@ namespace Glint.Host.Tests;
 /// <param name="At">The middle, m.</param>
 /// <param name="Turn">Of bodies and radar together.</param>
 /// <param name="Receiver">Side of the receiver, m.</param>
-sealed record RandomScene(RandomBody[] Bodies, double Size, double Range, bool IsParallel, double3 At, double4 Turn, double Receiver, int Bounces)
+sealed record RandomScene(RandomBody[] Bodies, double Size, double Range, bool IsParallel, double3 At, double4 Turn,
+    double Receiver, int Bounces)
 {
     public const int RaysAcross = 64, RaysDown = 36;
 
@@ -37,7 +38,8 @@ sealed record RandomScene(RandomBody[] Bodies, double Size, double Range, bool I
             {
                 Position = camera, Right = normalize(place.X), Up = normalize(place.Y), Forward = normalize(place.Z),
                 VerticalFovDegrees = degrees(2 * atan(Size / Range)), ApertureHeight = IsParallel ? 2 * Size : 0,
-                ReceiverCentre = camera, ReceiverRight = normalize(place.X), ReceiverUp = normalize(place.Y), ReceiverForward = normalize(place.Z), ReceiverSize = Receiver,
+                ReceiverCentre = camera, ReceiverRight = normalize(place.X), ReceiverUp = normalize(place.Y),
+                ReceiverForward = normalize(place.Z), ReceiverSize = Receiver,
             };
         }
     }

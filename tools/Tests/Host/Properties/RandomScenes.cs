@@ -8,7 +8,10 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Scenes that are hard on a tracer: slivers, triangles without area, coplanar duplicates, sizes of one to a million, mirrored and stretched places, anywhere.</summary>
+/// <summary>
+/// Scenes that are hard on a tracer: slivers, triangles without area, coplanar duplicates, sizes of one to a million,
+/// mirrored and stretched places, anywhere.
+/// </summary>
 static class RandomScenes
 {
     // Positions have a limit of 1e7 m.
@@ -29,12 +32,14 @@ static class RandomScenes
 
     // Also those by quarters of a turn.
     static readonly Gen<double4> Rotations = Gen.OneOf(
-        Gen.Elements(double4(0, 0, 0, 1), double4(0, 0, 1, 1), double4(1, 0, 0, 1), double4(0, 1, 0, 0), double4(1, 1, 1, 1)),
+        Gen.Elements(double4(0, 0, 0, 1), double4(0, 0, 1, 1), double4(1, 0, 0, 1),
+            double4(0, 1, 0, 0), double4(1, 1, 1, 1)),
         from v in Vectors
         from w in Fine
         select double4(v, w + 1.5));
 
-    static Gen<double> PowersOfTen(double from, double to) => Gen.Choose(0, 1000).Select(part => Math.Pow(10, from + (to - from) * part / 1000));
+    static Gen<double> PowersOfTen(double from, double to) =>
+        Gen.Choose(0, 1000).Select(part => Math.Pow(10, from + (to - from) * part / 1000));
 
     // Any three corners, of sizes from a thousandth to the whole.
     static readonly Gen<float3[]> Clutter = Triangles(
@@ -66,11 +71,13 @@ static class RandomScenes
         });
 
     // Rays come back: across the way they come.
-    static readonly Gen<float3[]> FacingPlate = Vectors.Select(corner => Plate(corner, double3(1, 0, 0), double3(0, 1, 0)));
+    static readonly Gen<float3[]> FacingPlate =
+        Vectors.Select(corner => Plate(corner, double3(1, 0, 0), double3(0, 1, 0)));
 
     static readonly Gen<float3[]> Trihedral = Gen.Constant<float3[]>(
     [
-        .. Plate(0, double3(1, 0, 0), double3(0, 1, 0)), .. Plate(0, double3(0, 1, 0), double3(0, 0, 1)), .. Plate(0, double3(0, 0, 1), double3(1, 0, 0)),
+        .. Plate(0, double3(1, 0, 0), double3(0, 1, 0)), .. Plate(0, double3(0, 1, 0), double3(0, 0, 1)),
+        .. Plate(0, double3(0, 0, 1), double3(1, 0, 0)),
     ]);
 
     // A dish of facets that looks at the radar.
@@ -80,7 +87,8 @@ static class RandomScenes
         from bumps in Vectors.ArrayOf((cells + 1) * (cells + 1))
         select MakeDish(cells, depth, bumps);
 
-    static readonly Gen<float3[]> Shapes = Gen.Frequency((3, Clutter), (2, Slivers), (1, WithoutArea), (3, FacingPlate), (2, Trihedral), (3, Dish));
+    static readonly Gen<float3[]> Shapes =
+        Gen.Frequency((3, Clutter), (2, Slivers), (1, WithoutArea), (3, FacingPlate), (2, Trihedral), (3, Dish));
 
     // The same once more, wound as before or the other way.
     static Gen<float3[]> Twice(Gen<float3[]> shapes) =>
@@ -88,7 +96,8 @@ static class RandomScenes
         from isTurned in Gen.Elements(false, true)
         select shape.Concat(isTurned ? shape.Reverse() : shape).ToArray();
 
-    static readonly Gen<double> Stretches = Gen.Frequency((3, Gen.Constant(1.0)), (2, PowersOfTen(-1, 1)), (1, PowersOfTen(-1, 1).Select(scale => -scale)));
+    static readonly Gen<double> Stretches =
+        Gen.Frequency((3, Gen.Constant(1.0)), (2, PowersOfTen(-1, 1)), (1, PowersOfTen(-1, 1).Select(scale => -scale)));
 
     // Modelled in units of its own, and some far from its own origin.
     static Gen<RandomBody> Bodies(Gen<float3[]> shapes, double size, double3 aside) =>
@@ -102,12 +111,14 @@ static class RandomScenes
         from y in Stretches
         from z in Stretches
         select new RandomBody(
-            Array.ConvertAll(shape, corner => (float3)(unit * ((double3)corner + far))), size * (0.7 * position + aside), rotation, size * share / unit * double3(x, y, z));
+            Array.ConvertAll(shape, corner => (float3)(unit * ((double3)corner + far))),
+            size * (0.7 * position + aside), rotation, size * share / unit * double3(x, y, z));
 
     static Gen<RandomScene> Scenes(Gen<float3[]> shapes, double3 aside) =>
         from size in Gen.Frequency((1, Gen.Constant(1.0)), (2, PowersOfTen(-3, 5)))
         from bodies in Gen.Choose(1, 7).SelectMany(count => Bodies(shapes, size, aside).ArrayOf(count))
-        from range in Gen.Frequency((3, Gen.Elements(1.0, 5.0, 30.0)), (1, PowersOfTen(-1, 4))).Select(range => Math.Min(range, Farthest / size))
+        from range in Gen.Frequency((3, Gen.Elements(1.0, 5.0, 30.0)), (1, PowersOfTen(-1, 4)))
+            .Select(range => Math.Min(range, Farthest / size))
         from isParallel in Gen.Elements(false, false, true)
         from at in Gen.Frequency((1, Gen.Constant(double3(0))), (1, Vectors.Select(v => 1e6 * v)))
         from turn in Gen.Frequency((1, Gen.Constant(double4(0, 0, 0, 1))), (2, Rotations))
@@ -115,19 +126,27 @@ static class RandomScenes
         from bounces in Gen.Elements(1, 2, 3, 4, 4, 7)
         select new RandomScene(bodies, size, size * range, isParallel, at, turn, size * receiver, bounces);
 
-    /// <summary>Scenes in which what every ray does is certain, but for those that pass an edge within rounding.</summary>
+    /// <summary>
+    /// Scenes in which what every ray does is certain, but for those that pass an edge within rounding.
+    /// </summary>
     public static readonly Arbitrary<RandomScene> Certain = Arb.From(
-        Scenes(Gen.Frequency((5, Shapes), (1, Twice(Gen.OneOf(FacingPlate, Trihedral, Dish)))), double3(0.0123, 0.0071, 0.0039)), scene => scene.Simpler());
+        Scenes(Gen.Frequency((5, Shapes), (1, Twice(Gen.OneOf(FacingPlate, Trihedral, Dish)))),
+            double3(0.0123, 0.0071, 0.0039)), scene => scene.Simpler());
 
-    /// <summary>Also scenes whose rays run along edges and in planes, meet slivers that are there twice, or start on a surface.</summary>
-    public static readonly Arbitrary<RandomScene> Any = Arb.From(Scenes(Gen.Frequency((3, Shapes), (1, Twice(Shapes))), 0), scene => scene.Simpler());
+    /// <summary>
+    /// Also scenes whose rays run along edges and in planes, meet slivers that are there twice, or start on a surface.
+    /// </summary>
+    public static readonly Arbitrary<RandomScene> Any =
+        Arb.From(Scenes(Gen.Frequency((3, Shapes), (1, Twice(Shapes))), 0), scene => scene.Simpler());
 
-    static Gen<float3[]> Triangles(Gen<float3[]> triangle) => Gen.Choose(1, 12).SelectMany(count => triangle.ArrayOf(count)).Select(all => all.SelectMany(corners => corners).ToArray());
+    static Gen<float3[]> Triangles(Gen<float3[]> triangle) => Gen.Choose(1, 12)
+        .SelectMany(count => triangle.ArrayOf(count)).Select(all => all.SelectMany(corners => corners).ToArray());
 
     static float3[] Corners(double3 a, double3 b, double3 c) => [(float3)a, (float3)b, (float3)c];
 
     static float3[] Plate(double3 corner, double3 along, double3 across) =>
-        [.. Corners(corner, corner + along, corner + along + across), .. Corners(corner, corner + along + across, corner + across)];
+        [.. Corners(corner, corner + along, corner + along + across),
+            .. Corners(corner, corner + along + across, corner + across)];
 
     static float3[] MakeDish(int cells, double depth, double3[] bumps)
     {

@@ -8,7 +8,9 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What holds for every scene; a scene for which it does not is made as small as can be before it is shown.</summary>
+/// <summary>
+/// What holds for every scene; a scene for which it does not is made as small as can be before it is shown.
+/// </summary>
 public sealed class TracerProperties
 {
     const double LengthTolerance = 1e-5; // m
@@ -42,7 +44,8 @@ public sealed class TracerProperties
             tracer.TilesADispatch = 7;
             var slices = Trace(tracer, scene);
             var reversed = Trace(tracer, scene with { Bodies = [.. scene.Bodies.Reverse()] });
-            return AreSame(once, slices).Label("in dispatches of 7 tiles").And(AreSame(once, reversed).Label("instances in reverse order"));
+            return AreSame(once, slices).Label("in dispatches of 7 tiles")
+                .And(AreSame(once, reversed).Label("instances in reverse order"));
         });
     }
 
@@ -61,17 +64,22 @@ public sealed class TracerProperties
     }
 
     static bool AreSame(RadarResult a, RadarResult b) =>
-        a.RaysHit == b.RaysHit && a.RaysReceived == b.RaysReceived && a.Bounces == b.Bounces && a.PhaseHistogram.SequenceEqual(b.PhaseHistogram)
-        && Bits(a.InPhase) == Bits(b.InPhase) && Bits(a.Quadrature) == Bits(b.Quadrature) && Bits(a.PathLengthMeters) == Bits(b.PathLengthMeters)
-        && Bits(a.SamplingError) == Bits(b.SamplingError) && Bits(a.LargestPathStep) == Bits(b.LargestPathStep) && a.Undersampled == b.Undersampled;
+        a.RaysHit == b.RaysHit && a.RaysReceived == b.RaysReceived && a.Bounces == b.Bounces
+        && a.PhaseHistogram.SequenceEqual(b.PhaseHistogram)
+        && Bits(a.InPhase) == Bits(b.InPhase) && Bits(a.Quadrature) == Bits(b.Quadrature)
+        && Bits(a.PathLengthMeters) == Bits(b.PathLengthMeters)
+        && Bits(a.SamplingError) == Bits(b.SamplingError) && Bits(a.LargestPathStep) == Bits(b.LargestPathStep)
+        && a.Undersampled == b.Undersampled;
 
     static long Bits(double value) => BitConverter.DoubleToInt64Bits(value);
 
-    static string Describe(RayComparison comparison) => $"{comparison.Wrong} of {comparison.Rays} rays wrong, {comparison.AtEdge} at edges; the first wrong ones:\n"
+    static string Describe(RayComparison comparison) => $"{comparison.Wrong} of {comparison.Rays} rays wrong, "
+        + $"{comparison.AtEdge} at edges; the first wrong ones:\n"
         + string.Concat(comparison.WrongRays.Take(3).Select(pair => FormattableString.Invariant(
             $"  pixel {pair.Kernel.Pixel % RandomScene.RaysAcross}, {pair.Kernel.Pixel / RandomScene.RaysAcross}: kernel {pair.Kernel.Bounces} bounces, {(pair.Kernel.IsReceived ? "received" : "lost")}, {pair.Kernel.ExactPathLength:R} m; judge {pair.Judge.Bounces} bounces, {(pair.Judge.Received ? "received" : "lost")}, {pair.Judge.LengthToEnd:R} m\n")));
 
-    // Always the same scenes: a rare one that goes wrong is found by letting this run for longer, with other seeds, and not by whoever comes along.
+    // Always the same scenes: a rare one that goes wrong is found by letting this run for longer, with other seeds,
+    // and not by whoever comes along.
     static void ForAll(Arbitrary<RandomScene> scenes, int count, Func<RandomScene, Property> holds) =>
         Prop.ForAll(scenes, holds).Check(Config.QuickThrowOnFailure.WithMaxTest(count).WithReplay(1, 1));
 }

@@ -30,7 +30,8 @@ internal sealed class FixtureRun : ITestAssemblyBuilder, IPreFilter
                 [FrameworkPackageSettings.SynchronousEvents] = true,
             };
             runner.Load(fixture.Assembly, settings);
-            var results = Leaves(runner.Run(TestListener.NULL, TestFilter.Empty)).OrderBy(result => result.Name, StringComparer.Ordinal).ToList();
+            var results = Leaves(runner.Run(TestListener.NULL, TestFilter.Empty))
+                .OrderBy(result => result.Name, StringComparer.Ordinal).ToList();
             return results.Count > 0 ? results : throw new InvalidOperationException($"no test in {fixture.Name}");
         }
         finally
@@ -48,11 +49,13 @@ internal sealed class FixtureRun : ITestAssemblyBuilder, IPreFilter
         return suite;
     }
 
-    public ITest Build(string assemblyName, IDictionary<string, object> options) => Build(Assembly.Load(assemblyName), options);
+    public ITest Build(string assemblyName, IDictionary<string, object> options) =>
+        Build(Assembly.Load(assemblyName), options);
 
     public bool IsMatch(Type type) => true;
 
     public bool IsMatch(Type type, MethodInfo method) => true;
 
-    static IEnumerable<ITestResult> Leaves(ITestResult result) => result.HasChildren ? result.Children.SelectMany(Leaves) : result.Test.IsSuite ? [] : [result];
+    static IEnumerable<ITestResult> Leaves(ITestResult result) =>
+        result.HasChildren ? result.Children.SelectMany(Leaves) : result.Test.IsSuite ? [] : [result];
 }

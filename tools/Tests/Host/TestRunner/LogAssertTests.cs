@@ -4,7 +4,9 @@ using NUnit.Framework.Interfaces;
 
 namespace Glint.Host.Tests.TestRunner;
 
-/// <summary>What is logged decides over a test: errors that nobody expected, and expected messages that never came.</summary>
+/// <summary>
+/// What is logged decides over a test: errors that nobody expected, and expected messages that never came.
+/// </summary>
 public sealed class LogAssertTests
 {
     [SetUp]
@@ -49,6 +51,7 @@ public sealed class LogAssertTests
     public void IgnoreFailingMessages_SetByOneTest_EndsWithIt()
     {
         var results = FixtureRun.Of(typeof(Samples<int>.LeavesAnErrorBehind));
-        Assert.That(results.Select(result => result.ResultState.Status), Is.EqualTo(new[] { TestStatus.Passed, TestStatus.Failed }));
+        Assert.That(results.Select(result => result.ResultState.Status),
+            Is.EqualTo(new[] { TestStatus.Passed, TestStatus.Failed }));
     }
 }

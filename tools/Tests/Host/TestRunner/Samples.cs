@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace Glint.Host.Tests.TestRunner;
 
-/// <summary>Fixtures to be run by tests, as in Unity. They are generic, so that NUnit does not find them: half of them fail, as they should.</summary>
+/// <summary>
+/// Fixtures to be run by tests, as in Unity. They are generic, so that NUnit does not find them:
+/// half of them fail, as they should.
+/// </summary>
 internal static partial class Samples<T>
 {
     internal static readonly List<string> Trace = new();

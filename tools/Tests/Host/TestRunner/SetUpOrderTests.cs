@@ -36,7 +36,8 @@ public sealed class SetUpOrderTests
         var result = FixtureRun.OfOne(typeof(Samples<int>.SetUpThrows));
         Assert.That(result.ResultState.Status, Is.EqualTo(TestStatus.Failed));
         Assert.That(result.Message, Does.Contain("no set-up"));
-        Assert.That(Samples<int>.Trace, Is.EqualTo(new[] { "base unity set-up 1", "base unity set-up 2", "base unity tear-down" }));
+        Assert.That(Samples<int>.Trace,
+            Is.EqualTo(new[] { "base unity set-up 1", "base unity set-up 2", "base unity tear-down" }));
     }
 
     [Test]

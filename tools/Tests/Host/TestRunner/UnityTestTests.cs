@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Glint.Host.Tests.TestRunner;
 
-/// <summary>What [UnityTest] does with the routine that a test returns, in play mode unless the name says otherwise.</summary>
+/// <summary>
+/// What [UnityTest] does with the routine that a test returns, in play mode unless the name says otherwise.
+/// </summary>
 public sealed class UnityTestTests
 {
     [SetUp]
@@ -102,12 +104,14 @@ public sealed class UnityTestTests
     public void Platform_OfAnotherMachine_IsSkipped()
     {
         var results = FixtureRun.Of(typeof(Samples<int>.DependsOnPlatform));
-        Assert.That(results.Select(result => result.ResultState.Status), Is.EqualTo(new[] { TestStatus.Skipped, TestStatus.Passed }));
+        Assert.That(results.Select(result => result.ResultState.Status),
+            Is.EqualTo(new[] { TestStatus.Skipped, TestStatus.Passed }));
     }
 
     [Test]
     public void Ignore_InALaterFrame_IsIgnored()
-        => Assert.That(FixtureRun.OfOne(typeof(Samples<int>.IsIgnored)).ResultState.Status, Is.EqualTo(TestStatus.Skipped));
+        => Assert.That(FixtureRun.OfOne(typeof(Samples<int>.IsIgnored)).ResultState.Status,
+            Is.EqualTo(TestStatus.Skipped));
 
     [Test]
     public void Parameters_ValuesAndValueSource_AreCombined()
@@ -125,7 +129,8 @@ public sealed class UnityTestTests
         Assert.That(Samples<int>.Trace, Is.EquivalentTo(new[] { "case 1", "case 2" }));
     }
 
-    static void Passes(ITestResult result) => Assert.That(result.ResultState, Is.EqualTo(ResultState.Success), result.Message);
+    static void Passes(ITestResult result) =>
+        Assert.That(result.ResultState, Is.EqualTo(ResultState.Success), result.Message);
 
     static void Fails(ITestResult result, string reason)
     {

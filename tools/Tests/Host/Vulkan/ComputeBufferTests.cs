@@ -35,7 +35,11 @@ public sealed class ComputeBufferTests
         using var buffer = new ComputeBuffer(3, 12);
         var vectors = new[] { new Vector3(1, 2, 3), new Vector3(4, 5, 6), new Vector3(7, 8, 9) };
         using var native = new NativeArray<Vector3>(vectors, Allocator.Temp);
-        foreach (Action set in new Action[] { () => buffer.SetData(vectors), () => buffer.SetData(new List<Vector3>(vectors)), () => buffer.SetData(native) })
+        foreach (Action set in new Action[]
+        {
+            () => buffer.SetData(vectors), () => buffer.SetData(new List<Vector3>(vectors)),
+            () => buffer.SetData(native)
+        })
         {
             buffer.SetData(new Vector3[3]);
             set();
@@ -115,7 +119,8 @@ public sealed class ComputeBufferTests
         }
         Assert.That(log.Messages.Select(message => (message.Type, message.Text)), Is.EqualTo(new[]
         {
-            (LogType.Warning, "GarbageCollector disposing of ComputeBuffer. Please use ComputeBuffer.Release() or .Dispose() to manually release the buffer."),
+            (LogType.Warning, "GarbageCollector disposing of ComputeBuffer. "
+                + "Please use ComputeBuffer.Release() or .Dispose() to manually release the buffer."),
         }));
     }
 

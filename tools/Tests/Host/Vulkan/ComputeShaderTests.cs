@@ -64,7 +64,8 @@ public sealed class ComputeShaderTests
         _uniforms.SetVector("Triple", new Vector4(20, 21, 22, 99));
         _uniforms.SetVector("Quad", new Vector4(30, 31, 32, 33));
         _uniforms.SetInts("Cell", -1, -2, -3);
-        _uniforms.SetVectorArray("Reals", [new Vector4(40, 0, 0, 0), new Vector4(41, 0, 0, 0), new Vector4(42, 0, 0, 0)]);
+        _uniforms.SetVectorArray("Reals",
+            [new Vector4(40, 0, 0, 0), new Vector4(41, 0, 0, 0), new Vector4(42, 0, 0, 0)]);
         _uniforms.SetVectorArray("Quads", [new Vector4(50, 51, 52, 53), new Vector4(54, 55, 56, 57)]);
         _uniforms.SetMatrix("Columns", matrix);
         _uniforms.SetMatrixArray("Matrices", [Matrix4x4.identity, matrix]);
@@ -81,7 +82,8 @@ public sealed class ComputeShaderTests
         float[] identity = Enumerable.Range(0, 16).Select(i => i % 5 == 0 ? 1f : 0).ToArray();
         float[][] expected =
         [
-            [1.5f, -7, 9, 1, 10, 11, 20, 21, 22, 30, 31, 32, 33, -1, -2, -3, 40, 41, 42, 50, 51, 52, 53, 54, 55, 56, 57],
+            [1.5f, -7, 9, 1, 10, 11, 20, 21, 22, 30, 31, 32, 33, -1, -2, -3, 40, 41, 42, 50,
+                51, 52, 53, 54, 55, 56, 57],
             rows, new float[16], identity, rows, rows[..12], [60, 61, 62, 63, 64, 103],
         ];
         Assert.That(result[..132], Is.EqualTo(expected.SelectMany(part => part).Concat(new float[132]).Take(132)));
@@ -119,7 +121,8 @@ public sealed class ComputeShaderTests
         }
         using var log = new LogCapture();
         _arithmetic.Dispatch(add, 1, 1, 1);
-        Assert.That(log.Messages, Is.EqualTo(new[] { (LogType.Error, "Compute shader (Arithmetic): Property (Right) at kernel index (0) is not set") }));
+        Assert.That(log.Messages, Is.EqualTo(
+            new[] { (LogType.Error, "Compute shader (Arithmetic): Property (Right) at kernel index (0) is not set") }));
     }
 
     [TestCase(0, 1, 1)]
@@ -204,7 +207,8 @@ public sealed class ComputeShaderTests
         Assert.That(SystemInfo.graphicsDeviceName, Is.EqualTo(device.Info.Name));
         Assert.That(SystemInfo.graphicsDeviceVersion, Does.StartWith("Vulkan 1."));
         Assert.That(SystemInfo.maxGraphicsBufferSize, Is.EqualTo(device.Limits.MaxStorageBufferRange));
-        Assert.That(SystemInfo.maxComputeWorkGroupSize, Is.GreaterThanOrEqualTo(128)); // the least that Vulkan guarantees
+        // the least that Vulkan guarantees
+        Assert.That(SystemInfo.maxComputeWorkGroupSize, Is.GreaterThanOrEqualTo(128));
         Assert.That(SystemInfo.processorType, Is.Not.Empty);
     }
 

@@ -6,7 +6,10 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests.Vulkan;
 
-/// <summary>Every test twice: on memory that the host sees (as a CPU device has), and through staging buffers (as a discrete GPU needs).</summary>
+/// <summary>
+/// Every test twice: on memory that the host sees (as a CPU device has),
+/// and through staging buffers (as a discrete GPU needs).
+/// </summary>
 [TestFixture(true)]
 [TestFixture(false)]
 public sealed class DispatchTests
@@ -32,7 +35,8 @@ public sealed class DispatchTests
         using var b = Kernels.Buffer(_device, right);
         using var sum = _device.CreateBuffer(4L * count);
 
-        _device.Dispatch(program, Kernels.Pack(program, ("Count", (uint)count)), Kernels.Bind(("Left", a), ("Right", b), ("Sum", sum)), (uint)(count + 63) / 64, 1, 1);
+        _device.Dispatch(program, Kernels.Pack(program, ("Count", (uint)count)),
+            Kernels.Bind(("Left", a), ("Right", b), ("Sum", sum)), (uint)(count + 63) / 64, 1, 1);
 
         Assert.That(Kernels.Read<float>(sum).SequenceEqual(left.Zip(right, (x, y) => x + y)), Is.True);
     }
@@ -58,7 +62,8 @@ public sealed class DispatchTests
         using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
         using var state = _device.CreateBuffer(4 * Count);
         for (uint step = 0; step < Steps; step++)
-            _device.Dispatch(program, Kernels.Pack(program, ("Count", (uint)Count), ("Increment", step)), Kernels.Bind(("State", state)), 4, 1, 1);
+            _device.Dispatch(program, Kernels.Pack(program, ("Count", (uint)Count), ("Increment", step)),
+                Kernels.Bind(("State", state)), 4, 1, 1);
 
         var expected = new uint[Count];
         for (uint step = 0; step < Steps; step++)
@@ -140,7 +145,8 @@ public sealed class DispatchTests
         {
             using var a = Kernels.Buffer(_device, new float[] { i });
             using var b = Kernels.Buffer(_device, new float[] { 1 });
-            _device.Dispatch(program, Kernels.Pack(program, ("Count", 1u)), Kernels.Bind(("Left", a), ("Right", b), ("Sum", sum)), 1, 1, 1);
+            _device.Dispatch(program, Kernels.Pack(program, ("Count", 1u)),
+                Kernels.Bind(("Left", a), ("Right", b), ("Sum", sum)), 1, 1, 1);
         }
         Assert.That(Kernels.Read<float>(sum), Is.EqualTo(new[] { 100f }));
     }
@@ -148,7 +154,11 @@ public sealed class DispatchTests
     [Test]
     public void Structs_OfSixteenByteRows_AgreeWithCSharp()
     {
-        var records = Enumerable.Range(0, 37).Select(i => new Record { X = i, Y = 2 * i, Z = 3 * i, Id = (uint)i, W0 = 1, W1 = 2, W2 = 3, W3 = i, CellX = i, CellY = -i, SpareX = 5, SpareY = 6 }).ToArray();
+        var records = Enumerable.Range(0, 37).Select(i => new Record
+        {
+            X = i, Y = 2 * i, Z = 3 * i, Id = (uint)i, W0 = 1, W1 = 2, W2 = 3, W3 = i, CellX = i, CellY = -i,
+            SpareX = 5, SpareY = 6
+        }).ToArray();
         using var program = Kernels.Create(_device, Kernels.Structs, "Shift");
         using var input = Kernels.Buffer(_device, records);
         using var output = _device.CreateBuffer(input.Bytes);
@@ -158,7 +168,8 @@ public sealed class DispatchTests
         Assert.That(program.Slots.Select(slot => slot.Stride), Is.All.EqualTo(Marshal.SizeOf<Record>()));
         var expected = records.Select(r => new Record
         {
-            X = r.X + 1, Y = r.Y + 2, Z = r.Z + 3, Id = r.Id + 100, W0 = 2, W1 = 4, W2 = 6, W3 = 2 * r.W3, CellX = r.CellY, CellY = r.CellX, SpareX = 5, SpareY = 6,
+            X = r.X + 1, Y = r.Y + 2, Z = r.Z + 3, Id = r.Id + 100, W0 = 2, W1 = 4, W2 = 6, W3 = 2 * r.W3,
+            CellX = r.CellY, CellY = r.CellX, SpareX = 5, SpareY = 6,
         });
         Assert.That(Kernels.Read<Record>(output), Is.EqualTo(expected));
     }
@@ -178,7 +189,8 @@ public sealed class DispatchTests
     {
         using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
         using var state = _device.CreateBuffer(4);
-        _device.Dispatch(program, Kernels.Pack(program, ("Count", 1u), ("Increment", 5u)), Kernels.Bind(("State", state)), 0, 1, 1);
+        _device.Dispatch(program, Kernels.Pack(program, ("Count", 1u), ("Increment", 5u)),
+            Kernels.Bind(("State", state)), 0, 1, 1);
         Assert.That(Kernels.Read<uint>(state), Is.EqualTo(new[] { 0u }));
     }
 
@@ -188,7 +200,8 @@ public sealed class DispatchTests
         var device = VulkanDevice.Open(null, _mapBuffers);
         var buffer = device.CreateBuffer(16);
         var program = Kernels.Create(device, Kernels.Arithmetic, "Step");
-        device.Dispatch(program, Kernels.Pack(program, ("Count", 4u), ("Increment", 5u)), Kernels.Bind(("State", buffer)), 1, 1, 1);
+        device.Dispatch(program, Kernels.Pack(program, ("Count", 4u), ("Increment", 5u)),
+            Kernels.Bind(("State", buffer)), 1, 1, 1);
         device.Dispose();
         device.Dispose();
         Assert.DoesNotThrow(buffer.Dispose);

@@ -72,6 +72,7 @@ public sealed class GpuClockTests
     void Dispatch(int times)
     {
         for (int i = 0; i < times; i++)
-            _device.Dispatch(_program, Kernels.Pack(_program, ("Count", (uint)Count), ("Increment", 1u)), Kernels.Bind(("State", _state)), 65535 / 4, 1, 1);
+            _device.Dispatch(_program, Kernels.Pack(_program, ("Count", (uint)Count), ("Increment", 1u)),
+                Kernels.Bind(("State", _state)), 65535 / 4, 1, 1);
     }
 }

@@ -50,13 +50,15 @@ public sealed class ReflectionTests
     {
         using var program = Kernels.Create(_device, Kernels.Uniforms, "Echo");
         var field = program.Uniforms[name];
-        Assert.That((field.Bytes, field.Rows, field.Columns, field.ArrayLength), Is.EqualTo((bytes, rows, columns, length)));
+        Assert.That((field.Bytes, field.Rows, field.Columns, field.ArrayLength),
+            Is.EqualTo((bytes, rows, columns, length)));
     }
 
     [Test]
     public void Uniforms_OfEveryKind_ArriveInTheKernel()
     {
-        float[] matrix = Count(16, 100), second = Count(16, 200), matrices = Count(32, 300), affineColumns = Count(16, 400);
+        float[] matrix = Count(16, 100), second = Count(16, 200), matrices = Count(32, 300),
+            affineColumns = Count(16, 400);
         using var program = Kernels.Create(_device, Kernels.Uniforms, "Echo");
         using var output = _device.CreateBuffer(4 * 256);
         byte[] uniforms = Kernels.Pack(program,
@@ -71,7 +73,8 @@ public sealed class ReflectionTests
         float[] expected = new[]
         {
             [1.5f, -7, 9, 1], Count(2, 10), Count(3, 20), Count(4, 30), [-1, -2, -3], [40, 41, 42], Count(8, 50),
-            Transposed(matrix, 4, 4), second, Transposed(matrices[..16], 4, 4), Transposed(matrices[16..], 4, 4), Transposed(affineColumns, 3, 4),
+            Transposed(matrix, 4, 4), second, Transposed(matrices[..16], 4, 4),
+            Transposed(matrices[16..], 4, 4), Transposed(affineColumns, 3, 4),
             [60, 61, 62, 63, 64], [matrix[12]],
         }.SelectMany(values => values).ToArray();
         Assert.That(Kernels.Read<float>(output)[..expected.Length], Is.EqualTo(expected));

@@ -35,11 +35,14 @@ public sealed class RefusalTests
     public void NoDevice_WithAVariableThatHidesTheDrivers_BlamesTheVariable()
     {
         string present = typeof(VulkanDevice).Assembly.Location;
-        string Blame(params (string name, string value)[] set) => DriverVariable.Blame(name => Array.Find(set, pair => pair.name == name).value);
+        string Blame(params (string name, string value)[] set) =>
+            DriverVariable.Blame(name => Array.Find(set, pair => pair.name == name).value);
 
-        Assert.That(Blame(("VK_DRIVER_FILES", "/nope.json")), Does.Contain("VK_DRIVER_FILES is set to /nope.json, which is not there; unset it"));
+        Assert.That(Blame(("VK_DRIVER_FILES", "/nope.json")),
+            Does.Contain("VK_DRIVER_FILES is set to /nope.json, which is not there; unset it"));
         Assert.That(Blame(("VK_ICD_FILENAMES", "/nope.json")), Does.Contain("VK_ICD_FILENAMES is set to /nope.json"));
-        Assert.That(Blame(("VK_DRIVER_FILES", present), ("VK_ICD_FILENAMES", "/nope.json")), Does.Contain($"VK_DRIVER_FILES is set to {present}, whose driver gives none"));
+        Assert.That(Blame(("VK_DRIVER_FILES", present), ("VK_ICD_FILENAMES", "/nope.json")),
+            Does.Contain($"VK_DRIVER_FILES is set to {present}, whose driver gives none"));
         Assert.That(Blame(("VK_DRIVER_FILES", "")), Is.Null);
     }
 
@@ -48,12 +51,14 @@ public sealed class RefusalTests
     {
         long bytes = _device.Limits.MaxStorageBufferRange + 4;
         var error = Assert.Throws<VulkanException>(() => _device.CreateBuffer(bytes));
-        Assert.That(error.Message, Does.Contain($"{bytes:N0}").And.Contain($"{_device.Limits.MaxStorageBufferRange:N0}"));
+        Assert.That(error.Message,
+            Does.Contain($"{bytes:N0}").And.Contain($"{_device.Limits.MaxStorageBufferRange:N0}"));
     }
 
     [TestCase(0)]
     [TestCase(-1)]
-    public void Buffer_OfNoBytes_IsRefused(long bytes) => Assert.Throws<ArgumentOutOfRangeException>(() => _device.CreateBuffer(bytes));
+    public void Buffer_OfNoBytes_IsRefused(long bytes) =>
+        Assert.Throws<ArgumentOutOfRangeException>(() => _device.CreateBuffer(bytes));
 
     [TestCase(13, 0)]
     [TestCase(1, 16)]
@@ -81,7 +86,8 @@ public sealed class RefusalTests
         using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
         var buffer = _device.CreateBuffer(4);
         buffer.Dispose();
-        var error = Assert.Throws<VulkanException>(() => _device.Dispatch(program, new byte[program.UniformBytes], Kernels.Bind(("State", buffer)), 1, 1, 1));
+        var error = Assert.Throws<VulkanException>(
+            () => _device.Dispatch(program, new byte[program.UniformBytes], Kernels.Bind(("State", buffer)), 1, 1, 1));
         Assert.That(error.Message, Does.Contain("State").And.Contain("disposed"));
     }
 
@@ -91,7 +97,8 @@ public sealed class RefusalTests
         using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
         using var buffer = _device.CreateBuffer(4);
         var error = Assert.Throws<VulkanException>(() => _device.Dispatch(
-            program, new byte[program.UniformBytes], Kernels.Bind(("State", buffer)), 1, _device.Limits.MaxGroupsY + 1, 1));
+            program, new byte[program.UniformBytes],
+            Kernels.Bind(("State", buffer)), 1, _device.Limits.MaxGroupsY + 1, 1));
         Assert.That(error.Message, Does.Contain(_device.Limits.MaxGroupsY.ToString()));
     }
 
@@ -100,7 +107,8 @@ public sealed class RefusalTests
     {
         using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
         using var buffer = _device.CreateBuffer(4);
-        Assert.Throws<VulkanException>(() => _device.Dispatch(program, new byte[3], Kernels.Bind(("State", buffer)), 1, 1, 1));
+        Assert.Throws<VulkanException>(
+            () => _device.Dispatch(program, new byte[3], Kernels.Bind(("State", buffer)), 1, 1, 1));
     }
 
     [Test]
@@ -116,7 +124,8 @@ public sealed class RefusalTests
     {
         var error = Assert.Throws<VulkanException>(() => ShaderLibrary.Load(Kernels.Arithmetic, "Subtract"));
         Assert.That(error.Message, Does.Contain("Subtract").And.Contain("Add, Step, Scale"));
-        Assert.That(Assert.Throws<VulkanException>(() => ShaderLibrary.Load("Assets/None.compute", "Main")).Message, Does.Contain("Assets/None.compute"));
+        Assert.That(Assert.Throws<VulkanException>(() => ShaderLibrary.Load("Assets/None.compute", "Main")).Message,
+            Does.Contain("Assets/None.compute"));
     }
 
     [Test]
@@ -130,14 +139,17 @@ public sealed class RefusalTests
             Directory.CreateDirectory(Path.GetDirectoryName(shader));
             File.Copy(Path.Combine(Sources.Root, Kernels.Arithmetic), shader);
             File.Copy(Path.Combine(Sources.Root, "tools/Tests/Host/Shaders/Bounds.hlsl"), include);
-            Assert.That(ShaderLibrary.Load(root, Kernels.Arithmetic, "Add"), Is.EqualTo(ShaderLibrary.Load(Kernels.Arithmetic, "Add")));
+            Assert.That(ShaderLibrary.Load(root, Kernels.Arithmetic, "Add"),
+                Is.EqualTo(ShaderLibrary.Load(Kernels.Arithmetic, "Add")));
 
             File.AppendAllText(include, "// changed\n");
             var error = Assert.Throws<VulkanException>(() => ShaderLibrary.Load(root, Kernels.Arithmetic, "Add"));
             Assert.That(error.Message, Does.Contain("Bounds.hlsl changed").And.Contain("tools/glint"));
 
             File.Delete(include);
-            Assert.That(Assert.Throws<VulkanException>(() => ShaderLibrary.Load(root, Kernels.Arithmetic, "Add")).Message, Does.Contain("Bounds.hlsl"));
+            Assert.That(
+                Assert.Throws<VulkanException>(() => ShaderLibrary.Load(root, Kernels.Arithmetic, "Add")).Message,
+                Does.Contain("Bounds.hlsl"));
         }
         finally
         {

@@ -5,7 +5,10 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests.Vulkan;
 
-/// <summary>Kernels that can read a texel buffer give the same either way; the structured form is the one that runs unless asked.</summary>
+/// <summary>
+/// Kernels that can read a texel buffer give the same either way;
+/// the structured form is the one that runs unless asked.
+/// </summary>
 [TestFixture(true)]
 [TestFixture(false)]
 public sealed class TexelTests
@@ -41,11 +44,14 @@ public sealed class TexelTests
         using var places = Kernels.Buffer(_device, order);
         using var gathered = _device.CreateBuffer(16 * Count);
 
-        _device.Dispatch(program, Kernels.Pack(program, ("_Count", (uint)Count)), Kernels.Bind(("_Rows", tree), ("_Order", places), ("_Gathered", gathered)), Count / 32 + 1, 1, 1);
+        _device.Dispatch(program, Kernels.Pack(program, ("_Count", (uint)Count)),
+            Kernels.Bind(("_Rows", tree), ("_Order", places), ("_Gathered", gathered)), Count / 32 + 1, 1, 1);
 
         var slot = program.Slots.Single(candidate => candidate.Name == "_Rows");
-        Assert.That((slot.IsTexel, slot.Stride, slot.Element, slot.Writable), Is.EqualTo((_texels, 16, "uint4", false)));
-        var expected = order.SelectMany((row, i) => Enumerable.Range(0, 4).Select(part => rows[4 * row + part] + (part == 3 ? (uint)i : 0)));
+        Assert.That((slot.IsTexel, slot.Stride, slot.Element, slot.Writable),
+            Is.EqualTo((_texels, 16, "uint4", false)));
+        var expected = order.SelectMany((row, i) => Enumerable.Range(0, 4)
+            .Select(part => rows[4 * row + part] + (part == 3 ? (uint)i : 0)));
         Assert.That(Kernels.Read<uint>(gathered), Is.EqualTo(expected));
     }
 
@@ -59,7 +65,8 @@ public sealed class TexelTests
         _device.Dispatch(program, [], buffers, 1, 1, 1);
 
         Assert.That(buffers.Count, Is.EqualTo(15));
-        Assert.That(new[] { "_Out0", "_Out1", "_Out2" }.Select(name => Kernels.Read<uint>(buffers[name])[0]), Is.EqualTo(new[] { 4321u, 8765u, 4321u }));
+        Assert.That(new[] { "_Out0", "_Out1", "_Out2" }.Select(name => Kernels.Read<uint>(buffers[name])[0]),
+            Is.EqualTo(new[] { 4321u, 8765u, 4321u }));
     }
 
     [Test]
@@ -75,6 +82,7 @@ public sealed class TexelTests
     public void TexelView_OfABufferBelowOneElement_IsRefused()
     {
         using var buffer = _device.CreateBuffer(12);
-        Assert.That(Assert.Throws<VulkanException>(() => _ = buffer.TexelView).Message, Does.Contain("12 bytes").And.Contain("GLINT_TEXEL_BUFFERS"));
+        Assert.That(Assert.Throws<VulkanException>(() => _ = buffer.TexelView).Message,
+            Does.Contain("12 bytes").And.Contain("GLINT_TEXEL_BUFFERS"));
     }
 }

@@ -9,7 +9,9 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Prefabs saved from code: every kind of field and reference is read back, and the ids of objects stay.</summary>
+/// <summary>
+/// Prefabs saved from code: every kind of field and reference is read back, and the ids of objects stay.
+/// </summary>
 public sealed class PrefabWritingTests : WritingFixture
 {
     const string PrefabPath = "Assets/Ship.prefab";
@@ -25,9 +27,12 @@ public sealed class PrefabWritingTests : WritingFixture
         Assert.That(success, string.Join("\n", Errors));
         AssertIsShip(prefab, mesh);
         AssertIsShip(Reopened<GameObject>(PrefabPath), AssetDatabase.LoadAssetAtPath<Mesh>("Assets/Hull.asset"));
-        Assert.That(Text(PrefabPath), Does.Contain("  m_Materials:\n  - {fileID: 10303, guid: 0000000000000000f000000000000000, type: 0}\n"));
-        Assert.That(Text(PrefabPath), Does.Contain($"  m_Mesh: {{fileID: 4300000, guid: {AssetDatabase.AssetPathToGUID("Assets/Hull.asset")}, type: 2}}\n"));
-        Assert.That(Text(PrefabPath + ".meta"), Does.Contain("\nPrefabImporter:\n  externalObjects: {}\n  userData: \n"));
+        Assert.That(Text(PrefabPath),
+            Does.Contain("  m_Materials:\n  - {fileID: 10303, guid: 0000000000000000f000000000000000, type: 0}\n"));
+        Assert.That(Text(PrefabPath), Does.Contain("  m_Mesh: {fileID: 4300000, guid: "
+            + $"{AssetDatabase.AssetPathToGUID("Assets/Hull.asset")}, type: 2}}\n"));
+        Assert.That(Text(PrefabPath + ".meta"),
+            Does.Contain("\nPrefabImporter:\n  externalObjects: {}\n  userData: \n"));
     }
 
     [Test]
@@ -56,7 +61,8 @@ public sealed class PrefabWritingTests : WritingFixture
         item.GetComponent<MeshRenderer>().sharedMaterial = AssetDatabase.LoadAssetAtPath<Material>("Assets/Steel.mat");
         PrefabUtility.SaveAsPrefabAsset(item, PrefabPath);
         Assert.That(Text(PrefabPath), Does.Contain($"  m_Materials:\n  - {UnityText.Asset(2100000, 9, 2)}\n"));
-        Assert.That(Reopened<GameObject>(PrefabPath).GetComponent<MeshRenderer>().sharedMaterial.name, Is.EqualTo("Steel"));
+        Assert.That(Reopened<GameObject>(PrefabPath).GetComponent<MeshRenderer>().sharedMaterial.name,
+            Is.EqualTo("Steel"));
     }
 
     [Test]
@@ -65,7 +71,8 @@ public sealed class PrefabWritingTests : WritingFixture
         Project.WriteScript(typeof(Marker), 3);
         Project.WriteScript(typeof(MarkerOptions), 4);
         Project.Write("Assets/Notes.txt", "notes", 5);
-        Project.Write("Assets/Other.prefab", UnityText.Prefab(UnityText.Object(10, "Other", components: UnityText.Component(12)) + UnityText.Script(12, 10, 3, "  Text: other\n")), 6);
+        Project.Write("Assets/Other.prefab", UnityText.Prefab(UnityText.Object(10, "Other",
+            components: UnityText.Component(12)) + UnityText.Script(12, 10, 3, "  Text: other\n")), 6);
         var options = ScriptableObject.CreateInstance<MarkerOptions>();
         AssetDatabase.CreateAsset(options, "Assets/Options.asset");
         Mesh mesh = Triangle();
@@ -115,12 +122,17 @@ public sealed class PrefabWritingTests : WritingFixture
         Assert.That(read.Switches, Is.EqualTo(marker.Switches));
         Assert.That(read.Words, Is.EqualTo(marker.Words));
         Assert.That(read.Targets, Is.EqualTo(new[] { read.Target, null, read.transform }));
-        Assert.That(read.Parts.Select(part => (part.Length, part.Label, part.Offset)), Is.EqualTo(new[] { (1f, "a", Vector3.zero), (2f, "", Vector3.up) }));
+        Assert.That(read.Parts.Select(part => (part.Length, part.Label, part.Offset)),
+            Is.EqualTo(new[] { (1f, "a", Vector3.zero), (2f, "", Vector3.up) }));
         Assert.That((read.Main.Length, read.Main.Label), Is.EqualTo((4f, "main")));
-        Assert.That((read.Kind, read.Layers.value, read.Vector, read.Cell), Is.EqualTo((marker.Kind, ~5, _place, marker.Cell)));
-        Assert.That((read.Turn, read.Colour, read.Bytes, read.Box, read.Area), Is.EqualTo((marker.Turn, marker.Colour, marker.Bytes, marker.Box, marker.Area)));
-        Assert.That((read.Precise, read.Large, read.Unsigned), Is.EqualTo((marker.Precise, marker.Large, marker.Unsigned)));
-        Assert.That((read.Text, read.Kept, read.Base, read.Hidden, read.Private), Is.EqualTo(("yes: [no]", -7, 1, 1f, 1f)));
+        Assert.That((read.Kind, read.Layers.value, read.Vector, read.Cell),
+            Is.EqualTo((marker.Kind, ~5, _place, marker.Cell)));
+        Assert.That((read.Turn, read.Colour, read.Bytes, read.Box, read.Area),
+            Is.EqualTo((marker.Turn, marker.Colour, marker.Bytes, marker.Box, marker.Area)));
+        Assert.That((read.Precise, read.Large, read.Unsigned),
+            Is.EqualTo((marker.Precise, marker.Large, marker.Unsigned)));
+        Assert.That((read.Text, read.Kept, read.Base, read.Hidden, read.Private),
+            Is.EqualTo(("yes: [no]", -7, 1, 1f, 1f)));
         Assert.That(Project.Warnings, Is.Empty);
 
         // What was read, saved again, is the same text.
@@ -184,7 +196,8 @@ public sealed class PrefabWritingTests : WritingFixture
         GameObject root = Ship(Triangle("Hull"));
         Assert.That(PrefabUtility.SaveAsPrefabAsset(root, PrefabPath, out bool success), Is.Null);
         Assert.That(success, Is.False);
-        Assert.That(Errors.Single(), Is.EqualTo("MeshFilter of 'Hull': m_Mesh refers to the Mesh 'Hull', which is neither an asset nor below the same root: "
+        Assert.That(Errors.Single(), Is.EqualTo("MeshFilter of 'Hull': m_Mesh refers to the Mesh 'Hull', "
+            + "which is neither an asset nor below the same root: "
             + "make it an asset first (AssetDatabase.CreateAsset), or clear the field"));
         Assert.That(AssetDatabase.AssetPathExists(PrefabPath), Is.False);
     }
@@ -193,12 +206,16 @@ public sealed class PrefabWritingTests : WritingFixture
     public void Prefab_WithACamera_IsReadBack()
     {
         var camera = new GameObject("Radar", typeof(Camera)).GetComponent<Camera>();
-        (camera.fieldOfView, camera.nearClipPlane, camera.farClipPlane, camera.orthographicSize) = (12.5f, 0.01f, 5000f, 7f);
-        (camera.orthographic, camera.enabled, camera.depth, camera.cullingMask, camera.rect) = (true, false, -3f, ~5, new Rect(0.25f, 0, 0.5f, 0.75f));
+        (camera.fieldOfView, camera.nearClipPlane, camera.farClipPlane, camera.orthographicSize) =
+            (12.5f, 0.01f, 5000f, 7f);
+        (camera.orthographic, camera.enabled, camera.depth, camera.cullingMask, camera.rect) =
+            (true, false, -3f, ~5, new Rect(0.25f, 0, 0.5f, 0.75f));
         PrefabUtility.SaveAsPrefabAsset(camera.gameObject, PrefabPath);
         var read = Reopened<GameObject>(PrefabPath).GetComponent<Camera>();
-        Assert.That((read.fieldOfView, read.nearClipPlane, read.farClipPlane, read.orthographicSize), Is.EqualTo((12.5f, 0.01f, 5000f, 7f)));
-        Assert.That((read.orthographic, read.enabled, read.depth, read.cullingMask, read.rect), Is.EqualTo((true, false, -3f, ~5, new Rect(0.25f, 0, 0.5f, 0.75f))));
+        Assert.That((read.fieldOfView, read.nearClipPlane, read.farClipPlane, read.orthographicSize),
+            Is.EqualTo((12.5f, 0.01f, 5000f, 7f)));
+        Assert.That((read.orthographic, read.enabled, read.depth, read.cullingMask, read.rect),
+            Is.EqualTo((true, false, -3f, ~5, new Rect(0.25f, 0, 0.5f, 0.75f))));
     }
 
     [Test]
@@ -206,19 +223,22 @@ public sealed class PrefabWritingTests : WritingFixture
     {
         PrefabUtility.SaveAsPrefabAsset(new GameObject("Radar", typeof(LODGroup)), PrefabPath, out bool success);
         Assert.That(success, Is.False);
-        Assert.That(Errors.Single(), Is.EqualTo("LODGroup of 'Radar' is not written outside of Unity: leave it out, or save the prefab in Unity"));
+        Assert.That(Errors.Single(), Is.EqualTo("LODGroup of 'Radar' is not written outside of Unity: leave it out, "
+            + "or save the prefab in Unity"));
     }
 
     [Test]
     public void SaveAsPrefabAsset_WithWrongArguments_Throws()
     {
         Assert.That(() => PrefabUtility.SaveAsPrefabAsset(null, PrefabPath), Throws.ArgumentNullException);
-        Assert.That(() => PrefabUtility.SaveAsPrefabAsset(new GameObject(), "Assets/Ship.asset"), Throws.ArgumentException);
+        Assert.That(() => PrefabUtility.SaveAsPrefabAsset(new GameObject(), "Assets/Ship.asset"),
+            Throws.ArgumentException);
         GameObject prefab = PrefabUtility.SaveAsPrefabAsset(new GameObject(), PrefabPath);
         Assert.That(() => PrefabUtility.SaveAsPrefabAsset(prefab, "Assets/B.prefab"), Throws.ArgumentException);
     }
 
-    List<string> Headers() => Regex.Matches(Text(PrefabPath), "^--- .*$", RegexOptions.Multiline).Select(match => match.Value).ToList();
+    List<string> Headers() =>
+        Regex.Matches(Text(PrefabPath), "^--- .*$", RegexOptions.Multiline).Select(match => match.Value).ToList();
 
     static GameObject Ship(Mesh mesh)
     {
@@ -228,7 +248,8 @@ public sealed class PrefabWritingTests : WritingFixture
         hull.transform.localRotation = Quaternion.Euler(10f, 20f, 30f);
         hull.transform.localScale = _scale;
         hull.GetComponent<MeshFilter>().sharedMesh = mesh;
-        hull.GetComponent<MeshRenderer>().sharedMaterial = AssetDatabase.GetBuiltinExtraResource<Material>("Default-Material.mat");
+        hull.GetComponent<MeshRenderer>().sharedMaterial =
+            AssetDatabase.GetBuiltinExtraResource<Material>("Default-Material.mat");
         var hidden = new GameObject("Bow: [1]") { layer = 3, tag = "Player" };
         hidden.transform.SetParent(hull.transform, false);
         hidden.SetActive(false);
@@ -245,6 +266,7 @@ public sealed class PrefabWritingTests : WritingFixture
         Assert.That(hull.GetComponent<MeshFilter>().sharedMesh, Is.SameAs(mesh));
         Assert.That(hull.GetComponent<MeshRenderer>().sharedMaterial.name, Is.EqualTo("Default-Material"));
         GameObject hidden = hull.GetChild(0).gameObject;
-        Assert.That((hidden.name, hidden.layer, hidden.tag, hidden.activeSelf), Is.EqualTo(("Bow: [1]", 3, "Player", false)));
+        Assert.That((hidden.name, hidden.layer, hidden.tag, hidden.activeSelf),
+            Is.EqualTo(("Bow: [1]", 3, "Player", false)));
     }
 }

@@ -34,7 +34,8 @@ public abstract class WritingFixture : EngineFixture
 
     protected static Mesh Triangle(string name = "Triangle")
     {
-        var mesh = new Mesh { name = name, vertices = [Vector3.zero, Vector3.up, Vector3.right], triangles = [0, 1, 2] };
+        var mesh =
+            new Mesh { name = name, vertices = [Vector3.zero, Vector3.up, Vector3.right], triangles = [0, 1, 2] };
         mesh.RecalculateNormals();
         return mesh;
     }

@@ -25,5 +25,6 @@ internal sealed class ExpectedLog
     internal bool Matches(ReceivedLog log)
         => (_type == null || _type == log.Type) && (_pattern?.IsMatch(log.Message) ?? log.Message == _text);
 
-    public override string ToString() => $"[{(_type == null ? "any" : _type.ToString())}] {(_pattern == null ? _text : $"/{_pattern}/")}";
+    public override string ToString() =>
+        $"[{(_type == null ? "any" : _type.ToString())}] {(_pattern == null ? _text : $"/{_pattern}/")}";
 }

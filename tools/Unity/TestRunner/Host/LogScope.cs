@@ -7,8 +7,9 @@ using UnityEngine;
 namespace Glint.Host;
 
 /// <summary>
-/// What is logged during one test, on any thread, against what the test expects. Expectations are met in the order in which they
-/// were made, by messages before or after the call. Errors, assertions and exceptions that meet none fail the test.
+/// What is logged during one test, on any thread, against what the test expects.
+/// Expectations are met in the order in which they were made, by messages before or after the call.
+/// Errors, assertions and exceptions that meet none fail the test.
 /// </summary>
 internal sealed class LogScope : IDisposable
 {
@@ -26,7 +27,8 @@ internal sealed class LogScope : IDisposable
     internal static LogScope Innermost => _current;
 
     internal static LogScope Current
-        => _current ?? throw new InvalidOperationException("LogAssert can only be used while a test, its set-up or its tear-down runs");
+        => _current ?? throw new InvalidOperationException("LogAssert can only be used while a test, "
+            + "its set-up or its tear-down runs");
 
     /// <summary>While true, errors that are logged fail nothing.</summary>
     internal bool IgnoresFailing { get; set; }
@@ -56,7 +58,8 @@ internal sealed class LogScope : IDisposable
         {
             Match();
             var unexpected = _failing.Where(log => !log.IsExpected).ToList();
-            return unexpected.Count == 0 ? null : "Logged, but not expected (LogAssert.Expect): " + string.Join("; ", unexpected);
+            return unexpected.Count == 0 ? null : "Logged, but not expected (LogAssert.Expect): "
+                + string.Join("; ", unexpected);
         }
     }
 
@@ -66,11 +69,14 @@ internal sealed class LogScope : IDisposable
         lock (_lock)
         {
             Match();
-            return _expected.Count == 0 ? null : "Expected (LogAssert.Expect), but not logged: " + string.Join("; ", _expected);
+            return _expected.Count == 0 ? null : "Expected (LogAssert.Expect), but not logged: "
+                + string.Join("; ", _expected);
         }
     }
 
-    /// <exception cref="AssertionException">A message of any type, an error or not, was logged that was not expected.</exception>
+    /// <exception cref="AssertionException">
+    /// A message of any type, an error or not, was logged that was not expected.
+    /// </exception>
     internal void RequireAllExpected()
     {
         lock (_lock)
@@ -78,7 +84,8 @@ internal sealed class LogScope : IDisposable
             Match();
             var unexpected = _received.Where(log => !log.IsExpected).ToList();
             if (unexpected.Count > 0)
-                throw new AssertionException("Logged, but not expected (LogAssert.NoUnexpectedReceived): " + string.Join("; ", unexpected));
+                throw new AssertionException("Logged, but not expected (LogAssert.NoUnexpectedReceived): "
+                    + string.Join("; ", unexpected));
         }
     }
 

@@ -6,7 +6,9 @@ using NUnit.Framework.Internal.Builders;
 
 namespace Glint.Host;
 
-/// <summary>Every combination of the arguments given by [Values], [ValueSource] and the like, for methods that return a routine.</summary>
+/// <summary>
+/// Every combination of the arguments given by [Values], [ValueSource] and the like, for methods that return a routine.
+/// </summary>
 internal sealed class RoutineCases : ICombiningStrategy
 {
     readonly CombinatorialStrategy _combinations = new();
@@ -17,7 +19,8 @@ internal sealed class RoutineCases : ICombiningStrategy
             yield return Expecting((TestCaseParameters)parameters);
     }
 
-    // NUnit takes a method that returns a value only where a result is expected; a routine that ran to its end leaves null.
+    // NUnit takes a method that returns a value only where a result is expected;
+    // a routine that ran to its end leaves null.
     internal static TestCaseParameters Expecting(TestCaseParameters parameters)
     {
         parameters.ExpectedResult = null;

@@ -8,8 +8,10 @@ using NUnit.Framework;
 namespace Glint.Host;
 
 /// <summary>
-/// One run of a test's routine: frames are stepped until it ends, throws, logs an error that nobody expected or exceeds its time.
-/// In play mode it runs as a coroutine, so that whatever it yields waits as it would in the game; in edit mode it may yield null only.
+/// One run of a test's routine: frames are stepped until it ends, throws,
+/// logs an error that nobody expected or exceeds its time.
+/// In play mode it runs as a coroutine, so that whatever it yields waits as it would in the game;
+/// in edit mode it may yield null only.
 /// </summary>
 internal sealed class RoutineRun
 {
@@ -41,7 +43,8 @@ internal sealed class RoutineRun
         StepFrames(limit, () =>
         {
             if (steps.MoveNext() && steps.Current != null)
-                throw new InvalidOperationException($"an edit-mode test can only yield null, not {steps.Current.GetType().Name}");
+                throw new InvalidOperationException("an edit-mode test can only yield null, "
+                    + $"not {steps.Current.GetType().Name}");
         });
     }
 
@@ -68,7 +71,8 @@ internal sealed class RoutineRun
         }
     }
 
-    // The first step is a frame of its own: the test's own code then starts where every later part of it runs, after Update.
+    // The first step is a frame of its own:
+    // the test's own code then starts where every later part of it runs, after Update.
     // A routine within the routine is stepped here, so that what it throws is caught.
     IEnumerator Steps()
     {

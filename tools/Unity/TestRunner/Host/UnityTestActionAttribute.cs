@@ -11,13 +11,15 @@ using UnityEngine.TestTools;
 namespace Glint.Host;
 
 /// <summary>
-/// Put on a test assembly or a fixture: around every test of it, [Test] or [UnityTest], runs [UnitySetUp] before [SetUp] (base class first) and
-/// [UnityTearDown] after [TearDown] (base class last), and holds what was logged from the first to the last against LogAssert.
+/// Put on a test assembly or a fixture: around every test of it, [Test] or [UnityTest],
+/// runs [UnitySetUp] before [SetUp] (base class first) and [UnityTearDown] after [TearDown] (base class last),
+/// and holds what was logged from the first to the last against LogAssert.
 /// </summary>
 [AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class)]
 public sealed class UnityTestActionAttribute : Attribute, ITestAction
 {
-    const BindingFlags AnyMethod = BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.FlattenHierarchy;
+    const BindingFlags AnyMethod = BindingFlags.Instance | BindingFlags.Static | BindingFlags.Public
+        | BindingFlags.NonPublic | BindingFlags.FlattenHierarchy;
 
     public ActionTargets Targets => ActionTargets.Test;
 
@@ -48,19 +50,23 @@ public sealed class UnityTestActionAttribute : Attribute, ITestAction
         if (result.ResultState.Status != TestStatus.Failed)
             complaint ??= logs.MissingLogs();
         if (complaint != null && result.Message?.Contains(complaint) != true)
-            result.SetResult(ResultState.Failure, string.IsNullOrEmpty(result.Message) ? complaint : result.Message + Environment.NewLine + complaint, result.StackTrace);
+            result.SetResult(ResultState.Failure,
+                string.IsNullOrEmpty(result.Message) ? complaint : result.Message + Environment.NewLine + complaint,
+                result.StackTrace);
     }
 
     static void Run(MethodInfo method)
     {
         if (method.ReturnType != typeof(IEnumerator))
-            throw new InvalidOperationException($"{method.DeclaringType.FullName}.{method.Name} must return IEnumerator");
+            throw new InvalidOperationException($"{method.DeclaringType.FullName}.{method.Name} "
+                + "must return IEnumerator");
         var routine = (IEnumerator)Reflect.InvokeMethod(method, TestExecutionContext.CurrentContext.TestObject);
         RoutineRun.ToEnd(routine, TimeLimit.Default);
     }
 
     static IEnumerable<MethodInfo> MethodsWith<T>(ITest test) where T : Attribute
-        => test.TypeInfo.Type.GetMethods(AnyMethod).Where(method => method.IsDefined(typeof(T), true)).OrderBy(method => Depth(method.DeclaringType));
+        => test.TypeInfo.Type.GetMethods(AnyMethod).Where(method => method.IsDefined(typeof(T), true))
+            .OrderBy(method => Depth(method.DeclaringType));
 
     static int Depth(Type type) => type == null ? 0 : 1 + Depth(type.BaseType);
 }

@@ -12,7 +12,8 @@ public class QuaternionEqualityComparer : IEqualityComparer<Quaternion>
     public static QuaternionEqualityComparer Instance { get; } = new(0.00001f);
 
     // q and -q are the same rotation.
-    public bool Equals(Quaternion expected, Quaternion actual) => Math.Abs(Quaternion.Dot(expected, actual)) > 1f - _allowedError;
+    public bool Equals(Quaternion expected, Quaternion actual) =>
+        Math.Abs(Quaternion.Dot(expected, actual)) > 1f - _allowedError;
 
     // Values that are nearly equal are to have equal codes.
     public int GetHashCode(Quaternion quaternion) => 0;

@@ -16,29 +16,36 @@ public static class AsyncGPUReadback
     public static AsyncGPUReadbackRequest Request(ComputeBuffer src, Action<AsyncGPUReadbackRequest> callback = null) =>
         Add(Elements(src), Elements(src).Bytes, 0, null, callback);
 
-    public static AsyncGPUReadbackRequest Request(ComputeBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback = null) =>
+    public static AsyncGPUReadbackRequest Request(ComputeBuffer src, int size, int offset,
+        Action<AsyncGPUReadbackRequest> callback = null) =>
         Add(Elements(src), size, offset, null, callback);
 
-    public static AsyncGPUReadbackRequest Request(GraphicsBuffer src, Action<AsyncGPUReadbackRequest> callback = null) =>
+    public static AsyncGPUReadbackRequest Request(GraphicsBuffer src,
+        Action<AsyncGPUReadbackRequest> callback = null) =>
         Add(Elements(src), Elements(src).Bytes, 0, null, callback);
 
-    public static AsyncGPUReadbackRequest Request(GraphicsBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback = null) =>
+    public static AsyncGPUReadbackRequest Request(GraphicsBuffer src, int size, int offset,
+        Action<AsyncGPUReadbackRequest> callback = null) =>
         Add(Elements(src), size, offset, null, callback);
 
     public static AsyncGPUReadbackRequest RequestIntoNativeArray<T>(
-        ref NativeArray<T> output, ComputeBuffer src, Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
+        ref NativeArray<T> output, ComputeBuffer src,
+        Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
         Add(Elements(src), Elements(src).Bytes, 0, Into(output, Elements(src).Bytes), callback);
 
     public static AsyncGPUReadbackRequest RequestIntoNativeArray<T>(
-        ref NativeArray<T> output, ComputeBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
+        ref NativeArray<T> output, ComputeBuffer src, int size, int offset,
+        Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
         Add(Elements(src), size, offset, Into(output, size), callback);
 
     public static AsyncGPUReadbackRequest RequestIntoNativeArray<T>(
-        ref NativeArray<T> output, GraphicsBuffer src, Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
+        ref NativeArray<T> output, GraphicsBuffer src,
+        Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
         Add(Elements(src), Elements(src).Bytes, 0, Into(output, Elements(src).Bytes), callback);
 
     public static AsyncGPUReadbackRequest RequestIntoNativeArray<T>(
-        ref NativeArray<T> output, GraphicsBuffer src, int size, int offset, Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
+        ref NativeArray<T> output, GraphicsBuffer src, int size, int offset,
+        Action<AsyncGPUReadbackRequest> callback = null) where T : struct =>
         Add(Elements(src), size, offset, Into(output, size), callback);
 
     public static void WaitAllRequests()
@@ -68,21 +75,25 @@ public static class AsyncGPUReadback
     }
 
     static AsyncGPUReadbackRequest Add(
-        StructuredBuffer source, long size, long offset, Action<NativeArray<byte>> store, Action<AsyncGPUReadbackRequest> callback)
+        StructuredBuffer source, long size, long offset,
+        Action<NativeArray<byte>> store, Action<AsyncGPUReadbackRequest> callback)
     {
         var readback = new Readback(source, size, offset, store, callback);
         _pending.Add(readback);
         return new AsyncGPUReadbackRequest(readback);
     }
 
-    static StructuredBuffer Elements(ComputeBuffer source) => (source ?? throw new ArgumentNullException(nameof(source))).Elements;
+    static StructuredBuffer Elements(ComputeBuffer source) =>
+        (source ?? throw new ArgumentNullException(nameof(source))).Elements;
 
-    static StructuredBuffer Elements(GraphicsBuffer source) => (source ?? throw new ArgumentNullException(nameof(source))).Elements;
+    static StructuredBuffer Elements(GraphicsBuffer source) =>
+        (source ?? throw new ArgumentNullException(nameof(source))).Elements;
 
     static Action<NativeArray<byte>> Into<T>(NativeArray<T> output, long size) where T : struct
     {
         if ((long)output.Length * Unsafe.SizeOf<T>() < size)
-            throw new ArgumentException($"{output.Length} elements of {typeof(T)} are too few for {size:N0} bytes", nameof(output));
+            throw new ArgumentException($"{output.Length} elements of {typeof(T)} are too few for {size:N0} bytes",
+                nameof(output));
         return data => data.AsSpan().CopyTo(output.Reinterpret<byte>(Unsafe.SizeOf<T>()).AsSpan());
     }
 }

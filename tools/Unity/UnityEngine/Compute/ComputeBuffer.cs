@@ -20,7 +20,8 @@ public sealed class ComputeBuffer : IDisposable
     public ComputeBuffer(int count, int stride, ComputeBufferType type, ComputeBufferMode usage)
     {
         if ((type & (ComputeBufferType.Append | ComputeBufferType.Counter)) != 0)
-            throw new NotSupportedException("buffers with a hidden counter run in Unity only; count in a buffer of your own with InterlockedAdd");
+            throw new NotSupportedException("buffers with a hidden counter run in Unity only; "
+                + "count in a buffer of your own with InterlockedAdd");
         Elements = new StructuredBuffer(nameof(ComputeBuffer), count, stride, (type & ComputeBufferType.Raw) != 0);
     }
 
@@ -55,13 +56,15 @@ public sealed class ComputeBuffer : IDisposable
     public void SetData<T>(List<T> data) where T : struct =>
         Elements.Set(data, 0, 0, data?.Count ?? 0);
 
-    public void SetData<T>(List<T> data, int managedBufferStartIndex, int computeBufferStartIndex, int count) where T : struct =>
+    public void SetData<T>(List<T> data, int managedBufferStartIndex, int computeBufferStartIndex, int count)
+        where T : struct =>
         Elements.Set(data, managedBufferStartIndex, computeBufferStartIndex, count);
 
     public void SetData<T>(NativeArray<T> data) where T : struct =>
         Elements.Set(data, 0, 0, data.Length);
 
-    public void SetData<T>(NativeArray<T> data, int nativeBufferStartIndex, int computeBufferStartIndex, int count) where T : struct =>
+    public void SetData<T>(NativeArray<T> data, int nativeBufferStartIndex, int computeBufferStartIndex, int count)
+        where T : struct =>
         Elements.Set(data, nativeBufferStartIndex, computeBufferStartIndex, count);
 
     public void GetData(Array data) => Elements.Get(data);

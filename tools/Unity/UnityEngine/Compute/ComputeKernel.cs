@@ -29,7 +29,8 @@ internal sealed class ComputeKernel : IDisposable
             {
                 _device = GraphicsDevice.Current;
                 _program = _device.CreateProgram(_load());
-                _uniforms = _program.Uniforms.Values.Select(uniform => (PropertyIds.Get(uniform.Name), uniform)).ToArray();
+                _uniforms =
+                    _program.Uniforms.Values.Select(uniform => (PropertyIds.Get(uniform.Name), uniform)).ToArray();
                 _slotIds = _program.Slots.Select(slot => PropertyIds.Get(slot.Name)).ToArray();
             }
             return _program;
@@ -38,7 +39,9 @@ internal sealed class ComputeKernel : IDisposable
 
     internal void Set(int id, StructuredBuffer buffer) => _set[id] = buffer;
 
-    /// <summary>Name of the first buffer that the kernel uses and that is not set or was released; null when it can run.</summary>
+    /// <summary>
+    /// Name of the first buffer that the kernel uses and that is not set or was released; null when it can run.
+    /// </summary>
     internal string FindMissing()
     {
         var slots = Program.Slots;
@@ -80,6 +83,8 @@ internal sealed class ComputeKernel : IDisposable
     {
         bool isRaw = buffer.IsRaw && slot.Stride == 4;
         if (slot.Stride != buffer.Stride && !isRaw)
-            throw new InvalidOperationException($"Compute shader ({shader}): kernel {Name} reads {slot.Name} as {slot.Element} of {slot.Stride} bytes, the buffer's stride is {buffer.Stride}; lay both structs out in rows of 16 bytes");
+            throw new InvalidOperationException($"Compute shader ({shader}): "
+                + $"kernel {Name} reads {slot.Name} as {slot.Element} of {slot.Stride} bytes, "
+                + $"the buffer's stride is {buffer.Stride}; lay both structs out in rows of 16 bytes");
     }
 }

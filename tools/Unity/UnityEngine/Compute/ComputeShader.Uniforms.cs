@@ -5,8 +5,9 @@ using Glint.Host;
 
 namespace UnityEngine;
 
-// Values are kept as the bytes given and copied to where the kernel declares the name, as Unity does: an array of floats
-// therefore needs the padding of HLSL's packing rules (one element in each row of 16 bytes). A name the kernel lacks is ignored.
+// Values are kept as the bytes given and copied to where the kernel declares the name, as Unity does:
+// an array of floats therefore needs the padding of HLSL's packing rules (one element in each row of 16 bytes).
+// A name the kernel lacks is ignored.
 public sealed partial class ComputeShader
 {
     readonly Dictionary<int, byte[]> _values = new();

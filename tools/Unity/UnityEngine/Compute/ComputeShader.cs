@@ -12,13 +12,17 @@ public sealed partial class ComputeShader : Object
 
     readonly ComputeKernel[] _kernels;
 
-    /// <summary>The kernels of a .compute file as they were compiled when this program was built; each is loaded when it is first used.</summary>
+    /// <summary>
+    /// The kernels of a .compute file as they were compiled when this program was built;
+    /// each is loaded when it is first used.
+    /// </summary>
     /// <param name="projectRoot">Folder whose files must still be those that were compiled.</param>
     /// <param name="computePath">Path of the .compute file from there.</param>
     internal ComputeShader(string name, string projectRoot, string computePath, IReadOnlyList<string> kernels)
     {
         this.name = name;
-        _kernels = kernels.Select(kernel => new ComputeKernel(kernel, () => ShaderLibrary.Load(projectRoot, computePath, kernel))).ToArray();
+        _kernels = kernels.Select(
+            kernel => new ComputeKernel(kernel, () => ShaderLibrary.Load(projectRoot, computePath, kernel))).ToArray();
     }
 
     public int FindKernel(string name)
@@ -29,15 +33,19 @@ public sealed partial class ComputeShader : Object
 
     public bool HasKernel(string name) => IndexOf(name) >= 0;
 
-    /// <summary>False without a graphics device; what else keeps the kernel from running is thrown with its reason.</summary>
+    /// <summary>
+    /// False without a graphics device; what else keeps the kernel from running is thrown with its reason.
+    /// </summary>
     public bool IsSupported(int kernelIndex) => !GraphicsDevice.IsNull && Kernel(kernelIndex).Program != null;
 
     public void GetKernelThreadGroupSizes(int kernelIndex, out uint x, out uint y, out uint z) =>
         (x, y, z) = Kernel(kernelIndex).Program.GroupSize;
 
-    public void SetBuffer(int kernelIndex, string name, ComputeBuffer buffer) => SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer);
+    public void SetBuffer(int kernelIndex, string name, ComputeBuffer buffer) =>
+        SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer);
 
-    public void SetBuffer(int kernelIndex, string name, GraphicsBuffer buffer) => SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer);
+    public void SetBuffer(int kernelIndex, string name, GraphicsBuffer buffer) =>
+        SetBuffer(kernelIndex, Shader.PropertyToID(name), buffer);
 
     public void SetBuffer(int kernelIndex, int nameID, ComputeBuffer buffer) =>
         Kernel(kernelIndex).Set(nameID, (buffer ?? throw new ArgumentNullException(nameof(buffer))).Elements);
@@ -53,9 +61,11 @@ public sealed partial class ComputeShader : Object
         if (least <= 0)
             Debug.LogError("Thread group count must be above zero", this);
         else if (most > MaxGroups)
-            Debug.LogError($"Thread group count is above the maximum allowed limit. Maximum allowed thread group count is {MaxGroups}", this);
+            Debug.LogError("Thread group count is above the maximum allowed limit. "
+                + $"Maximum allowed thread group count is {MaxGroups}", this);
         else if (kernel.FindMissing() is { } missing)
-            Debug.LogError($"Compute shader ({Name}): Property ({missing}) at kernel index ({kernelIndex}) is not set", this);
+            Debug.LogError(
+                $"Compute shader ({Name}): Property ({missing}) at kernel index ({kernelIndex}) is not set", this);
         else
             kernel.Dispatch(Name, _values, (uint)threadGroupsX, (uint)threadGroupsY, (uint)threadGroupsZ);
     }
@@ -76,7 +86,8 @@ public sealed partial class ComputeShader : Object
     {
         EnsureAlive();
         if (index < 0 || index >= _kernels.Length)
-            throw new IndexOutOfRangeException($"Invalid kernelIndex ({index}) passed, must be non-negative less than {_kernels.Length}.");
+            throw new IndexOutOfRangeException($"Invalid kernelIndex ({index}) passed, "
+                + $"must be non-negative less than {_kernels.Length}.");
         return _kernels[index];
     }
 }

@@ -15,7 +15,8 @@ public sealed class GraphicsBuffer : IDisposable
     public GraphicsBuffer(Target target, UsageFlags usageFlags, int count, int stride)
     {
         if ((target & (Target.Append | Target.Counter)) != 0)
-            throw new NotSupportedException("buffers with a hidden counter run in Unity only; count in a buffer of your own with InterlockedAdd");
+            throw new NotSupportedException("buffers with a hidden counter run in Unity only; "
+                + "count in a buffer of your own with InterlockedAdd");
         this.target = target;
         this.usageFlags = usageFlags;
         Elements = new StructuredBuffer(nameof(GraphicsBuffer), count, stride, (target & Target.Raw) != 0);
@@ -78,13 +79,15 @@ public sealed class GraphicsBuffer : IDisposable
     public void SetData<T>(List<T> data) where T : struct =>
         Elements.Set(data, 0, 0, data?.Count ?? 0);
 
-    public void SetData<T>(List<T> data, int managedBufferStartIndex, int graphicsBufferStartIndex, int count) where T : struct =>
+    public void SetData<T>(List<T> data, int managedBufferStartIndex, int graphicsBufferStartIndex, int count)
+        where T : struct =>
         Elements.Set(data, managedBufferStartIndex, graphicsBufferStartIndex, count);
 
     public void SetData<T>(NativeArray<T> data) where T : struct =>
         Elements.Set(data, 0, 0, data.Length);
 
-    public void SetData<T>(NativeArray<T> data, int nativeBufferStartIndex, int graphicsBufferStartIndex, int count) where T : struct =>
+    public void SetData<T>(NativeArray<T> data, int nativeBufferStartIndex, int graphicsBufferStartIndex, int count)
+        where T : struct =>
         Elements.Set(data, nativeBufferStartIndex, graphicsBufferStartIndex, count);
 
     public void GetData(Array data) => Elements.Get(data);

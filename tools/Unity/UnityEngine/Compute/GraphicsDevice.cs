@@ -11,10 +11,14 @@ public static class GraphicsDevice
     static VulkanDevice _device;
     static string _selector;
 
-    /// <summary>As with Unity's -nographics: there is no device, SystemInfo says so, and nothing can be created.</summary>
+    /// <summary>
+    /// As with Unity's -nographics: there is no device, SystemInfo says so, and nothing can be created.
+    /// </summary>
     public static bool IsNull { get; set; }
 
-    /// <summary>The device that <see cref="Engine.DeviceSelector"/> names; another selector closes it and opens another.</summary>
+    /// <summary>
+    /// The device that <see cref="Engine.DeviceSelector"/> names; another selector closes it and opens another.
+    /// </summary>
     public static VulkanDevice Current
     {
         get
@@ -40,7 +44,10 @@ public static class GraphicsDevice
         _device = null;
     }
 
-    /// <summary>Keeps a buffer that the garbage collector found, on its own thread, for <see cref="CollectLeaks"/> on the main one.</summary>
+    /// <summary>
+    /// Keeps a buffer that the garbage collector found, on its own thread,
+    /// for <see cref="CollectLeaks"/> on the main one.
+    /// </summary>
     internal static void Leak(string kind, GpuBuffer buffer) => _leaked.Enqueue((kind, buffer));
 
     /// <summary>Warns of buffers that nobody released, as Unity does, and releases them.</summary>
@@ -49,7 +56,8 @@ public static class GraphicsDevice
         while (_leaked.TryDequeue(out var leak))
         {
             leak.Buffer.Dispose();
-            Debug.LogWarning($"GarbageCollector disposing of {leak.Kind}. Please use {leak.Kind}.Release() or .Dispose() to manually release the buffer.");
+            Debug.LogWarning($"GarbageCollector disposing of {leak.Kind}. "
+                + $"Please use {leak.Kind}.Release() or .Dispose() to manually release the buffer.");
         }
     }
 }

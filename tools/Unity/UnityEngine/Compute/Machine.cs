@@ -12,7 +12,8 @@ internal static class Machine
 
     /// <summary>Kernel, distribution and word size, as in "Linux 6.1.0 Debian GNU/Linux 12 (bookworm) 64bit".</summary>
     internal static string OperatingSystem { get; } =
-        $"{(System.OperatingSystem.IsLinux() ? "Linux " : "")}{Environment.OSVersion.Version.ToString(3)} {RuntimeInformation.OSDescription} {IntPtr.Size * 8}bit";
+        $"{(System.OperatingSystem.IsLinux() ? "Linux " : "")}{Environment.OSVersion.Version.ToString(3)} "
+        + $"{RuntimeInformation.OSDescription} {IntPtr.Size * 8}bit";
 
     /// <summary>The processor's model as Linux names it, elsewhere its architecture.</summary>
     internal static string Processor { get; } = ReadProcessor() ?? RuntimeInformation.ProcessArchitecture.ToString();

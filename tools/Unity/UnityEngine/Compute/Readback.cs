@@ -7,7 +7,8 @@ using UnityEngine.Rendering;
 namespace Glint.Host;
 
 /// <summary>
-/// One asynchronous read-back. The bytes are taken at once, so they are those of the moment of the request whatever is dispatched later;
+/// One asynchronous read-back. The bytes are taken at once,
+/// so they are those of the moment of the request whatever is dispatched later;
 /// they are handed over in a later frame, as in Unity, and stay for one frame.
 /// </summary>
 internal sealed class Readback
@@ -16,13 +17,16 @@ internal sealed class Readback
     readonly Action<NativeArray<byte>> _store;
     NativeArray<byte> _data;
 
-    internal Readback(StructuredBuffer source, long size, long offset, Action<NativeArray<byte>> store, Action<AsyncGPUReadbackRequest> callback)
+    internal Readback(StructuredBuffer source, long size, long offset, Action<NativeArray<byte>> store,
+        Action<AsyncGPUReadbackRequest> callback)
     {
         if (offset < 0 || size <= 0 || size > source.Bytes - offset)
-            throw new ArgumentException($"bytes {offset:N0} to {offset + size:N0} lie outside a buffer of {source.Bytes:N0} bytes");
+            throw new ArgumentException($"bytes {offset:N0} to {offset + size:N0} lie outside a buffer of "
+                + $"{source.Bytes:N0} bytes");
         _store = store;
         _callback = callback;
-        _data = new NativeArray<byte>((int)Math.Min(size, Array.MaxLength), Allocator.Persistent, NativeArrayOptions.UninitializedMemory);
+        _data = new NativeArray<byte>((int)Math.Min(size, Array.MaxLength), Allocator.Persistent,
+            NativeArrayOptions.UninitializedMemory);
         source.Gpu.Read(_data.AsSpan(), offset);
         Size = _data.Length;
     }
@@ -65,7 +69,8 @@ internal sealed class Readback
     internal NativeArray<T> Data<T>() where T : struct
     {
         if (!IsDone || HasError)
-            throw new InvalidOperationException("the data of this read-back is not there: it is from the frame in which the request is done to the next, if it has no error");
+            throw new InvalidOperationException("the data of this read-back is not there: "
+                + "it is from the frame in which the request is done to the next, if it has no error");
         int count = Size / Unsafe.SizeOf<T>();
         return _data.GetSubArray(0, count * Unsafe.SizeOf<T>()).Reinterpret<T>(1);
     }

@@ -8,7 +8,9 @@ using Unity.Collections;
 
 namespace Glint.Host;
 
-/// <summary>What ComputeBuffer and GraphicsBuffer share: elements on the device, and Unity's checks of what goes in and out.</summary>
+/// <summary>
+/// What ComputeBuffer and GraphicsBuffer share: elements on the device, and Unity's checks of what goes in and out.
+/// </summary>
 internal sealed class StructuredBuffer
 {
     const int StrideLimit = 2048;
@@ -25,12 +27,14 @@ internal sealed class StructuredBuffer
         if (count <= 0)
             throw new ArgumentException($"a {kind} needs at least one element, not {count}", nameof(count));
         if (stride <= 0 || stride % 4 != 0 || stride >= StrideLimit)
-            throw new ArgumentException($"the stride of a {kind} must be a multiple of 4 from 4 to {StrideLimit - 4} bytes, not {stride}", nameof(stride));
+            throw new ArgumentException($"the stride of a {kind} must be a multiple of 4 from 4 to {StrideLimit - 4} "
+                + $"bytes, not {stride}", nameof(stride));
         GraphicsDevice.CollectLeaks();
         _device = GraphicsDevice.Current;
         long bytes = (long)count * stride, most = _device.Limits.MaxStorageBufferRange;
         if (bytes > most)
-            throw new ArgumentException($"a {kind} of {count:N0} elements of {stride} bytes takes {bytes:N0} bytes, {_device.Info.Name} at most {most:N0} (SystemInfo.maxGraphicsBufferSize)", nameof(count));
+            throw new ArgumentException($"a {kind} of {count:N0} elements of {stride} bytes takes {bytes:N0} bytes, "
+                + $"{_device.Info.Name} at most {most:N0} (SystemInfo.maxGraphicsBufferSize)", nameof(count));
 
         _kind = kind;
         Count = count;
@@ -71,7 +75,8 @@ internal sealed class StructuredBuffer
         int size = ElementSize(data);
         CheckPart(data.Length, dataStart, count);
         CheckRange((long)count * size, bufferStart, size);
-        Write(ref MemoryMarshal.GetArrayDataReference(data), (long)dataStart * size, (long)bufferStart * size, (long)count * size);
+        Write(ref MemoryMarshal.GetArrayDataReference(data), (long)dataStart * size,
+            (long)bufferStart * size, (long)count * size);
     }
 
     internal void Set<T>(List<T> data, int dataStart, int bufferStart, int count) where T : struct
@@ -101,7 +106,8 @@ internal sealed class StructuredBuffer
         int size = Unsafe.SizeOf<T>();
         CheckPart(data.Length, dataStart, count);
         CheckRange((long)count * size, bufferStart, size);
-        Write(ref Unsafe.As<T, byte>(ref MemoryMarshal.GetReference(data)), (long)dataStart * size, (long)bufferStart * size, (long)count * size);
+        Write(ref Unsafe.As<T, byte>(ref MemoryMarshal.GetReference(data)), (long)dataStart * size,
+            (long)bufferStart * size, (long)count * size);
     }
 
     void Write(ref byte first, long start, long bufferOffset, long end)
@@ -111,21 +117,24 @@ internal sealed class StructuredBuffer
     }
 
     static Span<byte> Slice(ref byte first, long start, long left) =>
-        MemoryMarshal.CreateSpan(ref Unsafe.AddByteOffset(ref first, (nint)start), (int)Math.Min(left, MostBytesAtOnce));
+        MemoryMarshal.CreateSpan(ref Unsafe.AddByteOffset(ref first, (nint)start),
+            (int)Math.Min(left, MostBytesAtOnce));
 
     static T NotNull<T>(T data) where T : class => data ?? throw new ArgumentNullException(nameof(data));
 
     static void CheckPart(int length, int start, int count)
     {
         if (start < 0 || count < 0 || start > length - count)
-            throw new ArgumentOutOfRangeException(nameof(start), $"elements {start} to {(long)start + count} lie outside an array of {length}");
+            throw new ArgumentOutOfRangeException(nameof(start),
+                $"elements {start} to {(long)start + count} lie outside an array of {length}");
     }
 
     void CheckRange(long bytes, int start, int size)
     {
         _ = Gpu;
         if (start < 0 || bytes > Bytes - (long)start * size)
-            throw new ArgumentException($"bytes {(long)start * size:N0} to {(long)start * size + bytes:N0} lie outside this {_kind} of {Bytes:N0} bytes");
+            throw new ArgumentException($"bytes {(long)start * size:N0} to {(long)start * size + bytes:N0} lie outside "
+                + $"this {_kind} of {Bytes:N0} bytes");
     }
 
     // Asked of the runtime once a type: it takes longer than a small upload.
@@ -140,7 +149,8 @@ internal sealed class StructuredBuffer
     void CheckElement(Type element, bool hasReferences)
     {
         if (hasReferences)
-            throw new ArgumentException($"{element} holds references to managed objects; a {_kind} takes plain data only");
+            throw new ArgumentException($"{element} holds references to managed objects; "
+                + $"a {_kind} takes plain data only");
     }
 
     static (int Size, bool HasReferences) Describe(Type element) => element.IsValueType && !HasReferences(element)
@@ -148,5 +158,6 @@ internal sealed class StructuredBuffer
         : (0, true);
 
     static bool HasReferences(Type element) => (bool)typeof(RuntimeHelpers)
-        .GetMethod(nameof(RuntimeHelpers.IsReferenceOrContainsReferences)).MakeGenericMethod(element).Invoke(null, null);
+        .GetMethod(nameof(RuntimeHelpers.IsReferenceOrContainsReferences))
+        .MakeGenericMethod(element).Invoke(null, null);
 }

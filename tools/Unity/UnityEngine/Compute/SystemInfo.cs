@@ -23,7 +23,8 @@ public sealed class SystemInfo
 
     public static string deviceName => Environment.MachineName;
 
-    public static GraphicsDeviceType graphicsDeviceType => GraphicsDevice.IsNull ? GraphicsDeviceType.Null : GraphicsDeviceType.Vulkan;
+    public static GraphicsDeviceType graphicsDeviceType =>
+        GraphicsDevice.IsNull ? GraphicsDeviceType.Null : GraphicsDeviceType.Vulkan;
 
     public static string graphicsDeviceName => GraphicsDevice.IsNull ? "Null Device" : Device.Name;
 
@@ -33,13 +34,16 @@ public sealed class SystemInfo
 
     public static int graphicsDeviceID => GraphicsDevice.IsNull ? 0 : (int)Device.DeviceId;
 
-    public static string graphicsDeviceVersion => GraphicsDevice.IsNull ? "NULL 1.0" : $"Vulkan {Device.ApiVersion} [{Device.Driver}]";
+    public static string graphicsDeviceVersion =>
+        GraphicsDevice.IsNull ? "NULL 1.0" : $"Vulkan {Device.ApiVersion} [{Device.Driver}]";
 
-    public static int graphicsMemorySize => GraphicsDevice.IsNull ? 0 : (int)Math.Min(Limits.MemoryBytes / MegaByte, int.MaxValue);
+    public static int graphicsMemorySize =>
+        GraphicsDevice.IsNull ? 0 : (int)Math.Min(Limits.MemoryBytes / MegaByte, int.MaxValue);
 
     public static long maxGraphicsBufferSize => GraphicsDevice.IsNull ? 0 : Limits.MaxStorageBufferRange;
 
-    public static int maxConstantBufferSize => GraphicsDevice.IsNull ? 0 : (int)Math.Min(Limits.MaxUniformBufferRange, int.MaxValue);
+    public static int maxConstantBufferSize =>
+        GraphicsDevice.IsNull ? 0 : (int)Math.Min(Limits.MaxUniformBufferRange, int.MaxValue);
 
     public static bool supportsComputeShaders => !GraphicsDevice.IsNull;
 

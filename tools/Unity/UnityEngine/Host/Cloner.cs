@@ -6,7 +6,9 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Instantiate: a deep copy of an object with its hierarchy, as if it were written to a file and read back.</summary>
+/// <summary>
+/// Instantiate: a deep copy of an object with its hierarchy, as if it were written to a file and read back.
+/// </summary>
 internal static class Cloner
 {
     internal static Object Clone(Object original, Placement placement)

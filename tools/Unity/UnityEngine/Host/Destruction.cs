@@ -110,7 +110,8 @@ internal static class Destruction
         {
             Debug.LogError(
                 $"Can't destroy Transform component of '{item.Name}'. If you want to destroy the game object, please "
-                + "call 'Destroy' on the game object instead. Destroying the transform component is not allowed.", item);
+                + "call 'Destroy' on the game object instead. "
+                + "Destroying the transform component is not allowed.", item);
             return true;
         }
         return item is Component component && IsRequired(component);

@@ -85,7 +85,9 @@ public static class Engine
         FollowRequest();
     }
 
-    /// <summary>Leaves play mode, drops all scenes, and begins with one untitled scene. The open project stays.</summary>
+    /// <summary>
+    /// Leaves play mode, drops all scenes, and begins with one untitled scene. The open project stays.
+    /// </summary>
     public static void Reset()
     {
         ExitPlayMode();

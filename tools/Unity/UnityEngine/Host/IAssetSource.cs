@@ -4,7 +4,9 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>The project on disk, as the stand-ins need it. Paths are asset paths: Assets/... or Packages/name/...</summary>
+/// <summary>
+/// The project on disk, as the stand-ins need it. Paths are asset paths: Assets/... or Packages/name/...
+/// </summary>
 public interface IAssetSource
 {
     string ProjectRoot { get; }

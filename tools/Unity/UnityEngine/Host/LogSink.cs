@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>Where log messages are written: the console, warnings and worse to its error stream, or elsewhere.</summary>
+/// <summary>
+/// Where log messages are written: the console, warnings and worse to its error stream, or elsewhere.
+/// </summary>
 public static class LogSink
 {
     public static Action<LogType, string> Writer { get; set; } = ToConsole;

@@ -7,7 +7,9 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>What a script type answers to: its message methods, its execution order, whether it runs in edit mode.</summary>
+/// <summary>
+/// What a script type answers to: its message methods, its execution order, whether it runs in edit mode.
+/// </summary>
 internal sealed class Messages
 {
     const BindingFlags Declared =
@@ -39,7 +41,9 @@ internal sealed class Messages
 
     internal bool Has(string message) => Method(message) is not null;
 
-    /// <summary>Sends a message without arguments. An exception is logged with its object and goes no further.</summary>
+    /// <summary>
+    /// Sends a message without arguments. An exception is logged with its object and goes no further.
+    /// </summary>
     internal static object Call(Object target, string message)
     {
         MethodInfo method = Of(target.GetType()).Method(message);

@@ -9,7 +9,9 @@ namespace Glint.Host;
 /// <summary>How a loader makes objects: construct and attach, fill the fields, then awaken all at once.</summary>
 internal static class ObjectFactory
 {
-    /// <summary>A GameObject without components; one in no scene (default) is a prefab asset and stays asleep.</summary>
+    /// <summary>
+    /// A GameObject without components; one in no scene (default) is a prefab asset and stays asleep.
+    /// </summary>
     internal static GameObject NewGameObject(string name, Scene scene) =>
         ObjectRegistry.Make(true, () => new GameObject(name, scene.Data));
 

@@ -5,7 +5,9 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Instance ids, and everything alive by id: positive for what files hold, negative for what code makes.</summary>
+/// <summary>
+/// Instance ids, and everything alive by id: positive for what files hold, negative for what code makes.
+/// </summary>
 internal static class ObjectRegistry
 {
     static readonly object _lock = new();

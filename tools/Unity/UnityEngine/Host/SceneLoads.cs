@@ -15,7 +15,9 @@ internal static class SceneLoads
     /// <summary>Scene paths of the build settings, by which a scene can be loaded by its name alone.</summary>
     internal static List<string> BuildScenes { get; } = new();
 
-    /// <summary>The asset path that a name, a path without extension or a whole path stands for; null when there is none.</summary>
+    /// <summary>
+    /// The asset path that a name, a path without extension or a whole path stands for; null when there is none.
+    /// </summary>
     internal static string Resolve(string scene)
     {
         if (string.IsNullOrEmpty(scene))
@@ -36,7 +38,8 @@ internal static class SceneLoads
         if (path is null)
         {
             Debug.LogError(
-                $"Scene '{scene}' couldn't be loaded because it is neither a scene file of the project nor in its build settings.");
+                $"Scene '{scene}' couldn't be loaded because it is neither a scene file of the project nor in "
+                + "its build settings.");
             return null;
         }
         SceneData data = SceneRegistry.AddFile(path);

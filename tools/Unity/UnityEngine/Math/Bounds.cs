@@ -92,6 +92,7 @@ public struct Bounds : IEquatable<Bounds>, IFormattable
 
     public string ToString(string format, IFormatProvider formatProvider)
     {
-        return "Center: " + center.ToString(format, formatProvider) + ", Extents: " + extents.ToString(format, formatProvider);
+        return "Center: " + center.ToString(format, formatProvider) + ", Extents: "
+            + extents.ToString(format, formatProvider);
     }
 }

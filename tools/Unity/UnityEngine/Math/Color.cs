@@ -25,7 +25,14 @@ public struct Color : IEquatable<Color>, IFormattable
 
     public float this[int index]
     {
-        get => index switch { 0 => r, 1 => g, 2 => b, 3 => a, _ => throw new IndexOutOfRangeException($"Invalid Color index({index})!") };
+        get => index switch
+        {
+            0 => r,
+            1 => g,
+            2 => b,
+            3 => a,
+            _ => throw new IndexOutOfRangeException($"Invalid Color index({index})!")
+        };
         set
         {
             switch (index)
@@ -53,13 +60,15 @@ public struct Color : IEquatable<Color>, IFormattable
 
     public float grayscale => 0.299f * r + 0.587f * g + 0.114f * b;
     public float maxColorComponent => Mathf.Max(Mathf.Max(r, g), b);
-    public Color linear => new(Mathf.GammaToLinearSpace(r), Mathf.GammaToLinearSpace(g), Mathf.GammaToLinearSpace(b), a);
+    public Color linear =>
+        new(Mathf.GammaToLinearSpace(r), Mathf.GammaToLinearSpace(g), Mathf.GammaToLinearSpace(b), a);
     public Color gamma => new(Mathf.LinearToGammaSpace(r), Mathf.LinearToGammaSpace(g), Mathf.LinearToGammaSpace(b), a);
 
     public static Color Lerp(Color a, Color b, float t) => LerpUnclamped(a, b, Mathf.Clamp01(t));
     public static Color LerpUnclamped(Color a, Color b, float t) => Vector4.LerpUnclamped(a, b, t);
 
-    public static void RGBToHSV(Color rgbColor, out float H, out float S, out float V) => HueSaturationValue.FromColor(rgbColor, out H, out S, out V);
+    public static void RGBToHSV(Color rgbColor, out float H, out float S, out float V) =>
+        HueSaturationValue.FromColor(rgbColor, out H, out S, out V);
     public static Color HSVToRGB(float H, float S, float V) => HSVToRGB(H, S, V, true);
     public static Color HSVToRGB(float H, float S, float V, bool hdr) => HueSaturationValue.ToColor(H, S, V, hdr);
 
@@ -79,5 +88,6 @@ public struct Color : IEquatable<Color>, IFormattable
     public bool Equals(Color other) => ((Vector4)this).Equals((Vector4)other);
     public override string ToString() => ToString(null, null);
     public string ToString(string format) => ToString(format, null);
-    public string ToString(string format, IFormatProvider formatProvider) => "RGBA" + FloatFormat.Tuple(format, formatProvider, "F3", r, g, b, a);
+    public string ToString(string format, IFormatProvider formatProvider) =>
+        "RGBA" + FloatFormat.Tuple(format, formatProvider, "F3", r, g, b, a);
 }

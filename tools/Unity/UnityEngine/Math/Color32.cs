@@ -25,7 +25,14 @@ public struct Color32 : IEquatable<Color32>, IFormattable
 
     public byte this[int index]
     {
-        get => index switch { 0 => r, 1 => g, 2 => b, 3 => a, _ => throw new IndexOutOfRangeException($"Invalid Color32 index({index})!") };
+        get => index switch
+        {
+            0 => r,
+            1 => g,
+            2 => b,
+            3 => a,
+            _ => throw new IndexOutOfRangeException($"Invalid Color32 index({index})!")
+        };
         set
         {
             switch (index)
@@ -53,7 +60,8 @@ public struct Color32 : IEquatable<Color32>, IFormattable
     public bool Equals(Color32 other) => rgba == other.rgba;
     public override string ToString() => ToString(null, null);
     public string ToString(string format) => ToString(format, null);
-    public string ToString(string format, IFormatProvider formatProvider) => "RGBA" + FloatFormat.Tuple(format, formatProvider, r, g, b, a);
+    public string ToString(string format, IFormatProvider formatProvider) =>
+        "RGBA" + FloatFormat.Tuple(format, formatProvider, r, g, b, a);
 
     static byte Byte(float channel) => (byte)Mathf.Round(Mathf.Clamp01(channel) * 255f);
     static byte Mix(byte from, byte to, float t) => (byte)(from + (to - from) * t);

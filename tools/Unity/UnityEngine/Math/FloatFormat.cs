@@ -18,7 +18,8 @@ internal static class FloatFormat
 
     internal static string Text(float value, string format, IFormatProvider provider, string defaultFormat)
     {
-        return value.ToString(string.IsNullOrEmpty(format) ? defaultFormat : format, provider ?? CultureInfo.InvariantCulture.NumberFormat);
+        return value.ToString(string.IsNullOrEmpty(format) ? defaultFormat : format,
+            provider ?? CultureInfo.InvariantCulture.NumberFormat);
     }
 
     internal static string Tuple(string format, IFormatProvider provider, params int[] values)

@@ -50,9 +50,11 @@ public partial struct Matrix4x4
     public bool ValidTRS()
     {
         const float Skew = 1e-4f;
-        Vector3 a = MultiplyVector(Vector3.right).normalized, b = MultiplyVector(Vector3.up).normalized, c = MultiplyVector(Vector3.forward).normalized;
+        Vector3 a = MultiplyVector(Vector3.right).normalized, b = MultiplyVector(Vector3.up).normalized,
+            c = MultiplyVector(Vector3.forward).normalized;
         return m30 == 0f && m31 == 0f && m32 == 0f && m33 == 1f
-            && Mathf.Abs(Vector3.Dot(a, b)) < Skew && Mathf.Abs(Vector3.Dot(b, c)) < Skew && Mathf.Abs(Vector3.Dot(c, a)) < Skew;
+            && Mathf.Abs(Vector3.Dot(a, b)) < Skew && Mathf.Abs(Vector3.Dot(b, c)) < Skew
+            && Mathf.Abs(Vector3.Dot(c, a)) < Skew;
     }
 
     public void SetTRS(Vector3 pos, Quaternion q, Vector3 s) => this = TRS(pos, q, s);
@@ -84,7 +86,9 @@ public partial struct Matrix4x4
         return TRS(from, Quaternion.LookRotation(to - from, up), Vector3.one);
     }
 
-    /// <summary>As OpenGL's: the viewer looks along -z, depth from -1 (near) to 1. The vertical field of view in degrees.</summary>
+    /// <summary>
+    /// As OpenGL's: the viewer looks along -z, depth from -1 (near) to 1. The vertical field of view in degrees.
+    /// </summary>
     public static Matrix4x4 Perspective(float fov, float aspect, float zNear, float zFar)
     {
         double cotangent = 1.0 / Math.Tan(fov * (Math.PI / 360.0));
@@ -127,11 +131,13 @@ public partial struct Matrix4x4
         };
     }
 
-    public static Matrix4x4 Frustum(FrustumPlanes fp) => Frustum(fp.left, fp.right, fp.bottom, fp.top, fp.zNear, fp.zFar);
+    public static Matrix4x4 Frustum(FrustumPlanes fp) =>
+        Frustum(fp.left, fp.right, fp.bottom, fp.top, fp.zNear, fp.zFar);
 
     public Plane TransformPlane(Plane plane)
     {
-        Vector4 moved = Transpose(Inverse(this)) * new Vector4(plane.normal.x, plane.normal.y, plane.normal.z, plane.distance);
+        Vector4 moved =
+            Transpose(Inverse(this)) * new Vector4(plane.normal.x, plane.normal.y, plane.normal.z, plane.distance);
         return new Plane((Vector3)moved, moved.w);
     }
 

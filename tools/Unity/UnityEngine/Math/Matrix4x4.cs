@@ -95,7 +95,8 @@ public partial struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
     /// <summary>The right matrix is applied first.</summary>
     public static Matrix4x4 operator *(Matrix4x4 lhs, Matrix4x4 rhs)
     {
-        return new Matrix4x4(lhs * rhs.GetColumn(0), lhs * rhs.GetColumn(1), lhs * rhs.GetColumn(2), lhs * rhs.GetColumn(3));
+        return new Matrix4x4(lhs * rhs.GetColumn(0), lhs * rhs.GetColumn(1),
+            lhs * rhs.GetColumn(2), lhs * rhs.GetColumn(3));
     }
 
     public static Vector4 operator *(Matrix4x4 lhs, Vector4 vector)

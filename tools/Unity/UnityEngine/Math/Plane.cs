@@ -46,7 +46,9 @@ public struct Plane : IFormattable
     public bool GetSide(Vector3 point) => GetDistanceToPoint(point) > 0f;
     public bool SameSide(Vector3 inPt0, Vector3 inPt1) => GetSide(inPt0) == GetSide(inPt1);
 
-    /// <summary>Enter is negative, and the result false, where the plane lies behind; 0 when the ray runs along it.</summary>
+    /// <summary>
+    /// Enter is negative, and the result false, where the plane lies behind; 0 when the ray runs along it.
+    /// </summary>
     public bool Raycast(Ray ray, out float enter)
     {
         float slope = Vector3.Dot(ray.direction, m_Normal);
@@ -59,6 +61,7 @@ public struct Plane : IFormattable
 
     public string ToString(string format, IFormatProvider formatProvider)
     {
-        return $"(normal:{m_Normal.ToString(format, formatProvider)}, distance:{FloatFormat.Text(m_Distance, format, formatProvider, "F2")})";
+        return $"(normal:{m_Normal.ToString(format, formatProvider)}, "
+            + $"distance:{FloatFormat.Text(m_Distance, format, formatProvider, "F2")})";
     }
 }

@@ -22,7 +22,14 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
 
     public float this[int index]
     {
-        get => index switch { 0 => x, 1 => y, 2 => z, 3 => w, _ => throw new IndexOutOfRangeException("Invalid Quaternion index!") };
+        get => index switch
+        {
+            0 => x,
+            1 => y,
+            2 => z,
+            3 => w,
+            _ => throw new IndexOutOfRangeException("Invalid Quaternion index!")
+        };
         set
         {
             switch (index)
@@ -44,7 +51,8 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
     public void Normalize() => this = Normalize(this);
     public void SetLookRotation(Vector3 view) => this = LookRotation(view);
     public void SetLookRotation(Vector3 view, Vector3 up) => this = LookRotation(view, up);
-    public void SetFromToRotation(Vector3 fromDirection, Vector3 toDirection) => this = FromToRotation(fromDirection, toDirection);
+    public void SetFromToRotation(Vector3 fromDirection, Vector3 toDirection) =>
+        this = FromToRotation(fromDirection, toDirection);
 
     /// <summary>Angle in degrees; the axis of no rotation is x.</summary>
     public void ToAngleAxis(out float angle, out Vector3 axis)
@@ -67,7 +75,8 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
             return identity;
         double half = angle * (Math.PI / 360.0);
         double scale = Math.Sin(half) / length;
-        return new Quaternion((float)(axis.x * scale), (float)(axis.y * scale), (float)(axis.z * scale), (float)Math.Cos(half));
+        return new Quaternion((float)(axis.x * scale), (float)(axis.y * scale),
+            (float)(axis.z * scale), (float)Math.Cos(half));
     }
 
     public static Quaternion LookRotation(Vector3 forward) => LookRotation(forward, Vector3.up);
@@ -141,7 +150,9 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
     public static Quaternion Normalize(Quaternion q)
     {
         float length = Mathf.Sqrt(Dot(q, q));
-        return length < Mathf.Epsilon ? identity : new Quaternion(q.x / length, q.y / length, q.z / length, q.w / length);
+        return length < Mathf.Epsilon
+            ? identity
+            : new Quaternion(q.x / length, q.y / length, q.z / length, q.w / length);
     }
 
     /// <summary>The right rotation is applied first.</summary>
@@ -175,7 +186,8 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
     public bool Equals(Quaternion other) => x == other.x && y == other.y && z == other.z && w == other.w;
     public override string ToString() => ToString(null, null);
     public string ToString(string format) => ToString(format, null);
-    public string ToString(string format, IFormatProvider formatProvider) => FloatFormat.Tuple(format, formatProvider, "F5", x, y, z, w);
+    public string ToString(string format, IFormatProvider formatProvider) =>
+        FloatFormat.Tuple(format, formatProvider, "F5", x, y, z, w);
 
     static Quaternion Blend(Quaternion a, float weightA, Quaternion b, float weightB)
     {

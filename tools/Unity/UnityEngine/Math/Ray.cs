@@ -23,6 +23,7 @@ public struct Ray : IFormattable
 
     public string ToString(string format, IFormatProvider formatProvider)
     {
-        return "Origin: " + m_Origin.ToString(format, formatProvider) + ", Dir: " + m_Direction.ToString(format, formatProvider);
+        return "Origin: " + m_Origin.ToString(format, formatProvider) + ", Dir: "
+            + m_Direction.ToString(format, formatProvider);
     }
 }

@@ -40,13 +40,15 @@ public struct Rect : IEquatable<Rect>, IFormattable
     public float xMax { get => x + width; set => width = value - x; }
     public float yMax { get => y + height; set => height = value - y; }
 
-    public static Rect MinMaxRect(float xmin, float ymin, float xmax, float ymax) => new(xmin, ymin, xmax - xmin, ymax - ymin);
+    public static Rect MinMaxRect(float xmin, float ymin, float xmax, float ymax) =>
+        new(xmin, ymin, xmax - xmin, ymax - ymin);
     public void Set(float x, float y, float width, float height) => this = new Rect(x, y, width, height);
 
     /// <summary>The far edges do not belong to the rectangle.</summary>
     public bool Contains(Vector2 point) => point.x >= xMin && point.x < xMax && point.y >= yMin && point.y < yMax;
     public bool Contains(Vector3 point) => Contains((Vector2)point);
-    public bool Overlaps(Rect other) => other.xMax > xMin && other.xMin < xMax && other.yMax > yMin && other.yMin < yMax;
+    public bool Overlaps(Rect other) =>
+        other.xMax > xMin && other.xMin < xMax && other.yMax > yMin && other.yMin < yMax;
 
     public static Vector2 NormalizedToPoint(Rect rectangle, Vector2 normalizedRectCoordinates)
     {
@@ -62,10 +64,12 @@ public struct Rect : IEquatable<Rect>, IFormattable
             Mathf.InverseLerp(rectangle.y, rectangle.yMax, point.y));
     }
 
-    public static bool operator ==(Rect lhs, Rect rhs) => lhs.x == rhs.x && lhs.y == rhs.y && lhs.width == rhs.width && lhs.height == rhs.height;
+    public static bool operator ==(Rect lhs, Rect rhs) =>
+        lhs.x == rhs.x && lhs.y == rhs.y && lhs.width == rhs.width && lhs.height == rhs.height;
     public static bool operator !=(Rect lhs, Rect rhs) => !(lhs == rhs);
 
-    public override int GetHashCode() => x.GetHashCode() ^ (width.GetHashCode() << 2) ^ (y.GetHashCode() >> 2) ^ (height.GetHashCode() >> 1);
+    public override int GetHashCode() =>
+        x.GetHashCode() ^ (width.GetHashCode() << 2) ^ (y.GetHashCode() >> 2) ^ (height.GetHashCode() >> 1);
     public override bool Equals(object other) => other is Rect r && Equals(r);
     public bool Equals(Rect other) => position.Equals(other.position) && size.Equals(other.size);
     public override string ToString() => ToString(null, null);

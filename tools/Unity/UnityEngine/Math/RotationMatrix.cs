@@ -16,7 +16,10 @@ internal static class RotationMatrix
         forward = new Vector3(xz + wy, yz - wx, 1f - (xx + yy));
     }
 
-    /// <summary>Of orthonormal columns with determinant 1. The largest component comes from a root, so none is lost to cancellation.</summary>
+    /// <summary>
+    /// Of orthonormal columns with determinant 1. The largest component comes from a root,
+    /// so none is lost to cancellation.
+    /// </summary>
     internal static Quaternion ToQuaternion(Vector3 right, Vector3 up, Vector3 forward)
     {
         float xx = right.x, yy = up.y, zz = forward.z;

@@ -57,9 +57,11 @@ public struct Vector2 : IEquatable<Vector2>, IFormattable
     public float SqrMagnitude() => sqrMagnitude;
 
     public static Vector2 Lerp(Vector2 a, Vector2 b, float t) => LerpUnclamped(a, b, Mathf.Clamp01(t));
-    public static Vector2 LerpUnclamped(Vector2 a, Vector2 b, float t) => new(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t);
+    public static Vector2 LerpUnclamped(Vector2 a, Vector2 b, float t) =>
+        new(a.x + (b.x - a.x) * t, a.y + (b.y - a.y) * t);
     public static Vector2 Scale(Vector2 a, Vector2 b) => new(a.x * b.x, a.y * b.y);
-    public static Vector2 Reflect(Vector2 inDirection, Vector2 inNormal) => inDirection - 2f * Dot(inNormal, inDirection) * inNormal;
+    public static Vector2 Reflect(Vector2 inDirection, Vector2 inNormal) =>
+        inDirection - 2f * Dot(inNormal, inDirection) * inNormal;
     public static Vector2 Perpendicular(Vector2 inDirection) => new(-inDirection.y, inDirection.x);
     public static float Dot(Vector2 lhs, Vector2 rhs) => lhs.x * rhs.x + lhs.y * rhs.y;
     public static float Distance(Vector2 a, Vector2 b) => (a - b).magnitude;
@@ -83,7 +85,9 @@ public struct Vector2 : IEquatable<Vector2>, IFormattable
     public static float Angle(Vector2 from, Vector2 to)
     {
         float lengths = (float)Math.Sqrt(from.sqrMagnitude * to.sqrMagnitude);
-        return lengths < kEpsilonNormalSqrt ? 0f : Mathf.Acos(Mathf.Clamp(Dot(from, to) / lengths, -1f, 1f)) * Mathf.Rad2Deg;
+        return lengths < kEpsilonNormalSqrt
+            ? 0f
+            : Mathf.Acos(Mathf.Clamp(Dot(from, to) / lengths, -1f, 1f)) * Mathf.Rad2Deg;
     }
 
     /// <summary>Positive counter-clockwise, degrees.</summary>
@@ -110,5 +114,6 @@ public struct Vector2 : IEquatable<Vector2>, IFormattable
     public bool Equals(Vector2 other) => x == other.x && y == other.y;
     public override string ToString() => ToString(null, null);
     public string ToString(string format) => ToString(format, null);
-    public string ToString(string format, IFormatProvider formatProvider) => FloatFormat.Tuple(format, formatProvider, "F2", x, y);
+    public string ToString(string format, IFormatProvider formatProvider) =>
+        FloatFormat.Tuple(format, formatProvider, "F2", x, y);
 }

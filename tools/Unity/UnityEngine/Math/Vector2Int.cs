@@ -20,7 +20,12 @@ public struct Vector2Int : IEquatable<Vector2Int>, IFormattable
 
     public int this[int index]
     {
-        get => index switch { 0 => m_X, 1 => m_Y, _ => throw new IndexOutOfRangeException($"Invalid Vector2Int index addressed: {index}!") };
+        get => index switch
+        {
+            0 => m_X,
+            1 => m_Y,
+            _ => throw new IndexOutOfRangeException($"Invalid Vector2Int index addressed: {index}!")
+        };
         set
         {
             switch (index)
@@ -71,5 +76,6 @@ public struct Vector2Int : IEquatable<Vector2Int>, IFormattable
     public override int GetHashCode() => unchecked((x * 73856093) ^ (y * 83492791));
     public override string ToString() => ToString(null, null);
     public string ToString(string format) => ToString(format, null);
-    public string ToString(string format, IFormatProvider formatProvider) => FloatFormat.Tuple(format, formatProvider, x, y);
+    public string ToString(string format, IFormatProvider formatProvider) =>
+        FloatFormat.Tuple(format, formatProvider, x, y);
 }

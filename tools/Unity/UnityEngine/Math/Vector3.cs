@@ -25,7 +25,8 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
 
     public float this[int index]
     {
-        get => index switch { 0 => x, 1 => y, 2 => z, _ => throw new IndexOutOfRangeException("Invalid Vector3 index!") };
+        get =>
+            index switch { 0 => x, 1 => y, 2 => z, _ => throw new IndexOutOfRangeException("Invalid Vector3 index!") };
         set
         {
             switch (index)
@@ -46,8 +47,10 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     public static Vector3 down => new(0f, -1f, 0f);
     public static Vector3 left => new(-1f, 0f, 0f);
     public static Vector3 right => new(1f, 0f, 0f);
-    public static Vector3 positiveInfinity => new(float.PositiveInfinity, float.PositiveInfinity, float.PositiveInfinity);
-    public static Vector3 negativeInfinity => new(float.NegativeInfinity, float.NegativeInfinity, float.NegativeInfinity);
+    public static Vector3 positiveInfinity =>
+        new(float.PositiveInfinity, float.PositiveInfinity, float.PositiveInfinity);
+    public static Vector3 negativeInfinity =>
+        new(float.NegativeInfinity, float.NegativeInfinity, float.NegativeInfinity);
 
     public float magnitude => (float)Math.Sqrt(sqrMagnitude);
     public float sqrMagnitude => x * x + y * y + z * z;
@@ -121,7 +124,8 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     }
 
     public static float Dot(Vector3 lhs, Vector3 rhs) => lhs.x * rhs.x + lhs.y * rhs.y + lhs.z * rhs.z;
-    public static Vector3 Reflect(Vector3 inDirection, Vector3 inNormal) => inDirection - 2f * Dot(inNormal, inDirection) * inNormal;
+    public static Vector3 Reflect(Vector3 inDirection, Vector3 inNormal) =>
+        inDirection - 2f * Dot(inNormal, inDirection) * inNormal;
 
     public static Vector3 Project(Vector3 vector, Vector3 onNormal)
     {
@@ -134,10 +138,13 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     public static float Angle(Vector3 from, Vector3 to)
     {
         float lengths = (float)Math.Sqrt(from.sqrMagnitude * to.sqrMagnitude);
-        return lengths < kEpsilonNormalSqrt ? 0f : Mathf.Acos(Mathf.Clamp(Dot(from, to) / lengths, -1f, 1f)) * Mathf.Rad2Deg;
+        return lengths < kEpsilonNormalSqrt
+            ? 0f
+            : Mathf.Acos(Mathf.Clamp(Dot(from, to) / lengths, -1f, 1f)) * Mathf.Rad2Deg;
     }
 
-    public static float SignedAngle(Vector3 from, Vector3 to, Vector3 axis) => Angle(from, to) * Mathf.Sign(Dot(axis, Cross(from, to)));
+    public static float SignedAngle(Vector3 from, Vector3 to, Vector3 axis) =>
+        Angle(from, to) * Mathf.Sign(Dot(axis, Cross(from, to)));
     public static float Distance(Vector3 a, Vector3 b) => (a - b).magnitude;
 
     public static Vector3 ClampMagnitude(Vector3 vector, float maxLength)
@@ -172,10 +179,13 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
     public bool Equals(Vector3 other) => x == other.x && y == other.y && z == other.z;
     public override string ToString() => ToString(null, null);
     public string ToString(string format) => ToString(format, null);
-    public string ToString(string format, IFormatProvider formatProvider) => FloatFormat.Tuple(format, formatProvider, "F2", x, y, z);
+    public string ToString(string format, IFormatProvider formatProvider) =>
+        FloatFormat.Tuple(format, formatProvider, "F2", x, y, z);
 
     internal static Vector3 AnyPerpendicular(Vector3 unit)
     {
-        return Mathf.Abs(unit.z) > 0.7f ? Normalize(new Vector3(0f, -unit.z, unit.y)) : Normalize(new Vector3(-unit.y, unit.x, 0f));
+        return Mathf.Abs(unit.z) > 0.7f
+            ? Normalize(new Vector3(0f, -unit.z, unit.y))
+            : Normalize(new Vector3(-unit.y, unit.x, 0f));
     }
 }

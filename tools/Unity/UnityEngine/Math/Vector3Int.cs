@@ -29,7 +29,8 @@ public struct Vector3Int : IEquatable<Vector3Int>, IFormattable
     {
         get => index switch
         {
-            0 => m_X, 1 => m_Y, 2 => m_Z, _ => throw new IndexOutOfRangeException($"Invalid Vector3Int index addressed: {index}!")
+            0 => m_X, 1 => m_Y, 2 => m_Z, _ =>
+                throw new IndexOutOfRangeException($"Invalid Vector3Int index addressed: {index}!")
         };
         set
         {
@@ -60,12 +61,17 @@ public struct Vector3Int : IEquatable<Vector3Int>, IFormattable
     public void Clamp(Vector3Int min, Vector3Int max) => this = Min(max, Max(min, this));
 
     public static float Distance(Vector3Int a, Vector3Int b) => (a - b).magnitude;
-    public static Vector3Int Min(Vector3Int lhs, Vector3Int rhs) => new(Math.Min(lhs.x, rhs.x), Math.Min(lhs.y, rhs.y), Math.Min(lhs.z, rhs.z));
-    public static Vector3Int Max(Vector3Int lhs, Vector3Int rhs) => new(Math.Max(lhs.x, rhs.x), Math.Max(lhs.y, rhs.y), Math.Max(lhs.z, rhs.z));
+    public static Vector3Int Min(Vector3Int lhs, Vector3Int rhs) =>
+        new(Math.Min(lhs.x, rhs.x), Math.Min(lhs.y, rhs.y), Math.Min(lhs.z, rhs.z));
+    public static Vector3Int Max(Vector3Int lhs, Vector3Int rhs) =>
+        new(Math.Max(lhs.x, rhs.x), Math.Max(lhs.y, rhs.y), Math.Max(lhs.z, rhs.z));
     public static Vector3Int Scale(Vector3Int a, Vector3Int b) => a * b;
-    public static Vector3Int FloorToInt(Vector3 v) => new(Mathf.FloorToInt(v.x), Mathf.FloorToInt(v.y), Mathf.FloorToInt(v.z));
-    public static Vector3Int CeilToInt(Vector3 v) => new(Mathf.CeilToInt(v.x), Mathf.CeilToInt(v.y), Mathf.CeilToInt(v.z));
-    public static Vector3Int RoundToInt(Vector3 v) => new(Mathf.RoundToInt(v.x), Mathf.RoundToInt(v.y), Mathf.RoundToInt(v.z));
+    public static Vector3Int FloorToInt(Vector3 v) =>
+        new(Mathf.FloorToInt(v.x), Mathf.FloorToInt(v.y), Mathf.FloorToInt(v.z));
+    public static Vector3Int CeilToInt(Vector3 v) =>
+        new(Mathf.CeilToInt(v.x), Mathf.CeilToInt(v.y), Mathf.CeilToInt(v.z));
+    public static Vector3Int RoundToInt(Vector3 v) =>
+        new(Mathf.RoundToInt(v.x), Mathf.RoundToInt(v.y), Mathf.RoundToInt(v.z));
 
     public static implicit operator Vector3(Vector3Int v) => new(v.x, v.y, v.z);
     public static explicit operator Vector2Int(Vector3Int v) => new(v.x, v.y);
@@ -76,7 +82,8 @@ public struct Vector3Int : IEquatable<Vector3Int>, IFormattable
     public static Vector3Int operator *(int a, Vector3Int b) => new(a * b.x, a * b.y, a * b.z);
     public static Vector3Int operator *(Vector3Int a, int b) => new(a.x * b, a.y * b, a.z * b);
     public static Vector3Int operator /(Vector3Int a, int b) => new(a.x / b, a.y / b, a.z / b);
-    public static bool operator ==(Vector3Int lhs, Vector3Int rhs) => lhs.x == rhs.x && lhs.y == rhs.y && lhs.z == rhs.z;
+    public static bool operator ==(Vector3Int lhs, Vector3Int rhs) =>
+        lhs.x == rhs.x && lhs.y == rhs.y && lhs.z == rhs.z;
     public static bool operator !=(Vector3Int lhs, Vector3Int rhs) => !(lhs == rhs);
 
     public override bool Equals(object other) => other is Vector3Int v && Equals(v);
@@ -84,5 +91,6 @@ public struct Vector3Int : IEquatable<Vector3Int>, IFormattable
     public override int GetHashCode() => unchecked((x * 73856093) ^ (y * 19349663) ^ (z * 83492791));
     public override string ToString() => ToString(null, null);
     public string ToString(string format) => ToString(format, null);
-    public string ToString(string format, IFormatProvider formatProvider) => FloatFormat.Tuple(format, formatProvider, x, y, z);
+    public string ToString(string format, IFormatProvider formatProvider) =>
+        FloatFormat.Tuple(format, formatProvider, x, y, z);
 }

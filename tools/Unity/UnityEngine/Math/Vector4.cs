@@ -30,7 +30,14 @@ public struct Vector4 : IEquatable<Vector4>, IFormattable
 
     public float this[int index]
     {
-        get => index switch { 0 => x, 1 => y, 2 => z, 3 => w, _ => throw new IndexOutOfRangeException("Invalid Vector4 index!") };
+        get => index switch
+        {
+            0 => x,
+            1 => y,
+            2 => z,
+            3 => w,
+            _ => throw new IndexOutOfRangeException("Invalid Vector4 index!")
+        };
         set
         {
             switch (index)
@@ -46,8 +53,10 @@ public struct Vector4 : IEquatable<Vector4>, IFormattable
 
     public static Vector4 zero => default;
     public static Vector4 one => new(1f, 1f, 1f, 1f);
-    public static Vector4 positiveInfinity => new(float.PositiveInfinity, float.PositiveInfinity, float.PositiveInfinity, float.PositiveInfinity);
-    public static Vector4 negativeInfinity => new(float.NegativeInfinity, float.NegativeInfinity, float.NegativeInfinity, float.NegativeInfinity);
+    public static Vector4 positiveInfinity =>
+        new(float.PositiveInfinity, float.PositiveInfinity, float.PositiveInfinity, float.PositiveInfinity);
+    public static Vector4 negativeInfinity =>
+        new(float.NegativeInfinity, float.NegativeInfinity, float.NegativeInfinity, float.NegativeInfinity);
 
     public float magnitude => (float)Math.Sqrt(sqrMagnitude);
     public float sqrMagnitude => Dot(this, this);
@@ -80,12 +89,14 @@ public struct Vector4 : IEquatable<Vector4>, IFormattable
 
     public static Vector4 Min(Vector4 lhs, Vector4 rhs)
     {
-        return new Vector4(Mathf.Min(lhs.x, rhs.x), Mathf.Min(lhs.y, rhs.y), Mathf.Min(lhs.z, rhs.z), Mathf.Min(lhs.w, rhs.w));
+        return new Vector4(Mathf.Min(lhs.x, rhs.x), Mathf.Min(lhs.y, rhs.y), Mathf.Min(lhs.z, rhs.z),
+            Mathf.Min(lhs.w, rhs.w));
     }
 
     public static Vector4 Max(Vector4 lhs, Vector4 rhs)
     {
-        return new Vector4(Mathf.Max(lhs.x, rhs.x), Mathf.Max(lhs.y, rhs.y), Mathf.Max(lhs.z, rhs.z), Mathf.Max(lhs.w, rhs.w));
+        return new Vector4(Mathf.Max(lhs.x, rhs.x), Mathf.Max(lhs.y, rhs.y), Mathf.Max(lhs.z, rhs.z),
+            Mathf.Max(lhs.w, rhs.w));
     }
 
     public static Vector4 operator +(Vector4 a, Vector4 b) => new(a.x + b.x, a.y + b.y, a.z + b.z, a.w + b.w);
@@ -110,5 +121,6 @@ public struct Vector4 : IEquatable<Vector4>, IFormattable
     public bool Equals(Vector4 other) => x == other.x && y == other.y && z == other.z && w == other.w;
     public override string ToString() => ToString(null, null);
     public string ToString(string format) => ToString(format, null);
-    public string ToString(string format, IFormatProvider formatProvider) => FloatFormat.Tuple(format, formatProvider, "F2", x, y, z, w);
+    public string ToString(string format, IFormatProvider formatProvider) =>
+        FloatFormat.Tuple(format, formatProvider, "F2", x, y, z, w);
 }

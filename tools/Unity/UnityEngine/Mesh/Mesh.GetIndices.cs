@@ -41,7 +41,8 @@ public sealed partial class Mesh
     }
 
     public void GetTriangles(List<int> triangles, int submesh) => GetTriangles(triangles, submesh, true);
-    public void GetTriangles(List<int> triangles, int submesh, bool applyBaseVertex) => Fill(triangles, GetTriangles(submesh, applyBaseVertex));
+    public void GetTriangles(List<int> triangles, int submesh, bool applyBaseVertex) =>
+        Fill(triangles, GetTriangles(submesh, applyBaseVertex));
     public int[] GetIndices(int submesh) => GetIndices(submesh, true);
 
     public int[] GetIndices(int submesh, bool applyBaseVertex)

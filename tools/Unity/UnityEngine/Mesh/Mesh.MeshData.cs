@@ -30,7 +30,9 @@ public sealed partial class Mesh
         {
             if (mesh == null)
                 throw new ArgumentNullException(nameof(mesh), "Mesh is null.");
-            return mesh.isReadable ? mesh.Contents.Copy() : throw new InvalidOperationException(mesh.Refusal("vertex data"));
+            return mesh.isReadable
+                ? mesh.Contents.Copy()
+                : throw new InvalidOperationException(mesh.Refusal("vertex data"));
         }
     }
 
@@ -57,7 +59,8 @@ public sealed partial class Mesh
         public SubMeshDescriptor GetSubMesh(int index)
         {
             if (index < 0 || index >= subMeshCount)
-                throw new IndexOutOfRangeException($"Specified sub mesh ({index}) is out of range. Must be greater or equal to 0 and less than {subMeshCount}.");
+                throw new IndexOutOfRangeException($"Specified sub mesh ({index}) is out of range. "
+                    + $"Must be greater or equal to 0 and less than {subMeshCount}.");
             return _contents.SubMeshes[index];
         }
 
@@ -89,7 +92,8 @@ public sealed partial class Mesh
             where T : struct
         {
             if (output.Length < needed)
-                throw new InvalidOperationException($"The output array has {output.Length} elements, and {needed} are needed.");
+                throw new InvalidOperationException($"The output array has {output.Length} elements, "
+                    + $"and {needed} are needed.");
             return output.AsSpan();
         }
     }

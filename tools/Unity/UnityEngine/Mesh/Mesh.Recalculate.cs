@@ -17,7 +17,9 @@ public sealed partial class Mesh
 
     public void RecalculateNormals() => RecalculateNormals(MeshUpdateFlags.Default);
 
-    /// <summary>Of the faces about each vertex, weighted by area; faces turn clockwise about their normal (left-handed).</summary>
+    /// <summary>
+    /// Of the faces about each vertex, weighted by area; faces turn clockwise about their normal (left-handed).
+    /// </summary>
     public void RecalculateNormals(MeshUpdateFlags flags)
     {
         if (!CanAccess("normals"))

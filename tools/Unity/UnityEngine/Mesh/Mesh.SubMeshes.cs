@@ -12,7 +12,8 @@ public sealed partial class Mesh
         set
         {
             if (value < 0)
-                throw new ArgumentOutOfRangeException(nameof(value), value, "subMeshCount can't be set to negative value");
+                throw new ArgumentOutOfRangeException(nameof(value), value,
+                    "subMeshCount can't be set to negative value");
             var parts = Contents.SubMeshes;
             if (value < parts.Count)
                 parts.RemoveRange(value, parts.Count - value);
@@ -39,9 +40,11 @@ public sealed partial class Mesh
     public void SetSubMesh(int index, SubMeshDescriptor desc, MeshUpdateFlags flags = MeshUpdateFlags.Default)
     {
         Checked(index);
-        if (desc.indexStart < 0 || desc.indexCount < 0 || desc.indexStart + (long)desc.indexCount > Contents.Indices.Length)
+        if (desc.indexStart < 0 || desc.indexCount < 0
+            || desc.indexStart + (long)desc.indexCount > Contents.Indices.Length)
         {
-            throw new ArgumentException($"Submesh {index} of mesh '{name}' takes indices {desc.indexStart} to {desc.indexStart + (long)desc.indexCount}, "
+            throw new ArgumentException($"Submesh {index} of mesh '{name}' takes indices {desc.indexStart} to "
+                + $"{desc.indexStart + (long)desc.indexCount}, "
                 + $"and the index buffer has {Contents.Indices.Length}.");
         }
         Contents.SubMeshes[index] = desc;
@@ -65,7 +68,8 @@ public sealed partial class Mesh
     int Checked(int index)
     {
         if (index < 0 || index >= subMeshCount)
-            throw new IndexOutOfRangeException($"Specified sub mesh ({index}) is out of range. Must be greater or equal to 0 and less than {subMeshCount}.");
+            throw new IndexOutOfRangeException($"Specified sub mesh ({index}) is out of range. "
+                + $"Must be greater or equal to 0 and less than {subMeshCount}.");
         return index;
     }
 }

@@ -16,14 +16,21 @@ public sealed partial class Mesh
 
     public void GetVertices(List<Vector3> vertices) => Read("vertices", Contents.Vertices, vertices);
     public void SetVertices(List<Vector3> inVertices) => StoreVertices(CollectionsMarshal.AsSpan(inVertices));
-    public void SetVertices(List<Vector3> inVertices, int start, int length) => StoreVertices(CollectionsMarshal.AsSpan(inVertices).Slice(start, length));
-    public void SetVertices(List<Vector3> inVertices, int start, int length, MeshUpdateFlags flags) => SetVertices(inVertices, start, length);
+    public void SetVertices(List<Vector3> inVertices, int start, int length) =>
+        StoreVertices(CollectionsMarshal.AsSpan(inVertices).Slice(start, length));
+    public void SetVertices(List<Vector3> inVertices, int start, int length, MeshUpdateFlags flags) =>
+        SetVertices(inVertices, start, length);
     public void SetVertices(Vector3[] inVertices) => StoreVertices(inVertices);
-    public void SetVertices(Vector3[] inVertices, int start, int length) => StoreVertices(inVertices.AsSpan(start, length));
-    public void SetVertices(Vector3[] inVertices, int start, int length, MeshUpdateFlags flags) => SetVertices(inVertices, start, length);
-    public void SetVertices<T>(NativeArray<T> inVertices) where T : struct => StoreVertices(Cast<T, Vector3>(inVertices.AsSpan()));
-    public void SetVertices<T>(NativeArray<T> inVertices, int start, int length) where T : struct => StoreVertices(Cast<T, Vector3>(inVertices.AsSpan().Slice(start, length)));
-    public void SetVertices<T>(NativeArray<T> inVertices, int start, int length, MeshUpdateFlags flags) where T : struct => SetVertices(inVertices, start, length);
+    public void SetVertices(Vector3[] inVertices, int start, int length) =>
+        StoreVertices(inVertices.AsSpan(start, length));
+    public void SetVertices(Vector3[] inVertices, int start, int length, MeshUpdateFlags flags) =>
+        SetVertices(inVertices, start, length);
+    public void SetVertices<T>(NativeArray<T> inVertices) where T : struct =>
+        StoreVertices(Cast<T, Vector3>(inVertices.AsSpan()));
+    public void SetVertices<T>(NativeArray<T> inVertices, int start, int length) where T : struct =>
+        StoreVertices(Cast<T, Vector3>(inVertices.AsSpan().Slice(start, length)));
+    public void SetVertices<T>(NativeArray<T> inVertices, int start, int length, MeshUpdateFlags flags)
+        where T : struct => SetVertices(inVertices, start, length);
 
     void StoreVertices(ReadOnlySpan<Vector3> values)
     {
@@ -33,7 +40,8 @@ public sealed partial class Mesh
         {
             if (part.indexCount > 0 && part.firstVertex + part.vertexCount > values.Length)
             {
-                Debug.LogError("Mesh.vertices is too small. The supplied vertex array has less vertices than are referenced by the triangles array.", this);
+                Debug.LogError("Mesh.vertices is too small. "
+                    + "The supplied vertex array has less vertices than are referenced by the triangles array.", this);
                 return;
             }
         }
@@ -47,7 +55,8 @@ public sealed partial class Mesh
             return current;
         if (values.Length == 0 || values.Length == vertexCount)
             return values.ToArray();
-        Debug.LogError($"Mesh.{what} is out of bounds. The supplied array needs to be the same size as the Mesh.vertices array.", this);
+        Debug.LogError($"Mesh.{what} is out of bounds. "
+            + "The supplied array needs to be the same size as the Mesh.vertices array.", this);
         return current;
     }
 
@@ -68,7 +77,8 @@ public sealed partial class Mesh
     {
         int given = Marshal.SizeOf<TFrom>(), needed = Marshal.SizeOf<TTo>();
         if (given != needed)
-            throw new ArgumentException($"The array's elements ({typeof(TFrom).Name}) have {given} bytes, and {typeof(TTo).Name} has {needed}.");
+            throw new ArgumentException($"The array's elements ({typeof(TFrom).Name}) have {given} bytes, "
+                + $"and {typeof(TTo).Name} has {needed}.");
         return MemoryMarshal.Cast<TFrom, TTo>(data);
     }
 }

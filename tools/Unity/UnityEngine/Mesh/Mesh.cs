@@ -73,6 +73,7 @@ public sealed partial class Mesh : Object
 
     string Refusal(string what)
     {
-        return $"Not allowed to access {what} on mesh '{name}' (isReadable is false; Read/Write must be enabled in import settings)";
+        return $"Not allowed to access {what} on mesh '{name}' (isReadable is false; "
+            + "Read/Write must be enabled in import settings)";
     }
 }

@@ -48,7 +48,8 @@ internal sealed class MeshContents
         VertexAttribute.Normal => Normals.Length > 0,
         VertexAttribute.Tangent => Tangents.Length > 0,
         VertexAttribute.Color => Colors.Length > 0,
-        >= VertexAttribute.TexCoord0 and <= VertexAttribute.TexCoord7 => Uvs[attribute - VertexAttribute.TexCoord0].Length > 0,
+        >= VertexAttribute.TexCoord0 and <= VertexAttribute.TexCoord7 =>
+            Uvs[attribute - VertexAttribute.TexCoord0].Length > 0,
         _ => false,
     };
 

@@ -7,7 +7,9 @@ internal static class RoundMeshes
 {
     const float Radius = 0.5f;
 
-    /// <summary>Six faces of 8 x 8 quads: 768 triangles as in Unity, on 486 vertices (in Unity 515: its texture has seams).</summary>
+    /// <summary>
+    /// Six faces of 8 x 8 quads: 768 triangles as in Unity, on 486 vertices (in Unity 515: its texture has seams).
+    /// </summary>
     internal static MeshBuilder Sphere() => CubeSphere(0f);
 
     /// <summary>Height 2 m: the sphere cut at its equator and a band of 32 quads: 832 triangles as in Unity.</summary>
@@ -18,7 +20,8 @@ internal static class RoundMeshes
     {
         const int Sides = 20;
         var builder = new MeshBuilder();
-        builder.Grid(Sides, 1, (column, row) => (Rim(Sides - column) * Radius + Vector3.up * (2 * row - 1), Rim(Sides - column)));
+        builder.Grid(Sides, 1,
+            (column, row) => (Rim(Sides - column) * Radius + Vector3.up * (2 * row - 1), Rim(Sides - column)));
         foreach (Vector3 normal in new[] { Vector3.up, Vector3.down })
         {
             int centre = builder.Add(normal, normal);
@@ -40,7 +43,9 @@ internal static class RoundMeshes
         }
     }
 
-    /// <summary>A cube's faces, each a grid of equal angles, blown up to a sphere; its halves are moved apart by twice the gap.</summary>
+    /// <summary>
+    /// A cube's faces, each a grid of equal angles, blown up to a sphere; its halves are moved apart by twice the gap.
+    /// </summary>
     static MeshBuilder CubeSphere(float gap)
     {
         const int Cells = 8;
@@ -49,8 +54,10 @@ internal static class RoundMeshes
         Face(Vector3.back, Vector3.left);
         Face(Vector3.right, Vector3.back);
         Face(Vector3.left, Vector3.forward);
-        builder.Grid(Cells, Cells, (u, v) => Point(Vector3.up + Vector3.forward * Grid(u) + Vector3.right * Grid(v), gap));
-        builder.Grid(Cells, Cells, (u, v) => Point(Vector3.down + Vector3.right * Grid(u) + Vector3.forward * Grid(v), -gap));
+        builder.Grid(Cells, Cells,
+            (u, v) => Point(Vector3.up + Vector3.forward * Grid(u) + Vector3.right * Grid(v), gap));
+        builder.Grid(Cells, Cells,
+            (u, v) => Point(Vector3.down + Vector3.right * Grid(u) + Vector3.forward * Grid(v), -gap));
         return builder;
 
         // With a gap the equator is there twice, and the row of quads between is the band.

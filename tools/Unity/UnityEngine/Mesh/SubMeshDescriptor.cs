@@ -23,6 +23,7 @@ public struct SubMeshDescriptor
 
     public override string ToString()
     {
-        return $"(topo={topology} indices={indexStart},{indexCount} vertices={firstVertex},{vertexCount} basevtx={baseVertex} bounds={bounds})";
+        return $"(topo={topology} indices={indexStart},{indexCount} vertices={firstVertex},{vertexCount} "
+            + $"basevtx={baseVertex} bounds={bounds})";
     }
 }

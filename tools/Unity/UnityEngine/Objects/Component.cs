@@ -66,7 +66,8 @@ public class Component : Object
 
     public T[] GetComponentsInChildren<T>() => gameObject.GetComponentsInChildren<T>();
 
-    public T[] GetComponentsInChildren<T>(bool includeInactive) => gameObject.GetComponentsInChildren<T>(includeInactive);
+    public T[] GetComponentsInChildren<T>(bool includeInactive) =>
+        gameObject.GetComponentsInChildren<T>(includeInactive);
 
     public void GetComponentsInChildren<T>(List<T> results) => gameObject.GetComponentsInChildren(results);
 

@@ -57,7 +57,8 @@ public sealed partial class GameObject
 
     public Component[] GetComponentsInChildren(Type type) => GetComponentsInChildren(type, false);
 
-    public Component[] GetComponentsInChildren(Type type, bool includeInactive) => Below(type, includeInactive).ToArray();
+    public Component[] GetComponentsInChildren(Type type, bool includeInactive) =>
+        Below(type, includeInactive).ToArray();
 
     public T[] GetComponentsInChildren<T>() => GetComponentsInChildren<T>(false);
 

@@ -34,9 +34,11 @@ public class MonoBehaviour : Behaviour
 
     public void StopCoroutine(IEnumerator routine) => Coroutines.Stop(this, coroutine => coroutine.Runs(routine));
 
-    public void StopCoroutine(Coroutine routine) => Coroutines.Stop(this, coroutine => ReferenceEquals(coroutine, routine));
+    public void StopCoroutine(Coroutine routine) =>
+        Coroutines.Stop(this, coroutine => ReferenceEquals(coroutine, routine));
 
-    public void StopCoroutine(string methodName) => Coroutines.Stop(this, coroutine => coroutine.MethodName == methodName);
+    public void StopCoroutine(string methodName) =>
+        Coroutines.Stop(this, coroutine => coroutine.MethodName == methodName);
 
     public void StopAllCoroutines() => Coroutines.Stop(this, _ => true);
 

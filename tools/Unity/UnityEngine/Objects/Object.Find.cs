@@ -21,7 +21,8 @@ public partial class Object
     public static Object[] FindObjectsByType(Type type, FindObjectsSortMode sortMode) =>
         FindObjectsByType(type, FindObjectsInactive.Exclude, sortMode);
 
-    public static Object[] FindObjectsByType(Type type, FindObjectsInactive findObjectsInactive, FindObjectsSortMode sortMode) =>
+    public static Object[] FindObjectsByType(Type type, FindObjectsInactive findObjectsInactive,
+        FindObjectsSortMode sortMode) =>
         Finder.InScenes(type, findObjectsInactive, sortMode).ToArray();
 
     public static T[] FindObjectsByType<T>(FindObjectsSortMode sortMode)

@@ -15,7 +15,8 @@ public partial class Transform
 
     public void Translate(float x, float y, float z, Space relativeTo) => Translate(new Vector3(x, y, z), relativeTo);
 
-    public void Translate(float x, float y, float z, Transform relativeTo) => Translate(new Vector3(x, y, z), relativeTo);
+    public void Translate(float x, float y, float z, Transform relativeTo) =>
+        Translate(new Vector3(x, y, z), relativeTo);
 
     public void Rotate(Vector3 eulers) => Rotate(eulers, Space.Self);
 
@@ -28,7 +29,8 @@ public partial class Transform
             rotation = turn * rotation;
     }
 
-    public void Rotate(float xAngle, float yAngle, float zAngle) => Rotate(new Vector3(xAngle, yAngle, zAngle), Space.Self);
+    public void Rotate(float xAngle, float yAngle, float zAngle) =>
+        Rotate(new Vector3(xAngle, yAngle, zAngle), Space.Self);
 
     public void Rotate(float xAngle, float yAngle, float zAngle, Space relativeTo) =>
         Rotate(new Vector3(xAngle, yAngle, zAngle), relativeTo);
@@ -105,7 +107,8 @@ public partial class Transform
 
     public Vector3 InverseTransformDirection(Vector3 direction) => Quaternion.Inverse(rotation) * direction;
 
-    public Vector3 InverseTransformDirection(float x, float y, float z) => InverseTransformDirection(new Vector3(x, y, z));
+    public Vector3 InverseTransformDirection(float x, float y, float z) =>
+        InverseTransformDirection(new Vector3(x, y, z));
 
     // A scale of zero has no inverse; Unity answers 0 along that axis.
     Vector3 Unscaled(Vector3 point) => new(

@@ -3,7 +3,9 @@ using System.Linq;
 
 namespace UnityEngine;
 
-/// <summary>What a Transform takes: a value that is not finite is refused with Unity's own words, and the old one stays.</summary>
+/// <summary>
+/// What a Transform takes: a value that is not finite is refused with Unity's own words, and the old one stays.
+/// </summary>
 public partial class Transform
 {
     /// <summary>Values from a file, which Unity takes as they are.</summary>
@@ -18,7 +20,8 @@ public partial class Transform
     bool Accepts(string property, Vector3 value) => Accepts(property, property, value.x, value.y, value.z);
 
     // Both rotations are called 'rotation' where the input is shown.
-    bool Accepts(string property, Quaternion value) => Accepts(property, "rotation", value.x, value.y, value.z, value.w);
+    bool Accepts(string property, Quaternion value) =>
+        Accepts(property, "rotation", value.x, value.y, value.z, value.w);
 
     bool Accepts(string property, string input, params float[] numbers)
     {
@@ -26,7 +29,8 @@ public partial class Transform
         if (numbers.All(float.IsFinite))
             return true;
         string shown = string.Join(", ", numbers.Select(number => number.ToString("F6", CultureInfo.InvariantCulture)));
-        Debug.LogError($"transform.{property} assign attempt for '{name}' is not valid. Input {input} is {{ {shown} }}.", this);
+        Debug.LogError(
+            $"transform.{property} assign attempt for '{name}' is not valid. Input {input} is {{ {shown} }}.", this);
         return false;
     }
 }

@@ -10,7 +10,9 @@ public enum Space
     Self,
 }
 
-/// <summary>Position, rotation and scale against the parent; everything in world space is composed when asked for.</summary>
+/// <summary>
+/// Position, rotation and scale against the parent; everything in world space is composed when asked for.
+/// </summary>
 public partial class Transform : Component, IEnumerable
 {
     Vector3 _localPosition = Vector3.zero;

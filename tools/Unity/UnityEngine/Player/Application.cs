@@ -5,7 +5,9 @@ using Glint.Host;
 
 namespace UnityEngine;
 
-/// <summary>The host presents itself as the editor in batch mode: it compiles the product with the editor's symbols.</summary>
+/// <summary>
+/// The host presents itself as the editor in batch mode: it compiles the product with the editor's symbols.
+/// </summary>
 public class Application
 {
     public delegate void LogCallback(string condition, string stackTrace, LogType type);

@@ -16,7 +16,8 @@ public class Debug
 
     public static void Log(object message, Object context) => unityLogger.Log(LogType.Log, message, context);
 
-    public static void LogFormat(string format, params object[] args) => unityLogger.LogFormat(LogType.Log, format, args);
+    public static void LogFormat(string format, params object[] args) =>
+        unityLogger.LogFormat(LogType.Log, format, args);
 
     public static void LogFormat(Object context, string format, params object[] args) =>
         unityLogger.LogFormat(LogType.Log, context, format, args);

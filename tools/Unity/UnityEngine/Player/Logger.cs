@@ -11,9 +11,12 @@ public class Logger : ILogger
     public bool logEnabled { get; set; } = true;
     public LogType filterLogType { get; set; } = LogType.Log;
 
-    /// <summary>Exceptions pass any filter; the rest by severity, which is the order of the values but for Exception.</summary>
+    /// <summary>
+    /// Exceptions pass any filter; the rest by severity, which is the order of the values but for Exception.
+    /// </summary>
     public bool IsLogTypeAllowed(LogType logType) =>
-        logEnabled && (logType == LogType.Exception || (filterLogType != LogType.Exception && logType <= filterLogType));
+        logEnabled
+        && (logType == LogType.Exception || (filterLogType != LogType.Exception && logType <= filterLogType));
 
     public void Log(LogType logType, object message) => Write(logType, null, message, null);
 
@@ -21,7 +24,8 @@ public class Logger : ILogger
 
     public void Log(LogType logType, string tag, object message) => Write(logType, tag, message, null);
 
-    public void Log(LogType logType, string tag, object message, Object context) => Write(logType, tag, message, context);
+    public void Log(LogType logType, string tag, object message, Object context) =>
+        Write(logType, tag, message, context);
 
     public void Log(object message) => Write(LogType.Log, null, message, null);
 

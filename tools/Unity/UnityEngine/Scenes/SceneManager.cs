@@ -27,7 +27,8 @@ public class SceneManager
             throw new ArgumentException("SceneManager.SetActiveScene failed; the scene is invalid.");
         if (!scene.isLoaded)
             throw new ArgumentException(
-                $"SceneManager.SetActiveScene failed; scene '{scene.name}' is not loaded and therefore cannot be set active.");
+                "SceneManager.SetActiveScene failed; "
+                + $"scene '{scene.name}' is not loaded and therefore cannot be set active.");
         SceneRegistry.Activate(scene.Data);
         return true;
     }

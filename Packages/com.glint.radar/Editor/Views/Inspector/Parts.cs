@@ -20,14 +20,20 @@ namespace Glint.Editor.Views
         }
 
         /// <summary>A serialized field of the object inspected; its tooltip is the field's.</summary>
-        public static PropertyField Field(string name, string label) => new PropertyField { bindingPath = name, label = label };
+        public static PropertyField Field(string name, string label) =>
+            new PropertyField { bindingPath = name, label = label };
 
         /// <summary>A serialized struct of plain C#, whose fields have no tooltips of their own.</summary>
-        public static Foldout Struct(string name, string title, IEnumerable<(string field, string label, string tooltip)> fields) =>
-            Group(title, fields.Select(it => new PropertyField { bindingPath = name + "." + it.field, label = it.label, tooltip = it.tooltip }).ToArray());
+        public static Foldout Struct(string name, string title,
+            IEnumerable<(string field, string label, string tooltip)> fields) =>
+            Group(title, fields.Select(it => new PropertyField
+            {
+                bindingPath = name + "." + it.field, label = it.label, tooltip = it.tooltip
+            }).ToArray());
 
         /// <summary>Shows figures, in the columns of the fields, to be selected and copied.</summary>
-        public static void ShowRows(VisualElement parent, IEnumerable<(string label, string value, string tooltip)> rows)
+        public static void ShowRows(VisualElement parent,
+            IEnumerable<(string label, string value, string tooltip)> rows)
         {
             parent.Clear();
             foreach (var (label, value, tooltip) in rows)
@@ -45,9 +51,13 @@ namespace Glint.Editor.Views
             parent.Clear();
             foreach (var finding in findings)
             {
-                var box = new HelpBox(finding.Text, finding.Severity == Severity.Error ? HelpBoxMessageType.Error : HelpBoxMessageType.Warning);
+                var box = new HelpBox(finding.Text,
+                    finding.Severity == Severity.Error ? HelpBoxMessageType.Error : HelpBoxMessageType.Warning);
                 if (finding.Where != null)
-                    box.Add(new Button(() => EditorGUIUtility.PingObject(finding.Where)) { text = "Show", tooltip = $"Shows '{finding.Where.name}' in the Hierarchy." });
+                    box.Add(new Button(() => EditorGUIUtility.PingObject(finding.Where))
+                    {
+                        text = "Show", tooltip = $"Shows '{finding.Where.name}' in the Hierarchy."
+                    });
                 if (finding.Fix != null)
                     box.Add(new Button(() => { finding.Fix.Apply(); mended(); }) { text = finding.Fix.Label });
                 parent.Add(box);

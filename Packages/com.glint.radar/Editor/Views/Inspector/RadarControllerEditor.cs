@@ -6,7 +6,10 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The inspector of a RadarController: findings, settings by group, figures, one pose at the press of a button, and its result.</summary>
+    /// <summary>
+    /// The inspector of a RadarController: findings, settings by group, figures,
+    /// one pose at the press of a button, and its result.
+    /// </summary>
     [CustomEditor(typeof(RadarController)), CanEditMultipleObjects]
     sealed class RadarControllerEditor : UnityEditor.Editor
     {
@@ -70,9 +73,17 @@ namespace Glint.Editor.Views
             inspector.Add(Parts.Group("Figures", _figures));
             var buttons = new VisualElement();
             buttons.style.flexDirection = FlexDirection.Row;
-            buttons.Add(new Button(Trace) { text = "Trace now", tooltip = "Traces one pose as everything stands. It can be cancelled." });
-            buttons.Add(new Button(() => RadarWindow.Show(Radar)) { text = "Sweep...", tooltip = "Traces many poses." });
-            _showPaths = new Button(ShowPaths) { text = RadarFixes.ShowRayPaths(Radar).Label, tooltip = "Draws the ways of the rays of each pose in Scene and Game view: adds the component Ray Paths." };
+            buttons.Add(new Button(Trace)
+            {
+                text = "Trace now", tooltip = "Traces one pose as everything stands. It can be cancelled."
+            });
+            buttons.Add(
+                new Button(() => RadarWindow.Show(Radar)) { text = "Sweep...", tooltip = "Traces many poses." });
+            _showPaths = new Button(ShowPaths)
+            {
+                text = RadarFixes.ShowRayPaths(Radar).Label, tooltip = "Draws the ways of the rays of each pose "
+                    + "in Scene and Game view: adds the component Ray Paths."
+            };
             buttons.Add(_showPaths);
             inspector.Add(buttons);
             inspector.Add(_problem);

@@ -3,18 +3,23 @@ using UnityEngine;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The receiver's outline in Scene view while the radar or its receiver is selected, and a line the way it faces: seen before anything is traced. Of the view, Unity draws the camera's.</summary>
+    /// <summary>
+    /// The receiver's outline in Scene view while the radar or its receiver is selected, and a line the way it faces:
+    /// seen before anything is traced. Of the view, Unity draws the camera's.
+    /// </summary>
     static class RadarGizmos
     {
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
         static void Draw(RadarController radar, GizmoType type)
         {
             var corners = RadarOutline.Receiver(radar);
-            if (corners.Length == 0 || !Selection.Contains(radar.gameObject) && !Selection.Contains(radar.Receiver.gameObject))
+            if (corners.Length == 0
+                || !Selection.Contains(radar.gameObject) && !Selection.Contains(radar.Receiver.gameObject))
                 return;
             Gizmos.color = Color.white;
             Gizmos.DrawLineStrip(corners, true);
-            Gizmos.DrawRay((corners[0] + corners[2]) / 2, Vector3.Distance(corners[0], corners[3]) / 2 * radar.Receiver.forward);
+            Gizmos.DrawRay((corners[0] + corners[2]) / 2,
+                Vector3.Distance(corners[0], corners[3]) / 2 * radar.Receiver.forward);
         }
     }
 }

@@ -22,10 +22,14 @@ namespace Glint.Editor.Views
             _snapshot.AddToClassList(DropdownField.alignedFieldUssClassName);
             _snapshot.RegisterValueChangedCallback(_ => Choose());
             inspector.Add(_findings);
-            inspector.Add(Parts.Group("Snapshots", Parts.Field("_snapshots", "Snapshots"), targets.Length == 1 ? (VisualElement)_snapshot : Parts.Field("_snapshot", "Snapshot")));
-            inspector.Add(Parts.Group("Without snapshots", Parts.Struct("_waves", "Waves", SeaFigures.Waves), Parts.Field("_timeSeconds", "Time (s)")));
-            inspector.Add(Parts.Group("Extent and look", Parts.Field("_extent", "Extent (m)"), Parts.Field("_centre", "Centre"), Parts.Field("_material", "Material")));
-            inspector.Add(Parts.Group("While the scene plays", Parts.Field("_motion", "Motion"), Parts.Field("_secondsPerSnapshot", "Seconds a Snapshot")));
+            inspector.Add(Parts.Group("Snapshots", Parts.Field("_snapshots", "Snapshots"),
+                targets.Length == 1 ? (VisualElement)_snapshot : Parts.Field("_snapshot", "Snapshot")));
+            inspector.Add(Parts.Group("Without snapshots", Parts.Struct("_waves", "Waves", SeaFigures.Waves),
+                Parts.Field("_timeSeconds", "Time (s)")));
+            inspector.Add(Parts.Group("Extent and look", Parts.Field("_extent", "Extent (m)"),
+                Parts.Field("_centre", "Centre"), Parts.Field("_material", "Material")));
+            inspector.Add(Parts.Group("While the scene plays", Parts.Field("_motion", "Motion"),
+                Parts.Field("_secondsPerSnapshot", "Seconds a Snapshot")));
             inspector.Add(_figures);
             if (targets.Length == 1)
                 new Watch(inspector, serializedObject, Look);
@@ -39,7 +43,8 @@ namespace Glint.Editor.Views
             var finding = SeaFigures.Check(Sea);
             Parts.ShowFindings(_findings, finding == null ? Enumerable.Empty<Finding>() : new[] { finding }, () => { });
             _snapshot.SetEnabled(Sea.Snapshots.Count > 0);
-            _snapshot.choices = Enumerable.Range(1, Sea.Snapshots.Count).Select(number => SeaFigures.Name(Sea, number)).ToList();
+            _snapshot.choices = Enumerable.Range(1, Sea.Snapshots.Count)
+                .Select(number => SeaFigures.Name(Sea, number)).ToList();
             _snapshot.SetValueWithoutNotify(Sea.Snapshots.Count > 0 ? SeaFigures.Name(Sea, Sea.Snapshot) : "none");
             Parts.ShowRows(_figures, SeaFigures.Rows(Sea));
         }

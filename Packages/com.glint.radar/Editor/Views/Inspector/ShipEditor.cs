@@ -18,7 +18,11 @@ namespace Glint.Editor.Views
             var inspector = new VisualElement();
             _findings = new VisualElement();
             _figures = new VisualElement();
-            _remake = new Button(Remake) { text = ShipFigures.Remake(Ship).Label, tooltip = "From the measures above. The mesh is stored with the scene." };
+            _remake = new Button(Remake)
+            {
+                text = ShipFigures.Remake(Ship).Label,
+                tooltip = "From the measures above. The mesh is stored with the scene."
+            };
             inspector.Add(_findings);
             inspector.Add(Parts.Struct("_settings", "Measures", ShipFigures.Measures));
             if (targets.Length != 1)
@@ -27,7 +31,8 @@ namespace Glint.Editor.Views
             if (RadarCheck.CanLook(Ship))
                 inspector.Add(_remake);
             else
-                inspector.Add(new HelpBox("The mesh is made where the ship stands in a scene, or by glint ship, which stores it: a prefab cannot hold it.", HelpBoxMessageType.Info));
+                inspector.Add(new HelpBox("The mesh is made where the ship stands in a scene, or by glint ship, "
+                    + "which stores it: a prefab cannot hold it.", HelpBoxMessageType.Info));
             inspector.Add(_figures);
             new Watch(inspector, serializedObject, Look);
             return inspector;

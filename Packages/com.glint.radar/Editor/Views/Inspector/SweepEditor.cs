@@ -3,7 +3,9 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The inspector of a Sweep: what is wrong with what is written, as it is typed, and how many poses it makes.</summary>
+    /// <summary>
+    /// The inspector of a Sweep: what is wrong with what is written, as it is typed, and how many poses it makes.
+    /// </summary>
     [CustomEditor(typeof(Sweep)), CanEditMultipleObjects]
     sealed class SweepEditor : UnityEditor.Editor
     {

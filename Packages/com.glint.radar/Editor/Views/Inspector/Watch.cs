@@ -5,7 +5,10 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>Calls when something in the open scenes or in the object inspected has changed and then has been still for a moment; at once when an inspector is shown.</summary>
+    /// <summary>
+    /// Calls when something in the open scenes or in the object inspected has changed and then has been still for
+    /// a moment; at once when an inspector is shown.
+    /// </summary>
     sealed class Watch
     {
         const long StillForMs = 300;
@@ -33,7 +36,8 @@ namespace Glint.Editor.Views
         }
 
         /// <summary>Looks anew soon; a change before then puts it off.</summary>
-        public void LookSoon() => _look.ExecuteLater(Math.Max(StillForMs, (long)(1000 * PauseInLooks * (_seconds?.Invoke() ?? 0))));
+        public void LookSoon() =>
+            _look.ExecuteLater(Math.Max(StillForMs, (long)(1000 * PauseInLooks * (_seconds?.Invoke() ?? 0))));
 
         void Hear(ref ObjectChangeEventStream changes) => LookSoon();
     }

@@ -11,7 +11,8 @@ namespace Glint.Editor.Views
         static readonly CustomStyleProperty<Color> s_frame = new CustomStyleProperty<Color>("--glint-frame");
         static readonly CustomStyleProperty<Color> s_mark = new CustomStyleProperty<Color>("--glint-mark");
         static readonly CustomStyleProperty<Color> s_doubt = new CustomStyleProperty<Color>("--glint-doubt");
-        static readonly CustomStyleProperty<Color>[] s_lines = Enumerable.Range(0, 6).Select(i => new CustomStyleProperty<Color>($"--glint-line-{i}")).ToArray();
+        static readonly CustomStyleProperty<Color>[] s_lines = Enumerable.Range(0, 6)
+            .Select(i => new CustomStyleProperty<Color>($"--glint-line-{i}")).ToArray();
 
         readonly Color[] _lines = s_lines.Select(line => Color.gray).ToArray();
         Color _grid = Color.gray, _frame = Color.gray, _mark = Color.gray, _doubt = Color.gray;

@@ -23,7 +23,8 @@ namespace Glint.Editor.Views
             var key = new VisualElement();
             key.AddToClassList("glint-legend-key");
             var colours = new ChartColours(key);
-            key.generateVisualContent = context => Markers.Draw(context.painter2D, new Vector2(8, 8), number, 5, colours.Line(number), series.IsCompared);
+            key.generateVisualContent = context =>
+                Markers.Draw(context.painter2D, new Vector2(8, 8), number, 5, colours.Line(number), series.IsCompared);
             var entry = new VisualElement();
             entry.AddToClassList("glint-legend-entry");
             entry.Add(key);

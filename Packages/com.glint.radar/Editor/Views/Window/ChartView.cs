@@ -6,7 +6,9 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>Draws a <see cref="SweepChart"/>. The pointer over it asks for the nearest pose, a click chooses it.</summary>
+    /// <summary>
+    /// Draws a <see cref="SweepChart"/>. The pointer over it asks for the nearest pose, a click chooses it.
+    /// </summary>
     sealed class ChartView : PlotArea
     {
         // With more poses the markers would hide the lines.
@@ -17,7 +19,8 @@ namespace Glint.Editor.Views
 
         public ChartView()
         {
-            RegisterCallback<PointerMoveEvent>(move => Find(move.localPosition, (series, point) => Hovered?.Invoke(series, point)));
+            RegisterCallback<PointerMoveEvent>(
+                move => Find(move.localPosition, (series, point) => Hovered?.Invoke(series, point)));
             RegisterCallback<PointerLeaveEvent>(leave => Left?.Invoke());
             RegisterCallback<ClickEvent>(click => Find(click.localPosition, (series, point) =>
             {
@@ -60,7 +63,8 @@ namespace Glint.Editor.Views
                     // A pose alone is no line.
                     if (hasMarkers || run.Count == 1)
                         foreach (var point in run)
-                            Markers.Draw(painter, At(point.X, point.Y), i, 3, Colours.Line(i), _chart.Series[i].IsCompared);
+                            Markers.Draw(painter, At(point.X, point.Y), i, 3, Colours.Line(i),
+                                _chart.Series[i].IsCompared);
                     foreach (var point in run.Where(point => point.Pose.IsUndersampled))
                         Markers.Draw(painter, At(point.X, point.Y), 1, 7, Colours.Doubt, true);
                     foreach (var point in run.Where(point => point.Pose == _marked))

@@ -122,7 +122,8 @@ namespace Glint.Editor.Views
                     Put(label, "glint-tick", Around(place, 1.06), -50, -50);
                 else
                     Put(label, "glint-tick", At(place, 0) + TickGap * Vector2.up, -50, 0);
-            Put(_yTitle, "glint-axis-title", _isPolar ? new Vector2(0, 0) : At(0, 1) + 2 * TickGap * Vector2.down, 0, _isPolar ? 0 : -60);
+            Put(_yTitle, "glint-axis-title",
+                _isPolar ? new Vector2(0, 0) : At(0, 1) + 2 * TickGap * Vector2.down, 0, _isPolar ? 0 : -60);
             if (!_isPolar)
                 Put(_xTitle, "glint-axis-title", At(0.5, 0) + 4 * TickGap * Vector2.up, -50, 0);
         }

@@ -4,7 +4,10 @@ using UnityEditor;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>Shows how much of a long pose is done, with a button that ends it. A pose holds the editor, so that the window's own Cancel cannot be pressed within one.</summary>
+    /// <summary>
+    /// Shows how much of a long pose is done, with a button that ends it. A pose holds the editor,
+    /// so that the window's own Cancel cannot be pressed within one.
+    /// </summary>
     sealed class PoseProgress : IProgress<double>, IDisposable
     {
         const double SecondsUntilShown = 1;
@@ -20,7 +23,8 @@ namespace Glint.Editor.Views
             if (_watch.Elapsed.TotalSeconds < SecondsUntilShown)
                 return;
             _isShown = true;
-            if (EditorUtility.DisplayCancelableProgressBar("Glint", $"{_session.Status()}; the next {100 * value:0} % done", (float)value))
+            if (EditorUtility.DisplayCancelableProgressBar("Glint",
+                $"{_session.Status()}; the next {100 * value:0} % done", (float)value))
                 _session.Cancel();
         }
 

@@ -9,7 +9,10 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>Window > Glint > Radar: traces and sweeps the open scene, in edit mode and in play mode, and shows the results as they come.</summary>
+    /// <summary>
+    /// Window > Glint > Radar: traces and sweeps the open scene, in edit mode and in play mode,
+    /// and shows the results as they come.
+    /// </summary>
     sealed class RadarWindow : EditorWindow
     {
         const string StylePath = "Packages/com.glint.radar/Editor/Views/Window/RadarWindow.uss";
@@ -66,7 +69,8 @@ namespace Glint.Editor.Views
             if (style != null)
                 rootVisualElement.styleSheets.Add(style);
             rootVisualElement.AddToClassList(EditorGUIUtility.isProSkin ? "glint-dark" : "glint-light");
-            _panel = new SweepPanel(_form, () => Begin(() => SweepSession.Pose(_form.Radar)), () => Begin(() => SweepSession.Sweep(_form)), () => _session?.Cancel());
+            _panel = new SweepPanel(_form, () => Begin(() => SweepSession.Pose(_form.Radar)),
+                () => Begin(() => SweepSession.Sweep(_form)), () => _session?.Cancel());
             _results = new ResultsPanel(_choice, Draw, Compare, SaveFile, SaveReport, SavePicture, Look, SaveSight);
             var split = new TwoPaneSplitView(0, 300, TwoPaneSplitViewOrientation.Horizontal);
             split.Add(_panel);

@@ -22,13 +22,16 @@ namespace Glint.Editor.Views
         PoseFigures _chosen;
 
         /// <param name="redraw">Called when the choice has changed.</param>
-        /// <param name="compare">Called with the folder or the published table's name to lay over; empty for none.</param>
+        /// <param name="compare">
+        /// Called with the folder or the published table's name to lay over; empty for none.
+        /// </param>
         /// <param name="saveFile">Called with the name of the results file to export.</param>
         /// <param name="saveReport">Called to export the HTML report.</param>
         /// <param name="savePicture">Called to export the charts.</param>
         /// <param name="look">Called to trace the radar's view.</param>
         /// <param name="saveSight">Called to export it.</param>
-        public ResultsPanel(ChartChoice choice, Action redraw, Action<string> compare, Action<string> saveFile, Action saveReport, Action savePicture, Action look, Action saveSight)
+        public ResultsPanel(ChartChoice choice, Action redraw, Action<string> compare, Action<string> saveFile,
+            Action saveReport, Action savePicture, Action look, Action saveSight)
         {
             (_choice, _redraw) = (choice, redraw);
             var bar = new Toolbar();
@@ -36,9 +39,12 @@ namespace Glint.Editor.Views
             _axis.labelElement.style.minWidth = 0;
             _axis.tooltip = "The axis that the charts go over.";
             bar.Add(_axis);
-            bar.Add(Switch("Decibels", "20 log10 of the amplitude.", choice.InDecibels, value => choice.InDecibels = value));
-            bar.Add(Switch("Polar", "Angles around a circle: 0 degrees at the top, clockwise.", choice.IsPolar, value => choice.IsPolar = value));
-            bar.Add(Switch("Raw", "The amplitude as it is summed. Otherwise as if there were 2,073,600 rays over the same view.", choice.IsRaw, value => choice.IsRaw = value));
+            bar.Add(Switch("Decibels", "20 log10 of the amplitude.", choice.InDecibels,
+                value => choice.InDecibels = value));
+            bar.Add(Switch("Polar", "Angles around a circle: 0 degrees at the top, clockwise.", choice.IsPolar,
+                value => choice.IsPolar = value));
+            bar.Add(Switch("Raw", "The amplitude as it is summed. Otherwise as if there were 2,073,600 rays over "
+                + "the same view.", choice.IsRaw, value => choice.IsRaw = value));
             _compare.menu.AppendAction("Nothing", action => compare(""));
             foreach (var table in PublishedTable.All)
                 _compare.menu.AppendAction(table.Title, action => compare(table.Name));
@@ -74,7 +80,8 @@ namespace Glint.Editor.Views
             Add(Charts);
             foreach (var chart in new[] { _amplitude, _received, _hit })
             {
-                chart.Hovered += (series, point) => _readout.text = series.Name.Length > 0 ? $"{series.Name}: {point.Pose.Words()}" : point.Pose.Words();
+                chart.Hovered += (series, point) => _readout.text =
+                    series.Name.Length > 0 ? $"{series.Name}: {point.Pose.Words()}" : point.Pose.Words();
                 chart.Left += () => _readout.text = _chosen?.Words() ?? "";
                 chart.Chosen += row => Choose(() => choice.Pose = row);
             }
@@ -92,7 +99,9 @@ namespace Glint.Editor.Views
             var axes = SweepChart.AxesOf(rows);
             _axis.choices = axes.Select(axis => axis.Name).ToList();
             _axis.SetValueWithoutNotify(_choice.AxisOf(rows).Name);
-            _compare.tooltip = comparison == null ? "Lays a results folder or a published table over the charts." : "Laid over: " + comparison.Title;
+            _compare.tooltip = comparison == null
+                ? "Lays a results folder or a published table over the charts."
+                : "Laid over: " + comparison.Title;
             _chosen = _choice.Chosen(rows);
             _readout.text = _chosen?.Words() ?? "";
             var amplitude = _choice.Amplitude(rows, comparison);

@@ -6,13 +6,19 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The radar's view, unfolded when somebody wants it: traced with each pose then, or at the press of a button.</summary>
+    /// <summary>
+    /// The radar's view, unfolded when somebody wants it: traced with each pose then, or at the press of a button.
+    /// </summary>
     sealed class SightView : Foldout
     {
         const string ByBounces = "bounces", ByObject = "object met first";
 
         readonly Image _image = new Image { scaleMode = ScaleMode.ScaleToFit };
-        readonly DropdownField _colours = new DropdownField("Colour by", new List<string> { ByBounces, ByObject }, 0) { tooltip = "How often a ray is reflected, or which object it meets first. Brightness tells how squarely it meets the first surface; white stripes are rays that are received." };
+        readonly DropdownField _colours = new DropdownField("Colour by", new List<string> { ByBounces, ByObject }, 0)
+        {
+            tooltip = "How often a ray is reflected, or which object it meets first. "
+                + "Brightness tells how squarely it meets the first surface; white stripes are rays that are received."
+        };
         readonly VisualElement _legend = new VisualElement();
         readonly Label _readout = new Label();
         Texture2D _texture;
@@ -26,7 +32,8 @@ namespace Glint.Editor.Views
             var bar = new VisualElement();
             bar.AddToClassList("glint-buttons");
             bar.Add(_colours);
-            bar.Add(new Button(look) { text = "Look now", tooltip = "Traces the view as everything stands. While this is unfolded, each pose that is traced is shown." });
+            bar.Add(new Button(look) { text = "Look now", tooltip = "Traces the view as everything stands. "
+                + "While this is unfolded, each pose that is traced is shown." });
             _legend.AddToClassList("glint-legend");
             _readout.AddToClassList("glint-words");
             Add(bar);
@@ -58,7 +65,8 @@ namespace Glint.Editor.Views
                 return;
             bool byObject = _colours.value == ByObject;
             UnityEngine.Object.DestroyImmediate(_texture);
-            _texture = new Texture2D(_sight.Width, _sight.Height, TextureFormat.RGBA32, false) { filterMode = FilterMode.Point, hideFlags = HideFlags.HideAndDontSave };
+            _texture = new Texture2D(_sight.Width, _sight.Height, TextureFormat.RGBA32,
+                false) { filterMode = FilterMode.Point, hideFlags = HideFlags.HideAndDontSave };
             _texture.SetPixels32(_sight.Colours(byObject));
             _texture.Apply();
             _image.image = _texture;
@@ -82,7 +90,8 @@ namespace Glint.Editor.Views
                 return;
             var size = _image.contentRect.size;
             float scale = Mathf.Min(size.x / _sight.Width, size.y / _sight.Height);
-            int x = Mathf.FloorToInt((pointer.x - (size.x - scale * _sight.Width) / 2) / scale), y = _sight.Height - 1 - Mathf.FloorToInt((pointer.y - (size.y - scale * _sight.Height) / 2) / scale);
+            int x = Mathf.FloorToInt((pointer.x - (size.x - scale * _sight.Width) / 2) / scale),
+                y = _sight.Height - 1 - Mathf.FloorToInt((pointer.y - (size.y - scale * _sight.Height) / 2) / scale);
             _readout.text = x >= 0 && y >= 0 && x < _sight.Width && y < _sight.Height ? _sight.Words(x, y) : "";
         }
     }

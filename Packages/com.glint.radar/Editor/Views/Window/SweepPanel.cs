@@ -13,7 +13,9 @@ namespace Glint.Editor.Views
     {
         static readonly (SweepAxis axis, string label)[] s_lists =
         {
-            (SweepAxis.Angle, "Angles, deg"), (SweepAxis.Grazing, "Grazing angles, deg"), (SweepAxis.Range, "Distances, m"), (SweepAxis.Frequency, "Frequencies, Hz"), (SweepAxis.Snapshot, "Snapshots")
+            (SweepAxis.Angle, "Angles, deg"), (SweepAxis.Grazing, "Grazing angles, deg"),
+            (SweepAxis.Range, "Distances, m"),
+            (SweepAxis.Frequency, "Frequencies, Hz"), (SweepAxis.Snapshot, "Snapshots")
         };
 
         readonly SweepForm _form;
@@ -22,7 +24,8 @@ namespace Glint.Editor.Views
         readonly Toggle _resume;
         readonly Button _trace, _sweep, _cancel;
         readonly ProgressBar _progress = new ProgressBar { lowValue = 0 };
-        readonly Label _folder = Words("glint-status"), _problem = Words("glint-problem"), _status = Words("glint-problem");
+        readonly Label _folder = Words("glint-status"), _problem = Words("glint-problem"),
+            _status = Words("glint-problem");
         bool _isRunning;
 
         /// <param name="form">Filled in here.</param>
@@ -30,23 +33,29 @@ namespace Glint.Editor.Views
         {
             AddToClassList("glint-controls");
             _form = form;
-            _radar = AddObject<RadarController>("Radar", form.Radar, "The radar that traces.", chosen => form.Radar = chosen);
+            _radar = AddObject<RadarController>("Radar", form.Radar, "The radar that traces.",
+                chosen => form.Radar = chosen);
             _target = AddObject<Transform>("Target", form.Target, Options.Target.Help, chosen => form.Target = chosen);
             foreach (var (axis, label) in s_lists)
             {
                 AddText(label, form[axis], SweepForm.OptionOf(axis).Help, text => form[axis] = text);
                 Add(_axisProblems[axis] = Words("glint-problem"));
             }
-            AddText("Results folder", form.Folder, "For results.csv and results.json, relative to the project. Empty: Results/<scene> beside Assets.", text => form.Folder = text);
+            AddText("Results folder", form.Folder, "For results.csv and results.json, relative to the project. Empty: "
+                + "Results/<scene> beside Assets.", text => form.Folder = text);
             Add(_folder);
             _resume = new Toggle("Resume") { value = form.Resume, tooltip = Options.Resume.Help };
             _resume.RegisterValueChangedCallback(change => form.Resume = change.newValue);
             Add(_resume);
             var buttons = new VisualElement();
             buttons.AddToClassList("glint-buttons");
-            buttons.Add(_trace = new Button(trace) { text = "Trace", tooltip = "One pose, the scene as it stands; no files." });
+            buttons.Add(
+                _trace = new Button(trace) { text = "Trace", tooltip = "One pose, the scene as it stands; no files." });
             buttons.Add(_sweep = new Button(sweep) { text = "Sweep" });
-            buttons.Add(_cancel = new Button(cancel) { text = "Cancel", tooltip = "The poses that are done are kept; Resume goes on." });
+            buttons.Add(_cancel = new Button(cancel)
+            {
+                text = "Cancel", tooltip = "The poses that are done are kept; Resume goes on."
+            });
             Add(buttons);
             Add(_problem);
             Add(_progress);
@@ -95,7 +104,10 @@ namespace Glint.Editor.Views
 
         ObjectField AddObject<T>(string label, T value, string help, Action<T> set) where T : Component
         {
-            var field = new ObjectField(label) { objectType = typeof(T), allowSceneObjects = true, value = value, tooltip = help };
+            var field = new ObjectField(label)
+            {
+                objectType = typeof(T), allowSceneObjects = true, value = value, tooltip = help
+            };
             field.RegisterValueChangedCallback(change =>
             {
                 set(change.newValue as T);

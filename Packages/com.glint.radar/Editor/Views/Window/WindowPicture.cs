@@ -16,7 +16,9 @@ namespace Glint.Editor.Views
             var picture = new Texture2D(width, height, TextureFormat.RGB24, false);
             try
             {
-                picture.SetPixels(InternalEditorUtility.ReadScreenPixel((place.position + bound.position - window.rootVisualElement.worldBound.position) * scale, width, height));
+                picture.SetPixels(InternalEditorUtility.ReadScreenPixel(
+                    (place.position + bound.position - window.rootVisualElement.worldBound.position) * scale,
+                    width, height));
                 return picture.EncodeToPNG();
             }
             finally

@@ -52,7 +52,8 @@ public partial struct NativeArray<T>
     static void CopyAll(ReadOnlySpan<T> from, Span<T> to)
     {
         if (from.Length != to.Length)
-            throw new ArgumentException($"source and destination must have the same length; they have {from.Length} and {to.Length}");
+            throw new ArgumentException("source and destination must have the same length; "
+                + $"they have {from.Length} and {to.Length}");
         from.CopyTo(to);
     }
 
@@ -68,7 +69,8 @@ public partial struct NativeArray<T>
     static void CheckRange(int count, int index, int length, string which)
     {
         if (index < 0 || index > count)
-            throw new ArgumentOutOfRangeException(nameof(index), $"{which} index {index} lies outside its {count} elements");
+            throw new ArgumentOutOfRangeException(nameof(index),
+                $"{which} index {index} lies outside its {count} elements");
         if (length > count - index)
             throw new ArgumentException($"{length} elements from {index} on lie outside the {count} of the {which}");
     }

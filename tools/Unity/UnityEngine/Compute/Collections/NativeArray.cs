@@ -19,9 +19,11 @@ public partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEquatable<N
         if (allocator <= Allocator.None)
             throw new ArgumentException("a NativeArray needs Allocator.Temp, TempJob or Persistent", nameof(allocator));
         if (length < 0)
-            throw new ArgumentOutOfRangeException(nameof(length), length, "the length of a NativeArray must be at least 0");
+            throw new ArgumentOutOfRangeException(nameof(length), length,
+                "the length of a NativeArray must be at least 0");
         if (RuntimeHelpers.IsReferenceOrContainsReferences<T>())
-            throw new InvalidOperationException($"{typeof(T)} holds references to managed objects and cannot be the element of a NativeArray");
+            throw new InvalidOperationException($"{typeof(T)} holds references to managed objects and cannot be the "
+                + "element of a NativeArray");
         _block = new NativeBlock((long)length * Unsafe.SizeOf<T>(), options == NativeArrayOptions.ClearMemory);
         _start = 0;
         _length = length;
@@ -29,12 +31,14 @@ public partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEquatable<N
     }
 
     public NativeArray(T[] array, Allocator allocator)
-        : this((array ?? throw new ArgumentNullException(nameof(array))).Length, allocator, NativeArrayOptions.UninitializedMemory) => CopyFrom(array);
+        : this((array ?? throw new ArgumentNullException(nameof(array))).Length, allocator,
+            NativeArrayOptions.UninitializedMemory) => CopyFrom(array);
 
     public NativeArray(NativeArray<T> array, Allocator allocator)
         : this(array.Length, allocator, NativeArrayOptions.UninitializedMemory) => CopyFrom(array);
 
-    NativeArray(NativeBlock block, int start, int length) => (_block, _start, _length, _allocator) = (block, start, length, Allocator.Invalid);
+    NativeArray(NativeBlock block, int start, int length) =>
+        (_block, _start, _length, _allocator) = (block, start, length, Allocator.Invalid);
 
     public int Length => _length;
 
@@ -71,7 +75,8 @@ public partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEquatable<N
     public NativeArray<T> GetSubArray(int start, int length)
     {
         if (start < 0 || length < 0 || start > _length - length)
-            throw new ArgumentOutOfRangeException(nameof(start), $"elements {start} to {start + (long)length} lie outside a NativeArray of {_length}");
+            throw new ArgumentOutOfRangeException(nameof(start),
+                $"elements {start} to {start + (long)length} lie outside a NativeArray of {_length}");
         _ = AsSpan(); // freed?
         return new NativeArray<T>(_block, _start + start * Unsafe.SizeOf<T>(), length);
     }
@@ -81,7 +86,8 @@ public partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEquatable<N
         where U : struct
     {
         if (Unsafe.SizeOf<T>() != Unsafe.SizeOf<U>())
-            throw new InvalidOperationException($"{typeof(T)} has {Unsafe.SizeOf<T>()} bytes and {typeof(U)} {Unsafe.SizeOf<U>()}; use Reinterpret({Unsafe.SizeOf<T>()})");
+            throw new InvalidOperationException($"{typeof(T)} has {Unsafe.SizeOf<T>()} bytes and {typeof(U)} "
+                + $"{Unsafe.SizeOf<U>()}; use Reinterpret({Unsafe.SizeOf<T>()})");
         return View<U>();
     }
 
@@ -90,9 +96,11 @@ public partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEquatable<N
         where U : struct
     {
         if (expectedTypeSize != Unsafe.SizeOf<T>())
-            throw new InvalidOperationException($"{typeof(T)} has {Unsafe.SizeOf<T>()} bytes, not the expected {expectedTypeSize}");
+            throw new InvalidOperationException($"{typeof(T)} has {Unsafe.SizeOf<T>()} bytes, "
+                + $"not the expected {expectedTypeSize}");
         if ((long)_length * Unsafe.SizeOf<T>() % Unsafe.SizeOf<U>() != 0)
-            throw new InvalidOperationException($"{_length} elements of {typeof(T)} make no whole number of {typeof(U)}");
+            throw new InvalidOperationException($"{_length} elements of {typeof(T)} make no whole "
+                + $"number of {typeof(U)}");
         return View<U>();
     }
 
@@ -107,7 +115,8 @@ public partial struct NativeArray<T> : IDisposable, IEnumerable<T>, IEquatable<N
         this = default;
     }
 
-    public bool Equals(NativeArray<T> other) => _block == other._block && _start == other._start && _length == other._length;
+    public bool Equals(NativeArray<T> other) =>
+        _block == other._block && _start == other._start && _length == other._length;
 
     public override bool Equals(object obj) => obj is NativeArray<T> other && Equals(other);
 

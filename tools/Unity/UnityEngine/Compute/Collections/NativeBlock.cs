@@ -3,7 +3,9 @@ using System.Runtime.InteropServices;
 
 namespace Glint.Host;
 
-/// <summary>Unmanaged memory that all copies and views of a NativeArray share, so that each sees when it is freed.</summary>
+/// <summary>
+/// Unmanaged memory that all copies and views of a NativeArray share, so that each sees when it is freed.
+/// </summary>
 internal sealed unsafe class NativeBlock
 {
     const int Alignment = 16;
@@ -21,7 +23,8 @@ internal sealed unsafe class NativeBlock
 
     internal bool IsFreed { get; private set; }
 
-    internal byte* Data => !IsFreed ? _data : throw new ObjectDisposedException("NativeArray", "this NativeArray was disposed, through this or another copy of it");
+    internal byte* Data => !IsFreed ? _data : throw new ObjectDisposedException("NativeArray",
+        "this NativeArray was disposed, through this or another copy of it");
 
     internal void Free()
     {
