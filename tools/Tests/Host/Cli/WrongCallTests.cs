@@ -23,6 +23,7 @@ public sealed class WrongCallTests
         ["report"] = ["DIR", "--pose", "none"],
         ["sea"] = [],
         ["ship"] = [],
+        ["reflector"] = [],
         ["experiments"] = ["--out", "DIR/out", "--seeds", "1"],
         ["bench"] = ["MESH", "--size", "4x4", "--rounds", "1"],
         ["verify"] = ["MESH", "--size", "4x4"],

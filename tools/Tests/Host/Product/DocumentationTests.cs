@@ -49,7 +49,8 @@ public sealed class DocumentationTests
         string sources = string.Concat(new[] { Path.Combine(s_package, "Core"), Path.Combine(s_package, "Runtime"),
             Path.Combine(s_package, "Editor"), Path.Combine(s_root, "tools/Vulkan"), Path.Combine(s_root, "tools/Cli") }
             .SelectMany(folder => Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories))
-            .Select(File.ReadAllText)).Replace("\\\"", "\"");
+            .Select(file => Regex.Replace(File.ReadAllText(file), @"(?<!\\)""\s*\+\s*\$?""", ""))) // of several lines
+            .Replace("\\\"", "\"");
         // What a message takes from a constant or an option stands in the text itself.
         foreach (var (name, value) in new[]
         {
