@@ -46,7 +46,7 @@ public sealed class SubjectsTests
         "_kernel: {fileID: 0} # {fileID: 7200000")]
     public void Run_OfASceneWithABadRadar_IsRefusedByName(string message, params string[] replacements)
     {
-        string scene = File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "Scenes/CornerReflector.unity"));
+        string scene = File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, "Scenes/ShipFreeSpace.unity"));
         for (int i = 0; i < replacements.Length; i += 2)
         {
             Assert.That(scene, Does.Contain(replacements[i]));
