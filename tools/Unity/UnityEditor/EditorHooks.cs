@@ -12,4 +12,7 @@ public static class EditorHooks
     /// Told how far a progress bar is, null when it goes; whether somebody pressed its cancel button.
     /// </summary>
     public static Func<float?, bool> ProgressBar { get; set; } = _ => false;
+
+    /// <summary>Given what is asked for; the path that somebody chose, empty for none.</summary>
+    public static Func<string, string> FileDialog { get; set; } = _ => "";
 }

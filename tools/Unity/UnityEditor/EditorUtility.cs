@@ -14,6 +14,14 @@ public class EditorUtility
     public static bool DisplayCancelableProgressBar(string title, string info, float progress) =>
         EditorHooks.ProgressBar(progress);
 
+    /// <summary>Empty when the dialog was cancelled.</summary>
+    public static string OpenFolderPanel(string title, string folder, string defaultName) =>
+        EditorHooks.FileDialog(title);
+
+    /// <summary>Empty when the dialog was cancelled.</summary>
+    public static string SaveFilePanel(string title, string directory, string defaultName, string extension) =>
+        EditorHooks.FileDialog(defaultName);
+
     public static void ClearProgressBar() => EditorHooks.ProgressBar(null);
 
     /// <summary>AssetDatabase writes the asset when it is next told to.</summary>

@@ -23,6 +23,8 @@ public sealed class Selection
         }
     }
 
+    public static bool Contains(Object obj) => !Object.IsNull(obj) && activeObject == obj;
+
     public static GameObject activeGameObject
     {
         get => activeObject as GameObject ?? (activeObject as Component)?.gameObject;

@@ -1,15 +1,21 @@
 using System;
+using System.Linq;
+using System.Reflection;
+using Glint.Host;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
 /// <summary>
-/// An object's fields by their names in a file. Here only whether scripts may read a mesh; null for others.
+/// An object's fields by their names in a file. Here only whether scripts may read a mesh, and the
+/// whole numbers of a script; null for others.
 /// </summary>
 public class SerializedObject : IDisposable
 {
     SerializedProperty _readable;
+    SerializedProperty _number;
+    FieldInfo _numberField;
 
     public SerializedObject(Object obj) => targetObject = obj;
 
@@ -17,11 +23,13 @@ public class SerializedObject : IDisposable
 
     public SerializedProperty FindProperty(string propertyPath) => targetObject is Mesh mesh
         && propertyPath == "m_IsReadable"
-        ? _readable ??= new SerializedProperty { boolValue = mesh.isReadable } : null;
+        ? _readable ??= new SerializedProperty { boolValue = mesh.isReadable } : FindNumber(propertyPath);
 
     /// <summary>Writes what was set, so that it can be undone; false if nothing was.</summary>
     public bool ApplyModifiedProperties()
     {
+        if (_number is not null)
+            return ApplyNumber();
         if (targetObject is not Mesh mesh || _readable is null || _readable.boolValue == mesh.isReadable)
             return false;
         Undo.RecordObject(mesh, "Modified Property in " + mesh.name);
@@ -33,6 +41,27 @@ public class SerializedObject : IDisposable
     public void Dispose()
     {
     }
+
+    // One at a time.
+    SerializedProperty FindNumber(string path)
+    {
+        _numberField = SerializedFields.Of(targetObject.GetType())
+            .FirstOrDefault(field => field.Name == path && field.FieldType == typeof(int));
+        return _number = _numberField is null
+            ? null
+            : new SerializedProperty { intValue = (int)_numberField.GetValue(targetObject) };
+    }
+
+    bool ApplyNumber()
+    {
+        if (_number.intValue == (int)_numberField.GetValue(targetObject))
+            return false;
+        Undo.RecordObject(targetObject, "Modified Property in " + targetObject.name);
+        _numberField.SetValue(targetObject, _number.intValue);
+        Messages.Call(targetObject, "OnValidate");
+        EditorUtility.SetDirty(targetObject);
+        return true;
+    }
 }
 
 public class SerializedProperty
@@ -42,4 +71,6 @@ public class SerializedProperty
     }
 
     public bool boolValue { get; set; }
+
+    public int intValue { get; set; }
 }

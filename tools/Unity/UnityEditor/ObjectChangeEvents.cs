@@ -1,0 +1,19 @@
+namespace UnityEditor;
+
+public struct ObjectChangeEventStream
+{
+}
+
+/// <summary>Changes are not followed; a test raises the event itself.</summary>
+public static class ObjectChangeEvents
+{
+    public delegate void ObjectChangeEventsHandler(ref ObjectChangeEventStream stream);
+
+    public static event ObjectChangeEventsHandler changesPublished;
+
+    internal static void Raise()
+    {
+        var changes = new ObjectChangeEventStream();
+        changesPublished?.Invoke(ref changes);
+    }
+}

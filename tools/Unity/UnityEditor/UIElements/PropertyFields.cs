@@ -1,0 +1,34 @@
+using System;
+using UnityEngine.UIElements;
+using Object = UnityEngine.Object;
+
+namespace UnityEditor.UIElements;
+
+/// <summary>Names the serialized field that it would show; it is not filled in.</summary>
+public class PropertyField : VisualElement
+{
+    public string bindingPath { get; set; }
+
+    public string label { get; set; }
+}
+
+public class ObjectField : BaseField<Object>
+{
+    public ObjectField(string label)
+        : base(label)
+    {
+    }
+
+    public Type objectType { get; set; }
+
+    public bool allowSceneObjects { get; set; }
+}
+
+public static class BindingExtensions
+{
+    /// <summary>Serialized values are not followed: a test raises ObjectChangeEvents instead.</summary>
+    public static void TrackSerializedObjectValue(
+        this VisualElement element, SerializedObject obj, Action<SerializedObject> callback = null)
+    {
+    }
+}
