@@ -1,0 +1,12 @@
+using System;
+using System.Linq;
+using UnityEngine.UIElements;
+
+namespace Glint.Host.Tests;
+
+internal static class ViewTree
+{
+    /// <summary>The one element below (or the element itself) that is asked for.</summary>
+    internal static T Find<T>(this VisualElement root, Func<T, bool> isIt)
+        where T : VisualElement => root.Tree().OfType<T>().Single(isIt);
+}
