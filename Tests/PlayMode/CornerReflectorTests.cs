@@ -11,6 +11,7 @@ using UnityEngine.TestTools;
 namespace Glint.Tests
 {
     /// <summary>Scenes/CornerReflector.unity against the published table and the double-precision references.</summary>
+    [Category("Slow")]
     public sealed class CornerReflectorTests
     {
         RadarController _radar;

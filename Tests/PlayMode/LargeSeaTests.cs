@@ -6,6 +6,7 @@ using UnityEngine.TestTools;
 namespace Glint.Tests
 {
     /// <summary>The ship on a sea of 2 x 2 km, a thousand instances of one tile.</summary>
+    [Category("Slow")]
     public sealed class LargeSeaTests
     {
         [UnityTest]

@@ -9,6 +9,7 @@ using UnityEngine.TestTools;
 namespace Glint.Tests
 {
     /// <summary>The scenes with a stored sea alone, over its ten snapshots.</summary>
+    [Category("Slow")]
     public sealed class SeaSceneTests
     {
         [UnityTest]

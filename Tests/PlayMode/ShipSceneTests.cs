@@ -12,6 +12,7 @@ namespace Glint.Tests
     /// The ship alone and on the stored seas, all round by 15 degrees:
     /// what the published experiment found of its ship holds for this one.
     /// </summary>
+    [Category("Slow")]
     public sealed class ShipSceneTests
     {
         const int BowOn = 0, Broadside = 6, SternOn = 12;

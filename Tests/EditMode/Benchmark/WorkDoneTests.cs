@@ -13,6 +13,7 @@ namespace Glint.Tests
     /// A bound is what was measured, and a twentieth more for another compiler's rounding:
     /// a test that fails by more has found something that made the tracer slower.
     /// </summary>
+    [Category("Slow")]
     public sealed class WorkDoneTests
     {
         const int SumBytes = 4 * RaySums.Slots * RaySums.WordsPerSlot;

@@ -11,6 +11,7 @@ namespace Glint.Tests
     /// The kernel against the judge, ray by ray, near and far: lengths, phases,
     /// and the few rays that pass an edge on its other side.
     /// </summary>
+    [Category("Slow")]
     public sealed class AccuracyTests
     {
         const double CornerTolerance = 1e-5, RoughTolerance = 5e-5; // m

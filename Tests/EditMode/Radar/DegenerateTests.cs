@@ -10,6 +10,7 @@ namespace Glint.Tests
     /// Where float32 cannot tell what is met: what a ray may do there, and that nothing else comes of it.
     /// The cases are those of method.md, Known limits.
     /// </summary>
+    [Category("Slow")]
     public sealed class DegenerateTests
     {
         const double LengthTolerance = 1e-5; // m

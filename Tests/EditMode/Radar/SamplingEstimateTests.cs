@@ -11,6 +11,7 @@ namespace Glint.Tests
     /// The estimate of the sampling error against pictures whose converged sum has a closed form,
     /// and against the judge's rays.
     /// </summary>
+    [Category("Slow")]
     public sealed class SamplingEstimateTests
     {
         const double Lambda = Signal.SpeedOfLight / 10e9;

@@ -12,6 +12,7 @@ namespace Glint.Tests
     /// No ray gets out of a closed body: neither between triangles that share an edge or a corner,
     /// nor through one that it has just left.
     /// </summary>
+    [Category("Slow")]
     public sealed class WatertightTests
     {
         // Six pictures of 90 degrees all round.

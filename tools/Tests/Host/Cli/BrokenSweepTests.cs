@@ -12,6 +12,7 @@ namespace Glint.Host.Tests;
 /// and what --resume makes of them.
 /// </summary>
 [Platform("Linux")]
+[Category("Slow")]
 public sealed class BrokenSweepTests
 {
     const int Poses = 24;

@@ -15,6 +15,7 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>glint experiments in pieces: the whole takes minutes.</summary>
+[Category("Slow")]
 public sealed class ExperimentsTests
 {
     static readonly Experiment s_odd =

@@ -10,6 +10,7 @@ namespace Glint.Host.Tests;
 
 /// <summary>glint sweep as a process of its own, killed; and its parts joined.</summary>
 [Platform("Linux")]
+[Category("Slow")]
 public sealed class KilledSweepTests
 {
     const int Poses = 11 * 2 * 2;

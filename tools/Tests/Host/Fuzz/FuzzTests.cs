@@ -19,6 +19,7 @@ namespace Glint.Host.Tests;
 /// cases, GLINT_FUZZ_CASE=1234 runs that one alone and leaves its damaged files in the temporary folder.
 /// Counts by verdict are printed, every minute and at the end.
 /// </summary>
+[Category("Slow")]
 public sealed partial class FuzzTests
 {
     const int StandardSeed = 1, StandardCases = 15000, MostFindings = 50, HangSeconds = 60;

@@ -14,6 +14,7 @@ using UnityEngine;
 namespace Glint.Host.Tests;
 
 /// <summary>glint report: from a results folder to one file that needs nothing else.</summary>
+[Category("Slow")]
 public sealed class ReportTests
 {
     static readonly string[] Corner =

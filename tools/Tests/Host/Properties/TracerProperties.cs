@@ -11,6 +11,7 @@ namespace Glint.Host.Tests;
 /// <summary>
 /// What holds for every scene; a scene for which it does not is made as small as can be before it is shown.
 /// </summary>
+[Category("Slow")]
 public sealed class TracerProperties
 {
     const double LengthTolerance = 1e-5; // m
