@@ -2,7 +2,6 @@ using System;
 using System.Diagnostics;
 using System.Threading;
 using Glint.Core;
-using UnityEngine;
 using Debug = UnityEngine.Debug;
 
 namespace Glint

@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;

@@ -9,6 +9,6 @@ namespace Glint
         static readonly string[] s_names = { "llvmpipe", "SwiftShader", "Microsoft Basic Render" };
 
         public static bool IsInUse => Array.Exists(s_names,
-            name => SystemInfo.graphicsDeviceName.IndexOf(name, StringComparison.OrdinalIgnoreCase) >= 0);
+            name => SystemInfo.graphicsDeviceName.Contains(name, StringComparison.OrdinalIgnoreCase));
     }
 }

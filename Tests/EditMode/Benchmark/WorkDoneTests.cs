@@ -3,7 +3,6 @@ using System.Linq;
 using System.Threading;
 using Glint.Core;
 using NUnit.Framework;
-using Unity.Mathematics;
 using static Unity.Mathematics.math;
 
 namespace Glint.Tests
@@ -31,7 +30,7 @@ namespace Glint.Tests
 
         static SeaAndShip s_made;
 
-        static SeaAndShip Made => s_made ?? (s_made = new SeaAndShip(1, 35000, 44000));
+        static SeaAndShip Made => s_made ??= new SeaAndShip(1, 35000, 44000);
 
         [OneTimeTearDown]
         public void LetGo() => s_made = null;

@@ -1,6 +1,5 @@
 using System.Linq;
 using System.Text;
-using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,6 +1,5 @@
 using System;
 using System.Linq;
-using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
 

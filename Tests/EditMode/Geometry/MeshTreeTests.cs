@@ -5,7 +5,6 @@ using System.Threading;
 using System.Threading.Tasks;
 using Glint.Core;
 using NUnit.Framework;
-using Unity.Mathematics;
 using static Unity.Mathematics.math;
 
 namespace Glint.Tests

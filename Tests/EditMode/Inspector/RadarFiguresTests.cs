@@ -2,7 +2,6 @@ using System.Linq;
 using Glint.Core;
 using Glint.Editor;
 using NUnit.Framework;
-using Unity.Mathematics;
 using UnityEngine;
 using static Unity.Mathematics.math;
 

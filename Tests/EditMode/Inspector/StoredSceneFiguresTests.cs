@@ -4,7 +4,6 @@ using Glint.Editor;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEditor.SceneManagement;
-using UnityEngine;
 using static Unity.Mathematics.math;
 using Object = UnityEngine.Object;
 

@@ -3,7 +3,6 @@ using System.Linq;
 using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
-using UnityEngine;
 using static Unity.Mathematics.math;
 
 namespace Glint.Tests

@@ -4,8 +4,6 @@ using System.Linq;
 using System.Threading;
 using Glint.Core;
 using NUnit.Framework;
-using Unity.Mathematics;
-using UnityEngine;
 using static Unity.Mathematics.math;
 
 namespace Glint.Tests

@@ -1,8 +1,6 @@
 using System;
 using System.Linq;
-using Glint.Core;
 using NUnit.Framework;
-using Unity.Mathematics;
 using UnityEngine;
 using static Unity.Mathematics.math;
 

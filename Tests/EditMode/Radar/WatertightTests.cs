@@ -1,6 +1,4 @@
-using System;
 using System.Collections.Generic;
-using System.Linq;
 using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;

@@ -2,8 +2,8 @@ using System;
 using System.IO;
 using System.Linq;
 using Glint.Core;
-using NUnit.Framework;
 using Newtonsoft.Json.Linq;
+using NUnit.Framework;
 
 namespace Glint.Tests
 {

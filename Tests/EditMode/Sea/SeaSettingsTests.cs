@@ -1,4 +1,3 @@
-using System;
 using Glint.Core;
 using NUnit.Framework;
 

@@ -4,7 +4,6 @@ using Glint.Core;
 using Glint.Editor;
 using NUnit.Framework;
 using Unity.Mathematics;
-using UnityEngine;
 
 namespace Glint.Tests
 {

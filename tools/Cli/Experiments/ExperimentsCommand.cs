@@ -6,7 +6,6 @@ using System.Linq;
 using Glint.Core;
 using Glint.Host;
 using Spectre.Console;
-using UnityEngine;
 using static Glint.Cli.TableText;
 
 namespace Glint.Cli;

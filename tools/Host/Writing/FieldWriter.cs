@@ -1,6 +1,5 @@
 using System;
 using System.Collections;
-using System.Linq;
 using System.Reflection;
 using UnityEngine;
 using Object = UnityEngine.Object;

@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using Glint.Host;
 using UnityEngine;
 
 namespace UnityEditor;

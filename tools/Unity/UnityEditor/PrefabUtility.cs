@@ -1,5 +1,4 @@
 using System;
-using Glint.Host;
 using UnityEngine;
 using Object = UnityEngine.Object;
 

@@ -130,7 +130,7 @@ namespace Glint.Core
             bool isGiven = _values.TryGetValue(option, out var before);
             if (isGiven && !option.IsRepeatable)
                 throw new UsageException($"{flag}: given twice");
-            text = text ?? option.ImpliedText;
+            text ??= option.ImpliedText;
             if (text == null)
                 throw new UsageException($"{flag}: needs a value: {flag} {option.ValueName}");
             var value = option.ParseValue(text);

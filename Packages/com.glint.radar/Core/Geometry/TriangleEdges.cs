@@ -47,7 +47,7 @@ namespace Glint.Core
                     gathered[--starts[LowerVertex(corners, edge)]] = edge;
 
             var across = new int[corners.Length];
-            Blocks.For(across.Length, (from, to) => Array.Fill(across, None, from, to - from));
+            Blocks.For(across.Length, (from, to) => Array.Fill(across, None, from, to - from), cancel);
             Blocks.For(vertexCount, (from, to) =>
             {
                 var keys = new ulong[Few];

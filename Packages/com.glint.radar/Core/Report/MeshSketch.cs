@@ -92,8 +92,7 @@ namespace Glint.Core
                 return own[vertex] - 1;
             double3 place = (double3)mesh.Vertices[vertex] - Low;
             var cube = side > 0 ? (int3)math.floor(place / side) : default;
-            int number = 0;
-            if (side == 0 || !numbers.TryGetValue(cube, out number))
+            if (side == 0 || !numbers.TryGetValue(cube, out int number))
             {
                 number = Positions.Count / 3;
                 if (side > 0)

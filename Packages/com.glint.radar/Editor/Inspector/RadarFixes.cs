@@ -1,5 +1,4 @@
 using System;
-using Glint.Core;
 using Unity.Mathematics;
 using UnityEditor;
 using UnityEngine;

@@ -1,6 +1,5 @@
 using System;
 using System.IO;
-using System.Text;
 using Glint.Core;
 using UnityEditor;
 using UnityEngine;

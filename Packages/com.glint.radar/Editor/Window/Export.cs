@@ -1,7 +1,6 @@
 using System;
 using System.IO;
 using Glint.Core;
-using UnityEngine;
 
 namespace Glint.Editor
 {

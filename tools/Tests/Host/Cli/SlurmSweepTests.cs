@@ -1,7 +1,6 @@
 using System;
 using System.Diagnostics;
 using System.IO;
-using Glint.Host;
 using NUnit.Framework;
 
 namespace Glint.Host.Tests;

@@ -4,11 +4,8 @@ using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using Glint.Cli;
-using Glint.Core;
-using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
-using UnityEngine.SceneManagement;
 using static Glint.Host.Tests.UnityText;
 
 namespace Glint.Host.Tests;

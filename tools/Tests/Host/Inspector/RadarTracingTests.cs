@@ -3,7 +3,6 @@ using System.Linq;
 using Glint.Editor;
 using Glint.Tests;
 using NUnit.Framework;
-using UnityEditor;
 using UnityEngine;
 
 namespace Glint.Host.Tests;

@@ -1,7 +1,6 @@
 using System.Linq;
 using Glint.Core;
 using NUnit.Framework;
-using UnityEngine;
 using static Glint.Host.Tests.UnityText;
 
 namespace Glint.Host.Tests;

@@ -8,7 +8,7 @@ namespace UnityEngine;
 [StructLayout(LayoutKind.Explicit)]
 public struct Color32 : IEquatable<Color32>, IFormattable
 {
-    [FieldOffset(0)] [NonSerialized] int rgba;
+    [FieldOffset(0), NonSerialized] int rgba;
     [FieldOffset(0)] public byte r;
     [FieldOffset(1)] public byte g;
     [FieldOffset(2)] public byte b;

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using Glint.Core;
 using UnityEngine;
 using UnityEngine.UIElements;
 

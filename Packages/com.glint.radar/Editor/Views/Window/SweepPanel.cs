@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using Glint.Core;
-using UnityEditor;
 using UnityEditor.UIElements;
 using UnityEngine;
 using UnityEngine.UIElements;
