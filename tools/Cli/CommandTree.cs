@@ -60,7 +60,8 @@ sealed class CommandTree
         var built = new Command(command.Name, command.Summary);
         if (command.Inputs != Core.InputKind.None)
             built.Add(new Argument<string[]>(
-                command.InputName) { Description = Core.Commands.InputHelpOf(command), Arity = Any });
+                command.InputName)
+            { Description = Core.Commands.InputHelpOf(command), Arity = Any });
         foreach (var option in command.Options)
             built.Add(new Option<string[]>(option.Flag)
             {

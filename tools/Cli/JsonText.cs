@@ -12,7 +12,8 @@ static class JsonText
     public static void Write(Stream stream, JObject root)
     {
         using var json = new JsonTextWriter(
-            new StreamWriter(stream, new UTF8Encoding(false)) { NewLine = "\n" }) { Formatting = Formatting.Indented };
+            new StreamWriter(stream, new UTF8Encoding(false)) { NewLine = "\n" })
+        { Formatting = Formatting.Indented };
         root.WriteTo(json);
         json.WriteWhitespace("\n");
     }

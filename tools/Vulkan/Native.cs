@@ -34,7 +34,8 @@ static unsafe class Native
     internal static extern void vkGetPhysicalDeviceProperties2(nint physical, PhysicalDeviceProperties2* properties);
     [DllImport(Loader)]
     internal static extern void vkGetPhysicalDeviceMemoryProperties(nint physical, out MemoryProperties properties);
-    [DllImport(Loader)] internal static extern void vkGetPhysicalDeviceQueueFamilyProperties(nint physical,
+    [DllImport(Loader)]
+    internal static extern void vkGetPhysicalDeviceQueueFamilyProperties(nint physical,
         ref uint count, QueueFamilyProperties* families);
 
     [DllImport(Loader)]
@@ -46,70 +47,86 @@ static unsafe class Native
     [DllImport(Loader)]
     internal static extern int vkQueueSubmit(nint queue, uint count, SubmitInfo* submits, ulong fence);
 
-    [DllImport(Loader)] internal static extern int vkAllocateMemory(nint device, MemoryAllocateInfo* info,
+    [DllImport(Loader)]
+    internal static extern int vkAllocateMemory(nint device, MemoryAllocateInfo* info,
         void* allocator, out ulong memory);
     [DllImport(Loader)] internal static extern void vkFreeMemory(nint device, ulong memory, void* allocator);
-    [DllImport(Loader)] internal static extern int vkMapMemory(nint device, ulong memory, ulong offset, ulong bytes,
+    [DllImport(Loader)]
+    internal static extern int vkMapMemory(nint device, ulong memory, ulong offset, ulong bytes,
         uint flags, out byte* data);
     [DllImport(Loader)]
     internal static extern int vkCreateBuffer(nint device, BufferCreateInfo* info, void* allocator, out ulong buffer);
     [DllImport(Loader)] internal static extern void vkDestroyBuffer(nint device, ulong buffer, void* allocator);
-    [DllImport(Loader)] internal static extern void vkGetBufferMemoryRequirements(nint device, ulong buffer,
+    [DllImport(Loader)]
+    internal static extern void vkGetBufferMemoryRequirements(nint device, ulong buffer,
         out MemoryRequirements requirements);
     [DllImport(Loader)]
     internal static extern int vkBindBufferMemory(nint device, ulong buffer, ulong memory, ulong offset);
 
-    [DllImport(Loader)] internal static extern int vkCreateBufferView(nint device, BufferViewCreateInfo* info,
+    [DllImport(Loader)]
+    internal static extern int vkCreateBufferView(nint device, BufferViewCreateInfo* info,
         void* allocator, out ulong view);
     [DllImport(Loader)] internal static extern void vkDestroyBufferView(nint device, ulong view, void* allocator);
 
-    [DllImport(Loader)] internal static extern int vkCreateShaderModule(nint device, ShaderModuleCreateInfo* info,
+    [DllImport(Loader)]
+    internal static extern int vkCreateShaderModule(nint device, ShaderModuleCreateInfo* info,
         void* allocator, out ulong module);
     [DllImport(Loader)] internal static extern void vkDestroyShaderModule(nint device, ulong module, void* allocator);
-    [DllImport(Loader)] internal static extern int vkCreateDescriptorSetLayout(nint device,
+    [DllImport(Loader)]
+    internal static extern int vkCreateDescriptorSetLayout(nint device,
         DescriptorSetLayoutCreateInfo* info, void* allocator, out ulong layout);
     [DllImport(Loader)]
     internal static extern void vkDestroyDescriptorSetLayout(nint device, ulong layout, void* allocator);
-    [DllImport(Loader)] internal static extern int vkCreatePipelineLayout(nint device, PipelineLayoutCreateInfo* info,
+    [DllImport(Loader)]
+    internal static extern int vkCreatePipelineLayout(nint device, PipelineLayoutCreateInfo* info,
         void* allocator, out ulong layout);
     [DllImport(Loader)] internal static extern void vkDestroyPipelineLayout(nint device, ulong layout, void* allocator);
-    [DllImport(Loader)] internal static extern int vkCreateComputePipelines(nint device, ulong cache, uint count,
+    [DllImport(Loader)]
+    internal static extern int vkCreateComputePipelines(nint device, ulong cache, uint count,
         ComputePipelineCreateInfo* infos, void* allocator, out ulong pipeline);
     [DllImport(Loader)] internal static extern void vkDestroyPipeline(nint device, ulong pipeline, void* allocator);
 
-    [DllImport(Loader)] internal static extern int vkCreateDescriptorPool(nint device, DescriptorPoolCreateInfo* info,
+    [DllImport(Loader)]
+    internal static extern int vkCreateDescriptorPool(nint device, DescriptorPoolCreateInfo* info,
         void* allocator, out ulong pool);
     [DllImport(Loader)] internal static extern void vkDestroyDescriptorPool(nint device, ulong pool, void* allocator);
     [DllImport(Loader)] internal static extern int vkResetDescriptorPool(nint device, ulong pool, uint flags);
     [DllImport(Loader)]
     internal static extern int vkAllocateDescriptorSets(nint device, DescriptorSetAllocateInfo* info, out ulong set);
-    [DllImport(Loader)] internal static extern void vkUpdateDescriptorSets(nint device, uint writes,
+    [DllImport(Loader)]
+    internal static extern void vkUpdateDescriptorSets(nint device, uint writes,
         WriteDescriptorSet* write, uint copies, void* copy);
 
-    [DllImport(Loader)] internal static extern int vkCreateCommandPool(nint device, CommandPoolCreateInfo* info,
+    [DllImport(Loader)]
+    internal static extern int vkCreateCommandPool(nint device, CommandPoolCreateInfo* info,
         void* allocator, out ulong pool);
     [DllImport(Loader)] internal static extern void vkDestroyCommandPool(nint device, ulong pool, void* allocator);
-    [DllImport(Loader)] internal static extern int vkAllocateCommandBuffers(nint device,
+    [DllImport(Loader)]
+    internal static extern int vkAllocateCommandBuffers(nint device,
         CommandBufferAllocateInfo* info, out nint commands);
     [DllImport(Loader)] internal static extern int vkBeginCommandBuffer(nint commands, CommandBufferBeginInfo* info);
     [DllImport(Loader)] internal static extern int vkEndCommandBuffer(nint commands);
     [DllImport(Loader)]
     internal static extern int vkCreateFence(nint device, FenceCreateInfo* info, void* allocator, out ulong fence);
     [DllImport(Loader)] internal static extern void vkDestroyFence(nint device, ulong fence, void* allocator);
-    [DllImport(Loader)] internal static extern int vkCreateQueryPool(nint device, QueryPoolCreateInfo* info,
+    [DllImport(Loader)]
+    internal static extern int vkCreateQueryPool(nint device, QueryPoolCreateInfo* info,
         void* allocator, out ulong pool);
     [DllImport(Loader)] internal static extern void vkDestroyQueryPool(nint device, ulong pool, void* allocator);
-    [DllImport(Loader)] internal static extern int vkGetQueryPoolResults(nint device, ulong pool, uint first,
+    [DllImport(Loader)]
+    internal static extern int vkGetQueryPoolResults(nint device, ulong pool, uint first,
         uint count, nuint bytes, void* data, ulong stride, uint flags);
     [DllImport(Loader)]
     internal static extern int vkWaitForFences(nint device, uint count, in ulong fence, uint all, ulong nanoseconds);
     [DllImport(Loader)] internal static extern int vkResetFences(nint device, uint count, in ulong fence);
 
     [DllImport(Loader)] internal static extern void vkCmdBindPipeline(nint commands, int bindPoint, ulong pipeline);
-    [DllImport(Loader)] internal static extern void vkCmdBindDescriptorSets(nint commands, int bindPoint, ulong layout,
+    [DllImport(Loader)]
+    internal static extern void vkCmdBindDescriptorSets(nint commands, int bindPoint, ulong layout,
         uint first, uint count, in ulong set, uint dynamicCount, uint* dynamicOffsets);
     [DllImport(Loader)] internal static extern void vkCmdDispatch(nint commands, uint x, uint y, uint z);
-    [DllImport(Loader)] internal static extern void vkCmdPipelineBarrier(nint commands, uint from, uint to, uint flags,
+    [DllImport(Loader)]
+    internal static extern void vkCmdPipelineBarrier(nint commands, uint from, uint to, uint flags,
         uint memoryCount, MemoryBarrier* memory, uint bufferCount, void* buffers, uint imageCount, void* images);
     [DllImport(Loader)]
     internal static extern void vkCmdCopyBuffer(nint commands, ulong from, ulong to, uint count, BufferCopy* copies);

@@ -68,7 +68,8 @@ sealed class Reflection
         bool readOnly = _module.MemberHas(block, 0, Decoration.NonWritable)
             || _module.Has(variable, Decoration.NonWritable);
         _buffers.Add(new BufferSlot(name, (int)_module.Value(array, Decoration.ArrayStride),
-            TypeName(_module.Types[array].Operands[0]), !readOnly) { Binding = binding });
+            TypeName(_module.Types[array].Operands[0]), !readOnly)
+        { Binding = binding });
     }
 
     void AddBlock(uint binding, uint block)

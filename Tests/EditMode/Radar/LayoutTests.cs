@@ -29,10 +29,13 @@ namespace Glint.Tests
                 LastHit = float3(1, 2, 3), PathLength = 4, Direction = float3(5, 6, 7), PathLengthRest = 8, InPhase = 9,
                 Quadrature = 10, Pixel = 11, Bounces = 12
             };
-            var instance = new InstanceRecord { ToLocalX = float4(13, 14, 15, 16), ToLocalY = float4(17, 18, 19, 20),
+            var instance = new InstanceRecord
+            {
+                ToLocalX = float4(13, 14, 15, 16), ToLocalY = float4(17, 18, 19, 20),
                 ToLocalZ = float4(21, 22, 23, 24),
                 RestX = float4(25, 26, 27, 28), RestY = float4(29, 30, 31, 32), RestZ = float4(33, 34, 35, 36),
-                FirstRow = 37, Bank = 38, Stretch = 39, Rounding = 40 };
+                FirstRow = 37, Bank = 38, Stretch = 39, Rounding = 40
+            };
             var hit = new HitData
             {
                 Place = float3(41, 42, 43), Instance = 44, Direction = float3(45, 46, 47), Triangle = 48

@@ -23,10 +23,13 @@ namespace Glint.Tests
         [SetUp]
         public void MakeScene()
         {
-            var mesh = new Mesh { name = "Plate", vertices = new[]
+            var mesh = new Mesh
+            {
+                name = "Plate", vertices = new[]
             {
                 new Vector3(-1, -1, 0), new Vector3(-1, 1, 0), new Vector3(1, 1, 0), new Vector3(1, -1, 0)
-            }, triangles = new[] { 0, 1, 2, 0, 2, 3 } };
+            }, triangles = new[] { 0, 1, 2, 0, 2, 3 }
+            };
             var row = new GameObject("Row").transform;
             for (int i = 0; i < Plates; i++)
             {

@@ -219,7 +219,8 @@ namespace Glint.Tests
             switch (change)
             {
                 case "another mesh": filter.sharedMesh = _floor.GetComponent<MeshFilter>().sharedMesh; break;
-                case "a mesh that changed": filter.sharedMesh.vertices =
+                case "a mesh that changed":
+                    filter.sharedMesh.vertices =
                     filter.sharedMesh.vertices.Select(place => place + Vector3.right).ToArray(); break;
                 case "an object less": _plate.gameObject.SetActive(false); break;
                 case "another place of the radar": _camera.transform.localPosition += Vector3.up; break;

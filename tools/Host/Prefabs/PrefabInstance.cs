@@ -55,9 +55,9 @@ internal sealed class PrefabInstance
         {
             ObjectRecord copy = new(original.File, original.ClassId, original.TypeName, ids[original],
                 original.Fields.Node.CloneFields(Rename))
-                {
-                    Origins = [.. original.Origins, new ObjectReference(original.Id, _source.Guid)],
-                };
+            {
+                Origins = [.. original.Origins, new ObjectReference(original.Id, _source.Guid)],
+            };
             table.Add(copy);
             _copies.Add(original, copy);
         }

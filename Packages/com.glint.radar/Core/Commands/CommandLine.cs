@@ -228,7 +228,8 @@ namespace Glint.Core
                 case ".unity": return InputKind.Scene;
                 case ".obj":
                 case ".stl": return InputKind.MeshFile;
-                default: throw new UsageException($"{Values.Shown(input)}: "
+                default:
+                    throw new UsageException($"{Values.Shown(input)}: "
                     + "neither a scene (.unity) nor a mesh file (.obj, .stl)");
             }
         }

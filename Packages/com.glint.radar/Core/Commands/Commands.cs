@@ -31,8 +31,8 @@ namespace Glint.Core
         /// <summary>Traces every pose of a plan.</summary>
         public static readonly Command Sweep = new Command("sweep", "Step through angles, grazing angles, distances, "
             + "frequencies or snapshots of a sea, trace every pose and write results.csv and results.json.")
-            {
-                Options = new Option[]
+        {
+            Options = new Option[]
                 {
                     Options.Angles, Options.GrazingAngles, Options.Distances, Options.Frequencies, Options.Snapshots,
                     Options.Target, Options.Shard, Options.Out, Options.Resume, Options.Size,
@@ -40,12 +40,12 @@ namespace Glint.Core
                     Options.Unit, Options.Up, Options.Azimuth, Options.Fov,
                     Options.Spacing, Options.Aperture, Options.Aim, Options.Device
                 },
-                Required = new Option[] { Options.Target },
-                OneOf = new Option[]
+            Required = new Option[] { Options.Target },
+            OneOf = new Option[]
                 {
                     Options.Angles, Options.GrazingAngles, Options.Distances, Options.Frequencies, Options.Snapshots
                 },
-                Notes = new[]
+            Notes = new[]
                 {
                     "The target turns about the vertical through its own position and is put back afterwards. The mesh "
                         + "of a file is turned as a whole, about the vertical through the origin of its coordinates.",
@@ -54,8 +54,8 @@ namespace Glint.Core
                         + "and the snapshot slowest.",
                     "Without --out the files go to Results/<name of the input> beside the project's Assets."
                 },
-                UnityMethod = "Glint.Editor.Batch.Sweep",
-                Examples = new[]
+            UnityMethod = "Glint.Editor.Batch.Sweep",
+            Examples = new[]
                 {
                     Example("sweep Scenes/CornerReflector.unity --target \"Corner Reflector\" --angles 0:45:1",
                         "The published experiment, 46 poses."),
@@ -71,7 +71,7 @@ namespace Glint.Core
                     Example("sweep plate.obj --angles -10,-5,0,5,10 --grazing 0 --fov 5 --size 640x360",
                         "Five angles of an upright plate seen head-on, fewer rays.")
                 }
-            };
+        };
 
         /// <summary>Joins the parts of a sweep.</summary>
         public static readonly Command Merge =
@@ -116,17 +116,17 @@ namespace Glint.Core
         /// <summary>Makes a page of results.</summary>
         public static readonly Command Report = new Command("report", "Write one HTML file of a sweep or run that "
             + "opens offline: charts, table, phase histograms, and the scene in 3-D with its received rays.")
-            {
-                Inputs = InputKind.Results,
-                Options = new Option[] { ReportOptions.Out, ReportOptions.Pose, Options.Device },
-                Notes = new[]
+        {
+            Inputs = InputKind.Results,
+            Options = new Option[] { ReportOptions.Out, ReportOptions.Pose, Options.Device },
+            Notes = new[]
                 {
                     "One pose is traced again for the 3-D view and the radar's picture. "
                         + "When its scene or mesh file cannot be opened the report says so and has the rest; "
                         + "a mesh file named by a relative path is looked for from the current folder."
                 },
-                UnityMethod = "Glint.Editor.Batch.Report",
-                Examples = new[]
+            UnityMethod = "Glint.Editor.Batch.Report",
+            Examples = new[]
                 {
                     Example("report Results/corner", "Results/corner/report.html, with the strongest pose in 3-D."),
                     Example("report Results/corner --pose 10 --out corner.html",
@@ -134,14 +134,14 @@ namespace Glint.Core
                     Example("report Results/corner --pose none",
                         "Without the scene, when there is no GPU or it takes too long.")
                 }
-            };
+        };
 
         /// <summary>Times poses, and other programs beside them. Only the headless host has it.</summary>
         public static readonly Command Bench = new Command("bench", "Time what a pose costs, count what it does, "
             + "and compare its sums with a double-precision tracer and its times with other programs.")
-            {
-                Inputs = InputKind.File | InputKind.BuiltIn,
-                Options = new Option[]
+        {
+            Inputs = InputKind.File | InputKind.BuiltIn,
+            Options = new Option[]
                 {
                     Options.Rounds, Options.Peers, Options.Judge, Options.Json, Options.WriteScene,
                     Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
@@ -149,13 +149,13 @@ namespace Glint.Core
                     Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov,
                     Options.Spacing, Options.Aperture, Options.Aim, Options.Accuracy, Options.Device
                 },
-                Notes = new[]
+            Notes = new[]
                 {
                     "A pose is timed as a sweep pays for it: the target (the ship, the mesh of a file) is turned by a "
                         + "thousandth of a degree, what changed is brought to the device, rays are traced and summed. "
                         + "Sums and errors are those of the scene as it stands."
                 },
-                Examples = new[]
+            Examples = new[]
                 {
                     Example("bench", "The built-in scene, 1920 x 1080 rays."),
                     Example("bench --size 7680x4320 --judge none --json 8k.json",
@@ -164,42 +164,42 @@ namespace Glint.Core
                         "Run time against error: the plot, tables and figures."),
                     Example("bench --peer \"Embree=./embree {scene}\"", "With another program, in turns.")
                 }
-            };
+        };
 
         /// <summary>
         /// Compares rays one by one with those of the double-precision tracer. Only the headless host has it.
         /// </summary>
         public static readonly Command Verify = new Command("verify",
             "Trace a scene and compare its rays one by one with those of a double-precision tracer.")
-            {
-                Options = new Option[]
+        {
+            Options = new Option[]
                 {
                     Options.Rays, Options.Json,
                     Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
                     Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov,
                     Options.Spacing, Options.Aperture, Options.Aim, Options.Device
                 },
-                Notes = new[]
+            Notes = new[]
                 {
                     "A ray is right when it goes the same way and, if it is received, "
                         + "its path is as long within 10 micrometres; or when it passes the edge of a triangle so near "
                         + "that float32 cannot tell on which side. The exit code is 1 when a ray is not."
                 },
-                Examples = new[]
+            Examples = new[]
                 {
                     Example("verify Scenes/CornerReflector.unity", "Its 676 received rays, and some 100,000 of all."),
                     Example("verify ship.stl --unit mm --up z --distance 10000 --fov 0.3 --json ship.json",
                         "A mesh from 10 km; the figures go into a file.")
                 }
-            };
+        };
 
         /// <summary>Repeats the published experiments. Only the headless host has it.</summary>
         public static readonly Command Experiments = new Command("experiments",
             "Repeat the published experiments and write tables and plots of the results beside the published ones.")
-            {
-                Inputs = InputKind.None,
-                Options = new Option[] { ExperimentOptions.Out, ExperimentOptions.Seeds, Options.Device },
-                Notes = new[]
+        {
+            Inputs = InputKind.None,
+            Options = new Option[] { ExperimentOptions.Out, ExperimentOptions.Seeds, Options.Device },
+            Notes = new[]
                 {
                     "It sweeps the scenes that this project stores: the corner reflector, both seas, the ship alone "
                         + "and on each sea. Then it turns the ship on every stored snapshot, and makes other seas with "
@@ -207,13 +207,13 @@ namespace Glint.Core
                     "Without --out the files go to Results/experiments beside the project's Assets. An experiments.md "
                         + "that is there already keeps its words: only what stands between its markers is replaced."
                 },
-                Examples = new[]
+            Examples = new[]
                 {
                     Example("experiments", "All of it."),
                     Example("experiments --seeds 1 --out figures", "One seed: the stored seas and their neighbours in "
                         + "wind and choppiness; the files go to figures.")
                 }
-            };
+        };
 
         /// <summary>Makes snapshots of a sea.</summary>
         public static readonly Command Sea =
@@ -251,14 +251,14 @@ namespace Glint.Core
         /// <summary>Makes the corner reflector.</summary>
         public static readonly Command Reflector = new Command("reflector",
             "Make the corner reflector of the published experiment and its radar, as prefabs of the project.")
-            {
-                Inputs = InputKind.None,
-                Options = new Option[0],
-                Notes = new[] { "It writes the two prefabs that Scenes/CornerReflector.unity shows to "
+        {
+            Inputs = InputKind.None,
+            Options = new Option[0],
+            Notes = new[] { "It writes the two prefabs that Scenes/CornerReflector.unity shows to "
                     + "Meshes/CornerReflector. Their geometry is that of Core/Benchmark/CornerReflector.cs." },
-                UnityMethod = "Glint.Editor.Batch.Reflector",
-                Examples = new[] { Example("reflector", "The stored prefabs.") }
-            };
+            UnityMethod = "Glint.Editor.Batch.Reflector",
+            Examples = new[] { Example("reflector", "The stored prefabs.") }
+        };
 
         /// <summary>Lists devices, limits and versions.</summary>
         public static readonly Command Info =
@@ -276,10 +276,10 @@ namespace Glint.Core
         /// <summary>Prints a script for a shell. Only the headless host has it.</summary>
         public static readonly Command Completion = new Command("completion",
             "Print a script with which a shell completes commands, options, choices and file names of glint.")
-            {
-                Inputs = InputKind.Shell,
-                Options = new Option[0],
-                Examples = new[]
+        {
+            Inputs = InputKind.Shell,
+            Options = new Option[0],
+            Examples = new[]
                 {
                     Example("completion bash",
                         "To have it in every bash: put  source <(glint completion bash)  into ~/.bashrc."),
@@ -288,7 +288,7 @@ namespace Glint.Core
                     Example("completion fish",
                         "For fish: glint completion fish > ~/.config/fish/completions/glint.fish")
                 }
-            };
+        };
 
         /// <summary>Every command.</summary>
         public static IReadOnlyList<Command> All { get; } =

@@ -44,30 +44,30 @@ namespace Glint.Core
         /// <summary>Grazing angles of a sweep, degrees; null when not given.</summary>
         public static readonly Option<double[]> GrazingAngles = new Option<double[]>("grazing", "LIST",
             new NumberList("angle", GrazingAngle, "degrees", ("1:10:0.5", "1,2,5")).Read)
-            {
-                Group = SweepGroup,
-                Help = "Grazing angles in degrees, how far the radar looks down, as a range or list like --angles. "
+        {
+            Group = SweepGroup,
+            Help = "Grazing angles in degrees, how far the radar looks down, as a range or list like --angles. "
                     + "It moves about the point that it looks at: for a mesh file that of --aim, "
                     + "10 degrees without the option; in a scene the point of its view axis nearest to the target."
-            };
+        };
 
         /// <summary>Ranges of a sweep, metres; null when not given.</summary>
         public static readonly Option<double[]> Distances = new Option<double[]>("distance", "LIST",
             new NumberList("distance", Length, "metres", ("50:500:50", "50,100,500")).Read)
-            {
-                Group = SweepGroup,
-                Help = "Distances from the radar to the same point in metres, as a range or list. "
+        {
+            Group = SweepGroup,
+            Help = "Distances from the radar to the same point in metres, as a range or list. "
                     + "For a mesh file 50 without the option."
-            };
+        };
 
         /// <summary>Carrier frequencies of a sweep, hertz; null when not given.</summary>
         public static readonly Option<double[]> Frequencies = new Option<double[]>("frequency", "LIST", new NumberList(
             "frequency", CarrierFrequency, "hertz", ("9e9:11e9:0.1e9", "9.4e9,10e9"), "frequencies").Read)
-            {
-                Group = SweepGroup,
-                Help = "Carrier frequencies in hertz, as a range or list. Without the option that of the scene, "
+        {
+            Group = SweepGroup,
+            Help = "Carrier frequencies in hertz, as a range or list. Without the option that of the scene, "
                     + "or 10e9 for a mesh file."
-            };
+        };
 
         /// <summary>Snapshots of the sea, from 1; null when not given.</summary>
         public static readonly Option<int[]> Snapshots =

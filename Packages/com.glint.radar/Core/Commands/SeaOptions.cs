@@ -21,12 +21,12 @@ namespace Glint.Core
         /// <summary>Hs by the WMO's code.</summary>
         public static readonly Option<int> State = new Option<int>("sea-state", "N",
             text => Values.Whole(text, Interval.Closed(SeaState.Lowest, SeaState.Highest)))
-            {
-                Group = Group,
-                Range = Interval.Closed(SeaState.Lowest, SeaState.Highest).ToString(),
-                Excludes = new (Option, string)[] { (WaveHeight, "both say how high the waves are") },
-                Help = "In place of --wave-height: the middle of the WMO's range for a sea state, such as 3.25 m for 5."
-            };
+        {
+            Group = Group,
+            Range = Interval.Closed(SeaState.Lowest, SeaState.Highest).ToString(),
+            Excludes = new (Option, string)[] { (WaveHeight, "both say how high the waves are") },
+            Help = "In place of --wave-height: the middle of the WMO's range for a sea state, such as 3.25 m for 5."
+        };
 
         /// <summary>The wave spectrum.</summary>
         public static readonly Option<SeaSpectrumKind> Spectrum =

@@ -80,7 +80,8 @@ namespace Glint.Core
             {
                 case "all": return 1;
                 case "none": return 0;
-                default: return TryWhole(text, out double value)
+                default:
+                    return TryWhole(text, out double value)
                     ? (int)Checked(value, range, "must be all, none or a number ")
                     : throw new FormatException("must be all, none or a whole number, such as 100 for every 100th ray");
             }

@@ -103,7 +103,8 @@ namespace Glint.Core
         internal static JObject Parse(string text)
         {
             using (var reader = new JsonTextReader(
-                new StringReader(text)) { DateParseHandling = DateParseHandling.None })
+                new StringReader(text))
+            { DateParseHandling = DateParseHandling.None })
             {
                 var json = JObject.Load(reader);
                 while (reader.Read())

@@ -99,7 +99,8 @@ namespace Glint
         static MeshFilter MakeTile(Transform parent)
         {
             var tile = new GameObject("Tile", typeof(MeshFilter),
-                typeof(MeshRenderer)) { layer = parent.gameObject.layer };
+                typeof(MeshRenderer))
+            { layer = parent.gameObject.layer };
             tile.transform.SetParent(parent, false);
             tile.hideFlags = tile.transform.hideFlags = Made;
             return tile.GetComponent<MeshFilter>();

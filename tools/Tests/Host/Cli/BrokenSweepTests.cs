@@ -40,9 +40,9 @@ public sealed class BrokenSweepTests
         Sweep("whole");
         var start = new ProcessStartInfo("bash", ["-c", "trap '' XFSZ; ulimit -f 8; exec \"$@\"", "bash", "dotnet",
             Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), "sweep", Corner, .. s_sweep, "--out", At("swept")])
-            {
-                RedirectStandardOutput = true, RedirectStandardError = true
-            };
+        {
+            RedirectStandardOutput = true, RedirectStandardError = true
+        };
         // The runtime maps its code from a file of its own otherwise.
         start.Environment["DOTNET_EnableWriteXorExecute"] = "0";
         using var process = Process.Start(start);

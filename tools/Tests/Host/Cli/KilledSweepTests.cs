@@ -101,7 +101,8 @@ public sealed class KilledSweepTests
     {
         string partial = Path.Combine(At("killed"), "results.partial");
         var start = new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"),
-            .. arguments]) { RedirectStandardOutput = true, RedirectStandardError = true };
+            .. arguments])
+        { RedirectStandardOutput = true, RedirectStandardError = true };
         using var process = Process.Start(start);
         process.OutputDataReceived += (_, _) => { };
         process.ErrorDataReceived += (_, _) => { };

@@ -28,7 +28,8 @@ public sealed class SlurmSweepTests
     {
         string words = $"in.unity {given}".Trim();
         var start = new ProcessStartInfo(Path.Combine(Project.FindRoot(AppContext.BaseDirectory), "tools/slurm-sweep"),
-            ["dir", .. words.Split(' ')]) { RedirectStandardOutput = true };
+            ["dir", .. words.Split(' ')])
+        { RedirectStandardOutput = true };
         foreach (string name in s_variables)
             start.Environment.Remove(name);
         foreach (string setting in new[]

@@ -66,14 +66,17 @@ public sealed class MeshFileFuzzTests
         var before = content.Take(at);
         switch (random.Next(6))
         {
-            case 0: return content.Select(
+            case 0:
+                return content.Select(
                 value => random.Next(content.Length) < 3 ? (byte)(value ^ 1 << random.Next(8)) : value).ToArray();
             case 1: return before.ToArray();
             case 2: return before.Concat(content.Skip(at + length)).ToArray();
             case 3: return before.Concat(content.Skip(at).Take(length)).Concat(content.Skip(at)).ToArray();
-            case 4: return before.Concat(Encoding.UTF8.GetBytes(Splinters[random.Next(Splinters.Length)]))
+            case 4:
+                return before.Concat(Encoding.UTF8.GetBytes(Splinters[random.Next(Splinters.Length)]))
                 .Concat(content.Skip(at)).ToArray();
-            default: return before.Concat(content.Skip(at).Take(length).Select(_ => (byte)random.Next(256)))
+            default:
+                return before.Concat(content.Skip(at).Take(length).Select(_ => (byte)random.Next(256)))
                 .Concat(content.Skip(at + length)).ToArray();
         }
     }

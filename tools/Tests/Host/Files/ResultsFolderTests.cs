@@ -45,7 +45,8 @@ public sealed class ResultsFolderTests
         try
         {
             var start = new ProcessStartInfo("flock", ["--close", Path.Combine(path, "results.lock"), "sh", "-c",
-                "echo held; exec sleep 60"]) { RedirectStandardOutput = true };
+                "echo held; exec sleep 60"])
+            { RedirectStandardOutput = true };
             using var holder = Process.Start(start);
             holder.StandardOutput.ReadLine();
             Assert.That(Assert.Throws<GlintException>(() => ResultsFolder.Open(path)).Message,

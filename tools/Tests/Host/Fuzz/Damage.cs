@@ -75,15 +75,19 @@ static partial class Damage
             case 0: return Replace(text, Number(), random, _ => Latin(Pick(Numbers, random)));
             case 1: return Replace(text, Number(), random, _ => Latin(Pick(Numbers, random)));
             case 2: return Replace(text, FileId(), random, old => Other(text, FileId(), old, random));
-            case 3: return Replace(text, Guid(), random,
+            case 3:
+                return Replace(text, Guid(), random,
                 old => Other(text + Encoding.Latin1.GetString(Pick(others, random)), Guid(), old, random));
             case 4: return Replace(text, Value(), random, _ => Latin(Pick(Values, random)));
             case 5: return Replace(text, Key(), random, old => Other(text, Key(), old, random));
-            case 6: return Replace(text, Indent(), random,
+            case 6:
+                return Replace(text, Indent(), random,
                 old => new string(' ', Math.Max(0, old.Length + random.Next(-2, 3))));
-            case 7: return Replace(text, Document(), random,
+            case 7:
+                return Replace(text, Document(), random,
                 old => random.Next(2) == 0 ? "" : old + Replace(old, FileId(), random, _ => Pick(Numbers, random)));
-            case 8: return Replace(text, Value(), random,
+            case 8:
+                return Replace(text, Value(), random,
                 old => Repeated(random.Next(2) == 0 ? old : Pick(Splinters, random), random));
             case 9: return Lines(text, random, Encoding.Latin1.GetString(Pick(others, random)).Split('\n'));
             default: return Lines(text, random, text.Split('\n'));

@@ -211,9 +211,11 @@ sealed class SceneCases : IDisposable
                 File.WriteAllText(Path.Combine(folder, Pick(["results.csv", "results.json", "results.lock"], random)),
                     Pick(["", "angle_deg,NaN\n", "{"], random));
                 return folder;
-            case 1: return Directory.CreateDirectory(Path.Combine(folder,
+            case 1:
+                return Directory.CreateDirectory(Path.Combine(folder,
                 Pick(["results.csv", "results.json", "results.lock", "other"], random))).Parent.FullName;
-            case 2: return Pick([PathOf(Whole), PathOf(Whole) + "/out", "/proc/results", "/dev/null/results",
+            case 2:
+                return Pick([PathOf(Whole), PathOf(Whole) + "/out", "/proc/results", "/dev/null/results",
                 folder + new string('x', 300), folder + "\t"], random);
             default: return folder;
         }

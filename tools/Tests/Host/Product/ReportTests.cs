@@ -184,7 +184,8 @@ public sealed class ReportTests
             CommandLine.Parse(Commands.Sweep, Corner.Take(3).Concat(new[] { "--angles", "0" }).ToArray()));
         using (var folder = ResultsFolder.Open(_folder))
         using (var run = new SweepRun(new SweepSetup(subjects.Radar,
-            new SweepPlan(new[] { 0.0, 20 })) { Target = subjects.Target, Scene = subjects.Scene }, folder))
+            new SweepPlan(new[] { 0.0, 20 }))
+        { Target = subjects.Target, Scene = subjects.Scene }, folder))
             while (!run.IsComplete)
                 run.Step();
         Report("--pose", "2");

@@ -29,7 +29,10 @@ public struct Vector3Int : IEquatable<Vector3Int>, IFormattable
     {
         get => index switch
         {
-            0 => m_X, 1 => m_Y, 2 => m_Z, _ =>
+            0 => m_X,
+            1 => m_Y,
+            2 => m_Z,
+            _ =>
                 throw new IndexOutOfRangeException($"Invalid Vector3Int index addressed: {index}!")
         };
         set

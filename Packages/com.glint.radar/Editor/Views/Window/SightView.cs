@@ -31,8 +31,11 @@ namespace Glint.Editor.Views
             var bar = new VisualElement();
             bar.AddToClassList("glint-buttons");
             bar.Add(_colours);
-            bar.Add(new Button(look) { text = "Look now", tooltip = "Traces the view as everything stands. "
-                + "While this is unfolded, each pose that is traced is shown." });
+            bar.Add(new Button(look)
+            {
+                text = "Look now", tooltip = "Traces the view as everything stands. "
+                + "While this is unfolded, each pose that is traced is shown."
+            });
             _legend.AddToClassList("glint-legend");
             _readout.AddToClassList("glint-words");
             Add(bar);
@@ -65,7 +68,8 @@ namespace Glint.Editor.Views
             bool byObject = _colours.value == ByObject;
             UnityEngine.Object.DestroyImmediate(_texture);
             _texture = new Texture2D(_sight.Width, _sight.Height, TextureFormat.RGBA32,
-                false) { filterMode = FilterMode.Point, hideFlags = HideFlags.HideAndDontSave };
+                false)
+            { filterMode = FilterMode.Point, hideFlags = HideFlags.HideAndDontSave };
             _texture.SetPixels32(_sight.Colours(byObject));
             _texture.Apply();
             _image.image = _texture;
