@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>Graphics devices that are programs: kernels for wide trees suit them better than those for GPUs.</summary>
+    /// <summary>Graphics devices that are programs: wide trees suit them better than binary ones.</summary>
     static class SoftwareDevice
     {
         static readonly string[] s_names = { "llvmpipe", "SwiftShader", "Microsoft Basic Render" };

@@ -27,7 +27,8 @@ namespace Glint.Tests
 
         [Test]
         public void TracePaths_EveryBounce_IsWhereTheJudgeHasItAndOnItsTriangle(
-            [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware, [Values] bool isParallel)
+            [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware,
+            [Values] bool isParallel)
         {
             var scene = Scene;
             var view = TestRadar.LookAt(double3(3, 8, -24), 0, fov: 50);

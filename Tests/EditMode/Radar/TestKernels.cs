@@ -7,7 +7,7 @@ namespace Glint.Tests
 {
     static class TestKernels
     {
-        /// <summary>Whether the wide kernels are there: in the headless host, whose projects define the symbol.</summary>
+        /// <summary>Whether the wide kernels are there: in the headless host, which defines the symbol.</summary>
 #if GLINT_HOST
         public const bool HasWide = true;
 #else
