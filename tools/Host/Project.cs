@@ -13,6 +13,10 @@ namespace Glint.Host;
 public sealed class Project : IAssetSource, IAssetStore
 {
     const string SceneExtension = ".unity";
+
+    // Unity has no asset of that path, since it ignores folders whose name ends in "~".
+    const string WideShader = "Packages/com.glint.radar/Shaders/Wide~/TraceWide.compute";
+
     const int ShownScenes = 5;
 
     readonly ProjectFiles _files;
@@ -46,6 +50,8 @@ public sealed class Project : IAssetSource, IAssetStore
         SceneLoads.BuildScenes.Clear();
         SceneLoads.BuildScenes.AddRange(settings.BuildScenes);
         Engine.Assets = project;
+        SoftwareDevice.LoadWideShader =
+            () => (ComputeShader)project._assets.Load(WideShader, typeof(ComputeShader));
         return project;
     }
 

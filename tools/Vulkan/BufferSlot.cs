@@ -8,9 +8,4 @@ namespace Glint.Vulkan;
 public sealed record BufferSlot(string Name, int Stride, string Element, bool Writable)
 {
     internal uint Binding { get; init; }
-
-    /// <summary>A Buffer&lt;uint4&gt;, read through a view, in place of a StructuredBuffer.</summary>
-    internal bool IsTexel { get; init; }
-
-    internal uint DescriptorType => IsTexel ? Native.UniformTexelBuffer : Native.StorageBuffer;
 }

@@ -13,7 +13,7 @@ sealed unsafe class CommandRecorder : IDisposable
     internal const int MaxDispatches = 16;
     internal const int UniformRingBytes = 256 << 10;
     const long StagingBytes = 16 << 20;
-    const uint PoolStorageBuffers = 1024, PoolUniformBuffers = 64, PoolTexelBuffers = 256;
+    const uint PoolStorageBuffers = 1024, PoolUniformBuffers = 64;
     const int ComputeBindPoint = 1;
 
     /// <summary>A dispatch that takes longer than this hangs.</summary>
@@ -61,11 +61,10 @@ sealed unsafe class CommandRecorder : IDisposable
         {
             new() { Type = Native.StorageBuffer, Count = PoolStorageBuffers },
             new() { Type = Native.UniformBuffer, Count = PoolUniformBuffers },
-            new() { Type = Native.UniformTexelBuffer, Count = PoolTexelBuffers },
         };
         var descriptorInfo = new DescriptorPoolCreateInfo
         {
-            SType = StructureType.DescriptorPoolCreateInfo, MaxSets = MaxDispatches, SizeCount = 3, Sizes = sizes
+            SType = StructureType.DescriptorPoolCreateInfo, MaxSets = MaxDispatches, SizeCount = 2, Sizes = sizes
         };
         VulkanException.Check(Native.vkCreateDescriptorPool(device.Handle, &descriptorInfo, null, out _descriptorPool),
             "make a descriptor pool");
@@ -235,25 +234,21 @@ sealed unsafe class CommandRecorder : IDisposable
         if (count == 0)
             return;
         var targets = stackalloc DescriptorBufferInfo[count];
-        var views = stackalloc ulong[count];
         var writes = stackalloc WriteDescriptorSet[count];
         for (int i = 0; i < count; i++)
         {
             bool isBuffer = i < buffers.Length;
-            bool isTexel = isBuffer && program.Slots[i].IsTexel;
             targets[i] = isBuffer
                 ? new DescriptorBufferInfo { Buffer = buffers[i].Handle, Range = (ulong)buffers[i].Bytes }
                 : PlaceUniforms(blocks[i - buffers.Length], uniforms);
-            views[i] = isTexel ? buffers[i].TexelView : 0;
             writes[i] = new WriteDescriptorSet
             {
                 SType = StructureType.WriteDescriptorSet,
                 Set = set,
                 Binding = isBuffer ? program.Slots[i].Binding : blocks[i - buffers.Length].Binding,
                 Count = 1,
-                Type = isBuffer ? program.Slots[i].DescriptorType : Native.UniformBuffer,
+                Type = isBuffer ? Native.StorageBuffer : Native.UniformBuffer,
                 Buffer = targets + i,
-                TexelBuffer = views + i,
             };
         }
         Native.vkUpdateDescriptorSets(_device.Handle, (uint)count, writes, 0, null);

@@ -90,8 +90,9 @@ public sealed unsafe class ComputeProgram : IDisposable
 
     void CheckLimits(DeviceLimits limits)
     {
-        CheckCount("buffers", Slots.Count(slot => !slot.IsTexel), limits.MaxStorageBuffersPerStage);
-        CheckCount("texel buffers", Slots.Count(slot => slot.IsTexel), limits.MaxTexelBuffersPerStage);
+        if (Slots.Count > limits.MaxStorageBuffersPerStage)
+            throw new VulkanException($"kernel {Name} uses {Slots.Count} buffers, "
+                + $"{_device.Info.Name} takes {limits.MaxStorageBuffersPerStage}");
         if (Blocks.FirstOrDefault(block => block.Bytes > limits.MaxUniformBufferRange) is { Bytes: > 0 } large)
             throw new VulkanException($"kernel {Name} has {large.Bytes:N0} bytes of uniforms in one block, "
                 + $"{_device.Info.Name} takes {limits.MaxUniformBufferRange:N0}");
@@ -103,12 +104,6 @@ public sealed unsafe class ComputeProgram : IDisposable
             || (ulong)x * y * z > limits.MaxGroupInvocations)
             throw new VulkanException($"kernel {Name} has groups of {x} x {y} x {z} threads, "
                 + $"{_device.Info.Name} takes {limits.MaxGroupInvocations} in all");
-    }
-
-    void CheckCount(string what, int count, int most)
-    {
-        if (count > most)
-            throw new VulkanException($"kernel {Name} uses {count} {what}, {_device.Info.Name} takes {most}");
     }
 
     void CreateModule(ReadOnlySpan<byte> spirv)
@@ -126,7 +121,7 @@ public sealed unsafe class ComputeProgram : IDisposable
 
     void CreateLayout()
     {
-        var bindings = Slots.Select(slot => (slot.Binding, Type: slot.DescriptorType))
+        var bindings = Slots.Select(slot => (slot.Binding, Type: Native.StorageBuffer))
             .Concat(Blocks.Select(block => (block.Binding, Type: Native.UniformBuffer)))
             .Select(binding => new DescriptorSetLayoutBinding
             {

@@ -9,8 +9,6 @@ namespace Glint.Vulkan;
 /// <param name="MemoryBytes">Size of the largest heap of the device's own memory.</param>
 /// <param name="TimestampPeriodNs">Length of a tick of the device's clock, nanoseconds.</param>
 /// <param name="MaxStorageBuffersPerStage">Most buffers that a kernel can use.</param>
-/// <param name="MaxTexelBufferElements">Most elements of a Buffer&lt;uint4&gt;.</param>
-/// <param name="MaxTexelBuffersPerStage">Most of these that a kernel can use.</param>
 /// <param name="TimestampBits">Bits of the device's clock that count; 0 when kernels cannot be timed.</param>
 public sealed record DeviceLimits(
     long MaxStorageBufferRange,
@@ -21,6 +19,4 @@ public sealed record DeviceLimits(
     long MemoryBytes,
     float TimestampPeriodNs,
     int MaxStorageBuffersPerStage,
-    long MaxTexelBufferElements,
-    int MaxTexelBuffersPerStage,
     int TimestampBits);

@@ -6,13 +6,10 @@ namespace Glint.Vulkan;
 /// <summary>Bytes on the device that kernels read and write; zero when new.</summary>
 public sealed unsafe class GpuBuffer : IDisposable
 {
-    const int TexelBytes = 16;
-
     /// <summary>Up to here copying a second time, into the staging buffer, costs less than waiting.</summary>
     const int SmallBytes = 64 << 10;
 
     Allocation _allocation;
-    ulong _texelView;
 
     internal GpuBuffer(VulkanDevice device, long bytes, bool map)
     {
@@ -40,9 +37,6 @@ public sealed unsafe class GpuBuffer : IDisposable
 
     /// <summary>Batch of the last recorded command that uses this buffer.</summary>
     internal long LastBatch { get; set; }
-
-    /// <summary>The bytes as a Buffer&lt;uint4&gt; reads them; made when it is first asked for.</summary>
-    internal ulong TexelView => _texelView != 0 ? _texelView : CreateTexelView();
 
     Allocation Live => _allocation
         ?? throw new ObjectDisposedException(nameof(GpuBuffer), $"this buffer of {Bytes:N0} bytes was disposed");
@@ -92,29 +86,8 @@ public sealed unsafe class GpuBuffer : IDisposable
     internal void Destroy()
     {
         if (!Device.IsAbandoned)
-        {
-            Native.vkDestroyBufferView(Device.Handle, _texelView, null);
             _allocation?.Dispose();
-        }
         _allocation = null;
-        _texelView = 0;
-    }
-
-    ulong CreateTexelView()
-    {
-        long texels = Bytes / TexelBytes, most = Device.Limits.MaxTexelBufferElements;
-        if (texels == 0 || texels > most)
-            throw new VulkanException($"a buffer of {Bytes:N0} bytes cannot be read as a Buffer<uint4>: "
-                + $"{Device.Info.Name} takes from {TexelBytes} to {most * TexelBytes:N0} bytes; "
-                + $"unset {ShaderLibrary.TexelVariable}");
-        var info = new BufferViewCreateInfo
-        {
-            SType = StructureType.BufferViewCreateInfo, Buffer = Handle,
-            Format = Native.Uint4Format, Range = (ulong)(texels * TexelBytes),
-        };
-        VulkanException.Check(Native.vkCreateBufferView(Device.Handle, &info, null, out _texelView),
-            $"view {Bytes:N0} bytes as a Buffer<uint4>");
-        return _texelView;
     }
 
     void CheckRange(int bytes, long offset)

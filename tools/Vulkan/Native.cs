@@ -10,17 +10,15 @@ static unsafe class Native
 {
     const string Loader = "libvulkan.so.1";
 
-    internal const uint UniformTexelBuffer = 4, UniformBuffer = 6, StorageBuffer = 7;   // VkDescriptorType
+    internal const uint UniformBuffer = 6, StorageBuffer = 7;                           // VkDescriptorType
     internal const uint DeviceLocal = 1, HostVisible = 2, HostCoherent = 4, HostCached = 8; // VkMemoryPropertyFlags
     // VkBufferUsageFlags
-    internal const uint TransferSource = 1, TransferTarget = 2, UniformTexelUsage = 4,
-        UniformUsage = 16, StorageUsage = 32;
+    internal const uint TransferSource = 1, TransferTarget = 2, UniformUsage = 16, StorageUsage = 32;
     // VkPipelineStageFlags
     internal const uint ComputeStage = 0x800, TransferStage = 0x1000, BottomOfPipe = 0x2000, HostStage = 0x4000;
     internal const uint MemoryRead = 0x8000, MemoryWrite = 0x10000;                     // VkAccessFlags
     internal const uint ComputeShader = 0x20;                                           // VkShaderStageFlags
     internal const uint ComputeQueue = 2;                                               // VkQueueFlags
-    internal const int Uint4Format = 107;                                               // VkFormat: R32G32B32A32_UINT
     internal const int TimestampQuery = 2;                                              // VkQueryType
     internal const uint Query64Bit = 1, QueryWait = 2;                                  // VkQueryResultFlags
     internal const int Timeout = 2, DeviceLost = -4, OutOfPoolMemory = -1000069000, FragmentedPool = -12; // VkResult
@@ -62,11 +60,6 @@ static unsafe class Native
         out MemoryRequirements requirements);
     [DllImport(Loader)]
     internal static extern int vkBindBufferMemory(nint device, ulong buffer, ulong memory, ulong offset);
-
-    [DllImport(Loader)]
-    internal static extern int vkCreateBufferView(nint device, BufferViewCreateInfo* info,
-        void* allocator, out ulong view);
-    [DllImport(Loader)] internal static extern void vkDestroyBufferView(nint device, ulong view, void* allocator);
 
     [DllImport(Loader)]
     internal static extern int vkCreateShaderModule(nint device, ShaderModuleCreateInfo* info,

@@ -13,7 +13,7 @@ static class StructureType
     internal const int ApplicationInfo = 0, InstanceCreateInfo = 1, DeviceQueueCreateInfo = 2,
         DeviceCreateInfo = 3, SubmitInfo = 4,
         MemoryAllocateInfo = 5, FenceCreateInfo = 8, QueryPoolCreateInfo = 11, BufferCreateInfo = 12,
-        BufferViewCreateInfo = 13, ShaderModuleCreateInfo = 16, PipelineShaderStageCreateInfo = 18,
+        ShaderModuleCreateInfo = 16, PipelineShaderStageCreateInfo = 18,
         ComputePipelineCreateInfo = 29, PipelineLayoutCreateInfo = 30,
         DescriptorSetLayoutCreateInfo = 32, DescriptorPoolCreateInfo = 33,
         DescriptorSetAllocateInfo = 34, WriteDescriptorSet = 35,
@@ -60,11 +60,9 @@ unsafe struct PhysicalDeviceProperties2
     [FieldOffset(28)] internal uint DeviceId;
     [FieldOffset(32)] internal int DeviceType;
     [FieldOffset(36)] internal fixed byte DeviceName[256];
-    [FieldOffset(332)] internal uint MaxTexelBufferElements;
     [FieldOffset(336)] internal uint MaxUniformBufferRange;
     [FieldOffset(340)] internal uint MaxStorageBufferRange;
     [FieldOffset(388)] internal uint MaxStorageBuffersPerStage;
-    [FieldOffset(392)] internal uint MaxSampledImagesPerStage;
     [FieldOffset(532)] internal fixed uint MaxGroupCount[3];
     [FieldOffset(544)] internal uint MaxGroupInvocations;
     [FieldOffset(548)] internal fixed uint MaxGroupSize[3];
@@ -119,12 +117,6 @@ unsafe struct BufferCreateInfo
 {
     internal int SType; internal void* Next; internal uint Flags; internal ulong Size; internal uint Usage, SharingMode,
         QueueFamilyCount; internal uint* QueueFamilies;
-}
-
-unsafe struct BufferViewCreateInfo
-{
-    internal int SType; internal void* Next; internal uint Flags; internal ulong Buffer;
-    internal int Format; internal ulong Offset, Range;
 }
 
 unsafe struct QueryPoolCreateInfo
@@ -191,7 +183,7 @@ struct DescriptorBufferInfo
 unsafe struct WriteDescriptorSet
 {
     internal int SType; internal void* Next; internal ulong Set; internal uint Binding, ArrayElement, Count, Type;
-    internal void* Image; internal DescriptorBufferInfo* Buffer; internal ulong* TexelBuffer;
+    internal void* Image; internal DescriptorBufferInfo* Buffer; internal void* TexelBuffer;
 }
 
 unsafe struct CommandPoolCreateInfo

@@ -59,8 +59,6 @@ sealed unsafe class PhysicalDevice
             properties.MaxGroupSize[0], properties.MaxGroupSize[1], properties.MaxGroupSize[2],
             properties.MaxGroupInvocations, memoryBytes, properties.TimestampPeriod,
             (int)Math.Min(properties.MaxStorageBuffersPerStage, int.MaxValue),
-            properties.MaxTexelBufferElements,
-            (int)Math.Min(properties.MaxSampledImagesPerStage, int.MaxValue),
             timestampBits);
     }
 

@@ -5,7 +5,7 @@ namespace Glint.Vulkan;
 
 /// <summary>What a kernel wants to be given, in the names of its HLSL source.</summary>
 /// <remarks>
-/// glslang turns a StructuredBuffer into a block with one runtime array, a Buffer into an image,
+/// glslang turns a StructuredBuffer into a block with one runtime array
 /// and gathers the globals of a file in a block named $Global.
 /// Several constant buffers are laid one after the other, each at a multiple of <see cref="BlockAlignment"/>.
 /// </remarks>
@@ -39,28 +39,19 @@ sealed class Reflection
                 continue; // inputs, locals and groupshared memory
             uint block = _module.Types[variable.PointerType].Operands[1];
             string name = _module.Name(variable.Id) is { Length: > 0 } own ? own : _module.Name(block);
-            bool isTexel = IsTexelBuffer(_module.Types[block]);
-            if (_module.Types[block].Op != Op.TypeStruct && !isTexel || variable.Storage == StorageClass.PushConstant)
+            if (_module.Types[block].Op != Op.TypeStruct || variable.Storage == StorageClass.PushConstant)
                 throw new VulkanException($"kernel {EntryPoint}: {name} is a texture, sampler, buffer array or push "
-                    + "constant; only structured and byte address buffers, Buffer<uint4> and uniforms are supported");
+                    + "constant; only structured and byte address buffers and uniforms are supported");
             if (_module.Value(variable.Id, Decoration.DescriptorSet) != 0)
                 throw new VulkanException($"kernel {EntryPoint}: {name} has a register space; leave register() out");
 
             uint binding = _module.Value(variable.Id, Decoration.Binding);
-            if (isTexel)
-                _buffers.Add(new BufferSlot(name, 16, "uint4", false) { Binding = binding, IsTexel = true });
-            else if (variable.Storage == StorageClass.StorageBuffer || _module.Has(block, Decoration.BufferBlock))
+            if (variable.Storage == StorageClass.StorageBuffer || _module.Has(block, Decoration.BufferBlock))
                 AddBuffer(name, binding, block, variable.Id);
             else
                 AddBlock(binding, block);
         }
     }
-
-    // A read-only Buffer of uint, whose format is the view's: a module does not tell how many components it has.
-    // Operands: element, dimension (5: buffer), depth, array, samples, sampled.
-    bool IsTexelBuffer(SpirvType type) =>
-        type is { Op: Op.TypeImage, Operands: [_, 5, _, _, _, 1, ..] }
-        && _module.Types[type.Operands[0]] is { Op: Op.TypeInt, Operands: [32, 0] };
 
     void AddBuffer(string name, uint binding, uint block, uint variable)
     {

@@ -9,26 +9,12 @@ namespace Glint.Vulkan;
 
 /// <summary>
 /// The kernels compiled when this program was built: shaders/COMPUTE/KERNEL.spv beside it,
-/// COMPUTE being the .compute file's path from the project's root, KERNEL.texel.spv where it can read a texel buffer,
+/// COMPUTE being the .compute file's path from the project's root,
 /// and in the same folder sources.json with the kernels' names and the SHA-256 of every file they were made of.
 /// </summary>
 public static class ShaderLibrary
 {
-    /// <summary>
-    /// Environment variable: 1 takes the form of a kernel that reads its tree as
-    /// a Buffer&lt;uint4&gt;, where there is one.
-    /// </summary>
-    internal const string TexelVariable = "GLINT_TEXEL_BUFFERS";
-
     const string Remedy = "build the tools again, tools/glint does so";
-
-    /// <summary>
-    /// Whether kernels read through texel buffers what they offer so (GLINT_TEXEL_TREE in their source).
-    /// Mesa's software device does that faster;
-    /// Unity has no such buffers, so it is off unless the environment asks for it.
-    /// </summary>
-    public static bool UsesTexelBuffers { get; internal set; } =
-        Environment.GetEnvironmentVariable(TexelVariable) == "1";
 
     /// <summary>Names of the kernels of a .compute file, in its order.</summary>
     public static IReadOnlyList<string> Kernels(string computePath) => Manifest.Read(computePath).Kernels;
@@ -61,9 +47,7 @@ public static class ShaderLibrary
         var kernels = Kernels(computePath);
         if (!((ICollection<string>)kernels).Contains(kernel))
             throw new VulkanException($"{computePath} has no kernel {kernel}; it has {string.Join(", ", kernels)}");
-        string texel = Path.Combine(Folder(computePath), kernel + ".texel.spv");
-        return File.ReadAllBytes(
-            UsesTexelBuffers && File.Exists(texel) ? texel : Path.Combine(Folder(computePath), kernel + ".spv"));
+        return File.ReadAllBytes(Path.Combine(Folder(computePath), kernel + ".spv"));
     }
 
     static string Folder(string computePath) => Path.Combine(AppContext.BaseDirectory, "shaders", computePath);

@@ -89,7 +89,7 @@ enum Op
 {
     None = 0, Name = 5, MemberName = 6, EntryPoint = 15, ExecutionMode = 16,
     TypeVoid = 19, TypeBool = 20, TypeInt = 21, TypeFloat = 22, TypeVector = 23, TypeMatrix = 24,
-    TypeImage = 25, TypeArray = 28, TypeRuntimeArray = 29,
+    TypeArray = 28, TypeRuntimeArray = 29,
     TypeStruct = 30, TypePointer = 32, Constant = 43, FunctionEnd = 56,
     Variable = 59, Decorate = 71, MemberDecorate = 72,
 }

@@ -156,8 +156,6 @@ public sealed unsafe class VulkanDevice : IDisposable
                 throw new VulkanException($"kernel {program.Name}: buffer {name} was disposed");
             if (bound[i].Device != this)
                 throw new VulkanException($"kernel {program.Name}: buffer {name} lies on another device");
-            if (program.Slots[i].IsTexel)
-                _ = bound[i].TexelView; // refuses a buffer that is too long for one
         }
         _ = program.Pipeline;
         if (groupsX > 0 && groupsY > 0 && groupsZ > 0)

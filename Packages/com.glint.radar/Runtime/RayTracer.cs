@@ -39,7 +39,7 @@ namespace Glint
         /// <param name="owner">Whose it is, for messages.</param>
         /// <exception cref="GlintException">There is no graphics device, or it cannot run the kernel.</exception>
         public RayTracer(ComputeShader shader, string owner = nameof(RayTracer))
-            : this(shader, owner, SoftwareDevice.IsInUse)
+            : this(shader, owner, SoftwareDevice.UsesWideKernels)
         {
         }
 
@@ -58,7 +58,10 @@ namespace Glint
             _sums.Reserve(_zeros.Length);
         }
 
-        /// <summary>Count the nodes visited and pairs tested: <see cref="WorkDone"/>. Slower; for benchmarks.</summary>
+        /// <summary>
+        /// Count the nodes visited and pairs tested: <see cref="WorkDone"/>. Slower, as every segment is searched
+        /// from the root of a tree over all instances; for benchmarks.
+        /// </summary>
         public bool CountVisits { get; set; }
 
         /// <summary>Tiles of the next dispatches; 0, except in tests: as the time that they take suggests.</summary>
@@ -280,7 +283,8 @@ namespace Glint
 
         // Finding starts pays when it fills the device: a GPU with few tiles spends on it what it saves.
         bool UsesStarts(int tiles) =>
-            _scene.HasFewInstances && (Shortcuts & Shortcuts.Starts) != 0 && StartsPay(tiles, _isSoftware);
+            _scene.HasFewInstances && !CountVisits && (Shortcuts & Shortcuts.Starts) != 0
+            && StartsPay(tiles, _isSoftware);
 
         internal static bool StartsPay(long tiles, bool isSoftware) => isSoftware || tiles >= TilesToFillAGpu;
     }

@@ -1,3 +1,4 @@
+using System;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -5,7 +6,7 @@ using UnityEngine.Rendering;
 
 namespace Glint
 {
-    /// <summary>The kernels of Shaders/Trace.compute and what they are given.</summary>
+    /// <summary>The kernels of Shaders/Trace.compute, or of TraceWide.compute, and what they are given.</summary>
     sealed class TraceKernel
     {
         // GROUPS_A_ROW in Shaders/Kernels.hlsl.
@@ -15,15 +16,18 @@ namespace Glint
         public const int MostTiles = 65535 * GroupsARow;
 
         readonly ComputeShader _shader;
+        readonly bool _isWide;
         readonly string _name;
         readonly string _exactName;
         readonly int _startsKernel, _pathsKernel;
         int _kernel, _exactKernel;
 
+        /// <param name="shader">Shaders/Trace.compute.</param>
+        /// <param name="isWide">Take the kernels of <see cref="SoftwareDevice.WideShader"/> instead.</param>
         /// <exception cref="GlintException">
         /// There is no graphics device, the shader is another one, or the device cannot run it.
         /// </exception>
-        public TraceKernel(ComputeShader shader, bool isSoftware, string owner)
+        public TraceKernel(ComputeShader shader, bool isWide, string owner)
         {
             if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
                 throw new GlintException("there is no graphics device (graphics device type Null): "
@@ -34,27 +38,33 @@ namespace Glint
             if (shader == null)
                 throw new GlintException($"{owner} has no kernel: "
                     + "assign Packages/com.glint.radar/Shaders/Trace.compute");
-            _name = isSoftware ? "TraceWide" : "Trace";
-            if (!shader.HasKernel(_name))
-                throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel '{_name}': "
+            if (!shader.HasKernel("Trace"))
+                throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel 'Trace': "
                     + "assign Packages/com.glint.radar/Shaders/Trace.compute");
-            _shader = shader;
-            _kernel = shader.FindKernel(_name);
-            _startsKernel = shader.FindKernel(isSoftware ? "StartsWide" : "Starts");
-            _exactName = isSoftware ? "ExactWide" : "Exact";
-            _exactKernel = shader.FindKernel(_exactName);
-            _pathsKernel = shader.FindKernel(isSoftware ? "PathsWide" : "Paths");
+            _isWide = isWide;
+            _shader = isWide ? SoftwareDevice.WideShader : shader;
+            if (_shader == null)
+                throw new InvalidOperationException("the wide kernels are not there: only the headless host has them");
+            string suffix = isWide ? "Wide" : "";
+            _name = "Trace" + suffix;
+            _kernel = _shader.FindKernel(_name);
+            _startsKernel = _shader.FindKernel("Starts" + suffix);
+            _exactName = "Exact" + suffix;
+            _exactKernel = _shader.FindKernel(_exactName);
+            _pathsKernel = _shader.FindKernel("Paths" + suffix);
             foreach (int kernel in new[] { _kernel, _startsKernel, _exactKernel, _pathsKernel })
-                if (!shader.IsSupported(kernel))
-                    throw new GlintException($"a kernel of compute shader '{shader.name}' does not run on "
+                if (!_shader.IsSupported(kernel))
+                    throw new GlintException($"a kernel of compute shader '{_shader.name}' does not run on "
                         + $"{SystemInfo.graphicsDeviceName}: see the shader's import messages");
         }
 
         /// <summary>Takes the kernels for a scene; the other calls set and run those.</summary>
         public void Choose(DeviceScene scene, bool countsVisits)
         {
-            string kind = !scene.HasFewInstances ? countsVisits ? "Count" : scene.Banks.Count > 1 ? "Banks" : ""
-                : countsVisits ? "FewCount" : scene.Few.Count == 1 ? "One" : "Few";
+            // The loop over instances costs a software device a tenth of its time, even for a single one.
+            string kind = countsVisits ? "Count"
+                : !scene.HasFewInstances ? scene.Banks.Count > 1 ? "Banks" : ""
+                : _isWide && scene.Few.Count == 1 ? "One" : "Few";
             _kernel = _shader.FindKernel(_name + kind);
             _exactKernel = _shader.FindKernel(_exactName + (scene.Banks.Count > 1 ? "Banks" : ""));
         }

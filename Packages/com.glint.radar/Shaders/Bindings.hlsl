@@ -85,8 +85,6 @@ StructuredBuffer<uint4> _Tree4;
 StructuredBuffer<uint4> _Tree5;
 StructuredBuffer<uint4> _Tree6;
 StructuredBuffer<uint4> _Tree7;
-#elif defined(GLINT_TEXEL_TREE)
-Buffer<uint4> _Tree0;                       // not in Unity: what a software device reads fastest
 #else
 StructuredBuffer<uint4> _Tree0;
 #endif

@@ -89,7 +89,7 @@ void AddChild(Beam beam, float3 low, float3 high, uint reference)
 
 #ifdef GLINT_WIDE
 
-// References of a wide tree are words of its stack with one child (SearchWide.hlsl).
+// References of a wide tree are words of its stack with one child (Wide~/SearchWide.hlsl).
 bool IsLeaf(uint reference)
 {
     return (reference & 4) != 0;

@@ -3,9 +3,7 @@
 
 #include "Real.hlsl"
 
-#ifdef GLINT_WIDE
-#include "SearchWide.hlsl"
-#else
+#ifndef GLINT_WIDE // Wide~/TraceWide.compute includes another search
 #include "SearchBinary.hlsl"
 #endif
 

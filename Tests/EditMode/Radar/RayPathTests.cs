@@ -25,11 +25,10 @@ namespace Glint.Tests
                 ToWorld = Affine.FromTransform(double3(-1, 2, 3), double4(0.1, 0.7, -0.3, 0.6), double3(1, 1, -1.2))
             });
 
-        [TestCase(true, false)]
-        [TestCase(true, true)]
-        [TestCase(false, false)]
-        [TestCase(false, true)]
-        public void TracePaths_EveryBounce_IsWhereTheJudgeHasItAndOnItsTriangle(bool asSoftware, bool isParallel)
+        [Test]
+        public void TracePaths_EveryBounce_IsWhereTheJudgeHasItAndOnItsTriangle(
+            [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware,
+            [Values] bool isParallel)
         {
             var scene = Scene;
             var view = TestRadar.LookAt(double3(3, 8, -24), 0, fov: 50);

@@ -7,13 +7,23 @@ namespace Glint.Tests
 {
     static class TestKernels
     {
+        /// <summary>Whether the wide kernels are there: in the headless host, which defines the symbol.</summary>
+#if GLINT_HOST
+        public const bool HasWide = true;
+#else
+        public const bool HasWide = false;
+#endif
+
+        /// <summary>Values of asSoftware of a <see cref="RayTracer"/>: true only where the wide kernels are.</summary>
+        public static readonly bool[] AsSoftware = HasWide ? new[] { true, false } : new[] { false };
+
         public static ComputeShader Trace => Load("Packages/com.glint.radar/Shaders/Trace.compute");
 
         public static ComputeShader Layout => Load("Packages/com.glint.tests/EditMode/Shaders/Layout.compute");
 
         public static ComputeShader TwoFloat => Load("Packages/com.glint.tests/EditMode/Shaders/TwoFloat.compute");
 
-        /// <summary>The tracer's kernels for software devices, in groups of other sizes.</summary>
+        /// <summary>The tracer's kernels in groups of other sizes.</summary>
         public static ComputeShader OtherGroups =>
             Load("Packages/com.glint.tests/EditMode/Shaders/OtherGroups.compute");
 

@@ -20,15 +20,15 @@ namespace Glint.Tests
             TestRadar.Join(TestRadar.Trihedral(0, 4), TestRadar.Clutter(300, seed: 5, halfSide: 4, largest: 0.3f),
                 TestRadar.Plate(float3(10, 12, 25), float3(20, 0, 0), float3(0, 20, 0)));
 
-        static RayTracer Tracer(RadarScene scene, bool asSoftware = true)
+        static RayTracer Tracer(RadarScene scene, bool asSoftware = TestKernels.HasWide)
         {
             var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware);
             tracer.SetScene(scene);
             return tracer;
         }
 
-        static RadarResult Pose(Action<RayTracer> change = null, KeptRays keep = KeptRays.None, bool asSoftware = true,
-            RadarSettings? settings = null)
+        static RadarResult Pose(Action<RayTracer> change = null, KeptRays keep = KeptRays.None,
+            bool asSoftware = TestKernels.HasWide, RadarSettings? settings = null)
         {
             using (var tracer = Tracer(new RadarScene(Scene), asSoftware))
             {
@@ -55,9 +55,9 @@ namespace Glint.Tests
             Assert.That(actual.LargestPathStep, Is.EqualTo(expected.LargestPathStep));
         }
 
-        [TestCase(true)]
-        [TestCase(false)]
-        public void Trace_WithAnyShortcutSwitchedOff_SumsAreTheSameBitForBit(bool asSoftware)
+        [Test]
+        public void Trace_WithAnyShortcutSwitchedOff_SumsAreTheSameBitForBit(
+            [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             var all = Pose(asSoftware: asSoftware);
             Assert.That(all.RaysReceived, Is.GreaterThan(100));
@@ -69,6 +69,7 @@ namespace Glint.Tests
                 AssertSame(Pose(tracer => tracer.Shortcuts = Shortcuts.All & ~off, asSoftware: asSoftware), all);
         }
 
+        // All but the entry points, which kernels that count do not use: see StartsTests.
         [Test]
         public void Shortcuts_EachSaveWork()
         {
@@ -79,7 +80,7 @@ namespace Glint.Tests
             }).Work is var work ? work.NodesVisited + work.PairsTested + work.TilesTraced : 0;
             long all = Visits(Shortcuts.None);
             Assert.That(all, Is.GreaterThan(0));
-            foreach (var off in new[] { Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles, Shortcuts.Starts })
+            foreach (var off in new[] { Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles })
                 Assert.That(Visits(off), Is.GreaterThan(all), off.ToString());
         }
 
@@ -89,9 +90,12 @@ namespace Glint.Tests
             var inOne = Pose(tracer => tracer.TilesADispatch = int.MaxValue, KeptRays.Received);
             var inMany = Pose(tracer => tracer.TilesADispatch = 37, KeptRays.Received);
             // The starts of the tiles, the rays, those that may be received once more, and smaller ones around these.
-            Assert.That(inOne.Work.Dispatches, Is.EqualTo(4));
+            // A GPU does not look for the starts of so few tiles.
+            int everySlice = TestKernels.HasWide ? 2 : 1;
+            Assert.That(inOne.Work.Dispatches, Is.EqualTo(everySlice + 2));
             long slices = (inMany.Work.TilesTraced + 36) / 37;
-            Assert.That(inMany.Work.Dispatches, Is.InRange(2 * slices + 2, 3 * slices + 1));
+            Assert.That(inMany.Work.Dispatches,
+                Is.InRange(everySlice * slices + 2, (everySlice + 1) * slices + 1));
             Assert.That(inMany.Work.RaysFollowedExactly, Is.EqualTo(inOne.Work.RaysFollowedExactly));
             Assert.That(inMany.Work.SubRays, Is.EqualTo(inOne.Work.SubRays));
             AssertSame(inMany, inOne);
@@ -108,8 +112,8 @@ namespace Glint.Tests
                 ToWorld = Affine.FromTransform(double3(-6, 1, 2), double4(0.1, 0.2, 0.3, 1), 1)
             });
             foreach (var some in new[] { scene, pair })
-                using (var tracer = Tracer(some))
-                using (var other = new RayTracer(TestKernels.OtherGroups, "test", true))
+                using (var tracer = Tracer(some, asSoftware: false))
+                using (var other = new RayTracer(TestKernels.OtherGroups, "test", false))
                 {
                     other.SetScene(some);
                     var result = other.Trace(s_settings, s_view, KeptRays.None);
@@ -119,10 +123,9 @@ namespace Glint.Tests
         }
 
         // Searched in turn, and through a tree over them.
-        [TestCase(3, true)]
-        [TestCase(12, true)]
-        [TestCase(12, false)]
-        public void Trace_InstancesInAnotherOrder_SumsAreTheSameBitForBit(int count, bool asSoftware)
+        [Test]
+        public void Trace_InstancesInAnotherOrder_SumsAreTheSameBitForBit([Values(3, 12)] int count,
+            [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             var random = new System.Random(count);
             double Next() => 2 * random.NextDouble() - 1;
@@ -195,9 +198,9 @@ namespace Glint.Tests
             Assert.That(result.PathLengthMeters, Is.GreaterThan(lost));
         }
 
-        [TestCase(true)]
-        [TestCase(false)]
-        public void Trace_Region_GivesThePartOfThePictureThatItIs(bool asSoftware)
+        [Test]
+        public void Trace_Region_GivesThePartOfThePictureThatItIs(
+            [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             var region = new RayRegion { Left = 101, Bottom = 53, Width = 77, Height = 91 };
             var settings = s_settings;
@@ -212,6 +215,7 @@ namespace Glint.Tests
             AssertSame(Pose(settings: settings, asSoftware: asSoftware), part);
         }
 
+#if GLINT_HOST
         [Test]
         public void Trace_KernelsForGpuAndForSoftware_FindTheSame()
         {
@@ -222,10 +226,11 @@ namespace Glint.Tests
             Assert.That(binary.Rays, Is.EqualTo(wide.Rays));
             AssertSame(binary, wide);
         }
+#endif
 
-        [TestCase(true)]
-        [TestCase(false)]
-        public void Trace_InstancesTurnedMirroredAndStretched_EqualTheJudge(bool asSoftware)
+        [Test]
+        public void Trace_InstancesTurnedMirroredAndStretched_EqualTheJudge(
+            [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             var plate = TestRadar.FacingPlate(4, 0);
             var clutter = TestRadar.Clutter(50, seed: 3, halfSide: 1, largest: 0.5f);

@@ -24,10 +24,11 @@ namespace Glint.Tests
             (double3(1, 0, 0), double3(0, 0, 1), double3(0, -1, 0)),
         };
 
-        [TestCase(true, 440, 20_000_000)]
-        [TestCase(false, 104, 1_000_000)]
-        public void RaysAtCornersAndAlongEdges_NoneEscapes(bool asSoftware, int side, long atLeast)
+        [Test]
+        public void RaysAtCornersAndAlongEdges_NoneEscapes(
+            [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
+            var (side, atLeast) = asSoftware ? (440, 20_000_000) : (104, 1_000_000);
             var escapes = new Escapes(side, 1);
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
                 foreach (int cells in new[] { 1, 2, 7, 16, 64 })
@@ -42,9 +43,9 @@ namespace Glint.Tests
         }
 
         // Millimetres to 100 km, 1,000 km from the origin, stretched and mirrored.
-        [TestCase(true)]
-        [TestCase(false)]
-        public void RaysInBodiesOfAllSizesAndPlaces_NoneEscapes(bool asSoftware)
+        [Test]
+        public void RaysInBodiesOfAllSizesAndPlaces_NoneEscapes(
+            [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             var escapes = new Escapes(128, 1);
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
@@ -56,9 +57,9 @@ namespace Glint.Tests
         }
 
         // Not in dented bodies: their walls lie in the rays' planes, and a ray along a wall is on neither side of it.
-        [TestCase(true)]
-        [TestCase(false)]
-        public void ReflectedRays_NoneEscapes(bool asSoftware)
+        [Test]
+        public void ReflectedRays_NoneEscapes(
+            [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             var escapes = new Escapes(96, 4);
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))

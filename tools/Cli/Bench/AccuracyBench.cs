@@ -4,7 +4,6 @@ using System.Diagnostics;
 using System.Linq;
 using Glint.Core;
 using Glint.Host;
-using Glint.Vulkan;
 using UnityEngine;
 
 namespace Glint.Cli;
@@ -26,10 +25,7 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
     // A receiver so small, in metres, that no ray meets it.
     const double NoReceiver = 1e-6;
 
-    readonly AccuracyResult _result = new()
-    {
-        Device = GraphicsDevice.Current.Info, UsesTexelBuffers = ShaderLibrary.UsesTexelBuffers, Rounds = rounds
-    };
+    readonly AccuracyResult _result = new() { Device = GraphicsDevice.Current.Info, Rounds = rounds };
 
     /// <exception cref="GlintException">The device cannot trace.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>

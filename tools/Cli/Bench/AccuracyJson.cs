@@ -16,7 +16,6 @@ static class AccuracyJson
         {
             ["device"] = result.Device.Name,
             ["driver"] = result.Device.Driver,
-            ["texel_buffers"] = result.UsesTexelBuffers,
             ["glint"] = GlintVersion.Text,
             ["rounds"] = result.Rounds,
             ["normal_rays"] = RadarResult.NormalRays,

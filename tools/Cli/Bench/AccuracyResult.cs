@@ -8,7 +8,6 @@ namespace Glint.Cli;
 sealed class AccuracyResult
 {
     public DeviceInfo Device { get; init; }
-    public bool UsesTexelBuffers { get; init; }
     public int Rounds { get; init; }
 
     /// <summary>Scene by scene, few rays first.</summary>

@@ -13,8 +13,7 @@ sealed class AccuracyTables(Terminal terminal)
 
     public IEnumerable<string> Lines(AccuracyResult result)
     {
-        yield return $"{result.Device.Name}, driver {result.Device.Driver}; medians of up to {result.Rounds} "
-            + $"poses{(result.UsesTexelBuffers ? "; trees in texel buffers (not in Unity)" : "")}";
+        yield return $"{result.Device.Name}, driver {result.Device.Driver}; medians of up to {result.Rounds} poses";
         yield return Text(
             $"Amplitudes are normalised to {RadarResult.NormalRays:N0} rays; errors are those against endlessly many rays. *: flagged as undersampled.");
         foreach (var scene in result.Rows.GroupBy(row => row.Scene))

@@ -4,7 +4,6 @@ using System.Linq;
 using Glint.Core;
 using Glint.Editor;
 using Glint.Host;
-using Glint.Vulkan;
 using UnityEngine;
 
 namespace Glint.Cli;
@@ -56,7 +55,6 @@ sealed class BenchCommand(Terminal terminal)
             Subject = subjects.Name,
             Scene = subjects.Scene,
             Device = device.Info,
-            UsesTexelBuffers = ShaderLibrary.UsesTexelBuffers,
             Settings = subjects.Radar.Gather().Settings,
             Rounds = line.Get(Options.Rounds),
             Poses = new PoseBench(subjects.Radar, subjects.Target, device.Clock),

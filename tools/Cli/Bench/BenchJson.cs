@@ -26,7 +26,6 @@ static class BenchJson
             ["scene"] = result.Scene,
             ["device"] = result.Device.Name,
             ["driver"] = result.Device.Driver,
-            ["texel_buffers"] = result.UsesTexelBuffers,
             ["glint"] = GlintVersion.Text,
             ["rounds"] = result.Rounds,
             ["settings"] = Settings(result.Settings),

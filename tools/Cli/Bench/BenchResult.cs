@@ -13,9 +13,6 @@ sealed class BenchResult
 
     public DeviceInfo Device { get; init; }
 
-    /// <summary>Whether kernels read trees through texel buffers, which Unity has not.</summary>
-    public bool UsesTexelBuffers { get; init; }
-
     public RadarSettings Settings { get; init; }
     public int Rounds { get; init; }
     public PoseBench Poses { get; init; }

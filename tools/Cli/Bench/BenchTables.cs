@@ -17,7 +17,7 @@ sealed class BenchTables(Terminal terminal)
         var settings = result.Settings;
         yield return Text($"{result.Subject} on {result.Device.Name}, driver {result.Device.Driver}");
         yield return Text(
-            $"{settings.RaysAcross} x {settings.RaysDown} rays{RegionText(settings.Region)}, at most {settings.MaxBounces} bounces, {settings.FrequencyHz / 1e9:g6} GHz; medians and lowest of {result.Rounds} rounds{(result.UsesTexelBuffers ? "; trees in texel buffers (not in Unity)" : "")}");
+            $"{settings.RaysAcross} x {settings.RaysDown} rays{RegionText(settings.Region)}, at most {settings.MaxBounces} bounces, {settings.FrequencyHz / 1e9:g6} GHz; medians and lowest of {result.Rounds} rounds");
         foreach (var table in new[] { Times(result), Work(result), Errors(result), Peers(result) }
             .Where(table => table != null))
         {

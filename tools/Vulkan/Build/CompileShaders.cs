@@ -14,12 +14,11 @@ using Microsoft.Build.Utilities;
 /// <summary>
 /// Compiles every kernel of the given .compute files to SPIR-V with glslangValidator. Each file gets a folder of its
 /// own path below Output, with KERNEL.spv for each of its kernels and sources.json with the SHA-256 of all that was
-/// read for them. Where the source knows the macro GLINT_TEXEL_TREE, a second form of each kernel is compiled with it,
-/// KERNEL.texel.spv, which reads a Buffer in place of a StructuredBuffer.
+/// read for them.
 /// </summary>
 public sealed class CompileShaders : Task
 {
-    const string Compiler = "glslangValidator", TexelMacro = "GLINT_TEXEL_TREE";
+    const string Compiler = "glslangValidator";
 
     // "ERROR: Shaders/Trace.compute:12: 'x' : unknown variable"
     static readonly Regex ErrorLine = new Regex(@"^ERROR: (.+?):(\d+): (.*)$");
@@ -56,26 +55,12 @@ public sealed class CompileShaders : Task
             var defines = match.Groups[2].Value.Split(new[] { ' ', '\t' }, StringSplitOptions.RemoveEmptyEntries);
             if (!CompileKernel(path, kernel, defines, Path.Combine(folder, kernel + ".spv"), read))
                 return;
-            if (!CompileTexelForm(path, kernel, defines, folder, read))
-                return;
             kernels.Add(kernel);
         }
         if (kernels.Count == 0)
             Log.LogError(null, null, null, fullPath, 0, 0, 0, 0, "no kernel; declare one as in: #pragma kernel Trace");
         else
             File.WriteAllText(Path.Combine(folder, "sources.json"), Json(kernels, read));
-    }
-
-    bool CompileTexelForm(string path, string kernel, string[] defines, string folder, SortedSet<string> read)
-    {
-        if (!read.Any(file => File.ReadAllText(Path.Combine(Root, file)).Contains(TexelMacro)))
-            return true;
-        string output = Path.Combine(folder, kernel + ".texel.spv");
-        if (!CompileKernel(path, kernel, defines.Append(TexelMacro + "=1").ToArray(), output, read))
-            return false;
-        if (File.ReadAllBytes(output).SequenceEqual(File.ReadAllBytes(Path.Combine(folder, kernel + ".spv"))))
-            File.Delete(output); // a kernel that reads nothing through the macro
-        return true;
     }
 
     bool CompileKernel(string path, string kernel, string[] defines, string output, SortedSet<string> read)

@@ -77,7 +77,7 @@ namespace Glint.Editor
         {
             try
             {
-                _ = new TraceKernel(_radar.Kernel, SoftwareDevice.IsInUse, _radar.Subject);
+                _ = new TraceKernel(_radar.Kernel, SoftwareDevice.UsesWideKernels, _radar.Subject);
             }
             catch (GlintException problem)
             {

@@ -33,7 +33,7 @@ namespace Glint.Editor
             if (depth > 0 || pose.View.IsParallel)
                 Footprint = 2 * pose.View.HalfSize(pose.Settings) * (pose.View.IsParallel ? 1 : depth);
             Forecast = SamplingForecast.Of(pose.Settings, pose.View, Middle);
-            Memory = PoseMemory.Of(pose, keep, SoftwareDevice.IsInUse);
+            Memory = PoseMemory.Of(pose, keep, SoftwareDevice.UsesWideKernels);
         }
 
         public RadarSettings Settings => _pose.Settings;

@@ -29,6 +29,21 @@ public sealed class PackageTests
             Has.Member("com.unity.modules." + module));
     }
 
+    // Unity compiles every kernel of a package when it imports it, the tracer's in up to ten seconds each.
+    [Test]
+    public void Shaders_OfThePackage_HaveAtMostTenKernelsThatUnityCompiles()
+    {
+        string shaders = Path.Combine(s_root, "Packages/com.glint.radar/Shaders");
+        var kernels = Directory.EnumerateFiles(shaders, "*.compute", SearchOption.AllDirectories)
+            .Where(file => !Path.GetRelativePath(shaders, file).Contains("~/"))
+            .SelectMany(File.ReadLines).Count(line => Regex.IsMatch(line, @"^\s*#pragma\s+kernel\s"));
+        Assert.That(kernels, Is.InRange(1, 10));
+    }
+
+    [Test]
+    public void SoftwareDevice_InTheHost_IsGivenTheWideKernels() =>
+        Assert.That(SoftwareDevice.UsesWideKernels, Is.EqualTo(SoftwareDevice.IsInUse));
+
     // Of modules that no package names: a script that needs one of them is an error in the editor.
     [TestCase(
         @"\b(JsonUtility|AudioSource|AudioListener|ParticleSystem|Animator|Animation|Rigidbody|Collider|Terrain|UnityWebRequest|ScreenCapture|VideoPlayer|Cloth|Tilemap|WheelCollider)\b")]

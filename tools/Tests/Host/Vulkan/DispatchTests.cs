@@ -185,6 +185,41 @@ public sealed class DispatchTests
     }
 
     [Test]
+    public void Rows_InAnyOrder_AreGathered()
+    {
+        const int Count = 1003; // not a multiple of the group size
+        uint[] rows = Enumerable.Range(0, 4 * Count).Select(i => 0xfedc0000u + (uint)i).ToArray();
+        uint[] order = Enumerable.Range(0, Count).Select(i => (uint)((i * 7) % Count)).ToArray();
+        using var program = Kernels.Create(_device, Kernels.Buffers, "Gather");
+        using var source = Kernels.Buffer(_device, rows);
+        using var places = Kernels.Buffer(_device, order);
+        using var gathered = _device.CreateBuffer(16 * Count);
+
+        _device.Dispatch(program, Kernels.Pack(program, ("_Count", (uint)Count)),
+            Kernels.Bind(("_Rows", source), ("_Order", places), ("_Gathered", gathered)), Count / 32 + 1, 1, 1);
+
+        var slot = program.Slots.Single(candidate => candidate.Name == "_Rows");
+        Assert.That((slot.Stride, slot.Element, slot.Writable), Is.EqualTo((16, "uint4", false)));
+        var expected = order.SelectMany((row, i) => Enumerable.Range(0, 4)
+            .Select(part => rows[4 * row + part] + (part == 3 ? (uint)i : 0)));
+        Assert.That(Kernels.Read<uint>(gathered), Is.EqualTo(expected));
+    }
+
+    [Test]
+    public void FifteenBuffers_AreEachReadOrWritten()
+    {
+        using var program = Kernels.Create(_device, Kernels.Buffers, "Crowd");
+        var buffers = program.Slots.ToDictionary(slot => slot.Name, slot =>
+            Kernels.Buffer(_device, slot.Writable ? new uint[4] : [(uint)(slot.Name[^1] - '0') + 1, 0, 0, 0]));
+
+        _device.Dispatch(program, [], buffers, 1, 1, 1);
+
+        Assert.That(buffers.Count, Is.EqualTo(15));
+        Assert.That(new[] { "_Out0", "_Out1", "_Out2" }.Select(name => Kernels.Read<uint>(buffers[name])[0]),
+            Is.EqualTo(new[] { 4321u, 8765u, 4321u }));
+    }
+
+    [Test]
     public void ZeroGroups_RunNothing()
     {
         using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");

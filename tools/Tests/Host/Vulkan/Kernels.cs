@@ -11,7 +11,7 @@ static class Kernels
     internal const string Arithmetic = "tools/Tests/Host/Shaders/Arithmetic.compute";
     internal const string Uniforms = "tools/Tests/Host/Shaders/Uniforms.compute";
     internal const string Structs = "tools/Tests/Host/Shaders/Structs.compute";
-    internal const string Texels = "tools/Tests/Host/Shaders/Texels.compute";
+    internal const string Buffers = "tools/Tests/Host/Shaders/Buffers.compute";
 
     internal static ComputeProgram Create(VulkanDevice device, string computePath, string kernel) =>
         device.CreateProgram(ShaderLibrary.Load(computePath, kernel));

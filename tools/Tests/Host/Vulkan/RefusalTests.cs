@@ -120,6 +120,14 @@ public sealed class RefusalTests
     }
 
     [Test]
+    public void Program_WithATexelBuffer_NamesIt()
+    {
+        byte[] code = ShaderLibrary.Load(Kernels.Buffers, "ReadTexels");
+        var error = Assert.Throws<VulkanException>(() => _device.CreateProgram(code));
+        Assert.That(error.Message, Does.Contain("ReadTexels: _Texels is").And.Contain("only structured"));
+    }
+
+    [Test]
     public void Kernel_ThatTheFileLacks_NamesThoseItHas()
     {
         var error = Assert.Throws<VulkanException>(() => ShaderLibrary.Load(Kernels.Arithmetic, "Subtract"));

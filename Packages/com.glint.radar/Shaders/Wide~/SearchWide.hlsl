@@ -1,8 +1,8 @@
 #ifndef GLINT_SEARCH_WIDE
 #define GLINT_SEARCH_WIDE
 
-#include "Leaf.hlsl"
-#include "BinaryTree.hlsl"
+#include "../Leaf.hlsl"
+#include "../BinaryTree.hlsl"
 
 // The stack: one word for each node with children that wait, so for 14 inner levels (WideCollapse.MaxLevels in C#) and
 // three starts that wait at most 16. Upper 20 bits: record of the node's first child;
