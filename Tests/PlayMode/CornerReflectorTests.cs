@@ -29,7 +29,7 @@ namespace Glint.Tests
         {
             Assert.That(_radar.Result, Is.Not.Null);
             Assert.That(_radar.Result.RaysEmitted, Is.EqualTo(2073600));
-            Assert.That(_radar.Result.Triangles, Is.EqualTo(36), "three cubes");
+            Assert.That(_radar.Result.Statistics.Triangles, Is.EqualTo(36), "three cubes");
             Assert.That(_radar.Result.RaysReceived, Is.EqualTo(676), "26 x 26 at 0 to 4 deg");
         }
 
@@ -129,7 +129,7 @@ namespace Glint.Tests
         {
             _target.rotation = Quaternion.AngleAxis(angle, Vector3.up);
             var result = _radar.Trace();
-            var judge = new Judge(_radar.GatherScene(), _radar.Settings, _radar.View());
+            var judge = new Judge(_radar.Gather());
             var expected = judge.Sum(judge.TraceAll());
             Assert.That(result.RaysHit, Is.EqualTo(expected.RaysHit).Within(0.01).Percent);
             Assert.That(result.RaysReceived, Is.EqualTo(expected.RaysReceived).Within(2));
@@ -167,6 +167,6 @@ namespace Glint.Tests
         }
 
         // Largest bin over the mean bin.
-        static double Spread(int[] histogram) => histogram.Max() / histogram.Average();
+        static double Spread(IReadOnlyList<int> histogram) => histogram.Max() / histogram.Average();
     }
 }

@@ -17,16 +17,16 @@ namespace Glint.Tests
             var sea = Object.FindFirstObjectByType<Sea>();
 
             var large = radar.Trace();
-            Assert.That(large.Triangles, Is.GreaterThan(30_000_000));
+            Assert.That(large.Statistics.Triangles, Is.GreaterThan(30_000_000));
             Assert.That(large.RaysEmitted, Is.EqualTo(1920 * 1080));
 
             sea.Extent = new Vector2(64, 64);
             sea.Lay();
             radar.Release();
             var small = radar.Trace();
-            Assert.That(small.Triangles, Is.LessThan(100_000));
+            Assert.That(small.Statistics.Triangles, Is.LessThan(100_000));
             Assert.That(small.RaysHit, Is.LessThan(large.RaysHit));
-            Assert.That(large.Work.BytesOnDevice, Is.LessThan(1.1 * small.Work.BytesOnDevice));
+            Assert.That(large.Statistics.BytesOnDevice, Is.LessThan(1.1 * small.Statistics.BytesOnDevice));
         }
     }
 }

@@ -50,8 +50,8 @@ namespace Glint.Tests
             yield return null;
             Assert.That(_radar.Result, Is.Not.Null);
             Assert.That(_radar.Result.RaysReceived, Is.GreaterThan(0));
-            Assert.That(_radar.Result.Objects, Is.EqualTo(1));
-            Assert.That(_radar.Result.Triangles, Is.EqualTo(2));
+            Assert.That(_radar.Result.Statistics.Objects, Is.EqualTo(1));
+            Assert.That(_radar.Result.Statistics.Triangles, Is.EqualTo(2));
         }
 
         [UnityTest]
@@ -158,7 +158,7 @@ namespace Glint.Tests
             Assert.That(pose.View.ReceiverSize, Is.EqualTo(new double2(3, 3)));
 
             _radar.ReceiverSize = Vector2.zero;
-            Assert.That(_radar.View().ReceiverSize, Is.EqualTo(new double2(8, 4.5)), "as the aperture");
+            Assert.That(_radar.Gather().View.ReceiverSize, Is.EqualTo(new double2(8, 4.5)), "as the aperture");
             camera.orthographic = false;
             Assert.That(Assert.Throws<GlintException>(() => _radar.Gather()).Message,
                 Does.Contain("'Radar'").And.Contain("receiver size 0 x 0"));

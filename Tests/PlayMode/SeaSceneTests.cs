@@ -38,7 +38,7 @@ namespace Glint.Tests
                     results.Add(run.Step().Result);
             foreach (var result in results)
             {
-                Assert.That(result.Triangles, Is.EqualTo(35344));
+                Assert.That(result.Statistics.Triangles, Is.EqualTo(35344));
                 Assert.That(result.RaysHit, Is.InRange(1000000, 1200000));
             }
             Assert.That(results.Select(result => result.RaysHit).Distinct().Count(), Is.EqualTo(10), "ten moments");

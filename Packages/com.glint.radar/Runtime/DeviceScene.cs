@@ -68,7 +68,7 @@ namespace Glint
 
         /// <summary>Takes a scene; builds the trees of meshes that are new.</summary>
         /// <returns>True if a tree was built.</returns>
-        public bool Set(RadarScene scene, ref WorkDone work, Func<TriangleMesh, TreeShape, MeshTree> build)
+        public bool Set(RadarScene scene, TraceStatistics statistics, Func<TriangleMesh, TreeShape, MeshTree> build)
         {
             if (_scene != null && IsSame(_scene, scene))
             {
@@ -77,8 +77,8 @@ namespace Glint
             }
             _scene = null; // until all is there
             bool hasBuilt = _trees.Hold(new HashSet<TriangleMesh>(scene.Instances.Select(instance => instance.Mesh)),
-                ref work, build);
-            Place(scene, ref work);
+                statistics, build);
+            Place(scene, statistics);
             _scene = scene;
             return hasBuilt;
         }
@@ -121,7 +121,7 @@ namespace Glint
         }
 
         // One record for each tree of each instance.
-        void Place(RadarScene scene, ref WorkDone work)
+        void Place(RadarScene scene, TraceStatistics statistics)
         {
             var lows = new List<double3>();
             var highs = new List<double3>();
@@ -162,7 +162,7 @@ namespace Glint
             TopRoot = records.Count == 1 ? top[TopRootRow].w : TopRootRow;
             _instances.Upload(records.ToArray());
             _top.Upload(top);
-            work.BytesUploaded += records.Count * (long)_instances.Stride + top.Length * (long)_top.Stride;
+            statistics.BytesUploaded += records.Count * (long)_instances.Stride + top.Length * (long)_top.Stride;
         }
 
         static void Bound(TreePart part, in Affine toWorld, out double3 low, out double3 high)

@@ -48,15 +48,15 @@ namespace Glint
         /// The device cannot hold them; the trees before are lost unless that was plain before any was built.
         /// </exception>
         /// <exception cref="OperationCanceledException">Building was cancelled; the trees before are lost.</exception>
-        public bool Hold(ICollection<TriangleMesh> meshes, ref WorkDone work,
+        public bool Hold(ICollection<TriangleMesh> meshes, TraceStatistics statistics,
             Func<TriangleMesh, TreeShape, MeshTree> build)
         {
             RefuseBefore(meshes);
             try
             {
                 Drop(meshes);
-                var added = Build(meshes, ref work, build);
-                Upload(added, ref work);
+                var added = Build(meshes, statistics, build);
+                Upload(added, statistics);
                 return added.Count > 0;
             }
             catch
@@ -83,7 +83,7 @@ namespace Glint
             }
         }
 
-        List<PlacedTree> Build(ICollection<TriangleMesh> meshes, ref WorkDone work,
+        List<PlacedTree> Build(ICollection<TriangleMesh> meshes, TraceStatistics statistics,
             Func<TriangleMesh, TreeShape, MeshTree> build)
         {
             var added = new List<PlacedTree>();
@@ -92,15 +92,15 @@ namespace Glint
                 if (_trees.ContainsKey(mesh))
                     continue;
                 var tree = new PlacedTree(build(mesh, _shape));
-                work.TreesBuilt++;
-                work.TrianglesBuilt += mesh.TriangleCount;
+                statistics.TreesBuilt++;
+                statistics.TrianglesBuilt += mesh.TriangleCount;
                 _trees.Add(mesh, tree);
                 added.Add(tree);
             }
             return added;
         }
 
-        void Upload(List<PlacedTree> added, ref WorkDone work)
+        void Upload(List<PlacedTree> added, TraceStatistics statistics)
         {
             if (_banks.Count == 0 || IsMostlyEmpty || !added.All(tree => tree.Place(_banks)))
             {
@@ -109,7 +109,7 @@ namespace Glint
                 if (!added.All(tree => tree.Place(_banks)))
                     throw new InvalidOperationException("trees do not fit the buffers made for them");
             }
-            work.BytesUploaded += added.Sum(tree => tree.Rows) * 16;
+            statistics.BytesUploaded += added.Sum(tree => tree.Rows) * 16;
         }
 
         // New buffers for all trees. A scene that has changed once will do so again:

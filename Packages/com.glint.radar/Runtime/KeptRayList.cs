@@ -10,9 +10,6 @@ namespace Glint
     /// <summary>The rays that a pose keeps one by one, as they come back dispatch by dispatch.</summary>
     sealed class KeptRayList
     {
-        // Rays of one dispatch: 96 MiB when all are kept.
-        const int MostOfAll = 1 << 21;
-
         static readonly int s_rayBytes = Marshal.SizeOf<RayData>();
 
         readonly string _owner;
@@ -34,7 +31,7 @@ namespace Glint
 
         public KeptRays Keep { get; }
 
-        /// <summary>Time taken by reading back, milliseconds.</summary>
+        /// <summary>Time taken by reading back and by ordering what was read, milliseconds.</summary>
         public double ReadBackMs { get; private set; }
 
         /// <summary>Refuses to keep more rays than this computer has memory for.</summary>
@@ -46,36 +43,25 @@ namespace Glint
                 throw TooMany($"all of {settings.RaysEmitted} rays", settings.RaysEmitted * (double)s_rayBytes, owner);
         }
 
-        /// <summary>Tiles that one dispatch may take at most when all rays are kept.</summary>
-        public static int MostTiles => (int)Math.Min(DeviceBuffer<RayData>.Most, MostOfAll) / PictureTiles.Rays;
-
-        /// <summary>
-        /// As many of the tiles as one dispatch may take for what is kept of them;
-        /// makes room for all of their rays if all are kept.
-        /// </summary>
-        public int Limit(int tiles, DeviceBuffer<RayData> rays)
-        {
-            if (Keep == KeptRays.All)
-                tiles = Math.Min(tiles, MostTiles);
+        /// <summary>Makes room for the rays of some tiles if all are kept.</summary>
+        public void Reserve(DeviceBuffer<RayData> rays, int tiles) =>
             rays.Reserve(Keep == KeptRays.All ? tiles * PictureTiles.Rays : 1); // a binding must not be empty
-            return tiles;
-        }
 
         /// <summary>Reads back the rays of some tiles when all are kept.</summary>
-        public void AddTiles(DeviceBuffer<RayData> rays, int tiles, ref WorkDone work)
+        public void AddTiles(DeviceBuffer<RayData> rays, int tiles, TraceStatistics statistics)
         {
             if (Keep != KeptRays.All)
                 return;
             int count = tiles * PictureTiles.Rays;
             if (_slice.Length < count)
                 _slice = new RayData[count];
-            ReadBack(rays, _slice, count, ref work);
+            ReadBack(rays, _slice, count, statistics);
             Scatter(count);
         }
 
         /// <summary>Reads back rays that were followed once more, when received ones are kept.</summary>
         /// <exception cref="GlintException">More rays are received than this computer has memory for.</exception>
-        public void AddReturning(DeviceBuffer<RayData> rays, int count, ref WorkDone work)
+        public void AddReturning(DeviceBuffer<RayData> rays, int count, TraceStatistics statistics)
         {
             if (Keep != KeptRays.Received)
                 return;
@@ -85,17 +71,17 @@ namespace Glint
             if (_receivedCount * (double)bytes > HostBytes)
                 throw TooMany(Received, _receivedCount * (double)bytes, _owner);
             var part = MakeRays(count, Received);
-            ReadBack(rays, part, count, ref work);
+            ReadBack(rays, part, count, statistics);
             part = Array.FindAll(part, ray => ray.IsReceived);
             _receivedCount += part.Length - count;
             _received.Add(part);
         }
 
-        void ReadBack(DeviceBuffer<RayData> rays, RayData[] into, int count, ref WorkDone work)
+        void ReadBack(DeviceBuffer<RayData> rays, RayData[] into, int count, TraceStatistics statistics)
         {
             var watch = Stopwatch.StartNew();
             rays.ReadBack(into, count);
-            work.BytesReadBack += (long)count * s_rayBytes;
+            statistics.BytesReadBack += (long)count * s_rayBytes;
             ReadBackMs += watch.Elapsed.TotalMilliseconds;
         }
 
@@ -104,6 +90,7 @@ namespace Glint
         {
             if (Keep == KeptRays.All)
                 return _all;
+            var watch = Stopwatch.StartNew();
             var rays = MakeRays(_receivedCount, Received);
             int at = 0;
             foreach (var part in _received)
@@ -117,6 +104,7 @@ namespace Glint
                 pixels[i] = rays[i].Pixel;
             // They come in the order in which the GPU was done with them.
             Array.Sort(pixels, rays);
+            ReadBackMs += watch.Elapsed.TotalMilliseconds;
             return rays;
         }
 
@@ -147,7 +135,7 @@ namespace Glint
             for (int i = 0; i < count; i++)
             {
                 uint pixel = _slice[i].Pixel;
-                if (pixel == uint.MaxValue)
+                if (pixel == ReceivedRay.NoPixel)
                     continue; // beside the picture
                 int x = (int)(pixel % (uint)_settings.RaysAcross) - region.Left,
                     y = (int)(pixel / (uint)_settings.RaysAcross) - region.Bottom;

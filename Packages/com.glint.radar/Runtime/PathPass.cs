@@ -8,9 +8,6 @@ namespace Glint
     /// <summary>Follows single rays once more, in two-float arithmetic, and notes where each is reflected.</summary>
     sealed class PathPass : IDisposable
     {
-        // Rays of a dispatch: some hundredths of a second on a software device.
-        const int MostRays = 1 << 16;
-
         readonly TraceKernel _kernel;
         readonly DeviceScene _scene;
         readonly DeviceBuffer<uint2> _listed = new DeviceBuffer<uint2>("rays to follow");
@@ -24,12 +21,12 @@ namespace Glint
 
         /// <summary>The ways of the rays of some pixels, in their order.</summary>
         /// <param name="objects">Knows what is hit; null: nobody does.</param>
-        public RayPath[] Follow(in RadarSettings settings, in RadarView view, RayGrid grid, uint[] pixels,
+        public RayPath[] Follow(in RadarPose pose, RayGrid grid, uint[] pixels,
             IHitObjects objects, IProgress<double> progress, CancellationToken cancel)
         {
+            var settings = pose.Settings;
             var paths = new RayPath[pixels.Length];
-            int most = (int)Math.Min(MostRays, DeviceBuffer<HitData>.Most / settings.MaxBounces),
-                room = Math.Min(most, pixels.Length);
+            int most = DispatchPlan.PathRays(settings), room = Math.Min(most, pixels.Length);
             var listed = new uint2[room];
             var hits = new HitData[room * settings.MaxBounces];
             _hits.Reserve(hits.Length);
@@ -44,7 +41,7 @@ namespace Glint
                 _listed.ReadBack(listed, count);
                 _hits.ReadBack(hits, count * settings.MaxBounces);
                 for (int i = 0; i < count; i++)
-                    paths[first + i] = PathOf(settings, view, grid, pixels[first + i], listed[i],
+                    paths[first + i] = PathOf(settings, pose.View, grid, pixels[first + i], listed[i],
                         new ArraySegment<HitData>(hits, i * settings.MaxBounces, (int)listed[i].x), objects);
                 progress?.Report((double)(first + count) / pixels.Length);
             }

@@ -56,7 +56,7 @@ namespace Glint
             for (int i = 0; i < pixels.Length; i++)
                 pixels[i] =
                     (uint)(part.Left + i % part.Width + (long)(part.Bottom + i / part.Width) * settings.RaysAcross);
-            return _tracer.TracePaths(settings, _pose.View, pixels, _objects, null, _cancel);
+            return _tracer.TracePaths(new RadarPose(_pose.Scene, settings, _pose.View), pixels, _objects, null, _cancel);
         }
 
         static RadarPicture Picture(in RadarSettings settings, in RayRegion part, RayPath[] paths)

@@ -137,7 +137,7 @@ namespace Glint
             }
         }
 
-        /// <summary>Count the nodes visited and pairs tested: <see cref="WorkDone"/>. Slower; for benchmarks.</summary>
+        /// <summary>Count the nodes visited and pairs tested: <see cref="TraceStatistics"/>. Slower; for benchmarks.</summary>
         public bool CountVisits { get; set; }
 
         /// <summary>After each pose traced.</summary>
@@ -177,7 +177,7 @@ namespace Glint
             var settings = Describe().Settings;
             _tracer ??= new RayTracer(_kernel, Subject);
             if (!IsFitted)
-                _tracer.CheckRoom(settings, keep);
+                DispatchPlan.Check(settings, keep, Subject);
 
             var watch = Stopwatch.StartNew();
             RadarPose pose;
@@ -185,10 +185,8 @@ namespace Glint
                 pose = Gather();
             double gatherMs = watch.Elapsed.TotalMilliseconds;
             _tracer.CountVisits = CountVisits;
-            _tracer.SetScene(pose.Scene, cancel);
-            var result = _tracer.Trace(pose.Settings, pose.View, keep, progress, cancel);
-            result.Objects = _gatherer.ObjectCount;
-            result.Timings.GatherMs = gatherMs;
+            var result = _tracer.Trace(pose, keep, progress, cancel);
+            result.Statistics.SetGathered(_gatherer.ObjectCount, gatherMs);
             (_traced.Settings, _traced.View, _tracedContent) = (pose.Settings, pose.View, _gatherer.Content());
             Result = result;
             Traced?.Invoke(this);
@@ -211,7 +209,7 @@ namespace Glint
         /// <param name="progress">Told how much is done, 0 to 1; may be null.</param>
         /// <param name="cancel">Ends the work between two dispatches.</param>
         /// <returns>
-        /// A way for each pixel, in their order. Places are in metres from the origin of <see cref="GatherScene"/>.
+        /// A way for each pixel, in their order. Places are in metres from the origin of the pose's scene.
         /// </returns>
         /// <exception cref="GlintException">
         /// The radar or a mesh is not fit to be traced, or a pixel is outside the picture.
@@ -220,8 +218,8 @@ namespace Glint
         public RayPath[] TracePaths(uint[] pixels, IProgress<double> progress = null,
             CancellationToken cancel = default)
         {
-            var pose = GatherIntoTracer(cancel);
-            return _tracer.TracePaths(pose.Settings, pose.View, pixels, _gatherer, progress, cancel);
+            var pose = GatherForTracer();
+            return _tracer.TracePaths(pose, pixels, _gatherer, progress, cancel);
         }
 
         /// <summary>
@@ -233,7 +231,7 @@ namespace Glint
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public RadarPicture TracePicture(CancellationToken cancel = default)
         {
-            var pose = GatherIntoTracer(cancel);
+            var pose = GatherForTracer();
             return PictureTracer.Trace(_tracer, pose, _gatherer, cancel);
         }
 
@@ -307,14 +305,6 @@ namespace Glint
         /// <summary>Objects with a mesh that <see cref="Gather()"/> last found.</summary>
         internal int ObjectCount => _gatherer.ObjectCount;
 
-        /// <summary>The scene of <see cref="Gather()"/>.</summary>
-        /// <exception cref="GlintException">As for it.</exception>
-        public RadarScene GatherScene() => Gather().Scene;
-
-        /// <summary>The view of <see cref="Gather()"/>, in the frame of its scene.</summary>
-        /// <exception cref="GlintException">As for it.</exception>
-        public RadarView View() => Gather().View;
-
         /// <summary>Lets go of the GPU's buffers and of what was gathered; the next pose makes them anew.</summary>
         public void Release()
         {
@@ -340,11 +330,10 @@ namespace Glint
         /// <summary>Whether each pose has an aperture of its own.</summary>
         internal bool IsFitted => _fitAperture && GetComponent<Camera>().orthographic;
 
-        RadarPose GatherIntoTracer(CancellationToken cancel)
+        RadarPose GatherForTracer()
         {
             var pose = Gather();
             _tracer ??= new RayTracer(_kernel, Subject);
-            _tracer.SetScene(pose.Scene, cancel);
             return pose;
         }
 

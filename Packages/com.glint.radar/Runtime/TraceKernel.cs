@@ -9,8 +9,8 @@ namespace Glint
     /// <summary>The kernels of Shaders/Trace.compute, or of TraceWide.compute, and what they are given.</summary>
     sealed class TraceKernel
     {
-        // GROUPS_A_ROW in Shaders/Kernels.hlsl.
-        const int GroupsARow = 64;
+        // GROUPS_A_ROW in Shaders/Constants.hlsl.
+        internal const int GroupsARow = 64;
 
         /// <summary>Tiles that one dispatch takes at most: those of so many groups of 64 threads.</summary>
         public const int MostTiles = 65535 * GroupsARow;
@@ -196,7 +196,7 @@ namespace Glint
 
         void SetOutput(int kernel, KeptRays keep, DeviceBuffer<ReceivedRay> returning, DeviceBuffer<RayData> rays)
         {
-            _shader.SetInt(ShaderIDs._Keep, keep == KeptRays.None ? 0 : keep == KeptRays.Received ? 1 : 2);
+            _shader.SetInt(ShaderIDs._Keep, (int)keep);
             _shader.SetBuffer(kernel, ShaderIDs._Returning, returning.Buffer);
             _shader.SetBuffer(kernel, ShaderIDs._Rays, rays.Buffer);
         }

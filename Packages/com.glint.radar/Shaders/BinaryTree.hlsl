@@ -1,6 +1,7 @@
 #ifndef GLINT_BINARY_TREE
 #define GLINT_BINARY_TREE
 
+#include "Constants.hlsl"
 #include "Geometry.hlsl"
 
 // A reference to a child: its row, or with this bit a leaf.
@@ -8,12 +9,6 @@ static const uint LEAF = 0x80000000;
 
 // No reference: the search is over.
 static const uint DONE = 0xffffffff;
-
-// The row of the root. The one before it holds the place that boxes are measured from.
-static const uint ROOT = 1;
-
-// Inner levels a tree may have (BoxTreeBuilder.MaxLevels in C#): no more children wait at once.
-static const uint BINARY_LEVELS = 28;
 
 // Two DONE below what waits: whoever takes the first has no need to look whether there was anything.
 static const uint STACK_BOTTOM = 2;

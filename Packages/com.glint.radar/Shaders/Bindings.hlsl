@@ -1,6 +1,7 @@
 #ifndef GLINT_BINDINGS
 #define GLINT_BINDINGS
 
+#include "Constants.hlsl"
 #include "Types.hlsl"
 
 // Input: the scene.
@@ -64,16 +65,7 @@ RWStructuredBuffer<uint2> _Returning;
 RWStructuredBuffer<HitData> _Hits;          // of the rays of _Returning, _MaxBounces places each
 RWStructuredBuffer<uint4> _FoundStarts;     // what the kernels Starts and StartsWide find for _Starts
 
-// The same numbers in C#: Shortcuts, TraceKernel, DeviceScene; a test compares them.
-static const uint SHORTCUT_REACH = 1;       // nothing is searched for beyond the receiver
-static const uint SHORTCUT_LAST = 2;        // the last segment is searched only if it meets the receiver
-static const uint SHORTCUT_STARTS = 8;      // the first segment begins at the starts of its tile
-static const uint KEEP_NONE = 0;
-static const uint KEEP_RECEIVED = 1;        // in the order of _Returning, with those that are not received after all
-static const uint KEEP_ALL = 2;             // in the order of tiles, 64 a tile
 static const uint NO_STARTS = 0xffffffff;
-static const uint MOST_FEW = 4;             // instances that need no tree over them
-static const uint NO_PIXEL = 0xffffffff;
 
 // The trees over the meshes, in rows of 16 bytes: one buffer, or several where one cannot hold them all.
 #if defined(GLINT_BANKS)

@@ -10,12 +10,6 @@
 #include "Phasor.hlsl"
 #endif
 
-// One thread a ray, 64 in a row for a tile of 8 x 8 rays. Groups in rows of so many,
-// as a dispatch takes at most 65,535 along an axis.
-static const uint TILE_SIDE = 8;
-static const uint RAYS_A_TILE = 64;
-static const uint GROUPS_A_ROW = 64;
-
 // Threads of a group; no result hangs on it.
 #ifndef GLINT_GROUP
 #define GLINT_GROUP 64
@@ -110,6 +104,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         AddReceived(slot, turns, phasor);
         ray.PathLength = whole.Hi;
         ray.PathLengthRest = whole.Lo;
+        ray.Bounces |= RAY_RECEIVED;
         ray.InPhase = phasor.x;
         ray.Quadrature = phasor.y;
     }
@@ -144,7 +139,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         if (path.Returns)
         {
             uint entry;
-            InterlockedAdd(_Sums[SUM_RETURNING], 1, entry);
+            InterlockedAdd(_Sums[SUM_CANDIDATES], 1, entry);
             _Returning[entry] = uint2(pixel, index);
         }
         else

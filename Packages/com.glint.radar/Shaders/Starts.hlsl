@@ -5,8 +5,7 @@
 
 // The rays of a tile go down the same nodes before they part. A beam around them goes there once,
 // and they all start from where it ends:
-// at most four references to nodes or leaves that together hold all that the beam can meet, nearest first.
-static const uint MOST_STARTS = 4;
+// at most MOST_STARTS references to nodes or leaves that together hold all that the beam can meet, nearest first.
 
 // So much wider than the rays of its tile is a beam, in rays: many times the rounding of directions.
 static const float BEAM_MARGIN = 0.05;

@@ -4,78 +4,77 @@
 #include "Bindings.hlsl"
 #include "Geometry.hlsl"
 
-// Sums over rays are whole numbers, so that they are the same bit for bit in any order:
-// lengths in units of _LengthUnits, I and Q in units of 2^-24.
-// Groups add to one of SUM_SLOTS slots of SUM_WORDS words each, so that they seldom wait for each other.
-// 64-bit sums take two words, the lower one first.
-static const uint SUM_SLOTS = 64;
-static const uint SUM_WORDS = 64;
-static const uint SUM_HITS = 0;
-static const uint SUM_BOUNCES = 1;
-static const uint SUM_RECEIVED = 2;
-static const uint SUM_RETURNING = 3;        // rays in _Returning; in the first slot only
-static const uint SUM_LENGTH = 4;
-static const uint SUM_IN_PHASE = 6;
-static const uint SUM_QUADRATURE = 8;
-static const uint SUM_NODES = 10;
-static const uint SUM_PAIRS = 12;
-static const uint SUM_HISTOGRAM = 16;       // received rays by phase
-static const uint PHASE_BINS = 36;
+// Channels: sums over rays in whole units (Core/Radar/Channel.cs), the same bit for bit in any order.
+// Threads add to one of SUM_SLOTS slots, so that they seldom wait for each other. Sums of several words have the
+// lowest first and are in two's complement.
 
-static const float PHASOR_UNITS = 16777216.0;
+static const float TWO_TO_32 = 4294967296.0;
 
 void AddTo(uint word, uint value)
 {
     InterlockedAdd(_Sums[word], value);
 }
 
-// Adds a number of 64 bits, given by its halves.
-void AddHalves(uint word, uint lower, uint upper)
+// Adds a number of 64 bits, or with three words of 96, given by its words; each carry goes on to the next word.
+void AddWords(uint word, uint words, uint lower, uint upper, uint top)
 {
     uint before;
     InterlockedAdd(_Sums[word], lower, before);
-    upper += before + lower < before ? 1 : 0;
+    uint carry = before + lower < before ? 1 : 0;
+    upper += carry;
+    top += upper < carry ? 1 : 0;
     if (upper != 0)
-        InterlockedAdd(_Sums[word + 1], upper);
+    {
+        InterlockedAdd(_Sums[word + 1], upper, before);
+        top += before + upper < before ? 1 : 0;
+    }
+    if (words == 3 && top != 0)
+        InterlockedAdd(_Sums[word + 2], top);
 }
 
 void AddUnsigned(uint word, uint value)
 {
-    AddHalves(word, value, 0);
+    AddWords(word, 2, value, 0, 0);
 }
 
-void AddSigned(uint word, int value)
+// Adds one ray's part to a channel of two or three words. A part that is too large, or not a number, is refused:
+// it sets a bit of SUM_OVERFLOW instead.
+void AddPart(uint slot, uint channel, uint words, float part, float maxPart, float unitsPerPart, uint overflow)
 {
-    AddHalves(word, (uint)value, value < 0 ? 0xffffffff : 0);
+    if (!(abs(part) <= maxPart))
+    {
+        InterlockedOr(_Sums[slot + SUM_OVERFLOW], overflow);
+        return;
+    }
+    float units = round(part * unitsPerPart), magnitude = abs(units);
+    uint upper = (uint)(magnitude / TWO_TO_32), lower = (uint)(magnitude - upper * TWO_TO_32);
+    if (units < 0.0)
+        AddWords(slot + channel, words, 0 - lower, lower == 0 ? 0 - upper : ~upper, 0xffffffff);
+    else
+        AddWords(slot + channel, words, lower, upper, 0);
 }
 
-uint InLengthUnits(float length)
-{
-    return (uint)(length * _LengthUnits + 0.5);
-}
-
-int InPhasorUnits(float part)
-{
-    return (int)round(part * PHASOR_UNITS);
-}
-
-// Ray by ray: adding within a group first gains a GPU nothing,
-// and its barriers cost a software device a tenth of its time.
+// Ray by ray: adding within a group first gains a GPU nothing, and its barriers cost a software device 10 % of its time.
+// lengthBeyond: metres beyond _StartDepth, positive.
 void AddPath(uint slot, uint bounces, float lengthBeyond)
 {
     if (bounces == 0)
         return;
     AddTo(slot + SUM_HITS, 1);
     AddTo(slot + SUM_BOUNCES, bounces);
-    AddUnsigned(slot + SUM_LENGTH, InLengthUnits(lengthBeyond));
+    float units = lengthBeyond * _LengthUnits + 0.5;
+    if (units < LENGTH_UNITS + 1.0)
+        AddUnsigned(slot + SUM_LENGTH, (uint)units);
+    else
+        InterlockedOr(_Sums[slot + SUM_OVERFLOW], LENGTH_OVERFLOW);
 }
 
 // Turns: phase as a part of a turn, 0 to 1.
 void AddReceived(uint slot, float turns, float2 phasor)
 {
     AddTo(slot + SUM_RECEIVED, 1);
-    AddSigned(slot + SUM_IN_PHASE, InPhasorUnits(phasor.x));
-    AddSigned(slot + SUM_QUADRATURE, InPhasorUnits(phasor.y));
+    AddPart(slot, SUM_IN_PHASE, 2, phasor.x, MAX_PHASOR_PART, PHASOR_UNITS, IN_PHASE_OVERFLOW);
+    AddPart(slot, SUM_QUADRATURE, 2, phasor.y, MAX_PHASOR_PART, PHASOR_UNITS, QUADRATURE_OVERFLOW);
     AddTo(slot + SUM_HISTOGRAM + min(PHASE_BINS - 1, (uint)(turns * PHASE_BINS)), 1);
 }
 

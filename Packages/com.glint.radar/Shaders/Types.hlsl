@@ -14,7 +14,7 @@ struct RayData
     float InPhase;        // cos(phase), 0 if not received
     float Quadrature;     // sin(phase), 0 if not received
     uint Pixel;           // x + y * rays across; NO_PIXEL outside the picture
-    uint Bounces;
+    uint Bounces;         // with RAY_RECEIVED if it is received
 };
 
 // GLINT_HIT_DATA: a reflection of one ray as the kernel writes it (Core/Radar/HitData.cs).

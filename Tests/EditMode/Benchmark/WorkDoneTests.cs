@@ -15,7 +15,7 @@ namespace Glint.Tests
     [Category("Slow")]
     public sealed class WorkDoneTests
     {
-        const int SumBytes = 4 * RaySums.Slots * RaySums.WordsPerSlot;
+        const int SumBytes = 4 * Channel.Slots * Channel.WordsPerSlot;
 
         // A row with the centre, a node of three and two leaves of three.
         const int TopBytes = 16 * (1 + 3 + 2 * 3);
@@ -51,16 +51,15 @@ namespace Glint.Tests
 
         static RadarResult Counted(RayTracer tracer, RadarScene scene)
         {
-            tracer.SetScene(scene);
             tracer.CountVisits = true;
-            var result = tracer.Trace(s_settings, s_view, KeptRays.None);
+            var result = tracer.Trace(new RadarPose(scene, s_settings, s_view), KeptRays.None);
             tracer.CountVisits = false;
             return result;
         }
 
-        static double NodesASegment(RadarResult result) => (double)result.Work.NodesVisited / result.Segments;
+        static double NodesASegment(RadarResult result) => (double)result.Statistics.NodesVisited / result.Segments;
 
-        static double PairsASegment(RadarResult result) => (double)result.Work.PairsTested / result.Segments;
+        static double PairsASegment(RadarResult result) => (double)result.Statistics.PairsTested / result.Segments;
 
         [Test]
         public void Trace_SeaAndShip_VisitsNoMoreThanMeasured(
@@ -72,10 +71,10 @@ namespace Glint.Tests
             {
                 var result = Counted(tracer, Scene(Made));
                 // Each bounce is off a pair that was tested.
-                Assert.That(result.Work.PairsTested, Is.GreaterThanOrEqualTo(result.Bounces));
+                Assert.That(result.Statistics.PairsTested, Is.GreaterThanOrEqualTo(result.Bounces));
                 Assert.That(NodesASegment(result), Is.LessThan(Slack * nodes));
                 Assert.That(PairsASegment(result), Is.LessThan(Slack * pairs));
-                Assert.That(result.Work.TilesSkipped, Is.GreaterThanOrEqualTo(781));
+                Assert.That(result.Statistics.TilesSkipped, Is.GreaterThanOrEqualTo(781));
             }
         }
 
@@ -93,7 +92,7 @@ namespace Glint.Tests
                 Assert.That(NodesASegment(many) - NodesASegment(few), Is.LessThan(Slack * moreNodes));
                 Assert.That(PairsASegment(many), Is.LessThan(Slack * PairsASegment(few)));
                 foreach (var result in new[] { few, many })
-                    Assert.That((double)result.Work.BytesOnDevice / result.Triangles, Is.LessThan(MostBytesATriangle));
+                    Assert.That((double)result.Statistics.BytesOnDevice / result.Statistics.Triangles, Is.LessThan(MostBytesATriangle));
             }
         }
 
@@ -104,13 +103,11 @@ namespace Glint.Tests
             using (var tracer = Tracer(asSoftware))
             {
                 tracer.TilesADispatch = int.MaxValue;
-                tracer.SetScene(Scene(Made));
-                var first = tracer.Trace(s_settings, s_view, KeptRays.None).Work;
+                var first = tracer.Trace(new RadarPose(Scene(Made), s_settings, s_view), KeptRays.None).Statistics;
                 Assert.That(first.TreesBuilt, Is.EqualTo(2));
                 Assert.That(first.TrianglesBuilt, Is.EqualTo(Scene(Made).TriangleCount));
 
-                tracer.SetScene(Scene(Made, shipDegrees: 1));
-                var second = tracer.Trace(s_settings, s_view, KeptRays.None).Work;
+                var second = tracer.Trace(new RadarPose(Scene(Made, shipDegrees: 1), s_settings, s_view), KeptRays.None).Statistics;
                 Assert.That(second.TreesBuilt, Is.Zero);
                 Assert.That(second.TrianglesBuilt, Is.Zero);
                 Assert.That(second.RaysFollowedExactly, Is.InRange(1, 5e-3 * s_settings.RayCount),
@@ -134,17 +131,16 @@ namespace Glint.Tests
             var scene = new RadarScene(new SeaAndShip(2, 2_500_000, 1000).Sea);
             var settings = s_settings;
             settings.Region = new RayRegion { Left = 200, Bottom = 20, Width = 16, Height = 100 };
-            var expected = new Judge(scene, settings, s_view).TraceAll();
+            var expected = new Judge(new RadarPose(scene, settings, s_view)).TraceAll();
             Assert.That(expected.Count(ray => ray.Bounces > 0), Is.GreaterThan(1000));
             // No tree is larger than 48 and 96 MiB.
             foreach (bool asSoftware in TestKernels.AsSoftware)
                 using (var tracer = Tracer(asSoftware, (asSoftware ? 48 : 96) << 20 >> 4))
                 {
-                    tracer.SetScene(scene);
-                    var result = tracer.Trace(settings, s_view, KeptRays.All);
-                    Assert.That(result.Work.TreesBuilt, Is.EqualTo(1));
+                    var result = tracer.Trace(new RadarPose(scene, settings, s_view), KeptRays.All);
+                    Assert.That(result.Statistics.TreesBuilt, Is.EqualTo(1));
                     Assert.That(tracer.BankCount, Is.GreaterThan(1));
-                    Assert.That((double)result.Work.BytesOnDevice / result.Triangles, Is.LessThan(MostBytesATriangle));
+                    Assert.That((double)result.Statistics.BytesOnDevice / result.Statistics.Triangles, Is.LessThan(MostBytesATriangle));
                     int others = Enumerable.Range(0, expected.Length)
                         .Count(i => result.Rays[i].Bounces != expected[i].Bounces
                             || abs(result.Rays[i].PathLength - (expected[i].Received
@@ -156,26 +152,24 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void SetScene_SmallMeshesAfterALargeOne_GiveItsBuffersBack(
+        public void Trace_SmallMeshesAfterALargeOne_GiveItsBuffersBack(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             // A buffer holds the larger tree, not both.
             using (var tracer = Tracer(asSoftware, (asSoftware ? 4 : 8) << 20 >> 4))
             {
-                tracer.SetScene(Scene(new SeaAndShip(1, 100_000, 100_000)));
-                long large = tracer.Trace(s_settings, s_view, KeptRays.None).Work.BytesOnDevice;
+                long large = tracer.Trace(new RadarPose(Scene(new SeaAndShip(1, 100_000, 100_000)), s_settings, s_view), KeptRays.None).Statistics.BytesOnDevice;
                 Assert.That(tracer.BankCount, Is.GreaterThan(1));
                 var small = Scene(new SeaAndShip(1, 1000, 1000));
-                tracer.SetScene(small);
-                var result = tracer.Trace(s_settings, s_view, KeptRays.None);
+                var result = tracer.Trace(new RadarPose(small, s_settings, s_view), KeptRays.None);
                 Assert.That(tracer.BankCount, Is.EqualTo(1));
                 long lists = (4 + 4 * 16 + 64 * 8) * 60 * 34; // of tiles and their rays
-                Assert.That(result.Work.BytesOnDevice - lists, Is.LessThan((large - lists) / 10));
+                Assert.That(result.Statistics.BytesOnDevice - lists, Is.LessThan((large - lists) / 10));
             }
         }
 
         [Test]
-        public void SetScene_Cancelled_StopsAndTheNextSceneIsRight()
+        public void Trace_Cancelled_StopsAndTheNextSceneIsRight()
         {
             var scene = Scene(Made);
             using (var cancel = new CancellationTokenSource())
@@ -183,23 +177,23 @@ namespace Glint.Tests
             using (var other = Tracer(TestKernels.HasWide))
             {
                 cancel.Cancel();
-                Assert.Throws<OperationCanceledException>(() => tracer.SetScene(scene, cancel.Token));
-                tracer.SetScene(scene);
-                other.SetScene(scene);
-                RadarResult result = tracer.Trace(s_settings, s_view, KeptRays.None),
-                    expected = other.Trace(s_settings, s_view, KeptRays.None);
+                Assert.Throws<OperationCanceledException>(() =>
+                    tracer.Trace(new RadarPose(scene, s_settings, s_view), KeptRays.None, null, cancel.Token));
+                RadarResult result = tracer.Trace(new RadarPose(scene, s_settings, s_view), KeptRays.None),
+                    expected = other.Trace(new RadarPose(scene, s_settings, s_view), KeptRays.None);
                 Assert.That(result.PathLengthMeters, Is.EqualTo(expected.PathLengthMeters));
-                Assert.That(result.Work.TreesBuilt, Is.EqualTo(2));
+                Assert.That(result.Statistics.TreesBuilt, Is.EqualTo(2));
             }
         }
 
         [Test]
-        public void SetScene_MoreTrianglesThanTheDeviceHolds_SaysHowMuchTheyTakeBeforeItBuilds(
+        public void Trace_MoreTrianglesThanTheDeviceHolds_SaysHowMuchTheyTakeBeforeItBuilds(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             using (var tracer = Tracer(asSoftware, 1 << 13))
             {
-                var problem = Assert.Throws<GlintException>(() => tracer.SetScene(Scene(Made)));
+                var problem = Assert.Throws<GlintException>(() =>
+                    tracer.Trace(new RadarPose(Scene(Made), s_settings, s_view), KeptRays.None));
                 // 79,000 triangles of at least 32 bytes in wide trees and 48 in binary ones, and 8 buffers of 128 KiB.
                 Assert.That(problem.Message,
                     Does.Match($@"test: the trees over its meshes take at least {(asSoftware ? "2.4" : "3.6")} MiB, "

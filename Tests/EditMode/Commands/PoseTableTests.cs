@@ -8,15 +8,16 @@ namespace Glint.Tests
         [Test]
         public void Details_OfPerspectiveAndParallelRays_SayHowFarToTrustThem()
         {
-            var result = new RadarResult
-            {
-                InPhase = 3, Quadrature = -4, RaysOfPicture = 4 * 2073600,
-                SamplingError = 0.0123456, LargestPathStep = 2
-            };
-            Assert.That(PoseTable.Details(result), Is.EqualTo("normalised amplitude 1.250, sampling error 0.0123; "
+            var sums = new RadarSums { InPhase = 3, Quadrature = -4, RaysOfPicture = 4 * 2073600 };
+            var sampling = new SamplingReport(0.0123456, 2, false);
+            string perspective = PoseTable.Details(new RadarResult(sums, sampling));
+            Assert.That(perspective, Is.EqualTo("normalised amplitude 1.250, sampling error 0.0123; "
                 + "largest step between neighbouring paths 2 wavelengths"));
-            result.RayArea = 0.000025;
-            Assert.That(PoseTable.Details(result), Does.EndWith(" 2 wavelengths; 2.5e-05 m2 a ray"));
+            sums.RayArea = 0.000025;
+            Assert.That(PoseTable.Details(new RadarResult(sums, sampling)),
+                Does.EndWith(" 2 wavelengths; 2.5e-05 m2 a ray"));
+            Assert.That(PoseTable.Details(new RadarResult(sums)),
+                Is.EqualTo("normalised amplitude 1.250, sampling error not estimated; 2.5e-05 m2 a ray"));
         }
     }
 }

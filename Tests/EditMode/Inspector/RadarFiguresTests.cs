@@ -81,7 +81,7 @@ namespace Glint.Tests
             _radar.KeptRays = keep;
             var memory = Figures().Memory;
             Assert.That(memory.DeviceBytes,
-                Is.InRange(0.4 * result.Work.BytesOnDevice, 1.5 * result.Work.BytesOnDevice));
+                Is.InRange(0.4 * result.Statistics.BytesOnDevice, 1.5 * result.Statistics.BytesOnDevice));
             Assert.That(memory.HostBytes,
                 Is.GreaterThan(2000 * (3 * 12 + 3 * 4) + (keep == KeptRays.All ? 14400 * 48 : 0)));
         }

@@ -74,7 +74,7 @@ namespace Glint.Tests
             var sea = SceneObjects.MakeSea(null);
             var radar = SceneObjects.MakeRadar(null);
             var waves = SeaSettings.Default;
-            Assert.That(radar.GatherScene().TriangleCount, Is.EqualTo(2 * waves.Cells * waves.Cells * sea.TileCount));
+            Assert.That(radar.Gather().Scene.TriangleCount, Is.EqualTo(2 * waves.Cells * waves.Cells * sea.TileCount));
             Assert.That(sea.TileCount, Is.EqualTo(2));
             Assert.That(sea.GetComponentInChildren<MeshRenderer>().sharedMaterial != null);
         }
@@ -83,7 +83,7 @@ namespace Glint.Tests
         public void Ship_IsTheStandardOne()
         {
             var ship = SceneObjects.MakeShip(null);
-            Assert.That(SceneObjects.MakeRadar(ship.gameObject).GatherScene().TriangleCount,
+            Assert.That(SceneObjects.MakeRadar(ship.gameObject).Gather().Scene.TriangleCount,
                 Is.EqualTo(ShipModel.Build(ShipSettings.Default).TriangleCount));
             Assert.That(ship.Settings, Is.EqualTo(ShipSettings.Default));
         }

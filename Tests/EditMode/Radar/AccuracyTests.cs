@@ -47,7 +47,7 @@ namespace Glint.Tests
             var scene = CornerReflector.Turned(0);
             double[] kernel = Trace(scene, settings, view, KeptRays.Received)
                 .Rays.Select(ray => ray.ExactPathLength).ToArray();
-            double[] judge = new Judge(scene, settings, view).TraceAll().Where(ray => ray.Received)
+            double[] judge = new Judge(new RadarPose(scene, settings, view)).TraceAll().Where(ray => ray.Received)
                 .Select(ray => ray.PathLength).ToArray();
             Assert.That(kernel.Length, Is.GreaterThan(300));
             Assert.That(Spread(judge), Is.GreaterThan(1e-3));
@@ -145,8 +145,7 @@ namespace Glint.Tests
         {
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
-                tracer.SetScene(scene);
-                return tracer.Trace(settings, view, keep);
+                return tracer.Trace(new RadarPose(scene, settings, view), keep);
             }
         }
 
@@ -168,7 +167,7 @@ namespace Glint.Tests
 
             public void Add(RadarScene scene, in RadarSettings settings, in RadarView view)
             {
-                var comparison = new RayComparison(scene, settings, view, _lengthTolerance);
+                var comparison = new RayComparison(new RadarPose(scene, settings, view), _lengthTolerance);
                 comparison.Add(Trace(scene, settings, view, KeptRays.All).Rays);
                 string message = FormattableString.Invariant(
                     $"{comparison.Rays} rays, {comparison.KernelSums.RaysReceived} received, {comparison.AtEdge} at edges, {comparison.Wrong} wrong; lengths differ by {1e6 * comparison.LargestLengthDifference:g3} um, rms {1e6 * comparison.RmsLengthDifference:g3}, phases by {comparison.LargestPhaseDifference:g3} rad, amplitudes {comparison.KernelSums.Amplitude:r} and {comparison.JudgeSums.Amplitude:r}");

@@ -30,7 +30,7 @@ namespace Glint.Tests
             [Values(50, 1e4, 1e5)] double range, [Values] bool isParallel)
         {
             var setting = new Setting(target, range, isParallel);
-            var rays = new Judge(setting.Scene, setting.Settings, setting.View).TraceAll();
+            var rays = new Judge(new RadarPose(setting.Scene, setting.Settings, setting.View)).TraceAll();
             int compared = 0;
             for (int pixel = 0; pixel < rays.Length; pixel++)
             {
@@ -59,8 +59,7 @@ namespace Glint.Tests
             RayData[] rays;
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
-                tracer.SetScene(setting.Scene);
-                rays = tracer.Trace(setting.Settings, setting.View, KeptRays.Received)
+                rays = tracer.Trace(new RadarPose(setting.Scene, setting.Settings, setting.View), KeptRays.Received)
                     .Rays.Where(ray => ray.Bounces == setting.Bounces).ToArray();
             }
             foreach (var ray in rays)

@@ -27,7 +27,7 @@ namespace Glint.Tests
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(double3(0.1, 0.2, 0), double3(3, 1, 2));
             var rays = Trace(scene, settings, view, asSoftware).Rays;
-            var expected = new Judge(scene, settings, view).TraceSame(rays);
+            var expected = new Judge(new RadarPose(scene, settings, view)).TraceSame(rays);
             int atOnce = 0;
             for (int i = 0; i < rays.Length; i++)
             {
@@ -49,7 +49,7 @@ namespace Glint.Tests
 
             // The remedy: a millimetre off the surface.
             view.Position.z += 1e-3;
-            var comparison = new RayComparison(scene, settings, view, LengthTolerance);
+            var comparison = new RayComparison(new RadarPose(scene, settings, view), LengthTolerance);
             comparison.Add(Trace(scene, settings, view, asSoftware).Rays);
             Assert.That(comparison.Wrong, Is.Zero);
             Assert.That(comparison.KernelSums.RaysHit, Is.GreaterThan(100));
@@ -68,7 +68,7 @@ namespace Glint.Tests
             var settings = TestRadar.Settings(320, 180);
             var view = TestRadar.LookAt(double3(0.3, 0.2, -10), 0, fov: 20);
             var result = Trace(scene, settings, view, asSoftware);
-            var comparison = new RayComparison(scene, settings, view, LengthTolerance);
+            var comparison = new RayComparison(new RadarPose(scene, settings, view), LengthTolerance);
             comparison.Add(result.Rays);
             foreach (var ray in result.Rays)
             {
@@ -77,7 +77,7 @@ namespace Glint.Tests
             }
             // What is met first is right in any case.
             Assert.That(result.RaysHit,
-                Is.EqualTo(new Judge(scene, settings, view).TraceAll().Count(ray => ray.Bounces > 0)).Within(3));
+                Is.EqualTo(new Judge(new RadarPose(scene, settings, view)).TraceAll().Count(ray => ray.Bounces > 0)).Within(3));
             Assert.That(result.RaysHit, Is.GreaterThan(100));
             Assert.That(comparison.Wrong, Is.LessThanOrEqualTo(mostWrong * result.RaysHit));
         }
@@ -93,7 +93,7 @@ namespace Glint.Tests
                 new[] { 0, 1, 2 });
             var scene = new RadarScene(TestRadar.Join(tiny, TestRadar.FacingPlate(130, 65)));
             double3 from = double3(-20, 5, -60), to = (double3)corner - from;
-            double there = length(to), step = Step(2 * new Judge(scene, TestRadar.Settings(), default).SceneRadius);
+            double there = length(to), step = Step(2 * new Judge(new RadarPose(scene, TestRadar.Settings(), default)).SceneRadius);
             var settings = TestRadar.Settings(100, 100, 1);
             var view = TestRadar.LookAt(from, corner, fov: degrees(4 * step / there));
             int met = 0;
@@ -137,9 +137,8 @@ namespace Glint.Tests
                     view.ApertureHeight = settings.RaysDown * spacing;
                     view.ReceiverSize = 10;
                     var scene = new RadarScene(new MeshInstance { Mesh = TestRadar.Trihedral(0, 4), ToWorld = place });
-                    tracer.SetScene(scene);
-                    var comparison = new RayComparison(scene, settings, view, LengthTolerance);
-                    var result = tracer.Trace(settings, view, KeptRays.All);
+                    var comparison = new RayComparison(new RadarPose(scene, settings, view), LengthTolerance);
+                    var result = tracer.Trace(new RadarPose(scene, settings, view), KeptRays.All);
                     foreach (var ray in result.Rays)
                         AssertFinite(ray);
                     comparison.Add(result.Rays);
@@ -201,7 +200,7 @@ namespace Glint.Tests
             var settings = TestRadar.Settings(320, 180);
             var received = Trace(scene, settings, view, asSoftware).Rays.Where(ray => ray.IsReceived)
                 .Select(ray => (int)ray.Pixel).ToArray();
-            var judged = new Judge(scene, settings, view).TraceAll();
+            var judged = new Judge(new RadarPose(scene, settings, view)).TraceAll();
             // 180 rays over 20 m: 0.11 m from ray to ray.
             Assert.That(received, Is.EqualTo(Enumerable.Range(0, judged.Length).Where(i => judged[i].Received)));
             Assert.That(received.Length, Is.GreaterThan(200));
@@ -211,8 +210,7 @@ namespace Glint.Tests
         {
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
             {
-                tracer.SetScene(scene);
-                var result = tracer.Trace(settings, view, KeptRays.All);
+                var result = tracer.Trace(new RadarPose(scene, settings, view), KeptRays.All);
                 Assert.That(double.IsNaN(result.InPhase) || double.IsNaN(result.Quadrature)
                     || double.IsInfinity(result.PathLengthMeters) || double.IsNaN(result.PathLengthMeters), Is.False);
                 return result;

@@ -20,7 +20,7 @@ namespace Glint.Tests
             const float distance = 20;
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(0, double3(0, 0, 1));
-            var rays = new Judge(new RadarScene(TestRadar.FacingPlate(4, distance)), settings, view).TraceAll();
+            var rays = new Judge(new RadarPose(new RadarScene(TestRadar.FacingPlate(4, distance)), settings, view)).TraceAll();
 
             int expected = 0;
             for (int pixel = 0; pixel < rays.Length; pixel++)
@@ -48,7 +48,7 @@ namespace Glint.Tests
             double3 vertex = double3(1, -2, 3);
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(vertex + double3(9, 10, 11), vertex, fov: 20);
-            var rays = new Judge(new RadarScene(TestRadar.Trihedral((float3)vertex, 4)), settings, view).TraceAll();
+            var rays = new Judge(new RadarPose(new RadarScene(TestRadar.Trihedral((float3)vertex, 4)), settings, view)).TraceAll();
 
             double3 image = 2 * vertex - view.Position;
             var triple = Enumerable.Range(0, rays.Length)
@@ -71,7 +71,7 @@ namespace Glint.Tests
                 TestRadar.Plate(float3(-5, 0, 0), float3(10, 0, 0), float3(0, 5, 0)));
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(20 * double3(0, 0.5, -sqrt(0.75)), 0, fov: 20);
-            var rays = new Judge(new RadarScene(scene), settings, view).TraceAll();
+            var rays = new Judge(new RadarPose(new RadarScene(scene), settings, view)).TraceAll();
 
             // Mirrored in floor and wall, the camera stands at (x, -y, -z).
             double3 image = view.Position * double3(1, -1, -1);
@@ -104,7 +104,7 @@ namespace Glint.Tests
                 new MeshInstance { Mesh = clutter, ToWorld = mirror });
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(double3(3, 14, -45), 0);
-            var rays = new Judge(scene, settings, view).TraceAll();
+            var rays = new Judge(new RadarPose(scene, settings, view)).TraceAll();
 
             var flat = TestRadar.Join(Placed(clutter, place), Placed(clutter, mirror));
             int hits = 0;
@@ -129,9 +129,9 @@ namespace Glint.Tests
             var scene = new RadarScene(TestRadar.Clutter(100, 3));
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(double3(3, 14, -25), 0);
-            var whole = new Judge(scene, settings, view).TraceAll();
+            var whole = new Judge(new RadarPose(scene, settings, view)).TraceAll();
             settings.Region = new RayRegion { Left = 70, Bottom = 31, Width = 40, Height = 17 };
-            var judge = new Judge(scene, settings, view);
+            var judge = new Judge(new RadarPose(scene, settings, view));
             var part = judge.TraceAll();
             Assert.That(judge.Sum(part).RaysEmitted, Is.EqualTo(40 * 17));
             Assert.That(judge.Sum(part).RaysHit, Is.GreaterThan(100));
@@ -145,8 +145,8 @@ namespace Glint.Tests
             var scene = new RadarScene(TestRadar.Clutter(100, 3));
             var view = TestRadar.LookAt(double3(3, 14, -25), 0);
             view.ApertureHeight = isParallel ? 20 : 0;
-            var judge = new Judge(scene, TestRadar.Settings(160, 90), view);
-            var finer = new Judge(scene, TestRadar.Settings(480, 270), view).TraceAll();
+            var judge = new Judge(new RadarPose(scene, TestRadar.Settings(160, 90), view));
+            var finer = new Judge(new RadarPose(scene, TestRadar.Settings(480, 270), view)).TraceAll();
             Assert.That(finer.Count(ray => ray.Bounces > 0), Is.GreaterThan(1000));
             for (int pixel = 0; pixel < finer.Length; pixel++)
             {
@@ -163,7 +163,7 @@ namespace Glint.Tests
             // 3 x 2 cells of 2 m; nothing is hit.
             var view = TestRadar.LookAt(double3(1, 2, 3), double3(1, 2, 103));
             view.ApertureHeight = 4;
-            var judge = new Judge(new RadarScene(TestRadar.Empty), TestRadar.Settings(3, 2), view);
+            var judge = new Judge(new RadarPose(new RadarScene(TestRadar.Empty), TestRadar.Settings(3, 2), view));
             var rays = judge.TraceAll();
             Assert.That(rays.Select(ray => ray.LastHit), Is.EqualTo(new[] { double3(-1, 1, 3), double3(1, 1, 3),
                 double3(3, 1, 3), double3(-1, 3, 3), double3(1, 3, 3), double3(3, 3, 3) }));
@@ -179,10 +179,8 @@ namespace Glint.Tests
             double3 far = double3(1e6, -3e5, 2e6);
             var moved = Affine.Identity;
             moved.Origin = far;
-            var near = new Judge(new RadarScene(clutter), TestRadar.Settings(),
-                TestRadar.LookAt(double3(3, 14, -25), 0)).TraceAll();
-            var away = new Judge(new RadarScene(new MeshInstance { Mesh = clutter, ToWorld = moved }),
-                TestRadar.Settings(), TestRadar.LookAt(far + double3(3, 14, -25), far)).TraceAll();
+            var near = new Judge(new RadarPose(new RadarScene(clutter), TestRadar.Settings(), TestRadar.LookAt(double3(3, 14, -25), 0))).TraceAll();
+            var away = new Judge(new RadarPose(new RadarScene(new MeshInstance { Mesh = clutter, ToWorld = moved }), TestRadar.Settings(), TestRadar.LookAt(far + double3(3, 14, -25), far))).TraceAll();
             Assert.That(near.Count(ray => ray.Bounces > 1), Is.GreaterThan(100));
             for (int pixel = 0; pixel < near.Length; pixel++)
             {
@@ -195,8 +193,7 @@ namespace Glint.Tests
         [Test]
         public void TraceAll_WithProgress_EndsAtOneAndCanBeCancelled()
         {
-            var judge = new Judge(new RadarScene(TestRadar.Clutter(100, 3)), TestRadar.Settings(),
-                TestRadar.LookAt(double3(3, 14, -25), 0));
+            var judge = new Judge(new RadarPose(new RadarScene(TestRadar.Clutter(100, 3)), TestRadar.Settings(), TestRadar.LookAt(double3(3, 14, -25), 0)));
             var progress = new Reports();
             judge.TraceAll(progress);
             Assert.That(progress.Values.Max(), Is.EqualTo(1));
@@ -213,7 +210,7 @@ namespace Glint.Tests
         public void Sum_EmptyScene_EmitsEveryRayAndHitsNothing()
         {
             var judge =
-                new Judge(new RadarScene(TestRadar.Empty), TestRadar.Settings(), TestRadar.LookAt(0, double3(0, 0, 1)));
+                new Judge(new RadarPose(new RadarScene(TestRadar.Empty), TestRadar.Settings(), TestRadar.LookAt(0, double3(0, 0, 1))));
             var result = judge.Sum(judge.TraceAll());
             Assert.That(result.RaysEmitted, Is.EqualTo(160 * 90));
             Assert.That(result.Segments, Is.EqualTo(160 * 90));

@@ -25,7 +25,7 @@ namespace Glint.Tests
         public JudgedPose(RadarScene scene, in RadarSettings settings, in RadarView view)
         {
             _settings = settings;
-            _judge = new Judge(scene, settings, view);
+            _judge = new Judge(new RadarPose(scene, settings, view));
             var region = RegionOf(settings);
             var pixels = Enumerable.Range(0, region.Width * region.Height).Select(i => (uint)(
                 (region.Bottom + i / region.Width) * _settings.RaysAcross + region.Left + i % region.Width)).ToArray();
@@ -44,14 +44,13 @@ namespace Glint.Tests
             var estimate = new SamplingEstimate(_settings, rays, rays.Length, reference);
             var sums = Sums(estimate.PixelsToRefine, SamplingEstimate.SubRays);
             Complex sum = _received.Values.Aggregate(Complex.Zero, (before, length) => before + Phasor(length));
-            var result = new RadarResult
+            var total = new RadarSums
             {
                 RaysOfPicture = _settings.RayCount, RaysReceived = rays.Length, InPhase = sum.Real,
                 Quadrature = sum.Imaginary
             };
-            estimate.Finish(Array.ConvertAll(sums, part => part.Real),
-                Array.ConvertAll(sums, part => part.Imaginary), result);
-            return result;
+            return new RadarResult(total, estimate.Finish(sum, _settings.RayCount,
+                Array.ConvertAll(sums, part => part.Real), Array.ConvertAll(sums, part => part.Imaginary)));
         }
 
         /// <summary>Normalised.</summary>

@@ -1,7 +1,10 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
 using System.Linq;
 using System.Runtime.InteropServices;
+using System.Text.RegularExpressions;
 using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -68,47 +71,57 @@ namespace Glint.Tests
             Assert.That(length(row - double4(third.X.x, third.Y.x, third.Z.x, third.Origin.x)), Is.LessThan(1e-13));
         }
 
+        // A name without a partner fails on either side.
         [Test]
-        public void WordsOfSums_StandWhereTheKernelPutsThem()
+        public void Constants_OfTheKernels_AreThoseOfCSharp()
         {
-            var inKernel = Constants("Sums.hlsl");
-            var expected = new Dictionary<string, int>
+            var expected = new Dictionary<string, double>
             {
-                ["SUM_SLOTS"] = RaySums.Slots, ["SUM_WORDS"] = RaySums.WordsPerSlot,
-                ["SUM_HITS"] = RaySums.Hits, ["SUM_BOUNCES"] = RaySums.Bounces,
-                ["SUM_RECEIVED"] = RaySums.Received, ["SUM_RETURNING"] = RaySums.Returning,
-                ["SUM_LENGTH"] = RaySums.Length, ["SUM_IN_PHASE"] = RaySums.InPhase,
-                ["SUM_QUADRATURE"] = RaySums.Quadrature, ["SUM_NODES"] = RaySums.Nodes,
-                ["SUM_PAIRS"] = RaySums.Pairs, ["SUM_HISTOGRAM"] = RaySums.Histogram,
-                ["PHASE_BINS"] = Signal.PhaseBins,
+                ["SUM_SLOTS"] = Channel.Slots, ["SUM_WORDS"] = Channel.WordsPerSlot, ["PHASE_BINS"] = Signal.PhaseBins,
+                ["LENGTH_UNITS"] = Channel.Length.Scale, ["PHASOR_UNITS"] = Channel.InPhase.Scale,
+                ["MAX_PHASOR_PART"] = Channel.InPhase.MaxPart, ["LENGTH_OVERFLOW"] = 1u << Channel.Length.Number,
+                ["IN_PHASE_OVERFLOW"] = 1u << Channel.InPhase.Number,
+                ["QUADRATURE_OVERFLOW"] = 1u << Channel.Quadrature.Number,
+                ["SHORTCUT_REACH"] = (int)Shortcuts.Reach, ["SHORTCUT_LAST"] = (int)Shortcuts.LastSegment,
+                ["SHORTCUT_STARTS"] = (int)Shortcuts.Starts,
+                ["KEEP_NONE"] = (int)KeptRays.None, ["KEEP_RECEIVED"] = (int)KeptRays.Received,
+                ["KEEP_ALL"] = (int)KeptRays.All, ["NO_PIXEL"] = ReceivedRay.NoPixel, ["RAY_RECEIVED"] = RayData.Received,
+                ["TILE_SIDE"] = PictureTiles.Side, ["RAYS_A_TILE"] = PictureTiles.Rays,
+                ["GROUPS_A_ROW"] = TraceKernel.GroupsARow, ["MOST_FEW"] = DeviceScene.MostFew,
+                ["ROOT"] = DeviceScene.TopRootRow, ["BINARY_LEVELS"] = BoxTreeBuilder.MaxLevels,
+                // The wide stack has 16 words: one a level, and entry points that wait.
+                ["MOST_STARTS"] = 16 - WideCollapse.MaxLevels + 2
             };
-            Assert.That(inKernel, Is.EquivalentTo(expected));
+            foreach (var channel in Channel.All)
+                expected["SUM_" + channel.Name.ToUpperInvariant()] = channel.Word;
+            Assert.That(Constants(), Is.EquivalentTo(expected));
         }
 
         [Test]
-        public void NumbersThatTheKernelAndItsCallerShare_AreTheSame()
+        public void Channels_OfTheLargestParts_HoldTheirSums()
         {
-            var bindings = Constants("Bindings.hlsl");
-            Assert.That(bindings["SHORTCUT_REACH"], Is.EqualTo((int)Shortcuts.Reach));
-            Assert.That(bindings["SHORTCUT_LAST"], Is.EqualTo((int)Shortcuts.LastSegment));
-            Assert.That(bindings["SHORTCUT_STARTS"], Is.EqualTo((int)Shortcuts.Starts));
-            Assert.That(bindings["MOST_FEW"], Is.EqualTo(DeviceScene.MostFew));
-            Assert.That(Constants("BinaryTree.hlsl")["BINARY_LEVELS"], Is.EqualTo(BoxTreeBuilder.MaxLevels));
-            Assert.That(Constants("BinaryTree.hlsl")["ROOT"], Is.EqualTo(DeviceScene.TopRootRow));
-            // The wide stack has 16 words: one a level, and three starts that wait.
-            Assert.That(WideCollapse.MaxLevels - 1 + Constants("Starts.hlsl")["MOST_STARTS"] - 1,
-                Is.LessThanOrEqualTo(16));
-            Assert.That(Constants("Kernels.hlsl")["TILE_SIDE"], Is.EqualTo(PictureTiles.Side));
+            foreach (var channel in Channel.All.Where(channel => channel != Channel.Overflow))
+            {
+                // One word has no sign; of more the highest bit is the sign.
+                int bits = channel.Words == 1 ? 32 : 32 * channel.Words - 1;
+                Assert.That(channel.MaxPart * channel.Scale * Channel.MaxRays, Is.LessThan(pow(2.0, bits)),
+                    channel.Name);
+            }
+            Assert.That(Channel.Histogram, Is.SameAs(Channel.All.Last()));
+            Assert.That(Channel.Histogram.Word + Signal.PhaseBins, Is.LessThanOrEqualTo(Channel.WordsPerSlot));
         }
 
-        static Dictionary<string, int> Constants(string shader)
+        static Dictionary<string, double> Constants()
         {
-            string source = System.IO.File.ReadAllText(
-                System.IO.Path.Combine(Application.dataPath, "../Packages/com.glint.radar/Shaders", shader));
-            return System.Text.RegularExpressions.Regex.Matches(source, @"static const uint (\w+) = (\d+);")
-                .Cast<System.Text.RegularExpressions.Match>()
-                .ToDictionary(match => match.Groups[1].Value, match => int.Parse(match.Groups[2].Value));
+            string file = Path.Combine(Application.dataPath, "../Packages/com.glint.radar/Shaders/Constants.hlsl");
+            var declared = File.ReadLines(file).Where(line => line.StartsWith("static const"));
+            return declared.Select(line => Regex.Match(line, @"^static const (uint|float) (\w+) = ([^;]+);"))
+                .ToDictionary(match => match.Groups[2].Value, match => Value(match.Groups[3].Value));
         }
+
+        static double Value(string text) => text.StartsWith("0x")
+            ? uint.Parse(text.Substring(2), NumberStyles.HexNumber)
+            : double.Parse(text, CultureInfo.InvariantCulture);
 
         static bool IsWhole(int field) => new[] { 11, 12, 37, 38, 44, 48 }.Contains(field);
 

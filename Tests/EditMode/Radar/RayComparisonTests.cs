@@ -29,7 +29,7 @@ namespace Glint.Tests
         }
 
         static RayData[] Rays(RadarScene scene) =>
-            new Judge(scene, s_settings, s_view).TraceAll().Select((ray, pixel) =>
+            new Judge(new RadarPose(scene, s_settings, s_view)).TraceAll().Select((ray, pixel) =>
             {
                 double length = ray.LengthToEnd, phase = Signal.Phase(length, s_settings.Wavelength);
                 var data = new RayData
@@ -38,6 +38,7 @@ namespace Glint.Tests
                     LastHit = (float3)ray.LastHit, Direction = (float3)ray.Direction,
                     PathLength = (float)length, PathLengthRest = (float)(length - (float)length),
                 };
+                data.IsReceived = ray.Received;
                 if (ray.Received)
                     (data.InPhase, data.Quadrature) = ((float)cos(phase), (float)sin(phase));
                 return data;
@@ -45,7 +46,7 @@ namespace Glint.Tests
 
         static RayComparison Compare(RadarScene judged, RayData[] rays)
         {
-            var comparison = new RayComparison(judged, s_settings, s_view, Tolerance);
+            var comparison = new RayComparison(new RadarPose(judged, s_settings, s_view), Tolerance);
             comparison.Add(rays);
             Assert.That(comparison.Rays, Is.EqualTo(rays.Length));
             Assert.That(comparison.Same + comparison.AtEdge + comparison.Wrong, Is.EqualTo(rays.Length));

@@ -40,9 +40,8 @@ namespace Glint.Tests
             RayData[] rays;
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
             {
-                tracer.SetScene(scene);
-                paths = tracer.TracePaths(s_settings, view, pixels, new Numbers(scene));
-                rays = tracer.Trace(s_settings, view, KeptRays.All).Rays;
+                paths = tracer.TracePaths(new RadarPose(scene, s_settings, view), pixels, new Numbers(scene));
+                rays = tracer.Trace(new RadarPose(scene, s_settings, view), KeptRays.All).Rays;
                 Assert.That(tracer.ReceivedPixels(),
                     Is.EqualTo(rays.Where(ray => ray.IsReceived).Select(ray => ray.Pixel)));
             }
@@ -51,7 +50,7 @@ namespace Glint.Tests
             {
                 var settings = s_settings;
                 settings.MaxBounces = bounce;
-                var judge = new Judge(scene, settings, view);
+                var judge = new Judge(new RadarPose(scene, settings, view));
                 foreach (var path in paths.Where(path => path.Bounces >= bounce))
                 {
                     var judged =
@@ -78,9 +77,9 @@ namespace Glint.Tests
             var view = TestRadar.LookAt(double3(12, 11, 13), 0.4, fov: 6);
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
-                tracer.SetScene(new RadarScene(TestRadar.Trihedral(0, 2)));
-                long received = tracer.Trace(settings, view, KeptRays.None).RaysReceived;
-                var paths = tracer.TracePaths(settings, view, tracer.ReceivedPixels());
+                var pose = new RadarPose(new RadarScene(TestRadar.Trihedral(0, 2)), settings, view);
+                long received = tracer.Trace(pose, KeptRays.None).RaysReceived;
+                var paths = tracer.TracePaths(pose, tracer.ReceivedPixels());
                 Assert.That(received, Is.GreaterThan(100));
                 Assert.That(paths.Length, Is.EqualTo(received));
                 foreach (var path in paths)
@@ -103,12 +102,11 @@ namespace Glint.Tests
         {
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
-                tracer.SetScene(new RadarScene(TestRadar.FacingPlate(4, 10)));
                 var problem = Assert.Throws<GlintException>(
-                    () => tracer.TracePaths(s_settings, TestRadar.LookAt(0, double3(0, 0, 1)), new[] { 5u, 64u * 36 }));
+                    () => tracer.TracePaths(new RadarPose(new RadarScene(TestRadar.FacingPlate(4, 10)), s_settings, TestRadar.LookAt(0, double3(0, 0, 1))), new[] { 5u, 64u * 36 }));
                 Assert.That(problem.Message, Does.Contain("no pixel 2304").And.Contain("64 x 36"));
                 Assert.That(
-                    tracer.TracePaths(s_settings, TestRadar.LookAt(0, double3(0, 0, 1)), new uint[0]), Is.Empty);
+                    tracer.TracePaths(new RadarPose(new RadarScene(TestRadar.FacingPlate(4, 10)), s_settings, TestRadar.LookAt(0, double3(0, 0, 1))), new uint[0]), Is.Empty);
             }
         }
 
@@ -117,8 +115,7 @@ namespace Glint.Tests
         {
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
-                tracer.SetScene(new RadarScene(TestRadar.Empty));
-                var path = tracer.TracePaths(s_settings, TestRadar.LookAt(1, 5), new[] { 3u }).Single();
+                var path = tracer.TracePaths(new RadarPose(new RadarScene(TestRadar.Empty), s_settings, TestRadar.LookAt(1, 5)), new[] { 3u }).Single();
                 Assert.That((path.Bounces, path.IsReceived, distance(path.Start, 1)), Is.EqualTo((0, false, 0.0)));
             }
         }

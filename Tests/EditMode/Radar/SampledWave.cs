@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Numerics;
 using Glint.Core;
 
 namespace Glint.Tests
@@ -38,10 +39,10 @@ namespace Glint.Tests
         /// <summary>Sums over the rays, and the estimate.</summary>
         public RadarResult Trace()
         {
-            var result = new RadarResult { RaysOfPicture = _settings.RayCount, RaysEmitted = _settings.RaysEmitted };
+            var sums = new RadarSums { RaysOfPicture = _settings.RayCount, RaysEmitted = _settings.RaysEmitted };
             foreach (var ray in Rays)
                 if (IsReceived(ray.Pixel, 0.5, 0.5, out double length))
-                    result.AddReceived(Phase(length), Math.Cos(Phase(length)), Math.Sin(Phase(length)));
+                    sums.AddReceived(Phase(length), Math.Cos(Phase(length)), Math.Sin(Phase(length)));
             var estimate = Begin();
             double[] inPhase = new double[SamplingEstimate.SubGrids],
                 quadrature = new double[SamplingEstimate.SubGrids];
@@ -53,8 +54,8 @@ namespace Glint.Tests
                         inPhase[sub] += Math.Cos(Phase(length));
                         quadrature[sub] += Math.Sin(Phase(length));
                     }
-            estimate.Finish(inPhase, quadrature, result);
-            return result;
+            return new RadarResult(sums, estimate.Finish(new Complex(sums.InPhase, sums.Quadrature), sums.RaysOfPicture,
+                inPhase, quadrature));
         }
 
         IEnumerable<uint> Pixels()

@@ -44,16 +44,18 @@ namespace Glint.Tests
         [Test]
         public void Amplitude_OfOppositeRays_IsZeroAndOfEqualRaysTheirNumber()
         {
-            var cancelled = new RadarResult();
-            cancelled.AddReceived(0, 1, 0);
-            cancelled.AddReceived(Math.PI, -1, 0);
+            var sums = new RadarSums();
+            sums.AddReceived(0, 1, 0);
+            sums.AddReceived(Math.PI, -1, 0);
+            var cancelled = new RadarResult(sums);
             Assert.That(cancelled.Amplitude, Is.Zero);
             Assert.That(cancelled.AmplitudeDb, Is.Null);
             Assert.That(cancelled.RaysReceived, Is.EqualTo(2));
 
-            var equal = new RadarResult();
+            sums = new RadarSums();
             for (int i = 0; i < 5; i++)
-                equal.AddReceived(Math.PI / 2, 0, 1);
+                sums.AddReceived(Math.PI / 2, 0, 1);
+            var equal = new RadarResult(sums);
             Assert.That(equal.Amplitude, Is.EqualTo(5));
             Assert.That(equal.PhaseHistogram[Signal.PhaseBins / 4], Is.EqualTo(5));
         }

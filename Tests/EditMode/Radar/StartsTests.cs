@@ -40,13 +40,12 @@ namespace Glint.Tests
         // Four entry points of each traced tile.
         static uint4[] FindStarts(TriangleMesh mesh, bool asSoftware)
         {
-            var work = new WorkDone();
             var kernel = new TraceKernel(TestKernels.Trace, asSoftware, "test");
             using (var scene = new DeviceScene(asSoftware ? TreeShape.Wide : TreeShape.Binary, "test", long.MaxValue))
             using (var tiles = new DeviceBuffer<uint>("tiles"))
             using (var starts = new DeviceBuffer<uint4>("starts"))
             {
-                scene.Set(new RadarScene(mesh), ref work, (some, shape) => MeshTree.Build(some, shape));
+                scene.Set(new RadarScene(mesh), new TraceStatistics(), (some, shape) => MeshTree.Build(some, shape));
                 var picture = new PictureTiles(s_settings, s_view);
                 scene.AddTo(picture);
                 var traced = picture.ToArray(asSoftware);

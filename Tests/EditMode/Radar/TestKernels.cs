@@ -33,8 +33,7 @@ namespace Glint.Tests
         {
             using (var tracer = new RayTracer(Trace))
             {
-                tracer.SetScene(new RadarScene(mesh));
-                return tracer.Trace(settings, view, keep);
+                return tracer.Trace(new RadarPose(new RadarScene(mesh), settings, view), keep);
             }
         }
 

@@ -20,20 +20,18 @@ namespace Glint.Tests
             TestRadar.Join(TestRadar.Trihedral(0, 4), TestRadar.Clutter(300, seed: 5, halfSide: 4, largest: 0.3f),
                 TestRadar.Plate(float3(10, 12, 25), float3(20, 0, 0), float3(0, 20, 0)));
 
-        static RayTracer Tracer(RadarScene scene, bool asSoftware = TestKernels.HasWide)
-        {
-            var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware);
-            tracer.SetScene(scene);
-            return tracer;
-        }
+        static RayTracer Tracer(bool asSoftware = TestKernels.HasWide) =>
+            new RayTracer(TestKernels.Trace, "test", asSoftware);
+
+        static RadarPose PoseOf(RadarScene scene) => new RadarPose(scene, s_settings, s_view);
 
         static RadarResult Pose(Action<RayTracer> change = null, KeptRays keep = KeptRays.None,
             bool asSoftware = TestKernels.HasWide, RadarSettings? settings = null)
         {
-            using (var tracer = Tracer(new RadarScene(Scene), asSoftware))
+            using (var tracer = Tracer(asSoftware))
             {
                 change?.Invoke(tracer);
-                return tracer.Trace(settings ?? s_settings, s_view, keep);
+                return tracer.Trace(new RadarPose(new RadarScene(Scene), settings ?? s_settings, s_view), keep);
             }
         }
 
@@ -50,8 +48,8 @@ namespace Glint.Tests
             Assert.That(actual.Bounces, Is.EqualTo(expected.Bounces));
             Assert.That(actual.Segments, Is.EqualTo(expected.Segments));
             Assert.That(actual.PhaseHistogram, Is.EqualTo(expected.PhaseHistogram));
-            Assert.That(BitConverter.DoubleToInt64Bits(actual.SamplingError),
-                Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.SamplingError)), "sampling error");
+            Assert.That(BitConverter.DoubleToInt64Bits(actual.SamplingError.Value),
+                Is.EqualTo(BitConverter.DoubleToInt64Bits(expected.SamplingError.Value)), "sampling error");
             Assert.That(actual.LargestPathStep, Is.EqualTo(expected.LargestPathStep));
         }
 
@@ -61,7 +59,7 @@ namespace Glint.Tests
         {
             var all = Pose(asSoftware: asSoftware);
             Assert.That(all.RaysReceived, Is.GreaterThan(100));
-            Assert.That(all.Work.TilesSkipped, Is.GreaterThan(100));
+            Assert.That(all.Statistics.TilesSkipped, Is.GreaterThan(100));
             foreach (var off in new[]
             {
                 Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles, Shortcuts.Starts, Shortcuts.All
@@ -77,7 +75,7 @@ namespace Glint.Tests
             {
                 tracer.CountVisits = true;
                 tracer.Shortcuts = Shortcuts.All & ~off;
-            }).Work is var work ? work.NodesVisited + work.PairsTested + work.TilesTraced : 0;
+            }).Statistics is var work ? work.NodesVisited + work.PairsTested + work.TilesTraced : 0;
             long all = Visits(Shortcuts.None);
             Assert.That(all, Is.GreaterThan(0));
             foreach (var off in new[] { Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles })
@@ -92,12 +90,12 @@ namespace Glint.Tests
             // The starts of the tiles, the rays, those that may be received once more, and smaller ones around these.
             // A GPU does not look for the starts of so few tiles.
             int everySlice = TestKernels.HasWide ? 2 : 1;
-            Assert.That(inOne.Work.Dispatches, Is.EqualTo(everySlice + 2));
-            long slices = (inMany.Work.TilesTraced + 36) / 37;
-            Assert.That(inMany.Work.Dispatches,
+            Assert.That(inOne.Statistics.Dispatches, Is.EqualTo(everySlice + 2));
+            long slices = (inMany.Statistics.TilesTraced + 36) / 37;
+            Assert.That(inMany.Statistics.Dispatches,
                 Is.InRange(everySlice * slices + 2, (everySlice + 1) * slices + 1));
-            Assert.That(inMany.Work.RaysFollowedExactly, Is.EqualTo(inOne.Work.RaysFollowedExactly));
-            Assert.That(inMany.Work.SubRays, Is.EqualTo(inOne.Work.SubRays));
+            Assert.That(inMany.Statistics.RaysFollowedExactly, Is.EqualTo(inOne.Statistics.RaysFollowedExactly));
+            Assert.That(inMany.Statistics.SubRays, Is.EqualTo(inOne.Statistics.SubRays));
             AssertSame(inMany, inOne);
             Assert.That(inMany.Rays, Is.EqualTo(inOne.Rays));
         }
@@ -112,13 +110,12 @@ namespace Glint.Tests
                 ToWorld = Affine.FromTransform(double3(-6, 1, 2), double4(0.1, 0.2, 0.3, 1), 1)
             });
             foreach (var some in new[] { scene, pair })
-                using (var tracer = Tracer(some, asSoftware: false))
+                using (var tracer = Tracer(asSoftware: false))
                 using (var other = new RayTracer(TestKernels.OtherGroups, "test", false))
                 {
-                    other.SetScene(some);
-                    var result = other.Trace(s_settings, s_view, KeptRays.None);
+                    var result = other.Trace(PoseOf(some), KeptRays.None);
                     Assert.That(result.RaysReceived, Is.GreaterThan(100));
-                    AssertSame(result, tracer.Trace(s_settings, s_view, KeptRays.None));
+                    AssertSame(result, tracer.Trace(PoseOf(some), KeptRays.None));
                 }
         }
 
@@ -142,8 +139,8 @@ namespace Glint.Tests
                 });
             RadarResult Sums()
             {
-                using (var tracer = Tracer(new RadarScene(places.ToArray()), asSoftware))
-                    return tracer.Trace(s_settings, s_view, KeptRays.None);
+                using (var tracer = Tracer(asSoftware))
+                    return tracer.Trace(PoseOf(new RadarScene(places.ToArray())), KeptRays.None);
             }
             var expected = Sums();
             Assert.That(expected.RaysReceived, Is.GreaterThan(100));
@@ -171,13 +168,13 @@ namespace Glint.Tests
             AssertSame(Pose(keep: KeptRays.All), none);
             Assert.That(none.Rays, Is.Empty);
             Assert.That(received.Rays.Length, Is.EqualTo(none.RaysReceived));
-            long mayReturn = none.Work.RaysFollowedExactly;
+            long mayReturn = none.Statistics.RaysFollowedExactly;
             Assert.That(mayReturn, Is.InRange(none.RaysReceived, 1.1 * none.RaysReceived + 1e-3 * none.RaysEmitted),
                 "few more than are received: those that pass an edge");
-            Assert.That(none.Work.BytesReadBack,
-                Is.EqualTo(3 * RaySums.Slots * RaySums.WordsPerSlot * 4 + 8 * mayReturn),
+            Assert.That(none.Statistics.BytesReadBack,
+                Is.EqualTo(3 * Channel.Slots * Channel.WordsPerSlot * 4 + 8 * mayReturn),
                 "sums, and pixel and length of what is received");
-            Assert.That(received.Work.BytesReadBack - none.Work.BytesReadBack,
+            Assert.That(received.Statistics.BytesReadBack - none.Statistics.BytesReadBack,
                 Is.EqualTo(48 * mayReturn), "and these rays only");
         }
 
@@ -250,9 +247,9 @@ namespace Glint.Tests
             var scene = new RadarScene(places.ToArray());
             var view = TestRadar.LookAt(double3(3, 8, -14), 0);
             RayData[] rays;
-            using (var tracer = Tracer(scene, asSoftware))
-                rays = tracer.Trace(s_settings, view, KeptRays.All).Rays;
-            var expected = new Judge(scene, s_settings, view).TraceAll();
+            using (var tracer = Tracer(asSoftware))
+                rays = tracer.Trace(new RadarPose(scene, s_settings, view), KeptRays.All).Rays;
+            var expected = new Judge(new RadarPose(scene, s_settings, view)).TraceAll();
             int others = Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces
                 || rays[i].IsReceived != expected[i].Received
                 || abs(rays[i].PathLength
@@ -262,46 +259,44 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void SetScene_MeshThatMovedOrStayed_BuildsNothing()
+        public void Trace_MeshThatMovedOrStayed_BuildsNothing()
         {
             var mesh = Scene;
-            using (var tracer = Tracer(new RadarScene(mesh)))
+            using (var tracer = Tracer())
             {
                 tracer.TilesADispatch = int.MaxValue;
-                var first = tracer.Trace(s_settings, s_view, KeptRays.None);
-                Assert.That(first.Work.TreesBuilt, Is.EqualTo(1));
-                Assert.That(first.Work.TrianglesBuilt, Is.EqualTo(mesh.TriangleCount));
+                var first = tracer.Trace(PoseOf(new RadarScene(mesh)), KeptRays.None);
+                Assert.That(first.Statistics.TreesBuilt, Is.EqualTo(1));
+                Assert.That(first.Statistics.TrianglesBuilt, Is.EqualTo(mesh.TriangleCount));
 
-                tracer.SetScene(new RadarScene(mesh));
-                var second = tracer.Trace(s_settings, s_view, KeptRays.None);
+                var second = tracer.Trace(PoseOf(new RadarScene(mesh)), KeptRays.None);
                 AssertSame(second, first);
-                Assert.That(second.Work.TreesBuilt, Is.Zero);
-                Assert.That(second.Work.BytesUploaded, Is.EqualTo(4 * second.Work.TilesTraced
-                        + 3 * 4 * RaySums.Slots * RaySums.WordsPerSlot + 8 * second.Work.SubRays / 16),
+                Assert.That(second.Statistics.TreesBuilt, Is.Zero);
+                Assert.That(second.Statistics.BytesUploaded, Is.EqualTo(4 * second.Statistics.TilesTraced
+                        + 3 * 4 * Channel.Slots * Channel.WordsPerSlot + 8 * second.Statistics.SubRays / 16),
                     "tiles, zeros, and where to trace smaller rays");
 
                 var turned = Affine.FromTransform(0, double4(0, sin(0.1), 0, cos(0.1)), 1);
-                tracer.SetScene(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = turned }));
-                var third = tracer.Trace(s_settings, s_view, KeptRays.None);
-                Assert.That(third.Work.TreesBuilt, Is.Zero);
+                var third = tracer.Trace(
+                    PoseOf(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = turned })), KeptRays.None);
+                Assert.That(third.Statistics.TreesBuilt, Is.Zero);
                 Assert.That(third.InPhase, Is.Not.EqualTo(first.InPhase));
             }
         }
 
         [Test]
-        public void SetScene_MeshesThatComeAndGo_LeaveNothingBehind()
+        public void Trace_MeshesThatComeAndGo_LeaveNothingBehind()
         {
-            using (var tracer = Tracer(new RadarScene(Scene)))
+            using (var tracer = Tracer())
             {
                 long least = 0;
                 for (int i = 0; i < 20; i++)
                 {
                     var mesh = TestRadar.Join(Scene, TestRadar.Clutter(200 + 31 * i % 97, seed: (uint)i));
-                    tracer.SetScene(new RadarScene(mesh));
-                    var result = tracer.Trace(s_settings, s_view, KeptRays.None);
+                    var result = tracer.Trace(PoseOf(new RadarScene(mesh)), KeptRays.None);
                     AssertSame(result, TestKernels.TraceOnce(mesh, s_settings, s_view, KeptRays.None));
-                    least = i == 0 ? result.Work.BytesOnDevice : least;
-                    Assert.That(result.Work.BytesOnDevice, Is.LessThan(2 * least));
+                    least = i == 0 ? result.Statistics.BytesOnDevice : least;
+                    Assert.That(result.Statistics.BytesOnDevice, Is.LessThan(2 * least));
                 }
             }
         }
@@ -310,10 +305,10 @@ namespace Glint.Tests
         public void Trace_Progress_RisesToOne()
         {
             var parts = new Parts();
-            using (var tracer = Tracer(new RadarScene(Scene)))
+            using (var tracer = Tracer())
             {
                 tracer.TilesADispatch = 50;
-                tracer.Trace(s_settings, s_view, KeptRays.None, parts);
+                tracer.Trace(PoseOf(new RadarScene(Scene)), KeptRays.None, parts);
             }
             Assert.That(parts.Reported, Is.Ordered.And.Count.GreaterThan(3));
             Assert.That(parts.Reported.Last(), Is.EqualTo(1));
@@ -323,24 +318,25 @@ namespace Glint.Tests
         public void Trace_Cancelled_StopsAndTheNextPoseIsRight()
         {
             using (var cancel = new CancellationTokenSource())
-            using (var tracer = Tracer(new RadarScene(Scene)))
+            using (var tracer = Tracer())
             {
                 tracer.TilesADispatch = 50;
                 var parts = new Parts { After = cancel.Cancel };
                 Assert.Throws<OperationCanceledException>(
-                    () => tracer.Trace(s_settings, s_view, KeptRays.None, parts, cancel.Token));
+                    () => tracer.Trace(PoseOf(new RadarScene(Scene)), KeptRays.None, parts, cancel.Token));
                 Assert.That(parts.Reported, Has.Count.EqualTo(1));
-                AssertSame(tracer.Trace(s_settings, s_view, KeptRays.None), Pose());
+                AssertSame(tracer.Trace(PoseOf(new RadarScene(Scene)), KeptRays.None), Pose());
             }
         }
 
         [Test]
         public void Trace_KeepingMoreRaysThanTheComputerHolds_SaysHowMuchTheyTake()
         {
-            using (var tracer = Tracer(new RadarScene(TestRadar.Empty)))
+            using (var tracer = Tracer())
             {
                 var problem = Assert.Throws<GlintException>(
-                    () => tracer.Trace(TestRadar.Settings(65536, 65535), s_view, KeptRays.All));
+                    () => tracer.Trace(
+                        new RadarPose(new RadarScene(TestRadar.Empty), TestRadar.Settings(65536, 65535), s_view), KeptRays.All));
                 Assert.That(problem.Message, Does.Contain("4294901760 rays").And.Contain("196605 MiB"));
             }
         }

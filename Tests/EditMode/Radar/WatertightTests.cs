@@ -87,7 +87,6 @@ namespace Glint.Tests
             public void Look(RayTracer tracer, string name, TriangleMesh mesh, Affine? place = null)
             {
                 var toWorld = place ?? Affine.Identity;
-                tracer.SetScene(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = toWorld }));
                 var settings = TestRadar.Settings(_side, _side, _bounces);
                 foreach (var (right, up, forward) in s_views)
                 {
@@ -98,7 +97,7 @@ namespace Glint.Tests
                         ReceiverCentre = toWorld.Origin - 1e6 * forward, ReceiverRight = right,
                         ReceiverUp = up, ReceiverForward = forward, ReceiverSize = 1,
                     };
-                    var result = tracer.Trace(settings, view, KeptRays.None);
+                    var result = tracer.Trace(new RadarPose(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = toWorld }), settings, view), KeptRays.None);
                     long missing = _bounces * result.RaysEmitted - result.Bounces;
                     if (missing > 0)
                         _found.Add($"{name}, {mesh.TriangleCount} triangles, towards {forward}: "

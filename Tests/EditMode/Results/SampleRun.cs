@@ -6,8 +6,8 @@ namespace Glint.Tests
     /// <summary>Rows and a run with values that are easy to tell apart in a file.</summary>
     static class SampleRun
     {
-        public static SweepRow Row(double angle, double inPhase = 3, double quadrature = -4) =>
-            new SweepRow(new SweepPose(angle), new RadarResult
+        public static SweepRow Row(double angle, double inPhase = 3, double quadrature = -4, int[] histogram = null) =>
+            new SweepRow(new SweepPose(angle), new RadarResult(new RadarSums
             {
                 InPhase = inPhase,
                 Quadrature = quadrature,
@@ -17,15 +17,16 @@ namespace Glint.Tests
                 RaysReceived = 300,
                 Bounces = 1200,
                 PathLengthMeters = 41.25,
-                SamplingError = 0.25,
-                LargestPathStep = 0.125,
-                Undersampled = true,
                 RayArea = 0.0625,
+                PhaseHistogram = histogram ?? new int[Signal.PhaseBins]
+            }, new SamplingReport(0.25, 0.125, true), null, new TraceStatistics
+            {
                 Timings = new Timings { GatherMs = 1, BuildMs = 2, UploadMs = 4, TraceMs = 8.5, ReadBackMs = 0.5 }
-            });
+            }));
 
-        public static SweepRow Miss(double angle) =>
-            new SweepRow(new SweepPose(angle), new RadarResult { RaysEmitted = 100, PhaseHistogram = null });
+        public static SweepRow Miss(double angle, int[] histogram = null) => new SweepRow(new SweepPose(angle),
+            new RadarResult(new RadarSums { RaysEmitted = 100, PhaseHistogram = histogram },
+                new SamplingReport(0, 0, false)));
 
         public static RunInfo Info()
         {

@@ -20,10 +20,8 @@ namespace Glint.Tests
 
         public static SweepRow Row(int pose)
         {
-            var row = pose % 3 == 2 ? SampleRun.Miss(pose) : SampleRun.Row(pose, 3 + pose / 7.0, -4);
-            if (pose % 3 == 0)
-                row.Result.PhaseHistogram = Enumerable.Range(pose, Signal.PhaseBins).ToArray();
-            return row;
+            var histogram = pose % 3 == 0 ? Enumerable.Range(pose, Signal.PhaseBins).ToArray() : null;
+            return pose % 3 == 2 ? SampleRun.Miss(pose) : SampleRun.Row(pose, 3 + pose / 7.0, -4, histogram);
         }
 
         /// <summary>Writes the first rows, and when these are all poses of the part the rest too.</summary>

@@ -61,7 +61,7 @@ namespace Glint.Tests
         [Test]
         public void TracePaths_PlatesMerged_NamesThePlateOfEachColumn()
         {
-            Assert.That(_radar.GatherScene().Instances, Has.Length.EqualTo(1), "merged");
+            Assert.That(_radar.Gather().Scene.Instances, Has.Length.EqualTo(1), "merged");
             AssertEachColumnHasItsPlate();
         }
 
@@ -72,7 +72,7 @@ namespace Glint.Tests
             _radar.Trace();
             _plates[3].localPosition += new Vector3(0, 0.5f, 0);
             AssertEachColumnHasItsPlate();
-            Assert.That(_radar.GatherScene().Instances, Has.Length.EqualTo(2), "one apart");
+            Assert.That(_radar.Gather().Scene.Instances, Has.Length.EqualTo(2), "one apart");
         }
 
         [Test]

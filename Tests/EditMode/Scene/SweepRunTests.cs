@@ -46,13 +46,13 @@ namespace Glint.Tests
             using (var run = Sweep(new SweepPlan(new double[] { 0, 3, 40 })))
             {
                 var first = run.Step().Result;
-                Assert.That(first.Work.TreesBuilt, Is.GreaterThan(0));
+                Assert.That(first.Statistics.TreesBuilt, Is.GreaterThan(0));
                 Assert.That(first.RaysReceived, Is.GreaterThan(0));
                 while (!run.IsComplete)
                 {
                     var result = run.Step().Result;
-                    Assert.That(result.Work.TreesBuilt, Is.Zero);
-                    Assert.That(result.Triangles, Is.EqualTo(4));
+                    Assert.That(result.Statistics.TreesBuilt, Is.Zero);
+                    Assert.That(result.Statistics.Triangles, Is.EqualTo(4));
                     Assert.That(result.RaysHit, Is.GreaterThan(0));
                 }
             }
@@ -188,7 +188,7 @@ namespace Glint.Tests
                     while (!run.IsComplete)
                     {
                         var row = run.Step();
-                        counts.Add((row.Pose.Snapshot, row.Result.Triangles));
+                        counts.Add((row.Pose.Snapshot, row.Result.Statistics.Triangles));
                     }
                 long others = counts[1].Item2 - 1;
                 Assert.That(counts, Is.EqualTo(new (int?, long)[] { (3, others + 3), (1, others + 1) }));

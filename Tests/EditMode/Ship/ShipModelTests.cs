@@ -117,7 +117,7 @@ namespace Glint.Tests
         public void Build_Default_FillsTheRadarsPictureAsThePublishedShip(double angle, double published)
         {
             var settings = TestRadar.Settings(240, 135, bounces: 1);
-            var judge = new Judge(new RadarScene(_coarse), settings, TestRadar.LookAt(Radar(angle), 0));
+            var judge = new Judge(new RadarPose(new RadarScene(_coarse), settings, TestRadar.LookAt(Radar(angle), 0)));
             Assert.That(64.0 * judge.Sum(judge.TraceAll()).RaysHit, Is.EqualTo(published).Within(0.15 * published));
         }
 
@@ -132,7 +132,7 @@ namespace Glint.Tests
             double3 corner = double3(0, deck, house * Default.Length);
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(Radar(angle), corner, fov: 8);
-            var rays = new Judge(new RadarScene(_coarse), settings, view).TraceAll();
+            var rays = new Judge(new RadarPose(new RadarScene(_coarse), settings, view)).TraceAll();
 
             double3 image = double3(view.Position.x, 2 * deck - view.Position.y, 2 * corner.z - view.Position.z);
             int returned = 0;
@@ -164,7 +164,7 @@ namespace Glint.Tests
             double3 towards = double3(sin(radians(bearing)), 0.4, -cos(radians(bearing)));
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(window + 20 * normalize(towards), window, fov: 5);
-            var rays = new Judge(new RadarScene(_coarse), settings, view).TraceAll();
+            var rays = new Judge(new RadarPose(new RadarScene(_coarse), settings, view)).TraceAll();
 
             var corners = Enumerable.Range(0, rays.Length)
                 .Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 3).ToArray();

@@ -8,11 +8,11 @@ namespace Glint.Tests
     {
         /// <param name="amplitude">Of a picture of 2,073,600 rays, so that the normalised one is the same.</param>
         public static PoseFigures At(SweepPose pose, double amplitude, double error = 0, long received = 1,
-            long hit = 1) => new PoseFigures(new StoredRow(new SweepRow(pose, new RadarResult
+            long hit = 1) => new PoseFigures(new StoredRow(new SweepRow(pose, new RadarResult(new RadarSums
             {
                 InPhase = amplitude, RaysOfPicture = 2073600, RaysEmitted = 2073600, RaysHit = hit,
-                RaysReceived = received, SamplingError = error
-            })));
+                RaysReceived = received
+            }, new SamplingReport(error, 0, false)))));
 
         public static PoseFigures At(double angle, double amplitude, double error = 0) =>
             At(new SweepPose(angle), amplitude, error);

@@ -147,7 +147,7 @@ namespace Glint.Tests
         {
             // A quarter of the rays: the raw amplitude is a quarter of the normalised, and so is its error.
             var row = new SweepRow(new SweepPose(0),
-                new RadarResult { InPhase = 5, RaysOfPicture = 518400, SamplingError = 4 });
+                new RadarResult(new RadarSums { InPhase = 5, RaysOfPicture = 518400 }, new SamplingReport(4, 0, false)));
             var pose = new PoseFigures(new StoredRow(row));
             Assert.That((Quantity.Normalised.Of(pose), Quantity.Normalised.ErrorOf(pose)), Is.EqualTo((20.0, 4.0)));
             Assert.That((Quantity.Amplitude.Of(pose), Quantity.Amplitude.ErrorOf(pose)), Is.EqualTo((5.0, 1.0)));
@@ -156,8 +156,9 @@ namespace Glint.Tests
         [Test]
         public void Phases_OfAPose_AreBarsOfItsRays()
         {
-            var result = new RadarResult { RaysReceived = 50, RaysHit = 60 };
-            (result.PhaseHistogram[0], result.PhaseHistogram[35]) = (10, 40);
+            var sums = new RadarSums { RaysReceived = 50, RaysHit = 60 };
+            (sums.PhaseHistogram[0], sums.PhaseHistogram[35]) = (10, 40);
+            var result = new RadarResult(sums);
             var chart = new PhaseChart(new PoseFigures(new StoredRow(new SweepRow(new SweepPose(3), result))));
             Assert.That(chart.Heights.Count, Is.EqualTo(36));
             Assert.That((chart.Heights[0], chart.Heights[1], chart.Heights[35]), Is.EqualTo((0.25, 0.0, 1.0)));

@@ -67,39 +67,37 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
 
     void MeasureScene(RayTracer tracer, AccuracyScene scene, AccuracyReference converged)
     {
-        tracer.SetScene(scene.Scene, progress.Cancel);
         foreach (int across in s_across.Where(across => across <= MostAcrossOfSoftware || !SoftwareDevice.IsInUse))
         {
             var settings = RadarSettings.Default;
             (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
-            var times = Time(tracer, settings, scene.View, out var result);
+            var times = Time(tracer, new RadarPose(scene.Scene, settings, scene.View), out var result);
             _result.Rows.Add(new AccuracyRow(scene, settings, result, times, converged));
         }
     }
 
     // The first pose warms up.
-    Series Time(RayTracer tracer, in RadarSettings settings, in RadarView view, out RadarResult result)
+    Series Time(RayTracer tracer, in RadarPose pose, out RadarResult result)
     {
         var times = new Series();
         var total = Stopwatch.StartNew();
-        TimeOnce(tracer, settings, view, out result);
+        TimeOnce(tracer, pose, out result);
         while (times.Count < rounds && (times.Count < LeastRounds || total.Elapsed < s_mostTime))
-            times.Add(TimeOnce(tracer, settings, view, out _));
+            times.Add(TimeOnce(tracer, pose, out _));
         return times;
     }
 
     // Milliseconds.
-    double TimeOnce(RayTracer tracer, in RadarSettings settings, in RadarView view, out RadarResult result)
+    double TimeOnce(RayTracer tracer, in RadarPose pose, out RadarResult result)
     {
         var watch = Stopwatch.StartNew();
-        result = tracer.Trace(settings, view, KeptRays.None, null, progress.Cancel);
+        result = tracer.Trace(pose, KeptRays.None, null, progress.Cancel);
         return watch.Elapsed.TotalMilliseconds;
     }
 
     // In turns: what slows the machine for a while slows them alike.
     void MeasureCosts(RayTracer tracer, AccuracyScene scene)
     {
-        tracer.SetScene(scene.Scene, progress.Cancel);
         var blind = scene.View;
         blind.ReceiverSize = NoReceiver;
         var each = Enum.GetValues<Shortcuts>().Where(shortcut => shortcut is not (Shortcuts.None or Shortcuts.All));
@@ -117,7 +115,8 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
             for (int way = 0; way < ways.Length; way++)
             {
                 tracer.Shortcuts = ways[way].shortcuts;
-                double time = TimeOnce(tracer, RadarSettings.Default, ways[way].view, out results[way]);
+                var pose = new RadarPose(scene.Scene, RadarSettings.Default, ways[way].view);
+                double time = TimeOnce(tracer, pose, out results[way]);
                 if (round > 0)
                     times[way].Add(time);
             }

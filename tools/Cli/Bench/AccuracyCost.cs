@@ -13,7 +13,7 @@ sealed class AccuracyCost(string what, Series times, RadarResult result, RadarRe
     public long RaysReceived { get; } = result.RaysReceived;
 
     /// <summary>Sub-rays for the sampling error.</summary>
-    public long SubRays { get; } = result.Work.SubRays;
+    public long SubRays { get; } = result.Statistics.SubRays;
 
     /// <summary>True if all sums are the same bit for bit.</summary>
     public bool IsSame { get; } = result.InPhase == usual.InPhase && result.Quadrature == usual.Quadrature

@@ -48,7 +48,7 @@ static class AccuracyJson
         ["trace_lowest_ms"] = row.Times.Lowest,
         ["rays_hit"] = row.Result.RaysHit,
         ["rays_received"] = row.Result.RaysReceived,
-        ["sub_rays"] = row.Result.Work.SubRays,
+        ["sub_rays"] = row.Result.Statistics.SubRays,
         ["amplitude"] = row.Result.Amplitude,
         ["normalised_amplitude"] = row.Result.NormalisedAmplitude,
         ["normalised_amplitude_error"] = row.AmplitudeError,

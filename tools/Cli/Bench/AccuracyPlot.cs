@@ -28,7 +28,7 @@ sealed class AccuracyPlot
         _svg = svg;
         (_firstTime, _lastTime) = Decades(result.Rows.Select(row => row.Times.Median));
         (_firstError, _lastError) = Decades(result.Rows.SelectMany(
-            row => new[] { Relative(row, row.AmplitudeError), Relative(row, row.Result.SamplingError) }));
+            row => new[] { Relative(row, row.AmplitudeError), Relative(row, row.Result.SamplingError.Value) }));
     }
 
     public static void Write(Stream stream, AccuracyResult result)
@@ -77,7 +77,7 @@ sealed class AccuracyPlot
     {
         string colour = s_colours[number % s_colours.Length];
         var places = rows.Select(row => (x: X(row.Times.Median), y: Y(Relative(row, row.AmplitudeError)),
-            estimate: Y(Relative(row, row.Result.SamplingError)), row)).ToArray();
+            estimate: Y(Relative(row, row.Result.SamplingError.Value)), row)).ToArray();
         _svg.Polyline(places.Select(place => (place.x, place.y)), colour);
         foreach (var (x, y, estimate, row) in places)
         {

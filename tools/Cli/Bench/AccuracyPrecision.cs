@@ -53,7 +53,7 @@ sealed class AccuracyPrecision
     public static AccuracyPrecision Of(AccuracyScene scene, RadarSettings settings, RadarResult tracer,
         IProgress<double> progress, CancellationToken cancel)
     {
-        var judge = new Judge(scene.Scene, settings, scene.View);
+        var judge = new Judge(new RadarPose(scene.Scene, settings, scene.View));
         var lengths = new double[settings.RaysDown][];
         long hits = 0;
         int done = 0;

@@ -38,7 +38,7 @@ sealed class AccuracyReference
         CancellationToken cancel, int across = StandardAcross)
     {
         (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
-        var judge = new Judge(scene.Scene, settings, scene.View);
+        var judge = new Judge(new RadarPose(scene.Scene, settings, scene.View));
         int down = settings.RaysDown;
         var found = new Found[down, across];
         ForRows(down, new Part(progress, 0, 2), cancel, row =>

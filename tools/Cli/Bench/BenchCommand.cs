@@ -79,9 +79,8 @@ sealed class BenchCommand(Terminal terminal)
         }
         result.Poses.End();
         using var tracer = new RayTracer(subjects.Radar.Kernel, subjects.Name);
-        tracer.SetScene(scene);
-        Step("counted pose", progress, () => Count(result, tracer, pose.View, progress));
-        Judge(result, line, tracer, pose.View, scene, progress);
+        Step("counted pose", progress, () => Count(result, tracer, pose, progress));
+        Judge(result, line, tracer, pose, progress);
         return result;
     }
 
@@ -110,40 +109,36 @@ sealed class BenchCommand(Terminal terminal)
         }
     }
 
-    static void Count(BenchResult result, RayTracer tracer, RadarView view, IProgressSink progress)
+    static void Count(BenchResult result, RayTracer tracer, RadarPose pose, IProgressSink progress)
     {
         tracer.CountVisits = true;
-        var work = tracer.Trace(result.Settings, view, KeptRays.None, progress, progress.Cancel).Work;
+        var work = tracer.Trace(pose, KeptRays.None, progress, progress.Cancel).Statistics;
         tracer.CountVisits = false;
         (result.NodesVisited, result.PairsTested) = (work.NodesVisited, work.PairsTested);
     }
 
-    static void Judge(BenchResult result, CommandLine line, RayTracer tracer, RadarView view,
-        RadarScene scene, IProgressSink progress)
+    static void Judge(BenchResult result, CommandLine line, RayTracer tracer, RadarPose pose, IProgressSink progress)
     {
         int every = line.Get(Options.Judge);
         if (!line.IsGiven(Options.Judge))
         {
-            if (Math.Max(result.Settings.RaysEmitted, scene.TriangleCount) <= JudgeCheck.Affordable)
+            if (Math.Max(result.Settings.RaysEmitted, pose.Scene.TriangleCount) <= JudgeCheck.Affordable)
                 every = 1;
             else
                 result.NotJudged = FormattableString.Invariant(
-                    $"not judged: {result.Settings.RaysEmitted:N0} rays and {scene.TriangleCount:N0} triangles take long; --judge 100 judges every 100th ray, --judge all judges them all");
+                    $"not judged: {result.Settings.RaysEmitted:N0} rays and {pose.Scene.TriangleCount:N0} triangles take long; --judge 100 judges every 100th ray, --judge all judges them all");
         }
         if (every == 0)
             return;
         if (every == 1)
         {
-            Step("judge", progress, () => result.Errors = JudgeCheck.All(scene, result.Settings, view,
-                result.Poses.First, new Part(progress, 0, 1), progress.Cancel));
+            Step("judge", progress, () => result.Errors = JudgeCheck.All(pose, result.Poses.First, new Part(progress, 0, 1), progress.Cancel));
             return;
         }
         Step("judge", progress, () =>
         {
-            var rays =
-                tracer.Trace(result.Settings, view, KeptRays.All, new Part(progress, 0, 2), progress.Cancel).Rays;
-            result.Errors =
-                JudgeCheck.Some(scene, result.Settings, view, rays, every, new Part(progress, 1, 2), progress.Cancel);
+            var rays = tracer.Trace(pose, KeptRays.All, new Part(progress, 0, 2), progress.Cancel).Rays;
+            result.Errors = JudgeCheck.Some(pose, rays, every, new Part(progress, 1, 2), progress.Cancel);
         });
     }
 

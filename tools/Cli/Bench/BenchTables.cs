@@ -56,7 +56,7 @@ sealed class BenchTables(Terminal terminal)
 
     Table Work(BenchResult result)
     {
-        var (sums, work, first) = (result.Poses.First, result.Poses.Work, result.Poses.First.Work);
+        var (sums, work, first) = (result.Poses.First, result.Poses.Work, result.Poses.First.Statistics);
         var table = _text.New(1, "a pose", "", "");
         void Add(string what, long count, string note = "") => table.AddRow(Escaped(what, Text($"{count:N0}"), note));
         Add("rays emitted", sums.RaysEmitted);
@@ -67,15 +67,15 @@ sealed class BenchTables(Terminal terminal)
         table.AddRow(Escaped("path length", Text($"{sums.PathLengthMeters:N3}"), "m, up to the last hits"));
         table.AddRow(Escaped("amplitude", Text($"{sums.Amplitude:0.000}"),
             sums.AmplitudeDb is { } decibels ? Text($"{decibels:0.00} dB") : ""));
-        Add("objects", sums.Objects);
-        Add("triangles", sums.Triangles);
+        Add("objects", sums.Statistics.Objects);
+        Add("triangles", sums.Statistics.Triangles);
         Add("nodes visited", result.NodesVisited, Each(result.NodesVisited, sums.Segments, "a segment"));
         Add("triangle pairs tested", result.PairsTested, Each(result.PairsTested, sums.Segments, "a segment"));
         Add("tiles traced", work.TilesTraced, Text($"{work.TilesSkipped:N0} skipped"));
         Add("dispatches", work.Dispatches);
         Add("bytes uploaded", work.BytesUploaded, Text($"{first.BytesUploaded:N0} for the first pose"));
         Add("bytes read back", work.BytesReadBack);
-        Add("bytes on the device", work.BytesOnDevice, Each(work.BytesOnDevice, sums.Triangles, "a triangle"));
+        Add("bytes on the device", work.BytesOnDevice, Each(work.BytesOnDevice, sums.Statistics.Triangles, "a triangle"));
         return table;
     }
 

@@ -34,19 +34,19 @@ sealed class JudgeCheck
     public double Phase => Math.IEEERemainder(PhaseOf(Glint) - PhaseOf(Judge), 2 * Math.PI);
 
     /// <summary>All rays.</summary>
-    public static JudgeCheck All(RadarScene scene, RadarSettings settings, RadarView view, RadarResult glint,
-        IProgress<double> progress, CancellationToken cancel)
+    public static JudgeCheck All(RadarPose pose, RadarResult glint, IProgress<double> progress,
+        CancellationToken cancel)
     {
-        var judge = new Judge(scene, settings, view);
+        var judge = new Judge(pose);
         return new JudgeCheck(glint, judge.Sum(judge.TraceAll(progress, cancel)));
     }
 
     /// <summary>The rays whose pixel's number is a multiple of <paramref name="every"/>.</summary>
     /// <param name="glint">All rays of the region one by one.</param>
-    public static JudgeCheck Some(RadarScene scene, RadarSettings settings, RadarView view, RayData[] glint, int every,
-        IProgress<double> progress, CancellationToken cancel)
+    public static JudgeCheck Some(RadarPose pose, RayData[] glint, int every, IProgress<double> progress,
+        CancellationToken cancel)
     {
-        var judge = new Judge(scene, settings, view);
+        var judge = new Judge(pose);
         var some = Array.FindAll(glint, ray => ray.Pixel % every == 0);
         var rays = judge.TraceSame(some, progress, cancel);
         for (int i = 0; i < rays.Length; i++)
@@ -57,7 +57,7 @@ sealed class JudgeCheck
     // As the judge sums its own.
     static RadarResult Sum(RayData[] rays)
     {
-        var sum = new RadarResult { RaysEmitted = rays.Length };
+        var sum = new RadarSums { RaysEmitted = rays.Length };
         foreach (var ray in rays)
         {
             sum.RaysHit += ray.Bounces > 0 ? 1 : 0;
@@ -66,7 +66,7 @@ sealed class JudgeCheck
             if (ray.IsReceived)
                 sum.AddReceived(ray.Phase, ray.InPhase, ray.Quadrature);
         }
-        return sum;
+        return new RadarResult(sum);
     }
 
     static double PhaseOf(RadarResult sum) => Math.Atan2(sum.Quadrature, sum.InPhase);

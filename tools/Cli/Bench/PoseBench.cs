@@ -46,7 +46,7 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
     public RadarResult First { get; private set; }
 
     /// <summary>What a later pose made the computer do; the visits are not counted.</summary>
-    public WorkDone Work { get; private set; }
+    public TraceStatistics Work { get; private set; }
 
     /// <summary>Traces the scene as it stands, some times from nothing.</summary>
     public void RunFirst(IProgress<double> progress, CancellationToken cancel)
@@ -60,9 +60,9 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
             double wall = Time(new Part(progress, i, FirstPoses), cancel, out var result);
             First ??= result;
             if (i == 0)
-                FirstGather.Add(result.Timings.GatherMs);
-            Build.Add(result.Timings.BuildMs);
-            FirstUpload.Add(result.Timings.UploadMs);
+                FirstGather.Add(result.Statistics.Timings.GatherMs);
+            Build.Add(result.Statistics.Timings.BuildMs);
+            FirstUpload.Add(result.Statistics.Timings.UploadMs);
             FirstPose.Add(wall);
         }
     }
@@ -81,11 +81,11 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
         {
             Turn();
             wall.Add(Time(new Part(progress, 2 * i, 2 * PosesARound), cancel, out var result));
-            Work = result.Work;
-            gather.Add(result.Timings.GatherMs);
-            upload.Add(result.Timings.BuildMs + result.Timings.UploadMs);
-            trace.Add(result.Timings.TraceMs);
-            readBack.Add(result.Timings.ReadBackMs);
+            Work = result.Statistics;
+            gather.Add(result.Statistics.Timings.GatherMs);
+            upload.Add(result.Statistics.Timings.BuildMs + result.Statistics.Timings.UploadMs);
+            trace.Add(result.Statistics.Timings.TraceMs);
+            readBack.Add(result.Statistics.Timings.ReadBackMs);
             if (clock.IsSupported)
             {
                 Turn();
@@ -93,7 +93,7 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
                 other.Add(rest);
             }
             else
-                other.Add(result.Timings.GatherMs + result.Timings.BuildMs + result.Timings.UploadMs);
+                other.Add(result.Statistics.Timings.GatherMs + result.Statistics.Timings.BuildMs + result.Statistics.Timings.UploadMs);
         }
         if (!counts)
             return;

@@ -40,24 +40,22 @@ sealed class VerifyCommand(Terminal terminal)
     static VerifyResult Verify(SceneSubjects subjects, int raysToCompare, IProgressSink progress)
     {
         var radar = subjects.Radar;
-        var scene = radar.GatherScene();
-        RadarSettings settings = radar.Settings;
-        var view = radar.View();
+        var pose = radar.Gather();
+        var settings = pose.Settings;
         using var tracer = new RayTracer(radar.Kernel, subjects.Name);
-        tracer.SetScene(scene, progress.Cancel);
 
         RadarResult whole = null;
-        Step("kernel", progress, () => whole = tracer.Trace(settings, view, KeptRays.None, progress, progress.Cancel));
+        Step("kernel", progress, () => whole = tracer.Trace(pose, KeptRays.None, progress, progress.Cancel));
         var sample = new RaySample(settings, whole.RaysReceived, raysToCompare);
-        var comparison = new RayComparison(scene, settings, view, LengthTolerance);
+        var comparison = new RayComparison(pose, LengthTolerance);
         var bands = Bands(settings);
         progress.Start("kernel and judge", bands.Count);
         try
         {
             for (int i = 0; i < bands.Count; i++)
             {
-                settings.Region = bands[i];
-                var rays = tracer.Trace(settings, view, KeptRays.All, new Part(progress, 0, 2), progress.Cancel).Rays;
+                pose.Settings.Region = bands[i];
+                var rays = tracer.Trace(pose, KeptRays.All, new Part(progress, 0, 2), progress.Cancel).Rays;
                 comparison.Add(sample.Of(rays), new Part(progress, 1, 2), progress.Cancel);
                 progress.Advance(i + 1, null);
             }

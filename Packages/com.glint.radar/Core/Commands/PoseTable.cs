@@ -37,14 +37,13 @@ namespace Glint.Core
         /// <summary>
         /// What the line of a pose has no column for: how far its amplitude can be trusted, and what a ray stands for.
         /// </summary>
-        public static string Details(RadarResult result) => string.Format(CultureInfo.InvariantCulture,
-            "normalised amplitude {0:0.000}, sampling error {1:g3}; "
-                + "largest step between neighbouring paths {2:g3} wavelengths{3}",
-            result.NormalisedAmplitude,
-            result.SamplingError,
-            result.LargestPathStep,
-            result.RayArea.HasValue ? string.Format(CultureInfo.InvariantCulture, "; {0:g6} m2 a ray",
-                result.RayArea.Value) : "");
+        public static string Details(RadarResult result) => FormattableString.Invariant(
+                $"normalised amplitude {result.NormalisedAmplitude:0.000}, sampling error ")
+            + (result.Sampling is SamplingReport sampling
+                ? FormattableString.Invariant($"{sampling.Error:g3}; largest step between neighbouring paths ")
+                    + FormattableString.Invariant($"{sampling.LargestPathStep:g3} wavelengths")
+                : "not estimated")
+            + (result.RayArea is double area ? FormattableString.Invariant($"; {area:g6} m2 a ray") : "");
 
         // + 0 makes the -0 of a hair below 0 dB a plain 0.
         static string Decibels(double value) =>

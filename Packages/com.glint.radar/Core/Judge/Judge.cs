@@ -22,13 +22,13 @@ namespace Glint.Core
         // of the picture: at distance 1 in perspective, of the aperture for parallel rays
         readonly double _halfWidth, _halfHeight;
 
-        /// <summary>A tracer of a scene from a place.</summary>
-        /// <param name="scene">Places in the coordinates of the view.</param>
-        public Judge(RadarScene scene, in RadarSettings settings, in RadarView view)
+        /// <summary>A tracer of a pose.</summary>
+        public Judge(in RadarPose pose)
         {
+            var (settings, view) = (pose.Settings, pose.View);
             _settings = settings;
             _view = view;
-            _tree = new JudgeTree(scene);
+            _tree = new JudgeTree(pose.Scene);
             _receiver = view.ReceiverCentre - _tree.Middle;
             _halfHeight =
                 view.IsParallel ? view.ApertureHeight / 2 : math.tan(view.VerticalFovDegrees * math.PI_DBL / 360);
@@ -83,20 +83,20 @@ namespace Glint.Core
         /// <summary>The sums over rays as <see cref="TraceAll"/> gives them; carries no rays and no timings.</summary>
         public RadarResult Sum(JudgeRay[] rays)
         {
-            var result = new RadarResult { RaysEmitted = rays.Length, RaysOfPicture = _settings.RayCount };
+            var sums = new RadarSums { RaysEmitted = rays.Length, RaysOfPicture = _settings.RayCount };
             if (_view.IsParallel)
-                result.RayArea = RaySpacing(0) * RaySpacing(0);
+                sums.RayArea = RaySpacing(0) * RaySpacing(0);
             foreach (var ray in rays)
             {
-                result.RaysHit += ray.Bounces > 0 ? 1 : 0;
-                result.Bounces += ray.Bounces;
-                result.PathLengthMeters += ray.LengthToLastHit;
+                sums.RaysHit += ray.Bounces > 0 ? 1 : 0;
+                sums.Bounces += ray.Bounces;
+                sums.PathLengthMeters += ray.LengthToLastHit;
                 if (!ray.Received)
                     continue;
                 double phase = Signal.Phase(ray.PathLength, _settings.Wavelength);
-                result.AddReceived(phase, math.cos(phase), math.sin(phase));
+                sums.AddReceived(phase, math.cos(phase), math.sin(phase));
             }
-            return result;
+            return new RadarResult(sums);
         }
 
         /// <summary>The ray through any place of the picture.</summary>

@@ -35,22 +35,22 @@ namespace Glint.Core
         readonly Judge _judge;
         readonly RadarSettings _settings;
         readonly double _tolerance, _sceneSize;
+        readonly RadarSums _kernelSums, _judgeSums;
         readonly List<(RayData Kernel, JudgeRay Judge)> _wrongRays = new List<(RayData, JudgeRay)>();
         double _sumOfSquares;
 
         /// <summary>A comparison in which no ray has been compared yet.</summary>
-        /// <param name="scene">Places in the coordinates of the view.</param>
         /// <param name="lengthTolerance">
         /// Difference of a received ray's length that is allowed besides rounding, metres.
         /// </param>
-        public RayComparison(RadarScene scene, in RadarSettings settings, in RadarView view, double lengthTolerance)
+        public RayComparison(in RadarPose pose, double lengthTolerance)
         {
-            _judge = new Judge(scene, settings, view);
-            _settings = settings;
+            _judge = new Judge(pose);
+            _settings = pose.Settings;
             _tolerance = lengthTolerance;
             _sceneSize = 2 * _judge.SceneRadius;
-            KernelSums = new RadarResult { RaysOfPicture = settings.RayCount };
-            JudgeSums = new RadarResult { RaysOfPicture = settings.RayCount };
+            _kernelSums = new RadarSums { RaysOfPicture = _settings.RayCount };
+            _judgeSums = new RadarSums { RaysOfPicture = _settings.RayCount };
         }
 
         /// <summary>Rays compared.</summary>
@@ -71,10 +71,10 @@ namespace Glint.Core
         public IReadOnlyList<(RayData Kernel, JudgeRay Judge)> WrongRays => _wrongRays;
 
         /// <summary>The kernel's sums over the rays that went the judge's way.</summary>
-        public RadarResult KernelSums { get; }
+        public RadarResult KernelSums => new RadarResult(_kernelSums);
 
         /// <summary>The judge's sums over the same rays.</summary>
-        public RadarResult JudgeSums { get; }
+        public RadarResult JudgeSums => new RadarResult(_judgeSums);
 
         /// <summary>
         /// Largest difference between the lengths of received rays that went the judge's way, metres.
@@ -83,7 +83,7 @@ namespace Glint.Core
 
         /// <summary>Root of the mean square of these differences, metres; 0 when no ray was received.</summary>
         public double RmsLengthDifference =>
-            KernelSums.RaysReceived > 0 ? math.sqrt(_sumOfSquares / KernelSums.RaysReceived) : 0;
+            _kernelSums.RaysReceived > 0 ? math.sqrt(_sumOfSquares / _kernelSums.RaysReceived) : 0;
 
         /// <summary>Largest difference between their phases, radians.</summary>
         public double LargestPhaseDifference { get; private set; }
@@ -182,21 +182,21 @@ namespace Glint.Core
 
         void AddSums(in RayData ray, in JudgeRay judged)
         {
-            AddTo(KernelSums, (int)ray.Bounces, ray.ExactPathLength);
-            AddTo(JudgeSums, judged.Bounces, judged.LengthToEnd);
+            AddTo(_kernelSums, (int)ray.Bounces, ray.ExactPathLength);
+            AddTo(_judgeSums, judged.Bounces, judged.LengthToEnd);
             if (!judged.Received)
                 return;
             double phase = Signal.Phase(judged.PathLength, _settings.Wavelength),
                 difference = math.abs(ray.ExactPathLength - judged.PathLength);
-            KernelSums.AddReceived(ray.Phase, ray.InPhase, ray.Quadrature);
-            JudgeSums.AddReceived(phase, math.cos(phase), math.sin(phase));
+            _kernelSums.AddReceived(ray.Phase, ray.InPhase, ray.Quadrature);
+            _judgeSums.AddReceived(phase, math.cos(phase), math.sin(phase));
             LargestLengthDifference = math.max(LargestLengthDifference, difference);
             LargestPhaseDifference =
                 math.max(LargestPhaseDifference, math.abs(Math.IEEERemainder(ray.Phase - phase, 2 * math.PI_DBL)));
             _sumOfSquares += difference * difference;
         }
 
-        static void AddTo(RadarResult sums, int bounces, double length)
+        static void AddTo(RadarSums sums, int bounces, double length)
         {
             sums.RaysEmitted++;
             sums.RaysHit += bounces > 0 ? 1 : 0;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Glint.Core
 {
@@ -10,60 +11,77 @@ namespace Glint.Core
         /// </summary>
         public const double NormalRays = 2073600;
 
+        /// <summary>A result.</summary>
+        /// <param name="sums">Complete; the result takes a copy.</param>
+        /// <param name="sampling">Null: not estimated.</param>
+        /// <param name="rays">In order of their pixel; null: none.</param>
+        /// <param name="statistics">Null: not counted.</param>
+        public RadarResult(RadarSums sums, SamplingReport? sampling = null, RayData[] rays = null,
+            TraceStatistics statistics = null)
+        {
+            (InPhase, Quadrature) = (sums.InPhase, sums.Quadrature);
+            (RaysOfPicture, RaysEmitted) = (sums.RaysOfPicture, sums.RaysEmitted);
+            (RaysHit, RaysReceived, Bounces) = (sums.RaysHit, sums.RaysReceived, sums.Bounces);
+            (PathLengthMeters, RayArea) = (sums.PathLengthMeters, sums.RayArea);
+            PhaseHistogram = (int[])sums.PhaseHistogram?.Clone();
+            Sampling = sampling;
+            Rays = rays ?? Array.Empty<RayData>();
+            Statistics = statistics ?? new TraceStatistics();
+        }
+
+        /// <inheritdoc cref="RadarSums.InPhase"/>
+        public double InPhase { get; }
+
+        /// <inheritdoc cref="RadarSums.InPhase"/>
+        public double Quadrature { get; }
+
+        /// <inheritdoc cref="RadarSums.RaysOfPicture"/>
+        public long RaysOfPicture { get; }
+
+        /// <summary>Rays emitted.</summary>
+        public long RaysEmitted { get; }
+
+        /// <summary>Rays whose first segment hits anything.</summary>
+        public long RaysHit { get; }
+
+        /// <summary>Rays that reached the receiver.</summary>
+        public long RaysReceived { get; }
+
+        /// <inheritdoc cref="RadarSums.Bounces"/>
+        public long Bounces { get; }
+
+        /// <inheritdoc cref="RadarSums.PathLengthMeters"/>
+        public double PathLengthMeters { get; }
+
+        /// <inheritdoc cref="RadarSums.RayArea"/>
+        public double? RayArea { get; }
+
+        /// <inheritdoc cref="RadarSums.PhaseHistogram"/>
+        public IReadOnlyList<int> PhaseHistogram { get; }
+
         /// <summary>
-        /// I and Q: the sum over received rays of cos(phase), and of sin(phase), phase as <see cref="RayData.Phase"/>.
-        /// Each ray has amplitude 1, as in the published experiment (<see cref="Signal"/>).
+        /// The sampling error and its signs; null when it was not estimated
+        /// (<see cref="RadarSettings.SkipSamplingError"/>).
         /// </summary>
-        public double InPhase, Quadrature;
+        public SamplingReport? Sampling { get; }
 
-        /// <summary>Rays of the whole picture, of which those of the region are emitted.</summary>
-        public long RaysOfPicture;
+        /// <summary>Received rays, or all rays when the radar keeps all, in order of their pixel.</summary>
+        public RayData[] Rays { get; }
 
-        /// <summary>Rays sent out, rays whose first segment hits anything, rays that reached the receiver.</summary>
-        public long RaysEmitted, RaysHit, RaysReceived;
+        /// <summary>What the pose made the computer do, and how long that took.</summary>
+        public TraceStatistics Statistics { get; }
 
-        /// <summary>
-        /// Area of the wavefront that each ray stands for, square metres; null in perspective,
-        /// where it grows with the distance.
-        /// </summary>
-        public double? RayArea;
+        /// <inheritdoc cref="SamplingReport.Error"/>
+        public double? SamplingError => Sampling?.Error;
 
-        /// <summary>
-        /// About how far <see cref="NormalisedAmplitude"/> is from that of endlessly many rays, in its unit:
-        /// Documentation~/accuracy.md.
-        /// </summary>
-        public double SamplingError;
-
-        /// <summary>
-        /// Largest difference of path length between received rays that are neighbours in the picture, wavelengths.
-        /// </summary>
-        public double LargestPathStep;
+        /// <inheritdoc cref="SamplingReport.LargestPathStep"/>
+        public double? LargestPathStep => Sampling?.LargestPathStep;
 
         /// <summary>
         /// True when the rays are too far apart, or too few return, for the amplitude and its error to be trusted.
+        /// False also when it was not estimated.
         /// </summary>
-        public bool Undersampled;
-
-        /// <summary>Reflections over all rays.</summary>
-        public long Bounces;
-
-        /// <summary>Sum over all rays of the length up to the last hit, metres.</summary>
-        public double PathLengthMeters;
-
-        /// <summary>Received rays by phase, <see cref="Signal.PhaseBins"/> equal bins from 0 to 2 pi.</summary>
-        public int[] PhaseHistogram = new int[Signal.PhaseBins];
-
-        /// <summary>Received rays, or all rays when the radar keeps all, in order of their pixel.</summary>
-        public RayData[] Rays = Array.Empty<RayData>();
-
-        /// <summary>Objects with a mesh, and triangles, that were traced.</summary>
-        public long Objects, Triangles;
-
-        /// <summary>What the pose made the computer do.</summary>
-        public WorkDone Work;
-
-        /// <summary>Milliseconds of each phase of the work.</summary>
-        public Timings Timings;
+        public bool Undersampled => Sampling?.Undersampled ?? false;
 
         /// <summary>Length of the summed phasor, sqrt(I^2 + Q^2): 1 for one ray. Linear, not decibels.</summary>
         public double Amplitude => Math.Sqrt(InPhase * InPhase + Quadrature * Quadrature);
@@ -84,14 +102,5 @@ namespace Glint.Core
         /// Rays emitted plus bounces: the last segment counts, whether it hits, is received or leaves.
         /// </summary>
         public long Segments => RaysEmitted + Bounces;
-
-        /// <summary>Adds one received ray to the coherent sum and to the histogram.</summary>
-        internal void AddReceived(double phase, double inPhase, double quadrature)
-        {
-            InPhase += inPhase;
-            Quadrature += quadrature;
-            PhaseHistogram[Signal.PhaseBin(phase)]++;
-            RaysReceived++;
-        }
     }
 }

@@ -29,6 +29,11 @@ namespace Glint.Core
         /// <summary>Part of the picture to trace; by default all of it.</summary>
         public RayRegion Region;
 
+        /// <summary>
+        /// Leaves out the estimate of the sampling error, which traces smaller rays around received ones.
+        /// </summary>
+        public bool SkipSamplingError;
+
         /// <summary>The published experiment: 10 GHz, 1920 x 1080 rays, 4 bounces.</summary>
         public static RadarSettings Default =>
             new RadarSettings { FrequencyHz = 10e9, RaysAcross = 1920, RaysDown = 1080, MaxBounces = 4 };

@@ -11,6 +11,9 @@ namespace Glint.Core
     [StructLayout(LayoutKind.Sequential)]
     public struct RayData
     {
+        // RAY_RECEIVED in Shaders/Constants.hlsl.
+        internal const uint Received = 0x80000000;
+
         /// <summary>Last point of reflection, metres; the camera for a ray that hit nothing.</summary>
         public float3 LastHit;
 
@@ -34,8 +37,21 @@ namespace Glint.Core
         /// <summary>x + y * rays across; x from the left, y from the bottom of the picture.</summary>
         public uint Pixel;
 
+        uint _bouncesAndReceived; // 48 bytes
+
         /// <summary>Reflections made.</summary>
-        public uint Bounces; // 48 bytes
+        public uint Bounces
+        {
+            get => _bouncesAndReceived & ~Received;
+            set => _bouncesAndReceived = value | _bouncesAndReceived & Received;
+        }
+
+        /// <summary>True for a ray that reached the receiver.</summary>
+        public bool IsReceived
+        {
+            get => (_bouncesAndReceived & Received) != 0;
+            set => _bouncesAndReceived = Bounces | (value ? Received : 0);
+        }
 
         /// <summary>
         /// The path's length in metres: of a received ray to 1e-8 m, beside the float32 rounding of the corners and
@@ -45,8 +61,5 @@ namespace Glint.Core
 
         /// <summary>2 pi mod(R, lambda) / lambda, radians, 0 to 2 pi; 0 if not received.</summary>
         public double Phase => IsReceived ? Signal.Turned(Math.Atan2(Quadrature, InPhase)) : 0;
-
-        /// <summary>True for a ray that reached the receiver.</summary>
-        public bool IsReceived => InPhase != 0 || Quadrature != 0;
     }
 }

@@ -81,23 +81,24 @@ namespace Glint.Core
         /// <summary>The pixels in which to trace sub-rays, in order: x + y * rays across.</summary>
         public uint[] PixelsToRefine { get; }
 
-        /// <summary>Puts the estimate into a pose's result, which has its sums already.</summary>
+        /// <summary>The estimate of a pose.</summary>
+        /// <param name="sum">Sum of the phasors of its received rays.</param>
+        /// <param name="raysOfPicture">Rays of the whole picture.</param>
         /// <param name="inPhase">
         /// By number of the sub-ray: sum of cos(phase) over those received, of all <see cref="PixelsToRefine"/>.
         /// </param>
         /// <param name="quadrature">The same of sin(phase).</param>
-        public void Finish(double[] inPhase, double[] quadrature, RadarResult result)
+        public SamplingReport Finish(Complex sum, long raysOfPicture, double[] inPhase, double[] quadrature)
         {
             var subRays = new Complex(inPhase.Sum(), quadrature.Sum());
-            var coarse = new Complex(result.InPhase, result.Quadrature);
-            Complex fine = coarse + _tally.Smooth + _share * (subRays / SubGrids - _refined);
-            double edges = EdgePlace * _edges, difference = coarse.Magnitude - fine.Magnitude;
+            Complex fine = sum + _tally.Smooth + _share * (subRays / SubGrids - _refined);
+            double edges = EdgePlace * _edges, difference = sum.Magnitude - fine.Magnitude;
             double missed = Missed * Missed * (_picture.Count > 0 ? _tally.Alone : 1);
-            result.SamplingError = Math.Sqrt(difference * difference + edges * edges + missed)
-                * RadarResult.NormalRays / result.RaysOfPicture;
-            result.LargestPathStep = LargestPathStep;
-            result.Undersampled = _picture.Count < FewestRays
+            double error = Math.Sqrt(difference * difference + edges * edges + missed)
+                * RadarResult.NormalRays / raysOfPicture;
+            bool undersampled = _picture.Count < FewestRays
                 || _tally.Apart + _tally.Alone > MostApart * (_tally.Pairs + _tally.Alone);
+            return new SamplingReport(error, LargestPathStep, undersampled);
         }
 
         // In blocks that are added in their order: the same sum on any machine.

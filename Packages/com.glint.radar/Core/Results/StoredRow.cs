@@ -19,8 +19,8 @@ namespace Glint.Core
         public StoredRow(SweepRow row)
         {
             _values = ResultColumn.All.Select(column => column.Value(row)).ToArray();
-            Timings = row.Result.Timings;
-            PhaseHistogram = (int[])row.Result.PhaseHistogram?.Clone();
+            Timings = row.Result.Statistics.Timings;
+            PhaseHistogram = row.Result.PhaseHistogram?.ToArray();
         }
 
         /// <summary>A row that was written as JSON.</summary>

@@ -132,7 +132,7 @@ namespace Glint.Editor
             try
             {
                 pose = _radar.Gather(_gatherer);
-                RayTracer.CheckRoom(pose.Settings, _radar.KeptRays, _radar.Subject);
+                DispatchPlan.Check(pose.Settings, _radar.KeptRays, _radar.Subject);
             }
             catch (GlintException problem)
             {

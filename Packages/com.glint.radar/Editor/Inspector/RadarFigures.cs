@@ -33,7 +33,7 @@ namespace Glint.Editor
             if (depth > 0 || pose.View.IsParallel)
                 Footprint = 2 * pose.View.HalfSize(pose.Settings) * (pose.View.IsParallel ? 1 : depth);
             Forecast = SamplingForecast.Of(pose.Settings, pose.View, Middle);
-            Memory = PoseMemory.Of(pose, keep, SoftwareDevice.UsesWideKernels);
+            Memory = DispatchPlan.Memory(pose, keep, SoftwareDevice.UsesWideKernels);
         }
 
         public RadarSettings Settings => _pose.Settings;
@@ -64,7 +64,8 @@ namespace Glint.Editor
         /// <summary>How densely a mirror at the target would return the rays; null where it returns none.</summary>
         public SamplingForecast? Forecast { get; }
 
-        public PoseMemory Memory { get; }
+        /// <summary>Bytes that a pose takes on the device, and here.</summary>
+        public (double DeviceBytes, double HostBytes) Memory { get; }
 
         /// <summary>More rays than this cannot hit: those through the ball around the target.</summary>
         public double MostRaysHit => MostRays(1);
@@ -109,7 +110,7 @@ namespace Glint.Editor
             try
             {
                 settings.Validate(radar);
-                RayTracer.CheckRoom(settings, _keep, radar);
+                DispatchPlan.Check(settings, _keep, radar);
                 return true;
             }
             catch (GlintException)

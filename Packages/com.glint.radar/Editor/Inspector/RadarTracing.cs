@@ -69,11 +69,11 @@ namespace Glint.Editor
             yield return ("Undersampled", result.Undersampled ? "yes: give it more rays or a narrower view" : "no",
                 "Whether the rays are too far apart, or too few return, "
                     + "for the amplitude and its error to be trusted.");
-            var times = result.Timings;
+            var times = result.Statistics.Timings;
             yield return ("Times", FormattableString.Invariant(
                 $"gather {times.GatherMs:0.#}, build {times.BuildMs:0.#}, upload {times.UploadMs:0.#}, trace {times.TraceMs:0.#} ms"),
                 "What the last pose took; what stays as it was is not built or uploaded again.");
-            yield return ("On the device", Text.Mebibytes(result.Work.BytesOnDevice),
+            yield return ("On the device", Text.Mebibytes(result.Statistics.BytesOnDevice),
                 "Bytes of all the radar's buffers.");
         }
     }

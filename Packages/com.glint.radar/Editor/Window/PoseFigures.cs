@@ -22,7 +22,7 @@ namespace Glint.Editor
                 _place[i] = row[SweepAxis.All[i].Column];
             Amplitude = row["amplitude"].Value;
             Normalised = row["amplitude_normalised"].Value;
-            SamplingError = row["sampling_error"].Value;
+            SamplingError = row["sampling_error"] ?? 0;
             RaysReceived = row["rays_received"].Value;
             RaysHit = row["rays_hit"].Value;
             IsUndersampled = row["undersampled"] == 1;

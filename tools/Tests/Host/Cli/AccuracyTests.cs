@@ -41,7 +41,7 @@ public sealed class AccuracyTests
         (settings.RaysAcross, settings.RaysDown) = (480, 270);
         foreach (var scene in AccuracyScene.All())
         {
-            var judge = new Judge(scene.Scene, settings, scene.View);
+            var judge = new Judge(new RadarPose(scene.Scene, settings, scene.View));
             Assert.That(judge.Sum(judge.TraceAll()).RaysReceived, Is.GreaterThan(10), scene.Name);
         }
     }
@@ -133,16 +133,14 @@ public sealed class AccuracyTests
             {
                 var settings = RadarSettings.Default;
                 (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
-                var sums = new RadarResult
-                {
-                    InPhase = 12, RaysOfPicture = settings.RayCount, RaysHit = 200, SamplingError = 7,
-                    Undersampled = across == 480
-                };
+                var sums = new RadarResult(
+                    new RadarSums { InPhase = 12, RaysOfPicture = settings.RayCount, RaysHit = 200 },
+                    new SamplingReport(7, 0, across == 480));
                 result.Rows.Add(new AccuracyRow(scene, settings, sums, new Series(across / 48.0), converged));
             }
             result.CostScene = scene;
         }
-        var usual = new RadarResult { InPhase = 1 };
+        var usual = new RadarResult(new RadarSums { InPhase = 1 });
         result.Costs.Add(new AccuracyCost("a pose as it is", new Series(5), usual, usual));
         return result;
     }

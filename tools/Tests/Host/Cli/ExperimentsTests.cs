@@ -410,7 +410,7 @@ public sealed class ExperimentsTests
     }
 
     static RadarResult Received(double amplitude, long received, long hit = 2000) =>
-        new() { InPhase = amplitude, RaysReceived = received, RaysHit = hit };
+        new(new RadarSums { InPhase = amplitude, RaysReceived = received, RaysHit = hit });
 
     static (int code, string output, string error) Run(params string[] arguments)
     {

@@ -33,11 +33,12 @@ public sealed class SeaShareTests
 
     // The amplitude of a pose is made up: 5.
     static SweepResult Sweep(params RayData[] rays) => new(Experiment.ShipInFreeSpace, null,
-        [new SweepRow(new SweepPose(30), new RadarResult { InPhase = 3, Quadrature = 4, Rays = rays })]);
+        [new SweepRow(new SweepPose(30), new RadarResult(new RadarSums { InPhase = 3, Quadrature = 4 }, null, rays))]);
 
     static RayData Ray(uint pixel, double length, float inPhase, float quadrature, uint bounces) => new()
     {
         Pixel = pixel, PathLength = (float)length, PathLengthRest = (float)(length - (float)length),
         InPhase = inPhase, Quadrature = quadrature, Bounces = bounces,
+        IsReceived = inPhase != 0 || quadrature != 0
     };
 }

@@ -46,6 +46,26 @@ public sealed class VerifyTests
         Assert.That(output, Does.Contain("4,096").And.Contain("Fine").And.Contain($"written: {_json}"));
     }
 
+    // Parallel rays 25 mm apart over a plate of 1 m: 40 x 40, which all return. The picture is fitted, as run has it.
+    [Test]
+    public void Verify_WithSpacing_TracesThePictureThatRunTraces()
+    {
+        string[] radar = [_plate, "--grazing", "0", "--spacing", "0.025"];
+        var (code, _, error) = Run(["verify", .. radar, "--json", _json]);
+        Assert.That(code, Is.EqualTo(0), error);
+        var figures = JObject.Parse(File.ReadAllText(_json));
+        string folder = Path.Combine(_folder, "run");
+        (code, _, error) = Run(["run", .. radar, "--out", folder]);
+        Assert.That(code, Is.EqualTo(0), error);
+        var row = JObject.Parse(File.ReadAllText(Path.Combine(folder, "results.json")))["rows"][0];
+
+        Assert.That(figures["rays_emitted"].ToObject<int>(), Is.EqualTo(40 * 40));
+        Assert.That(figures["rays_emitted"].ToObject<int>(), Is.EqualTo(row["rays_emitted"].ToObject<int>()));
+        Assert.That(figures["rays_received"].ToObject<int>(), Is.EqualTo(row["rays_received"].ToObject<int>()));
+        Assert.That(figures["amplitude"].ToObject<double>(),
+            Is.EqualTo(row["amplitude"].ToObject<double>()).Within(1e-4));
+    }
+
     [Test]
     public void Verify_OfMoreRaysThanAsked_ComparesAboutSoManyOfAllAndOfThoseReceived()
     {

@@ -77,7 +77,7 @@ public sealed class CornerReflectorTests
 
     [Test]
     public void Gatherer_FindsTheTrianglesOfThreeCubes() =>
-        Assert.That(_roots[0].GetComponentInChildren<RadarController>().GatherScene().TriangleCount,
+        Assert.That(_roots[0].GetComponentInChildren<RadarController>().Gather().Scene.TriangleCount,
             Is.EqualTo(3 * 12));
 
     static string ThisFolder([CallerFilePath] string file = null) => Path.GetDirectoryName(file);

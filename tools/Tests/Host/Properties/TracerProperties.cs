@@ -52,16 +52,14 @@ public sealed class TracerProperties
 
     static RayComparison Compare(RayTracer tracer, RandomScene scene)
     {
-        tracer.SetScene(scene.Scene);
-        var comparison = new RayComparison(scene.Scene, scene.Settings, scene.View, LengthTolerance);
-        comparison.Add(tracer.Trace(scene.Settings, scene.View, KeptRays.All).Rays);
+        var comparison = new RayComparison(new RadarPose(scene.Scene, scene.Settings, scene.View), LengthTolerance);
+        comparison.Add(tracer.Trace(new RadarPose(scene.Scene, scene.Settings, scene.View), KeptRays.All).Rays);
         return comparison;
     }
 
     static RadarResult Trace(RayTracer tracer, RandomScene scene)
     {
-        tracer.SetScene(scene.Scene);
-        return tracer.Trace(scene.Settings, scene.View, KeptRays.None);
+        return tracer.Trace(new RadarPose(scene.Scene, scene.Settings, scene.View), KeptRays.None);
     }
 
     static bool AreSame(RadarResult a, RadarResult b) =>
@@ -69,7 +67,7 @@ public sealed class TracerProperties
         && a.PhaseHistogram.SequenceEqual(b.PhaseHistogram)
         && Bits(a.InPhase) == Bits(b.InPhase) && Bits(a.Quadrature) == Bits(b.Quadrature)
         && Bits(a.PathLengthMeters) == Bits(b.PathLengthMeters)
-        && Bits(a.SamplingError) == Bits(b.SamplingError) && Bits(a.LargestPathStep) == Bits(b.LargestPathStep)
+        && Bits(a.SamplingError.Value) == Bits(b.SamplingError.Value) && Bits(a.LargestPathStep.Value) == Bits(b.LargestPathStep.Value)
         && a.Undersampled == b.Undersampled;
 
     static long Bits(double value) => BitConverter.DoubleToInt64Bits(value);

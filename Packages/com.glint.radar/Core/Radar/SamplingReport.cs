@@ -1,0 +1,30 @@
+namespace Glint.Core
+{
+    /// <summary>How well the rays of a pose sample what returns: Documentation~/accuracy.md.</summary>
+    public readonly struct SamplingReport
+    {
+        /// <summary>A report.</summary>
+        public SamplingReport(double error, double largestPathStep, bool undersampled)
+        {
+            Error = error;
+            LargestPathStep = largestPathStep;
+            Undersampled = undersampled;
+        }
+
+        /// <summary>
+        /// Estimated distance of <see cref="RadarResult.NormalisedAmplitude"/> from its limit for infinitely many rays,
+        /// in its unit.
+        /// </summary>
+        public double Error { get; }
+
+        /// <summary>
+        /// Largest difference of path length between received rays that are neighbours in the picture, wavelengths.
+        /// </summary>
+        public double LargestPathStep { get; }
+
+        /// <summary>
+        /// True when the rays are too far apart, or too few return, for the amplitude and its error to be trusted.
+        /// </summary>
+        public bool Undersampled { get; }
+    }
+}

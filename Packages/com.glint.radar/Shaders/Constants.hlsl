@@ -1,0 +1,53 @@
+#ifndef GLINT_CONSTANTS
+#define GLINT_CONSTANTS
+
+// Every number that kernels and C# share. LayoutTests compares this whole file with its partners in C#.
+
+// Sums over rays (Core/Radar/Channel.cs): first word of each channel in a slot.
+static const uint SUM_SLOTS = 64;
+static const uint SUM_WORDS = 64;
+static const uint SUM_HITS = 0;
+static const uint SUM_BOUNCES = 1;
+static const uint SUM_RECEIVED = 2;
+static const uint SUM_CANDIDATES = 3;
+static const uint SUM_LENGTH = 4;
+static const uint SUM_IN_PHASE = 6;
+static const uint SUM_QUADRATURE = 8;
+static const uint SUM_NODES = 10;
+static const uint SUM_PAIRS = 12;
+static const uint SUM_OVERFLOW = 14;
+static const uint SUM_HISTOGRAM = 15;
+static const uint PHASE_BINS = 36;
+
+// Units of a channel for 1 of what it sums, the largest part of one ray, and the bit of SUM_OVERFLOW that refuses it.
+static const float LENGTH_UNITS = 1073741824.0;
+static const float PHASOR_UNITS = 16777216.0;
+static const float MAX_PHASOR_PART = 1.00000095367431640625;
+static const uint LENGTH_OVERFLOW = 16;
+static const uint IN_PHASE_OVERFLOW = 32;
+static const uint QUADRATURE_OVERFLOW = 64;
+
+// Work that may be skipped without changing a result (Shortcuts).
+static const uint SHORTCUT_REACH = 1;       // nothing is searched for beyond the receiver
+static const uint SHORTCUT_LAST = 2;        // the last segment is searched only if it meets the receiver
+static const uint SHORTCUT_STARTS = 8;      // the first segment begins at the starts of its tile
+
+// Rays written to _Rays (KeptRays).
+static const uint KEEP_RECEIVED = 0;        // in the order of _Returning, with those that are not received after all
+static const uint KEEP_ALL = 1;             // in the order of tiles, 64 a tile
+static const uint KEEP_NONE = 2;
+
+// Rays.
+static const uint NO_PIXEL = 0xffffffff;    // outside the picture, or not received
+static const uint RAY_RECEIVED = 0x80000000; // in RayData.Bounces
+static const uint TILE_SIDE = 8;
+static const uint RAYS_A_TILE = 64;
+static const uint GROUPS_A_ROW = 64;        // thread groups along x: a dispatch takes at most 65,535 along an axis
+
+// BVHs.
+static const uint MOST_FEW = 4;             // instances that need no BVH over them
+static const uint ROOT = 1;                 // row of the root of a binary BVH
+static const uint BINARY_LEVELS = 28;       // a stack holds one node a level
+static const uint MOST_STARTS = 4;          // entry points of a tile in one BVH
+
+#endif
