@@ -125,12 +125,12 @@ namespace Glint.Tests
         [TestCase(0)]
         [TestCase(23)]
         [TestCase(28)]
-        public void Trace_AtAnAngle_EqualsTheJudgeWithTheSameTriangles(float angle)
+        public void Trace_AtAnAngle_EqualsTheReferenceWithTheSameTriangles(float angle)
         {
             _target.rotation = Quaternion.AngleAxis(angle, Vector3.up);
             var result = _radar.Trace();
-            var judge = new Judge(_radar.Gather());
-            var expected = judge.Sum(judge.TraceAll());
+            var referenceTracer = new ReferenceTracer(_radar.Gather());
+            var expected = referenceTracer.Sum(referenceTracer.TraceAll());
             Assert.That(result.RaysHit, Is.EqualTo(expected.RaysHit).Within(0.01).Percent);
             Assert.That(result.RaysReceived, Is.EqualTo(expected.RaysReceived).Within(2));
             Assert.That(result.Bounces, Is.EqualTo(expected.Bounces).Within(0.01).Percent);

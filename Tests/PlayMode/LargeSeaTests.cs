@@ -21,7 +21,7 @@ namespace Glint.Tests
             Assert.That(large.RaysEmitted, Is.EqualTo(1920 * 1080));
 
             sea.Extent = new Vector2(64, 64);
-            sea.Lay();
+            sea.Rebuild();
             radar.Release();
             var small = radar.Trace();
             Assert.That(small.Statistics.Triangles, Is.LessThan(100_000));

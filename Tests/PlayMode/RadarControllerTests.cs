@@ -108,7 +108,7 @@ namespace Glint.Tests
             _radar.transform.SetParent(root, true);
             root.localRotation = Quaternion.Euler(17, 130, -9);
             root.localScale = Vector3.one * 1.1f;
-            _radar.KeptRays = KeptRays.All;
+            _radar.RayReadback = RayReadback.All;
             var near = _radar.Trace();
             Assert.That(near.RaysReceived, Is.GreaterThan(0));
             var nearPose = _radar.Gather();
@@ -124,8 +124,8 @@ namespace Glint.Tests
 
                 // What is written out is in the world, where float32 has steps of 1/16 m.
                 int hit = System.Array.FindIndex(far.Rays, ray => ray.Bounces > 0);
-                double3 place = (double3)near.Rays[hit].LastHit + (float3)root.localPosition;
-                Assert.That(math.distance(far.Rays[hit].LastHit, place), Is.LessThan(0.1));
+                double3 position = (double3)near.Rays[hit].LastHit + (float3)root.localPosition;
+                Assert.That(math.distance(far.Rays[hit].LastHit, position), Is.LessThan(0.1));
                 _radar.Release(); // and gathered anew
             }
             _plate.transform.SetParent(null);

@@ -53,7 +53,7 @@ namespace Glint.Tests
             {
                 var before = s_freeSpace[step].Rays.ToDictionary(ray => ray.Pixel);
                 var same = onSea[step].Rays.Where(ray => before.TryGetValue(ray.Pixel, out var other)
-                    && System.Math.Abs(ray.ExactPathLength - other.ExactPathLength) < 1e-4).ToArray();
+                    && System.Math.Abs(ray.RefinedPathLength - other.RefinedPathLength) < 1e-4).ToArray();
                 Assert.That(same.Length, Is.GreaterThanOrEqualTo(0.99 * before.Count),
                     $"{s_angles[step]} deg: the sea hides some");
                 double inPhase = same.Sum(ray => (double)ray.InPhase),
@@ -95,7 +95,7 @@ namespace Glint.Tests
             foreach (double angle in s_angles)
             {
                 ship.rotation = Quaternion.Euler(0, (float)angle, 0);
-                results.Add(radar.Trace(KeptRays.Received));
+                results.Add(radar.Trace(RayReadback.Received));
             }
             return results;
         }

@@ -37,7 +37,7 @@ sealed class Cancellation : IDisposable
             _terminal.Live?.Cursor.Show(true);
             return false;
         }
-        _terminal.Tell("stopping; Ctrl-C again ends at once");
+        _terminal.Report("stopping; Ctrl-C again ends at once");
         _source.Cancel();
         return true;
     }

@@ -11,7 +11,7 @@ static class Product
 {
     public static int Execute(CommandLine line, Terminal terminal)
     {
-        LogSink.Writer = (type, message) => terminal.Tell(Labelled(type, message));
+        LogSink.Writer = (type, message) => terminal.Report(Labelled(type, message));
         using var cancellation = new Cancellation(terminal);
         Project.Open(ProjectFolder.For(line.Input));
         Engine.DeviceSelector = line.Get(Options.Device);

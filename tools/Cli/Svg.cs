@@ -41,8 +41,8 @@ sealed class Svg : IDisposable
         Element("line", ("x1", Rounded(x1)), ("y1", Rounded(y1)), ("x2", Rounded(x2)), ("y2", Rounded(y2)),
             ("stroke", colour), ("stroke-width", thickness));
 
-    public void Polyline(IEnumerable<(double x, double y)> places, string colour) =>
-        Element("polyline", ("points", Points(places)), ("fill", "none"), ("stroke", colour), ("stroke-width", 1.5));
+    public void Polyline(IEnumerable<(double x, double y)> points, string colour) =>
+        Element("polyline", ("points", Points(points)), ("fill", "none"), ("stroke", colour), ("stroke-width", 1.5));
 
     /// <summary>A surface that lets through what is drawn below it.</summary>
     public void Area(IEnumerable<(double x, double y)> outline, string colour) =>
@@ -80,8 +80,8 @@ sealed class Svg : IDisposable
             _svg.WriteAttributeString(name, Convert.ToString(value, CultureInfo.InvariantCulture));
     }
 
-    static string Points(IEnumerable<(double x, double y)> places) =>
-        string.Join(" ", places.Select(place => Text($"{place.x:0.0},{place.y:0.0}")));
+    static string Points(IEnumerable<(double x, double y)> points) =>
+        string.Join(" ", points.Select(point => Text($"{point.x:0.0},{point.y:0.0}")));
 
-    static double Rounded(double place) => Math.Round(place, 1);
+    static double Rounded(double point) => Math.Round(point, 1);
 }

@@ -30,7 +30,7 @@ sealed class Terminal
     public bool SharesScreen { get; init; } = !Console.IsOutputRedirected;
 
     /// <summary>Writes a message, above the progress bar when there is one.</summary>
-    public void Tell(string message)
+    public void Report(string message)
     {
         if (Live == null)
             Error.WriteLine(message);

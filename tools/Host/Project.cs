@@ -68,7 +68,7 @@ public sealed class Project : IAssetSource, IAssetStore
         IReadOnlyList<HierarchyNode> roots = Hierarchy.Read(file.Table, isScene: true);
         IReadOnlyList<UnityEngine.GameObject> made =
             new ObjectBuilder(file, scene, _scripts, _warnings).Build(roots, new Links(file, _assets, _warnings));
-        _warnings.Tell();
+        _warnings.Report();
         ObjectFactory.Awaken(made);
     }
 
@@ -76,7 +76,7 @@ public sealed class Project : IAssetSource, IAssetStore
     {
         _warnings.Clear();
         Object asset = _assets.Load(assetPath, type);
-        _warnings.Tell();
+        _warnings.Report();
         return asset;
     }
 

@@ -57,27 +57,27 @@ namespace Glint.Editor
             if (line.Command == Commands.Report)
                 return ReportCommand.Write(line, progress);
             var plan = PlanOf(line);
-            var subjects = SceneSubjects.Open(line);
+            var loaded = LoadedScene.Open(line);
             try
             {
-                using (var folder = OpenFolder(line, subjects.Name))
+                using (var folder = OpenFolder(line, loaded.Name))
                 {
                     WarnOfUnfinished(line, folder);
-                    var setup = subjects.Sweep(plan);
-                    setup.Command = WordsOf(line);
+                    var setup = loaded.Sweep(plan);
+                    setup.Command = ArgumentsOf(line);
                     using (var run = new SweepRun(setup, folder, line.Get(Options.Shard), line.Get(Options.Resume)))
-                        return Trace(run, subjects, folder, plan, progress);
+                        return Trace(run, loaded, folder, plan, progress);
                 }
             }
             finally
             {
-                subjects.Radar.Release();
+                loaded.Radar.Release();
             }
         }
 
         /// <summary>What was traced: not where the files go, which part of it, or on what device.</summary>
-        internal static string[] WordsOf(CommandLine line) =>
-            line.Words.Where(word => new Option[] { Options.Out, Options.Shard, Options.Resume, Options.Device }
+        internal static string[] ArgumentsOf(CommandLine line) =>
+            line.Arguments.Where(word => new Option[] { Options.Out, Options.Shard, Options.Resume, Options.Device }
                 .All(aside => word.Split('=')[0] != aside.Flag)).ToArray();
 
         static int MergeParts(CommandLine line, IProgressSink progress)
@@ -109,7 +109,7 @@ namespace Glint.Editor
             return plan;
         }
 
-        static int Trace(SweepRun run, SceneSubjects subjects, ResultsFolder folder,
+        static int Trace(SweepRun run, LoadedScene loaded, ResultsFolder folder,
             SweepPlan plan, IProgressSink progress)
         {
             long hit = 0, received = 0;
@@ -118,7 +118,7 @@ namespace Glint.Editor
                 progress.Print(run.IsComplete
                     ? "complete already: nothing is left to do"
                     : FormattableString.Invariant($"resumed: {before} of {run.Count} poses are done"));
-            progress.Start(subjects.Name, run.Count);
+            progress.Start(loaded.Name, run.Count);
             try
             {
                 if (before > 0)
@@ -147,9 +147,9 @@ namespace Glint.Editor
             if (!run.IsComplete)
                 return Cancelled;
             if (run.Done > before)
-                WarnOfSilence(subjects.Name, hit, received);
+                WarnOfSilence(loaded.Name, hit, received);
             if (received > 0)
-                WarnOfUndersampling(subjects.Name, undersampled, run.Count - before);
+                WarnOfUndersampling(loaded.Name, undersampled, run.Count - before);
             if (folder != null && run.Done > before)
                 progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
             return Done;

@@ -39,12 +39,12 @@ namespace Glint.Editor
             frame.localRotation = Quaternion.LookRotation(ToVector(axes.Z), ToVector(axes.Y));
             for (int normal = 0; normal < 3; normal++)
             {
-                var (low, high) = CornerReflector.Plate(normal);
+                var (boxMin, boxMax) = CornerReflector.Plate(normal);
                 var plate = GameObject.CreatePrimitive(PrimitiveType.Cube).transform;
                 plate.name = $"Plate {"XYZ"[normal]}";
                 plate.SetParent(frame, false);
-                plate.localPosition = ToVector((low + high) / 2);
-                plate.localScale = ToVector(high - low);
+                plate.localPosition = ToVector((boxMin + boxMax) / 2);
+                plate.localScale = ToVector(boxMax - boxMin);
             }
             return reflector;
         }

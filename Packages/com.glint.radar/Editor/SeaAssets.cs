@@ -65,7 +65,7 @@ namespace Glint.Editor
             for (int z = 0; z < recipe.Tiles.y; z++)
                 for (int x = 0; x < recipe.Tiles.x; x++)
                     ProjectAssets.AddMesh(root, "Tile",
-                        SeaTiles.Place(x, z, recipe.Tiles, surface.Settings.TileSize), mesh);
+                        SeaTiles.PositionOf(x, z, recipe.Tiles, surface.Settings.TileSize), mesh);
             ProjectAssets.SavePrefab(root, $"{folder}/{name}.prefab");
         }
 

@@ -28,16 +28,16 @@ namespace Glint
         public int Capacity => _buffer == null ? 0 : _buffer.count;
 
         /// <summary>Most elements that the device holds in one buffer.</summary>
-        public static long Most => Math.Min(int.MaxValue, SystemInfo.maxGraphicsBufferSize / s_stride);
+        public static long MaxCount => Math.Min(int.MaxValue, SystemInfo.maxGraphicsBufferSize / s_stride);
 
         /// <summary>Makes room for a number of elements; what the buffer held is lost when it grows.</summary>
         /// <exception cref="GlintException">The device holds fewer in one buffer.</exception>
         public void Reserve(long count)
         {
-            if (count > Most)
+            if (count > MaxCount)
                 throw new GlintException($"{count} {_content} take {count * s_stride} bytes, "
                     + $"and {SystemInfo.graphicsDeviceName} holds at most {SystemInfo.maxGraphicsBufferSize} bytes in "
-                    + $"one buffer: use at most {Most} {_content}");
+                    + $"one buffer: use at most {MaxCount} {_content}");
             if (count <= Capacity)
                 return;
             Dispose();

@@ -7,30 +7,30 @@ using Unity.Mathematics;
 namespace Glint
 {
     /// <summary>
-    /// The scene on the device: trees over its meshes, the places of its instances, and a small tree over these.
+    /// The scene on the device: BVHs over its meshes, the places of its instances, and a small BVH over these.
     /// What a pose does not change stays.
     /// </summary>
     sealed class DeviceScene : IDisposable
     {
         /// <summary>
-        /// Instances that are searched one after the other, without a tree: MOST_FEW in Shaders/Bindings.hlsl.
+        /// Instances that are searched one after the other, without a BVH: MAX_INLINE_INSTANCES in Shaders/Bindings.hlsl.
         /// </summary>
-        public const int MostFew = 4;
+        public const int MaxInlineInstances = 4;
 
-        /// <summary>The row of the root of the tree over instances: ROOT in Shaders/BinaryTree.hlsl.</summary>
-        public const int TopRootRow = 1;
+        /// <summary>The row of the root of the BVH over instances: ROOT in Shaders/BinaryBvh.hlsl.</summary>
+        public const int InstanceBvhRootRow = 1;
 
-        readonly DeviceTrees _trees;
+        readonly DeviceBvhs _bvhs;
         readonly DeviceBuffer<InstanceRecord> _instances = new DeviceBuffer<InstanceRecord>("instances");
-        readonly List<(int instance, TreePart part)> _parts = new List<(int, TreePart)>(); // of each record
-        readonly DeviceBuffer<uint4> _top = new DeviceBuffer<uint4>("rows of the tree over instances");
+        readonly List<(int instance, BvhPart part)> _parts = new List<(int, BvhPart)>(); // of each record
+        readonly DeviceBuffer<uint4> _instanceBvh = new DeviceBuffer<uint4>("rows of the BVH over instances");
         RadarScene _scene;
 
-        public DeviceScene(TreeShape shape, string owner, long mostRowsABank)
+        public DeviceScene(BvhLayout layout, string owner, long maxRowsPerPage)
         {
-            _trees = new DeviceTrees(shape, owner, mostRowsABank);
+            _bvhs = new DeviceBvhs(layout, owner, maxRowsPerPage);
             _instances.Reserve(1);
-            _top.Reserve(1);
+            _instanceBvh.Reserve(1);
         }
 
         /// <summary>Null before the first scene.</summary>
@@ -38,37 +38,37 @@ namespace Glint
 
         public DeviceBuffer<InstanceRecord> Instances => _instances;
 
-        public DeviceBuffer<uint4> Top => _top;
+        public DeviceBuffer<uint4> InstanceBvhRows => _instanceBvh;
 
-        /// <summary>Where the kernel begins: the top tree's first row, or the leaf of the only instance.</summary>
-        public uint TopRoot { get; private set; }
+        /// <summary>Where the kernel begins: the top BVH's first row, or the leaf of the only instance.</summary>
+        public uint InstanceBvhRoot { get; private set; }
 
         public bool IsEmpty { get; private set; }
 
         /// <summary>
-        /// The instances when they are few and their trees stand in one buffer: then no tree over them is needed.
+        /// The instances when they are few and their BVHs stand in one buffer: then no BVH over them is needed.
         /// </summary>
-        public IReadOnlyList<InstanceRecord> Few { get; private set; }
+        public IReadOnlyList<InstanceRecord> InlineInstances { get; private set; }
 
-        public bool HasFewInstances => Few.Count > 0;
+        public bool HasInlineInstances => InlineInstances.Count > 0;
 
-        public IReadOnlyList<TreeBank> Banks => _trees.Banks;
+        public IReadOnlyList<BvhPage> Pages => _bvhs.Pages;
 
-        public long Bytes => _trees.Bytes + _instances.Bytes + _top.Bytes;
+        public long Bytes => _bvhs.Bytes + _instances.Bytes + _instanceBvh.Bytes;
 
         /// <summary>
         /// Corners of the box around everything, metres; the lower one above the other when there is nothing.
         /// </summary>
-        public double3 Low { get; private set; }
+        public double3 Min { get; private set; }
 
-        public double3 High { get; private set; }
+        public double3 Max { get; private set; }
 
         /// <summary>Middle of the box: the origin of all that the kernel is given.</summary>
-        public double3 Middle { get; private set; }
+        public double3 Centre { get; private set; }
 
-        /// <summary>Takes a scene; builds the trees of meshes that are new.</summary>
-        /// <returns>True if a tree was built.</returns>
-        public bool Set(RadarScene scene, TraceStatistics statistics, Func<TriangleMesh, TreeShape, MeshTree> build)
+        /// <summary>Takes a scene; builds the BVHs of meshes that are new.</summary>
+        /// <returns>True if a BVH was built.</returns>
+        public bool Set(RadarScene scene, TraceStatistics statistics, Func<TriangleMesh, BvhLayout, MeshBvh> build)
         {
             if (_scene != null && IsSame(_scene, scene))
             {
@@ -76,9 +76,9 @@ namespace Glint
                 return false;
             }
             _scene = null; // until all is there
-            bool hasBuilt = _trees.Hold(new HashSet<TriangleMesh>(scene.Instances.Select(instance => instance.Mesh)),
+            bool hasBuilt = _bvhs.SetMeshes(new HashSet<TriangleMesh>(scene.Instances.Select(instance => instance.Mesh)),
                 statistics, build);
-            Place(scene, statistics);
+            SetInstances(scene, statistics);
             _scene = scene;
             return hasBuilt;
         }
@@ -87,7 +87,7 @@ namespace Glint
         public void AddTo(PictureTiles tiles)
         {
             foreach (var instance in _scene.Instances)
-                tiles.Add(_trees[instance.Mesh].Tree, instance.ToWorld);
+                tiles.Add(_bvhs[instance.Mesh].Bvh, instance.ToWorld);
         }
 
         /// <summary>
@@ -96,16 +96,16 @@ namespace Glint
         /// </summary>
         public void TriangleOf(in HitData hit, out int instance, out float3 a, out float3 b, out float3 c)
         {
-            TreePart part;
+            BvhPart part;
             (instance, part) = _parts[(int)hit.Instance];
             part.GetTriangle((int)(hit.Triangle >> 1), (hit.Triangle & 1) != 0, out a, out b, out c);
         }
 
         public void Dispose()
         {
-            _trees.Dispose();
+            _bvhs.Dispose();
             _instances.Dispose();
-            _top.Dispose();
+            _instanceBvh.Dispose();
             _scene = null;
         }
 
@@ -120,60 +120,60 @@ namespace Glint
             return true;
         }
 
-        // One record for each tree of each instance.
-        void Place(RadarScene scene, TraceStatistics statistics)
+        // One record for each BVH of each instance.
+        void SetInstances(RadarScene scene, TraceStatistics statistics)
         {
-            var lows = new List<double3>();
-            var highs = new List<double3>();
-            Low = double.PositiveInfinity;
-            High = double.NegativeInfinity;
+            var mins = new List<double3>();
+            var maxes = new List<double3>();
+            Min = double.PositiveInfinity;
+            Max = double.NegativeInfinity;
             foreach (var instance in scene.Instances)
-                foreach (var part in _trees[instance.Mesh].Tree.Parts)
+                foreach (var part in _bvhs[instance.Mesh].Bvh.Parts)
                 {
-                    Bound(part, instance.ToWorld, out var low, out var high);
-                    lows.Add(low);
-                    highs.Add(high);
-                    Low = math.min(Low, low);
-                    High = math.max(High, high);
+                    Bound(part, instance.ToWorld, out var boxMin, out var boxMax);
+                    mins.Add(boxMin);
+                    maxes.Add(boxMax);
+                    Min = math.min(Min, boxMin);
+                    Max = math.max(Max, boxMax);
                 }
-            IsEmpty = lows.Count == 0;
-            Middle = IsEmpty ? 0 : (Low + High) / 2;
+            IsEmpty = mins.Count == 0;
+            Centre = IsEmpty ? 0 : (Min + Max) / 2;
 
             var records = new List<InstanceRecord>();
             _parts.Clear();
             for (int i = 0; i < scene.Instances.Length; i++)
             {
-                var tree = _trees[scene.Instances[i].Mesh];
+                var allocation = _bvhs[scene.Instances[i].Mesh];
                 var toLocal = scene.Instances[i].ToWorld.Inverse();
-                toLocal.Origin = toLocal.Point(Middle);
-                for (int part = 0; part < tree.Tree.Parts.Length; part++)
+                toLocal.Origin = toLocal.Point(Centre);
+                for (int part = 0; part < allocation.Bvh.Parts.Length; part++)
                 {
-                    records.Add(InstanceRecord.Of(toLocal, tree.BankOf(part), tree.FirstRowOf(part)));
-                    _parts.Add((i, tree.Tree.Parts[part]));
+                    records.Add(InstanceRecord.Of(toLocal, allocation.PageOf(part), allocation.FirstRowOf(part)));
+                    _parts.Add((i, allocation.Bvh.Parts[part]));
                 }
             }
-            Few = records.Count <= MostFew && _trees.Banks.Count == 1 ? records : new List<InstanceRecord>();
-            TopRoot = uint.MaxValue; // DONE: nothing to search
+            InlineInstances = records.Count <= MaxInlineInstances && _bvhs.Pages.Count == 1 ? records : new List<InstanceRecord>();
+            InstanceBvhRoot = uint.MaxValue; // DONE: nothing to search
             if (IsEmpty)
                 return;
-            var top = TopTree.Build(lows.Select(low => Down(low - Middle)).ToArray(),
-                highs.Select(high => -Down(Middle - high)).ToArray(), TreeShape.Binary);
+            var instanceBvh = InstanceBvh.Build(mins.Select(lower => Down(lower - Centre)).ToArray(),
+                maxes.Select(upper => -Down(Centre - upper)).ToArray(), BvhLayout.Binary);
             // The root's first row ends with the reference to its first child: of one instance that is the leaf.
-            TopRoot = records.Count == 1 ? top[TopRootRow].w : TopRootRow;
+            InstanceBvhRoot = records.Count == 1 ? instanceBvh[InstanceBvhRootRow].w : InstanceBvhRootRow;
             _instances.Upload(records.ToArray());
-            _top.Upload(top);
-            statistics.BytesUploaded += records.Count * (long)_instances.Stride + top.Length * (long)_top.Stride;
+            _instanceBvh.Upload(instanceBvh);
+            statistics.BytesUploaded += records.Count * (long)_instances.Stride + instanceBvh.Length * (long)_instanceBvh.Stride;
         }
 
-        static void Bound(TreePart part, in Affine toWorld, out double3 low, out double3 high)
+        static void Bound(BvhPart part, in Affine toWorld, out double3 boxMin, out double3 boxMax)
         {
-            low = double.PositiveInfinity;
-            high = double.NegativeInfinity;
+            boxMin = double.PositiveInfinity;
+            boxMax = double.NegativeInfinity;
             for (int corner = 0; corner < 8; corner++)
             {
-                double3 p = toWorld.Point(new Box(part.Low, part.High).Corner(corner));
-                low = math.min(low, p);
-                high = math.max(high, p);
+                double3 p = toWorld.Point(new Box(part.Min, part.Max).Corner(corner));
+                boxMin = math.min(boxMin, p);
+                boxMax = math.max(boxMax, p);
             }
         }
 

@@ -16,7 +16,7 @@ namespace Glint
         const double Target = 0.25;
 
         // Of tiles, from one dispatch to the next: they may be of another part of the picture.
-        const int MostGrowth = 4;
+        const int MaxGrowth = 4;
 
         // The costliest dispatch counts, a little less with every one after it.
         const double Memory = 0.8;
@@ -34,11 +34,11 @@ namespace Glint
             if (bounces != _bounces)
                 Reset();
             _bounces = bounces;
-            double most = _dispatches == 0
+            double max = _dispatches == 0
                 ? FirstTileBounces / bounces
-                : Math.Min((double)MostGrowth * _tiles, Target / _secondsPerTile);
+                : Math.Min((double)MaxGrowth * _tiles, Target / _secondsPerTile);
             // In even parts, so that the last one is no scrap.
-            double parts = Math.Ceiling(left / Math.Max(1, most));
+            double parts = Math.Ceiling(left / Math.Max(1, max));
             return (int)Math.Ceiling(left / parts);
         }
 

@@ -33,18 +33,18 @@ namespace Glint
 
         readonly DispatchPacer _pacer;
         readonly RadarSettings _settings;
-        readonly KeptRays _keep;
+        readonly RayReadback _keep;
         readonly int _tiles, _tilesADispatch;
         readonly Stopwatch _watch = new Stopwatch();
 
         /// <param name="tiles">Tiles to trace.</param>
         /// <param name="usesEntryPoints">Whether the scene has few enough instances for entry points.</param>
         /// <param name="tilesADispatch">Tiles of a slice in tests; 0: as the pacer says.</param>
-        public DispatchPlan(in RadarSettings settings, KeptRays keep, int tiles, bool usesEntryPoints,
+        public DispatchPlan(in RadarSettings settings, RayReadback readback, int tiles, bool usesEntryPoints,
             DispatchPacer pacer, int tilesADispatch)
         {
             _settings = settings;
-            _keep = keep;
+            _keep = readback;
             _tiles = tiles;
             _pacer = pacer;
             _tilesADispatch = tilesADispatch;
@@ -84,7 +84,7 @@ namespace Glint
 
         /// <summary>Rays whose paths one dispatch records.</summary>
         public static int PathRays(in RadarSettings settings) =>
-            (int)Math.Min(MaxPathRays, DeviceBuffer<HitData>.Most / settings.MaxBounces);
+            (int)Math.Min(MaxPathRays, DeviceBuffer<HitData>.MaxCount / settings.MaxBounces);
 
         /// <summary>Whether finding entry points costs less than it saves.</summary>
         public static bool EntryPointsPay(long tiles, bool isSoftware) => isSoftware || tiles >= TilesToFillAGpu;
@@ -93,14 +93,14 @@ namespace Glint
         /// <exception cref="GlintException">
         /// The device cannot hold as many tiles, or this computer as many rays as are to be kept.
         /// </exception>
-        public static void Check(in RadarSettings settings, KeptRays keep, string owner)
+        public static void Check(in RadarSettings settings, RayReadback readback, string owner)
         {
-            KeptRayList.Refuse(keep, settings, owner);
-            long tiles = PictureTiles.CountIn(settings), most = DeviceBuffer<uint>.Most;
-            if (tiles > most)
+            RayReadbackBuffer.Refuse(readback, settings, owner);
+            long tiles = PictureTiles.CountIn(settings), max = DeviceBuffer<uint>.MaxCount;
+            if (tiles > max)
                 throw new GlintException($"{owner}: the list of the picture's {tiles} tiles of 64 rays takes "
                     + $"{Text.Mebibytes(tiles * 4.0)}, and {SystemInfo.graphicsDeviceName} holds "
-                    + $"{Text.Mebibytes(most * 4.0)} in one buffer: trace a region or fewer rays");
+                    + $"{Text.Mebibytes(max * 4.0)} in one buffer: trace a region or fewer rays");
         }
 
         /// <summary>
@@ -108,41 +108,41 @@ namespace Glint
         /// BVHs count with what they take at least; a slice as if it took all tiles of the picture, or as many as one may.
         /// Received rays, whose number is not known, are not in it.
         /// </summary>
-        public static (double DeviceBytes, double HostBytes) Memory(in RadarPose pose, KeptRays keep, bool isSoftware)
+        public static (double DeviceBytes, double HostBytes) Memory(in RadarPose pose, RayReadback readback, bool isSoftware)
         {
             var instances = pose.Scene.Instances;
             var meshes = instances.Select(instance => instance.Mesh).Distinct().ToArray();
-            double trees = DeviceTrees.LeastBytes(meshes, isSoftware ? TreeShape.Wide : TreeShape.Binary);
-            double places =
-                instances.Length * (Size<InstanceRecord>() + TopTree.LeastRowsPerBox(TreeShape.Binary) * 16);
+            double trees = DeviceBvhs.MinBytes(meshes, isSoftware ? BvhLayout.Wide : BvhLayout.Binary);
+            double positions =
+                instances.Length * (Size<InstanceRecord>() + InstanceBvh.MinRowsPerBox(BvhLayout.Binary) * 16);
             long tiles = PictureTiles.CountIn(pose.Settings);
-            bool usesEntryPoints = instances.Length <= DeviceScene.MostFew && EntryPointsPay(tiles, isSoftware);
-            double rays = keep == KeptRays.All ? pose.Settings.RaysEmitted * (double)Size<RayData>() : 0;
-            return (trees + places + tiles * (double)sizeof(uint) + SliceBytes(tiles, keep, usesEntryPoints),
+            bool usesEntryPoints = instances.Length <= DeviceScene.MaxInlineInstances && EntryPointsPay(tiles, isSoftware);
+            double rays = readback == RayReadback.All ? pose.Settings.RaysEmitted * (double)Size<RayData>() : 0;
+            return (trees + positions + tiles * (double)sizeof(uint) + SliceBytes(tiles, readback, usesEntryPoints),
                 trees + BytesOf(meshes) + rays);
         }
 
         static double BytesOf(IEnumerable<TriangleMesh> meshes) => meshes.Sum(mesh =>
             mesh.Vertices.Length * (double)Size<float3>() + mesh.Indices.Length * (double)sizeof(int));
 
-        static double SliceBytes(long tiles, KeptRays keep, bool usesEntryPoints)
+        static double SliceBytes(long tiles, RayReadback readback, bool usesEntryPoints)
         {
-            tiles = Math.Min(tiles, MaxTiles(keep));
+            tiles = Math.Min(tiles, MaxTiles(readback));
             double rays = (double)tiles * PictureTiles.Rays;
             double kept =
-                keep == KeptRays.All ? rays : keep == KeptRays.Received ? Math.Min(rays, MaxRefinedRays) : 1;
+                readback == RayReadback.All ? rays : readback == RayReadback.Received ? Math.Min(rays, MaxRefinedRays) : 1;
             return Channel.Slots * Channel.WordsPerSlot * sizeof(uint)
                 + rays * Size<ReceivedRay>() + kept * Size<RayData>()
-                + (usesEntryPoints ? tiles * (double)DeviceScene.MostFew * Size<uint4>() : 0);
+                + (usesEntryPoints ? tiles * (double)DeviceScene.MaxInlineInstances * Size<uint4>() : 0);
         }
 
         // Tiles that the groups of one dispatch, the list of candidates, entry points and kept rays have room for.
-        static long MaxTiles(KeptRays keep)
+        static long MaxTiles(RayReadback readback)
         {
-            long tiles = Math.Min(TraceKernel.MostTiles, DeviceBuffer<ReceivedRay>.Most / PictureTiles.Rays);
-            tiles = Math.Min(tiles, DeviceBuffer<uint4>.Most / DeviceScene.MostFew);
-            return keep == KeptRays.All
-                ? Math.Min(tiles, Math.Min(DeviceBuffer<RayData>.Most, MaxKeptRays) / PictureTiles.Rays)
+            long tiles = Math.Min(TraceKernel.MaxTiles, DeviceBuffer<ReceivedRay>.MaxCount / PictureTiles.Rays);
+            tiles = Math.Min(tiles, DeviceBuffer<uint4>.MaxCount / DeviceScene.MaxInlineInstances);
+            return readback == RayReadback.All
+                ? Math.Min(tiles, Math.Min(DeviceBuffer<RayData>.MaxCount, MaxKeptRays) / PictureTiles.Rays)
                 : tiles;
         }
 

@@ -5,25 +5,25 @@ using Unity.Mathematics;
 namespace Glint
 {
     /// <summary>
-    /// A tree at its place in the scene. GLINT_INSTANCE:
+    /// A BVH at its place in the scene. GLINT_INSTANCE:
     /// the same struct stands in Shaders/Types.hlsl; a test compares them.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     struct InstanceRecord
     {
         // Of a place's coordinates: 4 float32 steps.
-        const float PlaceRounding = 2.4e-7f;
+        const float PositionRounding = 2.4e-7f;
 
         /// <summary>Rows of the matrix from the middle of the scene to the mesh's frame.</summary>
         public float4 ToLocalX, ToLocalY, ToLocalZ; // 48 bytes
 
         /// <summary>What float32 leaves out of them.</summary>
-        public float4 RestX, RestY, RestZ; // 96 bytes
+        public float4 ToLocalXLo, ToLocalYLo, ToLocalZLo; // 96 bytes
 
-        /// <summary>Where the tree starts in its bank, in rows of 16 bytes.</summary>
+        /// <summary>Where the BVH starts in its page, in rows of 16 bytes.</summary>
         public uint FirstRow;
 
-        public uint Bank;
+        public uint Page;
 
         /// <summary>How much longer lengths get on the way into the mesh's frame, at most.</summary>
         public float Stretch;
@@ -32,7 +32,7 @@ namespace Glint
         public float Rounding; // 112 bytes
 
         /// <param name="toLocal">From the middle of the scene to the mesh's frame.</param>
-        public static InstanceRecord Of(in Affine toLocal, int bank, int firstRow)
+        public static InstanceRecord Of(in Affine toLocal, int page, int firstRow)
         {
             var x = new double4(toLocal.X.x, toLocal.Y.x, toLocal.Z.x, toLocal.Origin.x);
             var y = new double4(toLocal.X.y, toLocal.Y.y, toLocal.Z.y, toLocal.Origin.y);
@@ -40,12 +40,12 @@ namespace Glint
             return new InstanceRecord
             {
                 ToLocalX = (float4)x, ToLocalY = (float4)y, ToLocalZ = (float4)z,
-                RestX = TwoFloat.Rest(x), RestY = TwoFloat.Rest(y), RestZ = TwoFloat.Rest(z),
+                ToLocalXLo = DoubleFloat.Lo(x), ToLocalYLo = DoubleFloat.Lo(y), ToLocalZLo = DoubleFloat.Lo(z),
                 FirstRow = (uint)firstRow,
-                Bank = (uint)bank,
+                Page = (uint)page,
                 Stretch =
                     (float)math.sqrt(math.lengthsq(toLocal.X) + math.lengthsq(toLocal.Y) + math.lengthsq(toLocal.Z)),
-                Rounding = PlaceRounding * (float)math.csum(math.abs(toLocal.Origin)),
+                Rounding = PositionRounding * (float)math.csum(math.abs(toLocal.Origin)),
             };
         }
     }

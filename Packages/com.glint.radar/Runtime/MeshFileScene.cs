@@ -12,11 +12,11 @@ namespace Glint
         // As in the published experiment.
         const float ReceiverBehindCamera = 0.2f;
 
-        MeshFileScene(Transform target, RadarController radar, RadarMount mount)
+        MeshFileScene(Transform target, RadarController radar, RadarOrbit orbit)
         {
             Target = target;
             Radar = radar;
-            Mount = mount;
+            Orbit = orbit;
         }
 
         /// <summary>The mesh; its origin is the file's.</summary>
@@ -26,46 +26,46 @@ namespace Glint
         public RadarController Radar { get; }
 
         /// <summary>Moves the radar about the point that it is aimed at.</summary>
-        public RadarMount Mount { get; }
+        public RadarOrbit Orbit { get; }
 
         /// <summary>Makes the objects in the active scene.</summary>
         /// <param name="file">Triangles in metres.</param>
-        /// <param name="stand">Where the radar stands, and what it sees and receives.</param>
+        /// <param name="placement">Where the radar stands, and what it sees and receives.</param>
         /// <param name="settings">
         /// Frequency, rays, bounces. With parallel rays their spacing decides how many there are.
         /// </param>
         /// <param name="kernel">Shaders/Trace.compute.</param>
         /// <exception cref="GlintException">The spacing takes too many rays.</exception>
-        public static MeshFileScene Create(MeshFile file, in RadarStand stand,
+        public static MeshFileScene Create(MeshFile file, in RadarPlacement placement,
             in RadarSettings settings, ComputeShader kernel)
         {
             var target = MakeObject(file);
 
             var aim = new GameObject("Radar Aim").transform;
-            aim.localPosition = new Vector3((float)stand.Aim.x, (float)stand.Aim.y, (float)stand.Aim.z);
+            aim.localPosition = new Vector3((float)placement.Aim.x, (float)placement.Aim.y, (float)placement.Aim.z);
             var camera = MakeChild("Radar Camera", aim, 0).gameObject.AddComponent<Camera>();
 
             var radar = camera.gameObject.AddComponent<RadarController>();
             radar.Settings = settings;
-            radar.Receiver = MakeReceiver(camera.transform, stand.RaySpacing > 0);
-            radar.ReceiverSize = new Vector2((float)stand.ReceiverSize.x, (float)stand.ReceiverSize.y);
+            radar.Receiver = MakeReceiver(camera.transform, placement.RaySpacing > 0);
+            radar.ReceiverSize = new Vector2((float)placement.ReceiverSize.x, (float)placement.ReceiverSize.y);
             radar.Kernel = kernel;
-            if (stand.RaySpacing > 0)
-                MakeParallel(radar, camera, stand);
+            if (placement.RaySpacing > 0)
+                MakeParallel(radar, camera, placement);
             else
-                camera.fieldOfView = (float)stand.VerticalFovDegrees;
-            return new MeshFileScene(target, radar, RadarMount.Standing(aim, camera.transform, stand));
+                camera.fieldOfView = (float)placement.VerticalFovDegrees;
+            return new MeshFileScene(target, radar, RadarOrbit.Of(aim, camera.transform, placement));
         }
 
-        static void MakeParallel(RadarController radar, Camera camera, in RadarStand stand)
+        static void MakeParallel(RadarController radar, Camera camera, in RadarPlacement placement)
         {
             camera.orthographic = true;
-            radar.FitAperture = math.all(stand.ApertureSize == 0);
-            radar.RaySpacing = stand.RaySpacing;
+            radar.FitAperture = math.all(placement.ApertureSize == 0);
+            radar.RaySpacing = placement.RaySpacing;
             if (radar.FitAperture)
                 return;
             var pose = new RadarPose { Settings = radar.Settings };
-            ApertureFit.Divide(stand.ApertureSize, stand.RaySpacing, ref pose, "aperture");
+            ApertureFit.Divide(placement.ApertureSize, placement.RaySpacing, ref pose, "aperture");
             radar.Settings = pose.Settings;
             camera.orthographicSize = (float)(pose.View.ApertureHeight / 2);
         }

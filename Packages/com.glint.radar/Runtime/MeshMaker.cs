@@ -7,7 +7,7 @@ namespace Glint
     /// <summary>Unity's meshes from triangles.</summary>
     static class MeshMaker
     {
-        const int Most16BitVertices = 65535;
+        const int Max16BitVertices = 65535;
 
         /// <summary>A new mesh.</summary>
         public static Mesh Make(string name, float3[] vertices, int[] indices)
@@ -21,7 +21,7 @@ namespace Glint
         public static void Fill(Mesh mesh, float3[] vertices, int[] indices)
         {
             mesh.Clear();
-            mesh.indexFormat = vertices.Length > Most16BitVertices ? IndexFormat.UInt32 : IndexFormat.UInt16;
+            mesh.indexFormat = vertices.Length > Max16BitVertices ? IndexFormat.UInt32 : IndexFormat.UInt16;
             mesh.SetVertices(System.Array.ConvertAll(vertices, v => new Vector3(v.x, v.y, v.z)));
             mesh.SetIndices(indices, MeshTopology.Triangles, 0);
             mesh.RecalculateNormals();

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>Follows single rays once more, in two-float arithmetic, and notes where each is reflected.</summary>
+    /// <summary>Follows single rays once more, in double-float arithmetic, and notes where each is reflected.</summary>
     sealed class PathPass : IDisposable
     {
         readonly TraceKernel _kernel;
@@ -26,14 +26,14 @@ namespace Glint
         {
             var settings = pose.Settings;
             var paths = new RayPath[pixels.Length];
-            int most = DispatchPlan.PathRays(settings), room = Math.Min(most, pixels.Length);
+            int max = DispatchPlan.PathRays(settings), room = Math.Min(max, pixels.Length);
             var listed = new uint2[room];
             var hits = new HitData[room * settings.MaxBounces];
             _hits.Reserve(hits.Length);
-            for (int first = 0; first < pixels.Length; first += most)
+            for (int first = 0; first < pixels.Length; first += max)
             {
                 cancel.ThrowIfCancellationRequested();
-                int count = Math.Min(most, pixels.Length - first);
+                int count = Math.Min(max, pixels.Length - first);
                 for (int i = 0; i < count; i++)
                     listed[i] = new uint2(pixels[first + i], 0);
                 _listed.Upload(listed);
@@ -65,7 +65,7 @@ namespace Glint
                 var hit = hits.Array[hits.Offset + i];
                 path.Hits[i] = new PathHit
                 {
-                    Place = grid.Middle + hit.Place, Direction = hit.Direction, Object = PathHit.NoObject
+                    Position = grid.SceneCentre + hit.Position, Direction = hit.Direction, Object = PathHit.NoObject
                 };
                 if (objects == null)
                     continue;
@@ -74,7 +74,7 @@ namespace Glint
             }
             float wayBack = math.asfloat(end.y);
             if (wayBack > 0)
-                path.End = path.Hits[hits.Count - 1].Place + wayBack * path.Hits[hits.Count - 1].Direction;
+                path.End = path.Hits[hits.Count - 1].Position + wayBack * path.Hits[hits.Count - 1].Direction;
             return path;
         }
     }

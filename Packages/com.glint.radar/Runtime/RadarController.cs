@@ -59,7 +59,7 @@ namespace Glint
         List<Transform> _roots = new List<Transform>();
 
         [SerializeField, Tooltip("Which rays a result carries one by one. All takes 48 bytes a ray.")]
-        KeptRays _keptRays = KeptRays.Received;
+        RayReadback _keptRays = RayReadback.Received;
 
         [SerializeField, Tooltip("Left and bottom edge, in rays, of the part of the picture to trace.")]
         Vector2Int _regionCorner;
@@ -124,7 +124,7 @@ namespace Glint
         public List<Transform> Roots => _roots;
 
         /// <summary>Which rays a result carries one by one.</summary>
-        public KeptRays KeptRays { get => _keptRays; set => _keptRays = value; }
+        public RayReadback RayReadback { get => _keptRays; set => _keptRays = value; }
 
         /// <summary>Packages/com.glint.radar/Shaders/Trace.compute.</summary>
         public ComputeShader Kernel
@@ -148,7 +148,7 @@ namespace Glint
 
         /// <summary>
         /// Traces the scene as it stands now; returns when the sums are there.
-        /// The result carries the rays that <see cref="KeptRays"/> says.
+        /// The result carries the rays that <see cref="RayReadback"/> says.
         /// </summary>
         /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
         /// <param name="cancel">
@@ -162,7 +162,7 @@ namespace Glint
             Trace(_keptRays, progress, cancel);
 
         /// <summary>Traces the scene as it stands now; returns when the sums are there.</summary>
-        /// <param name="keep">Which rays the result carries one by one; none is the fastest.</param>
+        /// <param name="readback">Which rays the result carries one by one; none is the fastest.</param>
         /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
         /// <param name="cancel">
         /// Ends the pose while trees are built or between two dispatches; the result before stays.
@@ -171,13 +171,13 @@ namespace Glint
         /// The radar or a mesh is not fit to be traced, or the device cannot hold the work.
         /// </exception>
         /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
-        public RadarResult Trace(KeptRays keep, IProgress<double> progress = null, CancellationToken cancel = default)
+        public RadarResult Trace(RayReadback readback, IProgress<double> progress = null, CancellationToken cancel = default)
         {
             // Before the scene is gathered: that may take long.
             var settings = Describe().Settings;
             _tracer ??= new RayTracer(_kernel, Subject);
             if (!IsFitted)
-                DispatchPlan.Check(settings, keep, Subject);
+                DispatchPlan.Check(settings, readback, Subject);
 
             var watch = Stopwatch.StartNew();
             RadarPose pose;
@@ -185,7 +185,7 @@ namespace Glint
                 pose = Gather();
             double gatherMs = watch.Elapsed.TotalMilliseconds;
             _tracer.CountVisits = CountVisits;
-            var result = _tracer.Trace(pose, keep, progress, cancel);
+            var result = _tracer.Trace(pose, readback, progress, cancel);
             result.Statistics.SetGathered(_gatherer.ObjectCount, gatherMs);
             (_traced.Settings, _traced.View, _tracedContent) = (pose.Settings, pose.View, _gatherer.Content());
             Result = result;
@@ -229,10 +229,10 @@ namespace Glint
         /// <param name="cancel">Ends the work between two dispatches.</param>
         /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
-        public RadarPicture TracePicture(CancellationToken cancel = default)
+        public RadarPreviewImage TracePreview(CancellationToken cancel = default)
         {
             var pose = GatherForTracer();
-            return PictureTracer.Trace(_tracer, pose, _gatherer, cancel);
+            return RadarPreviewTracer.Trace(_tracer, pose, _gatherer, cancel);
         }
 
         /// <summary>An object of the scene last gathered, by the number that a <see cref="PathHit"/> has.</summary>
@@ -279,12 +279,12 @@ namespace Glint
             if (_roots.Exists(root => root == null))
                 throw new GlintException(HasEmptyRoot);
             pose.Scene = gatherer.Gather(_layers, _roots, _receiver, transform);
-            var stand = StandOf(gatherer, transform, "the radar");
+            var radarFrame = PoseOf(gatherer, transform, "the radar");
             (pose.View.Position, pose.View.Right, pose.View.Up, pose.View.Forward) =
-                (stand.Origin, stand.X, stand.Y, stand.Z);
-            stand = StandOf(gatherer, _receiver, $"its receiver '{_receiver.name}'");
+                (radarFrame.Origin, radarFrame.X, radarFrame.Y, radarFrame.Z);
+            radarFrame = PoseOf(gatherer, _receiver, $"its receiver '{_receiver.name}'");
             (pose.View.ReceiverCentre, pose.View.ReceiverRight, pose.View.ReceiverUp, pose.View.ReceiverForward) =
-                (stand.Origin, stand.X, stand.Y, stand.Z);
+                (radarFrame.Origin, radarFrame.X, radarFrame.Y, radarFrame.Z);
             if (IsFitted)
                 ApertureFit.Cover(ref pose, _raySpacing, Subject);
             if (MatchesAperture(pose.View))
@@ -337,11 +337,11 @@ namespace Glint
             return pose;
         }
 
-        Affine StandOf(SceneGatherer gatherer, Transform place, string role)
+        Affine PoseOf(SceneGatherer gatherer, Transform node, string role)
         {
-            var stand = gatherer.StandOf(place);
-            StandCheck.RefuseNowhere(stand, place, $"{Subject}: {role}");
-            return stand;
+            var pose = gatherer.PoseOf(node);
+            FiniteCheck.RefuseNotFinite(pose, node, $"{Subject}: {role}");
+            return pose;
         }
 
         bool MatchesAperture(in RadarView view) => view.IsParallel && _receiverSize.x == 0 && _receiverSize.y == 0;

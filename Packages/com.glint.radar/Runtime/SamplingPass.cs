@@ -46,7 +46,7 @@ namespace Glint
                 _pixels.Upload(list);
                 statistics.BytesUploaded += list.Length * (long)_pixels.Stride;
                 _sums.Clear(statistics);
-                _kernel.DispatchExact(0, some, SamplingEstimate.SubRays, KeptRays.None, _pixels, _rays);
+                _kernel.DispatchRefine(0, some, SamplingEstimate.SubRays, RayReadback.None, _pixels, _rays);
                 ChannelSums.AddPhasors(_sums.ReadBack(statistics), inPhase, quadrature);
             }
             statistics.SubRays = pixels.Length * (long)SamplingEstimate.SubGrids;

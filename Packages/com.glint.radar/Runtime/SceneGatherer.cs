@@ -16,7 +16,7 @@ namespace Glint
     /// its receiver and all traced objects are, or are below:
     /// what that transform's place is does not enter. Without such a transform it is the world's origin.
     /// Objects that keep still relative to each other (a <see cref="RigidGroup"/>) are merged into one mesh,
-    /// a <see cref="Body"/>, in a frame of their own.
+    /// a <see cref="MergedMesh"/>, in a frame of their own.
     /// A transform moves when it does not stand as it did in the gather before,
     /// or when <see cref="ExpectMotion"/> was told so.
     /// Objects with a mesh of their own that changes, and those with one that is used many times,
@@ -29,16 +29,16 @@ namespace Glint
         /// A mesh that would make more triangles than this when merged once for each of its objects is not:
         /// the objects are instances.
         /// </summary>
-        public const long MostMergedTriangles = 200_000;
+        public const long MaxMergedTriangles = 200_000;
 
         readonly VisibleRenderers _visible = new VisibleRenderers();
         readonly TransformTree _transforms = new TransformTree();
-        readonly Kept<Mesh, MeshSource> _sources = new Kept<Mesh, MeshSource>();
-        readonly Kept<TransformNode, Body> _bodies = new Kept<TransformNode, Body>();
+        readonly FrameCache<Mesh, MeshSource> _sources = new FrameCache<Mesh, MeshSource>();
+        readonly FrameCache<TransformNode, MergedMesh> _mergedMeshes = new FrameCache<TransformNode, MergedMesh>();
         readonly List<RigidGroup> _groups = new List<RigidGroup>();
-        readonly Dictionary<(RigidGroup, int3), Body> _cells = new Dictionary<(RigidGroup, int3), Body>();
+        readonly Dictionary<(RigidGroup, int3), MergedMesh> _cells = new Dictionary<(RigidGroup, int3), MergedMesh>();
         readonly List<(TransformNode node, Renderer renderer)> _objects = new List<(TransformNode, Renderer)>();
-        readonly List<(Body body, TransformNode lone)> _pieces = new List<(Body, TransformNode)>();
+        readonly List<(MergedMesh merged, TransformNode lone)> _pieces = new List<(MergedMesh, TransformNode)>();
         readonly List<string> _warnings = new List<string>();
         MeshReader _reader = new MeshReader();
         RadarScene _scene;
@@ -74,15 +74,15 @@ namespace Glint
         {
             _transforms.Begin();
             _sources.Begin();
-            _bodies.Begin();
+            _mergedMeshes.Begin();
             CollectObjects(layers, roots, receiver);
             var centre = FindCentre(radar, receiver);
             _transforms.Compose(centre);
-            var instances = Place();
+            var instances = MakeInstances();
             var origin = centre.ToWorld().Origin;
             _transforms.End();
             _sources.End();
-            _bodies.End();
+            _mergedMeshes.End();
             if (_scene == null || !origin.Equals(_scene.Origin) || !IsSame(instances, _scene.Instances))
                 _scene = new RadarScene(instances) { Origin = origin };
             return _scene;
@@ -92,7 +92,7 @@ namespace Glint
         /// Where the radar or the receiver of the last gather stands in its scene; the columns are its right,
         /// up and forward, unit vectors.
         /// </summary>
-        public Affine StandOf(Transform radarOrReceiver) => _transforms.Visit(radarOrReceiver).Stand();
+        public Affine PoseOf(Transform radarOrReceiver) => _transforms.Visit(radarOrReceiver).Pose();
 
         /// <summary>An object with a mesh of the last gather, by its number.</summary>
         public Transform ObjectAt(int number) => _objects[number].renderer.transform;
@@ -100,8 +100,8 @@ namespace Glint
         /// <summary>Number of the object that a triangle of the last gather's scene belongs to.</summary>
         public int ObjectOf(int instance, float3 a, float3 b, float3 c)
         {
-            var (body, lone) = _pieces[instance];
-            return (body != null ? body.NodeOf(a, b, c) : lone)?.ObjectNumber ?? PathHit.NoObject;
+            var (merged, lone) = _pieces[instance];
+            return (merged != null ? merged.NodeOf(a, b, c) : lone)?.ObjectNumber ?? PathHit.NoObject;
         }
 
         /// <summary>
@@ -125,7 +125,7 @@ namespace Glint
         {
             _transforms.Forget();
             _sources.Clear();
-            _bodies.Clear();
+            _mergedMeshes.Clear();
             _groups.Clear();
             _cells.Clear();
             _objects.Clear();
@@ -202,22 +202,22 @@ namespace Glint
             return centre;
         }
 
-        MeshInstance[] Place()
+        MeshInstance[] MakeInstances()
         {
             FindGroups();
             _cells.Clear();
             _pieces.Clear();
             foreach (var (node, renderer) in _objects)
             {
-                node.Source.CheckPlace(node.ToScene, _reader, renderer);
+                node.Source.CheckTransform(node.ToScene, _reader, renderer);
                 if (node.Source.TriangleCount > 0)
                     AddPiece(node);
             }
             var instances = new MeshInstance[_pieces.Count];
             for (int i = 0; i < instances.Length; i++)
             {
-                var (body, lone) = _pieces[i];
-                instances[i] = body != null ? body.Place(_reader) : lone.Source.Place(lone.ToScene, _reader);
+                var (merged, lone) = _pieces[i];
+                instances[i] = merged != null ? merged.MakeInstance(_reader) : lone.Source.MakeInstance(lone.ToScene, _reader);
             }
             return instances;
         }
@@ -232,7 +232,7 @@ namespace Glint
                 node.Mover.Group.Add(node);
             }
             foreach (var group in _groups)
-                group.Settle();
+                group.ChooseFrame();
         }
 
         // An instance of its own, or a part of a body; a body stands where its first object stands.
@@ -241,8 +241,8 @@ namespace Glint
             var source = node.Source;
             bool isApart = node.SwapsMesh || source.Version > 0;
             bool isRepeated = source.ObjectCount > 1
-                && source.ObjectCount * (long)source.TriangleCount > MostMergedTriangles;
-            if ((isApart || isRepeated) && Shape.Evenness(node.ToScene) >= Shape.LeastEvenness)
+                && source.ObjectCount * (long)source.TriangleCount > MaxMergedTriangles;
+            if ((isApart || isRepeated) && TransformMath.Conditioning(node.ToScene) >= TransformMath.MinConditioning)
             {
                 _pieces.Add((null, node));
                 return;
@@ -250,22 +250,22 @@ namespace Glint
             var group = node.Mover.Group;
             if (isApart)
             {
-                AddBody(node, group);
+                AddMergedMesh(node, group);
                 return;
             }
             var cell = (group, group.Cell(node));
-            if (_cells.TryGetValue(cell, out var body))
-                body.Add(node);
+            if (_cells.TryGetValue(cell, out var merged))
+                merged.Add(node);
             else
-                _cells.Add(cell, AddBody(node, group));
+                _cells.Add(cell, AddMergedMesh(node, group));
         }
 
-        Body AddBody(TransformNode first, RigidGroup group)
+        MergedMesh AddMergedMesh(TransformNode first, RigidGroup group)
         {
-            var body = _bodies.Get(first, out _);
-            body.Begin(first, group);
-            _pieces.Add((body, null));
-            return body;
+            var merged = _mergedMeshes.Get(first, out _);
+            merged.Begin(first, group);
+            _pieces.Add((merged, null));
+            return merged;
         }
 
         static bool IsSame(MeshInstance[] some, MeshInstance[] others)

@@ -117,8 +117,8 @@ namespace Glint
 
         static bool IsGiven(string list) => !string.IsNullOrWhiteSpace(list);
 
-        static double[] Values(Option<double[]> option, string list, string place) =>
-            IsGiven(list) ? option.Parse(list, place) : null;
+        static double[] Values(Option<double[]> option, string list, string where) =>
+            IsGiven(list) ? option.Parse(list, where) : null;
 
         /// <summary>Whose snapshots are shown; null when none are.</summary>
         /// <exception cref="GlintException">The scene has no sea, or several.</exception>

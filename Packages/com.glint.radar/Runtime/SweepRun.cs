@@ -13,7 +13,7 @@ namespace Glint
     public sealed class SweepRun : IDisposable
     {
         readonly SweepSetup _setup;
-        readonly AxisMotions _motions;
+        readonly AxisDrivers _motions;
         readonly int _first;
         readonly ResultsFolder _folder;
         readonly DateTime _startedUtc = DateTime.UtcNow;
@@ -38,7 +38,7 @@ namespace Glint
             int poses = setup.Plan.Count;
             _first = shard?.First(poses) ?? 0;
             Count = (shard?.End(poses) ?? poses) - _first;
-            _motions = new AxisMotions(setup);
+            _motions = new AxisDrivers(setup);
             if (setup.Plan == SweepPlan.Single)
                 return;
             try
@@ -66,7 +66,7 @@ namespace Glint
         /// <summary>Traces the next pose and writes its row; after the last one results.json.</summary>
         /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
         /// <param name="cancel">Ends the pose.</param>
-        /// <param name="keep">Which rays the row's result carries.</param>
+        /// <param name="readback">Which rays the row's result carries.</param>
         /// <exception cref="GlintException">
         /// The pose cannot be traced or its row not be written; the rows before are kept.
         /// </exception>
@@ -74,11 +74,11 @@ namespace Glint
         /// The pose was cancelled; the rows before are kept, and the next step traces it again.
         /// </exception>
         public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default,
-            KeptRays keep = KeptRays.None)
+            RayReadback readback = RayReadback.None)
         {
             var pose = _setup.Plan[_first + Done];
             _motions.Show(pose);
-            var row = new SweepRow(pose, _setup.Radar.Trace(keep, progress, cancel));
+            var row = new SweepRow(pose, _setup.Radar.Trace(readback, progress, cancel));
             _folder?.Append(row);
             Done++;
             if (IsComplete)

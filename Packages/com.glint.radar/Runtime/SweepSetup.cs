@@ -30,8 +30,8 @@ namespace Glint
         /// <summary>Whose snapshots are shown; may be null when the plan has none.</summary>
         public Sea Sea { get; set; }
 
-        /// <summary>Moves the radar; null: about the target, as RadarMount.About says.</summary>
-        public RadarMount Mount { get; set; }
+        /// <summary>Moves the radar; null: about the target, as RadarOrbit.About says.</summary>
+        public RadarOrbit Orbit { get; set; }
 
         /// <summary>Path of the scene or mesh file, for results.json; null for none.</summary>
         public string Scene { get; set; }

@@ -28,14 +28,14 @@ static const uint IN_PHASE_OVERFLOW = 32;
 static const uint QUADRATURE_OVERFLOW = 64;
 
 // Work that may be skipped without changing a result (Shortcuts).
-static const uint SHORTCUT_REACH = 1;       // nothing is searched for beyond the receiver
-static const uint SHORTCUT_LAST = 2;        // the last segment is searched only if it meets the receiver
-static const uint SHORTCUT_STARTS = 8;      // the first segment begins at the starts of its tile
+static const uint CULL_REACH = 1;           // nothing is searched for beyond the receiver
+static const uint CULL_LAST = 2;            // the last segment is searched only if it meets the receiver
+static const uint CULL_ENTRY_POINTS = 8;    // the first segment begins at the starts of its tile
 
-// Rays written to _Rays (KeptRays).
-static const uint KEEP_RECEIVED = 0;        // in the order of _Returning, with those that are not received after all
-static const uint KEEP_ALL = 1;             // in the order of tiles, 64 a tile
-static const uint KEEP_NONE = 2;
+// Rays written to _Rays (RayReadback).
+static const uint READBACK_RECEIVED = 0;    // in the order of _Candidates, with those that are not received after all
+static const uint READBACK_ALL = 1;         // in the order of tiles, 64 a tile
+static const uint READBACK_NONE = 2;
 
 // Rays.
 static const uint NO_PIXEL = 0xffffffff;    // outside the picture, or not received
@@ -45,9 +45,9 @@ static const uint RAYS_A_TILE = 64;
 static const uint GROUPS_A_ROW = 64;        // thread groups along x: a dispatch takes at most 65,535 along an axis
 
 // BVHs.
-static const uint MOST_FEW = 4;             // instances that need no BVH over them
-static const uint ROOT = 1;                 // row of the root of a binary BVH
-static const uint BINARY_LEVELS = 28;       // a stack holds one node a level
-static const uint MOST_STARTS = 4;          // entry points of a tile in one BVH
+static const uint MAX_INLINE_INSTANCES = 4;  // instances that need no BVH over them
+static const uint ROOT = 1;                  // row of the root of a binary BVH
+static const uint BINARY_LEVELS = 28;        // a stack holds one node a level
+static const uint MAX_ENTRY_POINTS = 4;      // entry points of a tile in one BVH
 
 #endif

@@ -8,21 +8,21 @@ static const float MISS = 3.0e38;
 
 // Least size of a direction's component, so that its inverse stays finite and an axis-parallel ray on
 // a box's face is no 0 * infinity.
-static const float LEAST_COMPONENT = 1.0e-20;
+static const float MIN_COMPONENT = 1.0e-20;
 
 // A ray leaves a box this much later, so that rounding does not lose one that grazes it: 16 float32 steps.
 static const float LEAVE_LATER = 1.000002;
 
-// A ray as the search wants it: in the frame of a tree, the direction of any length.
-struct SearchRay
+// A ray as the search wants it: in the frame of a BVH, the direction of any length.
+struct TraversalRay
 {
     float3 Origin;
     float3 Direction;
-    float3 Inverse;       // 1 / direction
-    uint Axis;            // along which the direction is longest
-    float3 Shear;         // what shears that axis into the ray's direction, and scales it to distances
-    float Slack;          // in truth it may go so far beside this where it starts,
-    float SlackAMetre;    // and so much more for each m from there
+    float3 Inverse;        // 1 / direction
+    uint Axis;             // along which the direction is longest
+    float3 Shear;          // what shears that axis into the ray's direction, and scales it to distances
+    float PositionError;   // in truth it may go so far beside this where it starts,
+    float DirectionError;  // and so much more for each m from there
 };
 
 // The components in the order that puts the given axis last.
@@ -31,27 +31,27 @@ float3 AxisLast(float3 v, uint axis)
     return axis == 0 ? v.yzx : axis == 1 ? v.zxy : v;
 }
 
-SearchRay MakeSearchRay(float3 origin, float3 direction, float slack, float slackAMetre)
+TraversalRay MakeTraversalRay(float3 origin, float3 direction, float positionError, float directionError)
 {
-    SearchRay ray;
+    TraversalRay ray;
     ray.Origin = origin;
     ray.Direction = direction;
     float3 size = abs(direction);
-    float3 inverse = 1.0 / max(size, LEAST_COMPONENT);
+    float3 inverse = 1.0 / max(size, MIN_COMPONENT);
     ray.Inverse = float3(direction.x < 0.0 ? -inverse.x : inverse.x, direction.y < 0.0 ? -inverse.y : inverse.y,
         direction.z < 0.0 ? -inverse.z : inverse.z);
     ray.Axis = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
     float3 d = AxisLast(direction, ray.Axis);
     ray.Shear = float3(d.xy, 1.0) / d.z;
-    ray.Slack = slack;
-    ray.SlackAMetre = slackAMetre;
+    ray.PositionError = positionError;
+    ray.DirectionError = directionError;
     return ray;
 }
 
 // A corner as the ray sees it: x and y across the ray, z the distance along it.
 // Every triangle at a corner gets the same numbers for it, to the last bit:
 // "precise" keeps the compiler from fusing operations here and not there.
-float3 AsSeen(SearchRay ray, float3 corner)
+float3 AsSeen(TraversalRay ray, float3 corner)
 {
     float3 p = AxisLast(corner - ray.Origin, ray.Axis);
     precise float3 seen = float3(p.x - ray.Shear.x * p.z, p.y - ray.Shear.y * p.z, ray.Shear.z * p.z);
@@ -75,42 +75,42 @@ float SumOfSizes(float2 v)
     return abs(v.x) + abs(v.y);
 }
 
-float Least(float3 v)
+float MinComponent(float3 v)
 {
     return min(v.x, min(v.y, v.z));
 }
 
-float Greatest(float3 v)
+float MaxComponent(float3 v)
 {
     return max(v.x, max(v.y, v.z));
 }
 
 // Distance to a triangle of these corners, as the ray sees them, and with these sides opposite to them; MISS outside.
 // A ray through an edge or a corner, where a side is 0, is inside.
-// In doubt: no more than the distance in truth, if the ray is inside or outside by so little that this may be wrong,
-// else MISS. Most doubt: no side is in doubt that is larger.
-float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float slack, float mostDoubt, out float inDoubt)
+// AmbiguousDistance: no more than the distance in truth, if the ray is inside or outside by so little that this may be wrong,
+// else MISS. MaxEdgeError: no side is in doubt that is larger.
+float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionError, float maxEdgeError, out float ambiguousDistance)
 {
     float3 distances = float3(a.z, b.z, c.z);
     float sum = sides.x + sides.y + sides.z;
     float toHit = dot(sides, distances) / sum;
-    bool isInside = (Least(sides) >= 0.0 || Greatest(sides) <= 0.0) && abs(sum) > 0.0;
-    inDoubt = MISS;
-    if (Least(abs(sides)) <= mostDoubt)
+    bool isInside = (MinComponent(sides) >= 0.0 || MaxComponent(sides) <= 0.0) && abs(sum) > 0.0;
+    ambiguousDistance = MISS;
+    if (MinComponent(abs(sides)) <= maxEdgeError)
     {
-        float3 doubts = slack * float3(SumOfSizes(c.xy - b.xy), SumOfSizes(a.xy - c.xy), SumOfSizes(b.xy - a.xy));
-        bool mayBeInside = Least(sides + doubts) >= 0.0 || Greatest(sides - doubts) <= 0.0;
-        bool surelyInside = Least(sides - doubts) > 0.0 || Greatest(sides + doubts) < 0.0;
+        float3 edgeErrors = positionError * float3(SumOfSizes(c.xy - b.xy), SumOfSizes(a.xy - c.xy), SumOfSizes(b.xy - a.xy));
+        bool mayBeInside = MinComponent(sides + edgeErrors) >= 0.0 || MaxComponent(sides - edgeErrors) <= 0.0;
+        bool surelyInside = MinComponent(sides - edgeErrors) > 0.0 || MaxComponent(sides + edgeErrors) < 0.0;
         // Of a triangle seen edge-on rounding leaves no distance,
         // and the ray may be in line with its edges far beside it.
-        float2 low = min(a.xy, min(b.xy, c.xy)), high = max(a.xy, max(b.xy, c.xy));
-        bool isBeside = max(low.x, low.y) > slack || min(high.x, high.y) < -slack;
-        float nearest = Least(distances), farthest = Greatest(distances), doubt = doubts.x + doubts.y + doubts.z;
+        float2 lower = min(a.xy, min(b.xy, c.xy)), upper = max(a.xy, max(b.xy, c.xy));
+        bool isBeside = max(lower.x, lower.y) > positionError || min(upper.x, upper.y) < -positionError;
+        float nearest = MinComponent(distances), farthest = MaxComponent(distances), edgeError = edgeErrors.x + edgeErrors.y + edgeErrors.z;
         if (mayBeInside && !surelyInside && !isBeside && farthest > 0.0)
         {
             toHit = clamp(toHit, nearest, farthest);
-            inDoubt =
-                max(0.0, abs(sum) > doubt ? max(nearest, toHit - (farthest - nearest) * doubt / abs(sum)) : nearest);
+            ambiguousDistance =
+                max(0.0, abs(sum) > edgeError ? max(nearest, toHit - (farthest - nearest) * edgeError / abs(sum)) : nearest);
         }
     }
     return isInside && toHit > 0.0 ? toHit : MISS;
@@ -118,19 +118,19 @@ float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float slack, float
 
 // Distances to the triangles (0, 1, 2) and (0, 2, 3) of a pair, and to those in doubt. Watertight:
 // a ray cannot pass between triangles that share corners (after Woop, Benthin and Wald 2013).
-float2 HitPair(SearchRay ray, float3 corner0, float3 corner1, float3 corner2, float3 corner3, out float2 inDoubt)
+float2 HitPair(TraversalRay ray, float3 corner0, float3 corner1, float3 corner2, float3 corner3, out float2 ambiguousDistance)
 {
     float3 p0 = AsSeen(ray, corner0), p1 = AsSeen(ray, corner1), p2 = AsSeen(ray, corner2), p3 = AsSeen(ray, corner3);
     float diagonal = SideOf(p2, p0);
     float farthest = max(max(p0.z, p1.z), max(p2.z, p3.z)),
         widest = max(max(SumOfSizes(p0.xy), SumOfSizes(p1.xy)), max(SumOfSizes(p2.xy), SumOfSizes(p3.xy)));
-    float slack = ray.Slack + ray.SlackAMetre * farthest + SEEN_ROUNDING * widest;
-    float mostDoubt = 2.0 * slack * widest;
+    float positionError = ray.PositionError + ray.DirectionError * farthest + SEEN_ROUNDING * widest;
+    float maxEdgeError = 2.0 * positionError * widest;
     bool isAlone = all(corner2 == corner3);
     float first =
-        HitTriangle(p0, p1, p2, float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), slack, mostDoubt, inDoubt.x);
-    float second = HitTriangle(p0, p2, p3, float3(SideOf(p2, p3), SideOf(p3, p0), -diagonal), slack,
-        isAlone ? -1.0 : mostDoubt, inDoubt.y);
+        HitTriangle(p0, p1, p2, float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), positionError, maxEdgeError, ambiguousDistance.x);
+    float second = HitTriangle(p0, p2, p3, float3(SideOf(p2, p3), SideOf(p3, p0), -diagonal), positionError,
+        isAlone ? -1.0 : maxEdgeError, ambiguousDistance.y);
     return float2(first, second);
 }
 

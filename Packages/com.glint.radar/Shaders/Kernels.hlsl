@@ -4,9 +4,9 @@
 #include "Bindings.hlsl"
 #include "Geometry.hlsl"
 #include "Path.hlsl"
-#include "Starts.hlsl"
+#include "EntryPoints.hlsl"
 #include "Sums.hlsl"
-#ifdef GLINT_EXACT
+#ifdef GLINT_REFINE
 #include "Phasor.hlsl"
 #endif
 
@@ -34,86 +34,86 @@ void CountWork(uint slot)
 #endif
 }
 
-#if defined(GLINT_FIND_STARTS)
+#if defined(GLINT_FIND_ENTRY_POINTS)
 
 // One thread for each tile and instance.
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint place = IndexOf(group, thread);
-    uint tile = place / _InstanceCount, instance = place % _InstanceCount;
+    uint index = IndexOf(group, thread);
+    uint tile = index / _InstanceCount, instance = index % _InstanceCount;
     if (tile >= _TileCount)
         return;
-    float2 low = float2(TilePixel(tile)) - _ReferenceRay.xy + 0.5 - BEAM_MARGIN;
+    float2 corner = float2(TilePixel(tile)) - _ReferencePixel.xy + 0.5 - FRUSTUM_MARGIN;
     InstanceRecord record = LoadInstance(instance);
-    _FoundStarts[tile * MOST_FEW + instance] =
-        FindStarts(MakeBeam(record, low, TILE_SIDE - 1.0 + 2.0 * BEAM_MARGIN), record.FirstRow);
+    _FoundEntryPoints[tile * MAX_INLINE_INSTANCES + instance] =
+        FindEntryPoints(MakeTileFrustum(record, corner, TILE_SIDE - 1.0 + 2.0 * FRUSTUM_MARGIN), record.FirstRow);
 }
 
 #elif defined(GLINT_NOTE_HITS)
 
-// Follows the rays of _Returning and notes where each is reflected.
+// Follows the rays of _Candidates and notes where each is reflected.
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint entry = IndexOf(group, thread);
-    if (entry >= _ReturningCount)
+    if (entry >= _CandidateCount)
         return;
-    uint pixel = _Returning[entry].x;
-    Path path = BeginPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferenceRay.xy + 0.5);
+    uint pixel = _Candidates[entry].x;
+    Path path = BeginPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferencePixel.xy + 0.5);
     [loop]
-    while (Advance(path, NO_STARTS))
+    while (Advance(path, NO_ENTRY_POINTS))
     {
         HitData hit;
-        hit.Place = Rounded(path.LastHit);
-        hit.Instance = path.Leaving.x;
+        hit.Position = Rounded(path.LastHit);
+        hit.Instance = path.ExcludedTriangle.x;
         hit.Direction = Rounded(path.Direction);
-        hit.Triangle = path.Leaving.y;
+        hit.Triangle = path.ExcludedTriangle.y;
         _Hits[entry * _MaxBounces + path.Bounces - 1] = hit;
     }
-    _Returning[entry] = uint2(path.Bounces, path.Returns ? asuint(Rounded(path.WayBack)) : 0);
+    _Candidates[entry] = uint2(path.Bounces, path.IsCandidate ? asuint(Rounded(path.WayBack)) : 0);
 }
 
-#elif defined(GLINT_EXACT)
+#elif defined(GLINT_REFINE)
 
-// Follows the rays of _Returning once more, or rays of each of their places divided evenly into smaller ones,
+// Follows the rays of _Candidates once more, or rays of each of their places divided evenly into smaller ones,
 // and sums what is received.
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
     uint subRay = index % (_SubRays * _SubRays), inDispatch = index / (_SubRays * _SubRays),
-        entry = _FirstReturning + inDispatch;
-    if (inDispatch >= _ReturningCount)
+        entry = _FirstCandidate + inDispatch;
+    if (inDispatch >= _CandidateCount)
         return;
-    uint pixel = _Returning[entry].x, place = _Returning[entry].y;
+    uint pixel = _Candidates[entry].x, rayIndex = _Candidates[entry].y;
     float2 inPixel = (float2(subRay % _SubRays, subRay / _SubRays) + 0.5) / _SubRays;
-    Path path = FollowPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferenceRay.xy + inPixel, NO_STARTS);
+    Path path = FollowPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferencePixel.xy + inPixel, NO_ENTRY_POINTS);
     // Rays with the same place in their pixels are summed by themselves.
     uint slot = (_SubRays == 1 ? index % SUM_SLOTS : subRay) * SUM_WORDS;
-    AddPath(slot, path.Bounces, Rounded(path.Beyond));
+    AddPath(slot, path.Bounces, Rounded(path.RelativeLength));
     CountWork(slot);
 
     RayData ray = DataOf(path, pixel);
-    Two beyond = Plus(path.Beyond, Minus(path.WayBack, MakeTwo(_StartDepth.x, _StartDepth.y)));
-    if (path.Returns)
+    DoubleFloat relativeLength = Add(path.RelativeLength, Sub(path.WayBack, MakeDoubleFloat(_OriginDepth.x, _OriginDepth.y)));
+    if (path.IsCandidate)
     {
-        Two whole = Plus(Times(MakeTwo(_StartDepth.x, _StartDepth.y), 2.0), beyond);
-        float turns = PartOfTurn(Times(whole, MakeTwo(_WaveNumberTurns.x, _WaveNumberTurns.y)));
+        DoubleFloat whole = Add(Mul(MakeDoubleFloat(_OriginDepth.x, _OriginDepth.y), 2.0), relativeLength);
+        float turns = PartOfTurn(Mul(whole, MakeDoubleFloat(_WaveNumberTurns.x, _WaveNumberTurns.y)));
         float2 phasor = Phasor(turns);
         AddReceived(slot, turns, phasor);
         ray.PathLength = whole.Hi;
-        ray.PathLengthRest = whole.Lo;
+        ray.PathLengthLo = whole.Lo;
         ray.Bounces |= RAY_RECEIVED;
         ray.InPhase = phasor.x;
         ray.Quadrature = phasor.y;
     }
     if (_SubRays > 1)
         return;
-    _Returning[entry] = uint2(path.Returns ? pixel : NO_PIXEL, asuint(beyond.Hi));
-    if (_Keep == KEEP_ALL)
-        _Rays[place] = ray;
-    else if (_Keep == KEEP_RECEIVED)
+    _Candidates[entry] = uint2(path.IsCandidate ? pixel : NO_PIXEL, asuint(relativeLength.Hi));
+    if (_Readback == READBACK_ALL)
+        _Rays[rayIndex] = ray;
+    else if (_Readback == READBACK_RECEIVED)
         _Rays[inDispatch] = ray;
 }
 
@@ -133,19 +133,19 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (tile < _TileCount && at.x >= _Region.x && at.x < _Region.y && at.y >= _Region.z && at.y < _Region.w)
     {
         pixel = at.x + at.y * _RaysAcross;
-        path = FollowPath(float2(at) + 0.5 - _ReferenceRay.xy,
-            (_Shortcuts & SHORTCUT_STARTS) != 0 ? tile * MOST_FEW : NO_STARTS);
+        path = FollowPath(float2(at) + 0.5 - _ReferencePixel.xy,
+            (_Culling & CULL_ENTRY_POINTS) != 0 ? tile * MAX_INLINE_INSTANCES : NO_ENTRY_POINTS);
         CountWork(slot);
-        if (path.Returns)
+        if (path.IsCandidate)
         {
             uint entry;
             InterlockedAdd(_Sums[SUM_CANDIDATES], 1, entry);
-            _Returning[entry] = uint2(pixel, index);
+            _Candidates[entry] = uint2(pixel, index);
         }
         else
-            AddPath(slot, path.Bounces, path.Beyond);
+            AddPath(slot, path.Bounces, path.RelativeLength);
     }
-    if (_Keep == KEEP_ALL && tile < _TileCount && !path.Returns)
+    if (_Readback == READBACK_ALL && tile < _TileCount && !path.IsCandidate)
         _Rays[index] = DataOf(path, pixel);
 }
 

@@ -1,12 +1,12 @@
 #ifndef GLINT_PHASOR
 #define GLINT_PHASOR
 
-#include "TwoFloat.hlsl"
+#include "DoubleFloat.hlsl"
 
 static const float TWO_PI = 6.28318530717958647692;
 
 // What is left of a number of turns without the whole ones, 0 to 1.
-float PartOfTurn(Two turns)
+float PartOfTurn(DoubleFloat turns)
 {
     precise float part = (turns.Hi - floor(turns.Hi)) + turns.Lo;
     return part - floor(part);

@@ -1,24 +1,24 @@
 #ifndef GLINT_REAL
 #define GLINT_REAL
 
-// The arithmetic of a path: float32 in the kernels that follow every ray, two floats in those that follow once more
+// The arithmetic of a path: float32 in the kernels that follow every ray, double-float arithmetic in those that follow once more
 // the rays that may be received. The path's code is the same.
 
-#ifdef GLINT_EXACT
+#ifdef GLINT_REFINE
 
-#include "TwoFloat.hlsl"
+#include "DoubleFloat.hlsl"
 
-typedef Two Real;
-typedef Two3 Real3;
+typedef DoubleFloat Real;
+typedef DoubleFloat3 Real3;
 
-Real MakeReal(float value, float rest)
+Real MakeReal(float value, float lo)
 {
-    return MakeTwo(value, rest);
+    return MakeDoubleFloat(value, lo);
 }
 
-Real3 MakeReal3(float3 value, float3 rest)
+Real3 MakeReal3(float3 value, float3 lo)
 {
-    return MakeTwo3(MakeTwo(value.x, rest.x), MakeTwo(value.y, rest.y), MakeTwo(value.z, rest.z));
+    return MakeDoubleFloat3(MakeDoubleFloat(value.x, lo.x), MakeDoubleFloat(value.y, lo.y), MakeDoubleFloat(value.z, lo.z));
 }
 
 // Of a vector that is one already, beside the rounding.
@@ -35,12 +35,12 @@ static const float DIRECTION_ERROR = 0.0;
 typedef float Real;
 typedef float3 Real3;
 
-Real MakeReal(float value, float rest)
+Real MakeReal(float value, float lo)
 {
     return value;
 }
 
-Real3 MakeReal3(float3 value, float3 rest)
+Real3 MakeReal3(float3 value, float3 lo)
 {
     return value;
 }
@@ -68,42 +68,42 @@ float3 Rounded(float3 a)
     return a;
 }
 
-float Plus(float a, float b)
+float Add(float a, float b)
 {
     return a + b;
 }
 
-float3 Plus(float3 a, float3 b)
+float3 Add(float3 a, float3 b)
 {
     return a + b;
 }
 
-float Minus(float a, float b)
+float Sub(float a, float b)
 {
     return a - b;
 }
 
-float3 Minus(float3 a, float3 b)
+float3 Sub(float3 a, float3 b)
 {
     return a - b;
 }
 
-float Times(float a, float b)
+float Mul(float a, float b)
 {
     return a * b;
 }
 
-float3 Times(float3 v, float s)
+float3 Mul(float3 v, float s)
 {
     return v * s;
 }
 
-float Over(float a, float b)
+float Div(float a, float b)
 {
     return a / b;
 }
 
-float Root(float a)
+float Sqrt(float a)
 {
     return sqrt(a);
 }
@@ -123,7 +123,7 @@ float3 Cross(float3 a, float3 b)
 // Distance along a ray to a plane through a point, m.
 Real ToPlane(Real3 origin, Real3 direction, Real3 onPlane, Real3 normal)
 {
-    return Over(Dot(normal, Minus(onPlane, origin)), Dot(normal, direction));
+    return Div(Dot(normal, Sub(onPlane, origin)), Dot(normal, direction));
 }
 
 #endif

@@ -55,14 +55,14 @@ void AddPart(uint slot, uint channel, uint words, float part, float maxPart, flo
 }
 
 // Ray by ray: adding within a group first gains a GPU nothing, and its barriers cost a software device 10 % of its time.
-// lengthBeyond: metres beyond _StartDepth, positive.
-void AddPath(uint slot, uint bounces, float lengthBeyond)
+// lengthBeyond: metres beyond _OriginDepth, positive.
+void AddPath(uint slot, uint bounces, float relativeLength)
 {
     if (bounces == 0)
         return;
     AddTo(slot + SUM_HITS, 1);
     AddTo(slot + SUM_BOUNCES, bounces);
-    float units = lengthBeyond * _LengthUnits + 0.5;
+    float units = relativeLength * _LengthUnits + 0.5;
     if (units < LENGTH_UNITS + 1.0)
         AddUnsigned(slot + SUM_LENGTH, (uint)units);
     else

@@ -8,11 +8,11 @@ struct Surface
 {
     Real Distance;        // from the ray's origin to the triangle's plane, m
     Real3 Normal;         // in the scene, a unit vector by float32; its side is arbitrary
-#ifndef GLINT_EXACT
+#ifndef GLINT_REFINE
     bool IsNeedle;        // float32 has no normal to speak of
     // from the corner that the plane is known by to the hit: the lever of the normal's rounding, as a height in m
     float Lever;
-    InstanceRecord Place; // the rest in the mesh's frame
+    InstanceRecord Instance; // the rest in the mesh's frame
     float3 LocalNormal;   // unit vector
     float3 Corner;
     float Scale;          // height above the plane here, of 1 m in the scene
@@ -20,36 +20,36 @@ struct Surface
 };
 
 // Normals go by the transpose of the inverse.
-Real3 NormalFromLocal(InstanceRecord place, Real3 normal)
+Real3 NormalFromLocal(InstanceRecord record, Real3 normal)
 {
-#ifdef GLINT_EXACT
-    Two3 x = Times(MakeReal3(place.ToLocalX.xyz, place.RestX.xyz), normal.X);
-    Two3 y = Times(MakeReal3(place.ToLocalY.xyz, place.RestY.xyz), normal.Y);
-    Two3 z = Times(MakeReal3(place.ToLocalZ.xyz, place.RestZ.xyz), normal.Z);
-    return Plus(Plus(x, y), z);
+#ifdef GLINT_REFINE
+    DoubleFloat3 x = Mul(MakeReal3(record.ToLocalX.xyz, record.ToLocalXLo.xyz), normal.X);
+    DoubleFloat3 y = Mul(MakeReal3(record.ToLocalY.xyz, record.ToLocalYLo.xyz), normal.Y);
+    DoubleFloat3 z = Mul(MakeReal3(record.ToLocalZ.xyz, record.ToLocalZLo.xyz), normal.Z);
+    return Add(Add(x, y), z);
 #else
-    return normal.x * place.ToLocalX.xyz + normal.y * place.ToLocalY.xyz + normal.z * place.ToLocalZ.xyz;
+    return normal.x * record.ToLocalX.xyz + normal.y * record.ToLocalY.xyz + normal.z * record.ToLocalZ.xyz;
 #endif
 }
 
-#ifdef GLINT_EXACT
+#ifdef GLINT_REFINE
 
 // A ray that meets an edge or a corner turns so much before it, as a part of the scene's size: there it is on the right
 // side of all surfaces that meet there. No farther than half the way back: there may be one behind it as well.
 static const float BEFORE_EDGE = 1.0e-10;
 
-Surface LoadSurface(Found found, float3 start, Real3 origin, Real3 direction)
+Surface LoadSurface(Hit hit, float3 start, Real3 origin, Real3 direction)
 {
-    InstanceRecord place = LoadInstance(found.Instance);
-    Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
+    InstanceRecord record = LoadInstance(hit.Instance);
+    Pair pair = LoadPair(record.Page, record.FirstRow + hit.Row);
     Real3 normal = Cross(Difference(pair.Corner2, pair.Corner0),
-        Difference(found.Second ? pair.Corner3 : pair.Corner1, pair.Corner0));
-    Real3 sceneNormal = NormalFromLocal(place, Times(normal, 1.0 / length(Rounded(normal))));
+        Difference(hit.Second ? pair.Corner3 : pair.Corner1, pair.Corner0));
+    Real3 sceneNormal = NormalFromLocal(record, Mul(normal, 1.0 / length(Rounded(normal))));
     Surface surface;
-    surface.Normal = Times(sceneNormal, 1.0 / length(Rounded(sceneNormal)));
-    surface.Distance = found.Exact;
-    if (found.IsAtEdge)
-        surface.Distance = Minus(found.Exact, MakeTwo(min(BEFORE_EDGE * _Middle.w, 0.5 * found.Exact.Hi), 0.0));
+    surface.Normal = Mul(sceneNormal, 1.0 / length(Rounded(sceneNormal)));
+    surface.Distance = hit.RefinedDistance;
+    if (hit.IsAtEdge)
+        surface.Distance = Sub(hit.RefinedDistance, MakeDoubleFloat(min(BEFORE_EDGE * _SceneCentreExtent.w, 0.5 * hit.RefinedDistance.Hi), 0.0));
     return surface;
 }
 
@@ -64,32 +64,32 @@ static const float NEEDLE = 0.1;
 static const float GRAZING = 1.0e-3;
 
 // Origin: the hit before; the search began at start, just before it.
-Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction)
+Surface LoadSurface(Hit hit, float3 start, float3 origin, float3 direction)
 {
-    InstanceRecord place = LoadInstance(found.Instance);
-    Pair pair = LoadPair(place.Bank, place.FirstRow + found.Row);
-    float3 third = found.Second ? pair.Corner3 : pair.Corner1;
+    InstanceRecord record = LoadInstance(hit.Instance);
+    Pair pair = LoadPair(record.Page, record.FirstRow + hit.Row);
+    float3 third = hit.Second ? pair.Corner3 : pair.Corner1;
     float3 edge1 = pair.Corner2 - pair.Corner0, edge2 = third - pair.Corner0, edge3 = third - pair.Corner2;
     // By the two shorter edges: the normal of a long strip is as good as that of a square.
     float size1 = dot(edge1, edge1), size2 = dot(edge2, edge2), size3 = dot(edge3, edge3);
     bool isFirstLongest = size1 >= size2 && size1 >= size3, isSecondLongest = !isFirstLongest && size2 >= size3;
     float3 side1 = isFirstLongest ? edge3 : edge1, side2 = isSecondLongest ? edge3 : edge2, area = cross(side1, side2);
     float3 normal = normalize(area);
-    float3 localOrigin = PointToLocal(place, origin), localDirection = VectorToLocal(place, direction);
-    float3 sceneNormal = NormalFromLocal(place, normal);
+    float3 localOrigin = PointToLocal(record, origin), localDirection = VectorToLocal(record, direction);
+    float3 sceneNormal = NormalFromLocal(record, normal);
 
     Surface surface;
-    surface.Place = place;
+    surface.Instance = record;
     surface.LocalNormal = normal;
     surface.Corner = pair.Corner0;
     surface.Scale = length(sceneNormal);
     surface.Normal = sceneNormal / surface.Scale;
     surface.Distance = ToPlane(localOrigin, localDirection, pair.Corner0, normal);
-    float largest = Greatest(abs(origin));
-    float searched = found.Distance + dot(start - origin, direction);
-    if (!(abs(surface.Distance - searched) <= GRAZING * (found.Distance + largest)))
-        surface.Distance = searched;
-    surface.Lever = Greatest(abs(localOrigin + surface.Distance * localDirection - pair.Corner0)) / surface.Scale;
+    float largest = MaxComponent(abs(origin));
+    float traversalDistance = hit.Distance + dot(start - origin, direction);
+    if (!(abs(surface.Distance - traversalDistance) <= GRAZING * (hit.Distance + largest)))
+        surface.Distance = traversalDistance;
+    surface.Lever = MaxComponent(abs(localOrigin + surface.Distance * localDirection - pair.Corner0)) / surface.Scale;
     surface.IsNeedle = dot(area, area) < NEEDLE * NEEDLE * dot(side1, side1) * dot(side2, side2);
     return surface;
 }
@@ -98,7 +98,7 @@ Surface LoadSurface(Found found, float3 start, float3 origin, float3 direction)
 static const float HIT_ROUNDING = 2.4e-7;
 
 // How often the way back from a hit is doubled, at most: rays that graze a surface go farther back.
-static const uint MOST_DOUBLINGS = 16;
+static const uint MAX_DOUBLINGS = 16;
 
 // Where the search after a hit begins: on the ray to it from the start of the last search,
 // as near before it as is surely on the ray's side of the plane.
@@ -106,16 +106,16 @@ static const uint MOST_DOUBLINGS = 16;
 // a point moved off along the normal may be behind one of them, and lost.
 float3 StartBefore(Surface surface, float3 start, float3 direction, float toHit)
 {
-    float3 place = abs(start + toHit * direction);
+    float3 position = abs(start + toHit * direction);
     float clear = HIT_ROUNDING * surface.Lever;
-    float back = max(clear, HIT_ROUNDING * max(max(toHit, place.x), max(place.y, place.z)));
+    float back = max(clear, HIT_ROUNDING * max(max(toHit, position.x), max(position.y, position.z)));
     bool isBehind = dot(surface.Normal, direction) > 0.0;
     float3 next = start;
     [loop]
-    for (uint i = 0; i < MOST_DOUBLINGS; i++)
+    for (uint i = 0; i < MAX_DOUBLINGS; i++)
     {
         next = start + max(toHit - back, 0.0) * direction;
-        float height = dot(surface.LocalNormal, PointToLocal(surface.Place, next) - surface.Corner) / surface.Scale;
+        float height = dot(surface.LocalNormal, PointToLocal(surface.Instance, next) - surface.Corner) / surface.Scale;
         if ((isBehind ? -height : height) >= clear)
             break;
         back *= 2.0;

@@ -10,7 +10,7 @@ struct RayData
     float3 LastHit;       // m, in the world; where it left the radar for a ray that hit nothing
     float PathLength;     // m; received: radar to last hit to receiver plane, else radar to last hit
     float3 Direction;     // of the last segment
-    float PathLengthRest; // m; what float32 leaves out of it, if received
+    float PathLengthLo; // m; what float32 leaves out of it, if received
     float InPhase;        // cos(phase), 0 if not received
     float Quadrature;     // sin(phase), 0 if not received
     uint Pixel;           // x + y * rays across; NO_PIXEL outside the picture
@@ -20,23 +20,23 @@ struct RayData
 // GLINT_HIT_DATA: a reflection of one ray as the kernel writes it (Core/Radar/HitData.cs).
 struct HitData
 {
-    float3 Place;         // m, about the middle of the scene
-    uint Instance;        // the tree of an instance that was hit
+    float3 Position;      // m, about the middle of the scene
+    uint Instance;        // the BVH of an instance that was hit
     float3 Direction;     // unit vector, after the reflection
-    uint Triangle;        // row of its pair in the tree, and in the lowest bit which of the two
+    uint Triangle;        // row of its pair in the BVH, and in the lowest bit which of the two
 };
 
-// GLINT_INSTANCE: a mesh's tree at its place in the scene (Runtime/InstanceRecord.cs).
+// GLINT_INSTANCE: a mesh's BVH at its place in the scene (Runtime/InstanceRecord.cs).
 struct InstanceRecord
 {
     float4 ToLocalX;      // rows of the matrix from the middle of the scene to the mesh's frame
     float4 ToLocalY;
     float4 ToLocalZ;
-    float4 RestX;         // what float32 leaves out of them
-    float4 RestY;
-    float4 RestZ;
-    uint FirstRow;        // where the tree starts in its bank, in rows of 16 bytes
-    uint Bank;
+    float4 ToLocalXLo;    // what float32 leaves out of them
+    float4 ToLocalYLo;
+    float4 ToLocalZLo;
+    uint FirstRow;        // where the BVH starts in its page, in rows of 16 bytes
+    uint Page;
     float Stretch;        // of lengths on the way into the mesh's frame, at most
     float Rounding;       // m: of places on that way
 };

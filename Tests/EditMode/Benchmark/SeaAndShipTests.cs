@@ -94,8 +94,8 @@ namespace Glint.Tests
             Assert.That(bytes.Length, Is.EqualTo(8 + 6 * 12 + 2 * 12));
             Assert.That(new[] { BitConverter.ToInt32(bytes, 0), BitConverter.ToInt32(bytes, 4) },
                 Is.EqualTo(new[] { 6, 2 }));
-            var places = Enumerable.Range(0, 18).Select(i => BitConverter.ToSingle(bytes, 8 + 4 * i));
-            Assert.That(places,
+            var positions = Enumerable.Range(0, 18).Select(i => BitConverter.ToSingle(bytes, 8 + 4 * i));
+            Assert.That(positions,
                 Is.EqualTo(new float[] { 0, 0, 0, 1, 0, 0, 0, 1, 0, 10, 20, 30, 11, 20, 30, 10, 21, 30 }));
             Assert.That(Enumerable.Range(0, 6).Select(i => BitConverter.ToInt32(bytes, 80 + 4 * i)),
                 Is.EqualTo(new[] { 0, 1, 2, 3, 4, 5 }));

@@ -215,12 +215,12 @@ namespace Glint.Tests
                 Throws.TypeOf<UsageException>().With.Message.Contain("--pose").And.Message.Contain("or none"));
 
         [Test]
-        public void Words_OfALine_MakeTheSameLine()
+        public void Arguments_OfALine_MakeTheSameLine()
         {
             var line = Parse(Commands.Sweep, "--angles", "-10,0", "--unit=mm", "--", "-odd=name.obj");
-            var again = CommandLine.Parse(Commands.Sweep, line.Words.Skip(1).ToArray());
-            Assert.That(line.Words[0], Is.EqualTo("sweep"));
-            Assert.That(again.Words, Is.EqualTo(line.Words));
+            var again = CommandLine.Parse(Commands.Sweep, line.Arguments.Skip(1).ToArray());
+            Assert.That(line.Arguments[0], Is.EqualTo("sweep"));
+            Assert.That(again.Arguments, Is.EqualTo(line.Arguments));
             Assert.That(again.Get(Options.Angles), Is.EqualTo(new[] { -10.0, 0 }));
             Assert.That(again.Get(Options.Unit).Meters, Is.EqualTo(0.001));
         }

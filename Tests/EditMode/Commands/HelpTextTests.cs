@@ -26,7 +26,7 @@ namespace Glint.Tests
         {
             foreach (var example in Commands.All.SelectMany(command => command.Examples))
             {
-                var words = Words(example.Key);
+                var words = Arguments(example.Key);
                 var command = Commands.All.Single(candidate => candidate.Name == words[0]);
                 Assert.That(() => CommandLine.Parse(command, words.Skip(1).ToArray()), Throws.Nothing, example.Key);
             }
@@ -50,7 +50,7 @@ namespace Glint.Tests
             string.Join(" ", text.Split(new[] { ' ', '\n' }, System.StringSplitOptions.RemoveEmptyEntries));
 
         // As a shell splits them: double quotes keep blanks together.
-        static string[] Words(string line) =>
+        static string[] Arguments(string line) =>
             line.Split('"').SelectMany((part, i) => i % 2 == 1
                 ? new[] { part }
                 : part.Split(new[] { ' ' }, System.StringSplitOptions.RemoveEmptyEntries)).ToArray();

@@ -60,7 +60,7 @@ namespace Glint.Tests
         [TestCase("size", "524280X524280")]
         [TestCase("receiver", "0.5")]
         [TestCase("region", "0,0,1,1")]
-        [TestCase("judge", "1000000")]
+        [TestCase("reference", "1000000")]
         [TestCase("seed", "0")]
         [TestCase("unit", "ft")]
         [TestCase("up", "z")]
@@ -101,9 +101,9 @@ namespace Glint.Tests
             "--region 0,0,1,: must be LEFT,BOTTOM,WIDTH,HEIGHT, four whole numbers, such as 480,0,960,540")]
         [TestCase("region", "0,0,1,0", "--region 0,0,1,0: must have a width and a height above 0")]
         [TestCase("region", "-1,0,1,1", "--region -1,0,1,1: each number must be from 0 to 524280")]
-        [TestCase("judge", "some",
-            "--judge some: must be all, none or a whole number, such as 100 for every 100th ray")]
-        [TestCase("judge", "0", "--judge 0: must be all, none or a number from 1 to 1e6")]
+        [TestCase("reference", "some",
+            "--reference some: must be all, none or a whole number, such as 100 for every 100th ray")]
+        [TestCase("reference", "0", "--reference 0: must be all, none or a number from 1 to 1e6")]
         [TestCase("rounds", "0", "--rounds 0: must be from 1 to 1000")]
         [TestCase("peer", "./embree", "--peer ./embree: must be NAME=COMMAND, such as \"Embree=./embree {scene}\"")]
         [TestCase("peer", "=./embree", "--peer =./embree: must be NAME=COMMAND, such as \"Embree=./embree {scene}\"")]
@@ -136,8 +136,8 @@ namespace Glint.Tests
         [TestCase("all", 1)]
         [TestCase("none", 0)]
         [TestCase("7", 7)]
-        public void Judge_IsAllNoneOrEveryNth(string text, int every) =>
-            Assert.That(Options.Judge.Parse(text), Is.EqualTo(every));
+        public void Reference_IsAllNoneOrEveryNth(string text, int every) =>
+            Assert.That(Options.Reference.Parse(text), Is.EqualTo(every));
 
         [Test]
         public void Peer_HasANameAndACommandThatMayHoldEqualsSigns()

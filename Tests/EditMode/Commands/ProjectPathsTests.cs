@@ -70,10 +70,10 @@ namespace Glint.Tests
         [TestCase("Packages/com.a.scenes/X.unity", "project/Scenes/X.unity", "elsewhere/Packages/com.a.scenes/X.unity",
             "project/Packages/com.a.scenes/X.unity")]
         [TestCase("../project/X.unity", "project/X.unity")]
-        public void Readings_OfAPath_AreWhereItIsLookedFor(string path, params string[] places)
+        public void Readings_OfAPath_AreWhereItIsLookedFor(string path, params string[] positions)
         {
             Assert.That(Open().Readings(path, _root + "/elsewhere"), Is.EqualTo(
-                System.Array.ConvertAll(places, place => Path.GetFullPath(_root + "/" + place).Replace('\\', '/'))));
+                System.Array.ConvertAll(positions, location => Path.GetFullPath(_root + "/" + location).Replace('\\', '/'))));
         }
 
         [TestCase("")]

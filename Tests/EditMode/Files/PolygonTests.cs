@@ -86,8 +86,8 @@ namespace Glint.Tests
         [TestCase("v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4", "model.obj:5:", TestName = "Face_BowTie_IsRefused")]
         [TestCase("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 1 0\n# it crosses\nf 1 2 3 4", "model.obj:6:",
             TestName = "Face_UnevenBowTie_IsRefused")]
-        public void Face_ThatCrossesItself_IsRefused(string text, string place) =>
-            ReadText.AssertRefused(() => ReadText.Obj(text), place, "the face of 4 corners", "crosses itself");
+        public void Face_ThatCrossesItself_IsRefused(string text, string location) =>
+            ReadText.AssertRefused(() => ReadText.Obj(text), location, "the face of 4 corners", "crosses itself");
 
         [Test]
         public void Face_ConcaveOfTooManyCorners_IsRefusedByTheirNumber()

@@ -5,24 +5,24 @@ namespace Glint.Tests
     /// <summary>A box in double precision, in which sums of float32 are exact enough to judge them.</summary>
     struct Bounds3
     {
-        public double3 Low, High;
+        public double3 Min, Max;
 
-        public static Bounds3 Empty => new Bounds3 { Low = double.PositiveInfinity, High = double.NegativeInfinity };
+        public static Bounds3 Empty => new Bounds3 { Min = double.PositiveInfinity, Max = double.NegativeInfinity };
 
         public void Add(double3 point)
         {
-            Low = math.min(Low, point);
-            High = math.max(High, point);
+            Min = math.min(Min, point);
+            Max = math.max(Max, point);
         }
 
         public void Add(in Bounds3 other)
         {
-            Low = math.min(Low, other.Low);
-            High = math.max(High, other.High);
+            Min = math.min(Min, other.Min);
+            Max = math.max(Max, other.Max);
         }
 
         /// <summary>Whether it reaches beyond the other box by a margin on each side.</summary>
         public bool Holds(in Bounds3 other, double3 margin) =>
-            math.all(Low + margin <= other.Low) && math.all(High - margin >= other.High);
+            math.all(Min + margin <= other.Min) && math.all(Max - margin >= other.Max);
     }
 }

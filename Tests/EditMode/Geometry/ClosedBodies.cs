@@ -40,9 +40,9 @@ namespace Glint.Tests
             return cube.ToMesh();
         }
 
-        static TriangleMesh Make(int cells, int rays, Func<int3, double3, double3> place)
+        static TriangleMesh Make(int cells, int rays, Func<int3, double3, double3> position)
         {
-            var body = new Builder(cells, rays, place);
+            var body = new Builder(cells, rays, position);
             body.AddFaces((face, column, row) => 1);
             return body.ToMesh();
         }
@@ -55,15 +55,15 @@ namespace Glint.Tests
         {
             readonly int _cells;
             readonly double[] _tangents;
-            readonly Func<int3, double3, double3> _place;
+            readonly Func<int3, double3, double3> _position;
             readonly Dictionary<int3, int> _known = new Dictionary<int3, int>();
             readonly List<float3> _vertices = new List<float3>();
             readonly List<int> _indices = new List<int>();
 
-            public Builder(int cells, int rays, Func<int3, double3, double3> place)
+            public Builder(int cells, int rays, Func<int3, double3, double3> position)
             {
                 _cells = cells;
-                _place = place;
+                _position = position;
                 // Of the rays through the middles of pixels the nearest ones; the cube's own edges lie between rays.
                 _tangents = Enumerable.Range(0, cells + 1).Select(
                     i => i == 0 ? -1.0 : i == cells ? 1.0 : (2.0 * (i * rays / cells) + 1 - rays) / rays).ToArray();
@@ -95,7 +95,7 @@ namespace Glint.Tests
                     AddQuad(rim);
                     return;
                 }
-                var floor = at.Select(corner => Add((float3)(lift * _place(corner, Direction(corner))))).ToArray();
+                var floor = at.Select(corner => Add((float3)(lift * _position(corner, Direction(corner))))).ToArray();
                 AddQuad(floor);
                 for (int i = 0; i < 4; i++)
                     AddQuad(rim[i], rim[(i + 1) % 4], floor[(i + 1) % 4], floor[i]);
@@ -114,7 +114,7 @@ namespace Glint.Tests
             int Vertex(int3 corner)
             {
                 if (!_known.TryGetValue(corner, out int index))
-                    _known.Add(corner, index = Add((float3)_place(corner, Direction(corner))));
+                    _known.Add(corner, index = Add((float3)_position(corner, Direction(corner))));
                 return index;
             }
 

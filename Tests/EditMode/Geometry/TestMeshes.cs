@@ -6,7 +6,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>Meshes that are hard on a tree, each in its own way.</summary>
+    /// <summary>Meshes that are hard on a BVH, each in its own way.</summary>
     static class TestMeshes
     {
         /// <summary>Waves over a grid of squares, two triangles each, that share their vertices.</summary>

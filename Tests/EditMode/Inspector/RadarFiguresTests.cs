@@ -72,18 +72,18 @@ namespace Glint.Tests
             Assert.That(Figures().Rows().Single(row => row.label == "Footprint").value, Is.EqualTo("behind the radar"));
         }
 
-        [TestCase(KeptRays.None)]
-        [TestCase(KeptRays.All)]
-        public void Memory_OfASmallPose_IsAboutWhatATraceTakes(KeptRays keep)
+        [TestCase(RayReadback.None)]
+        [TestCase(RayReadback.All)]
+        public void Memory_OfASmallPose_IsAboutWhatATraceTakes(RayReadback readback)
         {
             _plate.GetComponent<MeshFilter>().sharedMesh = SceneBuilder.Mesh(2000, 3);
-            var result = _radar.Trace(keep);
-            _radar.KeptRays = keep;
+            var result = _radar.Trace(readback);
+            _radar.RayReadback = readback;
             var memory = Figures().Memory;
             Assert.That(memory.DeviceBytes,
                 Is.InRange(0.4 * result.Statistics.BytesOnDevice, 1.5 * result.Statistics.BytesOnDevice));
             Assert.That(memory.HostBytes,
-                Is.GreaterThan(2000 * (3 * 12 + 3 * 4) + (keep == KeptRays.All ? 14400 * 48 : 0)));
+                Is.GreaterThan(2000 * (3 * 12 + 3 * 4) + (readback == RayReadback.All ? 14400 * 48 : 0)));
         }
 
         RadarFigures Figures()

@@ -39,11 +39,11 @@ namespace Glint.Tests
             _radar.Trace();
             paths.Lines();
             Assert.That(RayPathsFigures.Check(paths), Is.Null);
-            (paths.FewestBounces, paths.MostBounces) = (3, 2);
+            (paths.MinBounces, paths.MaxBounces) = (3, 2);
             paths.Lines();
             Assert.That(paths.Count, Is.Zero);
             Assert.That(RayPathsFigures.Check(paths).Text, Does.Contain("none has 3 bounces or more and 2 or fewer"));
-            (paths.FewestBounces, paths.MostBounces) = (1, 2);
+            (paths.MinBounces, paths.MaxBounces) = (1, 2);
             _plate.transform.position += Vector3.forward;
             paths.Every = 2;
             paths.Lines();

@@ -69,7 +69,7 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Sea_IsLaidAndTraced()
+        public void Sea_IsBuiltAndTraced()
         {
             var sea = SceneObjects.MakeSea(null);
             var radar = SceneObjects.MakeRadar(null);

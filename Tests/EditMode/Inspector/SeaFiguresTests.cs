@@ -33,7 +33,7 @@ namespace Glint.Tests
         public void Rows_OfWaves_CountTilesAndTriangles()
         {
             _sea.Extent = new Vector2(128, 192);
-            _sea.Lay();
+            _sea.Rebuild();
             // 2 x 3 tiles of 64 m, 64 x 64 cells of two triangles each.
             Assert.That(Row("Tiles"), Is.EqualTo("6, 49,152 triangles"));
             Assert.That(Row("Tile"), Is.EqualTo("64 m, 8,192 triangles"));
@@ -59,11 +59,11 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Check_WhatCannotBeShown_IsSaidAsLaySaysIt()
+        public void Check_WhatCannotBeShown_IsSaidAsRebuildSaysIt()
         {
             Assert.That(SeaFigures.Check(_sea), Is.Null);
             _sea.Snapshots.Add(null);
-            var refused = Assert.Throws<GlintException>(() => _sea.Lay());
+            var refused = Assert.Throws<GlintException>(() => _sea.Rebuild());
             Assert.That(SeaFigures.Check(_sea).Text, Is.EqualTo(refused.Message));
         }
 

@@ -53,13 +53,13 @@ namespace Glint.Tests
             // m. The axes lean over by 49.132 degrees.
             double lean = radians(49.132), side = (15.8985 - 0.211) / 2;
             double3 along = double3(0, -sin(lean), -cos(lean)), z = double3(0, cos(lean), -sin(lean));
-            double3 middle = sqrt(2.0) * (side - 7.871) * along + (side - 8.052) * z;
+            double3 centre = sqrt(2.0) * (side - 7.871) * along + (side - 8.052) * z;
             // The camera, 41.112 m away at an elevation of 9.974 degrees, looks down by 9.985 degrees.
             double3 camera = 41.112 * double3(0, sin(radians(9.974)), -cos(radians(9.974)));
-            double3 forward = double3(0, -sin(radians(9.985)), cos(radians(9.985))), toMiddle = middle - camera;
-            double height = 2 * tan(radians(30.0)) * dot(toMiddle, forward);
+            double3 forward = double3(0, -sin(radians(9.985)), cos(radians(9.985))), toCentre = centre - camera;
+            double height = 2 * tan(radians(30.0)) * dot(toCentre, forward);
             var figures = check.Figures;
-            Assert.That(figures.Distance, Is.EqualTo(length(toMiddle)).Within(1e-3));
+            Assert.That(figures.Distance, Is.EqualTo(length(toCentre)).Within(1e-3));
             Assert.That(figures.Distance, Is.EqualTo(41.3).Within(0.1));
             Assert.That(figures.Footprint.Value.y, Is.EqualTo(height).Within(1e-3));
             Assert.That(figures.Footprint.Value.x, Is.EqualTo(height * 1920 / 1080).Within(1e-3));

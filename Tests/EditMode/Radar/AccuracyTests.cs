@@ -8,7 +8,7 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The kernel against the judge, ray by ray, near and far: lengths, phases,
+    /// The kernel against the reference tracer, ray by ray, near and far: lengths, phases,
     /// and the few rays that pass an edge on its other side.
     /// </summary>
     [Category("Slow")]
@@ -22,7 +22,7 @@ namespace Glint.Tests
         static readonly RadarSettings s_settings = TestRadar.Settings(960, 540);
 
         [Test]
-        public void Trace_CornerReflector_LengthsAreTheJudges([Values(50, 1e4, 1e5)] double range,
+        public void Trace_CornerReflector_LengthsAreTheReferences([Values(50, 1e4, 1e5)] double range,
             [Values] bool isParallel)
         {
             var total = new Total(CornerTolerance, amplitude: 1e-3);
@@ -33,11 +33,11 @@ namespace Glint.Tests
                     view.ApertureHeight = 2 * SeenHalf;
                 total.Add(CornerReflector.Turned(angle), s_settings, view);
             }
-            total.Check(leastReceived: 300);
+            total.Check(minReceived: 300);
         }
 
         [Test]
-        public void Trace_CornerReflectorAtTenKilometres_LengthsSpreadAsTheJudgesDo()
+        public void Trace_CornerReflectorAtTenKilometres_LengthsSpreadAsTheReferencesDo()
         {
             // The field of view of the published check. Rays to the vertex, 6 m off the axis, differ by 2 R t dt:
             // t = 6e-4 rad, dt = 1.5e-4 rad.
@@ -45,17 +45,17 @@ namespace Glint.Tests
             var view = CornerView(1e4);
             view.VerticalFovDegrees = 0.3;
             var scene = CornerReflector.Turned(0);
-            double[] kernel = Trace(scene, settings, view, KeptRays.Received)
-                .Rays.Select(ray => ray.ExactPathLength).ToArray();
-            double[] judge = new Judge(new RadarPose(scene, settings, view)).TraceAll().Where(ray => ray.Received)
+            double[] kernel = Trace(scene, settings, view, RayReadback.Received)
+                .Rays.Select(ray => ray.RefinedPathLength).ToArray();
+            double[] references = new ReferenceTracer(new RadarPose(scene, settings, view)).TraceAll().Where(ray => ray.Received)
                 .Select(ray => ray.PathLength).ToArray();
             Assert.That(kernel.Length, Is.GreaterThan(300));
-            Assert.That(Spread(judge), Is.GreaterThan(1e-3));
-            Assert.That(Spread(kernel), Is.EqualTo(Spread(judge)).Within(CornerTolerance));
+            Assert.That(Spread(references), Is.GreaterThan(1e-3));
+            Assert.That(Spread(kernel), Is.EqualTo(Spread(references)).Within(CornerTolerance));
         }
 
         [Test]
-        public void Trace_FurrowedWallOf80000Triangles_LengthsAreTheJudges([Values(50, 1e4)] double range,
+        public void Trace_FurrowedWallOf80000Triangles_LengthsAreTheReferences([Values(50, 1e4)] double range,
             [Values] bool isParallel)
         {
             // Furrows at right angles send rays back whatever their tilt across;
@@ -71,11 +71,11 @@ namespace Glint.Tests
             var total = new Total(RoughTolerance, amplitude: 1e-2);
             total.Add(new RadarScene(new MeshInstance { Mesh = FurrowedWall(200, 130, tilt), ToWorld = turned }),
                 s_settings, Turned(view, turned));
-            total.Check(leastReceived: 5000);
+            total.Check(minReceived: 5000);
         }
 
         [Test]
-        public void Trace_SmallFurrowedWallInTheMiddleOfALargeScene_LengthsAreTheJudges([Values] bool isParallel)
+        public void Trace_SmallFurrowedWallInTheMiddleOfALargeScene_LengthsAreTheReferences([Values] bool isParallel)
         {
             // Rays come 60 m, and their places there are as rounded, but where they are reflected coordinates
             // are small and ridges 2 cm apart.
@@ -83,18 +83,18 @@ namespace Glint.Tests
             view.ApertureHeight = isParallel ? 1 : 0;
             view.ReceiverSize = 30;
             var turned = Affine.FromTransform(0, double4(0.2, 0.1, -0.3, 0.9), 1);
-            MeshInstance Corner(double place) => new MeshInstance
+            MeshInstance Corner(double position) => new MeshInstance
             {
-                Mesh = FurrowedWall(1, 1, 0), ToWorld = Affine.FromTransform(place, double4(0, 0, 0, 1), 1)
+                Mesh = FurrowedWall(1, 1, 0), ToWorld = Affine.FromTransform(position, double4(0, 0, 0, 1), 1)
             };
             var total = new Total(RoughTolerance, amplitude: 1e-2);
             total.Add(new RadarScene(new MeshInstance { Mesh = FurrowedWall(200, 2, 0.2), ToWorld = turned },
                 Corner(-40), Corner(40)), s_settings, Turned(view, turned));
-            total.Check(leastReceived: 5000);
+            total.Check(minReceived: 5000);
         }
 
         [Test]
-        public void Trace_SeaAndShipOf80000Triangles_LengthsAreTheJudges([Values(50, 1e4)] double range)
+        public void Trace_SeaAndShipOf80000Triangles_LengthsAreTheReferences([Values(50, 1e4)] double range)
         {
             // From high above, where waves send rays back.
             var made = new SeaAndShip(1, 36000, 44000);
@@ -104,7 +104,7 @@ namespace Glint.Tests
             total.Add(new RadarScene(new MeshInstance { Mesh = made.Sea, ToWorld = Affine.Identity },
                     new MeshInstance { Mesh = made.Ship, ToWorld = Affine.FromTransform(0, double4(0, 0.3, 0, 1), 1) }),
                 s_settings, view);
-            total.Check(leastReceived: 100);
+            total.Check(minReceived: 100);
         }
 
         // From any range, with the field of view narrowed to what the published experiment sees from its own.
@@ -141,11 +141,11 @@ namespace Glint.Tests
 
         static double Spread(double[] lengths) => lengths.Max() - lengths.Min();
 
-        static RadarResult Trace(RadarScene scene, in RadarSettings settings, in RadarView view, KeptRays keep)
+        static RadarResult Trace(RadarScene scene, in RadarSettings settings, in RadarView view, RayReadback readback)
         {
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
-                return tracer.Trace(new RadarPose(scene, settings, view), keep);
+                return tracer.Trace(new RadarPose(scene, settings, view), readback);
             }
         }
 
@@ -168,23 +168,23 @@ namespace Glint.Tests
             public void Add(RadarScene scene, in RadarSettings settings, in RadarView view)
             {
                 var comparison = new RayComparison(new RadarPose(scene, settings, view), _lengthTolerance);
-                comparison.Add(Trace(scene, settings, view, KeptRays.All).Rays);
+                comparison.Add(Trace(scene, settings, view, RayReadback.All).Rays);
                 string message = FormattableString.Invariant(
-                    $"{comparison.Rays} rays, {comparison.KernelSums.RaysReceived} received, {comparison.AtEdge} at edges, {comparison.Wrong} wrong; lengths differ by {1e6 * comparison.LargestLengthDifference:g3} um, rms {1e6 * comparison.RmsLengthDifference:g3}, phases by {comparison.LargestPhaseDifference:g3} rad, amplitudes {comparison.KernelSums.Amplitude:r} and {comparison.JudgeSums.Amplitude:r}");
+                    $"{comparison.Rays} rays, {comparison.KernelSums.RaysReceived} received, {comparison.AtEdge} at edges, {comparison.Wrong} wrong; lengths differ by {1e6 * comparison.LargestLengthDifference:g3} um, rms {1e6 * comparison.RmsLengthDifference:g3}, phases by {comparison.LargestPhaseDifference:g3} rad, amplitudes {comparison.KernelSums.Amplitude:r} and {comparison.ReferenceSums.Amplitude:r}");
                 TestContext.WriteLine(message);
                 Assert.That(comparison.Wrong, Is.Zero, message);
                 Assert.That(comparison.LargestPhaseDifference,
                     Is.LessThan(2 * PI_DBL * _lengthTolerance / settings.Wavelength + 4e-4), message);
-                Assert.That(comparison.KernelSums.Amplitude, Is.EqualTo(comparison.JudgeSums.Amplitude)
+                Assert.That(comparison.KernelSums.Amplitude, Is.EqualTo(comparison.ReferenceSums.Amplitude)
                     .Within(_amplitudeTolerance * sqrt(comparison.KernelSums.RaysReceived)), message);
                 _rays += comparison.Rays;
                 _received += comparison.KernelSums.RaysReceived;
                 _atEdge += comparison.AtEdge;
             }
 
-            public void Check(long leastReceived)
+            public void Check(long minReceived)
             {
-                Assert.That(_received, Is.GreaterThanOrEqualTo(leastReceived), "rays received: too few show little");
+                Assert.That(_received, Is.GreaterThanOrEqualTo(minReceived), "rays received: too few show little");
                 Assert.That(_atEdge, Is.LessThanOrEqualTo(1e-5 * _rays), "rays that took other triangles");
             }
         }

@@ -31,8 +31,8 @@ namespace Glint.Tests
         public void Cover_AnySceneFromAnySide_IsCoveredWithNoRowOrColumnToSpare([Range(1, 20)] int seed)
         {
             var random = new System.Random(seed);
-            double Number(double most) => (2 * random.NextDouble() - 1) * most;
-            double3 Point(double most) => new double3(Number(most), Number(most), Number(most));
+            double Number(double limit) => (2 * random.NextDouble() - 1) * limit;
+            double3 Point(double limit) => new double3(Number(limit), Number(limit), Number(limit));
             double size = pow(10, Number(4)), far = 1e6 * random.NextDouble();
             var scene = new RadarScene(Enumerable.Range(0, 3).Select(_ => new MeshInstance
             {
@@ -59,9 +59,9 @@ namespace Glint.Tests
             double2 half = pose.View.HalfSize(pose.Settings);
             Assert.That(distance(half, rays * spacing / 2), Is.LessThan(rounding));
             double3 moved = pose.View.Position - before.View.Position;
-            var middle = new double2(dot(moved, before.View.Right), dot(moved, before.View.Up));
+            var centre = new double2(dot(moved, before.View.Right), dot(moved, before.View.Up));
             Assert.That(abs(dot(moved, before.View.Forward)), Is.LessThan(rounding));
-            Assert.That(seen.Max(point => cmax(abs(point - middle) - half)), Is.LessThan(rounding), "covered");
+            Assert.That(seen.Max(point => cmax(abs(point - centre) - half)), Is.LessThan(rounding), "covered");
             Assert.That(cmax((rays - 1) * spacing - extent), Is.LessThan(rounding), "none to spare");
         }
 
@@ -139,9 +139,9 @@ namespace Glint.Tests
             View = new RadarView { Position = position, Right = X, Up = Y, Forward = Z, ApertureHeight = 1 },
         };
 
-        static TriangleMesh Plate(float left, float right, float low, float high) =>
-            new TriangleMesh(new[] { new float3(left, low, 0), new float3(left, high, 0), new float3(right, high, 0),
-                new float3(right, low, 0) }, new[] { 0, 1, 2, 0, 2, 3 });
+        static TriangleMesh Plate(float left, float right, float lower, float upper) =>
+            new TriangleMesh(new[] { new float3(left, lower, 0), new float3(left, upper, 0), new float3(right, upper, 0),
+                new float3(right, lower, 0) }, new[] { 0, 1, 2, 0, 2, 3 });
 
         static TriangleMesh Triangles(params float3[] corners) =>
             new TriangleMesh(corners, Enumerable.Range(0, corners.Length).ToArray());

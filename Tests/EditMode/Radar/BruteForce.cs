@@ -7,7 +7,7 @@ namespace Glint.Tests
     /// <summary>The nearest triangle by testing every one, in double (Moeller and Trumbore).</summary>
     static class BruteForce
     {
-        public static int Nearest(TriangleMesh scene, double3 origin, double3 direction, out double nearest)
+        public static int ClosestHit(TriangleMesh scene, double3 origin, double3 direction, out double nearest)
         {
             int hit = -1;
             nearest = double.PositiveInfinity;

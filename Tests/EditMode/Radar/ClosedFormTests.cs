@@ -12,7 +12,7 @@ namespace Glint.Tests
     /// </summary>
     public sealed class ClosedFormTests
     {
-        const double JudgeTolerance = 1e-9, KernelTolerance = 1e-5; // m
+        const double ReferenceTolerance = 1e-9, KernelTolerance = 1e-5; // m
 
         // Half the picture's height at the target, m.
         const double HalfPicture = 2.5;
@@ -26,11 +26,11 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Judge_EveryReceivedRay_IsAsLongAsFromTheImage([Values] Target target,
+        public void Reference_EveryReceivedRay_IsAsLongAsFromTheImage([Values] Target target,
             [Values(50, 1e4, 1e5)] double range, [Values] bool isParallel)
         {
             var setting = new Setting(target, range, isParallel);
-            var rays = new Judge(new RadarPose(setting.Scene, setting.Settings, setting.View)).TraceAll();
+            var rays = new ReferenceTracer(new RadarPose(setting.Scene, setting.Settings, setting.View)).TraceAll();
             int compared = 0;
             for (int pixel = 0; pixel < rays.Length; pixel++)
             {
@@ -39,13 +39,13 @@ namespace Glint.Tests
                     continue;
                 compared++;
                 var expected = setting.Path(pixel);
-                Assert.That(ray.PathLength, Is.EqualTo(expected.Length).Within(JudgeTolerance), $"pixel {pixel}");
+                Assert.That(ray.PathLength, Is.EqualTo(expected.Length).Within(ReferenceTolerance), $"pixel {pixel}");
                 Assert.That(distance(ray.Direction, expected.Direction), Is.LessThan(1e-14),
                     $"pixel {pixel}: direction");
                 double3 fromImage = ray.LastHit - expected.Image;
                 Assert.That(length(fromImage - dot(fromImage, expected.Direction) * expected.Direction),
-                    Is.LessThan(JudgeTolerance), $"pixel {pixel}: the last hit is on the line from the image");
-                Assert.That(ray.LengthToLastHit, Is.EqualTo(dot(fromImage, expected.Direction)).Within(JudgeTolerance),
+                    Is.LessThan(ReferenceTolerance), $"pixel {pixel}: the last hit is on the line from the image");
+                Assert.That(ray.LengthToLastHit, Is.EqualTo(dot(fromImage, expected.Direction)).Within(ReferenceTolerance),
                     $"pixel {pixel}: to the last hit");
             }
             Assert.That(compared, Is.GreaterThan(40));
@@ -59,13 +59,13 @@ namespace Glint.Tests
             RayData[] rays;
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
-                rays = tracer.Trace(new RadarPose(setting.Scene, setting.Settings, setting.View), KeptRays.Received)
+                rays = tracer.Trace(new RadarPose(setting.Scene, setting.Settings, setting.View), RayReadback.Received)
                     .Rays.Where(ray => ray.Bounces == setting.Bounces).ToArray();
             }
             foreach (var ray in rays)
             {
                 var expected = setting.Path((int)ray.Pixel);
-                Assert.That(ray.ExactPathLength,
+                Assert.That(ray.RefinedPathLength,
                     Is.EqualTo(expected.Length).Within(KernelTolerance), $"pixel {ray.Pixel}");
                 double phase = Signal.Phase(expected.Length, setting.Settings.Wavelength);
                 Assert.That(abs(System.Math.IEEERemainder(ray.Phase - phase, 2 * PI_DBL)), Is.LessThan(0.0025),
@@ -84,14 +84,14 @@ namespace Glint.Tests
         sealed class Setting
         {
             // Turned so that no normal is a number that float32 has.
-            static readonly Affine s_place =
+            static readonly Affine s_transform =
                 Affine.FromTransform(double3(117.5, -31.25, 43), double4(0.3, -0.2, 0.5, 0.8), 1);
 
             readonly double3[] _mirrors;
 
             public Setting(Target target, double range, bool isParallel)
             {
-                double3 x = s_place.X, y = s_place.Y, z = s_place.Z, vertex = s_place.Origin, toRadar;
+                double3 x = s_transform.X, y = s_transform.Y, z = s_transform.Z, vertex = s_transform.Origin, toRadar;
                 switch (target)
                 {
                     case Target.FacingPlate:
@@ -126,7 +126,7 @@ namespace Glint.Tests
 
             TriangleMesh Mesh { get; }
 
-            public RadarScene Scene => new RadarScene(new MeshInstance { Mesh = Mesh, ToWorld = s_place });
+            public RadarScene Scene => new RadarScene(new MeshInstance { Mesh = Mesh, ToWorld = s_transform });
 
             // Rays that miss edges and diagonals: odd over even numbers.
             public RadarSettings Settings { get; } = TestRadar.Settings(46, 37);
@@ -144,7 +144,7 @@ namespace Glint.Tests
                 };
                 foreach (var normal in _mirrors)
                 {
-                    line.Image -= 2 * dot(line.Image - s_place.Origin, normal) * normal;
+                    line.Image -= 2 * dot(line.Image - s_transform.Origin, normal) * normal;
                     line.Direction -= 2 * dot(line.Direction, normal) * normal;
                 }
                 line.Length = dot(View.ReceiverCentre - line.Image, View.ReceiverForward)

@@ -27,7 +27,7 @@ namespace Glint.Tests
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(double3(0.1, 0.2, 0), double3(3, 1, 2));
             var rays = Trace(scene, settings, view, asSoftware).Rays;
-            var expected = new Judge(new RadarPose(scene, settings, view)).TraceSame(rays);
+            var expected = new ReferenceTracer(new RadarPose(scene, settings, view)).TraceSame(rays);
             int atOnce = 0;
             for (int i = 0; i < rays.Length; i++)
             {
@@ -35,11 +35,11 @@ namespace Glint.Tests
                 double3 direction = TestRadar.Direction(settings, view, (int)rays[i].Pixel);
                 if (rays[i].Bounces == expected[i].Bounces)
                 {
-                    Assert.That(rays[i].ExactPathLength,
+                    Assert.That(rays[i].RefinedPathLength,
                         Is.EqualTo(expected[i].LengthToEnd).Within(LengthTolerance), $"ray {i}");
                     continue;
                 }
-                // The judge's ray begins on the triangle and leaves it; this one is mirrored by it where it begins.
+                // The reference tracer's ray begins on the triangle and leaves it; this one is mirrored by it where it begins.
                 atOnce++;
                 Assert.That(rays[i].Bounces, Is.EqualTo(1), $"ray {i}");
                 Assert.That(distance(rays[i].LastHit, view.Position), Is.LessThan(Step(50)), $"ray {i}");
@@ -60,7 +60,7 @@ namespace Glint.Tests
         public void Trace_CoplanarSlivers_AreMetAgainNowAndThenWhenTheyAreDuplicates([Values(1, 2)] int copies,
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
-            double mostWrong = copies == 1 ? 0 : 0.2;
+            double maxWrong = copies == 1 ? 0 : 0.2;
             var slivers = Enumerable.Range(0, 1000 * copies).Select(i => -2 + 0.004f * (i / copies)).Select(x =>
                 new TriangleMesh(new[] { float3(x, -2.05f, 0.13f * x), float3(x + 4e-5f, -2.05f,
                     0.13f * (x + 4e-5f) + 1e-7f), float3(x + 0.7f, 2.05f, 0.13f * x + 1.3f) }, new[] { 0, 1, 2 }));
@@ -77,9 +77,9 @@ namespace Glint.Tests
             }
             // What is met first is right in any case.
             Assert.That(result.RaysHit,
-                Is.EqualTo(new Judge(new RadarPose(scene, settings, view)).TraceAll().Count(ray => ray.Bounces > 0)).Within(3));
+                Is.EqualTo(new ReferenceTracer(new RadarPose(scene, settings, view)).TraceAll().Count(ray => ray.Bounces > 0)).Within(3));
             Assert.That(result.RaysHit, Is.GreaterThan(100));
-            Assert.That(comparison.Wrong, Is.LessThanOrEqualTo(mostWrong * result.RaysHit));
+            Assert.That(comparison.Wrong, Is.LessThanOrEqualTo(maxWrong * result.RaysHit));
         }
 
         // A hundred-millionth and a ten-millionth of the distance, before a wall of 130 m.
@@ -93,7 +93,7 @@ namespace Glint.Tests
                 new[] { 0, 1, 2 });
             var scene = new RadarScene(TestRadar.Join(tiny, TestRadar.FacingPlate(130, 65)));
             double3 from = double3(-20, 5, -60), to = (double3)corner - from;
-            double there = length(to), step = Step(2 * new Judge(new RadarPose(scene, TestRadar.Settings(), default)).SceneRadius);
+            double there = length(to), step = Step(2 * new ReferenceTracer(new RadarPose(scene, TestRadar.Settings(), default)).SceneRadius);
             var settings = TestRadar.Settings(100, 100, 1);
             var view = TestRadar.LookAt(from, corner, fov: degrees(4 * step / there));
             int met = 0;
@@ -103,10 +103,10 @@ namespace Glint.Tests
                 Assert.That(ray.Bounces, Is.EqualTo(1));
                 double3 direction = TestRadar.Direction(settings, view, (int)ray.Pixel);
                 double toWall = (65 - from.z) / direction.z;
-                if (abs(ray.ExactPathLength - toWall) < 10 * step)
+                if (abs(ray.RefinedPathLength - toWall) < 10 * step)
                     continue;
                 met++;
-                Assert.That(ray.ExactPathLength, Is.EqualTo(there).Within(10 * step),
+                Assert.That(ray.RefinedPathLength, Is.EqualTo(there).Within(10 * step),
                     "neither the triangle nor the wall");
                 Assert.That(length(cross(direction, to)), Is.LessThan(2 * size + step), "aside of the triangle");
             }
@@ -127,18 +127,18 @@ namespace Glint.Tests
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
                 for (int pose = 0; pose < 40; pose++)
                 {
-                    var place = Affine.FromTransform(double3(1, -2, 3),
+                    var transform = Affine.FromTransform(double3(1, -2, 3),
                         double4(Next() - 0.5, Next() - 0.5, Next() - 0.5, Next() - 0.5), 1);
                     double3 onEdge = 0;
                     onEdge[pose % 3] = 0.2 + 3 * Next();
-                    double3 at = place.Point(onEdge),
-                        back = place.Vector(normalize(0.3 + double3(Next(), Next(), Next())));
+                    double3 at = transform.Point(onEdge),
+                        back = transform.Vector(normalize(0.3 + double3(Next(), Next(), Next())));
                     var view = TestRadar.LookAt(at + 10 * back, at);
                     view.ApertureHeight = settings.RaysDown * spacing;
                     view.ReceiverSize = 10;
-                    var scene = new RadarScene(new MeshInstance { Mesh = TestRadar.Trihedral(0, 4), ToWorld = place });
+                    var scene = new RadarScene(new MeshInstance { Mesh = TestRadar.Trihedral(0, 4), ToWorld = transform });
                     var comparison = new RayComparison(new RadarPose(scene, settings, view), LengthTolerance);
-                    var result = tracer.Trace(new RadarPose(scene, settings, view), KeptRays.All);
+                    var result = tracer.Trace(new RadarPose(scene, settings, view), RayReadback.All);
                     foreach (var ray in result.Rays)
                         AssertFinite(ray);
                     comparison.Add(result.Rays);
@@ -158,8 +158,8 @@ namespace Glint.Tests
             [Values(100, 1e4)] double sceneSize)
         {
             var plate = TestRadar.FacingPlate(10, 0);
-            var place = Affine.FromTransform(double3(-0.31, 0.17, 0.23) * sceneSize, double4(0.1, -0.2, 0.05, 0.97), 1);
-            var scene = new RadarScene(new MeshInstance { Mesh = TestRadar.Join(plate, plate), ToWorld = place },
+            var transform = Affine.FromTransform(double3(-0.31, 0.17, 0.23) * sceneSize, double4(0.1, -0.2, 0.05, 0.97), 1);
+            var scene = new RadarScene(new MeshInstance { Mesh = TestRadar.Join(plate, plate), ToWorld = transform },
                 new MeshInstance
                 {
                     Mesh = TestRadar.FacingPlate(1, 0),
@@ -170,7 +170,7 @@ namespace Glint.Tests
                     Mesh = TestRadar.FacingPlate(1, 0),
                     ToWorld = Affine.FromTransform(-sceneSize / 2, double4(0, 0, 0, 1), 1)
                 });
-            var view = TestRadar.LookAt(place.Point(double3(0.1, 0.2, -40)), place.Origin, fov: 10);
+            var view = TestRadar.LookAt(transform.Point(double3(0.1, 0.2, -40)), transform.Origin, fov: 10);
             view.ReceiverSize = 30;
             var result = Trace(scene, TestRadar.Settings(), view, asSoftware);
             // Mirrored head-on, every ray that hits comes back to within twice its distance from the axis.
@@ -182,27 +182,27 @@ namespace Glint.Tests
         // Strips a thousand times as long as wide: their normals must be good enough to tell what may come
         // back to a receiver 10 km away.
         [Test]
-        public void Trace_PlateOfLongStripsFarAway_ReceivesWhatTheJudgeDoes(
+        public void Trace_PlateOfLongStripsFarAway_ReceivesWhatTheReferenceDoes(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             const int strips = 200;
             const float width = 0.1f, side = 100;
             var plates = Enumerable.Range(0, strips).Select(i => TestRadar.Plate(
                 float3(-side / 2, width * (i - strips / 2), 0), float3(side, 0, 0), float3(0, width, 0))).ToArray();
-            var place = Affine.FromTransform(double3(3, -2, 1), double4(0.3, -0.5, 0.2, 0.7), 1);
+            var transform = Affine.FromTransform(double3(3, -2, 1), double4(0.3, -0.5, 0.2, 0.7), 1);
             // Turned in the mesh itself, so that no coordinate is a short number.
             var joined = TestRadar.Join(plates);
             var scene = new RadarScene(new TriangleMesh(
-                System.Array.ConvertAll(joined.Vertices, vertex => (float3)place.Point(vertex)), joined.Indices));
-            double3 forward = normalize(place.Vector(double3(0, 0, 1)));
-            var view = TestRadar.LookAt(place.Origin - 1e4 * forward, place.Origin, fov: degrees(20 / 1e4));
+                System.Array.ConvertAll(joined.Vertices, vertex => (float3)transform.Point(vertex)), joined.Indices));
+            double3 forward = normalize(transform.Vector(double3(0, 0, 1)));
+            var view = TestRadar.LookAt(transform.Origin - 1e4 * forward, transform.Origin, fov: degrees(20 / 1e4));
             view.ReceiverSize = 4; // rays within 1 m of the axis, but for the rounding of corners
             var settings = TestRadar.Settings(320, 180);
             var received = Trace(scene, settings, view, asSoftware).Rays.Where(ray => ray.IsReceived)
                 .Select(ray => (int)ray.Pixel).ToArray();
-            var judged = new Judge(new RadarPose(scene, settings, view)).TraceAll();
+            var references = new ReferenceTracer(new RadarPose(scene, settings, view)).TraceAll();
             // 180 rays over 20 m: 0.11 m from ray to ray.
-            Assert.That(received, Is.EqualTo(Enumerable.Range(0, judged.Length).Where(i => judged[i].Received)));
+            Assert.That(received, Is.EqualTo(Enumerable.Range(0, references.Length).Where(i => references[i].Received)));
             Assert.That(received.Length, Is.GreaterThan(200));
         }
 
@@ -210,7 +210,7 @@ namespace Glint.Tests
         {
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
             {
-                var result = tracer.Trace(new RadarPose(scene, settings, view), KeptRays.All);
+                var result = tracer.Trace(new RadarPose(scene, settings, view), RayReadback.All);
                 Assert.That(double.IsNaN(result.InPhase) || double.IsNaN(result.Quadrature)
                     || double.IsInfinity(result.PathLengthMeters) || double.IsNaN(result.PathLengthMeters), Is.False);
                 return result;
@@ -218,7 +218,7 @@ namespace Glint.Tests
         }
 
         static void AssertFinite(in RayData ray) =>
-            Assert.That(all(isfinite(ray.LastHit)) && all(isfinite(ray.Direction)) && isfinite(ray.ExactPathLength),
+            Assert.That(all(isfinite(ray.LastHit)) && all(isfinite(ray.Direction)) && isfinite(ray.RefinedPathLength),
                 Is.True, "a number that is none");
     }
 }

@@ -50,7 +50,7 @@ namespace Glint.Tests
         public void NextTiles_PartOfThePictureFourTimesAsCostly_NoDispatchTakesHalfASecond()
         {
             var pacer = new DispatchPacer();
-            double Cost(double place) => place > 0.3 && place < 0.5 ? 2e-4 : 5e-5;
+            double Cost(double position) => position > 0.3 && position < 0.5 ? 2e-4 : 5e-5;
             Pose(pacer, 40_000, Cost, firstExtra: 1);
             for (int pose = 0; pose < 3; pose++)
                 Assert.That(Pose(pacer, 40_000, Cost).Max(), Is.LessThan(0.5));

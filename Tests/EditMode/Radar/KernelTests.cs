@@ -7,7 +7,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The kernel on scenes whose answer is known, and against the judge.</summary>
+    /// <summary>The kernel on scenes whose answer is known, and against the reference tracer.</summary>
     public sealed class KernelTests
     {
         // Float32 lengths of some 50 m: a few steps of 4 micrometres a segment.
@@ -55,7 +55,7 @@ namespace Glint.Tests
             // The picture as Unity's cameras have it: x to the right, y up.
             var scene = TestRadar.Plate(float3(1, 1, 20), float3(4, 0, 0), float3(0, 4, 0));
             var rays =
-                TestKernels.TraceOnce(scene, TestRadar.Settings(), TestRadar.LookAt(0, Ahead), KeptRays.All).Rays;
+                TestKernels.TraceOnce(scene, TestRadar.Settings(), TestRadar.LookAt(0, Ahead), RayReadback.All).Rays;
             var pixels = rays.Where(ray => ray.Bounces == 1).Select(ray => (int)ray.Pixel).ToArray();
             Assert.That(pixels, Is.Not.Empty);
             Assert.That(pixels.Select(pixel => pixel % 160), Is.All.GreaterThan(80), "columns");
@@ -74,8 +74,8 @@ namespace Glint.Tests
                 TestRadar.Plate(Turned(-5000, 0, 0), Turned(10000, 0, 0), Turned(0, 10000, 0)));
             var settings = TestRadar.Settings(320, 180);
             var view = TestRadar.LookAt(Turned(0, 5, -8.7), 0);
-            var rays = TestKernels.TraceOnce(scene, settings, view, KeptRays.All).Rays;
-            var expected = new Judge(new RadarPose(new RadarScene(scene), settings, view)).TraceAll();
+            var rays = TestKernels.TraceOnce(scene, settings, view, RayReadback.All).Rays;
+            var expected = new ReferenceTracer(new RadarPose(new RadarScene(scene), settings, view)).TraceAll();
             Assert.That(Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces),
                 Is.LessThanOrEqualTo(rays.Length / 4000));
         }
@@ -86,9 +86,9 @@ namespace Glint.Tests
             var scene = TestRadar.PowersOfTwo(600, sizes: 30);
             var settings = TestRadar.Settings(61, 47, 1);
             var view = TestRadar.LookAt(double3(0.5, 0.5, -3), double3(0.5, 0.5, 0));
-            var rays = TestKernels.TraceOnce(scene, settings, view, KeptRays.All).Rays;
+            var rays = TestKernels.TraceOnce(scene, settings, view, RayReadback.All).Rays;
             int others = Enumerable.Range(0, rays.Length).Count(pixel =>
-                rays[pixel].Bounces != (BruteForce.Nearest(scene, view.Position,
+                rays[pixel].Bounces != (BruteForce.ClosestHit(scene, view.Position,
                     TestRadar.Direction(settings, view, pixel), out _) >= 0 ? 1 : 0));
             Assert.That(rays.Count(ray => ray.Bounces == 1), Is.GreaterThan(20));
             Assert.That(others, Is.LessThanOrEqualTo(3), "rays at edges may go either way");
@@ -99,7 +99,7 @@ namespace Glint.Tests
         {
             using (var tracer = new RayTracer(TestKernels.Trace))
                 Assert.Throws<ArgumentException>(() => tracer.Trace(
-                    new RadarPose(null, TestRadar.Settings(), TestRadar.LookAt(0, Ahead)), KeptRays.Received));
+                    new RadarPose(null, TestRadar.Settings(), TestRadar.LookAt(0, Ahead)), RayReadback.Received));
         }
 
         [Test]
@@ -128,14 +128,14 @@ namespace Glint.Tests
         [TestCase(2)]
         [TestCase(7)]
         [TestCase(16)]
-        public void Trace_RayBetweenTwoFacingMirrors_StopsAtTheMostBounces(int most)
+        public void Trace_RayBetweenTwoFacingMirrors_StopsAtMaxBounces(int limit)
         {
             // Camera between two large plates that face each other,
             // the receiver behind one of them: no ray ever leaves.
             var scene = TestRadar.Join(TestRadar.FacingPlate(1e4f, 5), TestRadar.FacingPlate(1e4f, -0.15f));
             var result =
-                TestKernels.TraceOnce(scene, TestRadar.Settings(8, 8, most), TestRadar.LookAt(0, Ahead, fov: 1));
-            Assert.That(result.Bounces, Is.EqualTo(64 * most));
+                TestKernels.TraceOnce(scene, TestRadar.Settings(8, 8, limit), TestRadar.LookAt(0, Ahead, fov: 1));
+            Assert.That(result.Bounces, Is.EqualTo(64 * limit));
             Assert.That(result.RaysReceived, Is.Zero);
         }
 
@@ -167,11 +167,11 @@ namespace Glint.Tests
             var scene = TestRadar.Clutter(triangles, seed: 11, halfSide: 6, largest: 3);
             var settings = TestRadar.Settings(61, 47, 1);
             var view = TestRadar.LookAt(double3(-4, 6, -20), 0);
-            var rays = TestKernels.TraceOnce(scene, settings, view, KeptRays.All).Rays;
+            var rays = TestKernels.TraceOnce(scene, settings, view, RayReadback.All).Rays;
             int hits = 0, others = 0;
             for (int pixel = 0; pixel < rays.Length; pixel++)
             {
-                int hit = BruteForce.Nearest(scene, view.Position,
+                int hit = BruteForce.ClosestHit(scene, view.Position,
                     TestRadar.Direction(settings, view, pixel), out double there);
                 hits += hit >= 0 ? 1 : 0;
                 double length = BruteForce.ToLastHit(view.Position, rays[pixel]);
@@ -185,14 +185,14 @@ namespace Glint.Tests
         [TestCase(1u, 100)]
         [TestCase(2u, 400)]
         [TestCase(3u, 5000)]
-        public void Trace_RandomTriangles_EqualsTheJudgeRayByRay(uint seed, int triangles)
+        public void Trace_RandomTriangles_EqualsTheReferenceRayByRay(uint seed, int triangles)
         {
             var scene = TestRadar.Clutter(triangles, seed);
             // Prime sizes: no group of 8 x 8 is full at the edges.
             var settings = TestRadar.Settings(211, 127, 3);
             var view = TestRadar.LookAt(double3(3, 14, -25), 0);
-            var rays = TestKernels.TraceOnce(scene, settings, view, KeptRays.All).Rays;
-            var expected = new Judge(new RadarPose(new RadarScene(scene), settings, view)).TraceAll();
+            var rays = TestKernels.TraceOnce(scene, settings, view, RayReadback.All).Rays;
+            var expected = new ReferenceTracer(new RadarPose(new RadarScene(scene), settings, view)).TraceAll();
 
             // Rays that meet an edge within rounding may go either way.
             int others = Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces
@@ -228,7 +228,7 @@ namespace Glint.Tests
         {
             var view = TestRadar.LookAt(double3(9, 10, 11), 0, fov: 30);
             var received = TestKernels.TraceOnce(TestRadar.Trihedral(0, 4), TestRadar.Settings(), view);
-            var all = TestKernels.TraceOnce(TestRadar.Trihedral(0, 4), TestRadar.Settings(), view, KeptRays.All);
+            var all = TestKernels.TraceOnce(TestRadar.Trihedral(0, 4), TestRadar.Settings(), view, RayReadback.All);
             Assert.That(all.Rays.Length, Is.EqualTo(160 * 90));
             Assert.That(all.Rays.Where(ray => ray.IsReceived), Is.EqualTo(received.Rays));
             Assert.That(all.InPhase, Is.EqualTo(received.InPhase));

@@ -29,19 +29,19 @@ namespace Glint.Tests
         {
             var ray = new RayData
             {
-                LastHit = float3(1, 2, 3), PathLength = 4, Direction = float3(5, 6, 7), PathLengthRest = 8, InPhase = 9,
+                LastHit = float3(1, 2, 3), PathLength = 4, Direction = float3(5, 6, 7), PathLengthLo = 8, InPhase = 9,
                 Quadrature = 10, Pixel = 11, Bounces = 12
             };
             var instance = new InstanceRecord
             {
                 ToLocalX = float4(13, 14, 15, 16), ToLocalY = float4(17, 18, 19, 20),
                 ToLocalZ = float4(21, 22, 23, 24),
-                RestX = float4(25, 26, 27, 28), RestY = float4(29, 30, 31, 32), RestZ = float4(33, 34, 35, 36),
-                FirstRow = 37, Bank = 38, Stretch = 39, Rounding = 40
+                ToLocalXLo = float4(25, 26, 27, 28), ToLocalYLo = float4(29, 30, 31, 32), ToLocalZLo = float4(33, 34, 35, 36),
+                FirstRow = 37, Page = 38, Stretch = 39, Rounding = 40
             };
             var hit = new HitData
             {
-                Place = float3(41, 42, 43), Instance = 44, Direction = float3(45, 46, 47), Triangle = 48
+                Position = float3(41, 42, 43), Instance = 44, Direction = float3(45, 46, 47), Triangle = 48
             };
             var expected = Enumerable.Range(1, 48).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
 
@@ -51,14 +51,14 @@ namespace Glint.Tests
         [Test]
         public void InstanceRecord_OfATransform_TakesPointsAsTheTransformDoes()
         {
-            var place = new Affine
+            var transform = new Affine
             {
                 X = double3(1, 2, 3), Y = double3(4, 5, 7), Z = double3(-2, 6, 1), Origin = double3(10, 20, 30)
             };
-            var record = InstanceRecord.Of(place, 3, 4);
+            var record = InstanceRecord.Of(transform, 3, 4);
             float4 point = float4(0.5f, -1.5f, 2, 1);
             var taken = double3(dot(record.ToLocalX, point), dot(record.ToLocalY, point), dot(record.ToLocalZ, point));
-            Assert.That(distance(taken, place.Point(double3(0.5, -1.5, 2))), Is.LessThan(1e-5));
+            Assert.That(distance(taken, transform.Point(double3(0.5, -1.5, 2))), Is.LessThan(1e-5));
             var third = new Affine
             {
                 X = double3(1, 2, 3) / 3, Y = double3(4, 5, 7) / 3,
@@ -67,7 +67,7 @@ namespace Glint.Tests
             Assert.That(record.Stretch, Is.EqualTo(sqrt(1 + 4 + 9 + 16 + 25 + 49 + 4 + 36 + 1)).Within(1e-5));
             Assert.That(record.Rounding, Is.EqualTo(60 * pow(2.0, -22)).Within(1e-6), "four steps of each coordinate");
             record = InstanceRecord.Of(third, 3, 4);
-            var row = (double4)record.ToLocalX + (double4)record.RestX;
+            var row = (double4)record.ToLocalX + (double4)record.ToLocalXLo;
             Assert.That(length(row - double4(third.X.x, third.Y.x, third.Z.x, third.Origin.x)), Is.LessThan(1e-13));
         }
 
@@ -82,15 +82,15 @@ namespace Glint.Tests
                 ["MAX_PHASOR_PART"] = Channel.InPhase.MaxPart, ["LENGTH_OVERFLOW"] = 1u << Channel.Length.Number,
                 ["IN_PHASE_OVERFLOW"] = 1u << Channel.InPhase.Number,
                 ["QUADRATURE_OVERFLOW"] = 1u << Channel.Quadrature.Number,
-                ["SHORTCUT_REACH"] = (int)Shortcuts.Reach, ["SHORTCUT_LAST"] = (int)Shortcuts.LastSegment,
-                ["SHORTCUT_STARTS"] = (int)Shortcuts.Starts,
-                ["KEEP_NONE"] = (int)KeptRays.None, ["KEEP_RECEIVED"] = (int)KeptRays.Received,
-                ["KEEP_ALL"] = (int)KeptRays.All, ["NO_PIXEL"] = ReceivedRay.NoPixel, ["RAY_RECEIVED"] = RayData.Received,
+                ["CULL_REACH"] = (int)Culling.Reach, ["CULL_LAST"] = (int)Culling.LastSegment,
+                ["CULL_ENTRY_POINTS"] = (int)Culling.EntryPoints,
+                ["READBACK_NONE"] = (int)RayReadback.None, ["READBACK_RECEIVED"] = (int)RayReadback.Received,
+                ["READBACK_ALL"] = (int)RayReadback.All, ["NO_PIXEL"] = ReceivedRay.NoPixel, ["RAY_RECEIVED"] = RayData.Received,
                 ["TILE_SIDE"] = PictureTiles.Side, ["RAYS_A_TILE"] = PictureTiles.Rays,
-                ["GROUPS_A_ROW"] = TraceKernel.GroupsARow, ["MOST_FEW"] = DeviceScene.MostFew,
-                ["ROOT"] = DeviceScene.TopRootRow, ["BINARY_LEVELS"] = BoxTreeBuilder.MaxLevels,
+                ["GROUPS_A_ROW"] = TraceKernel.GroupsARow, ["MAX_INLINE_INSTANCES"] = DeviceScene.MaxInlineInstances,
+                ["ROOT"] = DeviceScene.InstanceBvhRootRow, ["BINARY_LEVELS"] = BinaryBvhBuilder.MaxLevels,
                 // The wide stack has 16 words: one a level, and entry points that wait.
-                ["MOST_STARTS"] = 16 - WideCollapse.MaxLevels + 2
+                ["MAX_ENTRY_POINTS"] = 16 - WideCollapse.MaxLevels + 2
             };
             foreach (var channel in Channel.All)
                 expected["SUM_" + channel.Name.ToUpperInvariant()] = channel.Word;

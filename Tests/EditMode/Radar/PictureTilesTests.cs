@@ -19,9 +19,9 @@ namespace Glint.Tests
             (uint)(pixel % s_settings.RaysAcross / 8) | (uint)(pixel / s_settings.RaysAcross / 8) << 16;
 
         // Slab by slab in the box's own axes.
-        static bool Meets(double3 origin, double3 direction, float3 low, float3 high)
+        static bool Meets(double3 origin, double3 direction, float3 boxMin, float3 boxMax)
         {
-            double3 a = (low - origin) / direction, b = (high - origin) / direction;
+            double3 a = (boxMin - origin) / direction, b = (boxMax - origin) / direction;
             return max(cmax(min(a, b)), 0) <= cmin(max(a, b));
         }
 
@@ -33,18 +33,18 @@ namespace Glint.Tests
             int met = 0, tight = 0;
             for (int i = 0; i < 300; i++)
             {
-                float3 low = (float3)(10 * double3(Next(), Next(), Next())),
-                    high = low + (float3)(pow(10, 1.5 * Next()) * double3(1 + Next(), 1 + Next(), 1 + Next()));
-                var place = Affine.FromTransform(10 * double3(Next(), Next(), Next()),
+                float3 boxMin = (float3)(10 * double3(Next(), Next(), Next())),
+                    boxMax = boxMin + (float3)(pow(10, 1.5 * Next()) * double3(1 + Next(), 1 + Next(), 1 + Next()));
+                var transform = Affine.FromTransform(10 * double3(Next(), Next(), Next()),
                     double4(Next(), Next(), Next(), Next()), double3(1, Next() > 0 ? 1 : -1, 1.5 + Next()));
                 var picture = new PictureTiles(s_settings, s_view);
-                picture.Add(low, high, place);
+                picture.Add(boxMin, boxMax, transform);
                 var tiles = Tiles(picture);
-                var back = place.Inverse();
+                var back = transform.Inverse();
                 double3 origin = back.Point(s_view.Position);
                 var seen = new HashSet<uint>(Enumerable.Range(0, (int)s_settings.RayCount)
                     .Where(pixel => Meets(origin, back.Vector(TestRadar.Direction(s_settings, s_view, pixel)),
-                        low, high)).Select(TileOf));
+                        boxMin, boxMax)).Select(TileOf));
                 met += seen.Count > 0 ? 1 : 0;
                 tight += tiles.Count < picture.Count ? 1 : 0;
                 Assert.That(seen.Except(tiles), Is.Empty, $"box {i}");

@@ -7,8 +7,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// What counts as the judge's way, as the other side of an edge, and as wrong.
-    /// The kernel's rays are the judge's, altered.
+    /// What counts as the reference tracer's way, as the other side of an edge, and as wrong.
+    /// The kernel's rays are the reference tracer's, altered.
     /// </summary>
     public sealed class RayComparisonTests
     {
@@ -23,20 +23,20 @@ namespace Glint.Tests
 
         static RadarScene Plate(double aside = 0)
         {
-            var place = Affine.Identity;
-            place.Origin.x = aside;
-            return new RadarScene(new MeshInstance { Mesh = TestRadar.FacingPlate(4, 20), ToWorld = place });
+            var transform = Affine.Identity;
+            transform.Origin.x = aside;
+            return new RadarScene(new MeshInstance { Mesh = TestRadar.FacingPlate(4, 20), ToWorld = transform });
         }
 
         static RayData[] Rays(RadarScene scene) =>
-            new Judge(new RadarPose(scene, s_settings, s_view)).TraceAll().Select((ray, pixel) =>
+            new ReferenceTracer(new RadarPose(scene, s_settings, s_view)).TraceAll().Select((ray, pixel) =>
             {
                 double length = ray.LengthToEnd, phase = Signal.Phase(length, s_settings.Wavelength);
                 var data = new RayData
                 {
                     Pixel = (uint)pixel, Bounces = (uint)ray.Bounces,
                     LastHit = (float3)ray.LastHit, Direction = (float3)ray.Direction,
-                    PathLength = (float)length, PathLengthRest = (float)(length - (float)length),
+                    PathLength = (float)length, PathLengthLo = (float)(length - (float)length),
                 };
                 data.IsReceived = ray.Received;
                 if (ray.Received)
@@ -44,9 +44,9 @@ namespace Glint.Tests
                 return data;
             }).ToArray();
 
-        static RayComparison Compare(RadarScene judged, RayData[] rays)
+        static RayComparison Compare(RadarScene reference, RayData[] rays)
         {
-            var comparison = new RayComparison(new RadarPose(judged, s_settings, s_view), Tolerance);
+            var comparison = new RayComparison(new RadarPose(reference, s_settings, s_view), Tolerance);
             comparison.Add(rays);
             Assert.That(comparison.Rays, Is.EqualTo(rays.Length));
             Assert.That(comparison.Same + comparison.AtEdge + comparison.Wrong, Is.EqualTo(rays.Length));
@@ -54,13 +54,13 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Add_TheJudgesOwnRays_AreTheSame()
+        public void Add_TheReferenceTracersOwnRays_AreTheSame()
         {
             var comparison = Compare(Plate(), Rays(Plate()));
             Assert.That(comparison.Same, Is.EqualTo(160 * 90));
             Assert.That(comparison.KernelSums.RaysReceived, Is.GreaterThan(10));
-            Assert.That(comparison.KernelSums.RaysReceived, Is.EqualTo(comparison.JudgeSums.RaysReceived));
-            Assert.That(comparison.KernelSums.Amplitude, Is.EqualTo(comparison.JudgeSums.Amplitude).Within(1e-5));
+            Assert.That(comparison.KernelSums.RaysReceived, Is.EqualTo(comparison.ReferenceSums.RaysReceived));
+            Assert.That(comparison.KernelSums.Amplitude, Is.EqualTo(comparison.ReferenceSums.Amplitude).Within(1e-5));
             Assert.That(comparison.LargestLengthDifference, Is.LessThan(1e-12));
             Assert.That(comparison.LargestPhaseDifference, Is.LessThan(1e-6));
         }
@@ -72,7 +72,7 @@ namespace Glint.Tests
             var rays = Rays(Plate());
             // The first one meets the plate where its two triangles do.
             uint received = rays.Where(ray => ray.IsReceived).ElementAt(1).Pixel;
-            rays[received].PathLengthRest += (float)difference;
+            rays[received].PathLengthLo += (float)difference;
             var comparison = Compare(Plate(), rays);
             Assert.That(comparison.Wrong, Is.EqualTo(wrong));
             if (wrong > 0)
@@ -86,7 +86,7 @@ namespace Glint.Tests
         public void Add_RaysThatPassAnEdgeOnItsOtherSide_AreWrongIfTheyPassItFarOff(double off, int wrong)
         {
             // Float32 places are some micrometres off here. The 16 rays of the column pass the edge between where
-            // the judge sees it and where the kernel does.
+            // the reference tracer sees it and where the kernel does.
             var comparison = Compare(Plate(EdgeToColumn + off), Rays(Plate(EdgeToColumn - off)));
             Assert.That(comparison.AtEdge, Is.EqualTo(16 - wrong));
             Assert.That(comparison.Wrong, Is.EqualTo(wrong));

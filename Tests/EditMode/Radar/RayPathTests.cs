@@ -7,7 +7,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The ways of single rays against the judge, which is stopped after each bounce in turn.</summary>
+    /// <summary>The ways of single rays against the reference tracer, which is stopped after each bounce in turn.</summary>
     public sealed class RayPathTests
     {
         const int Bounces = 5;
@@ -26,7 +26,7 @@ namespace Glint.Tests
             });
 
         [Test]
-        public void TracePaths_EveryBounce_IsWhereTheJudgeHasItAndOnItsTriangle(
+        public void TracePaths_EveryBounce_IsWhereTheReferenceHasItAndOnItsTriangle(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware,
             [Values] bool isParallel)
         {
@@ -41,7 +41,7 @@ namespace Glint.Tests
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
             {
                 paths = tracer.TracePaths(new RadarPose(scene, s_settings, view), pixels, new Numbers(scene));
-                rays = tracer.Trace(new RadarPose(scene, s_settings, view), KeptRays.All).Rays;
+                rays = tracer.Trace(new RadarPose(scene, s_settings, view), RayReadback.All).Rays;
                 Assert.That(tracer.ReceivedPixels(),
                     Is.EqualTo(rays.Where(ray => ray.IsReceived).Select(ray => ray.Pixel)));
             }
@@ -50,16 +50,16 @@ namespace Glint.Tests
             {
                 var settings = s_settings;
                 settings.MaxBounces = bounce;
-                var judge = new Judge(new RadarPose(scene, settings, view));
+                var referenceTracer = new ReferenceTracer(new RadarPose(scene, settings, view));
                 foreach (var path in paths.Where(path => path.Bounces >= bounce))
                 {
-                    var judged =
-                        judge.Trace((int)path.Pixel % settings.RaysAcross, (int)path.Pixel / settings.RaysAcross);
+                    var reference =
+                        referenceTracer.Trace((int)path.Pixel % settings.RaysAcross, (int)path.Pixel / settings.RaysAcross);
                     var hit = path.Hits[bounce - 1];
                     compared++;
-                    if (judged.Bounces != bounce || judged.LastTriangle != hit.Object
-                        || distance(judged.LastHit, hit.Place) > Near
-                        || distance(judged.Direction, hit.Direction) > Near)
+                    if (reference.Bounces != bounce || reference.LastTriangle != hit.Object
+                        || distance(reference.LastHit, hit.Position) > Near
+                        || distance(reference.Direction, hit.Direction) > Near)
                         others++;
                 }
             }
@@ -78,7 +78,7 @@ namespace Glint.Tests
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
                 var pose = new RadarPose(new RadarScene(TestRadar.Trihedral(0, 2)), settings, view);
-                long received = tracer.Trace(pose, KeptRays.None).RaysReceived;
+                long received = tracer.Trace(pose, RayReadback.None).RaysReceived;
                 var paths = tracer.TracePaths(pose, tracer.ReceivedPixels());
                 Assert.That(received, Is.GreaterThan(100));
                 Assert.That(paths.Length, Is.EqualTo(received));
@@ -92,7 +92,7 @@ namespace Glint.Tests
                 }
                 // A corner turns a ray about: three walls, and back the way it came.
                 Assert.That(paths.Count(path => path.Bounces == 3
-                        && distance(path.Hits[2].Direction, -normalize(path.Hits[0].Place - path.Start)) < 1e-5),
+                        && distance(path.Hits[2].Direction, -normalize(path.Hits[0].Position - path.Start)) < 1e-5),
                     Is.EqualTo(paths.Count(path => path.Bounces == 3)).And.GreaterThan(100));
             }
         }
@@ -130,7 +130,7 @@ namespace Glint.Tests
             {
                 var points = path.Points();
                 double length = Enumerable.Range(1, points.Length - 1).Sum(i => distance(points[i - 1], points[i]));
-                Assert.That(length, Is.EqualTo(rays[path.Pixel].ExactPathLength).Within(5 * Near));
+                Assert.That(length, Is.EqualTo(rays[path.Pixel].RefinedPathLength).Within(5 * Near));
             }
             foreach (var path in paths)
                 Assert.That(distance(path.Start,
@@ -139,7 +139,7 @@ namespace Glint.Tests
             Assert.That(paths.Count(path => path.Bounces != rays[path.Pixel].Bounces), Is.LessThanOrEqualTo(1));
         }
 
-        // Triangles numbered over all instances, as the judge does it.
+        // Triangles numbered over all instances, as the reference tracer does it.
         sealed class Numbers : IHitObjects
         {
             readonly RadarScene _scene;

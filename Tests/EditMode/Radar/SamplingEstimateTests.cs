@@ -8,7 +8,7 @@ namespace Glint.Tests
 {
     /// <summary>
     /// The estimate of the sampling error against pictures whose converged sum has a closed form,
-    /// and against the judge's rays.
+    /// and against the reference tracer's rays.
     /// </summary>
     [Category("Slow")]
     public sealed class SamplingEstimateTests
@@ -187,8 +187,8 @@ namespace Glint.Tests
         {
             var scene = CornerReflector.Turned(0);
             var view = AccuracyScene.PublishedView(CornerReflector.Distance, CornerReflector.PitchDegrees);
-            var settings = JudgedPose.RegionOfReturns(scene, TestRadar.Settings(across, across * 9 / 16), view);
-            var pose = new JudgedPose(scene, settings, view);
+            var settings = ReferencePose.RegionOfReturns(scene, TestRadar.Settings(across, across * 9 / 16), view);
+            var pose = new ReferencePose(scene, settings, view);
             var result = pose.Trace();
             double converged = pose.ConvergedAmplitude();
 
@@ -200,9 +200,9 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Estimate_OfTheJudgesRays_IsWithinAThirdAndThreeTimesTheError()
+        public void Estimate_OfTheReferenceRays_IsWithinAThirdAndThreeTimesTheError()
         {
-            AssertGood(JudgedPose.Sample().Select(pose => (pose.Trace(), pose.ConvergedAmplitude())));
+            AssertGood(ReferencePose.Sample().Select(pose => (pose.Trace(), pose.ConvergedAmplitude())));
         }
 
         // Between a third and three times the error in four of five poses that are not flagged,

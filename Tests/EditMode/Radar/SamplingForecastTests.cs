@@ -20,10 +20,10 @@ namespace Glint.Tests
         {
             var settings = TestRadar.Settings(across, down);
             var view = TestRadar.LookAt(0, double3(0, 0, 40), 20);
-            var middle = double3(aside, 0, 40);
-            var result = TestKernels.TraceOnce(Facing(middle, normalize(middle)), settings, view);
+            var centre = double3(aside, 0, 40);
+            var result = TestKernels.TraceOnce(Facing(centre, normalize(centre)), settings, view);
 
-            var forecast = SamplingForecast.Of(settings, view, middle).Value;
+            var forecast = SamplingForecast.Of(settings, view, centre).Value;
             Assert.That(result.RaysReceived, Is.GreaterThan(100));
             Assert.That(forecast.RaysReceived, Is.EqualTo(result.RaysReceived).Within(percent).Percent);
             Assert.That(forecast.LargestPathStep, Is.EqualTo(result.LargestPathStep).Within(percent).Percent);
@@ -71,10 +71,10 @@ namespace Glint.Tests
             Assert.That(SamplingForecast.Of(TestRadar.Settings(), view, double3(0, 0, 40)), Is.Null);
         }
 
-        static TriangleMesh Facing(double3 middle, double3 normal)
+        static TriangleMesh Facing(double3 centre, double3 normal)
         {
             double3 right = normalize(cross(double3(0, 1, 0), normal)), up = cross(normal, right);
-            return TestRadar.Plate((float3)(middle - Side / 2 * (right + up)),
+            return TestRadar.Plate((float3)(centre - Side / 2 * (right + up)),
                 (float3)(Side * right), (float3)(Side * up));
         }
     }

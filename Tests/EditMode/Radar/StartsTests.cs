@@ -13,7 +13,7 @@ namespace Glint.Tests
     /// </summary>
     public sealed class StartsTests
     {
-        // DONE in Shaders/BinaryTree.hlsl.
+        // DONE in Shaders/BinaryBvh.hlsl.
         const uint None = uint.MaxValue;
 
         static readonly RadarSettings s_settings = TestRadar.Settings(333, 187);
@@ -24,49 +24,49 @@ namespace Glint.Tests
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             var mesh = TestRadar.Clutter(5000, seed: 5, halfSide: 4, largest: 0.3f);
-            var shape = asSoftware ? TreeShape.Wide : TreeShape.Binary;
-            var levels = Levels(MeshTree.Build(mesh, shape).Parts[0].Words, shape);
-            var tiles = FindStarts(mesh, asSoftware).Where(starts => starts.x != None).ToArray();
+            var layout = asSoftware ? BvhLayout.Wide : BvhLayout.Binary;
+            var levels = Levels(MeshBvh.Build(mesh, layout).Parts[0].Rows, layout);
+            var tiles = FindEntryPoints(mesh, asSoftware).Where(starts => starts.x != None).ToArray();
             Assert.That(tiles.Length, Is.GreaterThan(300), "tiles that may meet something");
             foreach (var starts in tiles)
                 for (int i = 0; i < 4 && starts[i] != None; i++)
                     if (!levels.ContainsKey(starts[i]))
                         Assert.Fail($"{starts[i]:x} refers to no node or leaf");
-            // Of a tree of 8 or 15 levels; measured 3.62 and 6.62.
+            // Of a BVH of 8 or 15 levels; measured 3.62 and 6.62.
             Assert.That(tiles.Average(starts => Enumerable.Range(0, 4).Where(i => starts[i] != None)
                 .Average(i => levels[starts[i]])), Is.GreaterThan(asSoftware ? 3.4 : 6.3));
         }
 
         // Four entry points of each traced tile.
-        static uint4[] FindStarts(TriangleMesh mesh, bool asSoftware)
+        static uint4[] FindEntryPoints(TriangleMesh mesh, bool asSoftware)
         {
             var kernel = new TraceKernel(TestKernels.Trace, asSoftware, "test");
-            using (var scene = new DeviceScene(asSoftware ? TreeShape.Wide : TreeShape.Binary, "test", long.MaxValue))
+            using (var scene = new DeviceScene(asSoftware ? BvhLayout.Wide : BvhLayout.Binary, "test", long.MaxValue))
             using (var tiles = new DeviceBuffer<uint>("tiles"))
             using (var starts = new DeviceBuffer<uint4>("starts"))
             {
-                scene.Set(new RadarScene(mesh), new TraceStatistics(), (some, shape) => MeshTree.Build(some, shape));
+                scene.Set(new RadarScene(mesh), new TraceStatistics(), (some, layout) => MeshBvh.Build(some, layout));
                 var picture = new PictureTiles(s_settings, s_view);
                 scene.AddTo(picture);
                 var traced = picture.ToArray(asSoftware);
                 tiles.Upload(traced);
-                starts.Reserve(traced.Length * DeviceScene.MostFew);
+                starts.Reserve(traced.Length * DeviceScene.MaxInlineInstances);
                 kernel.Choose(scene, false);
-                kernel.SetRadar(s_settings, s_view, new RayGrid(s_settings, s_view, scene.Low, scene.High),
-                    scene.Scene.Origin, 1, Shortcuts.All);
+                kernel.SetRadar(s_settings, s_view, new RayGrid(s_settings, s_view, scene.Min, scene.Max),
+                    scene.Scene.Origin, 1, Culling.All);
                 kernel.SetScene(scene);
-                kernel.FindStarts(scene, tiles, 0, traced.Length, starts);
-                var found = new uint4[traced.Length * DeviceScene.MostFew];
+                kernel.FindEntryPoints(scene, tiles, 0, traced.Length, starts);
+                var found = new uint4[traced.Length * DeviceScene.MaxInlineInstances];
                 starts.ReadBack(found, found.Length);
-                return found.Where((_, i) => i % DeviceScene.MostFew == 0).ToArray();
+                return found.Where((_, i) => i % DeviceScene.MaxInlineInstances == 0).ToArray();
             }
         }
 
-        // How many nodes lie above each reference of a tree.
-        static Dictionary<uint, int> Levels(uint4[] rows, TreeShape shape)
+        // How many nodes lie above each reference of a BVH.
+        static Dictionary<uint, int> Levels(uint4[] rows, BvhLayout layout)
         {
-            bool isWide = shape == TreeShape.Wide;
-            var levels = new Dictionary<uint, int> { [isWide ? 8u : DeviceScene.TopRootRow] = 0 };
+            bool isWide = layout == BvhLayout.Wide;
+            var levels = new Dictionary<uint, int> { [isWide ? 8u : DeviceScene.InstanceBvhRootRow] = 0 };
             var waiting = new Queue<uint>(levels.Keys);
             while (waiting.Count > 0)
             {

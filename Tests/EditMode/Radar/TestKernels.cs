@@ -21,7 +21,7 @@ namespace Glint.Tests
 
         public static ComputeShader Layout => Load("Packages/com.glint.tests/EditMode/Shaders/Layout.compute");
 
-        public static ComputeShader TwoFloat => Load("Packages/com.glint.tests/EditMode/Shaders/TwoFloat.compute");
+        public static ComputeShader DoubleFloat => Load("Packages/com.glint.tests/EditMode/Shaders/DoubleFloat.compute");
 
         /// <summary>The tracer's kernels in groups of other sizes.</summary>
         public static ComputeShader OtherGroups =>
@@ -29,11 +29,11 @@ namespace Glint.Tests
 
         /// <summary>One pose of a mesh in the world's axes through the product's kernel.</summary>
         public static RadarResult TraceOnce(TriangleMesh mesh, in RadarSettings settings, in RadarView view,
-            KeptRays keep = KeptRays.Received)
+            RayReadback readback = RayReadback.Received)
         {
             using (var tracer = new RayTracer(Trace))
             {
-                return tracer.Trace(new RadarPose(new RadarScene(mesh), settings, view), keep);
+                return tracer.Trace(new RadarPose(new RadarScene(mesh), settings, view), readback);
             }
         }
 

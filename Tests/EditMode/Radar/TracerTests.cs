@@ -25,13 +25,13 @@ namespace Glint.Tests
 
         static RadarPose PoseOf(RadarScene scene) => new RadarPose(scene, s_settings, s_view);
 
-        static RadarResult Pose(Action<RayTracer> change = null, KeptRays keep = KeptRays.None,
+        static RadarResult Pose(Action<RayTracer> change = null, RayReadback readback = RayReadback.None,
             bool asSoftware = TestKernels.HasWide, RadarSettings? settings = null)
         {
             using (var tracer = Tracer(asSoftware))
             {
                 change?.Invoke(tracer);
-                return tracer.Trace(new RadarPose(new RadarScene(Scene), settings ?? s_settings, s_view), keep);
+                return tracer.Trace(new RadarPose(new RadarScene(Scene), settings ?? s_settings, s_view), readback);
             }
         }
 
@@ -62,31 +62,31 @@ namespace Glint.Tests
             Assert.That(all.Statistics.TilesSkipped, Is.GreaterThan(100));
             foreach (var off in new[]
             {
-                Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles, Shortcuts.Starts, Shortcuts.All
+                Culling.Reach, Culling.LastSegment, Culling.Tiles, Culling.EntryPoints, Culling.All
             })
-                AssertSame(Pose(tracer => tracer.Shortcuts = Shortcuts.All & ~off, asSoftware: asSoftware), all);
+                AssertSame(Pose(tracer => tracer.Culling = Culling.All & ~off, asSoftware: asSoftware), all);
         }
 
         // All but the entry points, which kernels that count do not use: see StartsTests.
         [Test]
-        public void Shortcuts_EachSaveWork()
+        public void Culling_EachSaveWork()
         {
-            long Visits(Shortcuts off) => Pose(tracer =>
+            long Visits(Culling off) => Pose(tracer =>
             {
                 tracer.CountVisits = true;
-                tracer.Shortcuts = Shortcuts.All & ~off;
+                tracer.Culling = Culling.All & ~off;
             }).Statistics is var work ? work.NodesVisited + work.PairsTested + work.TilesTraced : 0;
-            long all = Visits(Shortcuts.None);
+            long all = Visits(Culling.None);
             Assert.That(all, Is.GreaterThan(0));
-            foreach (var off in new[] { Shortcuts.Reach, Shortcuts.LastSegment, Shortcuts.Tiles })
+            foreach (var off in new[] { Culling.Reach, Culling.LastSegment, Culling.Tiles })
                 Assert.That(Visits(off), Is.GreaterThan(all), off.ToString());
         }
 
         [Test]
         public void Trace_InManyDispatches_SumsAndRaysAreThoseOfOne()
         {
-            var inOne = Pose(tracer => tracer.TilesADispatch = int.MaxValue, KeptRays.Received);
-            var inMany = Pose(tracer => tracer.TilesADispatch = 37, KeptRays.Received);
+            var inOne = Pose(tracer => tracer.TilesADispatch = int.MaxValue, RayReadback.Received);
+            var inMany = Pose(tracer => tracer.TilesADispatch = 37, RayReadback.Received);
             // The starts of the tiles, the rays, those that may be received once more, and smaller ones around these.
             // A GPU does not look for the starts of so few tiles.
             int everySlice = TestKernels.HasWide ? 2 : 1;
@@ -94,7 +94,7 @@ namespace Glint.Tests
             long slices = (inMany.Statistics.TilesTraced + 36) / 37;
             Assert.That(inMany.Statistics.Dispatches,
                 Is.InRange(everySlice * slices + 2, (everySlice + 1) * slices + 1));
-            Assert.That(inMany.Statistics.RaysFollowedExactly, Is.EqualTo(inOne.Statistics.RaysFollowedExactly));
+            Assert.That(inMany.Statistics.RaysRefined, Is.EqualTo(inOne.Statistics.RaysRefined));
             Assert.That(inMany.Statistics.SubRays, Is.EqualTo(inOne.Statistics.SubRays));
             AssertSame(inMany, inOne);
             Assert.That(inMany.Rays, Is.EqualTo(inOne.Rays));
@@ -113,25 +113,25 @@ namespace Glint.Tests
                 using (var tracer = Tracer(asSoftware: false))
                 using (var other = new RayTracer(TestKernels.OtherGroups, "test", false))
                 {
-                    var result = other.Trace(PoseOf(some), KeptRays.None);
+                    var result = other.Trace(PoseOf(some), RayReadback.None);
                     Assert.That(result.RaysReceived, Is.GreaterThan(100));
-                    AssertSame(result, tracer.Trace(PoseOf(some), KeptRays.None));
+                    AssertSame(result, tracer.Trace(PoseOf(some), RayReadback.None));
                 }
         }
 
-        // Searched in turn, and through a tree over them.
+        // Searched in turn, and through a BVH over them.
         [Test]
         public void Trace_InstancesInAnotherOrder_SumsAreTheSameBitForBit([Values(3, 12)] int count,
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             var random = new System.Random(count);
             double Next() => 2 * random.NextDouble() - 1;
-            var places = new List<MeshInstance>
+            var instances = new List<MeshInstance>
             {
                 new MeshInstance { Mesh = TestRadar.Trihedral(0, 4), ToWorld = Affine.Identity }
             };
             for (int i = 1; i < count; i++)
-                places.Add(new MeshInstance
+                instances.Add(new MeshInstance
                 {
                     Mesh = TestRadar.Clutter(40, seed: (uint)i, halfSide: 2, largest: 0.4f),
                     ToWorld = Affine.FromTransform(4 * double3(Next(), Next(), Next()),
@@ -140,13 +140,13 @@ namespace Glint.Tests
             RadarResult Sums()
             {
                 using (var tracer = Tracer(asSoftware))
-                    return tracer.Trace(PoseOf(new RadarScene(places.ToArray())), KeptRays.None);
+                    return tracer.Trace(PoseOf(new RadarScene(instances.ToArray())), RayReadback.None);
             }
             var expected = Sums();
             Assert.That(expected.RaysReceived, Is.GreaterThan(100));
             for (int turn = 0; turn < 3; turn++)
             {
-                places = places.OrderBy(place => random.Next()).ToList();
+                instances = instances.OrderBy(instance => random.Next()).ToList();
                 AssertSame(Sums(), expected);
             }
         }
@@ -154,7 +154,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_KeepingAllRaysInManyDispatches_HasThemInOrderOfTheirPixel()
         {
-            var rays = Pose(tracer => tracer.TilesADispatch = 37, KeptRays.All).Rays;
+            var rays = Pose(tracer => tracer.TilesADispatch = 37, RayReadback.All).Rays;
             Assert.That(rays.Select(ray => ray.Pixel), Is.EqualTo(Enumerable.Range(0, 333 * 187).Select(i => (uint)i)));
         }
 
@@ -163,12 +163,12 @@ namespace Glint.Tests
         {
             void InOneDispatch(RayTracer tracer) => tracer.TilesADispatch = int.MaxValue;
             var none = Pose(InOneDispatch);
-            var received = Pose(InOneDispatch, KeptRays.Received);
+            var received = Pose(InOneDispatch, RayReadback.Received);
             AssertSame(received, none);
-            AssertSame(Pose(keep: KeptRays.All), none);
+            AssertSame(Pose(readback: RayReadback.All), none);
             Assert.That(none.Rays, Is.Empty);
             Assert.That(received.Rays.Length, Is.EqualTo(none.RaysReceived));
-            long mayReturn = none.Statistics.RaysFollowedExactly;
+            long mayReturn = none.Statistics.RaysRefined;
             Assert.That(mayReturn, Is.InRange(none.RaysReceived, 1.1 * none.RaysReceived + 1e-3 * none.RaysEmitted),
                 "few more than are received: those that pass an edge");
             Assert.That(none.Statistics.BytesReadBack,
@@ -181,7 +181,7 @@ namespace Glint.Tests
         [Test]
         public void Sums_AreThoseOfTheRaysThatWereKept()
         {
-            var result = Pose(keep: KeptRays.All);
+            var result = Pose(readback: RayReadback.All);
             var received = result.Rays.Where(ray => ray.IsReceived).ToArray();
             // Whole numbers of 2^-24: half a unit a ray at most.
             Assert.That(result.InPhase,
@@ -202,8 +202,8 @@ namespace Glint.Tests
             var region = new RayRegion { Left = 101, Bottom = 53, Width = 77, Height = 91 };
             var settings = s_settings;
             settings.Region = region;
-            var part = Pose(keep: KeptRays.All, settings: settings, asSoftware: asSoftware);
-            var whole = Pose(keep: KeptRays.All, asSoftware: asSoftware).Rays;
+            var part = Pose(readback: RayReadback.All, settings: settings, asSoftware: asSoftware);
+            var whole = Pose(readback: RayReadback.All, asSoftware: asSoftware).Rays;
             var expected = whole.Where(ray => ray.Pixel % 333 >= 101 && ray.Pixel % 333 < 178 && ray.Pixel / 333 >= 53
                 && ray.Pixel / 333 < 144).ToArray();
             Assert.That(part.Rays, Is.EqualTo(expected));
@@ -216,8 +216,8 @@ namespace Glint.Tests
         [Test]
         public void Trace_KernelsForGpuAndForSoftware_FindTheSame()
         {
-            var wide = Pose(keep: KeptRays.All);
-            var binary = Pose(keep: KeptRays.All, asSoftware: false);
+            var wide = Pose(readback: RayReadback.All);
+            var binary = Pose(readback: RayReadback.All, asSoftware: false);
             // Both test the same triangles with the same arithmetic;
             // only ties between equally near triangles may differ.
             Assert.That(binary.Rays, Is.EqualTo(wide.Rays));
@@ -226,17 +226,17 @@ namespace Glint.Tests
 #endif
 
         [Test]
-        public void Trace_InstancesTurnedMirroredAndStretched_EqualTheJudge(
+        public void Trace_InstancesTurnedMirroredAndStretched_EqualTheReference(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             var plate = TestRadar.FacingPlate(4, 0);
             var clutter = TestRadar.Clutter(50, seed: 3, halfSide: 1, largest: 0.5f);
-            var places = new List<MeshInstance>();
+            var instances = new List<MeshInstance>();
             var random = new System.Random(9);
             for (int i = 0; i < 40; i++)
             {
                 double Next() => 2 * random.NextDouble() - 1;
-                places.Add(new MeshInstance
+                instances.Add(new MeshInstance
                 {
                     Mesh = i % 3 == 0 ? plate : clutter,
                     ToWorld = Affine.FromTransform(5 * double3(Next(), Next(), Next()),
@@ -244,12 +244,12 @@ namespace Glint.Tests
                         double3(Next() + 1.2, i % 2 == 0 ? 1 : -1, Next() + 1.5)),
                 });
             }
-            var scene = new RadarScene(places.ToArray());
+            var scene = new RadarScene(instances.ToArray());
             var view = TestRadar.LookAt(double3(3, 8, -14), 0);
             RayData[] rays;
             using (var tracer = Tracer(asSoftware))
-                rays = tracer.Trace(new RadarPose(scene, s_settings, view), KeptRays.All).Rays;
-            var expected = new Judge(new RadarPose(scene, s_settings, view)).TraceAll();
+                rays = tracer.Trace(new RadarPose(scene, s_settings, view), RayReadback.All).Rays;
+            var expected = new ReferenceTracer(new RadarPose(scene, s_settings, view)).TraceAll();
             int others = Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces
                 || rays[i].IsReceived != expected[i].Received
                 || abs(rays[i].PathLength
@@ -265,21 +265,21 @@ namespace Glint.Tests
             using (var tracer = Tracer())
             {
                 tracer.TilesADispatch = int.MaxValue;
-                var first = tracer.Trace(PoseOf(new RadarScene(mesh)), KeptRays.None);
-                Assert.That(first.Statistics.TreesBuilt, Is.EqualTo(1));
+                var first = tracer.Trace(PoseOf(new RadarScene(mesh)), RayReadback.None);
+                Assert.That(first.Statistics.BvhsBuilt, Is.EqualTo(1));
                 Assert.That(first.Statistics.TrianglesBuilt, Is.EqualTo(mesh.TriangleCount));
 
-                var second = tracer.Trace(PoseOf(new RadarScene(mesh)), KeptRays.None);
+                var second = tracer.Trace(PoseOf(new RadarScene(mesh)), RayReadback.None);
                 AssertSame(second, first);
-                Assert.That(second.Statistics.TreesBuilt, Is.Zero);
+                Assert.That(second.Statistics.BvhsBuilt, Is.Zero);
                 Assert.That(second.Statistics.BytesUploaded, Is.EqualTo(4 * second.Statistics.TilesTraced
                         + 3 * 4 * Channel.Slots * Channel.WordsPerSlot + 8 * second.Statistics.SubRays / 16),
                     "tiles, zeros, and where to trace smaller rays");
 
                 var turned = Affine.FromTransform(0, double4(0, sin(0.1), 0, cos(0.1)), 1);
                 var third = tracer.Trace(
-                    PoseOf(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = turned })), KeptRays.None);
-                Assert.That(third.Statistics.TreesBuilt, Is.Zero);
+                    PoseOf(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = turned })), RayReadback.None);
+                Assert.That(third.Statistics.BvhsBuilt, Is.Zero);
                 Assert.That(third.InPhase, Is.Not.EqualTo(first.InPhase));
             }
         }
@@ -289,14 +289,14 @@ namespace Glint.Tests
         {
             using (var tracer = Tracer())
             {
-                long least = 0;
+                long lowest = 0;
                 for (int i = 0; i < 20; i++)
                 {
                     var mesh = TestRadar.Join(Scene, TestRadar.Clutter(200 + 31 * i % 97, seed: (uint)i));
-                    var result = tracer.Trace(PoseOf(new RadarScene(mesh)), KeptRays.None);
-                    AssertSame(result, TestKernels.TraceOnce(mesh, s_settings, s_view, KeptRays.None));
-                    least = i == 0 ? result.Statistics.BytesOnDevice : least;
-                    Assert.That(result.Statistics.BytesOnDevice, Is.LessThan(2 * least));
+                    var result = tracer.Trace(PoseOf(new RadarScene(mesh)), RayReadback.None);
+                    AssertSame(result, TestKernels.TraceOnce(mesh, s_settings, s_view, RayReadback.None));
+                    lowest = i == 0 ? result.Statistics.BytesOnDevice : lowest;
+                    Assert.That(result.Statistics.BytesOnDevice, Is.LessThan(2 * lowest));
                 }
             }
         }
@@ -308,7 +308,7 @@ namespace Glint.Tests
             using (var tracer = Tracer())
             {
                 tracer.TilesADispatch = 50;
-                tracer.Trace(PoseOf(new RadarScene(Scene)), KeptRays.None, parts);
+                tracer.Trace(PoseOf(new RadarScene(Scene)), RayReadback.None, parts);
             }
             Assert.That(parts.Reported, Is.Ordered.And.Count.GreaterThan(3));
             Assert.That(parts.Reported.Last(), Is.EqualTo(1));
@@ -323,9 +323,9 @@ namespace Glint.Tests
                 tracer.TilesADispatch = 50;
                 var parts = new Parts { After = cancel.Cancel };
                 Assert.Throws<OperationCanceledException>(
-                    () => tracer.Trace(PoseOf(new RadarScene(Scene)), KeptRays.None, parts, cancel.Token));
+                    () => tracer.Trace(PoseOf(new RadarScene(Scene)), RayReadback.None, parts, cancel.Token));
                 Assert.That(parts.Reported, Has.Count.EqualTo(1));
-                AssertSame(tracer.Trace(PoseOf(new RadarScene(Scene)), KeptRays.None), Pose());
+                AssertSame(tracer.Trace(PoseOf(new RadarScene(Scene)), RayReadback.None), Pose());
             }
         }
 
@@ -336,7 +336,7 @@ namespace Glint.Tests
             {
                 var problem = Assert.Throws<GlintException>(
                     () => tracer.Trace(
-                        new RadarPose(new RadarScene(TestRadar.Empty), TestRadar.Settings(65536, 65535), s_view), KeptRays.All));
+                        new RadarPose(new RadarScene(TestRadar.Empty), TestRadar.Settings(65536, 65535), s_view), RayReadback.All));
                 Assert.That(problem.Message, Does.Contain("4294901760 rays").And.Contain("196605 MiB"));
             }
         }

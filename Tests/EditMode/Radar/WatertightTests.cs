@@ -28,7 +28,7 @@ namespace Glint.Tests
         public void RaysAtCornersAndAlongEdges_NoneEscapes(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
-            var (side, atLeast) = asSoftware ? (440, 20_000_000) : (104, 1_000_000);
+            var (side, min) = asSoftware ? (440, 20_000_000) : (104, 1_000_000);
             var escapes = new Escapes(side, 1);
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
                 foreach (int cells in new[] { 1, 2, 7, 16, 64 })
@@ -39,7 +39,7 @@ namespace Glint.Tests
                     if (cells > 2)
                         escapes.Look(tracer, $"dented body of {cells}", ClosedBodies.Dented(cells, side, cells));
                 }
-            escapes.Check(atLeast);
+            escapes.Check(min);
         }
 
         // Millimetres to 100 km, 1,000 km from the origin, stretched and mirrored.
@@ -50,9 +50,9 @@ namespace Glint.Tests
             var escapes = new Escapes(128, 1);
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
                 foreach (var scale in new[] { double3(1e-3), double3(1e5), double3(1, -2, 0.5), double3(-1, 30, 1) })
-                    foreach (var place in new[] { double3(0), double3(1e6, -1e6, 12345.678) })
-                        escapes.Look(tracer, $"jagged body times {scale} at {place}", ClosedBodies.Jagged(16, 128, 3),
-                            Affine.FromTransform(place, double4(0.1, 0.2, 0.3, 0.9), scale));
+                    foreach (var position in new[] { double3(0), double3(1e6, -1e6, 12345.678) })
+                        escapes.Look(tracer, $"jagged body times {scale} at {position}", ClosedBodies.Jagged(16, 128, 3),
+                            Affine.FromTransform(position, double4(0.1, 0.2, 0.3, 0.9), scale));
             escapes.Check(500_000);
         }
 
@@ -84,9 +84,9 @@ namespace Glint.Tests
                 _bounces = bounces;
             }
 
-            public void Look(RayTracer tracer, string name, TriangleMesh mesh, Affine? place = null)
+            public void Look(RayTracer tracer, string name, TriangleMesh mesh, Affine? transform = null)
             {
-                var toWorld = place ?? Affine.Identity;
+                var toWorld = transform ?? Affine.Identity;
                 var settings = TestRadar.Settings(_side, _side, _bounces);
                 foreach (var (right, up, forward) in s_views)
                 {
@@ -97,7 +97,7 @@ namespace Glint.Tests
                         ReceiverCentre = toWorld.Origin - 1e6 * forward, ReceiverRight = right,
                         ReceiverUp = up, ReceiverForward = forward, ReceiverSize = 1,
                     };
-                    var result = tracer.Trace(new RadarPose(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = toWorld }), settings, view), KeptRays.None);
+                    var result = tracer.Trace(new RadarPose(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = toWorld }), settings, view), RayReadback.None);
                     long missing = _bounces * result.RaysEmitted - result.Bounces;
                     if (missing > 0)
                         _found.Add($"{name}, {mesh.TriangleCount} triangles, towards {forward}: "
@@ -106,10 +106,10 @@ namespace Glint.Tests
                 }
             }
 
-            public void Check(long atLeast)
+            public void Check(long min)
             {
                 Assert.That(_found, Is.Empty);
-                Assert.That(_rays, Is.GreaterThan(atLeast));
+                Assert.That(_rays, Is.GreaterThan(min));
             }
         }
     }

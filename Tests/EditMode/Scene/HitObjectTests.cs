@@ -84,31 +84,31 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void TracePicture_ShowsThePartThatMeetsAnything()
+        public void TracePreview_ShowsThePartThatMeetsAnything()
         {
-            var picture = _radar.TracePicture();
-            Assert.That(picture.Objects().Select(number => _radar.ObjectAt(number)), Is.EqualTo(_plates));
+            var preview = _radar.TracePreview();
+            Assert.That(preview.Objects().Select(number => _radar.ObjectAt(number)), Is.EqualTo(_plates));
             // The plates take 18 of the view's 18.7 m across, and a tenth or so of its height.
-            Assert.That((double)picture.Part.Width / picture.RaysAcross, Is.GreaterThan(0.95));
-            Assert.That((double)picture.Part.Height / picture.RaysDown, Is.InRange(0.19, 0.4));
+            Assert.That((double)preview.Part.Width / preview.RaysAcross, Is.GreaterThan(0.95));
+            Assert.That((double)preview.Part.Height / preview.RaysDown, Is.InRange(0.19, 0.4));
             int seen = 0, received = 0;
-            for (int y = 0; y < picture.Part.Height; y++)
-                for (int x = 0; x < picture.Part.Width; x++)
+            for (int y = 0; y < preview.Part.Height; y++)
+                for (int x = 0; x < preview.Part.Width; x++)
                 {
-                    if (picture.Bounces(x, y) == 0)
+                    if (preview.Bounces(x, y) == 0)
                     {
-                        Assert.That(picture.Object(x, y), Is.EqualTo(PathHit.NoObject));
+                        Assert.That(preview.Object(x, y), Is.EqualTo(PathHit.NoObject));
                         continue;
                     }
                     seen++;
-                    received += picture.IsReceived(x, y) ? 1 : 0;
-                    Assert.That(picture.Facing(x, y), Is.GreaterThan(math.cos(math.radians(12))), "head-on");
-                    Assert.That(_radar.ObjectAt(picture.Object(x, y)),
-                        Is.EqualTo(PlateAt((picture.Part.Left + x + 0.5) / picture.RaysAcross)));
+                    received += preview.IsReceived(x, y) ? 1 : 0;
+                    Assert.That(preview.Facing(x, y), Is.GreaterThan(math.cos(math.radians(12))), "head-on");
+                    Assert.That(_radar.ObjectAt(preview.Object(x, y)),
+                        Is.EqualTo(PlateAt((preview.Part.Left + x + 0.5) / preview.RaysAcross)));
                 }
             // Five plates of 4 m2 in a view of 10.5 x 18.66 m.
             double height = 2 * Depth * math.tan(math.radians(5)), share = Plates * 4 / (height * height * 16 / 9);
-            Assert.That(seen, Is.EqualTo(share * picture.RaysAcross * picture.RaysDown).Within(0.03 * seen));
+            Assert.That(seen, Is.EqualTo(share * preview.RaysAcross * preview.RaysDown).Within(0.03 * seen));
             // The receiver of 3 m takes what falls within 0.75 m of the middle: mirrors send it back to twice that.
             Assert.That(received, Is.EqualTo(1.5 * 1.5 / (Plates * 4) * seen).Within(0.1 * received));
         }

@@ -24,9 +24,9 @@ namespace Glint.Tests
         [TestCase(1000000, -90, 200)]
         public void Create_Radar_LooksAtTheAimFromItsDistance(double range, double grazing, double azimuth)
         {
-            var stand = Stand(range, grazing, azimuth);
-            var view = Make(stand).View;
-            double3 toAim = stand.Aim - view.Position;
+            var placement = Placement(range, grazing, azimuth);
+            var view = Make(placement).View;
+            double3 toAim = placement.Aim - view.Position;
             Assert.That(length(toAim), Is.EqualTo(range).Within(2e-15 * range + 1e-12));
             Assert.That(length(cross(toAim, view.Forward)), Is.LessThan(1e-9), "the aim is on the axis to a nanometre");
             // The way it looks is turned by single-precision angles.
@@ -45,12 +45,12 @@ namespace Glint.Tests
         [Test]
         public void Create_ParallelRaysOverAnAperture_StartAtTheDistanceAndReturnToIt()
         {
-            var stand = Stand(100000, 0, 0);
-            (stand.RaySpacing, stand.ApertureSize, stand.ReceiverSize) = (0.25, new double2(4, 2.1), 0);
-            var pose = Make(stand);
+            var placement = Placement(100000, 0, 0);
+            (placement.RaySpacing, placement.ApertureSize, placement.ReceiverSize) = (0.25, new double2(4, 2.1), 0);
+            var pose = Make(placement);
             Assert.That((pose.Settings.RaysAcross, pose.Settings.RaysDown), Is.EqualTo((16, 9)));
             Assert.That(pose.View.ApertureHeight, Is.EqualTo(2.25));
-            Assert.That(distance(pose.View.Position, stand.Aim - new double3(0, 0, 100000)), Is.LessThan(1e-9));
+            Assert.That(distance(pose.View.Position, placement.Aim - new double3(0, 0, 100000)), Is.LessThan(1e-9));
             Assert.That(distance(pose.View.ReceiverCentre, pose.View.Position), Is.LessThan(1e-9),
                 "on the axis, at the same distance");
             Assert.That(pose.View.ReceiverSize, Is.EqualTo(new double2(4, 2.25)));
@@ -59,35 +59,35 @@ namespace Glint.Tests
         [Test]
         public void Create_ParallelRaysWithoutAnAperture_AreFittedToTheMesh()
         {
-            var stand = Stand(100, 0, 0);
-            (stand.RaySpacing, stand.ReceiverSize) = (0.25, 0);
-            var pose = Make(stand);
+            var placement = Placement(100, 0, 0);
+            (placement.RaySpacing, placement.ReceiverSize) = (0.25, 0);
+            var pose = Make(placement);
             // A plate 2 m wide and 1 m high, aimed at beside its middle.
             Assert.That((pose.Settings.RaysAcross, pose.Settings.RaysDown), Is.EqualTo((8, 4)));
-            Assert.That(distance(pose.View.Position, new double3(0, 0, stand.Aim.z - 100)), Is.LessThan(1e-9));
+            Assert.That(distance(pose.View.Position, new double3(0, 0, placement.Aim.z - 100)), Is.LessThan(1e-9));
             Assert.That(distance(pose.View.ReceiverCentre, pose.View.Position), Is.LessThan(1e-9));
             Assert.That(pose.View.ReceiverSize, Is.EqualTo(new double2(2, 1)));
 
             _made.Radar.ReceiverSize = new Vector2(3, 4);
             pose = _made.Radar.Gather();
-            Assert.That(distance(pose.View.ReceiverCentre, stand.Aim - new double3(0, 0, 100)), Is.LessThan(1e-9),
+            Assert.That(distance(pose.View.ReceiverCentre, placement.Aim - new double3(0, 0, 100)), Is.LessThan(1e-9),
                 "where it stands, when it has a size");
             Assert.That(pose.View.ReceiverSize, Is.EqualTo(new double2(3, 4)));
         }
 
-        static RadarStand Stand(double range, double grazing, double azimuth) => new RadarStand
+        static RadarPlacement Placement(double range, double grazing, double azimuth) => new RadarPlacement
         {
             Aim = new double3(0.5, -0.25, 3), Distance = range, GrazingDegrees = grazing, AzimuthDegrees = azimuth,
             VerticalFovDegrees = 0.5, ReceiverSize = new double2(4, 2),
         };
 
-        RadarPose Make(in RadarStand stand)
+        RadarPose Make(in RadarPlacement placement)
         {
             var plate = new MeshFile("Plate", new[]
             {
                 new float3(-1, -0.5f, 0), new float3(-1, 0.5f, 0), new float3(1, 0.5f, 0), new float3(1, -0.5f, 0)
             }, new[] { 0, 1, 2, 0, 2, 3 });
-            _made = MeshFileScene.Create(plate, stand, RadarSettings.Default, null);
+            _made = MeshFileScene.Create(plate, placement, RadarSettings.Default, null);
             _made.Radar.Roots.Add(_made.Target); // whatever scene an earlier test left
             return _made.Radar.Gather();
         }

@@ -103,6 +103,6 @@ namespace Glint.Tests
             return $"{mesh.name} deformed";
         }
 
-        float Number(float most) => (float)(2 * _random.NextDouble() - 1) * most;
+        float Number(float max) => (float)(2 * _random.NextDouble() - 1) * max;
     }
 }

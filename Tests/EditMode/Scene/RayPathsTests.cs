@@ -69,7 +69,7 @@ namespace Glint.Tests
                 (Of(lines, Color.red), Of(lines, PathLines.SegmentColours[1]), Of(lines, PathLines.SegmentColours[2]));
             Assert.That(new[] { first.Count, second.Count, third.Count }, Is.All.EqualTo(_paths.Count));
             Assert.That(Of(lines, PathLines.SegmentColours[3]), Is.Empty);
-            double lengths = result.Rays.Sum(ray => ray.ExactPathLength);
+            double lengths = result.Rays.Sum(ray => ray.RefinedPathLength);
             Assert.That(first.Concat(second).Concat(third).Sum(line => line.Length),
                 Is.EqualTo(lengths).Within(1e-6 * lengths));
             for (int i = 0; i < first.Count; i++)
@@ -81,21 +81,21 @@ namespace Glint.Tests
         [Test]
         public void Lines_OfAllRays_AreOfThoseThatMeetTheObjectSoOften()
         {
-            _radar.Trace(KeptRays.None);
+            _radar.Trace(RayReadback.None);
             _paths.ReceivedOnly = false;
             _paths.Lines();
             int all = _paths.Count;
             Assert.That(all, Is.EqualTo(_radar.Result.RaysHit).Within(1));
-            _paths.FewestBounces = 2;
+            _paths.MinBounces = 2;
             _paths.Lines();
             int twice = _paths.Count;
             Assert.That(twice, Is.EqualTo(_radar.Result.Bounces - _radar.Result.RaysHit).Within(1),
                 "none bounces three times");
-            _paths.FewestBounces = 1;
-            _paths.MostBounces = 1;
+            _paths.MinBounces = 1;
+            _paths.MaxBounces = 1;
             _paths.Lines();
             Assert.That(_paths.Count, Is.EqualTo(all - twice));
-            _paths.MostBounces = RadarSettings.BounceLimit;
+            _paths.MaxBounces = RadarSettings.BounceLimit;
 
             _paths.Meeting = _plate;
             var red = Of(Lines(_paths.Lines()), PathLines.SegmentColours[0]);
@@ -131,11 +131,11 @@ namespace Glint.Tests
         public void Lines_OfMoreRaysThanAreFollowed_AreTakenEvenlyInOneMesh()
         {
             _radar.Settings = TestRadar.Settings(640, 360);
-            _radar.Trace(KeptRays.None);
+            _radar.Trace(RayReadback.None);
             _paths.ReceivedOnly = false;
             var mesh = _paths.Lines();
-            Assert.That(_paths.LeftOut, Is.EqualTo(640 * 360 - RayPaths.MostRays));
-            Assert.That(_paths.Count, Is.EqualTo(_radar.Result.RaysHit * RayPaths.MostRays / (640.0 * 360))
+            Assert.That(_paths.LeftOut, Is.EqualTo(640 * 360 - RayPaths.MaxRays));
+            Assert.That(_paths.Count, Is.EqualTo(_radar.Result.RaysHit * RayPaths.MaxRays / (640.0 * 360))
                 .Within(0.02 * _paths.Count).And.GreaterThan(5000));
             Assert.That(mesh.subMeshCount, Is.EqualTo(1));
         }
@@ -160,7 +160,7 @@ namespace Glint.Tests
             _paths.Lines();
             int all = _paths.Count;
             _wall.localRotation = Quaternion.Euler(0, 20, 0);
-            _paths.FewestBounces = 2;
+            _paths.MinBounces = 2;
             _paths.Lines();
             Assert.That(_paths.Count, Is.EqualTo(_radar.Result.Bounces - _radar.Result.RaysHit).Within(1));
             // As the inspector sets them.
@@ -221,7 +221,7 @@ namespace Glint.Tests
                 case "another mesh": filter.sharedMesh = _floor.GetComponent<MeshFilter>().sharedMesh; break;
                 case "a mesh that changed":
                     filter.sharedMesh.vertices =
-                    filter.sharedMesh.vertices.Select(place => place + Vector3.right).ToArray(); break;
+                    filter.sharedMesh.vertices.Select(position => position + Vector3.right).ToArray(); break;
                 case "an object less": _plate.gameObject.SetActive(false); break;
                 case "another place of the radar": _camera.transform.localPosition += Vector3.up; break;
                 case "another field of view": _camera.GetComponent<Camera>().fieldOfView = 11; break;
@@ -267,10 +267,10 @@ namespace Glint.Tests
 
         static List<(Vector3 From, Vector3 To, double Length, Color32 Colour)> Lines(Mesh mesh)
         {
-            var (places, colours, indices) = (mesh.vertices, mesh.colors32, mesh.GetIndices(0));
+            var (positions, colours, indices) = (mesh.vertices, mesh.colors32, mesh.GetIndices(0));
             return Enumerable.Range(0, indices.Length / 2).Select(i =>
-                (places[indices[2 * i]], places[indices[2 * i + 1]],
-                    math.distance((double3)(float3)places[indices[2 * i]], (float3)places[indices[2 * i + 1]]),
+                (positions[indices[2 * i]], positions[indices[2 * i + 1]],
+                    math.distance((double3)(float3)positions[indices[2 * i]], (float3)positions[indices[2 * i + 1]]),
                     colours[indices[2 * i]])).ToList();
         }
 

@@ -124,13 +124,13 @@ namespace Glint.Tests
             _radar.SetParent(_ship, false);
             var scene = _gatherer.Gather(~0, new List<Transform> { _ship }, _receiver, _radar);
             Assert.That(distance(scene.Origin, SceneBuilder.ToWorld(_ship, 0)), Is.LessThan(1e-12));
-            AssertPlaces(scene, _ship.GetComponentsInChildren<MeshFilter>());
+            AssertPositions(scene, _ship.GetComponentsInChildren<MeshFilter>());
 
             // A receiver on the rock: the root's.
             _receiver.SetParent(_scene.Root.Find("Rock"), false);
             scene = _gatherer.Gather(~0, new List<Transform> { _ship }, _receiver, _radar);
             Assert.That(scene.Origin, Is.EqualTo((double3)(float3)_scene.Root.localPosition));
-            AssertPlaces(scene, _ship.GetComponentsInChildren<MeshFilter>());
+            AssertPositions(scene, _ship.GetComponentsInChildren<MeshFilter>());
         }
 
         [Test]
@@ -177,7 +177,7 @@ namespace Glint.Tests
                 Assert.That(scene.Origin, Is.EqualTo(new double3(0)));
 
                 var fromRadar = SceneBuilder.Corners(scene)
-                    .Select(corner => corner - _gatherer.StandOf(_radar).Origin).ToArray();
+                    .Select(corner => corner - _gatherer.PoseOf(_radar).Origin).ToArray();
                 double3 apart = new double3(1000000.0625 - 5.0625, 16.4375 + 0.125, -999999.5 + 1)
                     - new double3(1000050.8125, 20.125, -1000001.25) - (float3)_radar.localPosition;
                 var expected = mesh.triangles.Select(index => apart + (float3)mesh.vertices[index]).ToArray();
@@ -194,22 +194,22 @@ namespace Glint.Tests
         [TestCase(3, 0.2f, 1)]
         [TestCase(-1, 1, 1)]
         [TestCase(1, -2, -0.5f)]
-        public void StandOf_BelowScaledAndMirroredTransforms_HasUnitysAxesInDouble(float x, float y, float z)
+        public void PoseOf_BelowScaledAndMirroredTransforms_HasUnitysAxesInDouble(float x, float y, float z)
         {
             _scene.Root.localScale = new Vector3(x, y, z);
             _radar.parent.localScale = new Vector3(y, z, 1.5f * x);
             GatherScene(_gatherer);
             foreach (var transform in new[] { _radar, _receiver })
             {
-                var stand = _gatherer.StandOf(transform);
-                Assert.That(distance(stand.Origin, SceneBuilder.ToWorld(transform, 0)), Is.LessThan(1e-12),
+                var pose = _gatherer.PoseOf(transform);
+                Assert.That(distance(pose.Origin, SceneBuilder.ToWorld(transform, 0)), Is.LessThan(1e-12),
                     "at the root's place, which is the world's origin");
-                Assert.That(distance((float3)stand.X, transform.right), Is.LessThan(1e-6));
-                Assert.That(distance((float3)stand.Y, transform.up), Is.LessThan(1e-6));
-                Assert.That(distance((float3)stand.Z, transform.forward), Is.LessThan(1e-6));
-                Assert.That(abs(new double3(length(stand.X), length(stand.Y), length(stand.Z)) - 1),
+                Assert.That(distance((float3)pose.X, transform.right), Is.LessThan(1e-6));
+                Assert.That(distance((float3)pose.Y, transform.up), Is.LessThan(1e-6));
+                Assert.That(distance((float3)pose.Z, transform.forward), Is.LessThan(1e-6));
+                Assert.That(abs(new double3(length(pose.X), length(pose.Y), length(pose.Z)) - 1),
                     Is.EqualTo(new double3(0)).Using<double3>((a, b) => distance(a, b) < 1e-14 ? 0 : 1));
-                Assert.That(distance(cross(stand.X, stand.Y), stand.Z), Is.LessThan(1e-14), "left-handed, as in Unity");
+                Assert.That(distance(cross(pose.X, pose.Y), pose.Z), Is.LessThan(1e-14), "left-handed, as in Unity");
             }
         }
 
@@ -217,7 +217,7 @@ namespace Glint.Tests
         public void Gather_RandomHierarchies_HaveEveryCornerWhereItBelongs([NUnit.Framework.Range(1, 12)] int seed)
         {
             var random = new System.Random(seed);
-            float Number(double most) => (float)((2 * random.NextDouble() - 1) * most);
+            float Number(double limit) => (float)((2 * random.NextDouble() - 1) * limit);
             var all = _scene.Root.GetComponentsInChildren<Transform>();
             foreach (var item in all)
             {
@@ -238,8 +238,8 @@ namespace Glint.Tests
                 var scene = GatherScene(_gatherer);
                 var objects = _scene.Root.GetComponentsInChildren<MeshFilter>()
                     .Where(filter => !filter.transform.IsChildOf(_receiver));
-                AssertPlaces(scene, objects);
-                Assert.That(distance(scene.Origin + _gatherer.StandOf(_radar).Origin, SceneBuilder.ToWorld(_radar, 0)),
+                AssertPositions(scene, objects);
+                Assert.That(distance(scene.Origin + _gatherer.PoseOf(_radar).Origin, SceneBuilder.ToWorld(_radar, 0)),
                     Is.LessThan(2e-9));
                 all[random.Next(all.Length)].localPosition += new Vector3(Number(1), 0, Number(1));
             }
@@ -263,11 +263,11 @@ namespace Glint.Tests
             if (shipMoves)
                 gatherer.ExpectMotion(_ship);
             var scene = GatherScene(gatherer);
-            return (scene.Instances, scene.Origin, gatherer.StandOf(_radar), gatherer.StandOf(_receiver));
+            return (scene.Instances, scene.Origin, gatherer.PoseOf(_radar), gatherer.PoseOf(_receiver));
         }
 
         // To half a step of float32 at the size of the bodies, whose order in the scene is their own.
-        static void AssertPlaces(RadarScene scene, IEnumerable<MeshFilter> objects)
+        static void AssertPositions(RadarScene scene, IEnumerable<MeshFilter> objects)
         {
             var expected = SceneBuilder.Corners(objects.Select(filter => filter.transform));
             var found = SceneBuilder.Corners(scene);

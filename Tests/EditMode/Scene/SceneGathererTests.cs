@@ -28,9 +28,9 @@ namespace Glint.Tests
             cube.localScale = new Vector3(2, 4, 6);
             var scene = Gather();
             Assert.That(scene.TriangleCount, Is.EqualTo(12));
-            Bounds(scene, out var low, out var high);
-            Assert.That(distance(low, float3(0, 0, 0)), Is.LessThan(1e-6f));
-            Assert.That(distance(high, float3(2, 4, 6)), Is.LessThan(1e-6f));
+            Bounds(scene, out var boxMin, out var boxMax);
+            Assert.That(distance(boxMin, float3(0, 0, 0)), Is.LessThan(1e-6f));
+            Assert.That(distance(boxMax, float3(2, 4, 6)), Is.LessThan(1e-6f));
         }
 
         [Test]
@@ -40,9 +40,9 @@ namespace Glint.Tests
             // its corner (0.5, 0.5) goes to (0, 0.7071), (0.5, -0.5) to (3 * 0.7071, 0).
             _root.localScale = new Vector3(3, 1, 1);
             AddPrimitive(PrimitiveType.Cube).localRotation = Quaternion.Euler(0, 0, 45);
-            Bounds(Gather(), out var low, out var high);
-            Assert.That(distance(high, float3(3 * sqrt(0.5f), sqrt(0.5f), 0.5f)), Is.LessThan(1e-5f));
-            Assert.That(distance(low, -high), Is.LessThan(1e-5f));
+            Bounds(Gather(), out var boxMin, out var boxMax);
+            Assert.That(distance(boxMax, float3(3 * sqrt(0.5f), sqrt(0.5f), 0.5f)), Is.LessThan(1e-5f));
+            Assert.That(distance(boxMin, -boxMax), Is.LessThan(1e-5f));
         }
 
         [Test]
@@ -51,9 +51,9 @@ namespace Glint.Tests
             var quad = AddPrimitive(PrimitiveType.Quad);
             quad.localPosition = new Vector3(2, 0, 0);
             _root.localScale = new Vector3(-1, 1, 1);
-            Bounds(Gather(), out var low, out var high);
-            Assert.That(distance(low, float3(-2.5f, -0.5f, 0)), Is.LessThan(1e-6f));
-            Assert.That(distance(high, float3(-1.5f, 0.5f, 0)), Is.LessThan(1e-6f));
+            Bounds(Gather(), out var boxMin, out var boxMax);
+            Assert.That(distance(boxMin, float3(-2.5f, -0.5f, 0)), Is.LessThan(1e-6f));
+            Assert.That(distance(boxMax, float3(-1.5f, 0.5f, 0)), Is.LessThan(1e-6f));
         }
 
         [Test]
@@ -233,11 +233,11 @@ namespace Glint.Tests
             name = name, vertices = new[] { Vector3.zero, Vector3.up, Vector3.right }, triangles = new[] { 0, 1, 2 }
         };
 
-        static void Bounds(RadarScene scene, out float3 low, out float3 high)
+        static void Bounds(RadarScene scene, out float3 boxMin, out float3 boxMax)
         {
             var corners = SceneBuilder.Corners(scene);
-            low = (float3)corners.Aggregate(min);
-            high = (float3)corners.Aggregate(max);
+            boxMin = (float3)corners.Aggregate(min);
+            boxMax = (float3)corners.Aggregate(max);
         }
 
         static double Area(RadarScene scene)

@@ -21,9 +21,9 @@ namespace Glint.Tests
         [Test]
         public void ToWorld_OfALoneMeshAt100Kilometres_IsExact()
         {
-            var place = Chain(Vector3.one * 1.1f);
+            var node = Chain(Vector3.one * 1.1f);
             var mesh = SceneBuilder.Mesh(20, 1);
-            var item = _scene.Add("Object", mesh, place);
+            var item = _scene.Add("Object", mesh, node);
             var scene = _scene.Gather(_gatherer);
             Assert.That(scene.Instances[0].Mesh.Vertices, Is.EqualTo(mesh.vertices.Select(v => (float3)v)));
             Assert.That(SceneBuilder.Apart(SceneBuilder.Corners(scene), SceneBuilder.Corners(new[] { item })),
@@ -32,12 +32,12 @@ namespace Glint.Tests
 
         [TestCase(false)]
         [TestCase(true)]
-        public void ToWorld_NestedStretchedAndMirroredAt100Kilometres_IsRightToTheStepOfTheBody(bool moves)
+        public void ToWorld_NestedStretchedAndMirroredAt100Kilometres_IsRightToTheStepOfTheMergedMesh(bool moves)
         {
-            var place = Chain(new Vector3(-1.5f, 0.7f, 2));
-            var items = new[] { Turned("A", 1, place), Turned("B", 2, place), Turned("C", 3, place) };
+            var node = Chain(new Vector3(-1.5f, 0.7f, 2));
+            var items = new[] { Turned("A", 1, node), Turned("B", 2, node), Turned("C", 3, node) };
             if (moves)
-                _gatherer.ExpectMotion(place);
+                _gatherer.ExpectMotion(node);
             var scene = _scene.Gather(_gatherer);
             Assert.That(scene.Instances.Length, Is.EqualTo(1), "merged");
             double largest = scene.Instances[0].Mesh.Vertices.Max(v => cmax(abs(v)));
@@ -97,14 +97,14 @@ namespace Glint.Tests
         {
             _scene.Root.localPosition = new Vector3(80000.25f, 1234.5f, -60000);
             _scene.Root.localRotation = Quaternion.Euler(20, -70, 5);
-            var middle = _scene.Empty("Middle");
-            middle.localPosition = new Vector3(3, 4, -5);
-            middle.localRotation = Quaternion.Euler(-33, 120, 61);
-            middle.localScale = scale;
-            var place = _scene.Empty("Place", middle);
-            place.localPosition = new Vector3(0.1f, -2, 1.7f);
-            place.localRotation = Quaternion.Euler(1, 2, 3);
-            return place;
+            var centre = _scene.Empty("Middle");
+            centre.localPosition = new Vector3(3, 4, -5);
+            centre.localRotation = Quaternion.Euler(-33, 120, 61);
+            centre.localScale = scale;
+            var node = _scene.Empty("Place", centre);
+            node.localPosition = new Vector3(0.1f, -2, 1.7f);
+            node.localRotation = Quaternion.Euler(1, 2, 3);
+            return node;
         }
 
         Transform Turned(string name, int seed, Transform parent)

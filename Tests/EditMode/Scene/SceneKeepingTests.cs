@@ -73,7 +73,7 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Gather_PartThatMovesOnAMovingObject_IsABodyOfItsOwn()
+        public void Gather_PartThatMovesOnAMovingObject_IsAMergedMeshOfItsOwn()
         {
             AddRocks();
             var ship = AddShip();
@@ -201,8 +201,8 @@ namespace Glint.Tests
         {
             const int triangles = 20000;
             var mesh = SceneBuilder.Mesh(triangles, 1);
-            int most = (int)(SceneGatherer.MostMergedTriangles / triangles);
-            for (int i = 0; i < most; i++)
+            int limit = (int)(SceneGatherer.MaxMergedTriangles / triangles);
+            for (int i = 0; i < limit; i++)
                 _scene.Add($"Tile {i}", mesh).localPosition = new Vector3(3 * i, 0, 0);
             var merged = Gather();
             Assert.That(merged.Instances.Length, Is.EqualTo(1));
@@ -212,10 +212,10 @@ namespace Glint.Tests
             last.localPosition = new Vector3(-5, 0, 0);
             last.localScale = new Vector3(-1, 1.5f, 1);
             var instanced = Gather();
-            Assert.That(instanced.Instances.Length, Is.EqualTo(most + 1));
+            Assert.That(instanced.Instances.Length, Is.EqualTo(limit + 1));
             Assert.That(Meshes(instanced).Distinct().Count(), Is.EqualTo(1));
             Assert.That(instanced.TriangleCount, Is.EqualTo(merged.TriangleCount + triangles));
-            Assert.That(instanced.Instances[most].ToWorld.Determinant, Is.EqualTo(-1.5).Within(1e-12));
+            Assert.That(instanced.Instances[limit].ToWorld.Determinant, Is.EqualTo(-1.5).Within(1e-12));
         }
 
         [Test]
@@ -247,10 +247,10 @@ namespace Glint.Tests
             var ship = _scene.Add("Ship", SceneBuilder.Mesh(10, 1), flat);
             _gatherer.ExpectMotion(ship);
             ship.localRotation = Quaternion.Euler(0, 0, 30);
-            AssertPlacesHaveInverses(Gather());
+            AssertTransformsHaveInverses(Gather());
             ship.localRotation = Quaternion.Euler(0, 0, 40);
             var scene = Gather();
-            AssertPlacesHaveInverses(scene);
+            AssertTransformsHaveInverses(scene);
             AssertWhereItBelongs(scene);
         }
 
@@ -263,29 +263,29 @@ namespace Glint.Tests
             {
                 string what = changes.Next(_gatherer);
                 var scene = Gather();
-                AssertPlacesHaveInverses(scene);
+                AssertTransformsHaveInverses(scene);
                 var expected = SceneBuilder.Corners(changes.Active);
                 Assert.That(Unmatched(expected, SceneBuilder.Corners(scene), 1e-3), Is.Zero, $"step {step}: {what}");
             }
         }
 
         [Test]
-        public void Kept_WhatIsNotAskedFor_IsForgotten()
+        public void FrameCache_WhatIsNotAskedFor_IsForgotten()
         {
-            var kept = new Kept<int, object>();
-            kept.Begin();
-            var one = kept.Get(1, out bool first);
+            var cache = new FrameCache<int, object>();
+            cache.Begin();
+            var one = cache.Get(1, out bool first);
             Assert.That(first);
-            Assert.That(kept.Get(1, out first), Is.SameAs(one));
+            Assert.That(cache.Get(1, out first), Is.SameAs(one));
             Assert.That(first, Is.False);
-            var two = kept.Get(2, out _);
-            kept.End();
-            kept.Begin();
-            Assert.That(kept.Get(1, out first), Is.SameAs(one));
+            var two = cache.Get(2, out _);
+            cache.End();
+            cache.Begin();
+            Assert.That(cache.Get(1, out first), Is.SameAs(one));
             Assert.That(first);
-            kept.End();
-            kept.Begin();
-            Assert.That(kept.Get(2, out _), Is.Not.SameAs(two));
+            cache.End();
+            cache.Begin();
+            Assert.That(cache.Get(2, out _), Is.Not.SameAs(two));
         }
 
         RadarScene Gather() => _scene.Gather(_gatherer);
@@ -321,10 +321,10 @@ namespace Glint.Tests
             Assert.That(Unmatched(SceneBuilder.Corners(objects), corners, tolerance), Is.Zero);
         }
 
-        static void AssertPlacesHaveInverses(RadarScene scene)
+        static void AssertTransformsHaveInverses(RadarScene scene)
         {
             foreach (var instance in scene.Instances)
-                Assert.That(Shape.Evenness(instance.ToWorld), Is.GreaterThan(9e-4));
+                Assert.That(TransformMath.Conditioning(instance.ToWorld), Is.GreaterThan(9e-4));
         }
 
         // Triangles of one list that the other lacks, each taken once.

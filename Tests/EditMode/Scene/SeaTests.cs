@@ -25,7 +25,7 @@ namespace Glint.Tests
         [Test]
         public void Extent_OfWholeTiles_IsCoveredOnceAboutTheOrigin()
         {
-            Lay(64, 128);
+            Rebuild(64, 128);
 
             var scene = _scene.Gather(_gatherer);
             Assert.That(scene.Instances.Sum(instance => instance.Mesh.TriangleCount),
@@ -43,7 +43,7 @@ namespace Glint.Tests
         [Test]
         public void Extent_Large_IsInstancesOfOneMesh()
         {
-            Lay(1024, 1024);
+            Rebuild(1024, 1024);
 
             var scene = _scene.Gather(_gatherer);
             Assert.That(scene.Instances.Count, Is.EqualTo(1024));
@@ -53,24 +53,24 @@ namespace Glint.Tests
         [Test]
         public void Centre_Elsewhere_TakesTheTilesAlongAndLeavesTheWavesWhereTheyAre()
         {
-            Lay(96, 96);
+            Rebuild(96, 96);
             var before = Heights();
             _sea.Centre = _scene.Empty("Radar");
             _sea.Centre.localPosition = new Vector3(40, 7, -20);
-            _sea.Lay();
+            _sea.Rebuild();
             var after = Heights();
 
             var common = before.Keys.Intersect(after.Keys).ToArray();
             Assert.That(common.Length, Is.GreaterThan(before.Count / 4).And.LessThan(before.Count));
-            foreach (var place in common)
-                Assert.That(after[place], Is.EqualTo(before[place]));
-            Assert.That(after.Keys.Average(place => place.x), Is.EqualTo(32).Within(1), "the nearest tile to 40 m");
+            foreach (var position in common)
+                Assert.That(after[position], Is.EqualTo(before[position]));
+            Assert.That(after.Keys.Average(at => at.x), Is.EqualTo(32).Within(1), "the nearest tile to 40 m");
         }
 
         [Test]
         public void TimeSeconds_Later_ShowsTheSeaOfThatMoment()
         {
-            Lay(32, 32);
+            Rebuild(32, 32);
             _sea.TimeSeconds = 2.5;
 
             var expected = new SeaSurface(Settings(1)).Mesh(2.5);
@@ -82,7 +82,7 @@ namespace Glint.Tests
         public void Snapshot_Chosen_ShowsItsTile()
         {
             AddSnapshots();
-            Lay(32, 32);
+            Rebuild(32, 32);
             _sea.Snapshot = 2;
 
             var expected = new SeaSurface(Settings(2)).Mesh(0);
@@ -106,23 +106,23 @@ namespace Glint.Tests
                 Does.Contain("'Sea' has no snapshots").And.Contain("glint sea"));
 
         [Test]
-        public void Enabled_OffAndOnAgain_LaysTheTilesOnce()
+        public void Enabled_OffAndOnAgain_RebuildsTheTilesOnce()
         {
-            Lay(64, 64);
+            Rebuild(64, 64);
             int triangles = Triangles();
             _sea.enabled = false;
             Assert.That(Triangles(), Is.Zero);
             _sea.enabled = true;
             Assert.That(Triangles(), Is.EqualTo(triangles));
             _sea.Extent = new Vector2(32, 32);
-            _sea.Lay();
+            _sea.Rebuild();
             Assert.That(Triangles(), Is.EqualTo(triangles / 4));
         }
 
         [Test]
-        public void Copy_OfASea_LaysItsTilesOnce()
+        public void Copy_OfASea_RebuildsItsTilesOnce()
         {
-            Lay(64, 64);
+            Rebuild(64, 64);
             int triangles = Triangles();
             Object.Instantiate(_sea.gameObject, _scene.Root);
             Assert.That(Triangles(), Is.EqualTo(2 * triangles));
@@ -135,7 +135,7 @@ namespace Glint.Tests
         public void Extent_Unfit_IsRefused(float x, float z, string part)
         {
             _sea.Extent = new Vector2(x, z);
-            Assert.That(Assert.Throws<GlintException>(() => _sea.Lay()).Message,
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Rebuild()).Message,
                 Does.Contain("'Sea'").And.Contain(part));
         }
 
@@ -156,7 +156,7 @@ namespace Glint.Tests
         {
             AddSnapshots();
             _sea.Motion = SeaMotion.Waves;
-            Assert.That(Assert.Throws<GlintException>(() => _sea.Lay()).Message,
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Rebuild()).Message,
                 Does.Contain("'Sea'").And.Contain("Waves"));
         }
 
@@ -168,10 +168,10 @@ namespace Glint.Tests
             return settings;
         }
 
-        void Lay(float x, float z)
+        void Rebuild(float x, float z)
         {
             _sea.Extent = new Vector2(x, z);
-            _sea.Lay();
+            _sea.Rebuild();
         }
 
         int Triangles() => _scene.Gather(_gatherer).Instances.Sum(instance => instance.Mesh.TriangleCount);

@@ -41,17 +41,17 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Step_PosesAfterTheFirst_BuildNoTreeAndUploadNoTriangles()
+        public void Step_PosesAfterTheFirst_BuildNoBvhAndUploadNoTriangles()
         {
             using (var run = Sweep(new SweepPlan(new double[] { 0, 3, 40 })))
             {
                 var first = run.Step().Result;
-                Assert.That(first.Statistics.TreesBuilt, Is.GreaterThan(0));
+                Assert.That(first.Statistics.BvhsBuilt, Is.GreaterThan(0));
                 Assert.That(first.RaysReceived, Is.GreaterThan(0));
                 while (!run.IsComplete)
                 {
                     var result = run.Step().Result;
-                    Assert.That(result.Statistics.TreesBuilt, Is.Zero);
+                    Assert.That(result.Statistics.BvhsBuilt, Is.Zero);
                     Assert.That(result.Statistics.Triangles, Is.EqualTo(4));
                     Assert.That(result.RaysHit, Is.GreaterThan(0));
                 }
@@ -61,11 +61,11 @@ namespace Glint.Tests
         [Test]
         public void Step_WhateverTheRadarKeeps_CarriesNoRays()
         {
-            _radar.KeptRays = KeptRays.All;
+            _radar.RayReadback = RayReadback.All;
             using (var run = new SweepRun(new SweepSetup(_radar, SweepPlan.Single)))
                 Assert.That(run.Step().Result.Rays, Is.Empty);
             Assert.That(_radar.Trace().Rays.Length, Is.EqualTo(160 * 90), "when asked");
-            Assert.That(_radar.Trace(KeptRays.None).Rays, Is.Empty);
+            Assert.That(_radar.Trace(RayReadback.None).Rays, Is.Empty);
         }
 
         [Test]
@@ -143,7 +143,7 @@ namespace Glint.Tests
         [Test]
         public void Settings_Region_IsKeptAndTraced()
         {
-            var whole = _radar.Trace(KeptRays.All);
+            var whole = _radar.Trace(RayReadback.All);
             var settings = TestRadar.Settings();
             settings.Region = new RayRegion { Left = 60, Bottom = 30, Width = 37, Height = 21 };
             _radar.Settings = settings;
@@ -215,7 +215,7 @@ namespace Glint.Tests
                 // Half a metre off the axis, which is 20 m long where it passes by.
                 _target.transform.position = _camera.transform.TransformPoint(new Vector3(0.3f, -0.4f, 20));
                 var aim = _camera.transform.TransformPoint(new Vector3(0, 0, 20));
-                var (place, rotation) = (_camera.transform.localPosition, _camera.transform.localRotation);
+                var (position, rotation) = (_camera.transform.localPosition, _camera.transform.localRotation);
                 var plan = new SweepPlan((SweepAxis.Grazing, new double[] { 10, -30, 80 }),
                     (SweepAxis.Range, new double[] { 20, 4000 }));
                 using (var run = Sweep(plan))
@@ -238,7 +238,7 @@ namespace Glint.Tests
                     }
                 Assert.That(
                     (_camera.transform.parent, _camera.transform.localPosition, _camera.transform.localRotation),
-                    Is.EqualTo((owner, place, rotation)));
+                    Is.EqualTo((owner, position, rotation)));
                 Assert.That(owner.childCount, Is.EqualTo(1));
             }
             finally

@@ -63,7 +63,7 @@ namespace Glint.Tests
 
         [Test]
         public void Exp_OfWhatIsTooSmall_IsZero() =>
-            Assert.That(new[] { PortableMath.Exp(PortableMath.LeastExponent - 1), PortableMath.Exp(-1e300),
+            Assert.That(new[] { PortableMath.Exp(PortableMath.MinExponent - 1), PortableMath.Exp(-1e300),
                 PortableMath.Exp(double.NegativeInfinity) }, Is.All.EqualTo(0));
 
         [Test]

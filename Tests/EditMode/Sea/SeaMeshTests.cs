@@ -52,8 +52,8 @@ namespace Glint.Tests
             for (int z = 0; z <= 24; z++)
                 for (int x = 0; x <= 24; x++)
                 {
-                    var place = (double3)mesh.Vertices[25 * z + x];
-                    Assert.That(math.distance(place.xz, new double2(64 * (x / 24.0 - 0.5), 64 * (z / 24.0 - 0.5))),
+                    var position = (double3)mesh.Vertices[25 * z + x];
+                    Assert.That(math.distance(position.xz, new double2(64 * (x / 24.0 - 0.5), 64 * (z / 24.0 - 0.5))),
                         Is.LessThan(1.1e-5), "half a step of 2^-16 m each way");
                 }
         }

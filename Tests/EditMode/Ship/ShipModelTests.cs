@@ -55,24 +55,24 @@ namespace Glint.Tests
         [Test]
         public void Build_Default_MeasuresWhatItsSettingsSay_BowTowardsMinusZ()
         {
-            double3 low = _ship.Vertices[0], high = low;
+            double3 boxMin = _ship.Vertices[0], boxMax = boxMin;
             foreach (var vertex in _ship.Vertices)
-                (low, high) = (min(low, vertex), max(high, vertex));
+                (boxMin, boxMax) = (min(boxMin, vertex), max(boxMax, vertex));
 
             Assert.That(Default.Length, Is.InRange(60, 75));
-            Assert.That(-low.z, Is.EqualTo(Default.Length / 2).Within(Step));
-            Assert.That(high.z, Is.EqualTo(Default.Length / 2).Within(Step));
+            Assert.That(-boxMin.z, Is.EqualTo(Default.Length / 2).Within(Step));
+            Assert.That(boxMax.z, Is.EqualTo(Default.Length / 2).Within(Step));
             // The widest frame lies between two stations.
-            Assert.That(high.x - low.x, Is.EqualTo(Default.Beam).Within(0.001));
-            Assert.That(-low.y, Is.EqualTo(Default.Draught).Within(Step));
-            Assert.That(high.y, Is.EqualTo(Default.Freeboard + Default.Forecastle + 3 * Default.StoreyHeight
+            Assert.That(boxMax.x - boxMin.x, Is.EqualTo(Default.Beam).Within(0.001));
+            Assert.That(-boxMin.y, Is.EqualTo(Default.Draught).Within(Step));
+            Assert.That(boxMax.y, Is.EqualTo(Default.Freeboard + Default.Forecastle + 3 * Default.StoreyHeight
                 + Default.MastHeight).Within(2 * Step));
 
-            var bow = _ship.Vertices.Where(vertex => vertex.z == low.z).ToArray();
+            var bow = _ship.Vertices.Where(vertex => vertex.z == boxMin.z).ToArray();
             Assert.That(bow.Select(vertex => vertex.x), Is.All.Zero);
             Assert.That(bow.Max(vertex => vertex.y),
                 Is.EqualTo(Default.Freeboard + Default.Forecastle + Default.Sheer).Within(2 * Step));
-            var stern = _ship.Vertices.Where(vertex => vertex.z == high.z).ToArray();
+            var stern = _ship.Vertices.Where(vertex => vertex.z == boxMax.z).ToArray();
             Assert.That(stern.Max(vertex => vertex.x), Is.EqualTo(Default.Transom * Default.Beam / 2).Within(Step));
             Assert.That(stern.Max(vertex => vertex.y), Is.EqualTo(Default.Freeboard).Within(Step));
         }
@@ -80,9 +80,9 @@ namespace Glint.Tests
         [Test]
         public void Build_Default_IsTheSameOnBothSides()
         {
-            var places = _ship.Vertices.ToHashSet();
+            var positions = _ship.Vertices.ToHashSet();
             Assert.That(
-                places.Count(vertex => !places.Contains(new float3(-vertex.x + 0f, vertex.y, vertex.z))), Is.Zero);
+                positions.Count(vertex => !positions.Contains(new float3(-vertex.x + 0f, vertex.y, vertex.z))), Is.Zero);
         }
 
         // Block coefficients of patrol vessels lie about 0.4 to 0.55.
@@ -117,8 +117,8 @@ namespace Glint.Tests
         public void Build_Default_FillsTheRadarsPictureAsThePublishedShip(double angle, double published)
         {
             var settings = TestRadar.Settings(240, 135, bounces: 1);
-            var judge = new Judge(new RadarPose(new RadarScene(_coarse), settings, TestRadar.LookAt(Radar(angle), 0)));
-            Assert.That(64.0 * judge.Sum(judge.TraceAll()).RaysHit, Is.EqualTo(published).Within(0.15 * published));
+            var referenceTracer = new ReferenceTracer(new RadarPose(new RadarScene(_coarse), settings, TestRadar.LookAt(Radar(angle), 0)));
+            Assert.That(64.0 * referenceTracer.Sum(referenceTracer.TraceAll()).RaysHit, Is.EqualTo(published).Within(0.15 * published));
         }
 
         // Seen from ahead and from astern, deck and house are a dihedral:
@@ -132,7 +132,7 @@ namespace Glint.Tests
             double3 corner = double3(0, deck, house * Default.Length);
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(Radar(angle), corner, fov: 8);
-            var rays = new Judge(new RadarPose(new RadarScene(_coarse), settings, view)).TraceAll();
+            var rays = new ReferenceTracer(new RadarPose(new RadarScene(_coarse), settings, view)).TraceAll();
 
             double3 image = double3(view.Position.x, 2 * deck - view.Position.y, 2 * corner.z - view.Position.z);
             int returned = 0;
@@ -164,7 +164,7 @@ namespace Glint.Tests
             double3 towards = double3(sin(radians(bearing)), 0.4, -cos(radians(bearing)));
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(window + 20 * normalize(towards), window, fov: 5);
-            var rays = new Judge(new RadarPose(new RadarScene(_coarse), settings, view)).TraceAll();
+            var rays = new ReferenceTracer(new RadarPose(new RadarScene(_coarse), settings, view)).TraceAll();
 
             var corners = Enumerable.Range(0, rays.Length)
                 .Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 3).ToArray();
@@ -174,8 +174,8 @@ namespace Glint.Tests
                 Assert.That(distance(rays[pixel].Direction, -TestRadar.Direction(settings, view, pixel)),
                     Is.LessThan(1e-12));
                 // The pane is behind the wall by the window's depth.
-                double3 place = rays[pixel].LastHit - window;
-                Assert.That(abs(isInFront ? place.z : place.x), Is.LessThan(Default.WindowDepth + Step));
+                double3 position = rays[pixel].LastHit - window;
+                Assert.That(abs(isInFront ? position.z : position.x), Is.LessThan(Default.WindowDepth + Step));
             }
         }
 

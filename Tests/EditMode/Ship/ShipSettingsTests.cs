@@ -36,18 +36,18 @@ namespace Glint.Tests
                 typeof(ShipSettings).GetFields(BindingFlags.Public | BindingFlags.Instance), field => field.Name)));
 
         [TestCaseSource(nameof(Ranges))]
-        public void Validate_AtTheEndsOfARange_Passes(string field, string name, double low, double high)
+        public void Validate_AtTheEndsOfARange_Passes(string field, string name, double min, double max)
         {
-            With(field, low).Validate();
-            With(field, high).Validate();
+            With(field, min).Validate();
+            With(field, max).Validate();
         }
 
         [TestCaseSource(nameof(Ranges))]
         public void Validate_BeyondARange_IsRefusedWithFieldValueAndRange(string field,
-            string name, double low, double high)
+            string name, double min, double max)
         {
             bool isWhole = typeof(ShipSettings).GetField(field).FieldType == typeof(int);
-            var beyond = new List<double> { Math.Floor(low) - 1, Math.Ceiling(high) + 1 };
+            var beyond = new List<double> { Math.Floor(min) - 1, Math.Ceiling(max) + 1 };
             if (!isWhole)
                 beyond.AddRange(new[] { double.NaN, double.NegativeInfinity, double.PositiveInfinity });
             foreach (double value in beyond)
@@ -62,9 +62,9 @@ namespace Glint.Tests
 
         // Whatever the settings, the ship stays a closed surface.
         [TestCaseSource(nameof(Ranges))]
-        public void Build_AtTheEndsOfARange_IsClosed(string field, string name, double low, double high)
+        public void Build_AtTheEndsOfARange_IsClosed(string field, string name, double min, double max)
         {
-            foreach (double value in new[] { low, high })
+            foreach (double value in new[] { min, max })
             {
                 var settings = With(field, value);
                 settings.Triangles = 15000;

@@ -39,7 +39,7 @@ namespace Glint.Tests
             var rows = Enumerable.Range(0, 3).Select(i => SamplePoses.At(new SweepPose(i), i, 0, 7, 100)).ToArray();
             var choice = new ChartChoice { InDecibels = true };
             Assert.That(choice.Amplitude(rows, null).YTitle, Does.EndWith("dB"));
-            Assert.That((choice.Received(rows, null).YTitle, choice.Hit(rows, null).Y.High),
+            Assert.That((choice.Received(rows, null).YTitle, choice.Hit(rows, null).Y.Max),
                 Is.EqualTo(("Rays received", 100.0)));
             choice.IsRaw = true;
             Assert.That(choice.Amplitude(rows, null).YTitle, Is.EqualTo("Amplitude, dB"));

@@ -11,22 +11,22 @@ namespace Glint.Tests
         [TestCase(0, 217470, "0,50,000,100,000,150,000,200,000,250,000")]
         [TestCase(-13, 26, "-20,-10,0,10,20,30")]
         [TestCase(0, 0.0031, "0,0.001,0.002,0.003,0.004")]
-        public void Around_Values_HasRoundTicksBeyondThem(double low, double high, string labels)
+        public void Around_Values_HasRoundTicksBeyondThem(double min, double max, string labels)
         {
-            var scale = ChartScale.Around(low, high);
+            var scale = ChartScale.Around(min, max);
             Assert.That(string.Join(",", scale.Ticks.Select(tick => tick.Label)), Is.EqualTo(labels));
-            Assert.That((scale.Ticks.First().Place, scale.Ticks.Last().Place), Is.EqualTo((0.0, 1.0)));
+            Assert.That((scale.Ticks.First().Position, scale.Ticks.Last().Position), Is.EqualTo((0.0, 1.0)));
         }
 
         [TestCase(0, 45, "0,10,20,30,40")]
         [TestCase(9.4, 10, "9.4,9.5,9.6,9.7,9.8,9.9,10")]
         [TestCase(1, 10, "2,4,6,8,10")]
-        public void Over_Values_EndsAtThem(double low, double high, string labels)
+        public void Over_Values_EndsAtThem(double min, double max, string labels)
         {
-            var scale = ChartScale.Over(low, high);
-            Assert.That((scale.Low, scale.High), Is.EqualTo((low, high)));
+            var scale = ChartScale.Over(min, max);
+            Assert.That((scale.Min, scale.Max), Is.EqualTo((min, max)));
             Assert.That(string.Join(",", scale.Ticks.Select(tick => tick.Label)), Is.EqualTo(labels));
-            Assert.That(scale.Ticks.Select(tick => tick.Place), Is.All.InRange(-1e-9, 1 + 1e-9));
+            Assert.That(scale.Ticks.Select(tick => tick.Position), Is.All.InRange(-1e-9, 1 + 1e-9));
         }
 
         // Every step is 1, 2 or 5 times a power of ten, and a chart has a handful of ticks whatever the values are.
@@ -36,20 +36,20 @@ namespace Glint.Tests
             var random = new Random(7);
             for (int i = 0; i < 2000; i++)
             {
-                double low = (random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-30, 30)),
-                    high = low + Math.Abs(low) * Math.Pow(10, random.Next(-8, 8)) * random.NextDouble();
-                foreach (var scale in new[] { ChartScale.Over(low, high), ChartScale.Around(low, high) })
+                double min = (random.NextDouble() - 0.5) * Math.Pow(10, random.Next(-30, 30)),
+                    max = min + Math.Abs(min) * Math.Pow(10, random.Next(-8, 8)) * random.NextDouble();
+                foreach (var scale in new[] { ChartScale.Over(min, max), ChartScale.Around(min, max) })
                 {
-                    string what = $"{low:r} to {high:r}";
+                    string what = $"{min:r} to {max:r}";
                     Assert.That(scale.Ticks.Count, Is.InRange(2, 11), what);
-                    Assert.That(scale.Ticks.Select(tick => tick.Place),
+                    Assert.That(scale.Ticks.Select(tick => tick.Position),
                         Is.Ordered.And.All.InRange(-1e-6, 1 + 1e-6), what);
-                    double step = (scale.High - scale.Low) * (scale.Ticks[1].Place - scale.Ticks[0].Place),
+                    double step = (scale.Max - scale.Min) * (scale.Ticks[1].Position - scale.Ticks[0].Position),
                         mantissa = step / Math.Pow(10, Math.Floor(Math.Log10(step) + 1e-3));
                     Assert.That(new[] { 1.0, 2, 5 }.Min(round => Math.Abs(mantissa / round - 1)),
                         Is.LessThan(1e-3), what);
-                    Assert.That((scale.Of(low), scale.Of(high)),
-                        Is.EqualTo((Math.Max(scale.Of(low), -1e-6), Math.Min(scale.Of(high), 1 + 1e-6))), what);
+                    Assert.That((scale.Of(min), scale.Of(max)),
+                        Is.EqualTo((Math.Max(scale.Of(min), -1e-6), Math.Min(scale.Of(max), 1 + 1e-6))), what);
                 }
             }
         }

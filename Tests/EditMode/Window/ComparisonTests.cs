@@ -23,7 +23,7 @@ namespace Glint.Tests
 
         // Published at 0 deg: amplitude 46.66582, 676 of 217,470 rays; at 45 deg nothing.
         [Test]
-        public void Words_OfKnownDifferences_TellTheLargestAndTheRootMeanSquare()
+        public void Text_OfKnownDifferences_TellsTheLargestAndTheRootMeanSquare()
         {
             var comparison = Comparison.With(Corner);
             var rows = new[]
@@ -32,7 +32,7 @@ namespace Glint.Tests
                 SamplePoses.At(new SweepPose(45), 1, 0, 4, comparison.Rows[45].RaysHit is var hit ? (long)hit : 0),
                 SamplePoses.At(new SweepPose(0.5), 1)
             };
-            var lines = comparison.Words(rows).Split('\n');
+            var lines = comparison.Text(rows).Split('\n');
             Assert.That(lines[0], Does.Contain("2 poses in common"));
             // sqrt((9 + 1) / 2); 3 of 46.67 are 6.43 %.
             Assert.That(lines[1], Does.Contain("at most -3 (-6.43 %) at 0 deg, rms 2.2361"));
@@ -61,7 +61,7 @@ namespace Glint.Tests
             var sea = Comparison.With(PublishedTable.All.Single(table => table.Axis == SweepAxis.Snapshot));
             var rows = new[] { SamplePoses.At(0, 1) };
             Assert.That(sea.Pairs(rows), Is.Empty);
-            Assert.That(sea.Words(rows), Does.Contain("no pose in common"));
+            Assert.That(sea.Text(rows), Does.Contain("no pose in common"));
         }
 
         [Test]
@@ -93,7 +93,7 @@ namespace Glint.Tests
                 Quantity.Normalised, false, false, comparison);
             Assert.That(chart.Series.Select(series => (series.Name, series.IsCompared)),
                 Is.EqualTo(new[] { ("", false), (comparison.Title, true) }));
-            Assert.That((chart.X.High, chart.Y.High), Is.EqualTo((90.0, 50.0)));
+            Assert.That((chart.X.Max, chart.Y.Max), Is.EqualTo((90.0, 50.0)));
             Assert.That(chart.Series[1].Runs.Single()[0].Y, Is.EqualTo(46.66582 / 50).Within(1e-9));
         }
     }

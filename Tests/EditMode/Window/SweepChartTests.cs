@@ -22,7 +22,7 @@ namespace Glint.Tests
             Assert.That(Points(chart).Select(point => point.X), Is.EqualTo(new[] { 0, 0.25, 0.5, 1 }));
             Assert.That(Points(chart).Select(point => point.Y), Is.EqualTo(new[] { 1, 0.5, 0, 0.1 }).Within(1e-12));
             Assert.That(chart.Y.Ticks.Select(tick => tick.Label), Is.EqualTo(new[] { "0", "5", "10", "15", "20" }));
-            Assert.That((Points(chart)[1].Low.Y, Points(chart)[1].High.Y), Is.EqualTo((0.4, 0.6)), "8 to 12");
+            Assert.That((Points(chart)[1].Lower.Y, Points(chart)[1].Upper.Y), Is.EqualTo((0.4, 0.6)), "8 to 12");
             Assert.That(chart.Series.Single().Runs.Count, Is.EqualTo(1));
         }
 
@@ -35,9 +35,9 @@ namespace Glint.Tests
                 Is.EqualTo(new[] { "0,1", "3" }));
             Assert.That(chart.YTitle, Does.EndWith("dB"));
             // 6.02 to 26.02 dB: from 5 to 30.
-            Assert.That((chart.Y.Low, chart.Y.High), Is.EqualTo((5.0, 30.0)));
+            Assert.That((chart.Y.Min, chart.Y.Max), Is.EqualTo((5.0, 30.0)));
             Assert.That(runs[0][1].Y, Is.EqualTo((20 - 5) / 25.0).Within(1e-12));
-            Assert.That(runs[0][1].High.Y, Is.EqualTo((20 * Math.Log10(12) - 5) / 25).Within(1e-12));
+            Assert.That(runs[0][1].Upper.Y, Is.EqualTo((20 * Math.Log10(12) - 5) / 25).Within(1e-12));
         }
 
         [Test]
@@ -45,9 +45,9 @@ namespace Glint.Tests
         {
             var chart = new SweepChart(new[] { SamplePoses.At(0, 10, 15), SamplePoses.At(1, 1e-30) }, SweepAxis.Angle,
                 Quantity.Normalised, true, false);
-            Assert.That(Points(chart)[0].Low.Y, Is.Zero);
+            Assert.That(Points(chart)[0].Lower.Y, Is.Zero);
             Assert.That(Points(chart)[1].Y, Is.Zero, "600 dB below the other");
-            Assert.That(chart.Y.Low, Is.GreaterThanOrEqualTo(-100));
+            Assert.That(chart.Y.Min, Is.GreaterThanOrEqualTo(-100));
         }
 
         [Test]
@@ -94,7 +94,7 @@ namespace Glint.Tests
             Assert.That(over.Series[1].Runs.Single().Select(point => point.Row), Is.EqualTo(new[] { 3, 4, 5 }));
             var frequencies = Chart(rows, SweepAxis.Frequency);
             Assert.That(frequencies.Series.Count, Is.EqualTo(6));
-            Assert.That((frequencies.X.Low, frequencies.X.High, frequencies.XTitle),
+            Assert.That((frequencies.X.Min, frequencies.X.Max, frequencies.XTitle),
                 Is.EqualTo((9.0, 10.0, "Frequency, GHz")));
             Assert.That(SweepChart.AxesOf(rows),
                 Is.EqualTo(new[] { SweepAxis.Angle, SweepAxis.Grazing, SweepAxis.Frequency }));
@@ -137,7 +137,7 @@ namespace Glint.Tests
                 {
                     var chart = new SweepChart(Array.Empty<PoseFigures>(), SweepAxis.Angle, quantity, true, isPolar);
                     Assert.That(chart.Series, Is.Empty);
-                    Assert.That(chart.X.Ticks.Concat(chart.Y.Ticks).Select(tick => tick.Place),
+                    Assert.That(chart.X.Ticks.Concat(chart.Y.Ticks).Select(tick => tick.Position),
                         Is.All.InRange(-1e-9, 1 + 1e-9));
                 }
         }
@@ -162,7 +162,7 @@ namespace Glint.Tests
             var chart = new PhaseChart(new PoseFigures(new StoredRow(new SweepRow(new SweepPose(3), result))));
             Assert.That(chart.Heights.Count, Is.EqualTo(36));
             Assert.That((chart.Heights[0], chart.Heights[1], chart.Heights[35]), Is.EqualTo((0.25, 0.0, 1.0)));
-            Assert.That(chart.Words, Does.StartWith("3 deg: 50 rays in bins of 10 degrees"));
+            Assert.That(chart.Text, Does.StartWith("3 deg: 50 rays in bins of 10 degrees"));
             Assert.That(new PhaseChart(null).Heights, Is.Empty);
         }
 

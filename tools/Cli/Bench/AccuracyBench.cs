@@ -16,11 +16,11 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
 {
     // Across; down in the ratio of 16 to 9. A software device is spared the last.
     static readonly int[] s_across = [480, 960, 1920, 3840, 7680];
-    const int MostAcrossOfSoftware = 3840;
+    const int MaxAcrossOfSoftware = 3840;
 
     // Rounds of a pose that takes long.
-    const int LeastRounds = 3;
-    static readonly TimeSpan s_mostTime = TimeSpan.FromSeconds(3);
+    const int MinRounds = 3;
+    static readonly TimeSpan s_maxTime = TimeSpan.FromSeconds(3);
 
     // A receiver so small, in metres, that no ray meets it.
     const double NoReceiver = 1e-6;
@@ -37,7 +37,7 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
         Steps("converged results", scenes, scene =>
             converged.Add(scene, AccuracyReference.Of(scene, RadarSettings.Default, progress, progress.Cancel)));
         Steps("poses", scenes, scene => MeasureScene(tracer, scene, converged[scene]));
-        Steps("same rays by the judge", scenes, scene => _result.Precision.Add(
+        Steps("same rays by the reference tracer", scenes, scene => _result.Precision.Add(
             AccuracyPrecision.Of(scene, RadarSettings.Default, Row(scene, RadarSettings.Default.RaysAcross).Result,
                 progress, progress.Cancel)));
         Steps("costs", [_result.CostScene = scenes.First(scene => scene.HasMuch)],
@@ -67,7 +67,7 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
 
     void MeasureScene(RayTracer tracer, AccuracyScene scene, AccuracyReference converged)
     {
-        foreach (int across in s_across.Where(across => across <= MostAcrossOfSoftware || !SoftwareDevice.IsInUse))
+        foreach (int across in s_across.Where(across => across <= MaxAcrossOfSoftware || !SoftwareDevice.IsInUse))
         {
             var settings = RadarSettings.Default;
             (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
@@ -82,7 +82,7 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
         var times = new Series();
         var total = Stopwatch.StartNew();
         TimeOnce(tracer, pose, out result);
-        while (times.Count < rounds && (times.Count < LeastRounds || total.Elapsed < s_mostTime))
+        while (times.Count < rounds && (times.Count < MinRounds || total.Elapsed < s_maxTime))
             times.Add(TimeOnce(tracer, pose, out _));
         return times;
     }
@@ -91,7 +91,7 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
     double TimeOnce(RayTracer tracer, in RadarPose pose, out RadarResult result)
     {
         var watch = Stopwatch.StartNew();
-        result = tracer.Trace(pose, KeptRays.None, null, progress.Cancel);
+        result = tracer.Trace(pose, RayReadback.None, null, progress.Cancel);
         return watch.Elapsed.TotalMilliseconds;
     }
 
@@ -100,39 +100,39 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
     {
         var blind = scene.View;
         blind.ReceiverSize = NoReceiver;
-        var each = Enum.GetValues<Shortcuts>().Where(shortcut => shortcut is not (Shortcuts.None or Shortcuts.All));
-        (string what, Shortcuts shortcuts, RadarView view)[] ways =
+        var each = Enum.GetValues<Culling>().Where(culling => culling is not (Culling.None or Culling.All));
+        (string what, Culling culling, RadarView view)[] cases =
         [
-            ("a pose as it is", Shortcuts.All, scene.View),
-            .. each.Select(shortcut => (WithoutWords(shortcut), Shortcuts.All & ~shortcut, scene.View)),
-            ("none of these shortcuts", Shortcuts.None, scene.View),
-            ("nothing received, no exact pass", Shortcuts.All, blind),
+            ("a pose as it is", Culling.All, scene.View),
+            .. each.Select(culling => (WithoutText(culling), Culling.All & ~culling, scene.View)),
+            ("none of these shortcuts", Culling.None, scene.View),
+            ("nothing received, no exact pass", Culling.All, blind),
         ];
-        var results = new RadarResult[ways.Length];
-        var times = Array.ConvertAll(ways, way => new Series());
+        var results = new RadarResult[cases.Length];
+        var times = Array.ConvertAll(cases, index => new Series());
         for (int round = 0; round <= rounds; round++)
         {
-            for (int way = 0; way < ways.Length; way++)
+            for (int index = 0; index < cases.Length; index++)
             {
-                tracer.Shortcuts = ways[way].shortcuts;
-                var pose = new RadarPose(scene.Scene, RadarSettings.Default, ways[way].view);
-                double time = TimeOnce(tracer, pose, out results[way]);
+                tracer.Culling = cases[index].culling;
+                var pose = new RadarPose(scene.Scene, RadarSettings.Default, cases[index].view);
+                double time = TimeOnce(tracer, pose, out results[index]);
                 if (round > 0)
-                    times[way].Add(time);
+                    times[index].Add(time);
             }
             progress.Report((round + 1.0) / (rounds + 1));
         }
-        tracer.Shortcuts = Shortcuts.All;
-        for (int way = 0; way < ways.Length; way++)
-            _result.Costs.Add(new AccuracyCost(ways[way].what, times[way], results[way], results[0]));
+        tracer.Culling = Culling.All;
+        for (int index = 0; index < cases.Length; index++)
+            _result.Costs.Add(new AccuracyCost(cases[index].what, times[index], results[index], results[0]));
     }
 
-    static string WithoutWords(Shortcuts shortcut) => shortcut switch
+    static string WithoutText(Culling culling) => culling switch
     {
-        Shortcuts.Reach => "searching beyond the receiver",
-        Shortcuts.LastSegment => "searching last segments that miss it",
-        Shortcuts.Tiles => "tracing tiles without objects",
-        Shortcuts.Starts => "starting at the top of the tree",
-        _ => "without " + shortcut,
+        Culling.Reach => "searching beyond the receiver",
+        Culling.LastSegment => "searching last segments that miss it",
+        Culling.Tiles => "tracing tiles without objects",
+        Culling.EntryPoints => "starting at the top of the tree",
+        _ => "without " + culling,
     };
 }

@@ -15,7 +15,7 @@ sealed class AccuracyPlot
     const int Width = 1000, Height = 560, Left = 80, Right = 290, Top = 40, Bottom = 64;
 
     // No error below is drawn lower, relative: the converged results are not known better.
-    const double LeastError = 1e-4;
+    const double MinError = 1e-4;
 
     static readonly string[] s_colours =
         ["#0072b2", "#56b4e9", "#009e73", "#cc79a7", "#e69f00", "#d55e00", "#7f3c8d", "#555555"];
@@ -68,18 +68,18 @@ sealed class AccuracyPlot
             _svg.Write(Left - 8, y + 4, Power(power), "end");
         }
         _svg.Write((Left + Width - Right) / 2.0, Height - 18, "time of a pose, milliseconds", "middle");
-        double middle = (Top + Height - Bottom) / 2.0;
-        _svg.Write(22, middle, "error of the amplitude, relative", "middle",
-            ("transform", Text($"rotate(-90 22 {middle})")));
+        double centre = (Top + Height - Bottom) / 2.0;
+        _svg.Write(22, centre, "error of the amplitude, relative", "middle",
+            ("transform", Text($"rotate(-90 22 {centre})")));
     }
 
     void DrawScene(string name, AccuracyRow[] rows, int number)
     {
         string colour = s_colours[number % s_colours.Length];
-        var places = rows.Select(row => (x: X(row.Times.Median), y: Y(Relative(row, row.AmplitudeError)),
+        var points = rows.Select(row => (x: X(row.Times.Median), y: Y(Relative(row, row.AmplitudeError)),
             estimate: Y(Relative(row, row.Result.SamplingError.Value)), row)).ToArray();
-        _svg.Polyline(places.Select(place => (place.x, place.y)), colour);
-        foreach (var (x, y, estimate, row) in places)
+        _svg.Polyline(points.Select(point => (point.x, point.y)), colour);
+        foreach (var (x, y, estimate, row) in points)
         {
             _svg.Dot(x, y, colour, row.Result.Undersampled);
             _svg.Line(x - 4, estimate - 4, x + 4, estimate + 4, colour);
@@ -92,7 +92,7 @@ sealed class AccuracyPlot
     }
 
     static double Relative(AccuracyRow row, double error) =>
-        Math.Max(LeastError, Math.Abs(error) / row.Converged.Sum.Magnitude);
+        Math.Max(MinError, Math.Abs(error) / row.Converged.Sum.Magnitude);
 
     static (int first, int last) Decades(IEnumerable<double> values) =>
         ((int)Math.Floor(Math.Log10(values.Min())),

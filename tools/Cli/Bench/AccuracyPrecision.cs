@@ -8,7 +8,7 @@ using Glint.Core;
 namespace Glint.Cli;
 
 /// <summary>
-/// What the tracer's arithmetic costs in accuracy: its sums less the judge's over the same rays,
+/// What the tracer's arithmetic costs in accuracy: its sums less the reference tracer's over the same rays,
 /// and less those that path lengths in float32 would give.
 /// </summary>
 sealed class AccuracyPrecision
@@ -34,10 +34,10 @@ sealed class AccuracyPrecision
 
     public AccuracyScene Scene { get; }
 
-    /// <summary>By the judge.</summary>
+    /// <summary>By the reference tracer.</summary>
     public long RaysReceived { get; }
 
-    /// <summary>The tracer's less the judge's.</summary>
+    /// <summary>The tracer's less the reference tracer's.</summary>
     public long HitsDifference { get; }
     public long ReceivedDifference { get; }
 
@@ -45,7 +45,7 @@ sealed class AccuracyPrecision
     public double SumDifference { get; }
 
     /// <summary>
-    /// The same when each of the judge's path lengths is rounded to float32, at <see cref="Float32Ranges"/>.
+    /// The same when each of the reference tracer's path lengths is rounded to float32, at <see cref="Float32Ranges"/>.
     /// </summary>
     public double[] Float32Differences { get; }
 
@@ -53,13 +53,13 @@ sealed class AccuracyPrecision
     public static AccuracyPrecision Of(AccuracyScene scene, RadarSettings settings, RadarResult tracer,
         IProgress<double> progress, CancellationToken cancel)
     {
-        var judge = new Judge(new RadarPose(scene.Scene, settings, scene.View));
+        var referenceTracer = new ReferenceTracer(new RadarPose(scene.Scene, settings, scene.View));
         var lengths = new double[settings.RaysDown][];
         long hits = 0;
         int done = 0;
         Parallel.For(0, settings.RaysDown, new ParallelOptions { CancellationToken = cancel }, row =>
         {
-            var rays = Enumerable.Range(0, settings.RaysAcross).Select(column => judge.Trace(column, row))
+            var rays = Enumerable.Range(0, settings.RaysAcross).Select(column => referenceTracer.Trace(column, row))
                 .Where(ray => ray.Bounces > 0).ToArray();
             lengths[row] = [.. rays.Where(ray => ray.Received).Select(ray => ray.PathLength)];
             Interlocked.Add(ref hits, rays.Length);

@@ -8,7 +8,7 @@ using Glint.Core;
 namespace Glint.Cli;
 
 /// <summary>
-/// A scene's sums for so many rays that more would change little, by the double-precision judge:
+/// A scene's sums for so many rays that more would change little, by the double-precision reference tracer:
 /// a picture of 3840 x 2160 rays, and 64 in each pixel that received one, lies beside one that did, or on an outline.
 /// In the others all is known already.
 /// </summary>
@@ -38,14 +38,14 @@ sealed class AccuracyReference
         CancellationToken cancel, int across = StandardAcross)
     {
         (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
-        var judge = new Judge(new RadarPose(scene.Scene, settings, scene.View));
+        var referenceTracer = new ReferenceTracer(new RadarPose(scene.Scene, settings, scene.View));
         int down = settings.RaysDown;
         var found = new Found[down, across];
         ForRows(down, new Part(progress, 0, 2), cancel, row =>
         {
             for (int column = 0; column < across; column++)
             {
-                var ray = judge.Trace(column, row);
+                var ray = referenceTracer.Trace(column, row);
                 found[row, column] = ray.Received ? Found.Received : ray.Bounces > 0 ? Found.Hit : Found.Nothing;
             }
         });
@@ -57,7 +57,7 @@ sealed class AccuracyReference
         {
             for (int column = 0; column < across; column++)
                 if (IsRefined(found, column, row))
-                    hits[row] += TracePixel(judge, settings.Wavelength, column, row, sums);
+                    hits[row] += TracePixel(referenceTracer, settings.Wavelength, column, row, sums);
                 else if (found[row, column] != Found.Nothing)
                     hits[row] += SubRays * SubRays;
         });
@@ -97,13 +97,13 @@ sealed class AccuracyReference
     }
 
     // Returns how many of the sub-rays hit.
-    static int TracePixel(Judge judge, double wavelength, int column, int row, Complex[,] sums)
+    static int TracePixel(ReferenceTracer referenceTracer, double wavelength, int column, int row, Complex[,] sums)
     {
         int hits = 0;
         for (int b = 0; b < SubRays; b++)
             for (int a = 0; a < SubRays; a++)
             {
-                var ray = judge.Trace(column + (a + 0.5) / SubRays - 0.5, row + (b + 0.5) / SubRays - 0.5);
+                var ray = referenceTracer.Trace(column + (a + 0.5) / SubRays - 0.5, row + (b + 0.5) / SubRays - 0.5);
                 hits += ray.Bounces > 0 ? 1 : 0;
                 if (ray.Received)
                     sums[row, a % 2 + 2 * (b % 2)] +=

@@ -27,7 +27,7 @@ sealed class AccuracyTables(Terminal terminal)
         }
         yield return "";
         yield return Text(
-            $"The tracer's sums less the judge's over the same rays, {RadarSettings.Default.RaysAcross} x {RadarSettings.Default.RaysDown}, and what rounding path lengths to float32 would change, at once and from farther away; in rays");
+            $"The tracer's sums less the reference tracer's over the same rays, {RadarSettings.Default.RaysAcross} x {RadarSettings.Default.RaysDown}, and what rounding path lengths to float32 would change, at once and from farther away; in rays");
         foreach (string line in _text.Lines(Precision(result)))
             yield return line;
         yield return "";

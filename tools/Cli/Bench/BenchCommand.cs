@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Glint.Cli;
 
-/// <summary>glint bench: poses and peers in turns, then the judge, then the figures.</summary>
+/// <summary>glint bench: poses and peers in turns, then the reference tracer, then the figures.</summary>
 sealed class BenchCommand(Terminal terminal)
 {
     /// <returns>The report, line by line.</returns>
@@ -21,19 +21,19 @@ sealed class BenchCommand(Terminal terminal)
             line.Get(Options.WriteScene)) : null;
         var plot =
             line.IsGiven(Options.Accuracy) ? new OutputFile(Options.Accuracy.Flag, line.Get(Options.Accuracy)) : null;
-        var subjects = SceneSubjects.Open(line);
+        var loaded = LoadedScene.Open(line);
         try
         {
             if (plot != null)
-                return Accuracy(line, subjects.Radar.Kernel, json, plot, progress);
-            var result = Measure(line, subjects, sceneFile, progress);
+                return Accuracy(line, loaded.Radar.Kernel, json, plot, progress);
+            var result = Measure(line, loaded, sceneFile, progress);
             json?.Write(stream => BenchJson.Write(stream, result));
             var written = new[] { sceneFile, json }.Where(file => file != null).Select(file => $"written: {file.Path}");
             return [.. new BenchTables(terminal).Lines(result), .. written];
         }
         finally
         {
-            subjects.Radar.Release();
+            loaded.Radar.Release();
         }
     }
 
@@ -46,23 +46,23 @@ sealed class BenchCommand(Terminal terminal)
         return [.. new AccuracyTables(terminal).Lines(result), .. written];
     }
 
-    static BenchResult Measure(CommandLine line, SceneSubjects subjects, OutputFile sceneFile, IProgressSink progress)
+    static BenchResult Measure(CommandLine line, LoadedScene loaded, OutputFile sceneFile, IProgressSink progress)
     {
         var device = GraphicsDevice.Current;
         var peers = (line.Get(Options.Peers) ?? []).Select(peer => new Peer(peer)).ToArray();
         var result = new BenchResult
         {
-            Subject = subjects.Name,
-            Scene = subjects.Scene,
+            Subject = loaded.Name,
+            Scene = loaded.Scene,
             Device = device.Info,
-            Settings = subjects.Radar.Gather().Settings,
+            Settings = loaded.Radar.Gather().Settings,
             Rounds = line.Get(Options.Rounds),
-            Poses = new PoseBench(subjects.Radar, subjects.Target, device.Clock),
+            Poses = new PoseBench(loaded.Radar, loaded.Target, device.Clock),
             Peers = peers,
         };
         Step("first poses", progress, () => result.Poses.RunFirst(progress, progress.Cancel));
 
-        var pose = subjects.Radar.Gather();
+        var pose = loaded.Radar.Gather();
         var scene = pose.Scene;
         sceneFile?.Write(stream => BinaryScene.Write(stream, WorldMesh.Of(scene)));
         string peerScene = sceneFile?.Path;
@@ -78,9 +78,9 @@ sealed class BenchCommand(Terminal terminal)
                 File.Delete(peerScene);
         }
         result.Poses.End();
-        using var tracer = new RayTracer(subjects.Radar.Kernel, subjects.Name);
+        using var tracer = new RayTracer(loaded.Radar.Kernel, loaded.Name);
         Step("counted pose", progress, () => Count(result, tracer, pose, progress));
-        Judge(result, line, tracer, pose, progress);
+        Compare(result, line, tracer, pose, progress);
         return result;
     }
 
@@ -112,33 +112,33 @@ sealed class BenchCommand(Terminal terminal)
     static void Count(BenchResult result, RayTracer tracer, RadarPose pose, IProgressSink progress)
     {
         tracer.CountVisits = true;
-        var work = tracer.Trace(pose, KeptRays.None, progress, progress.Cancel).Statistics;
+        var statistics = tracer.Trace(pose, RayReadback.None, progress, progress.Cancel).Statistics;
         tracer.CountVisits = false;
-        (result.NodesVisited, result.PairsTested) = (work.NodesVisited, work.PairsTested);
+        (result.NodesVisited, result.PairsTested) = (statistics.NodesVisited, statistics.PairsTested);
     }
 
-    static void Judge(BenchResult result, CommandLine line, RayTracer tracer, RadarPose pose, IProgressSink progress)
+    static void Compare(BenchResult result, CommandLine line, RayTracer tracer, RadarPose pose, IProgressSink progress)
     {
-        int every = line.Get(Options.Judge);
-        if (!line.IsGiven(Options.Judge))
+        int every = line.Get(Options.Reference);
+        if (!line.IsGiven(Options.Reference))
         {
-            if (Math.Max(result.Settings.RaysEmitted, pose.Scene.TriangleCount) <= JudgeCheck.Affordable)
+            if (Math.Max(result.Settings.RaysEmitted, pose.Scene.TriangleCount) <= ReferenceCheck.Affordable)
                 every = 1;
             else
-                result.NotJudged = FormattableString.Invariant(
-                    $"not judged: {result.Settings.RaysEmitted:N0} rays and {pose.Scene.TriangleCount:N0} triangles take long; --judge 100 judges every 100th ray, --judge all judges them all");
+                result.NotCompared = FormattableString.Invariant(
+                    $"not compared: {result.Settings.RaysEmitted:N0} rays and {pose.Scene.TriangleCount:N0} triangles take long; --reference 100 compares every 100th ray, --reference all compares them all");
         }
         if (every == 0)
             return;
         if (every == 1)
         {
-            Step("judge", progress, () => result.Errors = JudgeCheck.All(pose, result.Poses.First, new Part(progress, 0, 1), progress.Cancel));
+            Step("reference", progress, () => result.Errors = ReferenceCheck.All(pose, result.Poses.First, new Part(progress, 0, 1), progress.Cancel));
             return;
         }
-        Step("judge", progress, () =>
+        Step("reference", progress, () =>
         {
-            var rays = tracer.Trace(pose, KeptRays.All, new Part(progress, 0, 2), progress.Cancel).Rays;
-            result.Errors = JudgeCheck.Some(pose, rays, every, new Part(progress, 1, 2), progress.Cancel);
+            var rays = tracer.Trace(pose, RayReadback.All, new Part(progress, 0, 2), progress.Cancel).Rays;
+            result.Errors = ReferenceCheck.Some(pose, rays, every, new Part(progress, 1, 2), progress.Cancel);
         });
     }
 

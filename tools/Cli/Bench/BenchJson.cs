@@ -19,7 +19,7 @@ static class BenchJson
     static JObject Root(BenchResult result)
     {
         var poses = result.Poses;
-        var (sums, work) = (poses.First, poses.Work);
+        var (sums, work) = (poses.First, poses.Statistics);
         return new JObject
         {
             ["subject"] = result.Subject,
@@ -63,7 +63,7 @@ static class BenchJson
             ["tiles_traced"] = work.TilesTraced,
             ["tiles_skipped"] = work.TilesSkipped,
             ["dispatches"] = work.Dispatches,
-            ["trees_built"] = sums.Statistics.TreesBuilt,
+            ["trees_built"] = sums.Statistics.BvhsBuilt,
             ["triangles_built"] = sums.Statistics.TrianglesBuilt,
             ["first_bytes_uploaded"] = sums.Statistics.BytesUploaded,
             ["bytes_uploaded"] = work.BytesUploaded,
@@ -87,17 +87,17 @@ static class BenchJson
             : new JArray(settings.Region.Left, settings.Region.Bottom, settings.Region.Width, settings.Region.Height),
     };
 
-    static JObject Errors(JudgeCheck errors) => new()
+    static JObject Errors(ReferenceCheck errors) => new()
     {
-        ["rays_judged"] = errors.Judge.RaysEmitted,
+        ["rays_judged"] = errors.Reference.RaysEmitted,
         ["rays_hit"] = errors.Hits,
-        ["rays_hit_judge"] = errors.Judge.RaysHit,
+        ["rays_hit_judge"] = errors.Reference.RaysHit,
         ["bounces"] = errors.Bounces,
-        ["bounces_judge"] = errors.Judge.Bounces,
+        ["bounces_judge"] = errors.Reference.Bounces,
         ["path_length_relative"] = errors.PathLengthRelative,
         ["amplitude"] = errors.Amplitude,
         ["amplitude_relative"] = errors.AmplitudeRelative,
-        ["amplitude_judge"] = errors.Judge.Amplitude,
+        ["amplitude_judge"] = errors.Reference.Amplitude,
         ["phase_rad"] = errors.Phase,
     };
 

@@ -24,9 +24,9 @@ sealed class BenchResult
     public long NodesVisited { get; set; }
     public long PairsTested { get; set; }
 
-    /// <summary>Null when nothing was judged.</summary>
-    public JudgeCheck Errors { get; set; }
+    /// <summary>Null when nothing was compared.</summary>
+    public ReferenceCheck Errors { get; set; }
 
-    /// <summary>Why nothing was judged; null when it was, or when that was asked for.</summary>
-    public string NotJudged { get; set; }
+    /// <summary>Why nothing was compared; null when it was, or when that was asked for.</summary>
+    public string NotCompared { get; set; }
 }

@@ -18,15 +18,15 @@ sealed class BenchTables(Terminal terminal)
         yield return Text($"{result.Subject} on {result.Device.Name}, driver {result.Device.Driver}");
         yield return Text(
             $"{settings.RaysAcross} x {settings.RaysDown} rays{RegionText(settings.Region)}, at most {settings.MaxBounces} bounces, {settings.FrequencyHz / 1e9:g6} GHz; medians and lowest of {result.Rounds} rounds");
-        foreach (var table in new[] { Times(result), Work(result), Errors(result), Peers(result) }
+        foreach (var table in new[] { Times(result), Statistics(result), Errors(result), Peers(result) }
             .Where(table => table != null))
         {
             yield return "";
             foreach (string line in _text.Lines(table))
                 yield return line;
         }
-        if (result.NotJudged != null)
-            yield return result.NotJudged;
+        if (result.NotCompared != null)
+            yield return result.NotCompared;
         foreach (var peer in result.Peers)
             yield return $"{peer.Name} ended with: {peer.LastLine}";
         if (result.Peers.Count > 0)
@@ -54,9 +54,9 @@ sealed class BenchTables(Terminal terminal)
         return table;
     }
 
-    Table Work(BenchResult result)
+    Table Statistics(BenchResult result)
     {
-        var (sums, work, first) = (result.Poses.First, result.Poses.Work, result.Poses.First.Statistics);
+        var (sums, work, first) = (result.Poses.First, result.Poses.Statistics, result.Poses.First.Statistics);
         var table = _text.New(1, "a pose", "", "");
         void Add(string what, long count, string note = "") => table.AddRow(Escaped(what, Text($"{count:N0}"), note));
         Add("rays emitted", sums.RaysEmitted);
@@ -83,12 +83,12 @@ sealed class BenchTables(Terminal terminal)
     {
         if (result.Errors is not { } errors)
             return null;
-        var table = _text.New(1, Text($"error, {errors.Judge.RaysEmitted:N0} rays judged"), "", "");
-        table.AddRow(Escaped("rays hit", Text($"{errors.Hits:+#,0;-#,0;0}"), Text($"of {errors.Judge.RaysHit:N0}")));
-        table.AddRow(Escaped("bounces", Text($"{errors.Bounces:+#,0;-#,0;0}"), Text($"of {errors.Judge.Bounces:N0}")));
+        var table = _text.New(1, Text($"error, {errors.Reference.RaysEmitted:N0} rays compared"), "", "");
+        table.AddRow(Escaped("rays hit", Text($"{errors.Hits:+#,0;-#,0;0}"), Text($"of {errors.Reference.RaysHit:N0}")));
+        table.AddRow(Escaped("bounces", Text($"{errors.Bounces:+#,0;-#,0;0}"), Text($"of {errors.Reference.Bounces:N0}")));
         table.AddRow(Escaped("path length", Text($"{errors.PathLengthRelative:0.0e+0}"), "relative"));
         table.AddRow(Escaped("amplitude", Text($"{errors.Amplitude:0.0e+0}"),
-            Text($"of {errors.Judge.Amplitude:0.000}, {errors.AmplitudeRelative:0.0e+0} relative")));
+            Text($"of {errors.Reference.Amplitude:0.000}, {errors.AmplitudeRelative:0.0e+0} relative")));
         table.AddRow(Escaped("phase", Text($"{errors.Phase:0.0e+0}"), "rad"));
         return table;
     }

@@ -42,9 +42,9 @@ sealed partial class PeerOutput
         int from = 0;
         foreach (Match time in Time().Matches(line))
         {
-            string words = Words(line[from..time.Index]);
-            if (words.Length > 0)
-                label = words;
+            string text = SingleSpaced(line[from..time.Index]);
+            if (text.Length > 0)
+                label = text;
             if (!_times.ContainsKey(label))
             {
                 _times[label] = new Series();
@@ -56,7 +56,7 @@ sealed partial class PeerOutput
     }
 
     // Up to the first word that begins with a digit, without the signs about them.
-    static string Words(string text) => string.Join(' ', text.Split(' ', StringSplitOptions.RemoveEmptyEntries)
+    static string SingleSpaced(string text) => string.Join(' ', text.Split(' ', StringSplitOptions.RemoveEmptyEntries)
         .TakeWhile(word => !char.IsAsciiDigit(word[0])).Select(word => word.Trim(',', ';', ':', '=', '(', ')'))
         .Where(word => word.Length > 0));
 

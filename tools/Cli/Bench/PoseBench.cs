@@ -46,7 +46,7 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
     public RadarResult First { get; private set; }
 
     /// <summary>What a later pose made the computer do; the visits are not counted.</summary>
-    public TraceStatistics Work { get; private set; }
+    public TraceStatistics Statistics { get; private set; }
 
     /// <summary>Traces the scene as it stands, some times from nothing.</summary>
     public void RunFirst(IProgress<double> progress, CancellationToken cancel)
@@ -81,7 +81,7 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
         {
             Turn();
             wall.Add(Time(new Part(progress, 2 * i, 2 * PosesARound), cancel, out var result));
-            Work = result.Statistics;
+            Statistics = result.Statistics;
             gather.Add(result.Statistics.Timings.GatherMs);
             upload.Add(result.Statistics.Timings.BuildMs + result.Statistics.Timings.UploadMs);
             trace.Add(result.Statistics.Timings.TraceMs);
@@ -124,7 +124,7 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
     double Time(IProgress<double> progress, CancellationToken cancel, out RadarResult result)
     {
         var watch = Stopwatch.StartNew();
-        result = radar.Trace(KeptRays.None, progress, cancel);
+        result = radar.Trace(RayReadback.None, progress, cancel);
         return watch.Elapsed.TotalMilliseconds;
     }
 

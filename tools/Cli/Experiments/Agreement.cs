@@ -8,7 +8,7 @@ namespace Glint.Cli;
 sealed class Agreement
 {
     /// <summary>Half of one ray's amplitude: published amplitudes below it are rounding and chance.</summary>
-    public const double LeastComparedAmplitude = 0.5;
+    public const double MinComparedAmplitude = 0.5;
 
     /// <exception cref="InvalidOperationException">No table was published.</exception>
     public Agreement(SweepResult sweep)
@@ -29,7 +29,7 @@ sealed class Agreement
             .Select(pose => 100 * Math.Abs((double)pose.Ours.RaysHit / pose.Theirs.RaysHit - 1)));
         ReceivedDifference =
             new Series(poses.Select(pose => (double)Math.Abs(pose.Ours.RaysReceived - pose.Theirs.RaysReceived)));
-        AmplitudeDifferenceDb = new Series(both.Where(pose => pose.Theirs.Amplitude > LeastComparedAmplitude)
+        AmplitudeDifferenceDb = new Series(both.Where(pose => pose.Theirs.Amplitude > MinComparedAmplitude)
             .Select(pose => Decibels(pose.Ours.Amplitude, pose.Theirs.Amplitude)).OfType<double>().Select(Math.Abs));
         AmplitudeCorrelation = Correlation([.. poses.Select(pose => pose.Ours.Amplitude)],
             [.. poses.Select(pose => pose.Theirs.Amplitude)]);
@@ -61,7 +61,7 @@ sealed class Agreement
 
     /// <summary>
     /// Size of the difference of amplitudes in decibels, where both received rays and theirs is above
-    /// <see cref="LeastComparedAmplitude"/>.
+    /// <see cref="MinComparedAmplitude"/>.
     /// </summary>
     public Series AmplitudeDifferenceDb { get; }
 

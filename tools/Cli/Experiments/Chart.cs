@@ -66,10 +66,10 @@ sealed class Chart
     {
         double from = left + Left, to = left + _panelWidth - Right;
         _svg.Write((from + to) / 2, Top - 18, panel.Title, "middle");
-        foreach (var (place, label) in panel.Scale.Marks)
+        foreach (var (position, label) in panel.Scale.Marks)
         {
-            _svg.Line(from, Y(place), to, Y(place), "#dddddd");
-            _svg.Write(from - 8, Y(place) + 4, label, "end");
+            _svg.Line(from, Y(position), to, Y(position), "#dddddd");
+            _svg.Write(from - 8, Y(position) + 4, label, "end");
         }
         foreach (double step in MarkedSteps())
         {
@@ -86,16 +86,16 @@ sealed class Chart
         if (line.Lowest != null)
         {
             // What cannot be shown is at the foot: the band reaches down to it.
-            var edge = Places(line.Highest).Concat(Places(line.Lowest).Reverse());
-            _svg.Area(edge.Select(place => (place.x, double.IsNaN(place.y) ? Y(0) : place.y)), line.Colour);
+            var edge = Points(line.Highest).Concat(Points(line.Lowest).Reverse());
+            _svg.Area(edge.Select(position => (position.x, double.IsNaN(position.y) ? Y(0) : position.y)), line.Colour);
         }
         var run = new List<(double, double)>();
-        foreach (var place in Places(line.Values).Append((double.NaN, double.NaN)))
+        foreach (var at in Points(line.Values).Append((double.NaN, double.NaN)))
         {
-            if (!double.IsNaN(place.Item2))
+            if (!double.IsNaN(at.Item2))
             {
-                run.Add(place);
-                _svg.Dot(place.Item1, place.Item2, line.Colour, false, 2);
+                run.Add(at);
+                _svg.Dot(at.Item1, at.Item2, line.Colour, false, 2);
                 continue;
             }
             if (run.Count > 1)
@@ -103,7 +103,7 @@ sealed class Chart
             run.Clear();
         }
 
-        IEnumerable<(double x, double y)> Places(IReadOnlyList<double> values) =>
+        IEnumerable<(double x, double y)> Points(IReadOnlyList<double> values) =>
             _steps.Select((step, i) => (X(step, left), Y(scale.Of(values[i]))));
     }
 
@@ -118,5 +118,5 @@ sealed class Chart
     double X(double step, double left) => left + Left
         + (_steps.Count < 2 ? 0.5 : (step - _steps[0]) / (_steps[^1] - _steps[0])) * (_panelWidth - Left - Right);
 
-    static double Y(double place) => Height - Bottom - place * (Height - Bottom - Top);
+    static double Y(double position) => Height - Bottom - position * (Height - Bottom - Top);
 }

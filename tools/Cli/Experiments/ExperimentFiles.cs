@@ -19,7 +19,7 @@ sealed class ExperimentFiles
     readonly string _path;
     readonly OutputFile _page, _json, _reflector;
     readonly Dictionary<string, OutputFile> _plots;
-    readonly MarkedPage _words;
+    readonly MarkedPage _text;
 
     /// <summary>Makes sure, before any work is done, that all can be written.</summary>
     /// <param name="flag">Option that names the folder, for messages.</param>
@@ -35,7 +35,7 @@ sealed class ExperimentFiles
         try
         {
             Directory.CreateDirectory(Path.Combine(path, Path.GetDirectoryName(PlotName(Seas))));
-            _words = new MarkedPage(page, File.Exists(page) ? File.ReadAllText(page) : "");
+            _text = new MarkedPage(page, File.Exists(page) ? File.ReadAllText(page) : "");
         }
         catch (Exception error)
             when (error is IOException or UnauthorizedAccessException or ArgumentException or NotSupportedException)
@@ -48,7 +48,7 @@ sealed class ExperimentFiles
         _reflector = new OutputFile(flag, Path.Combine(path, Reflector));
         _plots = s_plots.ToDictionary(name => name, name => new OutputFile(flag, Path.Combine(path, PlotName(name))));
         foreach (string name in s_plots.Append(Summary).Concat(Experiment.Seas.Select(pair => ShareOf(pair.Ship))))
-            _words.Check(name);
+            _text.Check(name);
     }
 
     /// <returns>What was written, for the report.</returns>
@@ -56,19 +56,19 @@ sealed class ExperimentFiles
     public string Write(ExperimentsResult result)
     {
         _json.Write(stream => ExperimentsJson.Write(stream, result));
-        _words.Put(Summary, "How far they agree", ExperimentTables.Summary(result));
+        _text.Put(Summary, "How far they agree", ExperimentTables.Summary(result));
         foreach (var sweep in result.Sweeps)
             Add(sweep.Experiment.Name, sweep.Experiment.Title, ExperimentTables.Of(sweep),
                 stream => ExperimentPlots.Write(stream, sweep));
         _reflector.Write(stream => ReflectorPicture.Write(stream, result.Reflector,
             result.Sweeps.Single(sweep => sweep.Experiment == Experiment.CornerReflector)));
         foreach (var (ship, angles) in result.Shares)
-            _words.Put(ShareOf(ship), $"{ship.Title}: what the sea adds", ExperimentTables.Of(angles));
+            _text.Put(ShareOf(ship), $"{ship.Title}: what the sea adds", ExperimentTables.Of(angles));
         foreach (var ship in result.Ships)
             Add(ship.Name, ship.Title, ExperimentTables.Of(ship), stream => ExperimentPlots.Write(stream, ship));
         Add(Seas, "Other seas", ExperimentTables.OfSeas(result),
             stream => SeaPlot.Write(stream, result.Seas, result.PublishedReturning));
-        _page.Write(stream => stream.Write(Encoding.UTF8.GetBytes(_words.Text)));
+        _page.Write(stream => stream.Write(Encoding.UTF8.GetBytes(_text.Text)));
         return $"{_page.Path}, {_json.Path}, "
             + $"{_plots.Count + 1} plots in {Path.Combine(_path, Path.GetDirectoryName(PlotName(Seas)))}";
     }
@@ -76,7 +76,7 @@ sealed class ExperimentFiles
     void Add(string name, string title, string tables, Action<Stream> plot)
     {
         _plots[name].Write(plot);
-        _words.Put(name, title, $"![{title}]({PlotName(name)})\n\n{tables}");
+        _text.Put(name, title, $"![{title}]({PlotName(name)})\n\n{tables}");
     }
 
     static string ShareOf(Experiment ship) => $"{ship.Name}-share";

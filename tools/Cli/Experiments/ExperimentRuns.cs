@@ -23,9 +23,9 @@ sealed class ExperimentRuns(IProgressSink progress)
     {
         var published = Published(experiment);
         var line = experiment.Line;
-        return InScene(line, subjects => new SweepResult(experiment, published,
-            Trace(experiment.Title, subjects, new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots)),
-                subjects.Sea, KeptRays.Received)));
+        return InScene(line, loaded => new SweepResult(experiment, published,
+            Trace(experiment.Title, loaded, new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots)),
+                loaded.Sea, RayReadback.Received)));
     }
 
     /// <summary>The ship of the free space turned on every snapshot of a sea.</summary>
@@ -35,7 +35,7 @@ sealed class ExperimentRuns(IProgressSink progress)
     {
         var published = Published(ship);
         var turned = Experiment.ShipInFreeSpace with { Options = ship.Options };
-        return InScene(turned.Line, subjects =>
+        return InScene(turned.Line, loaded =>
         {
             EditorSceneManager.OpenScene(
                 new ProjectPaths(Project).ToAssetPath(sea.Scene, Directory.GetCurrentDirectory()),
@@ -44,7 +44,7 @@ sealed class ExperimentRuns(IProgressSink progress)
             var plan = new SweepPlan(turned.Line.Get(Options.Angles), [.. Enumerable.Range(1, shown.Snapshots.Count)]);
             string title = SnapshotsResult.TitleOf(ship);
             return new SnapshotsResult(SnapshotsResult.NameOf(ship), title, published,
-                Trace(title, subjects, plan, shown, KeptRays.None));
+                Trace(title, loaded, plan, shown, RayReadback.None));
         });
     }
 
@@ -53,37 +53,37 @@ sealed class ExperimentRuns(IProgressSink progress)
     /// <exception cref="GlintException">As for a sweep.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public IReadOnlyList<SeaFamily> Study(Experiment sea, SeaRecipe stored, int seeds) =>
-        InScene(sea.Line, subjects => new SeaStudy(subjects.Radar, subjects.Sea, progress).Run(stored, seeds));
+        InScene(sea.Line, loaded => new SeaStudy(loaded.Radar, loaded.Sea, progress).Run(stored, seeds));
 
     /// <summary>What the radar of an experiment sees with its target turned to each of some angles.</summary>
     /// <param name="angles">Degrees.</param>
     /// <exception cref="GlintException">As for a sweep.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
-    public IReadOnlyList<RadarPicture> Pictures(Experiment experiment, params double[] angles) =>
-        InScene(experiment.Line, subjects =>
+    public IReadOnlyList<RadarPreviewImage> Pictures(Experiment experiment, params double[] angles) =>
+        InScene(experiment.Line, loaded =>
         {
-            var rotation = subjects.Target.rotation;
-            return (IReadOnlyList<RadarPicture>)[.. angles.Select(angle =>
+            var rotation = loaded.Target.rotation;
+            return (IReadOnlyList<RadarPreviewImage>)[.. angles.Select(angle =>
             {
-                subjects.Target.rotation = Quaternion.AngleAxis((float)angle, Vector3.up) * rotation;
-                return subjects.Radar.TracePicture(progress.Cancel);
+                loaded.Target.rotation = Quaternion.AngleAxis((float)angle, Vector3.up) * rotation;
+                return loaded.Radar.TracePreview(progress.Cancel);
             })];
         });
 
     static IReadOnlyList<PublishedRow> Published(Experiment experiment) =>
         experiment.Published == null ? null : PublishedTable.Read(experiment.Published);
 
-    IReadOnlyList<SweepRow> Trace(string title, SceneSubjects subjects, SweepPlan plan, Sea sea, KeptRays keep)
+    IReadOnlyList<SweepRow> Trace(string title, LoadedScene loaded, SweepPlan plan, Sea sea, RayReadback readback)
     {
         using var run = new SweepRun(
-            new SweepSetup(subjects.Radar, plan) { Target = subjects.Target, Sea = sea, Scene = subjects.Scene });
+            new SweepSetup(loaded.Radar, plan) { Target = loaded.Target, Sea = sea, Scene = loaded.Scene });
         var rows = new List<SweepRow>();
         progress.Start(title, run.Count);
         try
         {
             while (!run.IsComplete)
             {
-                rows.Add(run.Step(progress, progress.Cancel, keep));
+                rows.Add(run.Step(progress, progress.Cancel, readback));
                 progress.Advance(run.Done, rows[^1].Pose.ToString());
             }
         }
@@ -94,16 +94,16 @@ sealed class ExperimentRuns(IProgressSink progress)
         return rows;
     }
 
-    static T InScene<T>(CommandLine line, Func<SceneSubjects, T> work)
+    static T InScene<T>(CommandLine line, Func<LoadedScene, T> work)
     {
-        var subjects = SceneSubjects.Open(line);
+        var loaded = LoadedScene.Open(line);
         try
         {
-            return work(subjects);
+            return work(loaded);
         }
         finally
         {
-            subjects.Radar.Release();
+            loaded.Radar.Release();
         }
     }
 }

@@ -62,7 +62,7 @@ static class ExperimentTables
         return amplitude.Count == 0
             ? $"{text}."
             : text + Text(
-                $", amplitude {amplitude.Median:0.0} dB (median) and {amplitude.Highest:0.0} dB (largest) in the {amplitude.Count} poses where both receive rays and the published amplitude is above {Agreement.LeastComparedAmplitude}.");
+                $", amplitude {amplitude.Median:0.0} dB (median) and {amplitude.Highest:0.0} dB (largest) in the {amplitude.Count} poses where both receive rays and the published amplitude is above {Agreement.MinComparedAmplitude}.");
     }
 
     /// <summary>Every angle: the ship's own rays and those that met the sea.</summary>

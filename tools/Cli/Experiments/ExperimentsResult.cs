@@ -27,7 +27,7 @@ sealed class ExperimentsResult
     }
 
     /// <summary>What the radar sees of the corner reflector at <see cref="ReflectorPicture.Angles"/>.</summary>
-    public IReadOnlyList<RadarPicture> Reflector { get; set; } = [];
+    public IReadOnlyList<RadarPreviewImage> Reflector { get; set; } = [];
 
     /// <summary>The ship on every snapshot of each stored sea.</summary>
     public List<SnapshotsResult> Ships { get; } = [];

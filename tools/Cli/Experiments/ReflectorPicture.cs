@@ -23,7 +23,7 @@ static class ReflectorPicture
     // By number of bounces; the last for all above. Okabe and Ito's colours, which the colour-blind tell apart.
     static readonly string[] s_bounces = ["#d55e00", "#009e73", "#0072b2", "#f0e442"];
 
-    public static void Write(Stream stream, IReadOnlyList<RadarPicture> views, SweepResult sweep)
+    public static void Write(Stream stream, IReadOnlyList<RadarPreviewImage> views, SweepResult sweep)
     {
         using var svg = new Svg(stream, Chart.Width, Chart.Height);
         for (int i = 0; i < views.Count; i++)
@@ -40,7 +40,7 @@ static class ReflectorPicture
             new Panel("amplitude (Table A.2)", scale, lines));
     }
 
-    static void DrawView(Svg svg, double left, string title, RadarPicture view)
+    static void DrawView(Svg svg, double left, string title, RadarPreviewImage view)
     {
         svg.Write(left + ViewWidth / 2.0, Top - 18, title, "middle");
         svg.Rectangle(left, Top, ViewWidth, ViewHeight, Sky);
@@ -52,7 +52,7 @@ static class ReflectorPicture
     }
 
     // Pixels of one colour side by side; row 0 is the upper one.
-    static IEnumerable<(string colour, int x, int y, int length)> Runs(RadarPicture view)
+    static IEnumerable<(string colour, int x, int y, int length)> Runs(RadarPreviewImage view)
     {
         for (int row = 0; row < view.Part.Height; row++)
             for (int x = 0, length; x < view.Part.Width; x += length)
@@ -65,7 +65,7 @@ static class ReflectorPicture
             }
     }
 
-    static string ColourOf(RadarPicture view, int x, int row)
+    static string ColourOf(RadarPreviewImage view, int x, int row)
     {
         int y = view.Part.Height - 1 - row, bounces = view.Bounces(x, y);
         return bounces == 0 ? null

@@ -16,12 +16,12 @@ sealed class SeaPlot
     const string All = "#0072b2", Stored = "#e69f00", Published = "#d55e00";
 
     readonly Svg _svg;
-    readonly int _most;
+    readonly int _max;
 
-    SeaPlot(Svg svg, int most)
+    SeaPlot(Svg svg, int max)
     {
         _svg = svg;
-        _most = most;
+        _max = max;
     }
 
     /// <param name="published">Returning snapshots of a sea as published, and of how many.</param>
@@ -39,7 +39,7 @@ sealed class SeaPlot
 
     void DrawFrame()
     {
-        _svg.Write(Left, 24, $"Snapshots, of {_most}, from which anything returns", "start");
+        _svg.Write(Left, 24, $"Snapshots, of {_max}, from which anything returns", "start");
         double y = 48;
         _svg.Dot(Left + 8, y - 4, All, false, 6);
         _svg.Write(Left + 22, y, "so many seeds (line: their mean)", "start");
@@ -47,16 +47,16 @@ sealed class SeaPlot
         _svg.Write(Left + 282, y, "the stored seed is among them", "start");
         _svg.Line(Left + 490, y - 4, Left + 514, y - 4, Published, 1.5);
         _svg.Write(Left + 522, y, "published", "start");
-        for (int returning = 0; returning <= _most; returning += _most > 5 ? 2 : 1)
+        for (int returning = 0; returning <= _max; returning += _max > 5 ? 2 : 1)
             _svg.Write(Left - 8, Y(returning) + 4, Text($"{returning}"), "end");
     }
 
     void DrawSea(SeaFamily[] families, double left, double width, (int returning, int snapshots) published)
     {
         _svg.Write(left + width / 2, Top - 22, families[0].Sea, "middle");
-        for (int returning = 0; returning <= _most; returning += _most > 5 ? 2 : 1)
+        for (int returning = 0; returning <= _max; returning += _max > 5 ? 2 : 1)
             _svg.Line(left, Y(returning), left + width, Y(returning), "#dddddd");
-        double theirs = Y((double)published.returning / published.snapshots * _most);
+        double theirs = Y((double)published.returning / published.snapshots * _max);
         _svg.Line(left, theirs, left + width, theirs, Published, 1.5);
         double column = width / families.Length;
         for (int i = 0; i < families.Length; i++)
@@ -73,7 +73,7 @@ sealed class SeaPlot
                 _svg.Dot(x, Y(seas.Key), Stored, true, Math.Max(2, Math.Round(radius / 2, 1)));
             _svg.Write(x + radius + 4, Y(seas.Key) + 4, Text($"{seas.Count()}"), "start");
         }
-        double mean = Y(family.Share * _most);
+        double mean = Y(family.Share * _max);
         _svg.Line(x - 22, mean, x + 22, mean, "#333333", 2);
         _svg.Write(x, Height - 44, Text($"{family.First.Waves.WindSpeed:0.##} m/s"), "middle");
         _svg.Write(x, Height - 26, Text($"chop {family.First.Waves.Choppiness:0.##}"), "middle");
@@ -81,5 +81,5 @@ sealed class SeaPlot
             _svg.Write(x, Height - 8, "as stored", "middle");
     }
 
-    double Y(double returning) => Height - Bottom - returning / _most * (Height - Bottom - Top);
+    double Y(double returning) => Height - Bottom - returning / _max * (Height - Bottom - Top);
 }

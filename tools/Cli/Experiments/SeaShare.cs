@@ -25,9 +25,9 @@ sealed record SeaShare(double Step, double FreeSpace, double OnSea, double ShipA
 
     static SeaShare Of(SweepRow freeSpace, SweepRow onSea)
     {
-        var before = freeSpace.Result.Rays.ToDictionary(ray => ray.Pixel, ray => ray.ExactPathLength);
+        var before = freeSpace.Result.Rays.ToDictionary(ray => ray.Pixel, ray => ray.RefinedPathLength);
         var ofShip = onSea.Result.Rays.ToLookup(ray => before.TryGetValue(ray.Pixel, out double length)
-            && Math.Abs(ray.ExactPathLength - length) < SameLength);
+            && Math.Abs(ray.RefinedPathLength - length) < SameLength);
         var added = new int[RadarSettings.Default.MaxBounces];
         foreach (var ray in ofShip[false])
             added[ray.Bounces - 1]++;

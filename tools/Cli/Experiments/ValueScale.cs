@@ -11,19 +11,19 @@ namespace Glint.Cli;
 /// </summary>
 sealed class ValueScale
 {
-    readonly Func<double, double> _place;
+    readonly Func<double, double> _position;
 
-    ValueScale(Func<double, double> place, IEnumerable<(double value, string label)> marks)
+    ValueScale(Func<double, double> position, IEnumerable<(double value, string label)> marks)
     {
-        _place = place;
+        _position = position;
         Marks = [.. marks.Select(mark => (Of(mark.value), mark.label))];
     }
 
     /// <summary>Place and label.</summary>
-    public IReadOnlyList<(double Place, string Label)> Marks { get; }
+    public IReadOnlyList<(double Position, string Label)> Marks { get; }
 
     /// <summary>NaN where the value cannot be shown.</summary>
-    public double Of(double value) => _place(value);
+    public double Of(double value) => _position(value);
 
     /// <summary>From 0 on.</summary>
     public static ValueScale Linear(double greatest)

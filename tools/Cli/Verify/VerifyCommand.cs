@@ -6,7 +6,7 @@ using Glint.Host;
 
 namespace Glint.Cli;
 
-/// <summary>glint verify: traces a scene with the kernel, and some of its rays with the judge.</summary>
+/// <summary>glint verify: traces a scene with the kernel, and some of its rays with the reference tracer.</summary>
 sealed class VerifyCommand(Terminal terminal)
 {
     /// <summary>
@@ -23,39 +23,39 @@ sealed class VerifyCommand(Terminal terminal)
     public (string[] Report, int ExitCode) Execute(CommandLine line, IProgressSink progress)
     {
         var json = line.IsGiven(Options.Json) ? new OutputFile(Options.Json.Flag, line.Get(Options.Json)) : null;
-        var subjects = SceneSubjects.Open(line);
+        var loaded = LoadedScene.Open(line);
         try
         {
-            var result = Verify(subjects, line.Get(Options.Rays), progress);
+            var result = Verify(loaded, line.Get(Options.Rays), progress);
             json?.Write(result.WriteJson);
             string[] written = json == null ? [] : [$"written: {json.Path}"];
             return ([.. new VerifyReport(terminal).Lines(result), .. written], result.Comparison.Wrong == 0 ? 0 : 1);
         }
         finally
         {
-            subjects.Radar.Release();
+            loaded.Radar.Release();
         }
     }
 
-    static VerifyResult Verify(SceneSubjects subjects, int raysToCompare, IProgressSink progress)
+    static VerifyResult Verify(LoadedScene loaded, int raysToCompare, IProgressSink progress)
     {
-        var radar = subjects.Radar;
+        var radar = loaded.Radar;
         var pose = radar.Gather();
         var settings = pose.Settings;
-        using var tracer = new RayTracer(radar.Kernel, subjects.Name);
+        using var tracer = new RayTracer(radar.Kernel, loaded.Name);
 
         RadarResult whole = null;
-        Step("kernel", progress, () => whole = tracer.Trace(pose, KeptRays.None, progress, progress.Cancel));
+        Step("kernel", progress, () => whole = tracer.Trace(pose, RayReadback.None, progress, progress.Cancel));
         var sample = new RaySample(settings, whole.RaysReceived, raysToCompare);
         var comparison = new RayComparison(pose, LengthTolerance);
         var bands = Bands(settings);
-        progress.Start("kernel and judge", bands.Count);
+        progress.Start("kernel and reference", bands.Count);
         try
         {
             for (int i = 0; i < bands.Count; i++)
             {
                 pose.Settings.Region = bands[i];
-                var rays = tracer.Trace(pose, KeptRays.All, new Part(progress, 0, 2), progress.Cancel).Rays;
+                var rays = tracer.Trace(pose, RayReadback.All, new Part(progress, 0, 2), progress.Cancel).Rays;
                 comparison.Add(sample.Of(rays), new Part(progress, 1, 2), progress.Cancel);
                 progress.Advance(i + 1, null);
             }
@@ -64,7 +64,7 @@ sealed class VerifyCommand(Terminal terminal)
         {
             progress.Finish();
         }
-        return new VerifyResult(subjects, GraphicsDevice.Current.Info, whole, comparison);
+        return new VerifyResult(loaded, GraphicsDevice.Current.Info, whole, comparison);
     }
 
     // The rows of the region, as many at a time as are held.

@@ -9,46 +9,46 @@ namespace Glint.Cli;
 /// <summary>What glint verify found out, for people.</summary>
 sealed class VerifyReport(Terminal terminal)
 {
-    const int MostShown = 5;
+    const int MaxShown = 5;
 
     public IEnumerable<string> Lines(VerifyResult result)
     {
         var (whole, comparison) = (result.Whole, result.Comparison);
-        var (kernel, judge) = (comparison.KernelSums, comparison.JudgeSums);
+        var (kernel, reference) = (comparison.KernelSums, comparison.ReferenceSums);
         var tables = new TableText(terminal);
         var table = tables.New(1, "ray by ray", "", "");
         void Add(string what, FormattableString value, FormattableString note) =>
             table.AddRow(Escaped(what, Text(value), Text(note)));
         Add("rays compared", $"{comparison.Rays:N0}", $"of {whole.RaysEmitted:N0}");
-        Add("  went the judge's way", $"{comparison.Same:N0}", $"");
+        Add("  went the reference tracer's way", $"{comparison.Same:N0}", $"");
         Add("  passed an edge on its other side", $"{comparison.AtEdge:N0}",
             $"{1e6 * comparison.AtEdge / Math.Max(1, comparison.Rays):0.#} a million");
         Add("  went wrong", $"{comparison.Wrong:N0}", $"");
-        Add("received, of those that went the judge's way", $"{kernel.RaysReceived:N0}",
+        Add("received, of those that went the reference tracer's way", $"{kernel.RaysReceived:N0}",
             $"of {whole.RaysReceived:N0} in the picture");
         Add("  length, largest difference", $"{1e6 * comparison.LargestLengthDifference:0.0e+0}", $"um");
         Add("  length, rms of the differences", $"{1e6 * comparison.RmsLengthDifference:0.0e+0}", $"um");
         Add("  phase, largest difference", $"{comparison.LargestPhaseDifference:0.0e+0}", $"rad");
         Add("  amplitude by the kernel", $"{kernel.Amplitude:0.000000}", $"");
-        Add("  amplitude by the judge", $"{judge.Amplitude:0.000000}",
-            $"kernel {kernel.Amplitude - judge.Amplitude:+0.0e+0;-0.0e+0;+0}");
+        Add("  amplitude by the reference tracer", $"{reference.Amplitude:0.000000}",
+            $"kernel {kernel.Amplitude - reference.Amplitude:+0.0e+0;-0.0e+0;+0}");
 
-        yield return $"{result.Subjects.Name} on {result.Device.Name}, driver {result.Device.Driver}";
+        yield return $"{result.LoadedScene.Name} on {result.Device.Name}, driver {result.Device.Driver}";
         yield return "";
         foreach (string line in tables.Lines(table))
             yield return line;
         yield return "";
-        uint across = (uint)result.Subjects.Radar.Settings.RaysAcross;
-        foreach (var (ray, other) in comparison.WrongRays.Take(MostShown))
+        uint across = (uint)result.LoadedScene.Radar.Settings.RaysAcross;
+        foreach (var (ray, other) in comparison.WrongRays.Take(MaxShown))
             yield return Text(
-                $"wrong: pixel {ray.Pixel % across}, {ray.Pixel / across}: kernel {Way(ray.Bounces, ray.IsReceived, ray.ExactPathLength)}; judge {Way(other.Bounces, other.Received, other.LengthToEnd)}");
+                $"wrong: pixel {ray.Pixel % across}, {ray.Pixel / across}: kernel {PathText(ray.Bounces, ray.IsReceived, ray.RefinedPathLength)}; reference {PathText(other.Bounces, other.Received, other.LengthToEnd)}");
         string allowed = Text(
             $"{1e6 * VerifyCommand.LengthTolerance:0} um and the rounding of two float32 numbers, 2^-44 of the length");
         yield return comparison.Wrong == 0
-            ? $"Fine: every ray went the judge's way, or passes an edge; a received ray may be off by {allowed}."
-            : Text($"{comparison.Wrong:N0} rays neither went the judge's way nor pass an edge, or are off by more than {allowed}.");
+            ? $"Fine: every ray went the reference tracer's way, or passes an edge; a received ray may be off by {allowed}."
+            : Text($"{comparison.Wrong:N0} rays neither went the reference tracer's way nor pass an edge, or are off by more than {allowed}.");
     }
 
-    static string Way(long bounces, bool isReceived, double length) =>
+    static string PathText(long bounces, bool isReceived, double length) =>
         Text($"{bounces} bounces, {(isReceived ? "received" : "lost")}, {length:0.000000} m");
 }

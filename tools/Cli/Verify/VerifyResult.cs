@@ -8,7 +8,7 @@ using Newtonsoft.Json.Linq;
 namespace Glint.Cli;
 
 /// <summary>What glint verify found out.</summary>
-sealed record VerifyResult(SceneSubjects Subjects, DeviceInfo Device, RadarResult Whole, RayComparison Comparison)
+sealed record VerifyResult(LoadedScene LoadedScene, DeviceInfo Device, RadarResult Whole, RayComparison Comparison)
 {
     /// <summary>As JSON: lengths in metres, phases in radians.</summary>
     public void WriteJson(Stream stream)
@@ -18,8 +18,8 @@ sealed record VerifyResult(SceneSubjects Subjects, DeviceInfo Device, RadarResul
 
     JObject Root() => new()
     {
-        ["subject"] = Subjects.Name,
-        ["scene"] = Subjects.Scene,
+        ["subject"] = LoadedScene.Name,
+        ["scene"] = LoadedScene.Scene,
         ["device"] = Device.Name,
         ["driver"] = Device.Driver,
         ["glint"] = GlintVersion.Text,
@@ -35,16 +35,16 @@ sealed record VerifyResult(SceneSubjects Subjects, DeviceInfo Device, RadarResul
         ["length_tolerance_m"] = VerifyCommand.LengthTolerance,
         ["phase_difference_rad"] = Comparison.LargestPhaseDifference,
         ["amplitude"] = Comparison.KernelSums.Amplitude,
-        ["amplitude_judge"] = Comparison.JudgeSums.Amplitude,
+        ["amplitude_judge"] = Comparison.ReferenceSums.Amplitude,
         ["wrong"] = new JArray(Comparison.WrongRays.Select(pair => new JObject
         {
             ["pixel"] = pair.Kernel.Pixel,
             ["bounces"] = pair.Kernel.Bounces,
-            ["bounces_judge"] = pair.Judge.Bounces,
+            ["bounces_judge"] = pair.Reference.Bounces,
             ["received"] = pair.Kernel.IsReceived,
-            ["received_judge"] = pair.Judge.Received,
-            ["length_m"] = pair.Kernel.ExactPathLength,
-            ["length_judge_m"] = pair.Judge.LengthToEnd,
+            ["received_judge"] = pair.Reference.Received,
+            ["length_m"] = pair.Kernel.RefinedPathLength,
+            ["length_judge_m"] = pair.Reference.LengthToEnd,
         })),
     };
 }

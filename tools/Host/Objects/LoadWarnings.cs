@@ -29,7 +29,7 @@ internal sealed class LoadWarnings
         _order.Clear();
     }
 
-    internal void Tell()
+    internal void Report()
     {
         foreach ((string file, string what) in _order)
         {

@@ -9,7 +9,7 @@ internal sealed class ObjectTable
 {
     // Prefabs of prefabs, each twice in the next, are small as files and without end in memory.
     // An object weighs as much as so many values.
-    const long MostValues = 20_000_000, ObjectWeight = 50;
+    const long MaxValues = 20_000_000, ObjectWeight = 50;
 
     readonly Dictionary<long, ObjectRecord> _byId = new();
     readonly List<ObjectRecord> _records = new();
@@ -78,9 +78,9 @@ internal sealed class ObjectTable
     internal void Reserve(long values)
     {
         _values += values;
-        if (_values > MostValues)
+        if (_values > MaxValues)
             throw new GlintException($"{ShownPath}: its prefab instances, with those in the prefabs, "
-                + $"hold more than {MostValues} values: remove some");
+                + $"hold more than {MaxValues} values: remove some");
     }
 
     /// <summary>A further id of an object, where no other has it.</summary>

@@ -12,7 +12,7 @@ internal readonly record struct PropertyStep(string Name, int Index)
     const int SizeMark = -1;
 
     // Unity nests serialized classes at most ten deep; far longer paths would overflow the stack.
-    const int MostSteps = 100;
+    const int MaxSteps = 100;
 
     internal bool IsName => Name is not null;
 
@@ -26,7 +26,7 @@ internal readonly record struct PropertyStep(string Name, int Index)
         const string DataStart = "data[";
         List<PropertyStep> steps = new();
         string[] parts = path.Split('.');
-        if (parts.Length > MostSteps)
+        if (parts.Length > MaxSteps)
             return null;
         for (int i = 0; i < parts.Length; i++)
         {

@@ -135,9 +135,9 @@ internal sealed class FieldReader
 
     object Whole(Int128 value, Type type, string path)
     {
-        (Int128 least, Int128 most) = WholeNumbers.Range(type);
-        return value >= least && value <= most
-            ? WholeNumbers.Make(value, type) : throw Wrong(path, $"a whole number from {least} to {most}",
+        (Int128 min, Int128 max) = WholeNumbers.Range(type);
+        return value >= min && value <= max
+            ? WholeNumbers.Make(value, type) : throw Wrong(path, $"a whole number from {min} to {max}",
                 new YamlScalarNode(value.ToString()));
     }
 

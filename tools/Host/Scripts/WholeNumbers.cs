@@ -10,7 +10,7 @@ internal static class WholeNumbers
     /// <summary>
     /// What a field may hold; Unity has written flags of 32 bits both as signed and as unsigned numbers.
     /// </summary>
-    internal static (Int128 Least, Int128 Most) Range(Type type) => type.IsEnum
+    internal static (Int128 Min, Int128 Max) Range(Type type) => type.IsEnum
         && PackedArray.Width(type) == sizeof(int)
         ? (int.MinValue, uint.MaxValue)
         : Type.GetTypeCode(type) switch

@@ -44,7 +44,7 @@ internal sealed class AssetWriter
         string extension = Path.GetExtension(path);
         if (extension != ".asset" && !(asset is Mesh && extension == ".mesh"))
             throw new UnityException($"{path}: an asset's name ends in .asset");
-        string physical = Place(path);
+        string physical = PhysicalPath(path);
         Dictionary<Object, long> ids = new(ReferenceEqualityComparer.Instance) { [asset] = id };
         WholeFile.Write(physical, _files.Shown(path), text => WriteObject(new YamlWriter(text), asset, ids, id));
         WriteMeta(path, guid => MetaText.OfObject(guid, id));
@@ -52,7 +52,7 @@ internal sealed class AssetWriter
 
     internal void WritePrefab(GameObject root, string path)
     {
-        string physical = Place(path);
+        string physical = PhysicalPath(path);
         Dictionary<Object, long> ids = PrefabIds.Of(root);
         WholeFile.Write(physical, _files.Shown(path), text =>
         {
@@ -71,7 +71,7 @@ internal sealed class AssetWriter
 
     internal string CreateFolder(string path)
     {
-        string physical = Place(path);
+        string physical = PhysicalPath(path);
         try
         {
             Directory.CreateDirectory(physical);
@@ -101,7 +101,7 @@ internal sealed class AssetWriter
     }
 
     // Where on disk an asset path lies, if it is one in which something can be made.
-    string Place(string path)
+    string PhysicalPath(string path)
     {
         string[] parts = (path ?? "").Split('/');
         bool isBelowRoot = parts[0] == "Assets" && parts.Length > 1

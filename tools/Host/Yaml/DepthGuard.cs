@@ -41,8 +41,8 @@ internal sealed class DepthGuard : IParser
         }
         catch (InvalidOperationException error)
         {
-            Mark place = _parser.Current?.End ?? Mark.Empty;
-            throw new YamlException(place, place, "a structure without its end", error);
+            Mark position = _parser.Current?.End ?? Mark.Empty;
+            throw new YamlException(position, position, "a structure without its end", error);
         }
     }
 }

@@ -86,12 +86,12 @@ namespace Glint.Core
         /// <summary>
         /// Lowest and highest corner of the plate across an axis of the reflector: 0, 1 or 2 for x, y or z.
         /// </summary>
-        internal static (double3 low, double3 high) Plate(int normal)
+        internal static (double3 min, double3 max) Plate(int normal)
         {
-            double3 low = PlateStart, high = PlateEnd;
-            low[normal] = -Thickness;
-            high[normal] = 0;
-            return (low, high);
+            double3 min = PlateStart, max = PlateEnd;
+            min[normal] = -Thickness;
+            max[normal] = 0;
+            return (min, max);
         }
 
         static TriangleMesh Make()
@@ -100,19 +100,19 @@ namespace Glint.Core
             var indices = new List<int>();
             for (int normal = 0; normal < 3; normal++)
             {
-                var (low, high) = Plate(normal);
-                AddBox(vertices, indices, Axes, low, high);
+                var (min, max) = Plate(normal);
+                AddBox(vertices, indices, Axes, min, max);
             }
             return new TriangleMesh(vertices.ToArray(), indices.ToArray());
         }
 
         // Corner i lies at the high end of axis a where bit a of i is set.
-        static void AddBox(List<float3> vertices, List<int> indices, in Affine axes, double3 low, double3 high)
+        static void AddBox(List<float3> vertices, List<int> indices, in Affine axes, double3 min, double3 max)
         {
             int first = vertices.Count;
             for (int corner = 0; corner < 8; corner++)
-                vertices.Add((float3)axes.Point(new double3((corner & 1) == 0 ? low.x : high.x,
-                    (corner & 2) == 0 ? low.y : high.y, (corner & 4) == 0 ? low.z : high.z)));
+                vertices.Add((float3)axes.Point(new double3((corner & 1) == 0 ? min.x : max.x,
+                    (corner & 2) == 0 ? min.y : max.y, (corner & 4) == 0 ? min.z : max.z)));
             for (int axis = 0; axis < 3; axis++)
             {
                 int u = 1 << (axis + 1) % 3, v = 1 << (axis + 2) % 3;

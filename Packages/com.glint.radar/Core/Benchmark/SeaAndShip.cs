@@ -50,7 +50,7 @@ namespace Glint.Core
                     double height = 0;
                     for (int w = 0, atX = 2 * Waves * x, atZ = 2 * Waves * z; w < Waves; w++, atX += 2, atZ += 2)
                         height += waves[w].Amplitude * (alongX[atX] * alongZ[atZ + 1] + alongX[atX + 1] * alongZ[atZ]);
-                    vertices[z * side + x] = new float3((float)Place(x, cells), (float)height, (float)Place(z, cells));
+                    vertices[z * side + x] = new float3((float)Coordinate(x, cells), (float)height, (float)Coordinate(z, cells));
                 }
 
             var indices = new int[6 * cells * cells];
@@ -65,7 +65,7 @@ namespace Glint.Core
             return new TriangleMesh(vertices, indices);
         }
 
-        static double Place(int step, int cells) => SeaSide * ((double)step / cells - 0.5);
+        static double Coordinate(int step, int cells) => SeaSide * ((double)step / cells - 0.5);
 
         // Sine and cosine of each wave's phase at each step along an axis.
         static double[] Phases(Wave[] waves, int side, Func<Wave, double> waveNumber, Func<Wave, double> phase)
@@ -74,7 +74,7 @@ namespace Glint.Core
             for (int step = 0; step < side; step++)
                 for (int w = 0; w < waves.Length; w++)
                 {
-                    double angle = waveNumber(waves[w]) * Place(step, side - 1) + phase(waves[w]);
+                    double angle = waveNumber(waves[w]) * Coordinate(step, side - 1) + phase(waves[w]);
                     phases[2 * (step * waves.Length + w)] = math.sin(angle);
                     phases[2 * (step * waves.Length + w) + 1] = math.cos(angle);
                 }

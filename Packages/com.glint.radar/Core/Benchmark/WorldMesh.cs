@@ -27,8 +27,8 @@ namespace Glint.Core
             foreach (var instance in scene.Instances)
             {
                 int first = vertex;
-                foreach (var place in instance.Mesh.Vertices)
-                    vertices[vertex++] = (float3)instance.ToWorld.Point(place);
+                foreach (var position in instance.Mesh.Vertices)
+                    vertices[vertex++] = (float3)instance.ToWorld.Point(position);
                 foreach (int number in instance.Mesh.Indices)
                     indices[index++] = first + number;
             }

@@ -33,7 +33,7 @@ namespace Glint.Core
         /// The command's name, the input and the options as given: after the name,
         /// what <see cref="Parse"/> makes the same line of.
         /// </summary>
-        public IReadOnlyList<string> Words { get; private set; }
+        public IReadOnlyList<string> Arguments { get; private set; }
 
         /// <summary>Value of an option: as given, else its default.</summary>
         public T Get<T>(Option<T> option) => _values.TryGetValue(option, out var value) ? (T)value : option.Default;
@@ -109,7 +109,7 @@ namespace Glint.Core
             line.SetInput(inputs);
             line.CheckOptionsAgainstInput();
             line.CheckOptionsAgainstEachOther();
-            line.Words = new[] { command.Name }
+            line.Arguments = new[] { command.Name }
                 .Concat(options.Select(option => option.Value == null ? option.Key : $"{option.Key}={option.Value}"))
                 .Concat(inputs.Count == 0 ? inputs : inputs.Prepend("--")).ToArray();
             return line;

@@ -143,7 +143,7 @@ namespace Glint.Core
             Inputs = InputKind.File | InputKind.BuiltIn,
             Options = new Option[]
                 {
-                    Options.Rounds, Options.Peers, Options.Judge, Options.Json, Options.WriteScene,
+                    Options.Rounds, Options.Peers, Options.Reference, Options.Json, Options.WriteScene,
                     Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
                     Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
                     Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov,
@@ -158,7 +158,7 @@ namespace Glint.Core
             Examples = new[]
                 {
                     Example("bench", "The built-in scene, 1920 x 1080 rays."),
-                    Example("bench --size 7680x4320 --judge none --json 8k.json",
+                    Example("bench --size 7680x4320 --reference none --json 8k.json",
                         "33 million rays; the figures go into a file."),
                     Example("bench --accuracy --json accuracy.json",
                         "Run time against error: the plot, tables and figures."),

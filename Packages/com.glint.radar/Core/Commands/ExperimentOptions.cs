@@ -6,7 +6,7 @@ namespace Glint.Core
         const string Group = "Experiments";
 
         /// <summary>Folder for tables, plots and figures; null when not given.</summary>
-        public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.Words)
+        public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.NotEmpty)
         {
             Group = Group,
             Help = "Folder for experiments.md, experiments.json and the plots in images/, "

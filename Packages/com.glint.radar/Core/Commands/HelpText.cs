@@ -113,11 +113,11 @@ namespace Glint.Core
         }
 
         // Words up to the width, later lines indented; the first begins at the column where the caller stopped.
-        void Paragraph(int indent, string words, int position = 0)
+        void Paragraph(int indent, string text, int position = 0)
         {
             int end = Math.Max(_width - 1, indent + NarrowestText);
             bool lineIsEmpty = true;
-            foreach (var word in words.Split(' '))
+            foreach (var word in text.Split(' '))
             {
                 if (!lineIsEmpty && position + 1 + word.Length > end)
                 {

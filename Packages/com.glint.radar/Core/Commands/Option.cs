@@ -113,11 +113,11 @@ namespace Glint.Core
         public T Parse(string text) => Parse(text, Flag);
 
         /// <summary>Reads a value that is written elsewhere than after the option.</summary>
-        /// <param name="place">Where, for the message.</param>
+        /// <param name="where">Where, for the message.</param>
         /// <exception cref="UsageException">
         /// Malformed or out of range; the message names the place and the text.
         /// </exception>
-        public T Parse(string text, string place)
+        public T Parse(string text, string where)
         {
             try
             {
@@ -125,7 +125,7 @@ namespace Glint.Core
             }
             catch (FormatException error)
             {
-                throw new UsageException($"{place} {Values.Shown(text)}: {error.Message}");
+                throw new UsageException($"{where} {Values.Shown(text)}: {error.Message}");
             }
         }
 

@@ -81,7 +81,7 @@ namespace Glint.Core
             };
 
         /// <summary>The object of the scene that a sweep turns or moves the radar about, by its name.</summary>
-        public static readonly Option<string> Target = new Option<string>("target", "NAME", Values.Words)
+        public static readonly Option<string> Target = new Option<string>("target", "NAME", Values.NotEmpty)
         {
             Group = SweepGroup,
             Inputs = InputKind.Scene,
@@ -92,14 +92,14 @@ namespace Glint.Core
         };
 
         /// <summary>Folder for the result files; null when not given.</summary>
-        public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.Words)
+        public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.NotEmpty)
         {
             Group = ResultGroup,
             Help = "Folder for results.csv and results.json, made with its parents when it is not there."
         };
 
         /// <summary>Folder of the project for meshes and prefabs; null when not given.</summary>
-        public static readonly Option<string> AssetFolder = new Option<string>("out", "DIR", Values.Words)
+        public static readonly Option<string> AssetFolder = new Option<string>("out", "DIR", Values.NotEmpty)
         {
             Group = ResultGroup,
             Help = "Folder of the project for mesh and prefab, such as Assets/Mine; "
@@ -283,9 +283,9 @@ namespace Glint.Core
                     + "May be given more than once."
             };
 
-        /// <summary>Which rays the judge traces as well: 0 none, 1 all, N every N-th.</summary>
-        public static readonly Option<int> Judge =
-            new Option<int>("judge", "all|none|N", text => Values.Share(text, Interval.Closed(1, 1000000)))
+        /// <summary>Which rays the reference tracer traces as well: 0 none, 1 all, N every N-th.</summary>
+        public static readonly Option<int> Reference =
+            new Option<int>("reference", "all|none|N", text => Values.Share(text, Interval.Closed(1, 1000000)))
             {
                 Choices = new[] { "all", "none" },
                 Group = BenchGroup,
@@ -293,21 +293,21 @@ namespace Glint.Core
                     + "Without it: all, when rays and triangles are at most 4 million each."
             };
 
-        /// <summary>About as many rays are compared with the judge's.</summary>
+        /// <summary>About as many rays are compared with the reference tracer's.</summary>
         public static readonly Option<int> Rays = Whole("rays", "N", "100000",
             Interval.Closed(1, 1000000000), VerifyGroup,
             "About as many rays are compared, spread evenly over the picture, and as many of those received; "
                 + "all when there are fewer.");
 
         /// <summary>File for the figures; null when not given.</summary>
-        public static readonly Option<string> Json = new Option<string>("json", "FILE", Values.Words)
+        public static readonly Option<string> Json = new Option<string>("json", "FILE", Values.NotEmpty)
         {
             Group = ResultGroup,
             Help = "File for the figures, as JSON."
         };
 
         /// <summary>File for the triangles; null when not given.</summary>
-        public static readonly Option<string> WriteScene = new Option<string>("write-scene", "FILE", Values.Words)
+        public static readonly Option<string> WriteScene = new Option<string>("write-scene", "FILE", Values.NotEmpty)
         {
             Group = BenchGroup,
             Help = "File for the triangles: number of vertices and of triangles (int32), x, y, z of each vertex "
@@ -315,7 +315,7 @@ namespace Glint.Core
         };
 
         /// <summary>The GPU to work on: index or part of the name; null when not given.</summary>
-        public static readonly Option<string> Device = new Option<string>("device", "DEVICE", Values.Words)
+        public static readonly Option<string> Device = new Option<string>("device", "DEVICE", Values.NotEmpty)
         {
             Group = DeviceGroup,
             UnityRemedy = "in Unity use Unity's own -force-device-index",
@@ -324,7 +324,7 @@ namespace Glint.Core
         };
 
         /// <summary>File for the plot of error against time; null when not given.</summary>
-        public static readonly Option<string> Accuracy = new Option<string>("accuracy", "[FILE]", Values.Words)
+        public static readonly Option<string> Accuracy = new Option<string>("accuracy", "[FILE]", Values.NotEmpty)
         {
             Group = BenchGroup,
             Inputs = InputKind.BuiltIn,
@@ -332,7 +332,7 @@ namespace Glint.Core
             ImpliedText = "accuracy.svg",
             Excludes = new Option[]
             {
-                Judge, Peers, WriteScene, Seed, SeaTriangles, ShipTriangles, Size, Region, Frequency, Bounces, Receiver
+                Reference, Peers, WriteScene, Seed, SeaTriangles, ShipTriangles, Size, Region, Frequency, Bounces, Receiver
             }
                 .Select(option => (option, "it has scenes and radars of its own")).ToArray(),
             Help = "Instead: run time against error, in scenes of its own, "

@@ -13,7 +13,7 @@ namespace Glint.Core
         static readonly Interval s_poses = Interval.Closed(1, int.MaxValue);
 
         /// <summary>The report's file; null when not given.</summary>
-        public static readonly Option<string> Out = new Option<string>("out", "FILE", Values.Words)
+        public static readonly Option<string> Out = new Option<string>("out", "FILE", Values.NotEmpty)
         {
             Group = Group,
             Help = "The file to write, in a folder that is there. Without it: report.html in the folder of the results."

@@ -102,7 +102,7 @@ namespace Glint.Core
 
         public static bool Given(string text) => text == GivenText ? true : throw new FormatException("takes no value");
 
-        public static string Words(string text) =>
+        public static string NotEmpty(string text) =>
             string.IsNullOrWhiteSpace(text) ? throw new FormatException("must not be empty") : text;
 
         /// <summary>A finite number, blanks around it allowed.</summary>

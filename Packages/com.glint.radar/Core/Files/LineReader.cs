@@ -87,7 +87,7 @@ namespace Glint.Core
                 last--;
             if (last < 0 || Held[last] != '\\')
                 return false;
-            word = Words.StartOf(Held.Slice(0, last), word);
+            word = Tokenizer.StartOf(Held.Slice(0, last), word);
             if (word < last && Held[word] == '#')
                 return false;
             for (int i = last; i <= length; i++)

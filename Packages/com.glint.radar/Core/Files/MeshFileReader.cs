@@ -63,16 +63,16 @@ namespace Glint.Core
             if (!stream.CanSeek || stream.Length == 0)
                 throw Empty(path);
 
-            var place = new MeshFilePlacement(unit, up);
+            var placement = new MeshFilePlacement(unit, up);
             var head = Head(stream);
             if (HasExtension(path, ".stl") && StlBinaryReader.IsBinary(head, stream.Length))
-                return new StlBinaryReader(stream, path, place).Read();
+                return new StlBinaryReader(stream, path, placement).Read();
 
             RefuseForeign(path, head);
             if (HasExtension(path, ".obj"))
-                return new ObjReader(stream, path, place).Read();
+                return new ObjReader(stream, path, placement).Read();
             if (StlTextReader.IsText(head))
-                return new StlTextReader(stream, path, place).Read();
+                return new StlTextReader(stream, path, placement).Read();
             throw StlBinaryReader.WrongLength(path, head, stream.Length);
         }
 

@@ -13,7 +13,7 @@ namespace Glint.Core
         // one multiplication or division of the two rounds once.
         const ulong LargestExact = 1UL << 53;
         const int LargestExactPower = 22;
-        const int MostDigits = 18;
+        const int MaxDigits = 18;
         const int ExponentCap = 99999;
 
         static readonly double[] Powers =
@@ -45,7 +45,7 @@ namespace Glint.Core
                 return false;
 
             int power = exponent - fraction;
-            if (digits + fraction > MostDigits || mantissa > LargestExact || Math.Abs(power) > LargestExactPower)
+            if (digits + fraction > MaxDigits || mantissa > LargestExact || Math.Abs(power) > LargestExactPower)
                 value = ParseSlowly(text);
             else
                 value = power < 0 ? mantissa / Powers[-power] : mantissa * Powers[power];

@@ -47,7 +47,7 @@ namespace Glint.Core
         public MeshFile Read()
         {
             while (_lines.Read())
-                ReadStatement(new Words(_lines.Line));
+                ReadStatement(new Tokenizer(_lines.Line));
             if (_largestReference > _vertices.Count)
                 throw new GlintException($"{_path}:{_largestReferenceLine}: "
                     + $"the face refers to vertex {_largestReference}, but the file has {_vertices.Count}: "
@@ -60,15 +60,15 @@ namespace Glint.Core
                 _placement.Turn(_indices.ToArray()));
         }
 
-        void ReadStatement(Words words)
+        void ReadStatement(Tokenizer tokens)
         {
-            if (words.IsComment || !words.Next())
+            if (tokens.IsComment || !tokens.Next())
                 return;
-            var keyword = words.Current;
+            var keyword = tokens.Current;
             if (keyword.Length == 1 && keyword[0] == 'v')
-                ReadVertex(words);
+                ReadVertex(tokens);
             else if (keyword.Length == 1 && keyword[0] == 'f')
-                ReadFace(words);
+                ReadFace(tokens);
             else if (keyword.Length != 2 || keyword[0] != 'v'
                 || keyword[1] != 't' && keyword[1] != 'n' && keyword[1] != 'p')
                 PassOver(keyword);
@@ -81,38 +81,38 @@ namespace Glint.Core
                     + "export it again or remove the line");
         }
 
-        void ReadVertex(Words words)
+        void ReadVertex(Tokenizer tokens)
         {
-            float x = Coordinate(ref words, "x"), y = Coordinate(ref words, "y"), z = Coordinate(ref words, "z");
+            float x = Coordinate(ref tokens, "x"), y = Coordinate(ref tokens, "y"), z = Coordinate(ref tokens, "z");
             _vertices.Add(_placement.Turn(x, y, z));
 
             // A weight or a colour may follow, or both: up to four numbers, not used.
-            for (int i = 0; !words.IsComment && words.Next(); i++)
-                if (i == 4 || !NumberParser.TryParse(words.Current, out _))
-                    throw _lines.Error($"{Bytes.Quote(words.Current)} does not belong into a vertex: "
+            for (int i = 0; !tokens.IsComment && tokens.Next(); i++)
+                if (i == 4 || !NumberParser.TryParse(tokens.Current, out _))
+                    throw _lines.Error($"{Bytes.Quote(tokens.Current)} does not belong into a vertex: "
                         + "the line is damaged; export the file again");
         }
 
-        float Coordinate(ref Words words, string axis)
+        float Coordinate(ref Tokenizer tokens, string axis)
         {
-            if (words.IsComment || !words.Next())
+            if (tokens.IsComment || !tokens.Next())
                 throw _lines.Error($"the vertex has no {axis}: the line is truncated; export the file again");
-            if (!NumberParser.TryParse(words.Current, out double value))
-                throw _lines.Error($"{axis} is {Bytes.Quote(words.Current)}, not a finite number; "
+            if (!NumberParser.TryParse(tokens.Current, out double value))
+                throw _lines.Error($"{axis} is {Bytes.Quote(tokens.Current)}, not a finite number; "
                     + "mend the vertex or export the file again");
             float meters = _placement.Scale(value);
             if (float.IsInfinity(meters))
-                throw _lines.Error($"{axis} is {Bytes.Quote(words.Current)} {_placement.Unit}, "
+                throw _lines.Error($"{axis} is {Bytes.Quote(tokens.Current)} {_placement.Unit}, "
                     + "more than a float holds (3.4e38 m); mend the vertex or choose another unit");
             return meters;
         }
 
-        void ReadFace(Words words)
+        void ReadFace(Tokenizer tokens)
         {
             int first = 0, previous = 0, corners = 0;
-            for (; !words.IsComment && words.Next(); corners++)
+            for (; !tokens.IsComment && tokens.Next(); corners++)
             {
-                int corner = Corner(words.Current);
+                int corner = Corner(tokens.Current);
                 if (corners == 0)
                     first = corner;
                 else if (corners > 1)
@@ -137,8 +137,8 @@ namespace Glint.Core
                 if (!cutter.TryCut(_indices, polygon.FirstIndex, polygon.Corners - 2))
                     throw new GlintException(
                         $"{_path}:{polygon.Line}: the face of {polygon.Corners} corners cannot be cut into triangles: "
-                        + (polygon.Corners > PolygonCutter.MostCorners
-                            ? $"a concave face may have {PolygonCutter.MostCorners}"
+                        + (polygon.Corners > PolygonCutter.MaxCorners
+                            ? $"a concave face may have {PolygonCutter.MaxCorners}"
                             : "its outline crosses itself or is folded")
                         + "; mend it or export triangles");
         }

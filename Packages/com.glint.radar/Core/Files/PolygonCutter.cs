@@ -12,15 +12,15 @@ namespace Glint.Core
     sealed class PolygonCutter
     {
         /// <summary>Most corners of a polygon whose fan does not do: the time grows with their square.</summary>
-        public const int MostCorners = 4096;
+        public const int MaxCorners = 4096;
 
         // Of the largest coordinate: eight times what rounding to float may move a corner.
-        const double Slack = 1.0 / (1 << 21);
+        const double Tolerance = 1.0 / (1 << 21);
 
         readonly IReadOnlyList<float3> _vertices;
         readonly List<int> _ring = new List<int>();
         double3 _normal;
-        double _slack;
+        double _tolerance;
 
         public PolygonCutter(IReadOnlyList<float3> vertices) => _vertices = vertices;
 
@@ -46,12 +46,12 @@ namespace Glint.Core
             for (int i = first; i < first + 3 * count; i += 3)
                 reversed += max(0, -Turn(indices[i], indices[i + 1], indices[i + 2]));
 
-            _slack = Slack * size;
-            double speck = _slack * reach, length = math.length(_normal);
+            _tolerance = Tolerance * size;
+            double speck = _tolerance * reach, length = math.length(_normal);
             // Without area, as a triangle may be too; or a good fan.
             if (largest <= speck || length > speck && reversed <= speck * length)
                 return true;
-            if (length <= speck || count > MostCorners - 2)
+            if (length <= speck || count > MaxCorners - 2)
                 return false;
 
             _normal /= length;
@@ -108,7 +108,7 @@ namespace Glint.Core
         }
 
         bool IsFlat(int a, int b, int c) =>
-            math.length(Cross(a, b, c)) <= _slack * max(Distance(a, b), max(Distance(b, c), Distance(c, a)));
+            math.length(Cross(a, b, c)) <= _tolerance * max(Distance(a, b), max(Distance(b, c), Distance(c, a)));
 
         bool IsSame(int a, int b) => a == b || _vertices[a].Equals(_vertices[b]);
 

@@ -17,7 +17,7 @@ namespace Glint.Core
         const int RecordBytes = 50;
         const int CornersAt = 12;
         const int RecordsAtOnce = 1024;
-        const int MostTriangles = int.MaxValue / 3;
+        const int MaxTriangles = int.MaxValue / 3;
 
         readonly Stream _stream;
         readonly string _path;
@@ -58,8 +58,8 @@ namespace Glint.Core
             uint count = Count(buffer);
             if (count == 0)
                 throw new GlintException($"{_path}: has no triangles; export the mesh again");
-            if (count > MostTriangles)
-                throw new GlintException($"{_path}: has {count} triangles, more than {MostTriangles}; "
+            if (count > MaxTriangles)
+                throw new GlintException($"{_path}: has {count} triangles, more than {MaxTriangles}; "
                     + "simplify or split the mesh");
 
             var vertices = new float3[3 * (int)count];

@@ -34,8 +34,8 @@ namespace Glint.Core
         public static bool IsText(ReadOnlySpan<byte> head)
         {
             var text = Bytes.StartsWith(head, 0xef, 0xbb, 0xbf) ? head.Slice(3) : head;
-            var words = new Words(text);
-            return words.Next() && Bytes.IsWord(words.Current, "solid") && head.IndexOf((byte)0) < 0;
+            var tokens = new Tokenizer(text);
+            return tokens.Next() && Bytes.IsWord(tokens.Current, "solid") && head.IndexOf((byte)0) < 0;
         }
 
         public MeshFile Read()
@@ -121,14 +121,14 @@ namespace Glint.Core
 
         bool TryNext()
         {
-            _wordAt = Words.StartOf(_lines.Line, _wordAt + _wordLength);
+            _wordAt = Tokenizer.StartOf(_lines.Line, _wordAt + _wordLength);
             while (_wordAt == _lines.Line.Length)
             {
                 if (!_lines.Read())
                     return false;
-                _wordAt = Words.StartOf(_lines.Line, 0);
+                _wordAt = Tokenizer.StartOf(_lines.Line, 0);
             }
-            _wordLength = Words.EndOf(_lines.Line, _wordAt) - _wordAt;
+            _wordLength = Tokenizer.EndOf(_lines.Line, _wordAt) - _wordAt;
             return true;
         }
 

@@ -5,7 +5,7 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// Writes a tree in <see cref="TreeShape.Binary"/>: a row with the centre of all boxes,
+    /// Writes a BVH in <see cref="BvhLayout.Binary"/>: a row with the centre of all boxes,
     /// nodes of 3 rows from the root on, then leaves of 3.
     /// A node: middle of child a's box from the centre and reference to a, the same of child b,
     /// and the half sizes of both boxes, x, y, z:
@@ -19,36 +19,36 @@ namespace Glint.Core
         const uint LeafBit = 0x80000000;
 
         /// <summary>A leaf and a node: there is one node less than leaves.</summary>
-        public const double LeastRowsPerLeaf = LeafRows + NodeRows;
+        public const double MinRowsPerLeaf = LeafRows + NodeRows;
 
-        readonly BoxTree _tree;
+        readonly BinaryBvh _bvh;
         readonly ILeafWriter _writer;
         readonly int _root, _firstLeaf, _leafCount, _nodeCount;
         readonly float3 _centre;
         readonly double _margin;
         readonly uint4[] _rows;
 
-        BinaryEncoder(BoxTree tree, int root, ILeafWriter writer)
+        BinaryEncoder(BinaryBvh bvh, int root, ILeafWriter writer)
         {
-            _tree = tree;
+            _bvh = bvh;
             _writer = writer;
             _root = root;
-            _firstLeaf = tree.FirstLeaf(root);
-            _leafCount = tree.LeafCount(root);
+            _firstLeaf = bvh.FirstLeaf(root);
+            _leafCount = bvh.LeafCount(root);
             _nodeCount = Math.Max(1, _leafCount - 1);
-            var box = tree.BoxOf(root);
-            _centre = (float3)(0.5 * ((double3)box.Low + box.High));
-            _margin = tree.Margin;
+            var box = bvh.BoxOf(root);
+            _centre = (float3)(0.5 * ((double3)box.Min + box.Max));
+            _margin = bvh.Margin;
             _rows = new uint4[LeafRow(_leafCount)];
         }
 
-        /// <summary>Leaves of a tree of at most this many rows.</summary>
-        public static int MostLeaves(int rows) => (rows - HeadRows + NodeRows) / (NodeRows + LeafRows);
+        /// <summary>Leaves of a BVH of at most this many rows.</summary>
+        public static int MaxLeaves(int rows) => (rows - HeadRows + NodeRows) / (NodeRows + LeafRows);
 
         /// <summary>The rows of a subtree.</summary>
-        public static uint4[] Encode(BoxTree tree, int root, ILeafWriter writer)
+        public static uint4[] Encode(BinaryBvh bvh, int root, ILeafWriter writer)
         {
-            var encoder = new BinaryEncoder(tree, root, writer);
+            var encoder = new BinaryEncoder(bvh, root, writer);
             encoder.Write();
             return encoder._rows;
         }
@@ -62,12 +62,12 @@ namespace Glint.Core
                 Blocks.For(_nodeCount, (from, to) =>
                 {
                     for (int node = from; node < to; node++)
-                        WriteNode(node, _tree.Left(_root + node), _tree.Right(_root + node));
+                        WriteNode(node, _bvh.Left(_root + node), _bvh.Right(_root + node));
                 });
             Blocks.For(_leafCount, (from, to) =>
             {
                 for (int leaf = from; leaf < to; leaf++)
-                    _writer.Write(_tree.Leaves[_firstLeaf + leaf].Item, _rows, LeafRow(leaf));
+                    _writer.Write(_bvh.Leaves[_firstLeaf + leaf].Item, _rows, LeafRow(leaf));
             });
         }
 
@@ -77,31 +77,31 @@ namespace Glint.Core
 
         void WriteNode(int node, int left, int right)
         {
-            Measure(_tree.BoxOf(left), out var middleA, out var halfSizeA);
-            Measure(_tree.BoxOf(right), out var middleB, out var halfSizeB);
+            Measure(_bvh.BoxOf(left), out var centreA, out var halfSizeA);
+            Measure(_bvh.BoxOf(right), out var centreB, out var halfSizeB);
             int row = NodeRow(node);
-            _rows[row] = uint4(asuint(middleA), Reference(left));
-            _rows[row + 1] = uint4(asuint(middleB), Reference(right));
+            _rows[row] = uint4(asuint(centreA), Reference(left));
+            _rows[row + 1] = uint4(asuint(centreB), Reference(right));
             _rows[row + 2] = uint4(halfSizeA << 16 | halfSizeB, 0);
         }
 
         uint Reference(int child) =>
             child < 0 ? LeafBit | (uint)LeafRow(~child - _firstLeaf) : (uint)NodeRow(child - _root);
 
-        void Measure(in Box box, out float3 middle, out uint3 halfSize)
+        void Measure(in Box box, out float3 centre, out uint3 halfSize)
         {
-            MeasureAxis(box.Low.x, box.High.x, _centre.x, _margin, out middle.x, out halfSize.x);
-            MeasureAxis(box.Low.y, box.High.y, _centre.y, _margin, out middle.y, out halfSize.y);
-            MeasureAxis(box.Low.z, box.High.z, _centre.z, _margin, out middle.z, out halfSize.z);
+            MeasureAxis(box.Min.x, box.Max.x, _centre.x, _margin, out centre.x, out halfSize.x);
+            MeasureAxis(box.Min.y, box.Max.y, _centre.y, _margin, out centre.y, out halfSize.y);
+            MeasureAxis(box.Min.z, box.Max.z, _centre.z, _margin, out centre.z, out halfSize.z);
         }
 
-        static void MeasureAxis(double low, double high, double centre, double margin,
-            out float middle, out uint halfSize)
+        static void MeasureAxis(double lower, double upper, double centre, double margin,
+            out float midpoint, out uint halfSize)
         {
-            low -= centre;
-            high -= centre;
-            middle = (float)(0.5 * (low + high));
-            halfSize = UpperHalfFrom(Math.Max(high - middle, middle - low) + margin);
+            lower -= centre;
+            upper -= centre;
+            midpoint = (float)(0.5 * (lower + upper));
+            halfSize = UpperHalfFrom(Math.Max(upper - midpoint, midpoint - lower) + margin);
         }
 
         // The upper half of the least float that ends in 16 zero bits and is not below a number from 0 on;

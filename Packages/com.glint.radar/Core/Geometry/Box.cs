@@ -5,12 +5,12 @@ namespace Glint.Core
     /// <summary>A box along the axes.</summary>
     struct Box
     {
-        public float3 Low, High;
+        public float3 Min, Max;
 
-        public Box(float3 low, float3 high)
+        public Box(float3 boxMin, float3 boxMax)
         {
-            Low = low;
-            High = high;
+            Min = boxMin;
+            Max = boxMax;
         }
 
         /// <summary>Holds nothing.</summary>
@@ -18,15 +18,15 @@ namespace Glint.Core
 
         /// <summary>A corner, 0 to 7: bits 1, 2 and 4 stand for the upper x, y and z.</summary>
         public readonly double3 Corner(int number) =>
-            new double3((number & 1) != 0 ? High.x : Low.x, (number & 2) != 0 ? High.y : Low.y,
-                (number & 4) != 0 ? High.z : Low.z);
+            new double3((number & 1) != 0 ? Max.x : Min.x, (number & 2) != 0 ? Max.y : Min.y,
+                (number & 4) != 0 ? Max.z : Min.z);
 
         /// <summary>Half of the surface, which is in proportion to the rays that meet it.</summary>
         public readonly float HalfArea
         {
             get
             {
-                float x = High.x - Low.x, y = High.y - Low.y, z = High.z - Low.z;
+                float x = Max.x - Min.x, y = Max.y - Min.y, z = Max.z - Min.z;
                 return x * y + y * z + z * x;
             }
         }
@@ -34,22 +34,22 @@ namespace Glint.Core
         // Comparisons, because boxes seldom grow: a branch foretold costs less than a minimum and a store.
         public void Add(in Box other)
         {
-            if (other.Low.x < Low.x) Low.x = other.Low.x;
-            if (other.Low.y < Low.y) Low.y = other.Low.y;
-            if (other.Low.z < Low.z) Low.z = other.Low.z;
-            if (other.High.x > High.x) High.x = other.High.x;
-            if (other.High.y > High.y) High.y = other.High.y;
-            if (other.High.z > High.z) High.z = other.High.z;
+            if (other.Min.x < Min.x) Min.x = other.Min.x;
+            if (other.Min.y < Min.y) Min.y = other.Min.y;
+            if (other.Min.z < Min.z) Min.z = other.Min.z;
+            if (other.Max.x > Max.x) Max.x = other.Max.x;
+            if (other.Max.y > Max.y) Max.y = other.Max.y;
+            if (other.Max.z > Max.z) Max.z = other.Max.z;
         }
 
         public void Add(float3 point)
         {
-            if (point.x < Low.x) Low.x = point.x;
-            if (point.y < Low.y) Low.y = point.y;
-            if (point.z < Low.z) Low.z = point.z;
-            if (point.x > High.x) High.x = point.x;
-            if (point.y > High.y) High.y = point.y;
-            if (point.z > High.z) High.z = point.z;
+            if (point.x < Min.x) Min.x = point.x;
+            if (point.y < Min.y) Min.y = point.y;
+            if (point.z < Min.z) Min.z = point.z;
+            if (point.x > Max.x) Max.x = point.x;
+            if (point.y > Max.y) Max.y = point.y;
+            if (point.z > Max.z) Max.z = point.z;
         }
     }
 }

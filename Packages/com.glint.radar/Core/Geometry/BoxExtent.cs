@@ -16,7 +16,7 @@ namespace Glint.Core
         {
             get
             {
-                var size = Centres.High - Centres.Low;
+                var size = Centres.Max - Centres.Min;
                 return size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
             }
         }
@@ -24,7 +24,7 @@ namespace Glint.Core
         public void Add(in Box box)
         {
             Box.Add(box);
-            Centres.Add(new float3(box.Low.x + box.High.x, box.Low.y + box.High.y, box.Low.z + box.High.z));
+            Centres.Add(new float3(box.Min.x + box.Max.x, box.Min.y + box.Max.y, box.Min.z + box.Max.z));
         }
     }
 }

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>Writes the leaves of a tree as the kernel reads them.</summary>
+    /// <summary>Writes the leaves of a BVH as the kernel reads them.</summary>
     interface ILeafWriter
     {
         /// <summary>

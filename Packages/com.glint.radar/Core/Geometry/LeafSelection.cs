@@ -10,14 +10,14 @@ namespace Glint.Core
         /// Afterwards no centre before place <paramref name="first"/> + <paramref name="count"/> / 2 is
         /// above one from there on.
         /// </summary>
-        public static void PutMedianInPlace(BoxLeaf[] leaves, int first, int count, int axis)
+        public static void PutMedianInPlace(BvhLeaf[] leaves, int first, int count, int axis)
         {
-            int low = first, high = first + count - 1, middle = first + count / 2;
-            while (low < high)
+            int left = first, right = first + count - 1, mid = first + count / 2;
+            while (left < right)
             {
-                float pivot = MedianOfThree(Centre(leaves, low, axis), Centre(leaves, low + (high - low) / 2, axis),
-                    Centre(leaves, high, axis));
-                int i = low, j = high;
+                float pivot = MedianOfThree(Centre(leaves, left, axis), Centre(leaves, left + (right - left) / 2, axis),
+                    Centre(leaves, right, axis));
+                int i = left, j = right;
                 while (i <= j)
                 {
                     while (Centre(leaves, i, axis) < pivot)
@@ -31,17 +31,17 @@ namespace Glint.Core
                     j--;
                 }
                 // Up to j at most the pivot, from i on at least; between them the pivot itself.
-                if (middle <= j)
-                    high = j;
-                else if (middle >= i)
-                    low = i;
+                if (mid <= j)
+                    right = j;
+                else if (mid >= i)
+                    left = i;
                 else
                     return;
             }
         }
 
-        static float Centre(BoxLeaf[] leaves, int place, int axis) =>
-            leaves[place].Box.Low[axis] + leaves[place].Box.High[axis];
+        static float Centre(BvhLeaf[] leaves, int index, int axis) =>
+            leaves[index].Box.Min[axis] + leaves[index].Box.Max[axis];
 
         static float MedianOfThree(float a, float b, float c) =>
             a < b ? b < c ? b : a < c ? c : a : a < c ? a : b < c ? c : b;

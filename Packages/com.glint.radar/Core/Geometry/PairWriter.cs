@@ -3,7 +3,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Core
 {
-    /// <summary>Leaves of a mesh's tree: the corners of a pair of triangles, x, y, z of four in turn.</summary>
+    /// <summary>Leaves of a mesh's BVH: the corners of a pair of triangles, x, y, z of four in turn.</summary>
     sealed class PairWriter : ILeafWriter
     {
         readonly float3[] _vertices;

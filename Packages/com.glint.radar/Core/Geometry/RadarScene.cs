@@ -5,7 +5,7 @@ namespace Glint.Core
 {
     /// <summary>
     /// What the radar sees: meshes, each at one or more places.
-    /// Trees over a mesh are kept as long as the same TriangleMesh comes again; a place may change at no cost.
+    /// BVHs over a mesh are kept as long as the same TriangleMesh comes again; a place may change at no cost.
     /// </summary>
     public sealed class RadarScene
     {

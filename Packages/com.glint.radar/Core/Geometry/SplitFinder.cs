@@ -12,7 +12,7 @@ namespace Glint.Core
 
         readonly Bin[] _bins = new Bin[3 * Bins];
         readonly float[] _leftCosts = new float[Bins];
-        float3 _low, _scale;
+        float3 _min, _scale;
 
         /// <summary>The axis of the plane found.</summary>
         public int Axis { get; private set; }
@@ -22,18 +22,18 @@ namespace Glint.Core
 
         /// <summary>
         /// Whether there is a plane that leaves neither side empty nor puts more than
-        /// <paramref name="mostOnASide"/> leaves on one.
+        /// <paramref name="maxPerSide"/> leaves on one.
         /// </summary>
-        public bool Find(BoxLeaf[] leaves, int first, int count, in Box centres, int mostOnASide)
+        public bool Find(BvhLeaf[] leaves, int first, int count, in Box centres, int maxPerSide)
         {
-            _low = centres.Low;
-            _scale = new float3(Scale(centres.Low.x, centres.High.x), Scale(centres.Low.y, centres.High.y),
-                Scale(centres.Low.z, centres.High.z));
+            _min = centres.Min;
+            _scale = new float3(Scale(centres.Min.x, centres.Max.x), Scale(centres.Min.y, centres.Max.y),
+                Scale(centres.Min.z, centres.Max.z));
             Fill(leaves, first, count);
             float best = float.PositiveInfinity;
             for (int axis = 0; axis < 3; axis++)
                 if (_scale[axis] > 0)
-                    TryAxis(axis, count, mostOnASide, ref best);
+                    TryAxis(axis, count, maxPerSide, ref best);
             return best < float.PositiveInfinity;
         }
 
@@ -42,42 +42,42 @@ namespace Glint.Core
         {
             switch (Axis)
             {
-                case 0: return BinOf(box.Low.x + box.High.x, _low.x, _scale.x) < Plane;
-                case 1: return BinOf(box.Low.y + box.High.y, _low.y, _scale.y) < Plane;
-                default: return BinOf(box.Low.z + box.High.z, _low.z, _scale.z) < Plane;
+                case 0: return BinOf(box.Min.x + box.Max.x, _min.x, _scale.x) < Plane;
+                case 1: return BinOf(box.Min.y + box.Max.y, _min.y, _scale.y) < Plane;
+                default: return BinOf(box.Min.z + box.Max.z, _min.z, _scale.z) < Plane;
             }
         }
 
         // Bins per length; 0 along an axis on which all centres are the same.
-        float Scale(float low, float high)
+        float Scale(float min, float max)
         {
-            float scale = Bins / (high - low);
+            float scale = Bins / (max - min);
             return scale <= float.MaxValue ? scale : 0;
         }
 
-        int BinOf(float centre, float low, float scale)
+        int BinOf(float centre, float min, float scale)
         {
-            int bin = (int)((centre - low) * scale);
+            int bin = (int)((centre - min) * scale);
             return bin < 0 ? 0 : bin >= Bins ? Bins - 1 : bin;
         }
 
-        void Fill(BoxLeaf[] leaves, int first, int count)
+        void Fill(BvhLeaf[] leaves, int first, int count)
         {
             for (int axis = 0; axis < 3; axis++)
                 for (int bin = 0; bin < Bins; bin++)
                     _bins[axis * Bins + bin] = new Bin { Box = Box.Empty };
-            float3 low = _low, scale = _scale;
+            float3 boxMin = _min, scale = _scale;
             for (int i = first; i < first + count; i++)
             {
                 ref readonly Box box = ref leaves[i].Box;
-                _bins[BinOf(box.Low.x + box.High.x, low.x, scale.x)].Add(box);
-                _bins[Bins + BinOf(box.Low.y + box.High.y, low.y, scale.y)].Add(box);
-                _bins[2 * Bins + BinOf(box.Low.z + box.High.z, low.z, scale.z)].Add(box);
+                _bins[BinOf(box.Min.x + box.Max.x, boxMin.x, scale.x)].Add(box);
+                _bins[Bins + BinOf(box.Min.y + box.Max.y, boxMin.y, scale.y)].Add(box);
+                _bins[2 * Bins + BinOf(box.Min.z + box.Max.z, boxMin.z, scale.z)].Add(box);
             }
         }
 
         // Cost of a plane: half area times leaves, of both sides.
-        void TryAxis(int axis, int count, int mostOnASide, ref float best)
+        void TryAxis(int axis, int count, int maxPerSide, ref float best)
         {
             int start = axis * Bins;
             var left = new Bin { Box = Box.Empty };
@@ -90,7 +90,7 @@ namespace Glint.Core
             for (int bin = Bins - 1; bin > 0; bin--)
             {
                 right.Add(_bins[start + bin]);
-                if (right.Count == 0 || right.Count > mostOnASide || count - right.Count > mostOnASide)
+                if (right.Count == 0 || right.Count > maxPerSide || count - right.Count > maxPerSide)
                     continue;
                 float cost = _leftCosts[bin - 1] + right.Box.HalfArea * right.Count;
                 if (cost < best)

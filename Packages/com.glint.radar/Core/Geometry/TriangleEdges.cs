@@ -90,10 +90,10 @@ namespace Glint.Core
             for (int i = 1; i < count; i++)
             {
                 ulong key = keys[i];
-                int place = i;
-                for (; place > 0 && keys[place - 1] > key; place--)
-                    keys[place] = keys[place - 1];
-                keys[place] = key;
+                int index = i;
+                for (; index > 0 && keys[index - 1] > key; index--)
+                    keys[index] = keys[index - 1];
+                keys[index] = key;
             }
         }
     }

@@ -7,17 +7,17 @@ namespace Glint.Core
 {
     /// <summary>
     /// A mesh's triangles two by two, where two that share an edge fit into a box not much larger than their own:
-    /// the leaves of its tree.
-    /// On a sea or a ship hardly a triangle is left alone, so that a tree has half the leaves and half the nodes.
+    /// the leaves of its BVH.
+    /// On a sea or a ship hardly a triangle is left alone, so that a BVH has half the leaves and half the nodes.
     /// </summary>
     sealed class TrianglePairs
     {
         // Square of the least cross product of edges, m4, that float32 can make a normal of:
         // the triangle's area is then half of 1e-16 m2.
-        const float LeastNormalSquared = 1e-32f;
+        const float MinNormalSquared = 1e-32f;
 
         // Boxes' half areas: that of a pair may be this much larger than those of its triangles together.
-        const float MostGrowth = 1.3f;
+        const float MaxGrowth = 1.3f;
 
         // Rounds of pairing triangles that are each other's best partner;
         // what is left takes the best that is free, in the mesh's order.
@@ -93,7 +93,7 @@ namespace Glint.Core
         {
             mesh.GetTriangle(triangle, out var a, out var b, out var c);
             float normalSquared = lengthsq(cross(b - a, c - a));
-            return normalSquared >= LeastNormalSquared && normalSquared <= float.MaxValue;
+            return normalSquared >= MinNormalSquared && normalSquared <= float.MaxValue;
         }
 
         // Two that are each other's best would also meet if all pairs were tried from the best to the worst,
@@ -154,7 +154,7 @@ namespace Glint.Core
                 partner.Add(Corner(TriangleEdges.End(edge)));
                 float area = both.HalfArea;
                 int tie = Math.Min(edge, other); // the same seen from both sides
-                if (area <= MostGrowth * (box.HalfArea + partner.HalfArea)
+                if (area <= MaxGrowth * (box.HalfArea + partner.HalfArea)
                     && (area < bestArea || area == bestArea && tie < bestTie))
                     (best, bestArea, bestTie) = (edge, area, tie);
             }

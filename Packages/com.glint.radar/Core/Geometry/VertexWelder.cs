@@ -61,11 +61,11 @@ namespace Glint.Core
             asuint(a.x) == asuint(b.x) && asuint(a.y) == asuint(b.y) && asuint(a.z) == asuint(b.z);
 
         // The high bits are used: products spread towards them.
-        static uint Hash(float3 place)
+        static uint Hash(float3 position)
         {
-            uint hash = asuint(place.x) * 0x9e3779b1;
-            hash = ((hash ^ (hash >> 15)) + asuint(place.y)) * 0x85ebca77;
-            hash = ((hash ^ (hash >> 15)) + asuint(place.z)) * 0xc2b2ae3d;
+            uint hash = asuint(position.x) * 0x9e3779b1;
+            hash = ((hash ^ (hash >> 15)) + asuint(position.y)) * 0x85ebca77;
+            hash = ((hash ^ (hash >> 15)) + asuint(position.z)) * 0xc2b2ae3d;
             return (hash ^ (hash >> 15)) * 0x9e3779b1;
         }
     }

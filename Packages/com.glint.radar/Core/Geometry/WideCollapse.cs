@@ -3,7 +3,7 @@ using System;
 namespace Glint.Core
 {
     /// <summary>
-    /// Makes nodes of up to four children out of a binary tree, so that the surface of all of them together,
+    /// Makes nodes of up to four children out of a binary BVH, so that the surface of all of them together,
     /// which the visits of a ray are in proportion to, is least.
     /// For each subtree the least surface is known when it has one, two or three roots;
     /// a node's choice follows from those of its children.
@@ -11,54 +11,54 @@ namespace Glint.Core
     /// </summary>
     sealed class WideCollapse
     {
-        public const int MostChildren = 4;
+        public const int MaxChildren = 4;
 
         /// <summary>
-        /// Inner levels at most: half of the binary tree's, as a node can always take the place of two levels.
+        /// Inner levels at most: half of the binary BVH's, as a node can always take the place of two levels.
         /// </summary>
-        public const int MaxLevels = BoxTreeBuilder.MaxLevels / 2;
+        public const int MaxLevels = BinaryBvhBuilder.MaxLevels / 2;
 
-        readonly BoxTree _tree;
+        readonly BinaryBvh _bvh;
         readonly int _root;
         readonly Costs[] _costs;
-        readonly WideNode[] _nodes;
-        readonly int[] _children = new int[MostChildren];
+        readonly Bvh4Node[] _nodes;
+        readonly int[] _children = new int[MaxChildren];
         int _childCount;
         int _nodeCount = 1;
 
-        WideCollapse(BoxTree tree, int root)
+        WideCollapse(BinaryBvh bvh, int root)
         {
-            _tree = tree;
+            _bvh = bvh;
             _root = root;
-            _costs = new Costs[tree.LeafCount(root) - 1];
-            _nodes = new WideNode[Math.Max(2, 2 * tree.LeafCount(root) - 1)];
+            _costs = new Costs[bvh.LeafCount(root) - 1];
+            _nodes = new Bvh4Node[Math.Max(2, 2 * bvh.LeafCount(root) - 1)];
         }
 
         /// <summary>The nodes of a subtree, the root first, each followed closely by its first subtree.</summary>
-        public static ArraySegment<WideNode> Collapse(BoxTree tree, int root)
+        public static ArraySegment<Bvh4Node> Collapse(BinaryBvh bvh, int root)
         {
-            var collapse = new WideCollapse(tree, root);
+            var collapse = new WideCollapse(bvh, root);
             if (root < 0)
             {
                 collapse._children[0] = root;
                 collapse._childCount = 1;
-                collapse.PlaceChildren(0, root, MaxLevels);
+                collapse.EmitChildren(0, root, MaxLevels);
             }
             else
             {
                 // Children stand behind their parents.
                 for (int node = collapse._costs.Length - 1; node >= 0; node--)
                     collapse._costs[node] = collapse.CostsOf(root + node);
-                collapse.PlaceNode(0, root, MaxLevels);
+                collapse.EmitNode(0, root, MaxLevels);
             }
-            return new ArraySegment<WideNode>(collapse._nodes, 0, collapse._nodeCount);
+            return new ArraySegment<Bvh4Node>(collapse._nodes, 0, collapse._nodeCount);
         }
 
         Costs CostsOf(int node)
         {
-            int left = _tree.Left(node), right = _tree.Right(node);
+            int left = _bvh.Left(node), right = _bvh.Right(node);
             var costs = new Costs { Levels = 1 + Math.Max(Levels(left), Levels(right)) };
-            costs.AsOne = _tree.Nodes[node].Box.HalfArea + Open(left, right, MostChildren, out _);
+            costs.AsOne = _bvh.Nodes[node].Box.HalfArea + Open(left, right, MaxChildren, out _);
             costs.AsTwo = Math.Min(costs.AsOne, Open(left, right, 2, out _));
             costs.AsThree = Math.Min(costs.AsOne, Open(left, right, 3, out _));
             return costs;
@@ -94,30 +94,30 @@ namespace Glint.Core
 
         // Finds the children of an inner node and gives them places, and theirs.
         // The node may have this many inner levels, itself included.
-        void PlaceNode(int place, int node, int levels)
+        void EmitNode(int index, int node, int levels)
         {
             _childCount = 0;
-            AddBest(_tree.Left(node), _tree.Right(node), MostChildren);
+            AddBest(_bvh.Left(node), _bvh.Right(node), MaxChildren);
             if (!ChildrenFit(levels - 1))
             {
                 // Its grandchildren have two binary levels less; they fit whenever the node does.
                 _childCount = 0;
-                AddOpened(_tree.Left(node));
-                AddOpened(_tree.Right(node));
+                AddOpened(_bvh.Left(node));
+                AddOpened(_bvh.Right(node));
             }
-            PlaceChildren(place, node, levels);
+            EmitChildren(index, node, levels);
         }
 
-        void PlaceChildren(int place, int node, int levels)
+        void EmitChildren(int index, int node, int levels)
         {
             int first = _nodeCount, count = _childCount;
-            _nodes[place] = new WideNode { Binary = node, FirstChild = first, ChildCount = count };
+            _nodes[index] = new Bvh4Node { Binary = node, FirstChild = first, ChildCount = count };
             for (int i = 0; i < count; i++)
-                _nodes[first + i] = new WideNode { Binary = _children[i] };
+                _nodes[first + i] = new Bvh4Node { Binary = _children[i] };
             _nodeCount += count;
             for (int i = 0; i < count; i++)
                 if (_nodes[first + i].Binary >= 0)
-                    PlaceNode(first + i, _nodes[first + i].Binary, levels - 1);
+                    EmitNode(first + i, _nodes[first + i].Binary, levels - 1);
         }
 
         void AddBest(int left, int right, int roots)
@@ -131,7 +131,7 @@ namespace Glint.Core
         {
             if (child >= 0 && roots > 1)
             {
-                int left = _tree.Left(child), right = _tree.Right(child);
+                int left = _bvh.Left(child), right = _bvh.Right(child);
                 if (Open(left, right, roots, out _) <= Cost(child, 1))
                 {
                     AddBest(left, right, roots);
@@ -145,8 +145,8 @@ namespace Glint.Core
         {
             if (child >= 0)
             {
-                _children[_childCount++] = _tree.Left(child);
-                _children[_childCount++] = _tree.Right(child);
+                _children[_childCount++] = _bvh.Left(child);
+                _children[_childCount++] = _bvh.Right(child);
             }
             else
                 _children[_childCount++] = child;

@@ -6,14 +6,14 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The kernel's rays beside the judge's, one by one. A ray has gone wrong unless it went the judge's way,
-    /// or passes an edge so near that the judge goes the kernel's way from a place in the picture a little beside:
+    /// The kernel's rays beside the reference tracer's, one by one. A ray has gone wrong unless it went the reference tracer's way,
+    /// or passes an edge so near that the reference tracer goes the kernel's way from a place in the picture a little beside:
     /// so near that float32 cannot tell the places on the target apart.
     /// </summary>
     public sealed class RayComparison
     {
         /// <summary>Rays that went wrong and are kept one by one, at most.</summary>
-        public const int MostKept = 20;
+        public const int MaxListed = 20;
 
         // Of the scene's size. A float32 place at its rim, brought to a mesh's frame,
         // is rounded some eight times by half a step: 22 micrometres where the scene is 92 m from corner to corner.
@@ -26,17 +26,17 @@ namespace Glint.Core
         const double SameLength = 1e-7, SameDirection = 1e-5;
 
         // Two float32 numbers hold 48 bits of a length; some are lost on its way.
-        const double TwoFloatRounding = 1.0 / (1L << 44);
+        const double DoubleFloatRounding = 1.0 / (1L << 44);
 
         // The path of a ray that is not received is followed in float32, which turns thin triangles a little:
         // so much of the scene's size its length may be off.
         const double LostOfSize = 1e-3;
 
-        readonly Judge _judge;
+        readonly ReferenceTracer _referenceTracer;
         readonly RadarSettings _settings;
         readonly double _tolerance, _sceneSize;
         readonly RadarSums _kernelSums, _judgeSums;
-        readonly List<(RayData Kernel, JudgeRay Judge)> _wrongRays = new List<(RayData, JudgeRay)>();
+        readonly List<(RayData Kernel, ReferenceRay Reference)> _wrongRays = new List<(RayData, ReferenceRay)>();
         double _sumOfSquares;
 
         /// <summary>A comparison in which no ray has been compared yet.</summary>
@@ -45,10 +45,10 @@ namespace Glint.Core
         /// </param>
         public RayComparison(in RadarPose pose, double lengthTolerance)
         {
-            _judge = new Judge(pose);
+            _referenceTracer = new ReferenceTracer(pose);
             _settings = pose.Settings;
             _tolerance = lengthTolerance;
-            _sceneSize = 2 * _judge.SceneRadius;
+            _sceneSize = 2 * _referenceTracer.SceneRadius;
             _kernelSums = new RadarSums { RaysOfPicture = _settings.RayCount };
             _judgeSums = new RadarSums { RaysOfPicture = _settings.RayCount };
         }
@@ -56,7 +56,7 @@ namespace Glint.Core
         /// <summary>Rays compared.</summary>
         public long Rays { get; private set; }
 
-        /// <summary>Of these, those that went the judge's way.</summary>
+        /// <summary>Of these, those that went the reference tracer's way.</summary>
         public long Same { get; private set; }
 
         /// <summary>Of these, those that passed an edge on its other side, so near that float32 cannot tell.</summary>
@@ -68,16 +68,16 @@ namespace Glint.Core
         public long Wrong { get; private set; }
 
         /// <summary>The first rays that went wrong.</summary>
-        public IReadOnlyList<(RayData Kernel, JudgeRay Judge)> WrongRays => _wrongRays;
+        public IReadOnlyList<(RayData Kernel, ReferenceRay Reference)> WrongRays => _wrongRays;
 
-        /// <summary>The kernel's sums over the rays that went the judge's way.</summary>
+        /// <summary>The kernel's sums over the rays that went the reference tracer's way.</summary>
         public RadarResult KernelSums => new RadarResult(_kernelSums);
 
-        /// <summary>The judge's sums over the same rays.</summary>
-        public RadarResult JudgeSums => new RadarResult(_judgeSums);
+        /// <summary>The reference tracer's sums over the same rays.</summary>
+        public RadarResult ReferenceSums => new RadarResult(_judgeSums);
 
         /// <summary>
-        /// Largest difference between the lengths of received rays that went the judge's way, metres.
+        /// Largest difference between the lengths of received rays that went the reference tracer's way, metres.
         /// </summary>
         public double LargestLengthDifference { get; private set; }
 
@@ -93,101 +93,101 @@ namespace Glint.Core
         /// <exception cref="OperationCanceledException">It was cancelled.</exception>
         public void Add(RayData[] rays, IProgress<double> progress = null, CancellationToken cancel = default)
         {
-            var judged = _judge.TraceSame(rays, progress, cancel);
+            var references = _referenceTracer.TraceSame(rays, progress, cancel);
             for (int i = 0; i < rays.Length; i++)
             {
                 cancel.ThrowIfCancellationRequested();
-                Add(rays[i], judged[i]);
+                Add(rays[i], references[i]);
             }
         }
 
-        void Add(in RayData ray, in JudgeRay judged)
+        void Add(in RayData ray, in ReferenceRay reference)
         {
             Rays++;
-            bool isSame = IsAsLong(ray, judged, SameLength)
-                && math.distance(ray.Direction, judged.Direction) <= SameDirection;
+            bool isSame = IsAsLong(ray, reference, SameLength)
+                && math.distance(ray.Direction, reference.Direction) <= SameDirection;
             if (!isSame)
             {
-                var beside = Beside(ray, judged);
-                if (IsAmong(ray, beside, judged, onItsWay: false))
+                var beside = Beside(ray, reference);
+                if (IsAmong(ray, beside, reference, onSamePath: false))
                 {
                     AtEdge++;
                     return;
                 }
                 // A path that is lost is right if it is that of a ray a little beside.
-                isSame = IsAsLong(ray, judged, _tolerance)
-                    || !judged.Received && IsAmong(ray, beside, judged, onItsWay: true);
+                isSame = IsAsLong(ray, reference, _tolerance)
+                    || !reference.Received && IsAmong(ray, beside, reference, onSamePath: true);
             }
             if (!isSame)
             {
                 Wrong++;
-                if (_wrongRays.Count < MostKept)
-                    _wrongRays.Add((ray, judged));
+                if (_wrongRays.Count < MaxListed)
+                    _wrongRays.Add((ray, reference));
                 return;
             }
             Same++;
-            AddSums(ray, judged);
+            AddSums(ray, reference);
         }
 
-        bool IsAsLong(in RayData ray, in JudgeRay judged, double tolerance) =>
-            EndsAs(ray, judged) && math.abs(ray.ExactPathLength - judged.LengthToEnd) <= tolerance + Rounding(judged);
+        bool IsAsLong(in RayData ray, in ReferenceRay reference, double tolerance) =>
+            EndsAs(ray, reference) && math.abs(ray.RefinedPathLength - reference.LengthToEnd) <= tolerance + Rounding(reference);
 
-        static bool EndsAs(in RayData ray, in JudgeRay judged) =>
-            ray.Bounces == judged.Bounces && ray.IsReceived == judged.Received;
+        static bool EndsAs(in RayData ray, in ReferenceRay reference) =>
+            ray.Bounces == reference.Bounces && ray.IsReceived == reference.Received;
 
-        static bool IsSameWay(in JudgeRay a, in JudgeRay b) => a.Way == b.Way && a.Received == b.Received;
+        static bool HasSamePath(in ReferenceRay a, in ReferenceRay b) => a.PathHash == b.PathHash && a.Received == b.Received;
 
-        double Rounding(in JudgeRay judged) =>
-            judged.Received
-                ? TwoFloatRounding * judged.PathLength
-                : LostOfSize * _sceneSize + Step * judged.LengthToLastHit;
+        double Rounding(in ReferenceRay reference) =>
+            reference.Received
+                ? DoubleFloatRounding * reference.PathLength
+                : LostOfSize * _sceneSize + Step * reference.LengthToLastHit;
 
-        // The judge's ray, and those through places around it.
-        List<JudgeRay> Beside(in RayData ray, in JudgeRay judged)
+        // The reference tracer's ray, and those through places around it.
+        List<ReferenceRay> Beside(in RayData ray, in ReferenceRay reference)
         {
             // A ray that hit nothing ends where it started.
-            double distance = judged.Bounces > 0 ? judged.LengthToFirstHit : math.distance(ray.LastHit, judged.LastHit);
+            double distance = reference.Bounces > 0 ? reference.LengthToFirstHit : math.distance(ray.LastHit, reference.LastHit);
             // Every bounce rounds anew.
-            int bounces = math.max(1, math.max(judged.Bounces, (int)ray.Bounces));
-            double step = bounces * Step * _sceneSize / _judge.RaySpacing(distance);
-            var rays = new List<JudgeRay> { judged };
+            int bounces = math.max(1, math.max(reference.Bounces, (int)ray.Bounces));
+            double step = bounces * Step * _sceneSize / _referenceTracer.RaySpacing(distance);
+            var rays = new List<ReferenceRay> { reference };
             for (int ring = 0; ring < Rings; ring++, step /= RingRatio)
                 for (int side = 0; side < Sides; side++)
                 {
                     double angle = 2 * math.PI_DBL * side / Sides;
-                    rays.Add(_judge.Trace(_judge.ColumnOf(ray) + step * math.cos(angle),
-                        _judge.RowOf(ray) + step * math.sin(angle)));
+                    rays.Add(_referenceTracer.Trace(_referenceTracer.ColumnOf(ray) + step * math.cos(angle),
+                        _referenceTracer.RowOf(ray) + step * math.sin(angle)));
                 }
             return rays;
         }
 
-        // True if a ray ends as others that go the judge's way, or that go another:
+        // True if a ray ends as others that go the reference tracer's way, or that go another:
         // as long as some of them are, or would be a step farther.
-        bool IsAmong(in RayData ray, List<JudgeRay> others, in JudgeRay judged, bool onItsWay)
+        bool IsAmong(in RayData ray, List<ReferenceRay> others, in ReferenceRay reference, bool onSamePath)
         {
             foreach (var first in others)
             {
-                if (IsSameWay(first, judged) != onItsWay || !EndsAs(ray, first))
+                if (HasSamePath(first, reference) != onSamePath || !EndsAs(ray, first))
                     continue;
-                double least = first.LengthToEnd, most = least;
+                double min = first.LengthToEnd, max = min;
                 foreach (var other in others)
-                    if (IsSameWay(other, first))
-                        (least, most) = (math.min(least, other.LengthToEnd), math.max(most, other.LengthToEnd));
-                double slack = most - least + 4 * Step * _sceneSize + Rounding(first);
-                if (ray.ExactPathLength >= least - slack && ray.ExactPathLength <= most + slack)
+                    if (HasSamePath(other, first))
+                        (min, max) = (math.min(min, other.LengthToEnd), math.max(max, other.LengthToEnd));
+                double tolerance = max - min + 4 * Step * _sceneSize + Rounding(first);
+                if (ray.RefinedPathLength >= min - tolerance && ray.RefinedPathLength <= max + tolerance)
                     return true;
             }
             return false;
         }
 
-        void AddSums(in RayData ray, in JudgeRay judged)
+        void AddSums(in RayData ray, in ReferenceRay reference)
         {
-            AddTo(_kernelSums, (int)ray.Bounces, ray.ExactPathLength);
-            AddTo(_judgeSums, judged.Bounces, judged.LengthToEnd);
-            if (!judged.Received)
+            AddTo(_kernelSums, (int)ray.Bounces, ray.RefinedPathLength);
+            AddTo(_judgeSums, reference.Bounces, reference.LengthToEnd);
+            if (!reference.Received)
                 return;
-            double phase = Signal.Phase(judged.PathLength, _settings.Wavelength),
-                difference = math.abs(ray.ExactPathLength - judged.PathLength);
+            double phase = Signal.Phase(reference.PathLength, _settings.Wavelength),
+                difference = math.abs(ray.RefinedPathLength - reference.PathLength);
             _kernelSums.AddReceived(ray.Phase, ray.InPhase, ray.Quadrature);
             _judgeSums.AddReceived(phase, math.cos(phase), math.sin(phase));
             LargestLengthDifference = math.max(LargestLengthDifference, difference);

@@ -10,7 +10,7 @@ namespace Glint.Core
     public static class ApertureFit
     {
         // So much of a spacing is rounding: the outermost rays run half a spacing inside of the edges.
-        const double Slack = 1e-6;
+        const double Tolerance = 1e-6;
 
         /// <summary>
         /// Chooses the picture so that its rays cover the scene as it is seen along <see cref="RadarView.Forward"/>,
@@ -25,13 +25,13 @@ namespace Glint.Core
         /// </exception>
         public static void Cover(ref RadarPose pose, double spacing, string owner)
         {
-            Project(pose.Scene, pose.View, out var low, out var high);
-            if (!(low.x <= high.x))
+            Project(pose.Scene, pose.View, out var boxMin, out var boxMax);
+            if (!(boxMin.x <= boxMax.x))
                 throw new GlintException($"{owner}: there is nothing to fit its aperture to: "
                     + "no triangles are traced (check its layers and roots, or give the aperture a size)");
-            Divide(high - low, spacing, ref pose, owner);
-            double2 middle = (low + high) / 2;
-            pose.View.Position += middle.x * pose.View.Right + middle.y * pose.View.Up;
+            Divide(boxMax - boxMin, spacing, ref pose, owner);
+            double2 centre = (boxMin + boxMax) / 2;
+            pose.View.Position += centre.x * pose.View.Right + centre.y * pose.View.Up;
         }
 
         /// <summary>
@@ -45,7 +45,7 @@ namespace Glint.Core
         public static void Divide(double2 size, double spacing, ref RadarPose pose, string owner)
         {
             CheckSpacing(spacing, owner);
-            double2 rays = math.max(1, math.ceil(size / spacing - Slack));
+            double2 rays = math.max(1, math.ceil(size / spacing - Tolerance));
             if (math.cmax(rays) > RadarSettings.RaysPerAxisLimit || rays.x * rays.y > uint.MaxValue)
                 throw new GlintException(FormattableString.Invariant(
                     $"{owner}: rays {spacing} m apart over {size.x:g4} x {size.y:g4} m are {rays.x:0} x {rays.y:0}, and the most are {RadarSettings.RaysPerAxisLimit} each way and {uint.MaxValue} in all: take a larger spacing"));
@@ -77,29 +77,29 @@ namespace Glint.Core
 
         // Corners of the rectangle around all triangles, along the view's right and up, from its position;
         // the low beyond the high without triangles.
-        static void Project(RadarScene scene, in RadarView view, out double2 low, out double2 high)
+        static void Project(RadarScene scene, in RadarView view, out double2 boxMin, out double2 boxMax)
         {
-            (low, high) = (double.PositiveInfinity, double.NegativeInfinity);
+            (boxMin, boxMax) = (double.PositiveInfinity, double.NegativeInfinity);
             foreach (var instance in scene.Instances)
             {
-                var place = instance.ToWorld;
-                var across = new double3(math.dot(place.X, view.Right), math.dot(place.Y, view.Right),
-                    math.dot(place.Z, view.Right));
+                var toWorld = instance.ToWorld;
+                var across = new double3(math.dot(toWorld.X, view.Right), math.dot(toWorld.Y, view.Right),
+                    math.dot(toWorld.Z, view.Right));
                 var up =
-                    new double3(math.dot(place.X, view.Up), math.dot(place.Y, view.Up), math.dot(place.Z, view.Up));
+                    new double3(math.dot(toWorld.X, view.Up), math.dot(toWorld.Y, view.Up), math.dot(toWorld.Z, view.Up));
                 var vertices = instance.Mesh.Vertices;
-                double2 least = double.PositiveInfinity, most = double.NegativeInfinity;
+                double2 meshMin = double.PositiveInfinity, meshMax = double.NegativeInfinity;
                 foreach (int index in instance.Mesh.Indices) // a vertex without a triangle is nothing to see
                 {
                     double3 vertex = vertices[index];
                     var point = new double2(math.dot(across, vertex), math.dot(up, vertex));
-                    least = math.min(least, point);
-                    most = math.max(most, point);
+                    meshMin = math.min(meshMin, point);
+                    meshMax = math.max(meshMax, point);
                 }
-                double3 toOrigin = place.Origin - view.Position;
+                double3 toOrigin = toWorld.Origin - view.Position;
                 var origin = new double2(math.dot(toOrigin, view.Right), math.dot(toOrigin, view.Up));
-                low = math.min(low, origin + least);
-                high = math.max(high, origin + most);
+                boxMin = math.min(boxMin, origin + meshMin);
+                boxMax = math.max(boxMax, origin + meshMax);
             }
         }
     }

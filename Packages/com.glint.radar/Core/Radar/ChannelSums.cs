@@ -13,8 +13,8 @@ namespace Glint.Core
         /// <param name="grid">Limits the lengths of paths.</param>
         public ChannelSums(RayGrid grid)
         {
-            LengthUnits = (float)(Channel.Length.Scale / Math.Max(grid.LongestBeyond, 1e-30));
-            _startDepth = grid.StartDepth;
+            LengthUnits = (float)(Channel.Length.Scale / Math.Max(grid.MaxRelativeLength, 1e-30));
+            _startDepth = grid.OriginDepth;
         }
 
         /// <summary>Units of lengths a metre.</summary>

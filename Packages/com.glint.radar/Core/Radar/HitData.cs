@@ -11,7 +11,7 @@ namespace Glint.Core
     struct HitData
     {
         /// <summary>Where, metres, about the middle of the scene.</summary>
-        public float3 Place;
+        public float3 Position;
 
         /// <summary>Number of the tree of an instance that was hit.</summary>
         public uint Instance; // 16 bytes

@@ -9,7 +9,7 @@ namespace Glint.Core
         public const int NoObject = -1;
 
         /// <summary>Where, metres, from the scene's origin.</summary>
-        public double3 Place;
+        public double3 Position;
 
         /// <summary>Unit direction after the reflection.</summary>
         public double3 Direction;

@@ -56,24 +56,24 @@ namespace Glint.Core
         /// <summary>Whether a box's outline meets any tile; takes none.</summary>
         /// <param name="toWorld">From the box's axes to the world.</param>
         internal bool CanSee(in Box box, in Affine toWorld) =>
-            FindOutline(box.Low, box.High, toWorld, out var from, out var to) && math.all(from < _end & to >= _first);
+            FindOutline(box.Min, box.Max, toWorld, out var from, out var to) && math.all(from < _end & to >= _first);
 
         /// <summary>Takes every tile.</summary>
         public void AddAll() => Cover(_first, _end - 1);
 
         /// <summary>Takes the tiles in which a box can be seen.</summary>
         /// <param name="toWorld">From the box's axes to the world.</param>
-        public void Add(float3 low, float3 high, in Affine toWorld)
+        public void Add(float3 boxMin, float3 boxMax, in Affine toWorld)
         {
-            if (FindOutline(low, high, toWorld, out var from, out var to))
+            if (FindOutline(boxMin, boxMax, toWorld, out var from, out var to))
                 Cover(from, to);
         }
 
         /// <summary>Takes the tiles in which a mesh can be seen.</summary>
         /// <param name="toWorld">From the mesh's axes to the world.</param>
-        public void Add(MeshTree mesh, in Affine toWorld)
+        public void Add(MeshBvh mesh, in Affine toWorld)
         {
-            if (mesh.CoverLow.Length == 0 || !FindOutline(mesh.Low, mesh.High, toWorld, out var from, out var to))
+            if (mesh.CoverMin.Length == 0 || !FindOutline(mesh.Min, mesh.Max, toWorld, out var from, out var to))
                 return;
             int2 size = math.min(to, _end - 1) - math.max(from, _first) + 1;
             if (size.x <= 0 || size.y <= 0)
@@ -83,8 +83,8 @@ namespace Glint.Core
                 Cover(from, to);
                 return;
             }
-            for (int box = 0; box < mesh.CoverLow.Length; box++)
-                Add(mesh.CoverLow[box], mesh.CoverHigh[box], toWorld);
+            for (int box = 0; box < mesh.CoverMin.Length; box++)
+                Add(mesh.CoverMin[box], mesh.CoverMax[box], toWorld);
         }
 
         static void Range(in RadarSettings settings, out int2 first, out int2 end)
@@ -98,11 +98,11 @@ namespace Glint.Core
 
         // First and last tile that a box's outline touches, in the picture or beside it;
         // false if the box is behind the camera.
-        bool FindOutline(float3 low, float3 high, in Affine toWorld, out int2 from, out int2 to)
+        bool FindOutline(float3 boxMin, float3 boxMax, in Affine toWorld, out int2 from, out int2 to)
         {
             var corners = _corners;
             for (int i = 0; i < corners.Length; i++)
-                corners[i] = Seen(toWorld.Point(new Box(low, high).Corner(i)));
+                corners[i] = Seen(toWorld.Point(new Box(boxMin, boxMax).Corner(i)));
             double size = 0;
             foreach (var corner in corners)
                 size = math.max(size, math.cmax(math.abs(corner)));
@@ -110,12 +110,12 @@ namespace Glint.Core
             // Of a box that reaches behind the camera the part before it counts:
             // its corners, and where its edges cross a plane just before the camera.
             double nearest = 1e-9 * size;
-            double2 least = double.PositiveInfinity, most = double.NegativeInfinity;
+            double2 min = double.PositiveInfinity, max = double.NegativeInfinity;
             void Include(double3 p)
             {
-                double2 place = _view.IsParallel ? p.xy : p.xy / p.z; // -1 to 1 over the picture
-                least = math.min(least, place);
-                most = math.max(most, place);
+                double2 position = _view.IsParallel ? p.xy : p.xy / p.z; // -1 to 1 over the picture
+                min = math.min(min, position);
+                max = math.max(max, position);
             }
             for (int i = 0; i < corners.Length; i++)
             {
@@ -129,9 +129,9 @@ namespace Glint.Core
                         Include(new double3(crossing.xy, nearest));
                     }
             }
-            bool isSeen = least.x <= most.x;
-            from = isSeen ? TileOf(least, -Margin) : 0;
-            to = isSeen ? TileOf(most, Margin) : 0;
+            bool isSeen = min.x <= max.x;
+            from = isSeen ? TileOf(min, -Margin) : 0;
+            to = isSeen ? TileOf(max, Margin) : 0;
             return isSeen;
         }
 
@@ -177,9 +177,9 @@ namespace Glint.Core
         }
 
         // The tile of the ray that passes nearest, kept within bounds that an int holds.
-        int2 TileOf(double2 place, double margin)
+        int2 TileOf(double2 position, double margin)
         {
-            double2 ray = 0.5 * (place + 1) * new double2(_settings.RaysAcross, _settings.RaysDown) - 0.5 + margin;
+            double2 ray = 0.5 * (position + 1) * new double2(_settings.RaysAcross, _settings.RaysDown) - 0.5 + margin;
             return (int2)math.floor(math.clamp(ray / Side, -1, 1e6));
         }
 

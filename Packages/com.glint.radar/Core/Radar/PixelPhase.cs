@@ -12,13 +12,13 @@ namespace Glint.Core
     {
         // Most turns from one pixel to the next, and most by which that changes from pixel
         // to pixel, for the mean to hold.
-        const double Steepest = 1, MostBend = 1.0 / 16;
+        const double Steepest = 1, MaxBend = 1.0 / 16;
 
         double _slopeX, _slopeY, _bendX, _bendY, _twist; // turns a pixel, and turns a pixel squared
 
         /// <summary>True if the phase is as smooth as the mean needs it.</summary>
         public bool IsSmooth => Math.Abs(_slopeX) <= Steepest && Math.Abs(_slopeY) <= Steepest
-            && Math.Abs(_bendX) <= MostBend && Math.Abs(_bendY) <= MostBend && Math.Abs(_twist) <= MostBend;
+            && Math.Abs(_bendX) <= MaxBend && Math.Abs(_bendY) <= MaxBend && Math.Abs(_twist) <= MaxBend;
 
         /// <summary>Mean over the pixel of the phasor relative to that in its middle.</summary>
         public Complex Mean
@@ -50,14 +50,14 @@ namespace Glint.Core
         // and its derivatives by the angle.
         readonly struct Slope
         {
-            const double LeastTurns = 0.03; // below, the series is as good
+            const double MinTurns = 0.03; // below, the series is as good
 
             public readonly double Mean, First, Second;
 
             public Slope(double turns)
             {
                 double angle = 2 * Math.PI * turns;
-                if (Math.Abs(turns) < LeastTurns)
+                if (Math.Abs(turns) < MinTurns)
                 {
                     Mean = 1 - angle * angle / 24;
                     First = -angle / 12;

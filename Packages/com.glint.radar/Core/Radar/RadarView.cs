@@ -61,8 +61,8 @@ namespace Glint.Core
             if (!IsParallel)
                 return Position;
             double2 rays = new double2(settings.RaysAcross, settings.RaysDown),
-                place = new double2(pixel % (uint)settings.RaysAcross, pixel / (uint)settings.RaysAcross) + 0.5;
-            double2 from = (2 * place / rays - 1) * HalfSize(settings);
+                position = new double2(pixel % (uint)settings.RaysAcross, pixel / (uint)settings.RaysAcross) + 0.5;
+            double2 from = (2 * position / rays - 1) * HalfSize(settings);
             return Position + from.x * Right + from.y * Up;
         }
 
@@ -82,15 +82,15 @@ namespace Glint.Core
             if (!(ReceiverSize.x > 0 && ReceiverSize.y > 0) || !math.all(math.isfinite(ReceiverSize)))
                 throw new GlintException($"{owner}: receiver size {RadarSettings.Text(ReceiverSize.x)} x "
                     + $"{RadarSettings.Text(ReceiverSize.y)} m must be positive and finite");
-            ValidatePlace(owner, "camera", Position);
-            ValidatePlace(owner, "receiver", ReceiverCentre);
+            ValidatePosition(owner, "camera", Position);
+            ValidatePosition(owner, "receiver", ReceiverCentre);
         }
 
-        static void ValidatePlace(string owner, string what, double3 place)
+        static void ValidatePosition(string owner, string what, double3 position)
         {
-            if (!math.all(math.abs(place) <= TriangleMesh.LargestCoordinate))
-                throw new GlintException($"{owner}: its {what} stands at ({RadarSettings.Text(place.x)}, "
-                    + $"{RadarSettings.Text(place.y)}, {RadarSettings.Text(place.z)}) m, "
+            if (!math.all(math.abs(position) <= TriangleMesh.LargestCoordinate))
+                throw new GlintException($"{owner}: its {what} stands at ({RadarSettings.Text(position.x)}, "
+                    + $"{RadarSettings.Text(position.y)}, {RadarSettings.Text(position.z)}) m, "
                     + $"and every coordinate must be within {RadarSettings.Text(TriangleMesh.LargestCoordinate)} m: "
                     + "bring the scene nearer to the world's origin");
         }

@@ -19,7 +19,7 @@ namespace Glint.Core
 
         /// <summary>
         /// Received: the whole path, radar to last hit to receiver plane. Otherwise: radar to last hit.
-        /// Metres, as float32 has it: see <see cref="ExactPathLength"/>.
+        /// Metres, as float32 has it: see <see cref="RefinedPathLength"/>.
         /// </summary>
         public float PathLength; // 16 bytes
 
@@ -29,7 +29,7 @@ namespace Glint.Core
         /// <summary>
         /// What float32 leaves out of <see cref="PathLength"/>, metres; known for received rays, else 0.
         /// </summary>
-        public float PathLengthRest; // 32 bytes
+        public float PathLengthLo; // 32 bytes
 
         /// <summary>In-phase part cos(phase), quadrature part sin(phase); both 0 if not received.</summary>
         public float InPhase, Quadrature;
@@ -57,7 +57,7 @@ namespace Glint.Core
         /// The path's length in metres: of a received ray to 1e-8 m, beside the float32 rounding of the corners and
         /// places that the scene is given in.
         /// </summary>
-        public double ExactPathLength => (double)PathLength + PathLengthRest;
+        public double RefinedPathLength => (double)PathLength + PathLengthLo;
 
         /// <summary>2 pi mod(R, lambda) / lambda, radians, 0 to 2 pi; 0 if not received.</summary>
         public double Phase => IsReceived ? Signal.Turned(Math.Atan2(Quadrature, InPhase)) : 0;

@@ -37,7 +37,7 @@ namespace Glint.Core
             var points = new double3[Hits.Length + (IsReceived ? 2 : 1)];
             points[0] = Start;
             for (int i = 0; i < Hits.Length; i++)
-                points[i + 1] = Hits[i].Place;
+                points[i + 1] = Hits[i].Position;
             if (End is double3 end)
                 points[points.Length - 1] = end;
             return points;

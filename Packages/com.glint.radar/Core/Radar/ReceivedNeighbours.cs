@@ -40,14 +40,14 @@ namespace Glint.Core
                 out North, out NorthEast);
         }
 
-        void FindRow(long middle, bool hasWest, bool hasEast, ref int first, out int west, out int centre, out int east)
+        void FindRow(long index, bool hasWest, bool hasEast, ref int first, out int west, out int centre, out int east)
         {
-            while (first < _picture.Count && _picture[first].Pixel < middle - 1)
+            while (first < _picture.Count && _picture[first].Pixel < index - 1)
                 first++;
             int at = first;
-            west = Take(middle - 1, ref at);
-            centre = Take(middle, ref at);
-            east = Take(middle + 1, ref at);
+            west = Take(index - 1, ref at);
+            centre = Take(index, ref at);
+            east = Take(index + 1, ref at);
             if (!hasWest)
                 west = -1;
             if (!hasEast)

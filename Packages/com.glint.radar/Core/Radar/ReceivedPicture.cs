@@ -38,16 +38,16 @@ namespace Glint.Core
         /// <summary>The first ray whose pixel is not before this one; <see cref="Count"/> when there is none.</summary>
         public int FirstFrom(long pixel)
         {
-            int low = 0, high = Count;
-            while (low < high)
+            int first = 0, end = Count;
+            while (first < end)
             {
-                int middle = low + (high - low) / 2;
-                if (_rays[middle].Pixel < pixel)
-                    low = middle + 1;
+                int mid = first + (end - first) / 2;
+                if (_rays[mid].Pixel < pixel)
+                    first = mid + 1;
                 else
-                    high = middle;
+                    end = mid;
             }
-            return low;
+            return first;
         }
 
         // Digit by digit from the lowest: several times faster than comparing.

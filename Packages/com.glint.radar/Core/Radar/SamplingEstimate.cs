@@ -35,13 +35,13 @@ namespace Glint.Core
         /// <summary>
         /// Share of neighbours so far apart, and of rays without any, beyond which the sum is no integral any more.
         /// </summary>
-        internal const double MostApart = 0.5;
+        internal const double MaxApart = 0.5;
 
         // Pixels that are refined in any case; beyond, as many as make the sub-rays as many as the rays of the pose.
         const int RefinedAlways = 1 << 16;
 
         // How well sub-rays know where an edge lies, in pixels. They cannot be off by more than 1/8.
-        const double EdgePlace = 0.06;
+        const double EdgePosition = 0.06;
 
         // A ray alone stands for a return smaller than its pixel, of which rays miss others. As much of one ray,
         // where the rays' phases are by chance.
@@ -92,12 +92,12 @@ namespace Glint.Core
         {
             var subRays = new Complex(inPhase.Sum(), quadrature.Sum());
             Complex fine = sum + _tally.Smooth + _share * (subRays / SubGrids - _refined);
-            double edges = EdgePlace * _edges, difference = sum.Magnitude - fine.Magnitude;
+            double edges = EdgePosition * _edges, difference = sum.Magnitude - fine.Magnitude;
             double missed = Missed * Missed * (_picture.Count > 0 ? _tally.Alone : 1);
             double error = Math.Sqrt(difference * difference + edges * edges + missed)
                 * RadarResult.NormalRays / raysOfPicture;
             bool undersampled = _picture.Count < FewestRays
-                || _tally.Apart + _tally.Alone > MostApart * (_tally.Pairs + _tally.Alone);
+                || _tally.Apart + _tally.Alone > MaxApart * (_tally.Pairs + _tally.Alone);
             return new SamplingReport(error, LargestPathStep, undersampled);
         }
 
@@ -168,8 +168,8 @@ namespace Glint.Core
         // All, or by chance as many as are affordable.
         static uint[] Choose(List<uint> pixels, long raysEmitted, out double share)
         {
-            long most = Math.Max(RefinedAlways, raysEmitted / SubGrids);
-            uint every = (uint)Math.Max(1, (pixels.Count + most - 1) / most);
+            long max = Math.Max(RefinedAlways, raysEmitted / SubGrids);
+            uint every = (uint)Math.Max(1, (pixels.Count + max - 1) / max);
             if (every > 1)
                 pixels.RemoveAll(pixel => Scattered(pixel) % every != 0);
             // The others' errors add to theirs if they are alike,

@@ -43,19 +43,19 @@ namespace Glint.Core
         /// <summary>
         /// The forecast; null where the point is not before the radar, or the receiver does not face it.
         /// </summary>
-        /// <param name="middle">Where the mirror stands.</param>
-        public static SamplingForecast? Of(in RadarSettings settings, in RadarView view, double3 middle)
+        /// <param name="centre">Where the mirror stands.</param>
+        public static SamplingForecast? Of(in RadarSettings settings, in RadarView view, double3 centre)
         {
-            double depth = math.dot(middle - view.Position, view.Forward);
+            double depth = math.dot(centre - view.Position, view.Forward);
             if (!(depth > 0))
                 return null;
-            var mirror = new Mirror(settings, view, middle);
+            var mirror = new Mirror(settings, view, centre);
             var forecast = new SamplingForecast { RaySpacing = mirror.Step * (view.IsParallel ? 1 : depth) };
             int lit = 0, pairs = 0, apart = 0;
             for (int i = 0; i < Points * Points; i++)
             {
-                double2 place = (new double2(i % Points + 0.5, i / Points + 0.5) / Points - 0.5) * view.ReceiverSize;
-                double3 point = view.ReceiverCentre + place.x * view.ReceiverRight + place.y * view.ReceiverUp;
+                double2 position = (new double2(i % Points + 0.5, i / Points + 0.5) / Points - 0.5) * view.ReceiverSize;
+                double3 point = view.ReceiverCentre + position.x * view.ReceiverRight + position.y * view.ReceiverUp;
                 if (!mirror.Find(point, out double2 ray) || !mirror.Meet(ray, out double3 here, out double length))
                     continue;
                 lit++;
@@ -73,7 +73,7 @@ namespace Glint.Core
                     forecast.RaysReceived += view.ReceiverSize.x * view.ReceiverSize.y / (Points * Points)
                         / math.length(math.cross(right - here, above - here));
             }
-            forecast.IsTooCoarse = apart > SamplingEstimate.MostApart * pairs;
+            forecast.IsTooCoarse = apart > SamplingEstimate.MaxApart * pairs;
             return lit > 0 ? forecast : (SamplingForecast?)null;
         }
 
@@ -83,14 +83,14 @@ namespace Glint.Core
         {
             readonly RadarView _view;
             readonly double2 _half;
-            readonly double3 _normal, _middle;
+            readonly double3 _normal, _centre;
 
-            public Mirror(in RadarSettings settings, in RadarView view, double3 middle)
+            public Mirror(in RadarSettings settings, in RadarView view, double3 centre)
             {
                 _view = view;
                 _half = view.HalfSize(settings);
-                _middle = middle;
-                _normal = view.IsParallel ? view.Forward : math.normalize(middle - view.Position);
+                _centre = centre;
+                _normal = view.IsParallel ? view.Forward : math.normalize(centre - view.Position);
                 Step = 2 * _half.y / settings.RaysDown;
             }
 
@@ -104,7 +104,7 @@ namespace Glint.Core
                 if (!_view.IsParallel)
                 {
                     // Where the mirror image of the point is seen.
-                    seen = Mirrored(point - _middle) + _middle - _view.Position;
+                    seen = Mirrored(point - _centre) + _centre - _view.Position;
                     seen /= math.dot(seen, _view.Forward);
                 }
                 ray = new double2(math.dot(seen, _view.Right), math.dot(seen, _view.Up));
@@ -118,11 +118,11 @@ namespace Glint.Core
             public bool Meet(double2 ray, out double3 point, out double length)
             {
                 double3 aside = ray.x * _view.Right + ray.y * _view.Up;
-                double3 course = Mirrored(_view.IsParallel ? _view.Forward : _view.Forward + aside);
-                double3 start = Mirrored(_view.Position + (_view.IsParallel ? aside : 0) - _middle) + _middle;
-                double against = -math.dot(course, _view.ReceiverForward);
+                double3 direction = Mirrored(_view.IsParallel ? _view.Forward : _view.Forward + aside);
+                double3 start = Mirrored(_view.Position + (_view.IsParallel ? aside : 0) - _centre) + _centre;
+                double against = -math.dot(direction, _view.ReceiverForward);
                 double way = math.dot(start - _view.ReceiverCentre, _view.ReceiverForward) / against;
-                (point, length) = (start + way * course, way * math.length(course));
+                (point, length) = (start + way * direction, way * math.length(direction));
                 return against > 0 && way > 0;
             }
 

@@ -10,7 +10,7 @@ namespace Glint.Core
         public long Triangles { get; internal set; }
 
         /// <summary>BVHs built because a mesh was new or had changed.</summary>
-        public long TreesBuilt { get; internal set; }
+        public long BvhsBuilt { get; internal set; }
 
         /// <summary>Triangles in them.</summary>
         public long TrianglesBuilt { get; internal set; }
@@ -34,7 +34,7 @@ namespace Glint.Core
         public long TilesSkipped { get; internal set; }
 
         /// <summary>Rays followed once more in double-float arithmetic because they may be received.</summary>
-        public long RaysFollowedExactly { get; internal set; }
+        public long RaysRefined { get; internal set; }
 
         /// <summary>Smaller rays around received ones, for the sampling error.</summary>
         public long SubRays { get; internal set; }

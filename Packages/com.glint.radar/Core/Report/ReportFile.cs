@@ -15,7 +15,7 @@ namespace Glint.Core
         public const string Name = "report.html";
 
         /// <summary>Where the template takes the figures.</summary>
-        internal const string Place = "@GLINT_REPORT_DATA@";
+        internal const string Placeholder = "@GLINT_REPORT_DATA@";
 
         /// <summary>The page.</summary>
         /// <param name="template">Editor/Report/Template.txt.</param>
@@ -24,8 +24,8 @@ namespace Glint.Core
         /// <exception cref="GlintException">The template does not have exactly one place for the figures.</exception>
         public static string Fill(string template, StoredRun run, ReportScene scene, string noScene)
         {
-            int place = template.IndexOf(Place, StringComparison.Ordinal);
-            if (place < 0 || template.IndexOf(Place, place + 1, StringComparison.Ordinal) >= 0)
+            int index = template.IndexOf(Placeholder, StringComparison.Ordinal);
+            if (index < 0 || template.IndexOf(Placeholder, index + 1, StringComparison.Ordinal) >= 0)
                 throw new GlintException("the report's template is damaged: "
                     + "restore Editor/Report/Template.txt of the package");
             var data = new JObject
@@ -37,7 +37,7 @@ namespace Glint.Core
             };
             // Inside of a script element nothing but '<' can end it.
             string json = data.ToString(Formatting.None).Replace("<", "\\u003c");
-            return template.Substring(0, place) + json + template.Substring(place + Place.Length);
+            return template.Substring(0, index) + json + template.Substring(index + Placeholder.Length);
         }
 
         /// <summary>Writes a page, whole or not at all.</summary>

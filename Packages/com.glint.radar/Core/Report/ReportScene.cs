@@ -12,10 +12,10 @@ namespace Glint.Core
     public sealed class ReportScene
     {
         /// <summary>Triangles drawn at most; a scene with more is drawn coarser.</summary>
-        public const int MostTriangles = 60000;
+        public const int MaxTriangles = 60000;
 
         /// <summary>Objects drawn at most.</summary>
-        public const int MostInstances = 2000;
+        public const int MaxInstances = 2000;
 
         /// <summary>Scene, settings and view of the pose.</summary>
         public RadarPose Pose;
@@ -32,7 +32,7 @@ namespace Glint.Core
         public IReadOnlyList<double3[]> Paths = Array.Empty<double3[]>();
 
         /// <summary>The radar's picture; null for none.</summary>
-        public RadarPicture Picture;
+        public RadarPreviewImage Preview;
 
         /// <summary>Names of the picture's objects by their numbers.</summary>
         public Func<int, string> ObjectName = number => $"object {number}";
@@ -43,10 +43,10 @@ namespace Glint.Core
         /// </summary>
         internal JObject ToJson()
         {
-            var sketches = Sketches(Pose.Scene.Instances);
+            var sketches = SimplifiedMeshes(Pose.Scene.Instances);
             var drawn = Pose.Scene.Instances.Where(instance => instance.Mesh.TriangleCount > 0)
-                .Take(MostInstances).ToArray();
-            double3 middle = Middle(drawn, sketches);
+                .Take(MaxInstances).ToArray();
+            double3 centre = Centre(drawn, sketches);
             var order = sketches.Keys.ToList();
             return new JObject
             {
@@ -58,78 +58,78 @@ namespace Glint.Core
                 ["meshes"] = new JArray(order.Select(mesh => ToJson(sketches[mesh]))),
                 ["instances"] = new JArray(drawn.Select(instance => new JObject
                 {
-                    ["mesh"] = order.IndexOf(instance.Mesh), ["place"] = ToJson(instance.ToWorld, middle)
+                    ["mesh"] = order.IndexOf(instance.Mesh), ["place"] = ToJson(instance.ToWorld, centre)
                 })),
-                ["radar"] = ToJson(Pose.View, Pose.Settings, middle),
+                ["radar"] = ToJson(Pose.View, Pose.Settings, centre),
                 ["paths"] = new JObject
                 {
                     ["points"] =
-                        Base64(Paths.SelectMany(path => path).SelectMany(point => Floats(point - middle)).ToArray(),
+                        Base64(Paths.SelectMany(path => path).SelectMany(point => Floats(point - centre)).ToArray(),
                             sizeof(float)),
                     ["counts"] = new JArray(Paths.Select(path => path.Length))
                 },
-                ["picture"] = Picture?.ToJson(ObjectName)
+                ["picture"] = Preview?.ToJson(ObjectName)
             };
         }
 
         // Small meshes keep all they have; the large ones share what is left.
-        static Dictionary<TriangleMesh, MeshSketch> Sketches(MeshInstance[] instances)
+        static Dictionary<TriangleMesh, SimplifiedMesh> SimplifiedMeshes(MeshInstance[] instances)
         {
-            const int least = 12;
-            var sketches = new Dictionary<TriangleMesh, MeshSketch>();
-            var uses = instances.Where(instance => instance.Mesh.TriangleCount > 0).Take(MostInstances)
+            const int min = 12;
+            var sketches = new Dictionary<TriangleMesh, SimplifiedMesh>();
+            var uses = instances.Where(instance => instance.Mesh.TriangleCount > 0).Take(MaxInstances)
                 .GroupBy(instance => instance.Mesh)
                 .OrderBy(group => (long)group.Key.TriangleCount * group.Count()).ToArray();
-            long left = MostTriangles;
+            long left = MaxTriangles;
             for (int i = 0; i < uses.Length; i++)
             {
                 var (mesh, count) = (uses[i].Key, uses[i].Count());
-                var sketch = MeshSketch.Of(mesh, (int)Math.Max(least, left / (uses.Length - i) / count));
-                left = Math.Max(0, left - (long)sketch.TriangleCount * count);
-                sketches.Add(mesh, sketch);
+                var simplified = SimplifiedMesh.Of(mesh, (int)Math.Max(min, left / (uses.Length - i) / count));
+                left = Math.Max(0, left - (long)simplified.TriangleCount * count);
+                sketches.Add(mesh, simplified);
             }
             return sketches;
         }
 
-        double3 Middle(MeshInstance[] drawn, Dictionary<TriangleMesh, MeshSketch> sketches)
+        double3 Centre(MeshInstance[] drawn, Dictionary<TriangleMesh, SimplifiedMesh> sketches)
         {
             if (drawn.Length == 0)
                 return Pose.View.Position;
-            double3 low = double.PositiveInfinity, high = double.NegativeInfinity;
+            double3 boxMin = double.PositiveInfinity, boxMax = double.NegativeInfinity;
             foreach (var instance in drawn)
                 for (int corner = 0; corner < 8; corner++)
                 {
-                    var sketch = sketches[instance.Mesh];
-                    double3 place = instance.ToWorld.Point(sketch.Low
-                        + sketch.Size * new double3(corner & 1, corner >> 1 & 1, corner >> 2));
-                    (low, high) = (math.min(low, place), math.max(high, place));
+                    var simplified = sketches[instance.Mesh];
+                    double3 position = instance.ToWorld.Point(simplified.Min
+                        + simplified.Size * new double3(corner & 1, corner >> 1 & 1, corner >> 2));
+                    (boxMin, boxMax) = (math.min(boxMin, position), math.max(boxMax, position));
                 }
-            return low + 0.5 * (high - low);
+            return boxMin + 0.5 * (boxMax - boxMin);
         }
 
-        static JObject ToJson(MeshSketch sketch) => new JObject
+        static JObject ToJson(SimplifiedMesh simplified) => new JObject
         {
-            ["low"] = ToJson(sketch.Low),
-            ["size"] = ToJson(sketch.Size),
-            ["positions"] = Base64(sketch.Positions.ToArray(), sizeof(ushort)),
-            ["indices"] = Base64(sketch.Indices.ToArray(), sizeof(int))
+            ["low"] = ToJson(simplified.Min),
+            ["size"] = ToJson(simplified.Size),
+            ["positions"] = Base64(simplified.Positions.ToArray(), sizeof(ushort)),
+            ["indices"] = Base64(simplified.Indices.ToArray(), sizeof(int))
         };
 
-        static JArray ToJson(in Affine place, double3 middle) =>
-            new JArray(new[] { place.X, place.Y, place.Z, place.Origin - middle }.SelectMany(ToJson));
+        static JArray ToJson(in Affine transform, double3 midpoint) =>
+            new JArray(new[] { transform.X, transform.Y, transform.Z, transform.Origin - midpoint }.SelectMany(ToJson));
 
-        static JObject ToJson(in RadarView view, in RadarSettings settings, double3 middle)
+        static JObject ToJson(in RadarView view, in RadarSettings settings, double3 midpoint)
         {
             double2 half = view.HalfSize(settings);
             return new JObject
             {
-                ["place"] = ToJson(view.Position - middle),
+                ["place"] = ToJson(view.Position - midpoint),
                 ["right"] = ToJson(view.Right),
                 ["up"] = ToJson(view.Up),
                 ["forward"] = ToJson(view.Forward),
                 ["parallel"] = view.IsParallel,
                 ["half"] = new JArray(half.x, half.y),
-                ["receiver"] = ToJson(view.ReceiverCentre - middle),
+                ["receiver"] = ToJson(view.ReceiverCentre - midpoint),
                 ["receiver_right"] = ToJson(view.ReceiverRight * view.ReceiverSize.x / 2),
                 ["receiver_up"] = ToJson(view.ReceiverUp * view.ReceiverSize.y / 2)
             };

@@ -65,16 +65,16 @@ namespace Glint.Core
             _json.WriteEndObject();
         }
 
-        void WriteCommand(IReadOnlyList<string> words)
+        void WriteCommand(IReadOnlyList<string> arguments)
         {
-            if (words == null)
+            if (arguments == null)
             {
                 Text("command", null);
                 return;
             }
             Open("command", array: true);
-            foreach (string word in words)
-                _json.WriteValue(word);
+            foreach (string argument in arguments)
+                _json.WriteValue(argument);
             _json.WriteEndArray();
         }
 

@@ -10,7 +10,7 @@ namespace Glint.Core
     /// </summary>
     sealed class StoredRow
     {
-        static readonly Dictionary<string, int> s_places = Enumerable.Range(0, ResultColumn.All.Count)
+        static readonly Dictionary<string, int> s_indices = Enumerable.Range(0, ResultColumn.All.Count)
             .ToDictionary(i => ResultColumn.All[i].Name);
 
         readonly double?[] _values;
@@ -37,7 +37,7 @@ namespace Glint.Core
         }
 
         /// <summary>The value of a column, by its name; null where there is none.</summary>
-        public double? this[string column] => _values[s_places[column]];
+        public double? this[string column] => _values[s_indices[column]];
 
         /// <summary>
         /// Texts in the order of <see cref="ResultColumn.All"/>; null where there is no value.

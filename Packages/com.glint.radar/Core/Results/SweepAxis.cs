@@ -6,7 +6,7 @@ namespace Glint.Core
     /// <summary>
     /// One thing that a sweep steps through. The table <see cref="All"/> is where plan, result files,
     /// tables and messages know the axes from;
-    /// an option of glint sweep gives the values, and Glint.AxisMotions shows them.
+    /// an option of glint sweep gives the values, and Glint.AxisDrivers shows them.
     /// </summary>
     public sealed class SweepAxis
     {
@@ -26,15 +26,15 @@ namespace Glint.Core
         /// <summary>Turn of the target about the world's vertical, degrees.</summary>
         public static readonly SweepAxis Angle = new SweepAxis(4, "angle", "angle_deg", "deg", "{0} deg", 7);
 
-        readonly string _words;
+        readonly string _text;
 
-        SweepAxis(int index, string name, string column, string unit, string words, int width)
+        SweepAxis(int index, string name, string column, string unit, string text, int width)
         {
             Index = index;
             Name = name;
             Column = column;
             Unit = unit;
-            _words = words;
+            _text = text;
             Width = width;
         }
 
@@ -58,7 +58,7 @@ namespace Glint.Core
 
         /// <summary>A value in a few words: "15 deg", "snapshot 3".</summary>
         public string Describe(double value) =>
-            string.Format(CultureInfo.InvariantCulture, _words, Numbers.Format(value));
+            string.Format(CultureInfo.InvariantCulture, _text, Numbers.Format(value));
 
         /// <summary>The name.</summary>
         public override string ToString() => Name;

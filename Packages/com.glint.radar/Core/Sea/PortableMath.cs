@@ -16,7 +16,7 @@ namespace Glint.Core
         public const double SinCosError = 2e-16;
 
         /// <summary>Arguments of <see cref="Exp"/> below it give 0, those above its negative are not for it.</summary>
-        public const double LeastExponent = -708;
+        public const double MinExponent = -708;
 
         // ln 2 in two parts: the first has 21 zero bits at its end,
         // so that its multiples by whole numbers up to 2^20 are exact.
@@ -25,7 +25,7 @@ namespace Glint.Core
         /// <summary>e^x, for x up to 708.</summary>
         public static double Exp(double x)
         {
-            if (x < LeastExponent)
+            if (x < MinExponent)
                 return 0;
             double twos = Math.Floor(x / (Ln2High + Ln2Low) + 0.5);
             double rest = x - twos * Ln2High - twos * Ln2Low;

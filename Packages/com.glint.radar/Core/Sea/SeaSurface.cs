@@ -97,13 +97,13 @@ namespace Glint.Core
                 {
                     // The last row and column are the first ones, a tile further on: to the bit, not only to rounding.
                     int column = x % cells, row = z % cells, at = row * cells + column;
-                    double placeX =
+                    double positionX =
                         Rounded(tile * ((double)column / cells - 0.5) + (alongX == null ? 0 : alongX[at]), step);
-                    double placeZ =
+                    double positionZ =
                         Rounded(tile * ((double)row / cells - 0.5) + (alongZ == null ? 0 : alongZ[at]), step);
                     vertices[z * side + x] = new float3(
-                        (float)(x == cells ? placeX + tile : placeX), (float)Rounded(height[at], FinestStep),
-                        (float)(z == cells ? placeZ + tile : placeZ));
+                        (float)(x == cells ? positionX + tile : positionX), (float)Rounded(height[at], FinestStep),
+                        (float)(z == cells ? positionZ + tile : positionZ));
                 }
             return new TriangleMesh(vertices, _indices);
         }

@@ -87,8 +87,8 @@ namespace Glint.Core
         static void AddQuad(ShipPart part, double3 a, double3 b, double3 c, double3 d) =>
             part.AddPatch(new[] { new[] { a, d }, new[] { b, c } });
 
-        static double3[][] Grid(double[] rows, double[] columns, Func<double, double, double3> place) =>
-            Array.ConvertAll(rows, row => Array.ConvertAll(columns, column => place(row, column)));
+        static double3[][] Grid(double[] rows, double[] columns, Func<double, double, double3> position) =>
+            Array.ConvertAll(rows, row => Array.ConvertAll(columns, column => position(row, column)));
 
         // Where a wall's cells begin and end: wall, window, wall, ..., window, wall.
         static double[] WindowEdges(double from, double to, int windows, double corner)

@@ -28,8 +28,8 @@ namespace Glint.Core
             double start = _settings.HouseFrontZ - LevelBeforeHouse, bow = -_settings.Length / 2;
             double forward = math.max(0, (start - z) / (start - bow));
             // Beside the deckhouse it rises from the quarterdeck to the foredeck.
-            double low = _settings.HouseAftZ, high = Deckhouse.Shoulder * _settings.HouseFrontZ;
-            double rise = math.clamp((low - z) / (low - high), 0, 1);
+            double lower = _settings.HouseAftZ, upper = Deckhouse.Shoulder * _settings.HouseFrontZ;
+            double rise = math.clamp((lower - z) / (lower - upper), 0, 1);
             return _settings.Freeboard + _settings.Forecastle * rise * rise * (3 - 2 * rise)
                 + _settings.Sheer * forward * forward;
         }

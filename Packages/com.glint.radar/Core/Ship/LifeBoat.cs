@@ -13,7 +13,7 @@ namespace Glint.Core
         /// <param name="foot">Below its middle, on the deck.</param>
         public static ShipPart[] Build(double3 foot, double2[] circle)
         {
-            double3 middle = foot + new double3(0, KeelHeight + Height / 2, 0);
+            double3 centre = foot + new double3(0, KeelHeight + Height / 2, 0);
             // Half a circle from end to end.
             var frames = new double3[(circle.Length + 1) / 2][];
             for (int i = 0; i < frames.Length; i++)
@@ -21,7 +21,7 @@ namespace Glint.Core
                 double at = circle[i].x, size = circle[i].y;
                 // The ends rise, and frames are between circle and square.
                 frames[i] = System.Array.ConvertAll(circle, p =>
-                    middle + new double3(HalfWidth * size * Full(p.x),
+                    centre + new double3(HalfWidth * size * Full(p.x),
                         Height / 2 * size * Full(p.y) + 0.25 * at * at, HalfLength * at));
             }
             return new[] { ShipPart.Loft(frames), Chock(foot, -0.5 * HalfLength), Chock(foot, 0.5 * HalfLength) };

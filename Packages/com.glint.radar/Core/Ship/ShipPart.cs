@@ -72,23 +72,23 @@ namespace Glint.Core
         public static ShipPart Block(double3[] bottom, double3[] top)
         {
             var part = new ShipPart();
-            double3[] low = Closed(bottom), high = Closed(top);
+            double3[] lower = Closed(bottom), upper = Closed(top);
             for (int i = 0; i < bottom.Length; i++)
-                part.AddPatch(new[] { new[] { low[i], low[i + 1] }, new[] { high[i], high[i + 1] } });
-            part.AddEnd(low, isFirst: true);
-            part.AddEnd(high, isFirst: false);
+                part.AddPatch(new[] { new[] { lower[i], lower[i + 1] }, new[] { upper[i], upper[i + 1] } });
+            part.AddEnd(lower, isFirst: true);
+            part.AddEnd(upper, isFirst: false);
             return part;
         }
 
         /// <summary>A box along the axes.</summary>
-        public static ShipPart Box(double3 low, double3 high)
+        public static ShipPart Box(double3 boxMin, double3 boxMax)
         {
             double3[] Outline(double y) => new[]
             {
-                new double3(low.x, y, low.z), new double3(high.x, y, low.z), new double3(high.x, y, high.z),
-                new double3(low.x, y, high.z)
+                new double3(boxMin.x, y, boxMin.z), new double3(boxMax.x, y, boxMin.z), new double3(boxMax.x, y, boxMax.z),
+                new double3(boxMin.x, y, boxMax.z)
             };
-            return Block(Outline(low.y), Outline(high.y));
+            return Block(Outline(boxMin.y), Outline(boxMax.y));
         }
 
         /// <summary>The part on the ship's other side.</summary>
@@ -137,12 +137,12 @@ namespace Glint.Core
         // A convex flat end: triangles about its middle.
         void AddEnd(double3[] ring, bool isFirst)
         {
-            double3 middle = 0;
+            double3 centre = 0;
             for (int i = 0; i + 1 < ring.Length; i++)
-                middle += ring[i] / (ring.Length - 1);
+                centre += ring[i] / (ring.Length - 1);
             var point = new double3[ring.Length];
             for (int i = 0; i < point.Length; i++)
-                point[i] = middle;
+                point[i] = centre;
             AddPatch(isFirst ? new[] { point, ring } : new[] { ring, point });
         }
 
@@ -166,11 +166,11 @@ namespace Glint.Core
         int Vertex(double3 point, Dictionary<float3, int> known)
         {
             // Adding 0 makes -0 a 0: equal places have equal bits.
-            var place = (float3)(math.round(StepsPerMetre * point) / StepsPerMetre + 0.0);
-            if (!known.TryGetValue(place, out int vertex))
+            var position = (float3)(math.round(StepsPerMetre * point) / StepsPerMetre + 0.0);
+            if (!known.TryGetValue(position, out int vertex))
             {
-                known.Add(place, vertex = _vertices.Count);
-                _vertices.Add(place);
+                known.Add(position, vertex = _vertices.Count);
+                _vertices.Add(position);
             }
             return vertex;
         }

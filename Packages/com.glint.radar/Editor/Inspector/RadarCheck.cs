@@ -132,7 +132,7 @@ namespace Glint.Editor
             try
             {
                 pose = _radar.Gather(_gatherer);
-                DispatchPlan.Check(pose.Settings, _radar.KeptRays, _radar.Subject);
+                DispatchPlan.Check(pose.Settings, _radar.RayReadback, _radar.Subject);
             }
             catch (GlintException problem)
             {
@@ -144,7 +144,7 @@ namespace Glint.Editor
             _boxes.Update(pose.Scene);
             if (_boxes.IsEmpty)
                 return;
-            Figures = new RadarFigures(pose, _boxes, _gatherer.ObjectCount, _radar.KeptRays);
+            Figures = new RadarFigures(pose, _boxes, _gatherer.ObjectCount, _radar.RayReadback);
             if (_boxes.AreSeen(pose))
                 CheckSampling();
             else
@@ -160,14 +160,14 @@ namespace Glint.Editor
             else
                 Add(Severity.Warning, FormattableString.Invariant(
                     $"{_radar.Subject}: nothing that is traced lies in its picture; the middle of it is {Figures.Distance:g4} m away: turn the radar towards it"),
-                    RadarFixes.LookAt(_radar, Figures.Middle - pose.View.Position));
+                    RadarFixes.LookAt(_radar, Figures.Centre - pose.View.Position));
         }
 
         // As SamplingEstimate judges a result, where that is plain before.
         void CheckSampling()
         {
             string remedy = _radar.IsFitted ? "take a smaller Ray Spacing" : "give it more rays or a narrower view";
-            if (Figures.MostRaysHit < SamplingEstimate.FewestRays)
+            if (Figures.MaxRaysHit < SamplingEstimate.FewestRays)
                 Add(Severity.Warning, FormattableString.Invariant(
                     $"{_radar.Subject}: its rays are {Figures.RaySpacing:g3} m apart at the target, which is {Figures.TargetSize:g3} m large: fewer than {SamplingEstimate.FewestRays} can hit it, too few for the amplitude to be trusted: {remedy}"),
                     Denser());

@@ -12,34 +12,34 @@ namespace Glint.Editor
     sealed class RadarFigures
     {
         // Times as many rays across and down, at most, that would be enough.
-        const int MostTimes = 16;
+        const int MaxFactor = 16;
 
         readonly RadarPose _pose;
-        readonly KeptRays _keep;
+        readonly RayReadback _readback;
 
         /// <param name="pose">What would be traced.</param>
         /// <param name="boxes">Of the pose's scene, which is not empty.</param>
         /// <param name="objects">Objects with a mesh.</param>
-        public RadarFigures(in RadarPose pose, SceneBoxes boxes, int objects, KeptRays keep)
+        public RadarFigures(in RadarPose pose, SceneBoxes boxes, int objects, RayReadback readback)
         {
             _pose = pose;
-            _keep = keep;
+            _readback = readback;
             Objects = objects;
-            Middle = boxes.Middle;
-            TargetSize = math.length(boxes.High - boxes.Low);
-            double3 toMiddle = Middle - pose.View.Position;
-            Distance = math.length(toMiddle);
-            double depth = math.dot(toMiddle, pose.View.Forward);
+            Centre = boxes.Centre;
+            TargetSize = math.length(boxes.Max - boxes.Min);
+            double3 toCentre = Centre - pose.View.Position;
+            Distance = math.length(toCentre);
+            double depth = math.dot(toCentre, pose.View.Forward);
             if (depth > 0 || pose.View.IsParallel)
                 Footprint = 2 * pose.View.HalfSize(pose.Settings) * (pose.View.IsParallel ? 1 : depth);
-            Forecast = SamplingForecast.Of(pose.Settings, pose.View, Middle);
-            Memory = DispatchPlan.Memory(pose, keep, SoftwareDevice.UsesWideKernels);
+            Forecast = SamplingForecast.Of(pose.Settings, pose.View, Centre);
+            Memory = DispatchPlan.Memory(pose, readback, SoftwareDevice.UsesWideKernels);
         }
 
         public RadarSettings Settings => _pose.Settings;
 
         /// <summary>The target, in the scene's metres.</summary>
-        public double3 Middle { get; }
+        public double3 Centre { get; }
 
         /// <summary>Diagonal of the box around all that is traced, metres.</summary>
         public double TargetSize { get; }
@@ -68,9 +68,9 @@ namespace Glint.Editor
         public (double DeviceBytes, double HostBytes) Memory { get; }
 
         /// <summary>More rays than this cannot hit: those through the ball around the target.</summary>
-        public double MostRaysHit => MostRays(1);
+        public double MaxRaysHit => MaxRays(1);
 
-        double MostRays(int times) => RaySpacing is double spacing ? math.pow(times * TargetSize / spacing + 1, 2) : 0;
+        double MaxRays(int times) => RaySpacing is double spacing ? math.pow(times * TargetSize / spacing + 1, 2) : 0;
 
         /// <summary>
         /// Times as many rays across and down, 2, 4, 8 or 16, that a mirror at the target would return densely enough;
@@ -79,13 +79,13 @@ namespace Glint.Editor
         /// <param name="radar">Named if there is no room.</param>
         public int? EnoughTimes(string radar)
         {
-            for (int times = 2; times <= MostTimes; times *= 2)
+            for (int times = 2; times <= MaxFactor; times *= 2)
             {
                 var settings = Denser(_pose.Settings, times);
                 if (!IsRoomFor(settings, radar))
                     return null;
-                if (MostRays(times) >= SamplingEstimate.FewestRays
-                    && SamplingForecast.Of(settings, _pose.View, Middle) is SamplingForecast forecast
+                if (MaxRays(times) >= SamplingEstimate.FewestRays
+                    && SamplingForecast.Of(settings, _pose.View, Centre) is SamplingForecast forecast
                     && !forecast.IsTooFew && !forecast.IsTooCoarse)
                     return times;
             }
@@ -110,7 +110,7 @@ namespace Glint.Editor
             try
             {
                 settings.Validate(radar);
-                DispatchPlan.Check(settings, _keep, radar);
+                DispatchPlan.Check(settings, _readback, radar);
                 return true;
             }
             catch (GlintException)

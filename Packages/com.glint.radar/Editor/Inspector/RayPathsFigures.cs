@@ -9,9 +9,9 @@ namespace Glint.Editor
         /// <summary>Why no rays are drawn, where that is plain; else null.</summary>
         public static Finding Check(RayPaths paths)
         {
-            if (paths.FewestBounces > paths.MostBounces)
+            if (paths.MinBounces > paths.MaxBounces)
                 return new Finding(Severity.Warning, FormattableString.Invariant(
-                    $"no rays are drawn: none has {paths.FewestBounces} bounces or more and {paths.MostBounces} or fewer; lower Fewest Bounces, or raise Most Bounces"));
+                    $"no rays are drawn: none has {paths.MinBounces} bounces or more and {paths.MaxBounces} or fewer; lower Fewest Bounces, or raise Most Bounces"));
             if (paths.GetComponent<RadarController>().Result == null)
                 return new Finding(Severity.Warning,
                     "no rays are drawn: nothing is traced yet; press Trace now, or play the scene");
@@ -25,7 +25,7 @@ namespace Glint.Editor
         public static IEnumerable<(string label, string value, string tooltip)> Rows(RayPaths paths)
         {
             string followed = paths.LeftOut > 0 ? FormattableString.Invariant(
-                $"; followed {RayPaths.MostRays:N0} of {(long)RayPaths.MostRays + paths.LeftOut:N0}") : "";
+                $"; followed {RayPaths.MaxRays:N0} of {(long)RayPaths.MaxRays + paths.LeftOut:N0}") : "";
             yield return ("Rays drawn", FormattableString.Invariant($"{paths.Count:N0}{followed}"), "Rays of the pose "
                 + "last drawn that pass the filters. Of more than are followed, so many are taken evenly.");
         }

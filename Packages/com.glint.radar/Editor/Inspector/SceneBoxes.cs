@@ -10,20 +10,20 @@ namespace Glint.Editor
         Dictionary<TriangleMesh, Box> _boxes = new Dictionary<TriangleMesh, Box>();
 
         /// <summary>Corners of the box around all triangles, in the scene's axes and metres.</summary>
-        public double3 Low { get; private set; }
+        public double3 Min { get; private set; }
 
-        public double3 High { get; private set; }
+        public double3 Max { get; private set; }
 
-        public bool IsEmpty => !(Low.x <= High.x);
+        public bool IsEmpty => !(Min.x <= Max.x);
 
-        public double3 Middle => (Low + High) / 2;
+        public double3 Centre => (Min + Max) / 2;
 
         /// <summary>Looks at a scene.</summary>
         public void Update(RadarScene scene)
         {
             var before = _boxes;
             _boxes = new Dictionary<TriangleMesh, Box>();
-            (Low, High) = (double.PositiveInfinity, double.NegativeInfinity);
+            (Min, Max) = (double.PositiveInfinity, double.NegativeInfinity);
             foreach (var instance in scene.Instances)
             {
                 if (!_boxes.TryGetValue(instance.Mesh, out var box))
@@ -49,8 +49,8 @@ namespace Glint.Editor
             for (int corner = 0; corner < 8; corner++)
             {
                 double3 p = toWorld.Point(box.Corner(corner));
-                Low = math.min(Low, p);
-                High = math.max(High, p);
+                Min = math.min(Min, p);
+                Max = math.max(Max, p);
             }
         }
     }

@@ -52,7 +52,7 @@ namespace Glint.Editor
         /// <summary>Label, value and meaning of what is shown.</summary>
         public static IEnumerable<(string label, string value, string tooltip)> Rows(Sea sea)
         {
-            var shown = sea.ShownSnapshot;
+            var shown = sea.CurrentSnapshot;
             var waves = shown == null ? sea.Waves : shown.Settings;
             yield return ("Shown", shown == null
                 ? FormattableString.Invariant($"waves at {sea.TimeSeconds:0.###} s")

@@ -32,10 +32,10 @@ namespace Glint.Editor
             radar.Kernel = ProjectAssets.Kernel;
             radar.Receiver = MeshFileScene.MakeReceiver(camera.transform, false);
             radar.gameObject.AddComponent<RayPaths>();
-            FindTarget(target, out var middle, out double distance);
+            FindTarget(target, out var centre, out double distance);
             camera.transform.rotation = Quaternion.Euler((float)AccuracyScene.PublishedGrazingDegrees, 0, 0);
-            camera.transform.position = middle - (float)distance * camera.transform.forward;
-            Place(radar.gameObject, null);
+            camera.transform.position = centre - (float)distance * camera.transform.forward;
+            AddToScene(radar.gameObject, null);
             return radar;
         }
 
@@ -46,7 +46,7 @@ namespace Glint.Editor
         public static GameObject MakeCornerReflector(GameObject parent)
         {
             var reflector = CornerReflectorAssets.MakeReflector();
-            Place(reflector, parent);
+            AddToScene(reflector, parent);
             return reflector;
         }
 
@@ -56,8 +56,8 @@ namespace Glint.Editor
         {
             var sea = new GameObject("Sea").AddComponent<Sea>();
             sea.Material = ProjectAssets.StandardMaterial;
-            Place(sea.gameObject, parent);
-            sea.Lay();
+            AddToScene(sea.gameObject, parent);
+            sea.Rebuild();
             return sea;
         }
 
@@ -67,11 +67,11 @@ namespace Glint.Editor
         {
             var ship = new GameObject("Ship", typeof(MeshFilter), typeof(MeshRenderer)).AddComponent<Ship>();
             ProjectAssets.Show(ship.gameObject, ShipFigures.Make(ship.Settings));
-            Place(ship.gameObject, parent);
+            AddToScene(ship.gameObject, parent);
             return ship;
         }
 
-        static void Place(GameObject made, GameObject parent)
+        static void AddToScene(GameObject made, GameObject parent)
         {
             if (parent == null)
                 StageUtility.PlaceGameObjectInCurrentStage(made); // the scene, or the prefab that is open
@@ -82,19 +82,19 @@ namespace Glint.Editor
             Selection.activeGameObject = made;
         }
 
-        static void FindTarget(GameObject target, out Vector3 middle, out double distance)
+        static void FindTarget(GameObject target, out Vector3 centre, out double distance)
         {
-            (middle, distance) = (Vector3.zero, CornerReflector.Distance);
+            (centre, distance) = (Vector3.zero, CornerReflector.Distance);
             if (target == null)
                 return;
-            middle = target.transform.position;
+            centre = target.transform.position;
             var boxes = target.GetComponentsInChildren<Renderer>().Select(renderer => renderer.bounds).ToArray();
             if (boxes.Length == 0)
                 return;
             var box = boxes[0];
             foreach (var other in boxes)
                 box.Encapsulate(other);
-            middle = box.center;
+            centre = box.center;
             if (box.extents.magnitude > 0)
                 distance = RadiiAway * box.extents.magnitude;
         }

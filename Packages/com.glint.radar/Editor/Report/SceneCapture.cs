@@ -11,22 +11,22 @@ namespace Glint.Editor
     static class SceneCapture
     {
         /// <summary>Ways of rays at most.</summary>
-        public const int MostPaths = 2000;
+        public const int MaxPaths = 2000;
 
         /// <summary>What a report shows of a pose.</summary>
         /// <param name="number">Of the pose, from 0.</param>
-        /// <param name="subjects">What the run was traced from.</param>
+        /// <param name="loaded">What the run was traced from.</param>
         /// <exception cref="GlintException">It cannot be traced.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
-        public static ReportScene Of(StoredRun run, int number, SceneSubjects subjects, IProgressSink progress)
+        public static ReportScene Of(StoredRun run, int number, LoadedScene loaded, IProgressSink progress)
         {
             var plan = new SweepPlan(SweepAxis.All.Select(axis => (axis,
-                Only(axis == SweepAxis.Angle && subjects.Target == null ? null : run.Value(number, axis)))).ToArray());
-            var radar = subjects.Radar;
-            progress.Start(subjects.Name, 1);
+                Only(axis == SweepAxis.Angle && loaded.Target == null ? null : run.Value(number, axis)))).ToArray());
+            var radar = loaded.Radar;
+            progress.Start(loaded.Name, 1);
             try
             {
-                using (var sweep = new SweepRun(subjects.Sweep(plan)))
+                using (var sweep = new SweepRun(loaded.Sweep(plan)))
                 {
                     var scene = new ReportScene
                     {
@@ -34,8 +34,8 @@ namespace Glint.Editor
                     };
                     scene.Paths = Array.ConvertAll(
                         radar.TracePaths(Chosen(radar.ReceivedPixels()), null, progress.Cancel), path => path.Points());
-                    scene.Picture = radar.TracePicture(progress.Cancel);
-                    scene.ObjectName = NamesIn(radar, scene.Picture.Objects());
+                    scene.Preview = radar.TracePreview(progress.Cancel);
+                    scene.ObjectName = NamesIn(radar, scene.Preview.Objects());
                     progress.Advance(1, null);
                     return scene;
                 }
@@ -51,12 +51,12 @@ namespace Glint.Editor
 
         /// <summary>Opens what a run was traced from.</summary>
         /// <exception cref="GlintException">The scene or mesh file is not there any more.</exception>
-        public static SceneSubjects Open(StoredRun run) => SceneSubjects.Open(LineOf(run));
+        public static LoadedScene Open(StoredRun run) => LoadedScene.Open(LineOf(run));
 
         // Evenly over the picture.
         static uint[] Chosen(uint[] pixels)
         {
-            int count = Math.Min(pixels.Length, MostPaths);
+            int count = Math.Min(pixels.Length, MaxPaths);
             return Enumerable.Range(0, count).Select(i => pixels[(long)i * pixels.Length / count]).ToArray();
         }
 

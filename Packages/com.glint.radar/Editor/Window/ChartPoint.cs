@@ -3,14 +3,14 @@ namespace Glint.Editor
     /// <summary>A pose in a chart, by chart coordinates: x and y from 0 at the left and the bottom to 1.</summary>
     readonly struct ChartPoint
     {
-        public ChartPoint(PoseFigures pose, int row, (double, double) place,
-            (double, double) low, (double, double) high)
+        public ChartPoint(PoseFigures pose, int row, (double, double) position,
+            (double, double) lower, (double, double) upper)
         {
             Pose = pose;
             Row = row;
-            (X, Y) = place;
-            Low = low;
-            High = high;
+            (X, Y) = position;
+            Lower = lower;
+            Upper = upper;
         }
 
         public PoseFigures Pose { get; }
@@ -23,9 +23,9 @@ namespace Glint.Editor
         public double Y { get; }
 
         /// <summary>Ends of the band of the sampling error; the point itself where there is none.</summary>
-        public (double X, double Y) Low { get; }
+        public (double X, double Y) Lower { get; }
 
-        /// <inheritdoc cref="Low"/>
-        public (double X, double Y) High { get; }
+        /// <inheritdoc cref="Lower"/>
+        public (double X, double Y) Upper { get; }
     }
 }

@@ -11,39 +11,39 @@ namespace Glint.Editor
     /// </summary>
     sealed class ChartScale
     {
-        ChartScale(double low, double high, IEnumerable<double> ticks)
+        ChartScale(double min, double max, IEnumerable<double> ticks)
         {
-            Low = low;
-            High = high;
+            Min = min;
+            Max = max;
             Ticks = ticks.Select(tick => (Of(tick), Label(tick))).ToArray();
         }
 
-        public double Low { get; }
+        public double Min { get; }
 
-        public double High { get; }
+        public double Max { get; }
 
         /// <summary>Place and label.</summary>
-        public IReadOnlyList<(double Place, string Label)> Ticks { get; }
+        public IReadOnlyList<(double Position, string Label)> Ticks { get; }
 
         /// <summary>Place of a value.</summary>
-        public double Of(double value) => (value - Low) / (High - Low);
+        public double Of(double value) => (value - Min) / (Max - Min);
 
         /// <summary>Just from the lowest to the highest value, with some ticks between.</summary>
-        /// <param name="most">Ticks at most, about.</param>
-        public static ChartScale Over(double low, double high, int most = 8)
+        /// <param name="limit">Ticks at most, about.</param>
+        public static ChartScale Over(double min, double max, int limit = 8)
         {
-            Widen(ref low, ref high);
-            double step = Step(high - low, most);
-            return new ChartScale(low, high,
-                Multiples(Math.Ceiling(low / step - 1e-9), Math.Floor(high / step + 1e-9), step));
+            Widen(ref min, ref max);
+            double step = Step(max - min, limit);
+            return new ChartScale(min, max,
+                Multiples(Math.Ceiling(min / step - 1e-9), Math.Floor(max / step + 1e-9), step));
         }
 
         /// <summary>Beyond both values, to the next ticks.</summary>
-        public static ChartScale Around(double low, double high, int most = 6)
+        public static ChartScale Around(double min, double max, int limit = 6)
         {
-            Widen(ref low, ref high);
-            double step = Step(high - low, most), first = Math.Floor(low / step + 1e-9),
-                last = Math.Ceiling(high / step - 1e-9);
+            Widen(ref min, ref max);
+            double step = Step(max - min, limit), first = Math.Floor(min / step + 1e-9),
+                last = Math.Ceiling(max / step - 1e-9);
             return new ChartScale(first * step, last * step, Multiples(first, last, step));
         }
 
@@ -60,19 +60,19 @@ namespace Glint.Editor
         }
 
         // A single value, or values that differ by rounding only, stand in the middle.
-        static void Widen(ref double low, ref double high)
+        static void Widen(ref double min, ref double max)
         {
-            if (high - low > 1e-9 * Math.Max(Math.Abs(low), Math.Abs(high)))
+            if (max - min > 1e-9 * Math.Max(Math.Abs(min), Math.Abs(max)))
                 return;
-            double half = Math.Max(1, 0.5 * Math.Abs(low));
-            (low, high) = (low - half, high + half);
+            double half = Math.Max(1, 0.5 * Math.Abs(min));
+            (min, max) = (min - half, max + half);
         }
 
-        static double Step(double span, int most)
+        static double Step(double span, int max)
         {
-            double power = Math.Pow(10, Math.Floor(Math.Log10(span / most)));
+            double power = Math.Pow(10, Math.Floor(Math.Log10(span / max)));
             return new[] { 1.0, 2, 5, 10 }.Select(factor => factor * power)
-                .First(step => span / step <= most * (1 + 1e-9));
+                .First(step => span / step <= max * (1 + 1e-9));
         }
 
         static IEnumerable<double> Multiples(double first, double last, double step)

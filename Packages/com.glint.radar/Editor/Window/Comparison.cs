@@ -34,7 +34,7 @@ namespace Glint.Editor
         /// The differences, a line for each of amplitude, rays received and rays hit; or why there are none.
         /// </summary>
         /// <param name="rows">The run that is compared with this one.</param>
-        public string Words(IReadOnlyList<PoseFigures> rows)
+        public string Text(IReadOnlyList<PoseFigures> rows)
         {
             var pairs = Pairs(rows);
             if (pairs.Count == 0)
@@ -54,10 +54,10 @@ namespace Glint.Editor
                 return Array.Empty<(PoseFigures, PoseFigures)>();
             var common = SweepAxis.All
                 .Where(axis => rows.Any(row => row[axis].HasValue) && Rows.Any(row => row[axis].HasValue)).ToArray();
-            string Place(PoseFigures pose) =>
+            string PoseKey(PoseFigures pose) =>
                 string.Join(",", common.Select(axis => pose[axis].HasValue ? Numbers.Format(pose[axis].Value) : ""));
-            var theirs = Rows.GroupBy(Place).ToDictionary(group => group.Key, group => group.First());
-            return rows.Where(row => theirs.ContainsKey(Place(row))).Select(row => (row, theirs[Place(row)])).ToArray();
+            var theirs = Rows.GroupBy(PoseKey).ToDictionary(group => group.Key, group => group.First());
+            return rows.Where(row => theirs.ContainsKey(PoseKey(row))).Select(row => (row, theirs[PoseKey(row)])).ToArray();
         }
     }
 }

@@ -38,10 +38,10 @@ namespace Glint.Editor
         public static void Report(string folder, int pose, SweepForm form, string path, IProgressSink progress)
         {
             var run = StoredRun.Read(folder);
-            ReportCommand.Write(run, () => SceneCapture.Of(run, pose, Subjects(run, form), progress), path);
+            ReportCommand.Write(run, () => SceneCapture.Of(run, pose, OpenScene(run, form), progress), path);
         }
 
-        static SceneSubjects Subjects(StoredRun run, SweepForm form)
+        static LoadedScene OpenScene(StoredRun run, SweepForm form)
         {
             if (form.Radar == null || form.Radar.gameObject.scene.path != run.Info.ScenePath)
                 throw new GlintException("the scene of these results, "
@@ -50,7 +50,7 @@ namespace Glint.Editor
                 throw new GlintException($"the target of these results, '{run.Info.TargetName}', "
                     + "is not the one that is chosen");
             bool hasSnapshots = run.Count > 0 && run.Value(0, SweepAxis.Snapshot) != null;
-            return SceneSubjects.InOpenScene(form.Radar, run.Info.TargetName == null ? null : form.Target,
+            return LoadedScene.InOpenScene(form.Radar, run.Info.TargetName == null ? null : form.Target,
                 hasSnapshots ? SceneSearch.FindSea(run.Info.ScenePath) : null);
         }
 

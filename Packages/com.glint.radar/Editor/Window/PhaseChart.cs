@@ -11,10 +11,10 @@ namespace Glint.Editor
         public PhaseChart(PoseFigures pose)
         {
             var bins = pose?.PhaseHistogram ?? Array.Empty<int>();
-            int most = bins.Append(0).Max();
-            Y = ChartScale.Around(0, Math.Max(1, most), 4);
+            int largest = bins.Append(0).Max();
+            Y = ChartScale.Around(0, Math.Max(1, largest), 4);
             Heights = bins.Select(bin => Y.Of(bin)).ToArray();
-            Words = pose == null ? "No pose is chosen."
+            Text = pose == null ? "No pose is chosen."
                 : pose.PhaseHistogram == null ? $"{pose.Name}: the phases are not known."
                 : pose.RaysReceived == 0 ? $"{pose.Name}: no ray was received."
                 : FormattableString.Invariant(
@@ -31,6 +31,6 @@ namespace Glint.Editor
         public ChartScale X { get; } = ChartScale.Over(0, 360, 4);
 
         /// <summary>What it shows, in a sentence or two.</summary>
-        public string Words { get; }
+        public string Text { get; }
     }
 }

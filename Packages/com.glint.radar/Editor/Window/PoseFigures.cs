@@ -9,7 +9,7 @@ namespace Glint.Editor
     /// <summary>A pose in numbers, as charts and comparisons take it: traced just now, stored, or published.</summary>
     sealed class PoseFigures
     {
-        readonly double?[] _place = new double?[SweepAxis.All.Count];
+        readonly double?[] _values = new double?[SweepAxis.All.Count];
 
         PoseFigures()
         {
@@ -18,8 +18,8 @@ namespace Glint.Editor
         /// <summary>Of a row that was written or read.</summary>
         public PoseFigures(StoredRow row)
         {
-            for (int i = 0; i < _place.Length; i++)
-                _place[i] = row[SweepAxis.All[i].Column];
+            for (int i = 0; i < _values.Length; i++)
+                _values[i] = row[SweepAxis.All[i].Column];
             Amplitude = row["amplitude"].Value;
             Normalised = row["amplitude_normalised"].Value;
             SamplingError = row["sampling_error"] ?? 0;
@@ -38,7 +38,7 @@ namespace Glint.Editor
                 Amplitude = row.Amplitude, Normalised = row.Amplitude, RaysReceived = row.RaysReceived,
                 RaysHit = row.RaysHit
             };
-            figures._place[axis.Index] = row.Step;
+            figures._values[axis.Index] = row.Step;
             return figures;
         }
 
@@ -59,13 +59,13 @@ namespace Glint.Editor
         /// Where it stands on an axis, in its unit; null where the axis was left alone.
         /// Of a stored row the angle is 0 then.
         /// </summary>
-        public double? this[SweepAxis axis] => _place[axis.Index];
+        public double? this[SweepAxis axis] => _values[axis.Index];
 
         /// <summary>"15 deg", "snapshot 3, 15 deg"; "the pose" where nothing was moved.</summary>
-        public string Name => new SweepPose(_place).ToString() is var words && words.Length > 0 ? words : "the pose";
+        public string Name => new SweepPose(_values).ToString() is var text && text.Length > 0 ? text : "the pose";
 
         /// <summary>The pose and its figures, in a line.</summary>
-        public string Words()
+        public string Text()
         {
             string level = Signal.Decibels(Normalised) is double decibels
                 ? FormattableString.Invariant($" ({decibels:0.##} dB)")

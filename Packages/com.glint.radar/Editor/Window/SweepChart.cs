@@ -14,7 +14,7 @@ namespace Glint.Editor
     sealed class SweepChart
     {
         /// <summary>Lines at most.</summary>
-        public const int MostSeries = 12;
+        public const int MaxSeries = 12;
 
         // What is farther below the strongest is drawn at the foot.
         const double DeepestDb = 100;
@@ -38,8 +38,8 @@ namespace Glint.Editor
             var groups = Groups(rows, null)
                 .Concat(compared == null ? Enumerable.Empty<Group>() : Groups(compared.Rows, compared.Title)).ToArray();
             // The run laid over comes last and is wanted most.
-            var shown = groups.Where(group => group.IsCompared).Take(MostSeries / 2).ToArray();
-            shown = groups.Where(group => !group.IsCompared).Take(MostSeries - shown.Length).Concat(shown).ToArray();
+            var shown = groups.Where(group => group.IsCompared).Take(MaxSeries / 2).ToArray();
+            shown = groups.Where(group => !group.IsCompared).Take(MaxSeries - shown.Length).Concat(shown).ToArray();
             LeftOut = groups.Length - shown.Length;
             var poses = shown.SelectMany(group => group.Poses.Select(pose => pose.Pose)).ToArray();
             X = IsPolar ? ChartScale.Turn()
@@ -84,14 +84,14 @@ namespace Glint.Editor
         public (ChartSeries Series, ChartPoint Point)? Nearest(double x, double y, double aspect)
         {
             (ChartSeries, ChartPoint)? nearest = null;
-            double least = double.PositiveInfinity;
+            double min = double.PositiveInfinity;
             foreach (var series in Series)
                 foreach (var point in series.Runs.SelectMany(run => run))
                 {
                     double across = (point.X - x) * aspect, up = point.Y - y, distance = across * across + up * up;
-                    if (distance >= least)
+                    if (distance >= min)
                         continue;
-                    least = distance;
+                    min = distance;
                     nearest = (series, point);
                 }
             return nearest;
@@ -128,13 +128,13 @@ namespace Glint.Editor
         {
             if (!_inDecibels)
                 return ChartScale.Around(0, poses.Select(pose => _quantity.Of(pose) + _quantity.ErrorOf(pose)).Append(0)
-                    .Max() is var most && most > 0 ? most : 1);
+                    .Max() is var max && max > 0 ? max : 1);
             var levels = poses.Select(pose => Level(_quantity.Of(pose))).Where(level => level.HasValue)
                 .Select(level => level.Value).ToArray();
             if (levels.Length == 0)
                 return ChartScale.Around(-20, 0);
-            double high = levels.Max();
-            return ChartScale.Around(Math.Max(levels.Min(), high - DeepestDb), high);
+            double height = levels.Max();
+            return ChartScale.Around(Math.Max(levels.Min(), height - DeepestDb), height);
         }
 
         ChartSeries Line(Group group)
@@ -152,13 +152,13 @@ namespace Glint.Editor
                 if (isBroken)
                     runs.Add(new List<ChartPoint>());
                 isBroken = false;
-                runs[runs.Count - 1].Add(new ChartPoint(pose, row, Place(pose, height),
-                    Place(pose, Height(value - error) ?? 0), Place(pose, Height(value + error) ?? height)));
+                runs[runs.Count - 1].Add(new ChartPoint(pose, row, PositionOf(pose, height),
+                    PositionOf(pose, Height(value - error) ?? 0), PositionOf(pose, Height(value + error) ?? height)));
             }
             return new ChartSeries(group.Name, group.IsCompared, runs);
         }
 
-        (double, double) Place(PoseFigures pose, double height)
+        (double, double) PositionOf(PoseFigures pose, double height)
         {
             if (!IsPolar)
                 return (X.Of(At(pose)), height);

@@ -123,7 +123,7 @@ namespace Glint.Editor
 
         /// <summary>The folder, and whether a sweep that is not finished is in it; or what is wrong with it.</summary>
         /// <param name="isRunning">Whether the sweep in it is this one, at work.</param>
-        public string FolderWords(bool isRunning)
+        public string FolderText(bool isRunning)
         {
             try
             {
@@ -152,7 +152,7 @@ namespace Glint.Editor
             var line = Line();
             var setup = new SweepSetup(Radar, Batch.PlanOf(line))
             {
-                Scene = ScenePath, Command = string.IsNullOrEmpty(ScenePath) ? null : Batch.WordsOf(line)
+                Scene = ScenePath, Command = string.IsNullOrEmpty(ScenePath) ? null : Batch.ArgumentsOf(line)
             };
             if (line.IsGiven(Options.Target))
                 setup.Target = Target;
@@ -178,7 +178,7 @@ namespace Glint.Editor
                 words.Add($"{OptionOf(axis).Flag}={this[axis].Trim()}");
             if (Target != null && Options.Target.Needs.Any(
                 option => words.Any(word => word.StartsWith(option.Flag + "=", StringComparison.Ordinal))))
-                words.Add($"{Options.Target.Flag}={SceneSubjects.PathOf(Target)}");
+                words.Add($"{Options.Target.Flag}={LoadedScene.PathOf(Target)}");
             words.Add("--");
             words.Add(string.IsNullOrEmpty(ScenePath) ? "Untitled.unity" : ScenePath);
             return CommandLine.Parse(Commands.Sweep, words);

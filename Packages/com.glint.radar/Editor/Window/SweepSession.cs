@@ -36,7 +36,7 @@ namespace Glint.Editor
             FolderPath = folder;
             try
             {
-                SceneSubjects.LaySeas();
+                LoadedScene.RebuildSeas();
                 // How a scene is divided depends on what was seen to move.
                 // Nothing of what was traced before is to show in the rows, which are those of the command.
                 _radar.Release();
@@ -90,7 +90,7 @@ namespace Glint.Editor
         public bool Looks { get; set; }
 
         /// <summary>The radar's view of the last pose that it was traced of; null for none.</summary>
-        public RadarSight Sight { get; private set; }
+        public RadarPreview Preview { get; private set; }
 
         /// <summary>Where the files are; null for a single pose.</summary>
         public string FolderPath { get; }
@@ -131,7 +131,7 @@ namespace Glint.Editor
                 Done = _run.Done;
                 _rows.Add(new PoseFigures(new StoredRow(row)));
                 if (Looks)
-                    Sight = RadarSight.Of(_radar, _cancel.Token);
+                    Preview = RadarPreview.Of(_radar, _cancel.Token);
                 if (_run.IsComplete)
                     End(null);
                 else if (_cancel.IsCancellationRequested)

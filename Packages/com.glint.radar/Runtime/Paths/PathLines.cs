@@ -26,21 +26,21 @@ namespace Glint
         // Of the size of all points: what is drawn of a ray that leaves, and half a cross.
         const double LeavingPart = 0.05, CrossPart = 0.003;
 
-        readonly List<Vector3> _places = new List<Vector3>();
+        readonly List<Vector3> _positions = new List<Vector3>();
         readonly List<Color32> _colours = new List<Color32>();
-        readonly double3 _middle;
+        readonly double3 _centre;
         readonly double _size;
 
         /// <param name="view">The radar's, for the receiver's outline.</param>
         /// <param name="hitPoints">Draw a cross at each point of reflection.</param>
         public PathLines(in RadarView view, IReadOnlyList<RayPath> paths, bool hitPoints)
         {
-            double3 low = view.ReceiverCentre, high = low;
+            double3 boxMin = view.ReceiverCentre, boxMax = boxMin;
             foreach (var path in paths)
                 foreach (var hit in path.Hits)
-                    (low, high) = (math.min(low, hit.Place), math.max(high, hit.Place));
-            _middle = (low + high) / 2;
-            _size = math.length(high - low);
+                    (boxMin, boxMax) = (math.min(boxMin, hit.Position), math.max(boxMax, hit.Position));
+            _centre = (boxMin + boxMax) / 2;
+            _size = math.length(boxMax - boxMin);
             AddReceiver(view);
             foreach (var path in paths)
                 Add(path, hitPoints);
@@ -51,13 +51,13 @@ namespace Glint
         public double3 WriteTo(Mesh mesh)
         {
             mesh.Clear();
-            mesh.SetVertices(_places);
+            mesh.SetVertices(_positions);
             mesh.SetColors(_colours);
-            var indices = new int[_places.Count];
+            var indices = new int[_positions.Count];
             for (int i = 0; i < indices.Length; i++)
                 indices[i] = i;
             mesh.SetIndices(indices, MeshTopology.Lines, 0);
-            return _middle;
+            return _centre;
         }
 
         void Add(in RayPath path, bool hitPoints)
@@ -65,7 +65,7 @@ namespace Glint
             double3 from = path.Start;
             for (int i = 0; i < path.Hits.Length; i++)
             {
-                double3 to = path.Hits[i].Place;
+                double3 to = path.Hits[i].Position;
                 Add(from, to, Colour(i));
                 if (hitPoints)
                     AddCross(to);
@@ -86,20 +86,20 @@ namespace Glint
             Add(centre - right + up, centre - right - up, White);
         }
 
-        void AddCross(double3 place)
+        void AddCross(double3 position)
         {
             double half = CrossPart * _size;
-            Add(place - new double3(half, 0, 0), place + new double3(half, 0, 0), White);
-            Add(place - new double3(0, half, 0), place + new double3(0, half, 0), White);
-            Add(place - new double3(0, 0, half), place + new double3(0, 0, half), White);
+            Add(position - new double3(half, 0, 0), position + new double3(half, 0, 0), White);
+            Add(position - new double3(0, half, 0), position + new double3(0, half, 0), White);
+            Add(position - new double3(0, 0, half), position + new double3(0, 0, half), White);
         }
 
         static Color32 Colour(int segment) => SegmentColours[segment % SegmentColours.Length];
 
         void Add(double3 from, double3 to, Color32 colour)
         {
-            _places.Add((float3)(from - _middle));
-            _places.Add((float3)(to - _middle));
+            _positions.Add((float3)(from - _centre));
+            _positions.Add((float3)(to - _centre));
             _colours.Add(colour);
             _colours.Add(colour);
         }

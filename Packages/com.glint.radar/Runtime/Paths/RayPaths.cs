@@ -19,7 +19,7 @@ namespace Glint
     public sealed class RayPaths : MonoBehaviour
     {
         /// <summary>Rays that are followed at most; of more, so many are taken evenly.</summary>
-        public const int MostRays = 100000;
+        public const int MaxRays = 100000;
 
         [SerializeField, Tooltip("Only rays that reach the receiver. Otherwise rays from all over the picture.")]
         bool _receivedOnly = true;
@@ -45,7 +45,7 @@ namespace Glint
         RadarPose _pose;
         Mesh _lines;
         Material _material;
-        double3 _middle;
+        double3 _centre;
         (bool, int, Transform) _tracedFor;
         bool _isTraced, _isBuilt, _isSeen;
 
@@ -56,10 +56,10 @@ namespace Glint
         public int Every { get => _every; set => _every = value; }
 
         /// <summary>Only rays with as many bounces or more.</summary>
-        public int FewestBounces { get => _fewestBounces; set => (_fewestBounces, _isBuilt) = (value, false); }
+        public int MinBounces { get => _fewestBounces; set => (_fewestBounces, _isBuilt) = (value, false); }
 
         /// <summary>Only rays with as many bounces or fewer.</summary>
-        public int MostBounces { get => _mostBounces; set => (_mostBounces, _isBuilt) = (value, false); }
+        public int MaxBounces { get => _mostBounces; set => (_mostBounces, _isBuilt) = (value, false); }
 
         /// <summary>Only rays that meet this object or one below it; null: any.</summary>
         public Transform Meeting { get => _meeting; set => _meeting = value; }
@@ -70,7 +70,7 @@ namespace Glint
         /// <summary>Rays drawn.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Rays asked for and not followed, as there are more than <see cref="MostRays"/>.</summary>
+        /// <summary>Rays asked for and not followed, as there are more than <see cref="MaxRays"/>.</summary>
         public int LeftOut { get; private set; }
 
         /// <summary>
@@ -135,11 +135,11 @@ namespace Glint
             _isSeen = true;
             if (Prepare() == null)
                 return;
-            double3 place = _pose.Scene.Origin + _middle;
+            double3 position = _pose.Scene.Origin + _centre;
             Graphics.RenderMesh(new RenderParams(Lit())
             {
-                camera = camera, layer = gameObject.layer, worldBounds = new Bounds((float3)place, _lines.bounds.size)
-            }, _lines, 0, Matrix4x4.Translate((float3)place));
+                camera = camera, layer = gameObject.layer, worldBounds = new Bounds((float3)position, _lines.bounds.size)
+            }, _lines, 0, Matrix4x4.Translate((float3)position));
         }
 
         // The lines; null if there are none, and if the radar cannot be traced, which is said once:
@@ -184,13 +184,13 @@ namespace Glint
         uint[] Chosen(uint[] pixels)
         {
             long all = (pixels?.Length ?? _pose.Settings.RayCount) / math.max(1, _every),
-                count = math.min(all, MostRays);
+                count = math.min(all, MaxRays);
             LeftOut = (int)math.min(int.MaxValue, all - count);
             var chosen = new uint[count];
             for (long i = 0; i < count; i++)
             {
-                long place = i * all / count * math.max(1, _every);
-                chosen[i] = pixels?[place] ?? (uint)place;
+                long index = i * all / count * math.max(1, _every);
+                chosen[i] = pixels?[index] ?? (uint)index;
             }
             return chosen;
         }
@@ -207,7 +207,7 @@ namespace Glint
                 };
             var shown = Array.FindAll(_paths, IsShown);
             Count = shown.Length;
-            _middle = new PathLines(_pose.View, shown, _hitPoints).WriteTo(_lines);
+            _centre = new PathLines(_pose.View, shown, _hitPoints).WriteTo(_lines);
         }
 
         bool IsMeant(RayPath path) =>

@@ -28,12 +28,12 @@ namespace Glint
 
         public void Add(ulong bits) => _a = Mix(_a, bits);
 
-        public void Add(in Affine place)
+        public void Add(in Affine transform)
         {
-            Add(place.X);
-            Add(place.Y);
-            Add(place.Z);
-            Add(place.Origin);
+            Add(transform.X);
+            Add(transform.Y);
+            Add(transform.Z);
+            Add(transform.Origin);
         }
 
         public void Add(List<Vector3> points)
@@ -107,7 +107,7 @@ namespace Glint
             return new ContentHash { _a = a, _b = b, _c = c, _d = d }.Value;
         }
 
-        static ulong Pair(uint low, uint high) => low | (ulong)high << 32;
+        static ulong Pair(uint lower, uint upper) => lower | (ulong)upper << 32;
 
         // One to one in each argument when the other is held: what differs once stays different.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

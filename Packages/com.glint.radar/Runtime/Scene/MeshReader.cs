@@ -30,19 +30,19 @@ namespace Glint
         }
 
         /// <summary>The box around all vertices; not a number when one of them is none.</summary>
-        public void Measure(Mesh mesh, out float3 low, out float3 high)
+        public void Measure(Mesh mesh, out float3 boxMin, out float3 boxMax)
         {
             mesh.GetVertices(_vertices);
-            (low, high) = (float.PositiveInfinity, float.NegativeInfinity);
+            (boxMin, boxMax) = (float.PositiveInfinity, float.NegativeInfinity);
             bool isFinite = true;
             foreach (float3 vertex in _vertices)
             {
-                low = math.min(low, vertex);
-                high = math.max(high, vertex);
+                boxMin = math.min(boxMin, vertex);
+                boxMax = math.max(boxMax, vertex);
                 isFinite &= math.all(math.isfinite(vertex));
             }
             if (!isFinite)
-                (low, high) = (float.NaN, float.NaN);
+                (boxMin, boxMax) = (float.NaN, float.NaN);
         }
 
         /// <summary>Counts a mesh's triangles.</summary>
@@ -73,33 +73,33 @@ namespace Glint
 
         /// <summary>Refuses a place where a vertex lies beyond what float32 can hold to a metre.</summary>
         /// <exception cref="GlintException">There is one; the message names it.</exception>
-        public void CheckPlace(Mesh mesh, in Affine toScene, Renderer owner)
+        public void CheckTransform(Mesh mesh, in Affine toScene, Renderer owner)
         {
             mesh.GetVertices(_vertices);
             for (int i = 0; i < _vertices.Count; i++)
             {
-                double3 place = toScene.Point((float3)_vertices[i]);
-                if (math.all(math.abs(place) <= TriangleMesh.LargestCoordinate))
+                double3 inScene = toScene.Point((float3)_vertices[i]);
+                if (math.all(math.abs(inScene) <= TriangleMesh.LargestCoordinate))
                     continue;
-                var position = (float3)place;
+                var position = (float3)inScene;
                 throw new GlintException(FormattableString.Invariant(
                     $"{Subject(mesh, owner)}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the scene, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: mend the mesh, or the position, rotation or scale of the object or of one above it"));
             }
         }
 
         /// <summary>Writes a mesh's triangles behind those that are there.</summary>
-        /// <param name="place">
+        /// <param name="transform">
         /// From the mesh's coordinates to those of the vertices written; computed in double, then rounded.
         /// </param>
         /// <param name="vertexCount">Vertices there; moved on.</param>
         /// <param name="indexCount">Indices there; moved on.</param>
-        public void Append(Mesh mesh, in Affine place, float3[] vertices, ref int vertexCount,
+        public void Append(Mesh mesh, in Affine transform, float3[] vertices, ref int vertexCount,
             int[] indices, ref int indexCount)
         {
             int first = vertexCount;
             mesh.GetVertices(_vertices);
             foreach (float3 vertex in _vertices)
-                vertices[vertexCount++] = (float3)place.Point(vertex);
+                vertices[vertexCount++] = (float3)transform.Point(vertex);
             for (int submesh = 0; submesh < mesh.subMeshCount; submesh++)
             {
                 mesh.GetIndices(_indices, submesh);

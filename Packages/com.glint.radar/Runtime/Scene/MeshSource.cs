@@ -12,7 +12,7 @@ namespace Glint
         // All vertices are far from the mesh's origin when their middle lies beyond so many halves of their box.
         const double FarInHalves = 3;
 
-        bool _isKnown, _isPlaced;
+        bool _isKnown, _hasFrame;
         TriangleMesh _triangles;
         VertexFrame _frame;
 
@@ -41,15 +41,15 @@ namespace Glint
         /// <exception cref="GlintException">The mesh cannot be traced.</exception>
         public void Update(Mesh mesh, MeshReader reader, Renderer owner)
         {
-            (Mesh, ObjectCount, _isPlaced) = (mesh, 0, false);
+            (Mesh, ObjectCount, _hasFrame) = (mesh, 0, false);
             ulong hash = reader.Hash(mesh);
             if (_isKnown && hash == Hash)
                 return;
 
             TriangleCount = reader.CountTriangles(mesh, owner);
             VertexCount = mesh.vertexCount;
-            reader.Measure(mesh, out var low, out var high);
-            (Half, Centre) = (((double3)high - low) / 2, ((double3)high + low) / 2);
+            reader.Measure(mesh, out var boxMin, out var boxMax);
+            (Half, Centre) = (((double3)boxMax - boxMin) / 2, ((double3)boxMax + boxMin) / 2);
             Version += _isKnown ? 1 : 0;
             (Hash, _isKnown, _triangles) = (hash, true, null);
         }
@@ -60,13 +60,13 @@ namespace Glint
         /// <summary>Refuses a place where a vertex lies too far from the scene's origin.</summary>
         /// <param name="owner">Has the mesh, for the message.</param>
         /// <exception cref="GlintException">There is one; the message names it.</exception>
-        public void CheckPlace(in Affine toScene, MeshReader reader, Renderer owner)
+        public void CheckTransform(in Affine toScene, MeshReader reader, Renderer owner)
         {
             if (VertexCount == 0)
                 return;
             Bound(toScene, out var centre, out var half);
             if (!math.all(math.abs(centre) + half <= TriangleMesh.LargestCoordinate))
-                reader.CheckPlace(Mesh, toScene, owner);
+                reader.CheckTransform(Mesh, toScene, owner);
         }
 
         /// <summary>A box that holds the vertices after a transform.</summary>
@@ -77,11 +77,11 @@ namespace Glint
         }
 
         /// <summary>The mesh at a place, with its own vertices.</summary>
-        public MeshInstance Place(in Affine toScene, MeshReader reader)
+        public MeshInstance MakeInstance(in Affine toScene, MeshReader reader)
         {
             // The first place in a gather says how large a unit of the mesh is.
-            double unit = _isPlaced ? _frame.Unit : Shape.Unit(toScene);
-            _isPlaced = true;
+            double unit = _hasFrame ? _frame.Unit : TransformMath.Unit(toScene);
+            _hasFrame = true;
             if (_triangles == null || unit != _frame.Unit)
                 Build(reader, unit);
             return new MeshInstance { Mesh = _triangles, ToWorld = toScene * _frame.Back };

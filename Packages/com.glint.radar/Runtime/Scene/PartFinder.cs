@@ -6,7 +6,7 @@ namespace Glint
 {
     /// <summary>
     /// Finds which of the parts of a merged mesh a triangle comes from, by its corners:
-    /// the trees do not keep triangles' numbers.
+    /// the BVHs do not keep triangles' numbers.
     /// </summary>
     sealed class PartFinder
     {
@@ -27,7 +27,7 @@ namespace Glint
         /// <summary>The part; -1 if there is no such triangle.</summary>
         public int PartOf(float3 a, float3 b, float3 c) => _parts.TryGetValue(Key(a, b, c), out int part) ? part : -1;
 
-        // The corners in an order of their own, as a tree may begin with any of them. A zero has no sign.
+        // The corners in an order of their own, as a BVH may begin with any of them. A zero has no sign.
         static (float3, float3, float3) Key(float3 a, float3 b, float3 c)
         {
             a += 0f;

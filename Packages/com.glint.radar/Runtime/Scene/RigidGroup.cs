@@ -28,14 +28,14 @@ namespace Glint
         public void Add(TransformNode node) => _common = _common == null ? node : TransformNode.Common(_common, node);
 
         /// <summary>Chooses the frame, when all objects are there and transforms are composed.</summary>
-        public void Settle()
+        public void ChooseFrame()
         {
             // A frame that squeezes is none; the scene's own always is one.
             for (_frame = _common; _frame.IsInScene && _frame.Parent != null; _frame = _frame.Parent)
             {
                 ToScene = _frame.FrameToScene();
-                Unit = Shape.Unit(ToScene);
-                if (Shape.Evenness(ToScene) >= (_frame.Moves ? Shape.LeastEvenness : Shape.EvenEnough))
+                Unit = TransformMath.Unit(ToScene);
+                if (TransformMath.Conditioning(ToScene) >= (_frame.Moves ? TransformMath.MinConditioning : TransformMath.GoodConditioning))
                     return;
             }
             (_frame, ToScene, Unit) = (null, Affine.Identity, 1);

@@ -64,8 +64,8 @@ namespace Glint
             transform.GetLocalPositionAndRotation(out var position, out var rotation);
             var scale = transform.localScale;
             // Compared bit by bit: == of Unity's vectors takes near values for equal.
-            bool stands = position.Equals(_position) && rotation.Equals(_rotation) && scale.Equals(_scale);
-            Moves |= moves || Parent == parent && !stands;
+            bool isUnmoved = position.Equals(_position) && rotation.Equals(_rotation) && scale.Equals(_scale);
+            Moves |= moves || Parent == parent && !isUnmoved;
             Mover = Moves ? this : parent.Mover;
             (Parent, _position, _rotation, _scale) = (parent, position, rotation, scale);
             _depth = parent._depth + 1;
@@ -132,25 +132,25 @@ namespace Glint
         /// Where it stands in the scene; the columns are its right, up and forward as Unity has them:
         /// unit vectors, whatever scales are above, as rotations are multiplied.
         /// </summary>
-        public Affine Stand()
+        public Affine Pose()
         {
-            var turn = Turn();
+            var rotation = Rotation();
             for (var above = Parent; above.Parent != null; above = above.Parent)
-                turn = above.Turn() * Mirrored(turn, above._scale);
-            turn.Origin = ToScene.Origin;
-            return turn;
+                rotation = above.Rotation() * Mirrored(rotation, above._scale);
+            rotation.Origin = ToScene.Origin;
+            return rotation;
         }
 
-        Affine Turn() => Local(0, 1);
+        Affine Rotation() => Local(0, 1);
 
         Affine Local(double3 position, double3 scale) =>
             Affine.FromTransform(position, new double4(_rotation.x, _rotation.y, _rotation.z, _rotation.w), scale);
 
         // Below a mirrored transform a rotation is mirrored too: of its scale the signs take part.
-        static Affine Mirrored(in Affine turn, Vector3 scale)
+        static Affine Mirrored(in Affine rotation, Vector3 scale)
         {
             var signs = new double3(scale.x < 0 ? -1 : 1, scale.y < 0 ? -1 : 1, scale.z < 0 ? -1 : 1);
-            return Scaled(signs) * turn * Scaled(signs);
+            return Scaled(signs) * rotation * Scaled(signs);
         }
 
         static Affine Scaled(double3 scale) => new Affine

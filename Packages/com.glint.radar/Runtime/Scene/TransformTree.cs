@@ -8,7 +8,7 @@ namespace Glint
     /// </summary>
     sealed class TransformTree
     {
-        readonly Kept<Transform, TransformNode> _nodes = new Kept<Transform, TransformNode>();
+        readonly FrameCache<Transform, TransformNode> _nodes = new FrameCache<Transform, TransformNode>();
         readonly HashSet<Transform> _expected = new HashSet<Transform>();
         readonly List<TransformNode> _visited = new List<TransformNode>();
 

@@ -21,7 +21,7 @@ namespace Glint
         {
             Unit = unit;
             // On a grid as coarse as the box: coordinates on a grid of a power of two, 1/16 m say, stay on it.
-            double step = Shape.PowerOfTwoBelow(math.cmax(half));
+            double step = TransformMath.PowerOfTwoBelow(math.cmax(half));
             Origin = step > 0 ? step * math.round(centre / step) : centre;
         }
 

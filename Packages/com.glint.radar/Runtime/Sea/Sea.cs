@@ -49,10 +49,10 @@ namespace Glint
         readonly SeaTiles _tiles = new SeaTiles();
         SeaSurface _surface;
         Mesh _made;
-        Vector3 _middle;
+        Vector3 _localCentre;
         bool _isStale;
 
-        /// <summary>Stored moments, in order. Call <see cref="Lay"/> after a change.</summary>
+        /// <summary>Stored moments, in order. Call <see cref="Rebuild"/> after a change.</summary>
         public List<SeaSnapshot> Snapshots => _snapshots;
 
         /// <summary>Which snapshot is shown, from 1; setting it shows it at once.</summary>
@@ -92,10 +92,10 @@ namespace Glint
             }
         }
 
-        /// <summary>Metres along X and Z that are covered at least. Call <see cref="Lay"/> after a change.</summary>
+        /// <summary>Metres along X and Z that are covered at least. Call <see cref="Rebuild"/> after a change.</summary>
         public Vector2 Extent { get => _extent; set => _extent = value; }
 
-        /// <summary>What stays in the middle; null: this object. Call <see cref="Lay"/> after a change.</summary>
+        /// <summary>What stays in the middle; null: this object. Call <see cref="Rebuild"/> after a change.</summary>
         public Transform Centre { get => _centre; set => _centre = value; }
 
         /// <summary>What happens while the scene plays.</summary>
@@ -112,11 +112,11 @@ namespace Glint
                 FormattableString.Invariant($"{Subject}: {value} seconds a snapshot: must be above 0"));
         }
 
-        /// <summary>What it looks like. Call <see cref="Lay"/> after a change.</summary>
+        /// <summary>What it looks like. Call <see cref="Rebuild"/> after a change.</summary>
         internal Material Material { set => _material = value; }
 
         /// <summary>The snapshot that is shown; null when there is none of that number.</summary>
-        internal SeaSnapshot ShownSnapshot =>
+        internal SeaSnapshot CurrentSnapshot =>
             _snapshot >= 1 && _snapshot <= _snapshots.Count ? _snapshots[_snapshot - 1] : null;
 
         /// <summary>Tiles that are shown.</summary>
@@ -126,13 +126,13 @@ namespace Glint
 
         /// <summary>Lays the tiles as everything stands now.</summary>
         /// <exception cref="GlintException">A setting is out of its range, or a snapshot is missing.</exception>
-        public void Lay()
+        public void Rebuild()
         {
             _isStale = false;
-            _middle = Middle(); // before what may be refused: it is said once, until the middle or a setting changes
+            _localCentre = LocalCentre(); // before what may be refused: it is said once, until the middle or a setting changes
             Check();
             var tile = Tile(out double size);
-            _tiles.Lay(transform, tile, _material, size, _extent, _middle, Subject);
+            _tiles.Rebuild(transform, tile, _material, size, _extent, _localCentre, Subject);
         }
 
         /// <summary>Refuses what cannot be shown.</summary>
@@ -180,12 +180,12 @@ namespace Glint
             return _made;
         }
 
-        Vector3 Middle() => _centre == null ? Vector3.zero : transform.InverseTransformPoint(_centre.position);
+        Vector3 LocalCentre() => _centre == null ? Vector3.zero : transform.InverseTransformPoint(_centre.position);
 
         void Show()
         {
             if (isActiveAndEnabled)
-                Lay();
+                Rebuild();
         }
 
         void OnEnable() => Attempt();
@@ -197,7 +197,7 @@ namespace Glint
         {
             if (Application.isPlaying)
                 Move();
-            if (_isStale || Middle() != _middle)
+            if (_isStale || LocalCentre() != _localCentre)
                 Attempt();
         }
 
@@ -217,7 +217,7 @@ namespace Glint
         {
             try
             {
-                Lay();
+                Rebuild();
             }
             catch (GlintException problem)
             {

@@ -9,7 +9,7 @@ namespace Glint
     /// <summary>The tiles of a sea: objects with one mesh, side by side.</summary>
     sealed class SeaTiles
     {
-        const int MostTiles = 100_000;
+        const int MaxTiles = 100_000;
 
         // Seen in the Hierarchy and traced, but not saved and not to be edited: the sea makes them anew.
         const HideFlags Made = HideFlags.DontSaveInEditor | HideFlags.DontSaveInBuild | HideFlags.NotEditable;
@@ -25,28 +25,28 @@ namespace Glint
         /// <param name="parent">Has the tiles as children.</param>
         /// <param name="size">Side of the tile in metres.</param>
         /// <param name="extent">Metres along the parent's X and Z to cover at least.</param>
-        /// <param name="middle">
+        /// <param name="centre">
         /// Where the extent's middle should be, in the parent's coordinates; it is met within half a tile.
         /// </param>
         /// <param name="subject">Whose sea it is, for messages.</param>
         /// <exception cref="GlintException">The extent takes too many tiles, or none.</exception>
-        public void Lay(Transform parent, Mesh mesh, Material material, double size, Vector2 extent,
-            Vector3 middle, string subject)
+        public void Rebuild(Transform parent, Mesh mesh, Material material, double size, Vector2 extent,
+            Vector3 centre, string subject)
         {
             int across = Count(extent.x, size, subject), along = Count(extent.y, size, subject);
-            if ((long)across * along > MostTiles)
+            if ((long)across * along > MaxTiles)
                 throw new GlintException(FormattableString.Invariant(
-                    $"{subject}: an extent of {extent.x} x {extent.y} m takes {(long)across * along} tiles of {size} m, and {MostTiles} is the limit: take larger tiles or a smaller extent"));
+                    $"{subject}: an extent of {extent.x} x {extent.y} m takes {(long)across * along} tiles of {size} m, and {MaxTiles} is the limit: take larger tiles or a smaller extent"));
             Find(parent);
             // By whole tiles: the waves stay where they are.
-            var whole = new Vector3((float)(size * Math.Round(middle.x / size)), 0,
-                (float)(size * Math.Round(middle.z / size)));
+            var whole = new Vector3((float)(size * Math.Round(centre.x / size)), 0,
+                (float)(size * Math.Round(centre.z / size)));
             for (int i = 0; i < across * along; i++)
             {
                 if (i == _tiles.Count)
                     _tiles.Add(MakeTile(parent));
                 var tile = _tiles[i];
-                tile.transform.localPosition = Place(i % across, i / across, new int2(across, along), size) + whole;
+                tile.transform.localPosition = PositionOf(i % across, i / across, new int2(across, along), size) + whole;
                 if (tile.sharedMesh != mesh)
                     tile.sharedMesh = mesh;
                 var renderer = tile.GetComponent<MeshRenderer>();
@@ -58,7 +58,7 @@ namespace Glint
         }
 
         /// <summary>Where a tile stands when so many are laid about the origin.</summary>
-        public static Vector3 Place(int x, int z, int2 tiles, double size) =>
+        public static Vector3 PositionOf(int x, int z, int2 tiles, double size) =>
             new Vector3((float)(size * (x - (tiles.x - 1) / 2.0)), 0, (float)(size * (z - (tiles.y - 1) / 2.0)));
 
         /// <summary>

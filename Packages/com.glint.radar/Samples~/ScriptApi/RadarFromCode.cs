@@ -69,7 +69,7 @@ namespace Glint.Samples
             foreach (var ray in result.Rays)
                 Debug.DrawLine(radar.transform.position, ray.LastHit, Color.green, 10);
             if (result.Rays.Length > 0)
-                Debug.Log($"the first: {result.Rays[0].ExactPathLength:0.000} m, {result.Rays[0].Bounces} bounces, "
+                Debug.Log($"the first: {result.Rays[0].RefinedPathLength:0.000} m, {result.Rays[0].Bounces} bounces, "
                     + $"phase {result.Rays[0].Phase:0.00} rad");
         }
 

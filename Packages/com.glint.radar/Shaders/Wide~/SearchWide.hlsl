@@ -1,8 +1,8 @@
-#ifndef GLINT_SEARCH_WIDE
-#define GLINT_SEARCH_WIDE
+#ifndef GLINT_TRAVERSE_WIDE
+#define GLINT_TRAVERSE_WIDE
 
 #include "../Leaf.hlsl"
-#include "../BinaryTree.hlsl"
+#include "../BinaryBvh.hlsl"
 
 // The stack: one word for each node with children that wait, so for 14 inner levels (WideCollapse.MaxLevels in C#) and
 // three starts that wait at most 16. Upper 20 bits: record of the node's first child;
@@ -65,13 +65,13 @@ float4 Planes(uint bytes, float step, float at)
 
 // Distances are compared by their bits: whole numbers order as the positive floats do,
 // and a negative one needs only its sign.
-uint4 ChildKeys(uint4 a, uint4 b, uint4 c, SearchRay ray, float reach)
+uint4 ChildKeys(uint4 a, uint4 b, uint4 c, TraversalRay ray, float reach)
 {
     uint3 exponents = uint3(a.w << 23, a.w << 15, a.w << 7) & 0x7f800000;
     float3 at = (asfloat(a.xyz) - ray.Origin) * ray.Inverse, enterAt = at, leaveAt = at;
-#ifdef GLINT_EXACT
-    enterAt -= ray.Slack * abs(ray.Inverse);
-    leaveAt += ray.Slack * abs(ray.Inverse);
+#ifdef GLINT_REFINE
+    enterAt -= ray.PositionError * abs(ray.Inverse);
+    leaveAt += ray.PositionError * abs(ray.Inverse);
 #endif
     float3 step = asfloat(exponents) * ray.Inverse;
     bool3 backwards = ray.Inverse < 0.0;
@@ -104,49 +104,49 @@ uint4 Sorted(uint4 k)
 }
 
 // The root as the only child of a stack's word.
-static const uint4 FROM_ROOT = uint4(8, DONE, DONE, DONE);
+static const uint4 ROOT_ENTRY_POINTS = uint4(8, DONE, DONE, DONE);
 
-// Searches the tree of one mesh from up to four places in order: four children a node, nearest first.
+// Searches the BVH of one mesh from up to four places in order: four children a node, nearest first.
 // The fastest on software devices, which pay for each fetch.
-void SearchMesh(SearchRay ray, uint instance, uint bank, uint firstRow, uint4 starts, inout Found found)
+void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uint4 entryPoints, inout Hit hit)
 {
     WideStack stack = (WideStack)0;
-    stack.A = uint4(starts.yzw == DONE ? 0 : starts.yzw, 0);
-    uint current = starts.x == DONE ? DONE : NextOf(starts.x);
+    stack.A = uint4(entryPoints.yzw == DONE ? 0 : entryPoints.yzw, 0);
+    uint current = entryPoints.x == DONE ? DONE : NextOf(entryPoints.x);
     [loop]
-    while (current != DONE || Waits(found)) // only exact kernels ever wait
+    while (current != DONE || HasPending(hit)) // only refine kernels ever wait
     {
         [loop]
-        while (current != DONE && !Waits(found))
+        while (current != DONE && !HasPending(hit))
         {
             [loop]
             while ((current & LEAF) == 0)
             {
                 COUNT_NODE;
                 uint row = firstRow + 3 * current;
-                uint4 a = LoadTree(bank, row), b = LoadTree(bank, row + 1), c = LoadTree(bank, row + 2);
-                uint4 keys = Sorted(ChildKeys(a, b, c, ray, found.Distance));
-                uint waiting = (keys.y & 15) | (keys.z & 15) << 4 | (keys.w & 15) << 8;
+                uint4 a = LoadBvh(page, row), b = LoadBvh(page, row + 1), c = LoadBvh(page, row + 2);
+                uint4 keys = Sorted(ChildKeys(a, b, c, ray, hit.Distance));
+                uint pending = (keys.y & 15) | (keys.z & 15) << 4 | (keys.w & 15) << 8;
                 bool enters = (keys.x & 8) != 0;
 
                 // Down to the nearest child, or on to the next that waits.
                 current = NextOf(enters ? c.z << 12 | (keys.x & 15) : stack.A.x);
-                bool pushes = waiting != 0;
+                bool pushes = pending != 0;
                 WideStack taken = stack;
                 taken.A.x = enters ? stack.A.x : WithoutNext(stack.A.x);
                 bool pops = (taken.A.x & CHILDREN) == 0;
-                stack = Choose(pushes, Pushed(stack, c.z << 12 | waiting), pops, Popped(stack), taken);
+                stack = Choose(pushes, Pushed(stack, c.z << 12 | pending), pops, Popped(stack), taken);
             }
             [loop]
-            while (current >= LEAF && current != DONE && !Waits(found))
+            while (current >= LEAF && current != DONE && !HasPending(hit))
             {
-                TestPair(ray, instance, bank, firstRow, 3 * (current & ~LEAF), found);
+                TestPair(ray, instance, page, firstRow, 3 * (current & ~LEAF), hit);
                 current = NextOf(stack.A.x);
                 stack.A.x = WithoutNext(stack.A.x);
                 stack = Choose(false, stack, (stack.A.x & CHILDREN) == 0, Popped(stack), stack);
             }
         }
-        TestWaiting(ray, instance, bank, firstRow, found);
+        TestPending(ray, instance, page, firstRow, hit);
     }
 }
 

@@ -41,8 +41,8 @@ public sealed class AccuracyTests
         (settings.RaysAcross, settings.RaysDown) = (480, 270);
         foreach (var scene in AccuracyScene.All())
         {
-            var judge = new Judge(new RadarPose(scene.Scene, settings, scene.View));
-            Assert.That(judge.Sum(judge.TraceAll()).RaysReceived, Is.GreaterThan(10), scene.Name);
+            var referenceTracer = new ReferenceTracer(new RadarPose(scene.Scene, settings, scene.View));
+            Assert.That(referenceTracer.Sum(referenceTracer.TraceAll()).RaysReceived, Is.GreaterThan(10), scene.Name);
         }
     }
 
@@ -57,9 +57,9 @@ public sealed class AccuracyTests
         double width = (double)svg.Attribute("width"), height = (double)svg.Attribute("height");
         var lines = svg.Elements().Where(element => element.Name.LocalName == "polyline").ToArray();
         Assert.That(lines.Length, Is.EqualTo(2));
-        foreach (string place in lines.SelectMany(line => line.Attribute("points").Value.Split(' ')))
+        foreach (string location in lines.SelectMany(line => line.Attribute("points").Value.Split(' ')))
         {
-            var numbers = place.Split(',')
+            var numbers = location.Split(',')
                 .Select(number => double.Parse(number, System.Globalization.CultureInfo.InvariantCulture)).ToArray();
             Assert.That(numbers[0], Is.InRange(0, width));
             Assert.That(numbers[1], Is.InRange(0, height));

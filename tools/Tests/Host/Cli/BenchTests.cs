@@ -54,17 +54,17 @@ public sealed class BenchTests
         Assert.That(figures["peers"], Is.Empty);
         foreach (string title in new[]
         {
-            "next pose", "kernels", "nodes visited", "bytes read back", "5,184 rays judged"
+            "next pose", "kernels", "nodes visited", "bytes read back", "5,184 rays compared"
         })
             Assert.That(output, Does.Contain(title));
     }
 
-    // The judge's rays are the same rays: their sums differ by rounding only.
+    // The reference tracer's rays are the same rays: their sums differ by rounding only.
     [Test]
-    public void Bench_JudgingEverySeventhRayOfARegion_ComparesThose()
+    public void Bench_ComparingEverySeventhRayOfARegion_ComparesThose()
     {
         string file = Path.Combine(_folder, "figures.json");
-        var (code, _, error) = Run([.. Small, "--region", "11,5,60,40", "--judge", "7", "--json", file]);
+        var (code, _, error) = Run([.. Small, "--region", "11,5,60,40", "--reference", "7", "--json", file]);
 
         Assert.That(code, Is.EqualTo(0), error);
         var figures = JObject.Parse(File.ReadAllText(file));
@@ -84,7 +84,7 @@ public sealed class BenchTests
             file = Path.Combine(_folder, "figures.json");
         File.WriteAllText(plate, "v -0.5 -0.5 0\nv 0.5 -0.5 0\nv 0.5 0.5 0\nv -0.5 0.5 0\nf 1 2 3 4\n");
         var (code, output, error) = Run("bench", plate, "--grazing", "0", "--fov", "2.29153", "--size", "64x64",
-            "--rounds", "2", "--judge", "none",
+            "--rounds", "2", "--reference", "none",
             "--write-scene", scene, "--json", file, "--peer", "Bytes=echo size $(wc -c < {scene}) ms", "--peer",
             "Fixed=printf 'build 7 ms\\nframe 5 ms\\nframe 6 ms\\n'");
 
@@ -106,7 +106,7 @@ public sealed class BenchTests
     {
         string path = Path.Combine(_folder, "path");
         var (code, _, error) =
-            Run([.. Small, "--judge", "none", "--peer", $"P=echo {{scene}} > {path}; echo frame 1 ms"]);
+            Run([.. Small, "--reference", "none", "--peer", $"P=echo {{scene}} > {path}; echo frame 1 ms"]);
 
         Assert.That(code, Is.EqualTo(0), error);
         string scene = File.ReadAllText(path).Trim();
@@ -154,7 +154,7 @@ public sealed class BenchTests
         var output = new StringWriter();
         var terminal =
             new Terminal { Out = output, Error = TextWriter.Null, Live = null, Width = 100, SharesScreen = true };
-        Assert.That(new Shell(terminal).Run([.. Small, "--judge", "none"]), Is.EqualTo(0));
+        Assert.That(new Shell(terminal).Run([.. Small, "--reference", "none"]), Is.EqualTo(0));
         Assert.That(output.ToString(), Does.Contain("│ rays hit").And.Contain("╭"));
     }
 

@@ -19,7 +19,7 @@ public sealed class CommandTreeTests
     [
         "sweep.unity", "plate.obj", "part.STL", "x.fbx", "-", "--", "", "@file", "[suggest]", "/?x", "-5", "-10:10:5",
         "0:45:1", "0,1", "17", "4", "3x3", "mm", "z", "1,2,3",
-        "--target", "--angles", "--out", "--size", "--region", "--seed", "--judge", "--peer", "--json", "a=b",
+        "--target", "--angles", "--out", "--size", "--region", "--seed", "--reference", "--peer", "--json", "a=b",
         "--frequency", "--bounces", "--receiver", "--unit", "--up", "--distance", "--grazing", "--aim", "--device",
         "--target=Ship", "--target=--Ship", "--target=", "--angles=0:2:1", "--bounces=2", "--bounces=x=y", "--fov=60",
         "--peer=a=b", "--peer=", "--region=0,0,1,1", "--unknown", "--unknown=3", "-out", "-b"
@@ -71,8 +71,8 @@ public sealed class CommandTreeTests
             from input in Gen.Elements(Vocabulary[..3])
             from count in Gen.Choose(0, 5)
             from words in Gen.Elements(Vocabulary).ArrayOf(count)
-            from place in Gen.Choose(0, count)
-            select words[..place].Append(input).Concat(words[place..]).Prepend(name).ToArray();
+            from position in Gen.Choose(0, count)
+            select words[..position].Append(input).Concat(words[position..]).Prepend(name).ToArray();
         int accepted = 0;
         Prop.ForAll(lines.ToArbitrary(), words =>
         {

@@ -71,7 +71,7 @@ public sealed class CompletionTests
         var options = Commands.All.SelectMany(command => command.Options).Distinct()
             .Where(option => option.Choices.Count > 0).ToArray();
         Assert.That(options.Select(option => option.Name),
-            Is.SupersetOf(new[] { "unit", "up", "judge", "pose", "spectrum" }));
+            Is.SupersetOf(new[] { "unit", "up", "reference", "pose", "spectrum" }));
         foreach (var option in options)
             foreach (string choice in option.Choices)
                 Assert.That(() => option.ParseValue(choice), Throws.Nothing, $"{option.Flag} {choice}");

@@ -159,7 +159,7 @@ public sealed class ExperimentsTests
             var svg = XDocument.Parse(Encoding.UTF8.GetString(stream.ToArray())).Root;
             Assert.That(svg.Elements().Count(element => element.Name.LocalName == "polyline"), Is.EqualTo(lines));
             Assert.That(svg.Value, Does.Contain("a <b> & | c").Or.Contain("received").Or.Contain("anything returns"));
-            foreach (var (x, y) in Places(svg))
+            foreach (var (x, y) in Points(svg))
             {
                 Assert.That(x, Is.InRange(0, (double)svg.Attribute("width")));
                 Assert.That(y, Is.InRange(0, (double)svg.Attribute("height")));
@@ -170,7 +170,7 @@ public sealed class ExperimentsTests
     [Test]
     public void Scales_ShowWhatIsMarkedWhereItIsMarked()
     {
-        foreach (var (scale, value, place) in new (ValueScale, double, double)[]
+        foreach (var (scale, value, position) in new (ValueScale, double, double)[]
         {
             (ValueScale.Linear(1_400_000), 700_000, 0.5), (ValueScale.Linear(0), 0, 0), (ValueScale.Counts(1000), 0, 0),
             (ValueScale.Counts(1000), 1, 0.25), (ValueScale.Counts(1000), 1000, 1),
@@ -179,11 +179,11 @@ public sealed class ExperimentsTests
             (ValueScale.Decibels(100), 0, double.NaN), (ValueScale.Decibels(0), 1, 1),
         })
         {
-            Assert.That(scale.Of(value), Is.EqualTo(place).Within(1e-12));
+            Assert.That(scale.Of(value), Is.EqualTo(position).Within(1e-12));
             Assert.That(scale.Marks.Count, Is.InRange(2, 8));
-            Assert.That(scale.Marks.Select(mark => mark.Place), Is.Ordered);
-            Assert.That(scale.Marks[0].Place, Is.Zero);
-            Assert.That(scale.Marks[^1].Place, Is.EqualTo(1).Within(1e-12));
+            Assert.That(scale.Marks.Select(mark => mark.Position), Is.Ordered);
+            Assert.That(scale.Marks[0].Position, Is.Zero);
+            Assert.That(scale.Marks[^1].Position, Is.EqualTo(1).Within(1e-12));
         }
     }
 
@@ -360,16 +360,16 @@ public sealed class ExperimentsTests
         .Skip(1).TakeWhile(line => line.StartsWith('|'))
         .Select(line => Regex.Split(line, @"(?<!\\)\|")[1..^1].Select(cell => cell.Trim()).ToArray())];
 
-    static IEnumerable<(double x, double y)> Places(XElement svg)
+    static IEnumerable<(double x, double y)> Points(XElement svg)
     {
         double Number(XElement element, string name) =>
             double.Parse(element.Attribute(name).Value, CultureInfo.InvariantCulture);
         foreach (var element in svg.Elements())
         {
             if (element.Attribute("points") is { } points)
-                foreach (string place in points.Value.Split(' '))
-                    yield return (double.Parse(place.Split(',')[0], CultureInfo.InvariantCulture),
-                        double.Parse(place.Split(',')[1], CultureInfo.InvariantCulture));
+                foreach (string location in points.Value.Split(' '))
+                    yield return (double.Parse(location.Split(',')[0], CultureInfo.InvariantCulture),
+                        double.Parse(location.Split(',')[1], CultureInfo.InvariantCulture));
             foreach (var (x, y) in new[] { ("x", "y"), ("cx", "cy"), ("x1", "y1"), ("x2", "y2") })
                 if (element.Attribute(x) != null)
                     yield return (Number(element, x), Number(element, y));
@@ -389,10 +389,10 @@ public sealed class ExperimentsTests
                 select new SweepRow(new SweepPose(angle, snapshot), Received(much, much, 1000))]);
 
     // Two pixels met once and received, in a picture of 4 x 3.
-    static RadarPicture[] OddViews() => [.. ReflectorPicture.Angles.Select(_ =>
+    static RadarPreviewImage[] OddViews() => [.. ReflectorPicture.Angles.Select(_ =>
     {
-        var picture = new RadarPicture(4, 3, new RayRegion { Width = 4, Height = 3 });
-        var hits = new[] { new PathHit { Place = new(0, 0, 1), Direction = new(0, 0, -1) } };
+        var picture = new RadarPreviewImage(4, 3, new RayRegion { Width = 4, Height = 3 });
+        var hits = new[] { new PathHit { Position = new(0, 0, 1), Direction = new(0, 0, -1) } };
         foreach (uint pixel in new uint[] { 5, 6 })
             picture.Set(new RayPath { Pixel = pixel, Hits = hits, End = default(Unity.Mathematics.double3) });
         return picture;

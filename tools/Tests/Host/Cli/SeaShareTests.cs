@@ -37,7 +37,7 @@ public sealed class SeaShareTests
 
     static RayData Ray(uint pixel, double length, float inPhase, float quadrature, uint bounces) => new()
     {
-        Pixel = pixel, PathLength = (float)length, PathLengthRest = (float)(length - (float)length),
+        Pixel = pixel, PathLength = (float)length, PathLengthLo = (float)(length - (float)length),
         InPhase = inPhase, Quadrature = quadrature, Bounces = bounces,
         IsReceived = inPhase != 0 || quadrature != 0
     };

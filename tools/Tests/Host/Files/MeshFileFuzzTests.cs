@@ -16,7 +16,7 @@ namespace Glint.Host.Tests;
 public sealed class MeshFileFuzzTests
 {
     const int Cases = 4000;
-    const long MostBytes = 100_000_000;
+    const long MaxBytes = 100_000_000;
     static readonly TimeSpan LongestTime = TimeSpan.FromSeconds(1);
 
     static readonly float3[] Vertices = { new(0, 0, 0), new(1.25f, 0, 0), new(0, -3e10f, 0), new(0, 0, 1e-20f) };
@@ -102,7 +102,7 @@ public sealed class MeshFileFuzzTests
         {
             Assert.Fail($"{which}: {error}");
         }
-        if (watch.Elapsed > LongestTime || GC.GetAllocatedBytesForCurrentThread() - before > MostBytes)
+        if (watch.Elapsed > LongestTime || GC.GetAllocatedBytesForCurrentThread() - before > MaxBytes)
             Assert.Fail($"{which} took {watch.ElapsedMilliseconds} ms and "
                 + $"{GC.GetAllocatedBytesForCurrentThread() - before} bytes");
     }

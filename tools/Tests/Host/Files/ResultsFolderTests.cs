@@ -66,7 +66,7 @@ public sealed class ResultsFolderTests
     public void Open_ByManyAtOnce_IsGrantedToOneAtATime()
     {
         string path = Path.Combine(Path.GetTempPath(), "glint-tests-" + Guid.NewGuid().ToString("N"));
-        int holders = 0, granted = 0, most = 0;
+        int holders = 0, granted = 0, max = 0;
         Directory.CreateDirectory(path);
         Parallel.For(0, 4000, new ParallelOptions { MaxDegreeOfParallelism = 8 }, _ =>
         {
@@ -74,7 +74,7 @@ public sealed class ResultsFolderTests
             {
                 using var results = ResultsFolder.Open(path);
                 int now = Interlocked.Increment(ref holders);
-                most = Math.Max(most, now);
+                max = Math.Max(max, now);
                 Interlocked.Increment(ref granted);
                 Thread.Yield();
                 Interlocked.Decrement(ref holders);
@@ -83,7 +83,7 @@ public sealed class ResultsFolderTests
             {
             }
         });
-        Assert.That(most, Is.EqualTo(1));
+        Assert.That(max, Is.EqualTo(1));
         Assert.That(granted, Is.GreaterThan(1));
         Directory.Delete(path);
     }

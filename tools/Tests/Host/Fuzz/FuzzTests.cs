@@ -22,8 +22,8 @@ namespace Glint.Host.Tests;
 [Category("Slow")]
 public sealed partial class FuzzTests
 {
-    const int StandardSeed = 1, StandardCases = 15000, MostFindings = 50, HangSeconds = 60;
-    const long MostBytes = 300_000_000;
+    const int StandardSeed = 1, StandardCases = 15000, MaxFindings = 50, HangSeconds = 60;
+    const long MaxBytes = 300_000_000;
     static readonly TimeSpan LongestCase = TimeSpan.FromSeconds(10);
 
     readonly SortedDictionary<string, int> _counts = new(StringComparer.Ordinal);
@@ -63,7 +63,7 @@ public sealed partial class FuzzTests
     void RunAll(int seed, int first, int end, TimeSpan time)
     {
         var watch = Stopwatch.StartNew();
-        for (_number = first; _number < end && watch.Elapsed < time && _findings.Count < MostFindings; _number++)
+        for (_number = first; _number < end && watch.Elapsed < time && _findings.Count < MaxFindings; _number++)
         {
             var (kind, outcome) = Run(seed, _number);
             string count = $"{kind} {outcome.Verdict.ToString().ToLowerInvariant()}";
@@ -102,7 +102,7 @@ public sealed partial class FuzzTests
         var outcome = Outcome.Of(() => run(random), []);
         bytes = GC.GetAllocatedBytesForCurrentThread() - bytes;
         return (kind,
-            bytes <= MostBytes || outcome.Verdict == Verdict.Finding ? outcome : Outcome.Finding($"took {bytes} bytes"),
+            bytes <= MaxBytes || outcome.Verdict == Verdict.Finding ? outcome : Outcome.Finding($"took {bytes} bytes"),
             _case.Elapsed);
     }
 

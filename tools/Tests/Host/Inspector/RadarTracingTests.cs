@@ -80,11 +80,11 @@ public sealed class RadarTracingTests
     public void Dispose_AfterATrace_GivesTheBuffersBack()
     {
         _tracing.Trace();
-        Assert.That(_radar.Result.Statistics.TreesBuilt, Is.EqualTo(1));
+        Assert.That(_radar.Result.Statistics.BvhsBuilt, Is.EqualTo(1));
         _tracing.Trace();
-        Assert.That(_radar.Result.Statistics.TreesBuilt, Is.EqualTo(0), "they stayed for the next pose");
+        Assert.That(_radar.Result.Statistics.BvhsBuilt, Is.EqualTo(0), "they stayed for the next pose");
         _tracing.Dispose();
         _tracing.Trace();
-        Assert.That(_radar.Result.Statistics.TreesBuilt, Is.EqualTo(1));
+        Assert.That(_radar.Result.Statistics.BvhsBuilt, Is.EqualTo(1));
     }
 }

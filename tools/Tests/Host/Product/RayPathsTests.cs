@@ -11,9 +11,9 @@ public sealed class RayPathsTests
     [Test]
     public void Camera_OfTheSceneOrTheGame_IsGivenTheLinesWhereTheyStand()
     {
-        GameObject wall = GameObject.CreatePrimitive(PrimitiveType.Quad), place = new("Radar", typeof(Camera));
+        GameObject wall = GameObject.CreatePrimitive(PrimitiveType.Quad), holder = new("Radar", typeof(Camera));
         wall.transform.position = new Vector3(0f, 0f, 10f);
-        var radar = place.AddComponent<RadarController>();
+        var radar = holder.AddComponent<RadarController>();
         radar.Kernel =
             UnityEditor.AssetDatabase.LoadAssetAtPath<ComputeShader>("Packages/com.glint.radar/Shaders/Trace.compute");
         var receiver = radar.Receiver = new GameObject("Receiver").transform;
@@ -21,8 +21,8 @@ public sealed class RayPathsTests
         radar.Settings = RadarSettings.Default with { RaysAcross = 64, RaysDown = 36 };
         radar.Roots.Add(wall.transform);
         radar.Roots.Add(receiver);
-        var paths = place.AddComponent<RayPaths>();
-        var camera = place.GetComponent<Camera>();
+        var paths = holder.AddComponent<RayPaths>();
+        var camera = holder.GetComponent<Camera>();
 
         var before = Graphics.LastDrawn;
         Camera.onPreCull(camera);
@@ -73,7 +73,7 @@ public sealed class RayPathsTests
         paths.enabled = false;
         Assert.That(Camera.onPreCull, Is.Null);
         Object.DestroyImmediate(wall);
-        Object.DestroyImmediate(place);
+        Object.DestroyImmediate(holder);
         Object.DestroyImmediate(receiver.gameObject);
     }
 }

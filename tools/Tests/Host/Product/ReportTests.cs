@@ -180,12 +180,12 @@ public sealed class ReportTests
     [Test]
     public void Report_OfASweepThatNoCommandBegan_OpensItsScene()
     {
-        var subjects = SceneSubjects.Open(
+        var loaded = LoadedScene.Open(
             CommandLine.Parse(Commands.Sweep, Corner.Take(3).Concat(new[] { "--angles", "0" }).ToArray()));
         using (var folder = ResultsFolder.Open(_folder))
-        using (var run = new SweepRun(new SweepSetup(subjects.Radar,
+        using (var run = new SweepRun(new SweepSetup(loaded.Radar,
             new SweepPlan(new[] { 0.0, 20 }))
-        { Target = subjects.Target, Scene = subjects.Scene }, folder))
+        { Target = loaded.Target, Scene = loaded.Scene }, folder))
             while (!run.IsComplete)
                 run.Step();
         Report("--pose", "2");

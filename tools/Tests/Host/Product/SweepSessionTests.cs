@@ -72,11 +72,11 @@ public sealed class SweepSessionTests
         {
             Radar = _form.Radar, Target = part, Angles = "0,5", Folder = Path.Combine(_folder, "part")
         });
-        var place = part.localPosition;
+        var position = part.localPosition;
         _form.Radar.Trace();
         part.localPosition += Vector3.up;
         _form.Radar.Trace();
-        part.localPosition = place;
+        part.localPosition = position;
     }
 
     [Test]
@@ -200,7 +200,7 @@ public sealed class SweepSessionTests
         session.Tick();
         session.Tick();
         session.Cancel();
-        Assert.That((_form.FolderWords(false), _form.FolderWords(true)),
+        Assert.That((_form.FolderText(false), _form.FolderText(true)),
             Is.EqualTo((_form.FolderPath + " holds a sweep that is not finished: Resume goes on with it, "
                 + "otherwise the first row replaces it.", _form.FolderPath)));
         _form.Resume = true;
@@ -211,7 +211,7 @@ public sealed class SweepSessionTests
                 resumed.Tick();
             Assert.That((resumed.Problem, resumed.Rows.Count), Is.EqualTo(((string)null, 4)));
         }
-        Assert.That(_form.FolderWords(false), Is.EqualTo(_form.FolderPath));
+        Assert.That(_form.FolderText(false), Is.EqualTo(_form.FolderPath));
         string whole = Timeless.Csv(_form.FolderPath);
         using (var again = SweepSession.Sweep(_form))
             Assert.That((again.IsRunning, again.Rows.Count, again.Problem),

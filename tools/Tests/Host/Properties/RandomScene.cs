@@ -21,9 +21,9 @@ sealed record RandomScene(RandomBody[] Bodies, double Size, double Range, bool I
 
     static readonly double4 NoTurn = double4(0, 0, 0, 1);
 
-    Affine Place => Affine.FromTransform(At, Turn, 1);
+    Affine Transform => Affine.FromTransform(At, Turn, 1);
 
-    public RadarScene Scene => new([.. Bodies.Select(body => body.Placed(Place))]);
+    public RadarScene Scene => new([.. Bodies.Select(body => body.Placed(Transform))]);
 
     public RadarSettings Settings => TestRadar.Settings(RaysAcross, RaysDown, Bounces);
 
@@ -31,14 +31,14 @@ sealed record RandomScene(RandomBody[] Bodies, double Size, double Range, bool I
     {
         get
         {
-            var place = Place;
-            double3 camera = place.Point(double3(0, 0, -Range));
+            var transform = Transform;
+            double3 camera = transform.Point(double3(0, 0, -Range));
             return new RadarView
             {
-                Position = camera, Right = normalize(place.X), Up = normalize(place.Y), Forward = normalize(place.Z),
+                Position = camera, Right = normalize(transform.X), Up = normalize(transform.Y), Forward = normalize(transform.Z),
                 VerticalFovDegrees = degrees(2 * atan(Size / Range)), ApertureHeight = IsParallel ? 2 * Size : 0,
-                ReceiverCentre = camera, ReceiverRight = normalize(place.X), ReceiverUp = normalize(place.Y),
-                ReceiverForward = normalize(place.Z), ReceiverSize = Receiver,
+                ReceiverCentre = camera, ReceiverRight = normalize(transform.X), ReceiverUp = normalize(transform.Y),
+                ReceiverForward = normalize(transform.Z), ReceiverSize = Receiver,
             };
         }
     }

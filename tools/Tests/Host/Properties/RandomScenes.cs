@@ -43,12 +43,12 @@ static class RandomScenes
 
     // Any three corners, of sizes from a thousandth to the whole.
     static readonly Gen<float3[]> Clutter = Triangles(
-        from middle in Vectors
+        from centre in Vectors
         from size in PowersOfTen(-3, 0)
         from a in Vectors
         from b in Vectors
         from c in Vectors
-        select Corners(middle + size * a, middle + size * b, middle + size * c));
+        select Corners(centre + size * a, centre + size * b, centre + size * c));
 
     static readonly Gen<float3[]> Slivers = Triangles(
         from a in Vectors
@@ -152,8 +152,8 @@ static class RandomScenes
     {
         float3 Point(int x, int y)
         {
-            double2 place = 2.0 * double2(x, y) / cells - 1;
-            return (float3)double3(place, depth * (0.3 * bumps[y * (cells + 1) + x].z / cells - dot(place, place)));
+            double2 position = 2.0 * double2(x, y) / cells - 1;
+            return (float3)double3(position, depth * (0.3 * bumps[y * (cells + 1) + x].z / cells - dot(position, position)));
         }
         var corners = new List<float3>();
         for (int y = 0; y < cells; y++)

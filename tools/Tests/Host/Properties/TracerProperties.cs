@@ -17,7 +17,7 @@ public sealed class TracerProperties
     const double LengthTolerance = 1e-5; // m
 
     [Test]
-    public void Trace_AnyScene_EveryRayIsTheJudgesOrPassesAnEdge([Values] bool asSoftware)
+    public void Trace_AnyScene_EveryRayIsTheReferencesOrPassesAnEdge([Values] bool asSoftware)
     {
         using var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware);
         long rays = 0, received = 0, atEdge = 0;
@@ -53,13 +53,13 @@ public sealed class TracerProperties
     static RayComparison Compare(RayTracer tracer, RandomScene scene)
     {
         var comparison = new RayComparison(new RadarPose(scene.Scene, scene.Settings, scene.View), LengthTolerance);
-        comparison.Add(tracer.Trace(new RadarPose(scene.Scene, scene.Settings, scene.View), KeptRays.All).Rays);
+        comparison.Add(tracer.Trace(new RadarPose(scene.Scene, scene.Settings, scene.View), RayReadback.All).Rays);
         return comparison;
     }
 
     static RadarResult Trace(RayTracer tracer, RandomScene scene)
     {
-        return tracer.Trace(new RadarPose(scene.Scene, scene.Settings, scene.View), KeptRays.None);
+        return tracer.Trace(new RadarPose(scene.Scene, scene.Settings, scene.View), RayReadback.None);
     }
 
     static bool AreSame(RadarResult a, RadarResult b) =>
@@ -75,7 +75,7 @@ public sealed class TracerProperties
     static string Describe(RayComparison comparison) => $"{comparison.Wrong} of {comparison.Rays} rays wrong, "
         + $"{comparison.AtEdge} at edges; the first wrong ones:\n"
         + string.Concat(comparison.WrongRays.Take(3).Select(pair => FormattableString.Invariant(
-            $"  pixel {pair.Kernel.Pixel % RandomScene.RaysAcross}, {pair.Kernel.Pixel / RandomScene.RaysAcross}: kernel {pair.Kernel.Bounces} bounces, {(pair.Kernel.IsReceived ? "received" : "lost")}, {pair.Kernel.ExactPathLength:R} m; judge {pair.Judge.Bounces} bounces, {(pair.Judge.Received ? "received" : "lost")}, {pair.Judge.LengthToEnd:R} m\n")));
+            $"  pixel {pair.Kernel.Pixel % RandomScene.RaysAcross}, {pair.Kernel.Pixel / RandomScene.RaysAcross}: kernel {pair.Kernel.Bounces} bounces, {(pair.Kernel.IsReceived ? "received" : "lost")}, {pair.Kernel.RefinedPathLength:R} m; reference {pair.Reference.Bounces} bounces, {(pair.Reference.Received ? "received" : "lost")}, {pair.Reference.LengthToEnd:R} m\n")));
 
     // Always the same scenes: a rare one that goes wrong is found by letting this run for longer, with other seeds,
     // and not by whoever comes along.

@@ -192,11 +192,11 @@ public sealed class DispatchTests
         uint[] order = Enumerable.Range(0, Count).Select(i => (uint)((i * 7) % Count)).ToArray();
         using var program = Kernels.Create(_device, Kernels.Buffers, "Gather");
         using var source = Kernels.Buffer(_device, rows);
-        using var places = Kernels.Buffer(_device, order);
+        using var positions = Kernels.Buffer(_device, order);
         using var gathered = _device.CreateBuffer(16 * Count);
 
         _device.Dispatch(program, Kernels.Pack(program, ("_Count", (uint)Count)),
-            Kernels.Bind(("_Rows", source), ("_Order", places), ("_Gathered", gathered)), Count / 32 + 1, 1, 1);
+            Kernels.Bind(("_Rows", source), ("_Order", positions), ("_Gathered", gathered)), Count / 32 + 1, 1, 1);
 
         var slot = program.Slots.Single(candidate => candidate.Name == "_Rows");
         Assert.That((slot.Stride, slot.Element, slot.Writable), Is.EqualTo((16, "uint4", false)));

@@ -15,7 +15,7 @@ namespace Glint.Host.Tests;
 public sealed class PrefabWritingTests : WritingFixture
 {
     const string PrefabPath = "Assets/Ship.prefab";
-    static readonly Vector3 _place = new(0.1f, -2.5f, 1e-7f), _scale = new(1f, 2f, -0.3f);
+    static readonly Vector3 _position = new(0.1f, -2.5f, 1e-7f), _scale = new(1f, 2f, -0.3f);
 
     [Test]
     public void Prefab_OfAMeshAsset_IsReadBackWithItsMeshAndMaterial()
@@ -96,12 +96,12 @@ public sealed class PrefabWritingTests : WritingFixture
         marker.Main = new() { Length = 4f, Label = "main" };
         marker.Kind = MarkerKind.Fourth;
         marker.Layers = ~5;
-        marker.Vector = _place;
+        marker.Vector = _position;
         marker.Cell = new Vector2Int(-3, 4);
         marker.Turn = new Quaternion(0.5f, 0.5f, 0.5f, 0.5f);
         marker.Colour = new Color(0.1f, 0.2f, 0.3f, 0.4f);
         marker.Bytes = new Color32(1, 2, 3, 254);
-        marker.Box = new Bounds(_place, Vector3.one);
+        marker.Box = new Bounds(_position, Vector3.one);
         marker.Area = new Rect(1f, 2f, 3f, 4f);
         marker.Precise = 0.1 + 0.2;
         marker.Large = long.MinValue;
@@ -126,7 +126,7 @@ public sealed class PrefabWritingTests : WritingFixture
             Is.EqualTo(new[] { (1f, "a", Vector3.zero), (2f, "", Vector3.up) }));
         Assert.That((read.Main.Length, read.Main.Label), Is.EqualTo((4f, "main")));
         Assert.That((read.Kind, read.Layers.value, read.Vector, read.Cell),
-            Is.EqualTo((marker.Kind, ~5, _place, marker.Cell)));
+            Is.EqualTo((marker.Kind, ~5, _position, marker.Cell)));
         Assert.That((read.Turn, read.Colour, read.Bytes, read.Box, read.Area),
             Is.EqualTo((marker.Turn, marker.Colour, marker.Bytes, marker.Box, marker.Area)));
         Assert.That((read.Precise, read.Large, read.Unsigned),
@@ -244,7 +244,7 @@ public sealed class PrefabWritingTests : WritingFixture
     {
         GameObject root = new("Made by code"), hull = new("Hull", typeof(MeshFilter), typeof(MeshRenderer));
         hull.transform.SetParent(root.transform, false);
-        hull.transform.localPosition = _place;
+        hull.transform.localPosition = _position;
         hull.transform.localRotation = Quaternion.Euler(10f, 20f, 30f);
         hull.transform.localScale = _scale;
         hull.GetComponent<MeshFilter>().sharedMesh = mesh;
@@ -260,7 +260,7 @@ public sealed class PrefabWritingTests : WritingFixture
     {
         Transform hull = ship.transform.GetChild(0);
         Assert.That((ship.name, hull.name, ship.transform.childCount), Is.EqualTo(("Ship", "Hull", 1)));
-        Assert.That((hull.localPosition, hull.localScale), Is.EqualTo((_place, _scale)));
+        Assert.That((hull.localPosition, hull.localScale), Is.EqualTo((_position, _scale)));
         Assert.That(hull.localPosition.z, Is.EqualTo(1e-7f));
         Assert.That(Quaternion.Angle(hull.localRotation, Quaternion.Euler(10f, 20f, 30f)), Is.LessThan(0.1f));
         Assert.That(hull.GetComponent<MeshFilter>().sharedMesh, Is.SameAs(mesh));

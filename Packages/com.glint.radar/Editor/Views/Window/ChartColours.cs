@@ -10,12 +10,12 @@ namespace Glint.Editor.Views
         static readonly CustomStyleProperty<Color> s_grid = new CustomStyleProperty<Color>("--glint-grid");
         static readonly CustomStyleProperty<Color> s_frame = new CustomStyleProperty<Color>("--glint-frame");
         static readonly CustomStyleProperty<Color> s_mark = new CustomStyleProperty<Color>("--glint-mark");
-        static readonly CustomStyleProperty<Color> s_doubt = new CustomStyleProperty<Color>("--glint-doubt");
+        static readonly CustomStyleProperty<Color> s_uncertainty = new CustomStyleProperty<Color>("--glint-doubt");
         static readonly CustomStyleProperty<Color>[] s_lines = Enumerable.Range(0, 6)
             .Select(i => new CustomStyleProperty<Color>($"--glint-line-{i}")).ToArray();
 
         readonly Color[] _lines = s_lines.Select(line => Color.gray).ToArray();
-        Color _grid = Color.gray, _frame = Color.gray, _mark = Color.gray, _doubt = Color.gray;
+        Color _grid = Color.gray, _frame = Color.gray, _mark = Color.gray, _uncertainty = Color.gray;
 
         /// <summary>Follows an element's style and has it drawn again.</summary>
         public ChartColours(VisualElement element) => element.RegisterCallback<CustomStyleResolvedEvent>(resolved =>
@@ -23,7 +23,7 @@ namespace Glint.Editor.Views
             Read(resolved.customStyle, s_grid, ref _grid);
             Read(resolved.customStyle, s_frame, ref _frame);
             Read(resolved.customStyle, s_mark, ref _mark);
-            Read(resolved.customStyle, s_doubt, ref _doubt);
+            Read(resolved.customStyle, s_uncertainty, ref _uncertainty);
             for (int i = 0; i < _lines.Length; i++)
                 Read(resolved.customStyle, s_lines[i], ref _lines[i]);
             element.MarkDirtyRepaint();
@@ -37,7 +37,7 @@ namespace Glint.Editor.Views
         public Color Mark => _mark;
 
         /// <summary>Of poses that are undersampled.</summary>
-        public Color Doubt => _doubt;
+        public Color Uncertainty => _uncertainty;
 
         /// <summary>Of a line, counted from 0.</summary>
         public Color Line(int series) => _lines[series % _lines.Length];

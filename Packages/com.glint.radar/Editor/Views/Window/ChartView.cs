@@ -12,7 +12,7 @@ namespace Glint.Editor.Views
     sealed class ChartView : PlotArea
     {
         // With more poses the markers would hide the lines.
-        const int MostMarkers = 400;
+        const int MaxMarkers = 400;
 
         SweepChart _chart;
         PoseFigures _marked;
@@ -45,16 +45,16 @@ namespace Glint.Editor.Views
             SetAxes(chart.X, chart.Y, chart.XTitle, chart.YTitle, chart.IsPolar);
         }
 
-        void Find(Vector2 place, Action<ChartSeries, ChartPoint> found)
+        void Find(Vector2 position, Action<ChartSeries, ChartPoint> found)
         {
-            var (x, y) = From(place);
+            var (x, y) = From(position);
             if (_chart?.Nearest(x, y, Aspect) is var nearest && nearest.HasValue)
                 found(nearest.Value.Series, nearest.Value.Point);
         }
 
         protected override void DrawContent(Painter2D painter)
         {
-            bool hasMarkers = _chart.Series.Sum(series => series.Runs.Sum(run => run.Count)) <= MostMarkers;
+            bool hasMarkers = _chart.Series.Sum(series => series.Runs.Sum(run => run.Count)) <= MaxMarkers;
             for (int i = 0; i < _chart.Series.Count; i++)
                 foreach (var run in _chart.Series[i].Runs)
                 {
@@ -66,7 +66,7 @@ namespace Glint.Editor.Views
                             Markers.Draw(painter, At(point.X, point.Y), i, 3, Colours.Line(i),
                                 _chart.Series[i].IsCompared);
                     foreach (var point in run.Where(point => point.Pose.IsUndersampled))
-                        Markers.Draw(painter, At(point.X, point.Y), 1, 7, Colours.Doubt, true);
+                        Markers.Draw(painter, At(point.X, point.Y), 1, 7, Colours.Uncertainty, true);
                     foreach (var point in run.Where(point => point.Pose == _marked))
                         Markers.Draw(painter, At(point.X, point.Y), 0, 6, Colours.Mark, true);
                 }
@@ -74,16 +74,16 @@ namespace Glint.Editor.Views
 
         void DrawBand(Painter2D painter, IReadOnlyList<ChartPoint> run, Color colour)
         {
-            if (run.All(point => point.Low == point.High))
+            if (run.All(point => point.Lower == point.Upper))
                 return;
             colour.a = 0.2f;
             painter.fillColor = colour;
             painter.BeginPath();
-            painter.MoveTo(At(run[0].High.X, run[0].High.Y));
+            painter.MoveTo(At(run[0].Upper.X, run[0].Upper.Y));
             foreach (var point in run.Skip(1))
-                painter.LineTo(At(point.High.X, point.High.Y));
+                painter.LineTo(At(point.Upper.X, point.Upper.Y));
             foreach (var point in run.Reverse())
-                painter.LineTo(At(point.Low.X, point.Low.Y));
+                painter.LineTo(At(point.Lower.X, point.Lower.Y));
             painter.ClosePath();
             painter.Fill();
         }

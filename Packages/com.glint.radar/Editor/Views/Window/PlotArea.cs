@@ -41,10 +41,10 @@ namespace Glint.Editor.Views
         }
 
         /// <summary>From the element's coordinates to the chart's.</summary>
-        protected (double X, double Y) From(Vector2 place)
+        protected (double X, double Y) From(Vector2 position)
         {
             var area = Area();
-            return ((place.x - area.x) / area.width, (area.yMax - place.y) / area.height);
+            return ((position.x - area.x) / area.width, (area.yMax - position.y) / area.height);
         }
 
         /// <summary>Width over height.</summary>
@@ -66,16 +66,16 @@ namespace Glint.Editor.Views
             var painter = context.painter2D;
             painter.lineWidth = 1;
             painter.strokeColor = Colours.Grid;
-            foreach (var (place, _) in _y.Ticks)
+            foreach (var (position, _) in _y.Ticks)
                 if (_isPolar)
-                    Circle(painter, (float)place);
+                    Circle(painter, (float)position);
                 else
-                    Line(painter, At(0, place), At(1, place));
-            foreach (var (place, _) in _x.Ticks)
+                    Line(painter, At(0, position), At(1, position));
+            foreach (var (position, _) in _x.Ticks)
                 if (_isPolar)
-                    Line(painter, At(0.5, 0.5), Around(place, 1));
+                    Line(painter, At(0.5, 0.5), Around(position, 1));
                 else
-                    Line(painter, At(place, 0), At(place, 1));
+                    Line(painter, At(position, 0), At(position, 1));
             if (!_isPolar)
             {
                 painter.strokeColor = Colours.Frame;
@@ -112,16 +112,16 @@ namespace Glint.Editor.Views
             Clear();
             if (_x == null || !(contentRect.width > 1))
                 return;
-            foreach (var (place, label) in _y.Ticks)
+            foreach (var (position, label) in _y.Ticks)
                 if (_isPolar)
-                    Put(label, "glint-tick", At(0.5, 0.5 + 0.5 * place), 0, -50);
+                    Put(label, "glint-tick", At(0.5, 0.5 + 0.5 * position), 0, -50);
                 else
-                    Put(label, "glint-tick", At(0, place) + TickGap * Vector2.left, -100, -50);
-            foreach (var (place, label) in _x.Ticks)
+                    Put(label, "glint-tick", At(0, position) + TickGap * Vector2.left, -100, -50);
+            foreach (var (position, label) in _x.Ticks)
                 if (_isPolar)
-                    Put(label, "glint-tick", Around(place, 1.06), -50, -50);
+                    Put(label, "glint-tick", Around(position, 1.06), -50, -50);
                 else
-                    Put(label, "glint-tick", At(place, 0) + TickGap * Vector2.up, -50, 0);
+                    Put(label, "glint-tick", At(position, 0) + TickGap * Vector2.up, -50, 0);
             Put(_yTitle, "glint-axis-title",
                 _isPolar ? new Vector2(0, 0) : At(0, 1) + 2 * TickGap * Vector2.down, 0, _isPolar ? 0 : -60);
             if (!_isPolar)

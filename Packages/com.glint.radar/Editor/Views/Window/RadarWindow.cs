@@ -71,7 +71,7 @@ namespace Glint.Editor.Views
             rootVisualElement.AddToClassList(EditorGUIUtility.isProSkin ? "glint-dark" : "glint-light");
             _panel = new SweepPanel(_form, () => Begin(() => SweepSession.Pose(_form.Radar)),
                 () => Begin(() => SweepSession.Sweep(_form)), () => _session?.Cancel());
-            _results = new ResultsPanel(_choice, Draw, Compare, SaveFile, SaveReport, SavePicture, Look, SaveSight);
+            _results = new ResultsPanel(_choice, Draw, Compare, SaveFile, SaveReport, SavePicture, Look, SavePreview);
             var split = new TwoPaneSplitView(0, 300, TwoPaneSplitViewOrientation.Horizontal);
             split.Add(_panel);
             split.Add(_results);
@@ -106,7 +106,7 @@ namespace Glint.Editor.Views
 
         void Begin(Func<SweepSession> begin) => Attempt(() =>
         {
-            _panel.Tell(null);
+            _panel.Report(null);
             _session?.Dispose();
             _session = begin();
             _rows = _session.Rows;
@@ -119,11 +119,11 @@ namespace Glint.Editor.Views
         {
             if (_session == null || !_session.IsRunning || _panel == null)
                 return;
-            _session.Looks = _results.Sight.value;
+            _session.Looks = _results.Preview.value;
             using (var progress = new PoseProgress(_session))
                 _session.Tick(progress);
             _panel.Show(_session);
-            _results.Sight.Show(_session.Sight);
+            _results.Preview.Show(_session.Preview);
             InternalEditorUtility.RepaintAllViews(); // the target's turn and the ray paths
             if (!_session.IsRunning)
                 Refresh();
@@ -148,15 +148,15 @@ namespace Glint.Editor.Views
         {
             if (_form.Radar == null)
                 throw new GlintException("choose a radar first");
-            _results.Sight.Show(RadarSight.Of(_form.Radar));
+            _results.Preview.Show(RadarPreview.Of(_form.Radar));
         });
 
-        void SaveSight()
+        void SavePreview()
         {
-            var png = _results.Sight.Png();
+            var png = _results.Preview.Png();
             if (png == null)
             {
-                _panel.Tell("there is no radar's view yet: unfold it and press Look now");
+                _panel.Report("there is no radar's view yet: unfold it and press Look now");
                 return;
             }
             string path = EditorUtility.SaveFilePanel("Export", "", "view.png", "png");
@@ -200,7 +200,7 @@ namespace Glint.Editor.Views
             }
             catch (GlintException problem)
             {
-                _panel.Tell(problem.Message);
+                _panel.Report(problem.Message);
             }
             catch (OperationCanceledException)
             {

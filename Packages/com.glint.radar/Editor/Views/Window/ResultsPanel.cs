@@ -18,7 +18,7 @@ namespace Glint.Editor.Views
         readonly ChartView _amplitude = new ChartView(), _received = new ChartView(), _hit = new ChartView();
         readonly ChartLegend _legend = new ChartLegend();
         readonly PhaseView _phases = new PhaseView();
-        readonly Label _readout = new Label(), _differences = new Label(), _phaseWords = new Label();
+        readonly Label _readout = new Label(), _differences = new Label(), _phaseText = new Label();
         PoseFigures _chosen;
 
         /// <param name="redraw">Called when the choice has changed.</param>
@@ -29,9 +29,9 @@ namespace Glint.Editor.Views
         /// <param name="saveReport">Called to export the HTML report.</param>
         /// <param name="savePicture">Called to export the charts.</param>
         /// <param name="look">Called to trace the radar's view.</param>
-        /// <param name="saveSight">Called to export it.</param>
+        /// <param name="savePreview">Called to export it.</param>
         public ResultsPanel(ChartChoice choice, Action redraw, Action<string> compare, Action<string> saveFile,
-            Action saveReport, Action savePicture, Action look, Action saveSight)
+            Action saveReport, Action savePicture, Action look, Action savePreview)
         {
             (_choice, _redraw) = (choice, redraw);
             var bar = new Toolbar();
@@ -60,35 +60,35 @@ namespace Glint.Editor.Views
                 export.menu.AppendAction(name, action => saveFile(name));
             export.menu.AppendAction("HTML report", action => saveReport());
             export.menu.AppendAction("Charts as PNG", action => savePicture());
-            export.menu.AppendAction("Radar's view as PNG", action => saveSight());
+            export.menu.AppendAction("Radar's view as PNG", action => savePreview());
             bar.Add(export);
             Add(bar);
             _readout.AddToClassList("glint-readout");
             _differences.AddToClassList("glint-words");
-            _phaseWords.AddToClassList("glint-words");
+            _phaseText.AddToClassList("glint-words");
             Add(_readout);
             Charts = new ScrollView { style = { flexGrow = 1 } };
             Charts.Add(_amplitude);
             Charts.Add(_legend);
             Charts.Add(_differences);
             Charts.Add(_phases);
-            Charts.Add(_phaseWords);
+            Charts.Add(_phaseText);
             Charts.Add(_received);
             Charts.Add(_hit);
-            Sight = new SightView(look);
-            Charts.Add(Sight);
+            Preview = new RadarPreviewView(look);
+            Charts.Add(Preview);
             Add(Charts);
             foreach (var chart in new[] { _amplitude, _received, _hit })
             {
                 chart.Hovered += (series, point) => _readout.text =
-                    series.Name.Length > 0 ? $"{series.Name}: {point.Pose.Words()}" : point.Pose.Words();
-                chart.Left += () => _readout.text = _chosen?.Words() ?? "";
+                    series.Name.Length > 0 ? $"{series.Name}: {point.Pose.Text()}" : point.Pose.Text();
+                chart.Left += () => _readout.text = _chosen?.Text() ?? "";
                 chart.Chosen += row => Choose(() => choice.Pose = row);
             }
         }
 
         /// <summary>The radar's view.</summary>
-        public SightView Sight { get; }
+        public RadarPreviewView Preview { get; }
 
         /// <summary>All charts, for a picture of them.</summary>
         public ScrollView Charts { get; }
@@ -103,16 +103,16 @@ namespace Glint.Editor.Views
                 ? "Lays a results folder or a published table over the charts."
                 : "Laid over: " + comparison.Title;
             _chosen = _choice.Chosen(rows);
-            _readout.text = _chosen?.Words() ?? "";
+            _readout.text = _chosen?.Text() ?? "";
             var amplitude = _choice.Amplitude(rows, comparison);
             _amplitude.Show(amplitude, _chosen);
             _legend.Show(amplitude);
             _received.Show(_choice.Received(rows, comparison), _chosen);
             _hit.Show(_choice.Hit(rows, comparison), _chosen);
-            _differences.text = comparison?.Words(rows) ?? "";
+            _differences.text = comparison?.Text(rows) ?? "";
             var phases = new PhaseChart(_chosen);
             _phases.Show(phases);
-            _phaseWords.text = phases.Words;
+            _phaseText.text = phases.Text;
         }
 
         void Choose(Action choose)

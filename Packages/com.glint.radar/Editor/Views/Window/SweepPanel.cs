@@ -23,8 +23,8 @@ namespace Glint.Editor.Views
         readonly Toggle _resume;
         readonly Button _trace, _sweep, _cancel;
         readonly ProgressBar _progress = new ProgressBar { lowValue = 0 };
-        readonly Label _folder = Words("glint-status"), _problem = Words("glint-problem"),
-            _status = Words("glint-problem");
+        readonly Label _folder = MakeLabel("glint-status"), _problem = MakeLabel("glint-problem"),
+            _status = MakeLabel("glint-problem");
         bool _isRunning;
 
         /// <param name="form">Filled in here.</param>
@@ -38,7 +38,7 @@ namespace Glint.Editor.Views
             foreach (var (axis, label) in s_lists)
             {
                 AddText(label, form[axis], SweepForm.OptionOf(axis).Help, text => form[axis] = text);
-                Add(_axisProblems[axis] = Words("glint-problem"));
+                Add(_axisProblems[axis] = MakeLabel("glint-problem"));
             }
             AddText("Results folder", form.Folder, "For results.csv and results.json, relative to the project. Empty: "
                 + "Results/<scene> beside Assets.", text => form.Folder = text);
@@ -71,16 +71,16 @@ namespace Glint.Editor.Views
 
         /// <summary>Says what has gone wrong.</summary>
         /// <param name="mishap">Null for nothing.</param>
-        public void Tell(string mishap) => Say(_status, mishap);
+        public void Report(string mishap) => SetText(_status, mishap);
 
         // What is wrong with the form, and which buttons it leaves.
         void Check()
         {
             foreach (var entry in _axisProblems)
-                Say(entry.Value, _form.ProblemOf(entry.Key));
+                SetText(entry.Value, _form.ProblemOf(entry.Key));
             string problem = _form.Problem();
-            Say(_problem, problem);
-            _folder.text = _form.FolderWords(_isRunning);
+            SetText(_problem, problem);
+            _folder.text = _form.FolderText(_isRunning);
             _trace.SetEnabled(!_isRunning && _form.Radar != null);
             _sweep.SetEnabled(!_isRunning && problem == null);
             _cancel.SetEnabled(_isRunning);
@@ -96,7 +96,7 @@ namespace Glint.Editor.Views
             _progress.value = session?.Done ?? 0;
             _progress.title = session?.Status() ?? "";
             if (wasRunning && !_isRunning)
-                Tell(session?.Problem);
+                Report(session?.Problem);
             if (_isRunning != wasRunning)
                 Check();
         }
@@ -127,14 +127,14 @@ namespace Glint.Editor.Views
             Add(field);
         }
 
-        static Label Words(string kind)
+        static Label MakeLabel(string kind)
         {
             var label = new Label();
             label.AddToClassList(kind);
             return label;
         }
 
-        static void Say(Label label, string text)
+        static void SetText(Label label, string text)
         {
             label.text = text ?? "";
             label.style.display = string.IsNullOrEmpty(text) ? DisplayStyle.None : DisplayStyle.Flex;

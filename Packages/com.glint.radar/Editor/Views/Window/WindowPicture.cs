@@ -11,13 +11,13 @@ namespace Glint.Editor.Views
         /// <summary>PNG of an element, as large as it is shown.</summary>
         public static byte[] Png(EditorWindow window, VisualElement element)
         {
-            var (place, bound, scale) = (window.position, element.worldBound, EditorGUIUtility.pixelsPerPoint);
+            var (rect, bound, scale) = (window.position, element.worldBound, EditorGUIUtility.pixelsPerPoint);
             int width = Mathf.RoundToInt(bound.width * scale), height = Mathf.RoundToInt(bound.height * scale);
             var picture = new Texture2D(width, height, TextureFormat.RGB24, false);
             try
             {
                 picture.SetPixels(InternalEditorUtility.ReadScreenPixel(
-                    (place.position + bound.position - window.rootVisualElement.worldBound.position) * scale,
+                    (rect.position + bound.position - window.rootVisualElement.worldBound.position) * scale,
                     width, height));
                 return picture.EncodeToPNG();
             }

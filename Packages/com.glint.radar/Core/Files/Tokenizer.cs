@@ -1,0 +1,53 @@
+using System;
+
+namespace Glint.Core
+{
+    /// <summary>The words of a line, one after the other; blanks and control characters part them.</summary>
+    ref struct Tokenizer
+    {
+        ReadOnlySpan<byte> _remaining;
+
+        public Tokenizer(ReadOnlySpan<byte> line)
+        {
+            _remaining = line;
+            Current = default;
+        }
+
+        public ReadOnlySpan<byte> Current { get; private set; }
+
+        /// <summary>Whether the next word begins a comment, which reaches to the end of the line.</summary>
+        public bool IsComment
+        {
+            get
+            {
+                int start = StartOf(_remaining, 0);
+                return start < _remaining.Length && _remaining[start] == '#';
+            }
+        }
+
+        /// <summary>Goes to the next word; false at the end of the line.</summary>
+        public bool Next()
+        {
+            int start = StartOf(_remaining, 0), end = EndOf(_remaining, start);
+            Current = _remaining.Slice(start, end - start);
+            _remaining = _remaining.Slice(end);
+            return end > start;
+        }
+
+        /// <summary>Where the next word begins, or the line's length when there is none.</summary>
+        public static int StartOf(ReadOnlySpan<byte> line, int at)
+        {
+            while (at < line.Length && line[at] <= ' ')
+                at++;
+            return at;
+        }
+
+        /// <summary>Where the word at <paramref name="at"/> ends.</summary>
+        public static int EndOf(ReadOnlySpan<byte> line, int at)
+        {
+            while (at < line.Length && line[at] > ' ')
+                at++;
+            return at;
+        }
+    }
+}

@@ -1,0 +1,57 @@
+using System;
+using Unity.Mathematics;
+using static Unity.Mathematics.math;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// A binary BVH over boxes with one box a leaf. As n leaves always have n - 1 inner nodes,
+    /// the nodes' places are known before the BVH is:
+    /// a node stands before its left subtree, that one before the right subtree.
+    /// So cores that build subtrees need not agree on anything.
+    /// A child is the number of an inner node, or ~ (the complement of) the number of a leaf.
+    /// </summary>
+    sealed class BinaryBvh
+    {
+        public BinaryBvh(BvhLeaf[] leaves)
+        {
+            Leaves = leaves;
+            Nodes = new BinaryNode[Math.Max(0, leaves.Length - 1)];
+        }
+
+        /// <summary>Leaves from left to right.</summary>
+        public BvhLeaf[] Leaves { get; }
+
+        public BinaryNode[] Nodes { get; }
+
+        /// <summary>The root of a BVH that is not empty.</summary>
+        public int Root => Nodes.Length > 0 ? 0 : ~0;
+
+        public int Left(int node) => Nodes[node].LeftCount == 1 ? ~Nodes[node].First : node + 1;
+
+        public int Right(int node)
+        {
+            int left = Nodes[node].LeftCount;
+            return Nodes[node].Count - left == 1 ? ~(Nodes[node].First + left) : node + left;
+        }
+
+        public Box BoxOf(int child) => child < 0 ? Leaves[~child].Box : Nodes[child].Box;
+
+        /// <summary>
+        /// Metres: boxes are written so much larger on each side, as rays in float32 pass what they hit in truth by
+        /// some ten-millionths (ERROR_PER_SEGMENT in the kernels) of the lengths and coordinates that go into them.
+        /// </summary>
+        public double Margin
+        {
+            get
+            {
+                double3 boxMin = BoxOf(Root).Min, boxMax = BoxOf(Root).Max;
+                return 4e-6 * cmax(boxMax - boxMin) + 4e-7 * cmax(max(abs(boxMin), abs(boxMax)));
+            }
+        }
+
+        public int FirstLeaf(int child) => child < 0 ? ~child : Nodes[child].First;
+
+        public int LeafCount(int child) => child < 0 ? 1 : Nodes[child].Count;
+    }
+}

@@ -1,0 +1,30 @@
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>A BVH over boxes, such as those of instances, in the nodes of a mesh's BVH.</summary>
+    public static class InstanceBvh
+    {
+        /// <summary>Rows that a box takes at least, with its share of the nodes.</summary>
+        public static double MinRowsPerBox(BvhLayout layout) => BvhRows.MinRowsPerLeaf(layout);
+
+        /// <summary>
+        /// Rows of 16 bytes of the BVH over the boxes;
+        /// a leaf holds a box's number in its first component. No boxes: no rows.
+        /// </summary>
+        public static uint4[] Build(float3[] boxMins, float3[] boxMaxes, BvhLayout layout)
+        {
+            if (boxMins.Length == 0)
+                return new uint4[0];
+            int max = BvhRows.MaxLeaves(layout);
+            if (boxMins.Length > max)
+                throw new GlintException($"the scene has {boxMins.Length} meshes or parts of meshes, "
+                    + $"more than the {max} that one BVH holds; join small meshes");
+            var leaves = new BvhLeaf[boxMins.Length];
+            for (int i = 0; i < leaves.Length; i++)
+                leaves[i] = new BvhLeaf { Box = new Box(boxMins[i], boxMaxes[i]), Item = i };
+            var bvh = BinaryBvhBuilder.Build(leaves, max);
+            return BvhRows.Encode(bvh, bvh.Root, layout, new NumberWriter());
+        }
+    }
+}

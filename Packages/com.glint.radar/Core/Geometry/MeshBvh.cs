@@ -1,0 +1,137 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using System.Threading.Tasks;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// The BVHs over a mesh: one, or several where a mesh is too large for one. A mesh without triangles has none.
+    /// </summary>
+    public sealed class MeshBvh
+    {
+        const int MaxCoverBoxes = 64;
+
+        MeshBvh()
+        {
+        }
+
+        /// <summary>The BVHs; together they hold every triangle that reflects, each once.</summary>
+        public BvhPart[] Parts { get; private set; }
+
+        /// <summary>Lower corner of the box around all triangles, metres.</summary>
+        public float3 Min { get; private set; }
+
+        /// <summary>Upper corner of the same box, metres.</summary>
+        public float3 Max { get; private set; }
+
+        /// <summary>Lower corners of at most 64 boxes that together hold all triangles, metres.</summary>
+        public float3[] CoverMin { get; private set; }
+
+        /// <summary>Upper corners of the same boxes, metres.</summary>
+        public float3[] CoverMax { get; private set; }
+
+        /// <summary>Triangles in the BVHs. Those that reflect nothing are not.</summary>
+        public int TriangleCount { get; private set; }
+
+        /// <summary>
+        /// Builds the BVHs of a mesh whose coordinates are finite. The same mesh always gives the same BVHs.
+        /// </summary>
+        /// <exception cref="System.OperationCanceledException">
+        /// Cancelled: a tenth of a second later per million triangles at most.
+        /// </exception>
+        public static MeshBvh Build(TriangleMesh mesh, BvhLayout layout, CancellationToken cancel = default)
+        {
+            var pairs = TrianglePairs.Find(mesh, cancel);
+            int leavesPerPart = BvhRows.MaxLeaves(layout);
+            var bvh = BinaryBvhBuilder.Build(BoxesOf(mesh.Vertices, pairs), leavesPerPart, cancel);
+            var roots = PartRoots(bvh, leavesPerPart);
+            var parts = new BvhPart[roots.Count];
+            var writer = new PairWriter(mesh.Vertices, pairs);
+            Parallel.For(0, parts.Length, new ParallelOptions { CancellationToken = cancel }, part =>
+            {
+                var box = bvh.BoxOf(roots[part]);
+                parts[part] = new BvhPart
+                {
+                    Rows = BvhRows.Encode(bvh, roots[part], layout, writer), Min = box.Min, Max = box.Max
+                };
+            });
+            var cover = Cover(bvh);
+            return new MeshBvh
+            {
+                Parts = parts,
+                Min = bvh.Leaves.Length > 0 ? bvh.BoxOf(bvh.Root).Min : 0,
+                Max = bvh.Leaves.Length > 0 ? bvh.BoxOf(bvh.Root).Max : 0,
+                CoverMin = cover.Select(box => box.Min).ToArray(),
+                CoverMax = cover.Select(box => box.Max).ToArray(),
+                TriangleCount = pairs.Sum(pair => pair.z == pair.w ? 1 : 2),
+            };
+        }
+
+        /// <summary>Triangles of a mesh that its BVHs would hold.</summary>
+        public static int CountReflecting(TriangleMesh mesh) => TrianglePairs.CountReflecting(mesh);
+
+        /// <summary>Rows of 16 bytes that a triangle takes at least: all triangles in pairs, all nodes full.</summary>
+        public static double MinRowsPerTriangle(BvhLayout layout) => BvhRows.MinRowsPerLeaf(layout) / 2;
+
+        static BvhLeaf[] BoxesOf(float3[] vertices, int4[] pairs)
+        {
+            var leaves = new BvhLeaf[pairs.Length];
+            Blocks.For(leaves.Length, (from, to) =>
+            {
+                for (int i = from; i < to; i++)
+                {
+                    var box = Box.Empty;
+                    box.Add(vertices[pairs[i].x]);
+                    box.Add(vertices[pairs[i].y]);
+                    box.Add(vertices[pairs[i].z]);
+                    box.Add(vertices[pairs[i].w]);
+                    leaves[i] = new BvhLeaf { Box = box, Item = i };
+                }
+            });
+            return leaves;
+        }
+
+        // The largest subtrees that fit into a part, from left to right.
+        static List<int> PartRoots(BinaryBvh bvh, int leavesPerPart)
+        {
+            var roots = new List<int>();
+            if (bvh.Leaves.Length == 0)
+                return roots;
+            var open = new Stack<int>();
+            open.Push(bvh.Root);
+            while (open.Count > 0)
+            {
+                int subtree = open.Pop();
+                if (bvh.LeafCount(subtree) <= leavesPerPart)
+                {
+                    roots.Add(subtree);
+                    continue;
+                }
+                open.Push(bvh.Right(subtree));
+                open.Push(bvh.Left(subtree));
+            }
+            return roots;
+        }
+
+        // The boxes left when the largest inner node is opened again and again.
+        static List<Box> Cover(BinaryBvh bvh)
+        {
+            var subtrees = new List<int>();
+            if (bvh.Leaves.Length > 0)
+                subtrees.Add(bvh.Root);
+            while (subtrees.Count < MaxCoverBoxes && subtrees.Any(subtree => subtree >= 0))
+            {
+                int largest = -1;
+                for (int i = 0; i < subtrees.Count; i++)
+                    if (subtrees[i] >= 0
+                        && (largest < 0 || bvh.BoxOf(subtrees[i]).HalfArea > bvh.BoxOf(subtrees[largest]).HalfArea))
+                        largest = i;
+                subtrees.Add(bvh.Right(subtrees[largest]));
+                subtrees[largest] = bvh.Left(subtrees[largest]);
+            }
+            return subtrees.ConvertAll(bvh.BoxOf);
+        }
+    }
+}

@@ -1,0 +1,188 @@
+using System.IO;
+using System.Linq;
+using Glint.Core;
+using UnityEditor.SceneManagement;
+using UnityEngine;
+
+namespace Glint.Editor
+{
+    /// <summary>
+    /// The radar that a command traces with and what it turns, from a scene of the project,
+    /// from a mesh file, or the built-in ones.
+    /// </summary>
+    sealed class LoadedScene
+    {
+        LoadedScene(string name, string scene, RadarController radar, Transform target,
+            Sea sea = null, RadarOrbit orbit = null)
+        {
+            Name = name;
+            Scene = scene;
+            Radar = radar;
+            Target = target;
+            Sea = sea;
+            Orbit = orbit;
+        }
+
+        /// <summary>Name of the scene or mesh file without folder and extension.</summary>
+        public string Name { get; }
+
+        /// <summary>Asset path of the scene, or path of the mesh file as given; null for the built-in scene.</summary>
+        public string Scene { get; }
+
+        public RadarController Radar { get; }
+
+        /// <summary>What a sweep turns or moves the radar about; null when the command names none.</summary>
+        public Transform Target { get; }
+
+        /// <summary>Whose snapshots a sweep shows; null when the command names none.</summary>
+        public Sea Sea { get; }
+
+        /// <summary>Moves the radar that looks at a mesh file; null with a scene.</summary>
+        public RadarOrbit Orbit { get; }
+
+        /// <summary>Opens what the command line names.</summary>
+        /// <exception cref="GlintException">It is not there, or holds no radar or no such target.</exception>
+        public static LoadedScene Open(CommandLine line)
+        {
+            switch (line.InputKind)
+            {
+                case InputKind.Scene: return OpenScene(line);
+                case InputKind.BuiltIn: return MakeBuiltIn(line);
+                default: return OpenMeshFile(line);
+            }
+        }
+
+        /// <summary>A sweep of these through the poses of a plan.</summary>
+        public SweepSetup Sweep(SweepPlan plan) =>
+            new SweepSetup(Radar, plan) { Target = Target, Sea = Sea, Orbit = Orbit, Scene = Scene };
+
+        /// <summary>What stands in the open scene.</summary>
+        public static LoadedScene InOpenScene(RadarController radar, Transform target, Sea sea)
+        {
+            string scene = radar.gameObject.scene.path;
+            return new LoadedScene(Path.GetFileNameWithoutExtension(scene), scene, radar, target, sea);
+        }
+
+        /// <summary>
+        /// Lays the seas of the open scenes. One that could not be shown only said so in the log:
+        /// without it nothing would be traced aright.
+        /// </summary>
+        /// <exception cref="GlintException">A sea cannot be shown.</exception>
+        public static void RebuildSeas()
+        {
+            foreach (var sea in Object.FindObjectsByType<Sea>(FindObjectsInactive.Exclude, FindObjectsSortMode.None)
+                .Where(sea => sea.isActiveAndEnabled))
+                sea.Rebuild();
+        }
+
+        static LoadedScene OpenScene(CommandLine line)
+        {
+            var paths = new ProjectPaths(Path.GetDirectoryName(Application.dataPath));
+            var readings = paths.Readings(line.Input, Directory.GetCurrentDirectory());
+            if (!readings.Any(File.Exists) && readings.FirstOrDefault(Directory.Exists) is string folder)
+                throw new GlintException($"{line.Input}: {folder} is a folder: give a scene in it");
+            if (!readings.Any(File.Exists))
+                throw new GlintException($"{line.Input}: there is no such scene; "
+                    + $"it was looked for at {string.Join(" and ", readings)}");
+            string scene = paths.ToAssetPath(line.Input, Directory.GetCurrentDirectory());
+            EditorSceneManager.OpenScene(scene, OpenSceneMode.Single);
+            RebuildSeas();
+            var radar = SceneSearch.FindRadar(line.Input);
+            if (line.IsGiven(Options.Size) && radar.IsFitted)
+                throw new GlintException($"{line.Input}: its radar fits its aperture to the scene by Ray Spacing, "
+                    + $"so {Options.Size.Flag} means nothing: leave it out, or clear Fit Aperture of '{radar.name}'");
+            radar.Settings = Override(radar.Settings, line);
+            if (line.IsGiven(Options.Receiver))
+            {
+                var size = line.Get(Options.Receiver);
+                radar.ReceiverSize = new Vector2((float)size.x, (float)size.y);
+            }
+            var target = line.IsGiven(Options.Target) ? FindTarget(line.Input, line.Get(Options.Target)) : null;
+            var sea = line.IsGiven(Options.Snapshots) ? SceneSearch.FindSea(line.Input) : null;
+            return new LoadedScene(Path.GetFileNameWithoutExtension(scene), scene, radar, target, sea);
+        }
+
+        static LoadedScene OpenMeshFile(CommandLine line)
+        {
+            var file = MeshFileReader.Read(line.Input, line.Get(Options.Unit), line.Get(Options.Up));
+            int flat = file.CountDegenerate();
+            if (flat > 0)
+                Debug.LogWarning($"{line.Input}: {flat} of {file.TriangleCount} triangles have no area; "
+                    + "they reflect nothing");
+            return Show(file, line);
+        }
+
+        // The mesh options are refused here: their defaults are the published experiment's camera.
+        static LoadedScene MakeBuiltIn(CommandLine line)
+        {
+            var made =
+                new SeaAndShip(line.Get(Options.Seed), line.Get(Options.SeaTriangles), line.Get(Options.ShipTriangles));
+            var loaded = Show(new MeshFile("Ship", made.Ship.Vertices, made.Ship.Indices), line);
+            MeshFileScene.MakeObject(new MeshFile("Sea", made.Sea.Vertices, made.Sea.Indices));
+            return new LoadedScene("sea and ship", null, loaded.Radar, loaded.Target);
+        }
+
+        // A new scene with the mesh, a radar before it and nothing else.
+        static LoadedScene Show(MeshFile file, CommandLine line)
+        {
+            EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
+            var placement = new RadarPlacement
+            {
+                Aim = line.Get(Options.Aim),
+                Distance = line.Get(Options.Distances)?[0] ?? line.Get(Options.Distance),
+                GrazingDegrees = line.Get(Options.GrazingAngles)?[0] ?? line.Get(Options.Grazing),
+                AzimuthDegrees = line.Get(Options.Azimuth),
+                VerticalFovDegrees = line.Get(Options.Fov),
+                RaySpacing = line.Get(Options.Spacing),
+                ApertureSize = line.Get(Options.Aperture),
+            };
+            // Parallel rays come back to the rectangle that they left, unless another is given.
+            if (!line.IsGiven(Options.Spacing) || line.IsGiven(Options.Receiver))
+                placement.ReceiverSize = line.Get(Options.Receiver);
+            var scene = MeshFileScene.Create(file, placement, Override(RadarSettings.Default, line), ProjectAssets.Kernel);
+            return new LoadedScene(file.Name, line.Input, scene.Radar, scene.Target, null, scene.Orbit);
+        }
+
+        // What is not given stays: a scene's own settings, or the standard ones, which are the options' defaults too.
+        static RadarSettings Override(RadarSettings settings, CommandLine line)
+        {
+            if (line.IsGiven(Options.Size))
+                (settings.RaysAcross, settings.RaysDown) = (line.Get(Options.Size).x, line.Get(Options.Size).y);
+            if (line.IsGiven(Options.Region))
+                settings.Region = line.Get(Options.Region);
+            if (line.IsGiven(Options.Frequency))
+                settings.FrequencyHz = line.Get(Options.Frequency);
+            if (line.IsGiven(Options.Bounces))
+                settings.MaxBounces = line.Get(Options.Bounces);
+            return settings;
+        }
+
+        static Transform FindTarget(string scene, string name)
+        {
+            var all = Object.FindObjectsByType<Transform>(FindObjectsInactive.Include, FindObjectsSortMode.None);
+            var fitting = all.Where(candidate => candidate.name == name || PathOf(candidate) == name).ToArray();
+            var named = fitting.Where(candidate => candidate.gameObject.activeInHierarchy).ToArray();
+            if (named.Length == 1)
+                return named[0];
+            if (named.Length > 1)
+                throw new GlintException($"{scene}: --target \"{name}\" fits {named.Length} objects, {Quoted(named)}; "
+                    + "give the path of one, or rename them");
+            if (fitting.Length > 0)
+                throw new GlintException($"{scene}: the object \"{name}\" for --target is inactive; activate it");
+            throw new GlintException($"{scene}: has no object \"{name}\" for --target; "
+                + $"at its root are {Quoted(all.Where(candidate => candidate.parent == null).ToArray())}");
+        }
+
+        static string Quoted(Component[] components)
+        {
+            const int shown = 8;
+            string names = string.Join(", ", components.Select(component => $"'{PathOf(component.transform)}'")
+                .OrderBy(path => path, System.StringComparer.Ordinal).Take(shown));
+            return components.Length > shown ? $"{names} and {components.Length - shown} more" : names;
+        }
+
+        /// <summary>From the root, as --target takes it: Fleet/Ship.</summary>
+        public static string PathOf(Transform transform) =>
+            transform.parent == null ? transform.name : $"{PathOf(transform.parent)}/{transform.name}";
+    }
+}

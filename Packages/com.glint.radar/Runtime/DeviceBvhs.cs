@@ -1,0 +1,181 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>
+    /// The BVHs over meshes on the device. A mesh that comes again costs nothing;
+    /// those that do not come again are dropped.
+    /// </summary>
+    sealed class DeviceBvhs : IDisposable
+    {
+        /// <summary>Buffers that the kernel can read BVHs from: _Bvh0 to _Bvh7.</summary>
+        public const int MaxPages = 8;
+
+        // Buffers larger than so many times what is in them are given back, beyond a few that nobody misses.
+        const int MaxSlack = 4;
+        const long SpareRows = 1 << 16;
+
+        readonly BvhLayout _layout;
+        readonly string _owner;
+        readonly long _maxRowsPerPage;
+        readonly List<BvhPage> _pages = new List<BvhPage>();
+        readonly Dictionary<TriangleMesh, BvhAllocation> _bvhs = new Dictionary<TriangleMesh, BvhAllocation>();
+        bool _hasChanged;
+
+        /// <param name="maxRowsPerPage">Rows that one buffer may hold; fewer if the device holds fewer.</param>
+        public DeviceBvhs(BvhLayout layout, string owner, long maxRowsPerPage)
+        {
+            _layout = layout;
+            _owner = owner;
+            _maxRowsPerPage = Math.Min(maxRowsPerPage, DeviceBuffer<uint4>.MaxCount);
+        }
+
+        public BvhAllocation this[TriangleMesh mesh] => _bvhs[mesh];
+
+        public IReadOnlyList<BvhPage> Pages => _pages;
+
+        /// <summary>Bytes of the device's buffers.</summary>
+        public long Bytes => Capacity * 16;
+
+        /// <summary>Holds the BVHs of these meshes from now on, and no others: builds those that are new.</summary>
+        /// <returns>True if any was built.</returns>
+        /// <exception cref="GlintException">
+        /// The device cannot hold them; the BVHs before are lost unless that was plain before any was built.
+        /// </exception>
+        /// <exception cref="OperationCanceledException">Building was cancelled; the BVHs before are lost.</exception>
+        public bool SetMeshes(ICollection<TriangleMesh> meshes, TraceStatistics statistics,
+            Func<TriangleMesh, BvhLayout, MeshBvh> build)
+        {
+            RefuseBefore(meshes);
+            try
+            {
+                Drop(meshes);
+                var added = Build(meshes, statistics, build);
+                Upload(added, statistics);
+                return added.Count > 0;
+            }
+            catch
+            {
+                Dispose(); // half of it would be worse than nothing
+                throw;
+            }
+        }
+
+        public void Dispose()
+        {
+            foreach (var page in _pages)
+                page.Dispose();
+            _pages.Clear();
+            _bvhs.Clear();
+        }
+
+        void Drop(ICollection<TriangleMesh> but)
+        {
+            foreach (var mesh in _bvhs.Keys.Where(mesh => !but.Contains(mesh)).ToList())
+            {
+                _bvhs[mesh].Free(_pages);
+                _bvhs.Remove(mesh);
+            }
+        }
+
+        List<BvhAllocation> Build(ICollection<TriangleMesh> meshes, TraceStatistics statistics,
+            Func<TriangleMesh, BvhLayout, MeshBvh> build)
+        {
+            var added = new List<BvhAllocation>();
+            foreach (var mesh in meshes)
+            {
+                if (_bvhs.ContainsKey(mesh))
+                    continue;
+                var allocation = new BvhAllocation(build(mesh, _layout));
+                statistics.BvhsBuilt++;
+                statistics.TrianglesBuilt += mesh.TriangleCount;
+                _bvhs.Add(mesh, allocation);
+                added.Add(allocation);
+            }
+            return added;
+        }
+
+        void Upload(List<BvhAllocation> added, TraceStatistics statistics)
+        {
+            if (_pages.Count == 0 || IsMostlyEmpty || !added.All(allocation => allocation.Allocate(_pages)))
+            {
+                added = _bvhs.Values.ToList();
+                MakePages();
+                if (!added.All(allocation => allocation.Allocate(_pages)))
+                    throw new InvalidOperationException("BVHs do not fit the buffers made for them");
+            }
+            statistics.BytesUploaded += added.Sum(allocation => allocation.Rows) * 16;
+        }
+
+        // New buffers for all BVHs. A scene that has changed once will do so again:
+        // then there is room for its next mesh.
+        void MakePages()
+        {
+            foreach (var page in _pages)
+                page.Dispose();
+            _pages.Clear();
+            var parts = _bvhs.Values.SelectMany(allocation => allocation.Bvh.Parts)
+                .Select(part => (long)part.Rows.Length).ToList();
+            long spare = _hasChanged && parts.Count > 0 ? parts.Sum() / 8 + parts.Max() : 0;
+            _hasChanged = true;
+            Refuse(parts.Sum(), "");
+
+            var sizes = new List<long> { 0 };
+            foreach (long rows in parts)
+            {
+                if (rows > _maxRowsPerPage)
+                    throw TooLarge(parts.Sum(), "");
+                if (sizes[sizes.Count - 1] + rows > _maxRowsPerPage)
+                    sizes.Add(0);
+                sizes[sizes.Count - 1] += rows;
+            }
+            if (sizes.Count > MaxPages)
+                throw TooLarge(parts.Sum(), "");
+            // Where there are several buffers anyway, one more costs nothing.
+            if (sizes.Count > 1 && sizes.Count < MaxPages && sizes[sizes.Count - 1] + spare > _maxRowsPerPage
+                && (parts.Sum() + spare) * 16 <= MaxBytes)
+                sizes.Add(0);
+            int last = sizes.Count - 1;
+            sizes[last] = Math.Max(1, Math.Min(_maxRowsPerPage, sizes[last] + spare));
+            foreach (long rows in sizes)
+                _pages.Add(new BvhPage((int)rows));
+        }
+
+        long Capacity => _pages.Sum(page => (long)page.Rows.Capacity);
+
+        bool IsMostlyEmpty => Capacity > MaxSlack * _bvhs.Values.Sum(allocation => allocation.Rows) + SpareRows;
+
+        double MaxBytes =>
+            Math.Min((double)MaxPages * _maxRowsPerPage * 16, SystemInfo.graphicsMemorySize * 1048576.0);
+
+        /// <summary>What the BVHs over some meshes take if every triangle reflects and all are in pairs.</summary>
+        public static double MinBytes(IEnumerable<TriangleMesh> meshes, BvhLayout layout) =>
+            meshes.Sum(mesh => (double)mesh.TriangleCount) * MeshBvh.MinRowsPerTriangle(layout) * 16;
+
+        // By what the BVHs take at least, before they are built. Triangles that reflect nothing are not in them;
+        // they are counted only if it matters.
+        void RefuseBefore(ICollection<TriangleMesh> meshes)
+        {
+            double min = MeshBvh.MinRowsPerTriangle(_layout);
+            if (MinBytes(meshes, _layout) > MaxBytes)
+                Refuse(meshes.Sum(mesh => (double)MeshBvh.CountReflecting(mesh)) * min, "at least ");
+        }
+
+        void Refuse(double rows, string bound)
+        {
+            if (rows * 16 > MaxBytes)
+                throw TooLarge(rows, bound);
+        }
+
+        GlintException TooLarge(double rows, string bound) =>
+            new GlintException($"{_owner}: the BVHs over its meshes take {bound}{Text.Mebibytes(rows * 16)}, "
+                + $"and {SystemInfo.graphicsDeviceName} holds {Text.Mebibytes(MaxBytes)} of them in buffers "
+                + $"of {Text.Mebibytes(_maxRowsPerPage * 16.0)}: trace fewer triangles (layers, roots), "
+                + "or share one mesh among several objects");
+    }
+}

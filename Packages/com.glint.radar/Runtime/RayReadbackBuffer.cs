@@ -1,0 +1,146 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Runtime.InteropServices;
+using Glint.Core;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>The rays that a pose keeps one by one, as they come back dispatch by dispatch.</summary>
+    sealed class RayReadbackBuffer
+    {
+        static readonly int s_rayBytes = Marshal.SizeOf<RayData>();
+
+        readonly string _owner;
+        readonly RadarSettings _settings;
+        readonly List<RayData[]> _received = new List<RayData[]>();
+        readonly RayData[] _all;
+        RayData[] _slice = Array.Empty<RayData>();
+        long _receivedCount;
+
+        /// <exception cref="GlintException">All rays are to be kept, and this computer has not the memory.</exception>
+        public RayReadbackBuffer(RayReadback readback, in RadarSettings settings, string owner)
+        {
+            Mode = readback;
+            _settings = settings;
+            _owner = owner;
+            if (readback == RayReadback.All)
+                _all = MakeRays(settings.RaysEmitted, $"all of {settings.RaysEmitted} rays");
+        }
+
+        public RayReadback Mode { get; }
+
+        /// <summary>Time taken by reading back and by ordering what was read, milliseconds.</summary>
+        public double ReadBackMs { get; private set; }
+
+        /// <summary>Refuses to keep more rays than this computer has memory for.</summary>
+        /// <exception cref="GlintException">It has not as much.</exception>
+        public static void Refuse(RayReadback readback, in RadarSettings settings, string owner)
+        {
+            if (readback == RayReadback.All
+                && (settings.RaysEmitted * (double)s_rayBytes > HostBytes || settings.RaysEmitted > 0x7fffffc7))
+                throw TooMany($"all of {settings.RaysEmitted} rays", settings.RaysEmitted * (double)s_rayBytes, owner);
+        }
+
+        /// <summary>Makes room for the rays of some tiles if all are kept.</summary>
+        public void Reserve(DeviceBuffer<RayData> rays, int tiles) =>
+            rays.Reserve(Mode == RayReadback.All ? tiles * PictureTiles.Rays : 1); // a binding must not be empty
+
+        /// <summary>Reads back the rays of some tiles when all are kept.</summary>
+        public void AddTiles(DeviceBuffer<RayData> rays, int tiles, TraceStatistics statistics)
+        {
+            if (Mode != RayReadback.All)
+                return;
+            int count = tiles * PictureTiles.Rays;
+            if (_slice.Length < count)
+                _slice = new RayData[count];
+            ReadBack(rays, _slice, count, statistics);
+            Scatter(count);
+        }
+
+        /// <summary>Reads back rays that were followed once more, when received ones are kept.</summary>
+        /// <exception cref="GlintException">More rays are received than this computer has memory for.</exception>
+        public void AddCandidates(DeviceBuffer<RayData> rays, int count, TraceStatistics statistics)
+        {
+            if (Mode != RayReadback.Received)
+                return;
+            _receivedCount += count;
+            // Once as they come and once in order, with a number each to order them by.
+            int bytes = 2 * s_rayBytes + sizeof(uint);
+            if (_receivedCount * (double)bytes > HostBytes)
+                throw TooMany(Received, _receivedCount * (double)bytes, _owner);
+            var part = MakeRays(count, Received);
+            ReadBack(rays, part, count, statistics);
+            part = Array.FindAll(part, ray => ray.IsReceived);
+            _receivedCount += part.Length - count;
+            _received.Add(part);
+        }
+
+        void ReadBack(DeviceBuffer<RayData> rays, RayData[] into, int count, TraceStatistics statistics)
+        {
+            var watch = Stopwatch.StartNew();
+            rays.ReadBack(into, count);
+            statistics.BytesReadBack += (long)count * s_rayBytes;
+            ReadBackMs += watch.Elapsed.TotalMilliseconds;
+        }
+
+        /// <summary>The rays in order of their pixel.</summary>
+        public RayData[] ToArray()
+        {
+            if (Mode == RayReadback.All)
+                return _all;
+            var watch = Stopwatch.StartNew();
+            var rays = MakeRays(_receivedCount, Received);
+            int at = 0;
+            foreach (var part in _received)
+            {
+                part.CopyTo(rays, at);
+                at += part.Length;
+            }
+            _received.Clear();
+            var pixels = new uint[rays.Length];
+            for (int i = 0; i < rays.Length; i++)
+                pixels[i] = rays[i].Pixel;
+            // They come in the order in which the GPU was done with them.
+            Array.Sort(pixels, rays);
+            ReadBackMs += watch.Elapsed.TotalMilliseconds;
+            return rays;
+        }
+
+        static double HostBytes => SystemInfo.systemMemorySize * 1048576.0;
+
+        string Received => $"{_receivedCount} received rays";
+
+        static GlintException TooMany(string rays, double bytes, string owner) =>
+            new GlintException($"{owner}: keeping {rays} takes {Text.Mebibytes(bytes)}, and this computer has "
+                + $"{Text.Mebibytes(HostBytes)}: keep received rays only, or none, or trace a region or fewer rays");
+
+        RayData[] MakeRays(long count, string what)
+        {
+            try
+            {
+                return new RayData[count];
+            }
+            catch (OutOfMemoryException)
+            {
+                throw TooMany(what, count * (double)s_rayBytes, _owner);
+            }
+        }
+
+        void Scatter(int count)
+        {
+            var region = _settings.Region;
+            int width = region.IsWhole ? _settings.RaysAcross : region.Width;
+            for (int i = 0; i < count; i++)
+            {
+                uint pixel = _slice[i].Pixel;
+                if (pixel == ReceivedRay.NoPixel)
+                    continue; // beside the picture
+                int x = (int)(pixel % (uint)_settings.RaysAcross) - region.Left,
+                    y = (int)(pixel / (uint)_settings.RaysAcross) - region.Bottom;
+                _all[(long)y * width + x] = _slice[i];
+            }
+        }
+    }
+}

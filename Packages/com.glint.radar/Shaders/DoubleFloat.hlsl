@@ -1,0 +1,170 @@
+#ifndef GLINT_DOUBLE_FLOAT
+#define GLINT_DOUBLE_FLOAT
+
+// Numbers of about 45 bits: the unevaluated sum of two float32,
+// as shader model 5.0 has no double on all devices and no fused multiply-add.
+// (After Dekker 1971, Knuth, and Li et al. 2002.) Every step is "precise": without it FXC takes a + b - a for b,
+// and the errors that this is all about are gone, without a word.
+
+struct DoubleFloat
+{
+    float Hi;             // the number, rounded to float32
+    float Lo;             // what the rounding left out
+};
+
+struct DoubleFloat3
+{
+    DoubleFloat X, Y, Z;
+};
+
+DoubleFloat MakeDoubleFloat(float hi, float lo)
+{
+    DoubleFloat value;
+    value.Hi = hi;
+    value.Lo = lo;
+    return value;
+}
+
+DoubleFloat3 MakeDoubleFloat3(DoubleFloat x, DoubleFloat y, DoubleFloat z)
+{
+    DoubleFloat3 v;
+    v.X = x;
+    v.Y = y;
+    v.Z = z;
+    return v;
+}
+
+float RoundedSum(float a, float b)
+{
+    precise float sum = a + b;
+    return sum;
+}
+
+// a + b, exactly.
+DoubleFloat TwoSum(float a, float b)
+{
+    precise float sum = a + b;
+    precise float ofB = sum - a;
+    precise float lo = (a - (sum - ofB)) + (b - ofB);
+    return MakeDoubleFloat(sum, lo);
+}
+
+// a + b, exactly, when a is the larger one or 0.
+DoubleFloat QuickTwoSum(float a, float b)
+{
+    precise float sum = a + b;
+    precise float lo = b - (sum - a);
+    return MakeDoubleFloat(sum, lo);
+}
+
+// A number without its lower 12 bits.
+float Upper(float a)
+{
+    precise float scaled = 4097.0 * a;
+    precise float upper = scaled - (scaled - a);
+    return upper;
+}
+
+// a * b, exactly.
+DoubleFloat TwoProd(float a, float b)
+{
+    float upperA = Upper(a), upperB = Upper(b);
+    precise float lowerA = a - upperA;
+    precise float lowerB = b - upperB;
+    precise float product = a * b;
+    precise float lo = ((upperA * upperB - product) + upperA * lowerB + lowerA * upperB) + lowerA * lowerB;
+    return MakeDoubleFloat(product, lo);
+}
+
+DoubleFloat Add(DoubleFloat a, DoubleFloat b)
+{
+    DoubleFloat sum = TwoSum(a.Hi, b.Hi);
+    return TwoSum(sum.Hi, RoundedSum(sum.Lo, a.Lo + b.Lo));
+}
+
+DoubleFloat Sub(DoubleFloat a, DoubleFloat b)
+{
+    return Add(a, MakeDoubleFloat(-b.Hi, -b.Lo));
+}
+
+DoubleFloat Mul(DoubleFloat a, DoubleFloat b)
+{
+    DoubleFloat product = TwoProd(a.Hi, b.Hi);
+    return QuickTwoSum(product.Hi, RoundedSum(product.Lo, a.Hi * b.Lo + a.Lo * b.Hi));
+}
+
+DoubleFloat Mul(DoubleFloat a, float b)
+{
+    DoubleFloat product = TwoProd(a.Hi, b);
+    return QuickTwoSum(product.Hi, RoundedSum(product.Lo, a.Lo * b));
+}
+
+// Two digits of a long division: a device's own may be off by some steps.
+DoubleFloat Div(DoubleFloat a, DoubleFloat b)
+{
+    float first = a.Hi / b.Hi;
+    return TwoSum(first, Sub(a, Mul(b, first)).Hi / b.Hi);
+}
+
+// Square root of a positive number: a step of Newton's after the device's own.
+DoubleFloat Sqrt(DoubleFloat a)
+{
+    float root = sqrt(a.Hi);
+    return TwoSum(root, Sub(a, TwoProd(root, root)).Hi / (2.0 * root));
+}
+
+float Rounded(DoubleFloat a)
+{
+    return a.Hi;
+}
+
+float3 Rounded(DoubleFloat3 v)
+{
+    return float3(v.X.Hi, v.Y.Hi, v.Z.Hi);
+}
+
+DoubleFloat3 Add(DoubleFloat3 a, DoubleFloat3 b)
+{
+    return MakeDoubleFloat3(Add(a.X, b.X), Add(a.Y, b.Y), Add(a.Z, b.Z));
+}
+
+DoubleFloat3 Sub(DoubleFloat3 a, DoubleFloat3 b)
+{
+    return MakeDoubleFloat3(Sub(a.X, b.X), Sub(a.Y, b.Y), Sub(a.Z, b.Z));
+}
+
+// a - b, exactly.
+DoubleFloat3 Difference(float3 a, float3 b)
+{
+    return MakeDoubleFloat3(TwoSum(a.x, -b.x), TwoSum(a.y, -b.y), TwoSum(a.z, -b.z));
+}
+
+DoubleFloat3 Mul(DoubleFloat3 v, DoubleFloat s)
+{
+    return MakeDoubleFloat3(Mul(v.X, s), Mul(v.Y, s), Mul(v.Z, s));
+}
+
+DoubleFloat3 Mul(DoubleFloat3 v, float s)
+{
+    return MakeDoubleFloat3(Mul(v.X, s), Mul(v.Y, s), Mul(v.Z, s));
+}
+
+DoubleFloat Dot(DoubleFloat3 a, DoubleFloat3 b)
+{
+    DoubleFloat x = TwoProd(a.X.Hi, b.X.Hi), y = TwoProd(a.Y.Hi, b.Y.Hi), z = TwoProd(a.Z.Hi, b.Z.Hi);
+    float lows =
+        (a.X.Hi * b.X.Lo + a.X.Lo * b.X.Hi) + (a.Y.Hi * b.Y.Lo + a.Y.Lo * b.Y.Hi) + (a.Z.Hi * b.Z.Lo + a.Z.Lo * b.Z.Hi);
+    DoubleFloat xy = TwoSum(x.Hi, y.Hi);
+    DoubleFloat xyz = TwoSum(xy.Hi, z.Hi);
+    return TwoSum(xyz.Hi, RoundedSum(xy.Lo + xyz.Lo, (x.Lo + y.Lo) + (z.Lo + lows)));
+}
+
+DoubleFloat3 Cross(DoubleFloat3 a, DoubleFloat3 b)
+{
+    return MakeDoubleFloat3(
+        Sub(Mul(a.Y, b.Z), Mul(a.Z, b.Y)),
+        Sub(Mul(a.Z, b.X), Mul(a.X, b.Z)),
+        Sub(Mul(a.X, b.Y), Mul(a.Y, b.X)));
+}
+
+#endif

@@ -1,0 +1,95 @@
+#ifndef GLINT_REFINE_HIT
+#define GLINT_REFINE_HIT
+
+#include "Geometry.hlsl"
+#include "DoubleFloat.hlsl"
+
+// A ray as it is, beside the one of float32 that is searched for.
+struct RefineRay
+{
+    DoubleFloat3 Origin;  // the hit before
+    DoubleFloat3 Direction;
+    float Back;           // m, from where the search began, on the line, to the origin
+    float SceneExtent;    // the scene's size in the mesh's frame: the origin is rounded as places in the scene are
+};
+
+// A triangle in whose plane the ray starts is not met:
+// so near, as a part of the lengths that go into the height above it.
+static const float ON_SURFACE = 1.0e-13;
+
+// Of the numbers that go into the side of an edge: some steps of double-float numbers.
+static const float SIDE_ROUNDING = 4.0e-13;
+
+float Sum(float3 v)
+{
+    return v.x + v.y + v.z;
+}
+
+// Whether a ray of float32 passes an edge on the inner side of a triangle, for both ways around,
+// or beyond it by no more than rounding and the position error explain. Not if a corner is no number.
+bool2 IsInside(float2 a, float2 b, float positionError)
+{
+    float side = a.x * b.y - a.y * b.x;
+    float2 edge = abs(b - a);
+    float edgeError = positionError * (edge.x + edge.y) + 2.4e-7 * (abs(a.x * b.y) + abs(a.y * b.x));
+    return bool2(side >= -edgeError, side <= edgeError);
+}
+
+// In a frame that stretches, distances round as its lengths do.
+float DistanceError(TraversalRay ray, float positionError)
+{
+    return max(positionError, ray.PositionError * abs(ray.Shear.z));
+}
+
+// Whether the line may hit the triangle, no farther from where the search began than reach, m.
+bool MayHit(TraversalRay ray, float3 a, float3 b, float3 c, float reach)
+{
+    float3 p = AsSeen(ray, a), q = AsSeen(ray, b), r = AsSeen(ray, c);
+    float positionError = 3.0 * ray.PositionError; // seen sheared
+    bool2 isInside = IsInside(p.xy, q.xy, positionError) && IsInside(q.xy, r.xy, positionError) && IsInside(r.xy, p.xy, positionError);
+    return (isInside.x || isInside.y) && min(p.z, min(q.z, r.z)) <= reach;
+}
+
+// On which side the line passes the edge between two corners, times four times the area that the edge spans with
+// the origin; 0 where rounding leaves that open.
+// So a line through an edge or a corner meets all triangles there, and passes between none.
+// An edge that is short and far away costs no digits.
+float SideOfLine(RefineRay ray, float3 a, float3 b)
+{
+    DoubleFloat3 between = Add(MakeDoubleFloat3(TwoSum(a.x, b.x), TwoSum(a.y, b.y), TwoSum(a.z, b.z)), Mul(ray.Origin, -2.0)),
+        edge = Difference(b, a);
+    float side = Rounded(Dot(ray.Direction, Cross(between, edge)));
+    float edgeError = SIDE_ROUNDING * (Sum(abs(a) + abs(b) + 2.0 * abs(Rounded(ray.Origin))) + ray.SceneExtent)
+        * Sum(abs(Rounded(edge))) * Sum(abs(Rounded(ray.Direction)));
+    return abs(side) <= edgeError ? 0.0 : side;
+}
+
+// Whether the line meets the triangle after its origin, and how far along, m:
+// at its nearest or farthest corner where rounding says nearer or farther, as of a triangle seen edge-on.
+bool Hits(TraversalRay traversalRay, RefineRay ray, float positionError, float3 a, float3 b, float3 c, out DoubleFloat toHit, out bool isAtEdge)
+{
+    toHit = MakeDoubleFloat(MISS, 0.0);
+    float3 sides = float3(SideOfLine(ray, b, c), SideOfLine(ray, c, a), SideOfLine(ray, a, b));
+    isAtEdge = sides.x == 0.0 || sides.y == 0.0 || sides.z == 0.0;
+    if (min(sides.x, min(sides.y, sides.z)) < 0.0 && max(sides.x, max(sides.y, sides.z)) > 0.0)
+        return false;
+    DoubleFloat3 normal = Cross(Difference(b, a), Difference(c, a));
+    normal = Mul(normal, 1.0 / length(Rounded(normal)));
+    DoubleFloat3 toCorner = Sub(MakeDoubleFloat3(MakeDoubleFloat(a.x, 0.0), MakeDoubleFloat(a.y, 0.0), MakeDoubleFloat(a.z, 0.0)), ray.Origin);
+    DoubleFloat height = Dot(normal, toCorner), facing = Dot(normal, ray.Direction);
+    if (!(abs(facing.Hi) > 0.0)) // nor a number, of the second triangle of a pair that has but one
+        return false;
+    if (abs(height.Hi) <= ON_SURFACE * (Sum(abs(Rounded(toCorner)) + abs(Rounded(ray.Origin))) + ray.SceneExtent))
+        return false;
+    toHit = Div(height, facing);
+    float3 distances = float3(AsSeen(traversalRay, a).z, AsSeen(traversalRay, b).z, AsSeen(traversalRay, c).z) - ray.Back;
+    float nearest = min(distances.x, min(distances.y, distances.z)),
+        farthest = max(distances.x, max(distances.y, distances.z));
+    if (!(toHit.Hi >= nearest - positionError))
+        toHit = MakeDoubleFloat(nearest, 0.0);
+    if (!(toHit.Hi <= farthest + positionError))
+        toHit = MakeDoubleFloat(farthest, 0.0);
+    return toHit.Hi > 0.0;
+}
+
+#endif

@@ -1,0 +1,52 @@
+#ifndef GLINT_TRAVERSE_BINARY
+#define GLINT_TRAVERSE_BINARY
+
+#include "Leaf.hlsl"
+#include "BinaryBvh.hlsl"
+
+static const uint4 ROOT_ENTRY_POINTS = uint4(ROOT, DONE, DONE, DONE);
+
+// Searches the BVH of one mesh from up to four places in order: two children a node, the nearer one first,
+// the farther one waits on a stack. The fastest on GPUs.
+void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uint4 entryPoints, inout Hit hit)
+{
+    uint stack[STACK_BOTTOM + 3 + BINARY_LEVELS]; // three starts besides
+    stack[0] = DONE;
+    stack[1] = DONE;
+    uint top = 1;
+    for (uint entry = 3; entry > 0; entry--)
+        if (entryPoints[entry] != DONE)
+            stack[++top] = entryPoints[entry];
+    uint current = entryPoints.x;
+    BoxRay boxRay = MakeBoxRay(ray, asfloat(LoadBvh(page, firstRow).xyz));
+    [loop]
+    while (current != DONE || HasPending(hit)) // only refine kernels ever wait
+    {
+        [loop]
+        while (current != DONE && !HasPending(hit))
+        {
+            [loop]
+            while ((current & LEAF) == 0)
+            {
+                COUNT_NODE;
+                uint row = firstRow + current;
+                Entered entered = EnterChildren(LoadBvh(page, row), LoadBvh(page, row + 1),
+                    LoadBvh(page, row + 2).xyz, boxRay, hit.Distance);
+                current = entered.Near;
+                if (entered.Both)
+                    stack[++top] = entered.Far;
+                if (!entered.Any)
+                    current = stack[top--];
+            }
+            [loop]
+            while (current >= LEAF && current != DONE && !HasPending(hit))
+            {
+                TestPair(ray, instance, page, firstRow, current & ~LEAF, hit);
+                current = stack[top--];
+            }
+        }
+        TestPending(ray, instance, page, firstRow, hit);
+    }
+}
+
+#endif
