@@ -139,7 +139,8 @@ namespace Glint.Editor
             // Parallel rays come back to the rectangle that they left, unless another is given.
             if (!line.IsGiven(Options.Spacing) || line.IsGiven(Options.Receiver))
                 placement.ReceiverSize = line.Get(Options.Receiver);
-            var scene = MeshFileScene.Create(file, placement, Override(RadarSettings.Default, line), ProjectAssets.Kernel);
+            var scene =
+                MeshFileScene.Create(file, placement, Override(RadarSettings.Default, line), ProjectAssets.Kernel);
             return new LoadedScene(file.Name, line.Input, scene.Radar, scene.Target, null, scene.Orbit);
         }
 

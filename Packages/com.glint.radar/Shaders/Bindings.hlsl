@@ -18,7 +18,8 @@ uint _InstanceBvhRoot;                      // where the search starts
 
 // Input: the radar, about the middle of the scene, m.
 // Each number is given by its float32 and by the rest that this leaves out.
-// Start and direction of a ray are linear in its place in the picture: in rays to the right of and above _ReferencePixel.
+// Start and direction of a ray are linear in its place in the picture:
+// in rays to the right of and above _ReferencePixel.
 // on a plane between the radar and the scene, at the radar if this is in the scene
 float4 _Origin, _OriginLo;
 float4 _OriginDx, _OriginDxLo;

@@ -5,7 +5,8 @@
 
 // The rays of a tile go down the same nodes before they part. A frustum around them goes there once,
 // and they all start from where it ends:
-// at most MAX_ENTRY_POINTS references to nodes or leaves that together hold all that the frustum can meet, nearest first.
+// at most MAX_ENTRY_POINTS references to nodes or leaves that together hold all that
+// the frustum can meet, nearest first.
 
 // So much wider than the rays of its tile is a frustum, in rays: many times the rounding of directions.
 static const float FRUSTUM_MARGIN = 0.05;
@@ -35,7 +36,8 @@ TileFrustum MakeTileFrustum(InstanceRecord record, float2 corner, float side)
         originDy = side * VectorToLocal(record, _OriginDy.xyz);
     float3 directionDx = side * VectorToLocal(record, _DirectionDx.xyz),
         directionDy = side * VectorToLocal(record, _DirectionDy.xyz);
-    float3 direction = VectorToLocal(record, _Direction.xyz + corner.x * _DirectionDx.xyz + corner.y * _DirectionDy.xyz);
+    float3 direction =
+        VectorToLocal(record, _Direction.xyz + corner.x * _DirectionDx.xyz + corner.y * _DirectionDy.xyz);
     // From ray to ray, at the start or beyond: the same direction.
     float3 right = originDx + directionDx, up = originDy + directionDy;
 
@@ -57,15 +59,18 @@ float Farthest(float3 direction, float3 centre, float3 halfSize)
     return dot(direction, centre) + dot(abs(direction), halfSize);
 }
 
-// A distance, from the plane of the starts, that no ray of the frustum is nearer to the box than; MISS if none meets it.
+// A distance, from the plane of the starts, that no ray of the frustum is nearer to the box than;
+// MISS if none meets it.
 float EnterFrustum(TileFrustum frustum, float3 boxMin, float3 boxMax)
 {
     float3 centre = 0.5 * (boxMin + boxMax) - frustum.Corner, halfSize = 0.5 * (boxMax - boxMin);
     float3 size = abs(centre) + halfSize;
     float rounding = 1.0e-5 * (size.x + size.y + size.z) + 2.0 * frustum.Rounding;
-    float minDistance = min(Farthest(frustum.Left, centre, halfSize), Farthest(frustum.Right, centre, halfSize) + frustum.Width.x);
+    float minDistance =
+        min(Farthest(frustum.Left, centre, halfSize), Farthest(frustum.Right, centre, halfSize) + frustum.Width.x);
     minDistance =
-        min(minDistance, min(Farthest(frustum.Below, centre, halfSize), Farthest(frustum.Above, centre, halfSize) + frustum.Width.y));
+        min(minDistance, min(Farthest(frustum.Below, centre, halfSize),
+            Farthest(frustum.Above, centre, halfSize) + frustum.Width.y));
     minDistance = min(minDistance, Farthest(frustum.Axis, centre, halfSize));
     return minDistance >= -rounding ? -Farthest(-frustum.Axis, centre, halfSize) : MISS;
 }

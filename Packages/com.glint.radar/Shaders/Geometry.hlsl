@@ -87,9 +87,10 @@ float MaxComponent(float3 v)
 
 // Distance to a triangle of these corners, as the ray sees them, and with these sides opposite to them; MISS outside.
 // A ray through an edge or a corner, where a side is 0, is inside.
-// AmbiguousDistance: no more than the distance in truth, if the ray is inside or outside by so little that this may be wrong,
-// else MISS. MaxEdgeError: no side is in doubt that is larger.
-float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionError, float maxEdgeError, out float ambiguousDistance)
+// AmbiguousDistance: no more than the distance in truth, if the ray is inside or outside by so little that this may be
+// wrong, else MISS. MaxEdgeError: no side is in doubt that is larger.
+float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionError, float maxEdgeError,
+    out float ambiguousDistance)
 {
     float3 distances = float3(a.z, b.z, c.z);
     float sum = sides.x + sides.y + sides.z;
@@ -98,19 +99,22 @@ float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionErro
     ambiguousDistance = MISS;
     if (MinComponent(abs(sides)) <= maxEdgeError)
     {
-        float3 edgeErrors = positionError * float3(SumOfSizes(c.xy - b.xy), SumOfSizes(a.xy - c.xy), SumOfSizes(b.xy - a.xy));
+        float3 edgeErrors =
+            positionError * float3(SumOfSizes(c.xy - b.xy), SumOfSizes(a.xy - c.xy), SumOfSizes(b.xy - a.xy));
         bool mayBeInside = MinComponent(sides + edgeErrors) >= 0.0 || MaxComponent(sides - edgeErrors) <= 0.0;
         bool surelyInside = MinComponent(sides - edgeErrors) > 0.0 || MaxComponent(sides + edgeErrors) < 0.0;
         // Of a triangle seen edge-on rounding leaves no distance,
         // and the ray may be in line with its edges far beside it.
         float2 lower = min(a.xy, min(b.xy, c.xy)), upper = max(a.xy, max(b.xy, c.xy));
         bool isBeside = max(lower.x, lower.y) > positionError || min(upper.x, upper.y) < -positionError;
-        float nearest = MinComponent(distances), farthest = MaxComponent(distances), edgeError = edgeErrors.x + edgeErrors.y + edgeErrors.z;
+        float nearest = MinComponent(distances), farthest = MaxComponent(distances),
+            edgeError = edgeErrors.x + edgeErrors.y + edgeErrors.z;
         if (mayBeInside && !surelyInside && !isBeside && farthest > 0.0)
         {
             toHit = clamp(toHit, nearest, farthest);
             ambiguousDistance =
-                max(0.0, abs(sum) > edgeError ? max(nearest, toHit - (farthest - nearest) * edgeError / abs(sum)) : nearest);
+                max(0.0,
+                    abs(sum) > edgeError ? max(nearest, toHit - (farthest - nearest) * edgeError / abs(sum)) : nearest);
         }
     }
     return isInside && toHit > 0.0 ? toHit : MISS;
@@ -118,7 +122,8 @@ float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionErro
 
 // Distances to the triangles (0, 1, 2) and (0, 2, 3) of a pair, and to those in doubt. Watertight:
 // a ray cannot pass between triangles that share corners (after Woop, Benthin and Wald 2013).
-float2 HitPair(TraversalRay ray, float3 corner0, float3 corner1, float3 corner2, float3 corner3, out float2 ambiguousDistance)
+float2 HitPair(TraversalRay ray, float3 corner0, float3 corner1, float3 corner2, float3 corner3,
+    out float2 ambiguousDistance)
 {
     float3 p0 = AsSeen(ray, corner0), p1 = AsSeen(ray, corner1), p2 = AsSeen(ray, corner2), p3 = AsSeen(ray, corner3);
     float diagonal = SideOf(p2, p0);
@@ -128,7 +133,8 @@ float2 HitPair(TraversalRay ray, float3 corner0, float3 corner1, float3 corner2,
     float maxEdgeError = 2.0 * positionError * widest;
     bool isAlone = all(corner2 == corner3);
     float first =
-        HitTriangle(p0, p1, p2, float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), positionError, maxEdgeError, ambiguousDistance.x);
+        HitTriangle(p0, p1, p2, float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), positionError,
+            maxEdgeError, ambiguousDistance.x);
     float second = HitTriangle(p0, p2, p3, float3(SideOf(p2, p3), SideOf(p3, p0), -diagonal), positionError,
         isAlone ? -1.0 : maxEdgeError, ambiguousDistance.y);
     return float2(first, second);

@@ -88,14 +88,16 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     uint pixel = _Candidates[entry].x, rayIndex = _Candidates[entry].y;
     float2 inPixel = (float2(subRay % _SubRays, subRay / _SubRays) + 0.5) / _SubRays;
-    Path path = FollowPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferencePixel.xy + inPixel, NO_ENTRY_POINTS);
+    Path path =
+        FollowPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferencePixel.xy + inPixel, NO_ENTRY_POINTS);
     // Rays with the same place in their pixels are summed by themselves.
     uint slot = (_SubRays == 1 ? index % SUM_SLOTS : subRay) * SUM_WORDS;
     AddPath(slot, path.Bounces, Rounded(path.RelativeLength));
     CountWork(slot);
 
     RayData ray = DataOf(path, pixel);
-    DoubleFloat relativeLength = Add(path.RelativeLength, Sub(path.WayBack, MakeDoubleFloat(_OriginDepth.x, _OriginDepth.y)));
+    DoubleFloat relativeLength =
+        Add(path.RelativeLength, Sub(path.WayBack, MakeDoubleFloat(_OriginDepth.x, _OriginDepth.y)));
     if (path.IsCandidate)
     {
         DoubleFloat whole = Add(Mul(MakeDoubleFloat(_OriginDepth.x, _OriginDepth.y), 2.0), relativeLength);

@@ -29,7 +29,8 @@ struct Hit
     // triangles of one pair that it may hit and that are yet to be tested: 4 * row, 1 for the first, 2 for the second
     uint PendingLeaf;
 #else
-    float AmbiguousDistance;  // m: the nearest triangle that the ray goes by an edge of, and nobody can tell on which side
+    // m: the nearest triangle that the ray goes by an edge of, and nobody can tell on which side
+    float AmbiguousDistance;
 #endif
 };
 
@@ -130,7 +131,8 @@ void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint ro
 {
     COUNT_PAIR;
     Pair pair = LoadPair(page, firstRow + row);
-    float2 ambiguousDistance, toHit = HitPair(ray, pair.Corner0, pair.Corner1, pair.Corner2, pair.Corner3, ambiguousDistance);
+    float2 ambiguousDistance,
+        toHit = HitPair(ray, pair.Corner0, pair.Corner1, pair.Corner2, pair.Corner3, ambiguousDistance);
     if (instance == hit.ExcludedTriangle.x && row == hit.ExcludedTriangle.y >> 1)
     {
         bool excludesFirst = (hit.ExcludedTriangle.y & 1) == 0;

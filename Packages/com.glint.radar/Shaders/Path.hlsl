@@ -30,7 +30,8 @@ Real3 AtPixel(float2 pixel, float4 value, float4 valueLo, float4 dx, float4 dxLo
 // The ray through a place in the picture, in rays from _ReferencePixel.
 Path BeginPath(float2 pixel)
 {
-    Real3 direction = AtPixel(pixel, _Direction, _DirectionLo, _DirectionDx, _DirectionDxLo, _DirectionDy, _DirectionDyLo);
+    Real3 direction =
+        AtPixel(pixel, _Direction, _DirectionLo, _DirectionDx, _DirectionDxLo, _DirectionDy, _DirectionDyLo);
     Real size = Sqrt(Dot(direction, direction));
     Path path = (Path)0;
     path.LastHit = AtPixel(pixel, _Origin, _OriginLo, _OriginDx, _OriginDxLo, _OriginDy, _OriginDyLo);

@@ -1,8 +1,8 @@
 #ifndef GLINT_REAL
 #define GLINT_REAL
 
-// The arithmetic of a path: float32 in the kernels that follow every ray, double-float arithmetic in those that follow once more
-// the rays that may be received. The path's code is the same.
+// The arithmetic of a path: float32 in the kernels that follow every ray, double-float arithmetic in those that follow
+// once more the rays that may be received. The path's code is the same.
 
 #ifdef GLINT_REFINE
 
@@ -18,7 +18,8 @@ Real MakeReal(float value, float lo)
 
 Real3 MakeReal3(float3 value, float3 lo)
 {
-    return MakeDoubleFloat3(MakeDoubleFloat(value.x, lo.x), MakeDoubleFloat(value.y, lo.y), MakeDoubleFloat(value.z, lo.z));
+    return MakeDoubleFloat3(MakeDoubleFloat(value.x, lo.x), MakeDoubleFloat(value.y, lo.y),
+        MakeDoubleFloat(value.z, lo.z));
 }
 
 // Of a vector that is one already, beside the rounding.

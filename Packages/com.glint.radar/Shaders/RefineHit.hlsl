@@ -46,7 +46,8 @@ bool MayHit(TraversalRay ray, float3 a, float3 b, float3 c, float reach)
 {
     float3 p = AsSeen(ray, a), q = AsSeen(ray, b), r = AsSeen(ray, c);
     float positionError = 3.0 * ray.PositionError; // seen sheared
-    bool2 isInside = IsInside(p.xy, q.xy, positionError) && IsInside(q.xy, r.xy, positionError) && IsInside(r.xy, p.xy, positionError);
+    bool2 isInside = IsInside(p.xy, q.xy, positionError) && IsInside(q.xy, r.xy, positionError)
+        && IsInside(r.xy, p.xy, positionError);
     return (isInside.x || isInside.y) && min(p.z, min(q.z, r.z)) <= reach;
 }
 
@@ -56,7 +57,8 @@ bool MayHit(TraversalRay ray, float3 a, float3 b, float3 c, float reach)
 // An edge that is short and far away costs no digits.
 float SideOfLine(RefineRay ray, float3 a, float3 b)
 {
-    DoubleFloat3 between = Add(MakeDoubleFloat3(TwoSum(a.x, b.x), TwoSum(a.y, b.y), TwoSum(a.z, b.z)), Mul(ray.Origin, -2.0)),
+    DoubleFloat3 between =
+        Add(MakeDoubleFloat3(TwoSum(a.x, b.x), TwoSum(a.y, b.y), TwoSum(a.z, b.z)), Mul(ray.Origin, -2.0)),
         edge = Difference(b, a);
     float side = Rounded(Dot(ray.Direction, Cross(between, edge)));
     float edgeError = SIDE_ROUNDING * (Sum(abs(a) + abs(b) + 2.0 * abs(Rounded(ray.Origin))) + ray.SceneExtent)
@@ -66,7 +68,8 @@ float SideOfLine(RefineRay ray, float3 a, float3 b)
 
 // Whether the line meets the triangle after its origin, and how far along, m:
 // at its nearest or farthest corner where rounding says nearer or farther, as of a triangle seen edge-on.
-bool Hits(TraversalRay traversalRay, RefineRay ray, float positionError, float3 a, float3 b, float3 c, out DoubleFloat toHit, out bool isAtEdge)
+bool Hits(TraversalRay traversalRay, RefineRay ray, float positionError, float3 a, float3 b, float3 c,
+    out DoubleFloat toHit, out bool isAtEdge)
 {
     toHit = MakeDoubleFloat(MISS, 0.0);
     float3 sides = float3(SideOfLine(ray, b, c), SideOfLine(ray, c, a), SideOfLine(ray, a, b));
@@ -75,14 +78,16 @@ bool Hits(TraversalRay traversalRay, RefineRay ray, float positionError, float3 
         return false;
     DoubleFloat3 normal = Cross(Difference(b, a), Difference(c, a));
     normal = Mul(normal, 1.0 / length(Rounded(normal)));
-    DoubleFloat3 toCorner = Sub(MakeDoubleFloat3(MakeDoubleFloat(a.x, 0.0), MakeDoubleFloat(a.y, 0.0), MakeDoubleFloat(a.z, 0.0)), ray.Origin);
+    DoubleFloat3 toCorner = Sub(
+        MakeDoubleFloat3(MakeDoubleFloat(a.x, 0.0), MakeDoubleFloat(a.y, 0.0), MakeDoubleFloat(a.z, 0.0)), ray.Origin);
     DoubleFloat height = Dot(normal, toCorner), facing = Dot(normal, ray.Direction);
     if (!(abs(facing.Hi) > 0.0)) // nor a number, of the second triangle of a pair that has but one
         return false;
     if (abs(height.Hi) <= ON_SURFACE * (Sum(abs(Rounded(toCorner)) + abs(Rounded(ray.Origin))) + ray.SceneExtent))
         return false;
     toHit = Div(height, facing);
-    float3 distances = float3(AsSeen(traversalRay, a).z, AsSeen(traversalRay, b).z, AsSeen(traversalRay, c).z) - ray.Back;
+    float3 distances =
+        float3(AsSeen(traversalRay, a).z, AsSeen(traversalRay, b).z, AsSeen(traversalRay, c).z) - ray.Back;
     float nearest = min(distances.x, min(distances.y, distances.z)),
         farthest = max(distances.x, max(distances.y, distances.z));
     if (!(toHit.Hi >= nearest - positionError))

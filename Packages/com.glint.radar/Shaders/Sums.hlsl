@@ -54,7 +54,8 @@ void AddPart(uint slot, uint channel, uint words, float part, float maxPart, flo
         AddWords(slot + channel, words, lower, upper, 0);
 }
 
-// Ray by ray: adding within a group first gains a GPU nothing, and its barriers cost a software device 10 % of its time.
+// Ray by ray: adding within a group first gains a GPU nothing,
+// and its barriers cost a software device 10 % of its time.
 // lengthBeyond: metres beyond _OriginDepth, positive.
 void AddPath(uint slot, uint bounces, float relativeLength)
 {

@@ -49,7 +49,8 @@ Surface LoadSurface(Hit hit, float3 start, Real3 origin, Real3 direction)
     surface.Normal = Mul(sceneNormal, 1.0 / length(Rounded(sceneNormal)));
     surface.Distance = hit.RefinedDistance;
     if (hit.IsAtEdge)
-        surface.Distance = Sub(hit.RefinedDistance, MakeDoubleFloat(min(BEFORE_EDGE * _SceneCentreExtent.w, 0.5 * hit.RefinedDistance.Hi), 0.0));
+        surface.Distance = Sub(hit.RefinedDistance,
+            MakeDoubleFloat(min(BEFORE_EDGE * _SceneCentreExtent.w, 0.5 * hit.RefinedDistance.Hi), 0.0));
     return surface;
 }
 

@@ -75,7 +75,8 @@ void TraverseInstanceBvh(float3 start, Real3 origin, Real3 direction, inout Hit 
         {
             COUNT_NODE;
             Entered entered =
-                EnterChildren(_InstanceBvh[current], _InstanceBvh[current + 1], _InstanceBvh[current + 2].xyz, boxRay, hit.Distance);
+                EnterChildren(_InstanceBvh[current], _InstanceBvh[current + 1],
+                    _InstanceBvh[current + 2].xyz, boxRay, hit.Distance);
             current = entered.Near;
             if (entered.Both)
                 stack[++top] = entered.Far;

@@ -26,7 +26,7 @@ struct HitData
     uint Triangle;        // row of its pair in the BVH, and in the lowest bit which of the two
 };
 
-// GLINT_INSTANCE: a mesh's BVH at its place in the scene (Runtime/InstanceRecord.cs).
+// GLINT_INSTANCE: a mesh's BVH at its place in the scene (Runtime/Tracing/InstanceRecord.cs).
 struct InstanceRecord
 {
     float4 ToLocalX;      // rows of the matrix from the middle of the scene to the mesh's frame

@@ -92,7 +92,8 @@ namespace Glint.Tests
                 Assert.That(NodesASegment(many) - NodesASegment(few), Is.LessThan(Tolerance * moreNodes));
                 Assert.That(PairsASegment(many), Is.LessThan(Tolerance * PairsASegment(few)));
                 foreach (var result in new[] { few, many })
-                    Assert.That((double)result.Statistics.BytesOnDevice / result.Statistics.Triangles, Is.LessThan(MaxBytesPerTriangle));
+                    Assert.That((double)result.Statistics.BytesOnDevice / result.Statistics.Triangles,
+                        Is.LessThan(MaxBytesPerTriangle));
             }
         }
 
@@ -107,7 +108,8 @@ namespace Glint.Tests
                 Assert.That(first.BvhsBuilt, Is.EqualTo(2));
                 Assert.That(first.TrianglesBuilt, Is.EqualTo(Scene(Made).TriangleCount));
 
-                var second = tracer.Trace(new RadarPose(Scene(Made, shipDegrees: 1), s_settings, s_view), RayReadback.None).Statistics;
+                var second = tracer.Trace(new RadarPose(Scene(Made, shipDegrees: 1), s_settings, s_view),
+                    RayReadback.None).Statistics;
                 Assert.That(second.BvhsBuilt, Is.Zero);
                 Assert.That(second.TrianglesBuilt, Is.Zero);
                 Assert.That(second.RaysRefined, Is.InRange(1, 5e-3 * s_settings.RayCount),
@@ -118,7 +120,8 @@ namespace Glint.Tests
                 Assert.That(second.BytesReadBack, Is.EqualTo(3 * SumBytes + 8 * second.RaysRefined));
                 // Two records of 112 bytes, and a node of the BVH over them with its leaves.
                 Assert.That(second.BytesUploaded,
-                    Is.EqualTo(4 * second.TilesTraced + 3 * SumBytes + 8 * second.SubRays / 16 + 2 * 112 + InstanceBvhBytes));
+                    Is.EqualTo(4 * second.TilesTraced + 3 * SumBytes + 8 * second.SubRays / 16
+                        + 2 * 112 + InstanceBvhBytes));
                 Assert.That(second.TilesTraced + second.TilesSkipped, Is.EqualTo(60 * 34));
                 Assert.That(second.BytesOnDevice,
                     Is.EqualTo(first.BytesOnDevice).Within((4 + 4 * 16 + 64 * 8) * 60 * 34));
@@ -140,7 +143,8 @@ namespace Glint.Tests
                     var result = tracer.Trace(new RadarPose(scene, settings, s_view), RayReadback.All);
                     Assert.That(result.Statistics.BvhsBuilt, Is.EqualTo(1));
                     Assert.That(tracer.PageCount, Is.GreaterThan(1));
-                    Assert.That((double)result.Statistics.BytesOnDevice / result.Statistics.Triangles, Is.LessThan(MaxBytesPerTriangle));
+                    Assert.That((double)result.Statistics.BytesOnDevice / result.Statistics.Triangles,
+                        Is.LessThan(MaxBytesPerTriangle));
                     int others = Enumerable.Range(0, expected.Length)
                         .Count(i => result.Rays[i].Bounces != expected[i].Bounces
                             || abs(result.Rays[i].PathLength - (expected[i].Received
@@ -158,7 +162,8 @@ namespace Glint.Tests
             // A buffer holds the larger BVH, not both.
             using (var tracer = Tracer(asSoftware, (asSoftware ? 4 : 8) << 20 >> 4))
             {
-                long large = tracer.Trace(new RadarPose(Scene(new SeaAndShip(1, 100_000, 100_000)), s_settings, s_view), RayReadback.None).Statistics.BytesOnDevice;
+                long large = tracer.Trace(new RadarPose(Scene(new SeaAndShip(1, 100_000, 100_000)), s_settings, s_view),
+                    RayReadback.None).Statistics.BytesOnDevice;
                 Assert.That(tracer.PageCount, Is.GreaterThan(1));
                 var small = Scene(new SeaAndShip(1, 1000, 1000));
                 var result = tracer.Trace(new RadarPose(small, s_settings, s_view), RayReadback.None);

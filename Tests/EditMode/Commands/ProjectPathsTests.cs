@@ -73,7 +73,8 @@ namespace Glint.Tests
         public void Readings_OfAPath_AreWhereItIsLookedFor(string path, params string[] positions)
         {
             Assert.That(Open().Readings(path, _root + "/elsewhere"), Is.EqualTo(
-                System.Array.ConvertAll(positions, location => Path.GetFullPath(_root + "/" + location).Replace('\\', '/'))));
+                System.Array.ConvertAll(positions,
+                    location => Path.GetFullPath(_root + "/" + location).Replace('\\', '/'))));
         }
 
         [TestCase("")]

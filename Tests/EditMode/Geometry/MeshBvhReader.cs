@@ -86,7 +86,8 @@ namespace Glint.Tests
         // The same for any order of the corners, and for nothing else but by a chance of one in 2^64.
         static ulong Key(float3 a, float3 b, float3 c) => Mix(Key(a) + Key(b) + Key(c));
 
-        static ulong Key(float3 position) => Mix(Mix(Mix(asuint(position.x)) + asuint(position.y)) + asuint(position.z));
+        static ulong Key(float3 position) =>
+            Mix(Mix(Mix(asuint(position.x)) + asuint(position.y)) + asuint(position.z));
 
         static ulong Mix(ulong value)
         {

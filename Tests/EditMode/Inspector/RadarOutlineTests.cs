@@ -52,7 +52,8 @@ namespace Glint.Tests
             var expected = new[] { centre - right - up, centre + right - up, centre + right + up, centre - right + up };
             var corners = RadarOutline.Receiver(_radar);
             Assert.That(corners.Length, Is.EqualTo(4));
-            Assert.That(corners.Zip(expected, (corner, position) => math.distance((double3)(float3)corner, position)).Max(),
+            Assert.That(corners.Zip(expected, (corner, position) => math.distance((double3)(float3)corner, position))
+                .Max(),
                 Is.LessThan(1e-4));
         }
     }

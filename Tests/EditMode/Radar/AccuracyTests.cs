@@ -47,7 +47,8 @@ namespace Glint.Tests
             var scene = CornerReflector.Turned(0);
             double[] kernel = Trace(scene, settings, view, RayReadback.Received)
                 .Rays.Select(ray => ray.RefinedPathLength).ToArray();
-            double[] references = new ReferenceTracer(new RadarPose(scene, settings, view)).TraceAll().Where(ray => ray.Received)
+            double[] references = new ReferenceTracer(new RadarPose(scene, settings, view)).TraceAll()
+                .Where(ray => ray.Received)
                 .Select(ray => ray.PathLength).ToArray();
             Assert.That(kernel.Length, Is.GreaterThan(300));
             Assert.That(Spread(references), Is.GreaterThan(1e-3));

@@ -140,8 +140,9 @@ namespace Glint.Tests
         };
 
         static TriangleMesh Plate(float left, float right, float lower, float upper) =>
-            new TriangleMesh(new[] { new float3(left, lower, 0), new float3(left, upper, 0), new float3(right, upper, 0),
-                new float3(right, lower, 0) }, new[] { 0, 1, 2, 0, 2, 3 });
+            new TriangleMesh(
+                new[] { new float3(left, lower, 0), new float3(left, upper, 0), new float3(right, upper, 0),
+                    new float3(right, lower, 0) }, new[] { 0, 1, 2, 0, 2, 3 });
 
         static TriangleMesh Triangles(params float3[] corners) =>
             new TriangleMesh(corners, Enumerable.Range(0, corners.Length).ToArray());

@@ -45,7 +45,8 @@ namespace Glint.Tests
                 double3 fromImage = ray.LastHit - expected.Image;
                 Assert.That(length(fromImage - dot(fromImage, expected.Direction) * expected.Direction),
                     Is.LessThan(ReferenceTolerance), $"pixel {pixel}: the last hit is on the line from the image");
-                Assert.That(ray.LengthToLastHit, Is.EqualTo(dot(fromImage, expected.Direction)).Within(ReferenceTolerance),
+                Assert.That(ray.LengthToLastHit,
+                    Is.EqualTo(dot(fromImage, expected.Direction)).Within(ReferenceTolerance),
                     $"pixel {pixel}: to the last hit");
             }
             Assert.That(compared, Is.GreaterThan(40));

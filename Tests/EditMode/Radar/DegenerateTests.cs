@@ -39,7 +39,8 @@ namespace Glint.Tests
                         Is.EqualTo(expected[i].LengthToEnd).Within(LengthTolerance), $"ray {i}");
                     continue;
                 }
-                // The reference tracer's ray begins on the triangle and leaves it; this one is mirrored by it where it begins.
+                // The reference tracer's ray begins on the triangle and leaves it;
+                // this one is mirrored by it where it begins.
                 atOnce++;
                 Assert.That(rays[i].Bounces, Is.EqualTo(1), $"ray {i}");
                 Assert.That(distance(rays[i].LastHit, view.Position), Is.LessThan(Step(50)), $"ray {i}");
@@ -77,7 +78,8 @@ namespace Glint.Tests
             }
             // What is met first is right in any case.
             Assert.That(result.RaysHit,
-                Is.EqualTo(new ReferenceTracer(new RadarPose(scene, settings, view)).TraceAll().Count(ray => ray.Bounces > 0)).Within(3));
+                Is.EqualTo(new ReferenceTracer(new RadarPose(scene, settings, view)).TraceAll()
+                    .Count(ray => ray.Bounces > 0)).Within(3));
             Assert.That(result.RaysHit, Is.GreaterThan(100));
             Assert.That(comparison.Wrong, Is.LessThanOrEqualTo(maxWrong * result.RaysHit));
         }
@@ -93,7 +95,8 @@ namespace Glint.Tests
                 new[] { 0, 1, 2 });
             var scene = new RadarScene(TestRadar.Join(tiny, TestRadar.FacingPlate(130, 65)));
             double3 from = double3(-20, 5, -60), to = (double3)corner - from;
-            double there = length(to), step = Step(2 * new ReferenceTracer(new RadarPose(scene, TestRadar.Settings(), default)).SceneRadius);
+            double there = length(to),
+                step = Step(2 * new ReferenceTracer(new RadarPose(scene, TestRadar.Settings(), default)).SceneRadius);
             var settings = TestRadar.Settings(100, 100, 1);
             var view = TestRadar.LookAt(from, corner, fov: degrees(4 * step / there));
             int met = 0;
@@ -136,7 +139,8 @@ namespace Glint.Tests
                     var view = TestRadar.LookAt(at + 10 * back, at);
                     view.ApertureHeight = settings.RaysDown * spacing;
                     view.ReceiverSize = 10;
-                    var scene = new RadarScene(new MeshInstance { Mesh = TestRadar.Trihedral(0, 4), ToWorld = transform });
+                    var scene =
+                        new RadarScene(new MeshInstance { Mesh = TestRadar.Trihedral(0, 4), ToWorld = transform });
                     var comparison = new RayComparison(new RadarPose(scene, settings, view), LengthTolerance);
                     var result = tracer.Trace(new RadarPose(scene, settings, view), RayReadback.All);
                     foreach (var ray in result.Rays)
@@ -158,7 +162,8 @@ namespace Glint.Tests
             [Values(100, 1e4)] double sceneSize)
         {
             var plate = TestRadar.FacingPlate(10, 0);
-            var transform = Affine.FromTransform(double3(-0.31, 0.17, 0.23) * sceneSize, double4(0.1, -0.2, 0.05, 0.97), 1);
+            var transform =
+                Affine.FromTransform(double3(-0.31, 0.17, 0.23) * sceneSize, double4(0.1, -0.2, 0.05, 0.97), 1);
             var scene = new RadarScene(new MeshInstance { Mesh = TestRadar.Join(plate, plate), ToWorld = transform },
                 new MeshInstance
                 {
@@ -202,7 +207,8 @@ namespace Glint.Tests
                 .Select(ray => (int)ray.Pixel).ToArray();
             var references = new ReferenceTracer(new RadarPose(scene, settings, view)).TraceAll();
             // 180 rays over 20 m: 0.11 m from ray to ray.
-            Assert.That(received, Is.EqualTo(Enumerable.Range(0, references.Length).Where(i => references[i].Received)));
+            Assert.That(received,
+                Is.EqualTo(Enumerable.Range(0, references.Length).Where(i => references[i].Received)));
             Assert.That(received.Length, Is.GreaterThan(200));
         }
 

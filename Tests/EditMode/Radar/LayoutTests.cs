@@ -36,7 +36,8 @@ namespace Glint.Tests
             {
                 ToLocalX = float4(13, 14, 15, 16), ToLocalY = float4(17, 18, 19, 20),
                 ToLocalZ = float4(21, 22, 23, 24),
-                ToLocalXLo = float4(25, 26, 27, 28), ToLocalYLo = float4(29, 30, 31, 32), ToLocalZLo = float4(33, 34, 35, 36),
+                ToLocalXLo = float4(25, 26, 27, 28),
+                ToLocalYLo = float4(29, 30, 31, 32), ToLocalZLo = float4(33, 34, 35, 36),
                 FirstRow = 37, Page = 38, Stretch = 39, Rounding = 40
             };
             var hit = new HitData
@@ -85,7 +86,8 @@ namespace Glint.Tests
                 ["CULL_REACH"] = (int)Culling.Reach, ["CULL_LAST"] = (int)Culling.LastSegment,
                 ["CULL_ENTRY_POINTS"] = (int)Culling.EntryPoints,
                 ["READBACK_NONE"] = (int)RayReadback.None, ["READBACK_RECEIVED"] = (int)RayReadback.Received,
-                ["READBACK_ALL"] = (int)RayReadback.All, ["NO_PIXEL"] = ReceivedRay.NoPixel, ["RAY_RECEIVED"] = RayData.Received,
+                ["READBACK_ALL"] = (int)RayReadback.All,
+                ["NO_PIXEL"] = ReceivedRay.NoPixel, ["RAY_RECEIVED"] = RayData.Received,
                 ["TILE_SIDE"] = PictureTiles.Side, ["RAYS_A_TILE"] = PictureTiles.Rays,
                 ["GROUPS_A_ROW"] = TraceKernel.GroupsARow, ["MAX_INLINE_INSTANCES"] = DeviceScene.MaxInlineInstances,
                 ["ROOT"] = DeviceScene.InstanceBvhRootRow, ["BINARY_LEVELS"] = BinaryBvhBuilder.MaxLevels,

@@ -7,7 +7,9 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The ways of single rays against the reference tracer, which is stopped after each bounce in turn.</summary>
+    /// <summary>
+    /// The ways of single rays against the reference tracer, which is stopped after each bounce in turn.
+    /// </summary>
     public sealed class RayPathTests
     {
         const int Bounces = 5;
@@ -54,7 +56,8 @@ namespace Glint.Tests
                 foreach (var path in paths.Where(path => path.Bounces >= bounce))
                 {
                     var reference =
-                        referenceTracer.Trace((int)path.Pixel % settings.RaysAcross, (int)path.Pixel / settings.RaysAcross);
+                        referenceTracer.Trace((int)path.Pixel % settings.RaysAcross,
+                            (int)path.Pixel / settings.RaysAcross);
                     var hit = path.Hits[bounce - 1];
                     compared++;
                     if (reference.Bounces != bounce || reference.LastTriangle != hit.Object
@@ -103,10 +106,13 @@ namespace Glint.Tests
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
                 var problem = Assert.Throws<GlintException>(
-                    () => tracer.TracePaths(new RadarPose(new RadarScene(TestRadar.FacingPlate(4, 10)), s_settings, TestRadar.LookAt(0, double3(0, 0, 1))), new[] { 5u, 64u * 36 }));
+                    () => tracer.TracePaths(new RadarPose(new RadarScene(TestRadar.FacingPlate(4, 10)), s_settings,
+                            TestRadar.LookAt(0, double3(0, 0, 1))),
+                        new[] { 5u, 64u * 36 }));
                 Assert.That(problem.Message, Does.Contain("no pixel 2304").And.Contain("64 x 36"));
                 Assert.That(
-                    tracer.TracePaths(new RadarPose(new RadarScene(TestRadar.FacingPlate(4, 10)), s_settings, TestRadar.LookAt(0, double3(0, 0, 1))), new uint[0]), Is.Empty);
+                    tracer.TracePaths(new RadarPose(new RadarScene(TestRadar.FacingPlate(4, 10)), s_settings,
+                        TestRadar.LookAt(0, double3(0, 0, 1))), new uint[0]), Is.Empty);
             }
         }
 
@@ -115,7 +121,9 @@ namespace Glint.Tests
         {
             using (var tracer = new RayTracer(TestKernels.Trace))
             {
-                var path = tracer.TracePaths(new RadarPose(new RadarScene(TestRadar.Empty), s_settings, TestRadar.LookAt(1, 5)), new[] { 3u }).Single();
+                var path = tracer.TracePaths(
+                    new RadarPose(new RadarScene(TestRadar.Empty), s_settings, TestRadar.LookAt(1, 5)), new[] { 3u })
+                    .Single();
                 Assert.That((path.Bounces, path.IsReceived, distance(path.Start, 1)), Is.EqualTo((0, false, 0.0)));
             }
         }

@@ -20,7 +20,8 @@ namespace Glint.Tests
             const float distance = 20;
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(0, double3(0, 0, 1));
-            var rays = new ReferenceTracer(new RadarPose(new RadarScene(TestRadar.FacingPlate(4, distance)), settings, view)).TraceAll();
+            var rays = new ReferenceTracer(
+                new RadarPose(new RadarScene(TestRadar.FacingPlate(4, distance)), settings, view)).TraceAll();
 
             int expected = 0;
             for (int pixel = 0; pixel < rays.Length; pixel++)
@@ -48,7 +49,8 @@ namespace Glint.Tests
             double3 vertex = double3(1, -2, 3);
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(vertex + double3(9, 10, 11), vertex, fov: 20);
-            var rays = new ReferenceTracer(new RadarPose(new RadarScene(TestRadar.Trihedral((float3)vertex, 4)), settings, view)).TraceAll();
+            var rays = new ReferenceTracer(
+                new RadarPose(new RadarScene(TestRadar.Trihedral((float3)vertex, 4)), settings, view)).TraceAll();
 
             double3 image = 2 * vertex - view.Position;
             var triple = Enumerable.Range(0, rays.Length)
@@ -163,7 +165,8 @@ namespace Glint.Tests
             // 3 x 2 cells of 2 m; nothing is hit.
             var view = TestRadar.LookAt(double3(1, 2, 3), double3(1, 2, 103));
             view.ApertureHeight = 4;
-            var referenceTracer = new ReferenceTracer(new RadarPose(new RadarScene(TestRadar.Empty), TestRadar.Settings(3, 2), view));
+            var referenceTracer =
+                new ReferenceTracer(new RadarPose(new RadarScene(TestRadar.Empty), TestRadar.Settings(3, 2), view));
             var rays = referenceTracer.TraceAll();
             Assert.That(rays.Select(ray => ray.LastHit), Is.EqualTo(new[] { double3(-1, 1, 3), double3(1, 1, 3),
                 double3(3, 1, 3), double3(-1, 3, 3), double3(1, 3, 3), double3(3, 3, 3) }));
@@ -179,8 +182,11 @@ namespace Glint.Tests
             double3 far = double3(1e6, -3e5, 2e6);
             var moved = Affine.Identity;
             moved.Origin = far;
-            var near = new ReferenceTracer(new RadarPose(new RadarScene(clutter), TestRadar.Settings(), TestRadar.LookAt(double3(3, 14, -25), 0))).TraceAll();
-            var away = new ReferenceTracer(new RadarPose(new RadarScene(new MeshInstance { Mesh = clutter, ToWorld = moved }), TestRadar.Settings(), TestRadar.LookAt(far + double3(3, 14, -25), far))).TraceAll();
+            var near = new ReferenceTracer(new RadarPose(new RadarScene(clutter), TestRadar.Settings(),
+                TestRadar.LookAt(double3(3, 14, -25), 0))).TraceAll();
+            var away =
+                new ReferenceTracer(new RadarPose(new RadarScene(new MeshInstance { Mesh = clutter, ToWorld = moved }),
+                    TestRadar.Settings(), TestRadar.LookAt(far + double3(3, 14, -25), far))).TraceAll();
             Assert.That(near.Count(ray => ray.Bounces > 1), Is.GreaterThan(100));
             for (int pixel = 0; pixel < near.Length; pixel++)
             {
@@ -193,7 +199,8 @@ namespace Glint.Tests
         [Test]
         public void TraceAll_WithProgress_EndsAtOneAndCanBeCancelled()
         {
-            var referenceTracer = new ReferenceTracer(new RadarPose(new RadarScene(TestRadar.Clutter(100, 3)), TestRadar.Settings(), TestRadar.LookAt(double3(3, 14, -25), 0)));
+            var referenceTracer = new ReferenceTracer(new RadarPose(new RadarScene(TestRadar.Clutter(100, 3)),
+                TestRadar.Settings(), TestRadar.LookAt(double3(3, 14, -25), 0)));
             var progress = new Reports();
             referenceTracer.TraceAll(progress);
             Assert.That(progress.Values.Max(), Is.EqualTo(1));
@@ -210,7 +217,8 @@ namespace Glint.Tests
         public void Sum_EmptyScene_EmitsEveryRayAndHitsNothing()
         {
             var referenceTracer =
-                new ReferenceTracer(new RadarPose(new RadarScene(TestRadar.Empty), TestRadar.Settings(), TestRadar.LookAt(0, double3(0, 0, 1))));
+                new ReferenceTracer(new RadarPose(new RadarScene(TestRadar.Empty), TestRadar.Settings(),
+                    TestRadar.LookAt(0, double3(0, 0, 1))));
             var result = referenceTracer.Sum(referenceTracer.TraceAll());
             Assert.That(result.RaysEmitted, Is.EqualTo(160 * 90));
             Assert.That(result.Segments, Is.EqualTo(160 * 90));

@@ -21,7 +21,8 @@ namespace Glint.Tests
 
         public static ComputeShader Layout => Load("Packages/com.glint.tests/EditMode/Shaders/Layout.compute");
 
-        public static ComputeShader DoubleFloat => Load("Packages/com.glint.tests/EditMode/Shaders/DoubleFloat.compute");
+        public static ComputeShader DoubleFloat =>
+            Load("Packages/com.glint.tests/EditMode/Shaders/DoubleFloat.compute");
 
         /// <summary>The tracer's kernels in groups of other sizes.</summary>
         public static ComputeShader OtherGroups =>

@@ -336,7 +336,8 @@ namespace Glint.Tests
             {
                 var problem = Assert.Throws<GlintException>(
                     () => tracer.Trace(
-                        new RadarPose(new RadarScene(TestRadar.Empty), TestRadar.Settings(65536, 65535), s_view), RayReadback.All));
+                        new RadarPose(new RadarScene(TestRadar.Empty), TestRadar.Settings(65536, 65535), s_view),
+                        RayReadback.All));
                 Assert.That(problem.Message, Does.Contain("4294901760 rays").And.Contain("196605 MiB"));
             }
         }

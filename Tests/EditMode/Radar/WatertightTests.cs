@@ -51,7 +51,8 @@ namespace Glint.Tests
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
                 foreach (var scale in new[] { double3(1e-3), double3(1e5), double3(1, -2, 0.5), double3(-1, 30, 1) })
                     foreach (var position in new[] { double3(0), double3(1e6, -1e6, 12345.678) })
-                        escapes.Look(tracer, $"jagged body times {scale} at {position}", ClosedBodies.Jagged(16, 128, 3),
+                        escapes.Look(tracer, $"jagged body times {scale} at {position}",
+                            ClosedBodies.Jagged(16, 128, 3),
                             Affine.FromTransform(position, double4(0.1, 0.2, 0.3, 0.9), scale));
             escapes.Check(500_000);
         }
@@ -97,7 +98,9 @@ namespace Glint.Tests
                         ReceiverCentre = toWorld.Origin - 1e6 * forward, ReceiverRight = right,
                         ReceiverUp = up, ReceiverForward = forward, ReceiverSize = 1,
                     };
-                    var result = tracer.Trace(new RadarPose(new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = toWorld }), settings, view), RayReadback.None);
+                    var result = tracer.Trace(new RadarPose(
+                            new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = toWorld }), settings, view),
+                        RayReadback.None);
                     long missing = _bounces * result.RaysEmitted - result.Bounces;
                     if (missing > 0)
                         _found.Add($"{name}, {mesh.TriangleCount} triangles, towards {forward}: "

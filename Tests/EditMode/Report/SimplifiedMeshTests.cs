@@ -17,7 +17,8 @@ namespace Glint.Tests
             Assert.That(simplified.TriangleCount, Is.EqualTo(200));
             for (int i = 0; i < mesh.Indices.Length; i++)
             {
-                double3 exact = (double3)mesh.Vertices[mesh.Indices[i]], drawn = Position(simplified, simplified.Indices[i]);
+                double3 exact = (double3)mesh.Vertices[mesh.Indices[i]],
+                    drawn = Position(simplified, simplified.Indices[i]);
                 // Half a step of each axis.
                 Assert.That(math.all(math.abs(drawn - exact) <= 0.51 / 65535 * simplified.Size + 1e-12),
                     $"corner {i}: {drawn} for {exact}");
@@ -36,7 +37,8 @@ namespace Glint.Tests
             double area = 0;
             for (int i = 0; i < simplified.Indices.Count; i += 3)
             {
-                double3 a = Position(simplified, simplified.Indices[i]), b = Position(simplified, simplified.Indices[i + 1]),
+                double3 a = Position(simplified, simplified.Indices[i]),
+                    b = Position(simplified, simplified.Indices[i + 1]),
                     c = Position(simplified, simplified.Indices[i + 2]);
                 area += math.abs(math.cross(b - a, c - a).y) / 2;
             }
@@ -67,7 +69,8 @@ namespace Glint.Tests
         }
 
         static double3 Position(SimplifiedMesh simplified, int point) =>
-            simplified.Min + simplified.Size * new double3(simplified.Positions[3 * point], simplified.Positions[3 * point + 1],
+            simplified.Min + simplified.Size * new double3(simplified.Positions[3 * point],
+            simplified.Positions[3 * point + 1],
                 simplified.Positions[3 * point + 2]) / 65535;
     }
 }

@@ -82,7 +82,8 @@ namespace Glint.Tests
         {
             var positions = _ship.Vertices.ToHashSet();
             Assert.That(
-                positions.Count(vertex => !positions.Contains(new float3(-vertex.x + 0f, vertex.y, vertex.z))), Is.Zero);
+                positions.Count(vertex => !positions.Contains(new float3(-vertex.x + 0f, vertex.y, vertex.z))),
+                Is.Zero);
         }
 
         // Block coefficients of patrol vessels lie about 0.4 to 0.55.
@@ -117,8 +118,10 @@ namespace Glint.Tests
         public void Build_Default_FillsTheRadarsPictureAsThePublishedShip(double angle, double published)
         {
             var settings = TestRadar.Settings(240, 135, bounces: 1);
-            var referenceTracer = new ReferenceTracer(new RadarPose(new RadarScene(_coarse), settings, TestRadar.LookAt(Radar(angle), 0)));
-            Assert.That(64.0 * referenceTracer.Sum(referenceTracer.TraceAll()).RaysHit, Is.EqualTo(published).Within(0.15 * published));
+            var referenceTracer = new ReferenceTracer(
+                new RadarPose(new RadarScene(_coarse), settings, TestRadar.LookAt(Radar(angle), 0)));
+            Assert.That(64.0 * referenceTracer.Sum(referenceTracer.TraceAll()).RaysHit,
+                Is.EqualTo(published).Within(0.15 * published));
         }
 
         // Seen from ahead and from astern, deck and house are a dihedral:

@@ -147,7 +147,8 @@ namespace Glint.Tests
         {
             // A quarter of the rays: the raw amplitude is a quarter of the normalised, and so is its error.
             var row = new SweepRow(new SweepPose(0),
-                new RadarResult(new RadarSums { InPhase = 5, RaysOfPicture = 518400 }, new SamplingReport(4, 0, false)));
+                new RadarResult(new RadarSums { InPhase = 5, RaysOfPicture = 518400 },
+                    new SamplingReport(4, 0, false)));
             var pose = new PoseFigures(new StoredRow(row));
             Assert.That((Quantity.Normalised.Of(pose), Quantity.Normalised.ErrorOf(pose)), Is.EqualTo((20.0, 4.0)));
             Assert.That((Quantity.Amplitude.Of(pose), Quantity.Amplitude.ErrorOf(pose)), Is.EqualTo((5.0, 1.0)));

@@ -132,7 +132,8 @@ sealed class BenchCommand(Terminal terminal)
             return;
         if (every == 1)
         {
-            Step("reference", progress, () => result.Errors = ReferenceCheck.All(pose, result.Poses.First, new Part(progress, 0, 1), progress.Cancel));
+            Step("reference", progress, () => result.Errors = ReferenceCheck.All(pose, result.Poses.First,
+                new Part(progress, 0, 1), progress.Cancel));
             return;
         }
         Step("reference", progress, () =>

@@ -75,7 +75,8 @@ sealed class BenchTables(Terminal terminal)
         Add("dispatches", work.Dispatches);
         Add("bytes uploaded", work.BytesUploaded, Text($"{first.BytesUploaded:N0} for the first pose"));
         Add("bytes read back", work.BytesReadBack);
-        Add("bytes on the device", work.BytesOnDevice, Each(work.BytesOnDevice, sums.Statistics.Triangles, "a triangle"));
+        Add("bytes on the device", work.BytesOnDevice,
+            Each(work.BytesOnDevice, sums.Statistics.Triangles, "a triangle"));
         return table;
     }
 
@@ -84,8 +85,10 @@ sealed class BenchTables(Terminal terminal)
         if (result.Errors is not { } errors)
             return null;
         var table = _text.New(1, Text($"error, {errors.Reference.RaysEmitted:N0} rays compared"), "", "");
-        table.AddRow(Escaped("rays hit", Text($"{errors.Hits:+#,0;-#,0;0}"), Text($"of {errors.Reference.RaysHit:N0}")));
-        table.AddRow(Escaped("bounces", Text($"{errors.Bounces:+#,0;-#,0;0}"), Text($"of {errors.Reference.Bounces:N0}")));
+        table.AddRow(
+            Escaped("rays hit", Text($"{errors.Hits:+#,0;-#,0;0}"), Text($"of {errors.Reference.RaysHit:N0}")));
+        table.AddRow(
+            Escaped("bounces", Text($"{errors.Bounces:+#,0;-#,0;0}"), Text($"of {errors.Reference.Bounces:N0}")));
         table.AddRow(Escaped("path length", Text($"{errors.PathLengthRelative:0.0e+0}"), "relative"));
         table.AddRow(Escaped("amplitude", Text($"{errors.Amplitude:0.0e+0}"),
             Text($"of {errors.Reference.Amplitude:0.000}, {errors.AmplitudeRelative:0.0e+0} relative")));

@@ -93,7 +93,8 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
                 other.Add(rest);
             }
             else
-                other.Add(result.Statistics.Timings.GatherMs + result.Statistics.Timings.BuildMs + result.Statistics.Timings.UploadMs);
+                other.Add(result.Statistics.Timings.GatherMs + result.Statistics.Timings.BuildMs
+                    + result.Statistics.Timings.UploadMs);
         }
         if (!counts)
             return;

@@ -70,7 +70,8 @@ sealed class SeaStudy(RadarController radar, Sea sea, IProgressSink progress)
         {
             sea.TimeSeconds = time;
             snapshots.Add(
-                radar.Trace(RayReadback.None, new Part(progress, snapshots.Count, recipe.Times.Count), progress.Cancel));
+                radar.Trace(RayReadback.None,
+                    new Part(progress, snapshots.Count, recipe.Times.Count), progress.Cancel));
         }
         return new SeaTrial(recipe.Settings, snapshots);
     }

@@ -45,7 +45,8 @@ sealed class VerifyReport(Terminal terminal)
         string allowed = Text(
             $"{1e6 * VerifyCommand.LengthTolerance:0} um and the rounding of two float32 numbers, 2^-44 of the length");
         yield return comparison.Wrong == 0
-            ? $"Fine: every ray went the reference tracer's way, or passes an edge; a received ray may be off by {allowed}."
+            ? "Fine: every ray went the reference tracer's way, or passes an edge; "
+                + $"a received ray may be off by {allowed}."
             : Text($"{comparison.Wrong:N0} rays neither went the reference tracer's way nor pass an edge, or are off by more than {allowed}.");
     }
 

@@ -50,7 +50,8 @@ namespace Glint.Core
                     double height = 0;
                     for (int w = 0, atX = 2 * Waves * x, atZ = 2 * Waves * z; w < Waves; w++, atX += 2, atZ += 2)
                         height += waves[w].Amplitude * (alongX[atX] * alongZ[atZ + 1] + alongX[atX + 1] * alongZ[atZ]);
-                    vertices[z * side + x] = new float3((float)Coordinate(x, cells), (float)height, (float)Coordinate(z, cells));
+                    vertices[z * side + x] =
+                        new float3((float)Coordinate(x, cells), (float)height, (float)Coordinate(z, cells));
                 }
 
             var indices = new int[6 * cells * cells];

@@ -332,7 +332,8 @@ namespace Glint.Core
             ImpliedText = "accuracy.svg",
             Excludes = new Option[]
             {
-                Reference, Peers, WriteScene, Seed, SeaTriangles, ShipTriangles, Size, Region, Frequency, Bounces, Receiver
+                Reference, Peers, WriteScene, Seed, SeaTriangles,
+                ShipTriangles, Size, Region, Frequency, Bounces, Receiver
             }
                 .Select(option => (option, "it has scenes and radars of its own")).ToArray(),
             Help = "Instead: run time against error, in scenes of its own, "

@@ -6,8 +6,9 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The kernel's rays beside the reference tracer's, one by one. A ray has gone wrong unless it went the reference tracer's way,
-    /// or passes an edge so near that the reference tracer goes the kernel's way from a place in the picture a little beside:
+    /// The kernel's rays beside the reference tracer's, one by one.
+    /// A ray has gone wrong unless it went the reference tracer's way, or passes an edge so near that the reference
+    /// tracer goes the kernel's way from a place in the picture a little beside:
     /// so near that float32 cannot tell the places on the target apart.
     /// </summary>
     public sealed class RayComparison
@@ -130,12 +131,14 @@ namespace Glint.Core
         }
 
         bool IsAsLong(in RayData ray, in ReferenceRay reference, double tolerance) =>
-            EndsAs(ray, reference) && math.abs(ray.RefinedPathLength - reference.LengthToEnd) <= tolerance + Rounding(reference);
+            EndsAs(ray, reference)
+            && math.abs(ray.RefinedPathLength - reference.LengthToEnd) <= tolerance + Rounding(reference);
 
         static bool EndsAs(in RayData ray, in ReferenceRay reference) =>
             ray.Bounces == reference.Bounces && ray.IsReceived == reference.Received;
 
-        static bool HasSamePath(in ReferenceRay a, in ReferenceRay b) => a.PathHash == b.PathHash && a.Received == b.Received;
+        static bool HasSamePath(in ReferenceRay a, in ReferenceRay b) =>
+            a.PathHash == b.PathHash && a.Received == b.Received;
 
         double Rounding(in ReferenceRay reference) =>
             reference.Received
@@ -146,7 +149,8 @@ namespace Glint.Core
         List<ReferenceRay> Beside(in RayData ray, in ReferenceRay reference)
         {
             // A ray that hit nothing ends where it started.
-            double distance = reference.Bounces > 0 ? reference.LengthToFirstHit : math.distance(ray.LastHit, reference.LastHit);
+            double distance =
+                reference.Bounces > 0 ? reference.LengthToFirstHit : math.distance(ray.LastHit, reference.LastHit);
             // Every bounce rounds anew.
             int bounces = math.max(1, math.max(reference.Bounces, (int)ray.Bounces));
             double step = bounces * Step * _sceneSize / _referenceTracer.RaySpacing(distance);

@@ -106,7 +106,8 @@ namespace Glint.Core
                 // double, their cross product nearly so, however thin the triangle.
                 var areas = new Affine
                 {
-                    X = math.cross(transform.Y, transform.Z), Y = math.cross(transform.Z, transform.X), Z = math.cross(transform.X, transform.Y)
+                    X = math.cross(transform.Y, transform.Z),
+                    Y = math.cross(transform.Z, transform.X), Z = math.cross(transform.X, transform.Y)
                 };
                 for (int i = 0; i < instance.Mesh.TriangleCount; i++, number++)
                 {

@@ -86,7 +86,8 @@ namespace Glint.Core
                 var across = new double3(math.dot(toWorld.X, view.Right), math.dot(toWorld.Y, view.Right),
                     math.dot(toWorld.Z, view.Right));
                 var up =
-                    new double3(math.dot(toWorld.X, view.Up), math.dot(toWorld.Y, view.Up), math.dot(toWorld.Z, view.Up));
+                    new double3(math.dot(toWorld.X, view.Up), math.dot(toWorld.Y, view.Up),
+                        math.dot(toWorld.Z, view.Up));
                 var vertices = instance.Mesh.Vertices;
                 double2 meshMin = double.PositiveInfinity, meshMax = double.NegativeInfinity;
                 foreach (int index in instance.Mesh.Indices) // a vertex without a triangle is nothing to see

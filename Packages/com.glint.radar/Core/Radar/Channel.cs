@@ -32,7 +32,9 @@ namespace Glint.Core
         /// <summary>Rays that may be received and are followed once more; in the first slot only.</summary>
         public static readonly Channel Candidates = new Channel("candidates", 1);
 
-        /// <summary>Lengths up to the last hit beyond the rays' origins, in the longest that the scene allows.</summary>
+        /// <summary>
+        /// Lengths up to the last hit beyond the rays' origins, in the longest that the scene allows.
+        /// </summary>
         public static readonly Channel Length = new Channel("length", 2, scale: 1 << 30);
 
         /// <summary>cos(phase) of received rays.</summary>

@@ -55,7 +55,8 @@ namespace Glint.Core
             }
 
             double3 away = math.max(math.abs(boxMin - view.Position), math.abs(boxMax - view.Position));
-            MaxRelativeLength = isEmpty ? 1 : 1.01 * (math.length(away) - OriginDepth + (settings.MaxBounces - 1) * size);
+            MaxRelativeLength =
+                isEmpty ? 1 : 1.01 * (math.length(away) - OriginDepth + (settings.MaxBounces - 1) * size);
         }
 
         /// <summary>Middle of the scene's bounds: the origin of the kernel's coordinates.</summary>
@@ -77,7 +78,9 @@ namespace Glint.Core
         /// </summary>
         public int2 ReferencePixel { get; }
 
-        /// <summary>Origin of the ray through <see cref="ReferencePixel"/>, from <see cref="SceneCentre"/>, metres.</summary>
+        /// <summary>
+        /// Origin of the ray through <see cref="ReferencePixel"/>, from <see cref="SceneCentre"/>, metres.
+        /// </summary>
         public double3 Origin { get; }
 
         /// <summary>How the origin changes by one ray to the right, metres.</summary>

@@ -85,7 +85,8 @@ namespace Glint.Core
         {
             double3[] Outline(double y) => new[]
             {
-                new double3(boxMin.x, y, boxMin.z), new double3(boxMax.x, y, boxMin.z), new double3(boxMax.x, y, boxMax.z),
+                new double3(boxMin.x, y, boxMin.z),
+                new double3(boxMax.x, y, boxMin.z), new double3(boxMax.x, y, boxMax.z),
                 new double3(boxMin.x, y, boxMax.z)
             };
             return Block(Outline(boxMin.y), Outline(boxMax.y));

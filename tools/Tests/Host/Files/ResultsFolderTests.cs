@@ -26,7 +26,8 @@ public sealed class ResultsFolderTests
             using var results = ResultsFolder.Open(path);
             results.Begin(new SweepIdentity(), DateTime.UtcNow);
             var error =
-                Assert.Throws<GlintException>(() => results.Append(new SweepRow(new SweepPose(0), new RadarResult(new RadarSums()))));
+                Assert.Throws<GlintException>(
+                    () => results.Append(new SweepRow(new SweepPose(0), new RadarResult(new RadarSums()))));
             Assert.That(error.Message, Does.StartWith(Path.Combine(path, "results.csv"))
                 .And.Contain("cannot be written").And.Contain("space"));
             Assert.That(Directory.GetFileSystemEntries(path), Is.Empty);

@@ -22,7 +22,8 @@ sealed class SceneCases : IDisposable
 
     static readonly string[] Experiments =
         ["Scenes/CornerReflector.unity", "Meshes/CornerReflector/Corner Reflector.prefab"];
-    static readonly string[] Scripts = ["Runtime/RadarController.cs", "Runtime/Sweep.cs", "Runtime/Glint.asmdef",
+    static readonly string[] Scripts = ["Runtime/Components/RadarController.cs",
+        "Runtime/Components/Sweep.cs", "Runtime/Glint.asmdef",
         "package.json", "Shaders/Trace.compute.meta"];
 
     readonly TemporaryProject _project = new();

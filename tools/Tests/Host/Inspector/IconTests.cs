@@ -13,11 +13,11 @@ public sealed class IconTests
 {
     const string Package = "Packages/com.glint.radar";
 
-    [TestCase("Runtime/RadarController.cs")]
-    [TestCase("Runtime/Sweep.cs")]
-    [TestCase("Runtime/Sea/Sea.cs")]
-    [TestCase("Runtime/Ship.cs")]
-    [TestCase("Runtime/Paths/RayPaths.cs")]
+    [TestCase("Runtime/Components/RadarController.cs")]
+    [TestCase("Runtime/Components/Sweep.cs")]
+    [TestCase("Runtime/Components/Sea.cs")]
+    [TestCase("Runtime/Components/Ship.cs")]
+    [TestCase("Runtime/Components/RayPaths.cs")]
     public void Script_HasItsIcon(string script)
     {
         string meta = File.ReadAllText(Path.Combine(Engine.Assets.ProjectRoot, Package, script + ".meta"));

@@ -35,7 +35,8 @@ sealed record RandomScene(RandomBody[] Bodies, double Size, double Range, bool I
             double3 camera = transform.Point(double3(0, 0, -Range));
             return new RadarView
             {
-                Position = camera, Right = normalize(transform.X), Up = normalize(transform.Y), Forward = normalize(transform.Z),
+                Position = camera, Right = normalize(transform.X),
+                Up = normalize(transform.Y), Forward = normalize(transform.Z),
                 VerticalFovDegrees = degrees(2 * atan(Size / Range)), ApertureHeight = IsParallel ? 2 * Size : 0,
                 ReceiverCentre = camera, ReceiverRight = normalize(transform.X), ReceiverUp = normalize(transform.Y),
                 ReceiverForward = normalize(transform.Z), ReceiverSize = Receiver,

@@ -153,7 +153,8 @@ static class RandomScenes
         float3 Point(int x, int y)
         {
             double2 position = 2.0 * double2(x, y) / cells - 1;
-            return (float3)double3(position, depth * (0.3 * bumps[y * (cells + 1) + x].z / cells - dot(position, position)));
+            return (float3)double3(position,
+                depth * (0.3 * bumps[y * (cells + 1) + x].z / cells - dot(position, position)));
         }
         var corners = new List<float3>();
         for (int y = 0; y < cells; y++)

@@ -67,7 +67,8 @@ public sealed class TracerProperties
         && a.PhaseHistogram.SequenceEqual(b.PhaseHistogram)
         && Bits(a.InPhase) == Bits(b.InPhase) && Bits(a.Quadrature) == Bits(b.Quadrature)
         && Bits(a.PathLengthMeters) == Bits(b.PathLengthMeters)
-        && Bits(a.SamplingError.Value) == Bits(b.SamplingError.Value) && Bits(a.LargestPathStep.Value) == Bits(b.LargestPathStep.Value)
+        && Bits(a.SamplingError.Value) == Bits(b.SamplingError.Value)
+        && Bits(a.LargestPathStep.Value) == Bits(b.LargestPathStep.Value)
         && a.Undersampled == b.Undersampled;
 
     static long Bits(double value) => BitConverter.DoubleToInt64Bits(value);

@@ -1,0 +1,210 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using Glint.Core;
+using UnityEditor;
+using UnityEditorInternal;
+using UnityEngine;
+using UnityEngine.UIElements;
+
+namespace Glint.Editor.Views
+{
+    /// <summary>
+    /// Window > Glint > Radar: traces and sweeps the open scene, in edit mode and in play mode,
+    /// and shows the results as they come.
+    /// </summary>
+    sealed class RadarWindow : EditorWindow
+    {
+        const string StylePath = "Packages/com.glint.radar/Editor/Views/Windows/RadarWindow.uss";
+
+        // Charts of many poses take longer to draw than a pose to trace.
+        const double SecondsBetweenDrawings = 0.2;
+
+        [SerializeField] SweepForm _form = new SweepForm();
+        [SerializeField] ChartChoice _choice = new ChartChoice();
+        // Folder of the results shown, for after a reload of the scripts; empty for none.
+        [SerializeField] string _shown = "";
+        // Folder or name of the published table that is laid over; empty for none.
+        [SerializeField] string _compared = "";
+
+        IReadOnlyList<PoseFigures> _rows = Array.Empty<PoseFigures>();
+        Comparison _comparison;
+        SweepSession _session;
+        SweepPanel _panel;
+        ResultsPanel _results;
+        double _drawn;
+
+        /// <summary>Opens the window for a radar.</summary>
+        /// <param name="radar">Null: the one of the scene.</param>
+        public static void Show(RadarController radar)
+        {
+            var window = GetWindow<RadarWindow>();
+            if (radar != null)
+                window._form.Radar = radar;
+            window.Show();
+            window.Refresh();
+        }
+
+        [MenuItem("Window/Glint/Radar")]
+        static void Open() => Show(null);
+
+        void OnEnable()
+        {
+            titleContent = new GUIContent("Radar");
+            minSize = new Vector2(800, 400);
+            EditorApplication.update += Tick;
+        }
+
+        void OnDisable()
+        {
+            EditorApplication.update -= Tick;
+            _session?.Dispose();
+        }
+
+        void OnFocus() => Refresh();
+
+        void CreateGUI()
+        {
+            var style = AssetDatabase.LoadAssetAtPath<StyleSheet>(StylePath);
+            if (style != null)
+                rootVisualElement.styleSheets.Add(style);
+            rootVisualElement.AddToClassList(EditorGUIUtility.isProSkin ? "glint-dark" : "glint-light");
+            _panel = new SweepPanel(_form, () => Begin(() => SweepSession.Pose(_form.Radar)),
+                () => Begin(() => SweepSession.Sweep(_form)), () => _session?.Cancel());
+            _results = new ResultsPanel(_choice, Draw, Compare, SaveFile, SaveReport, SavePicture, Look, SavePreview);
+            var split = new TwoPaneSplitView(0, 300, TwoPaneSplitViewOrientation.Horizontal);
+            split.Add(_panel);
+            split.Add(_results);
+            rootVisualElement.Add(split);
+            Refresh();
+            Recall();
+        }
+
+        // What was shown before the scripts were reloaded.
+        void Recall()
+        {
+            if (_session == null && _shown.Length > 0 && Directory.Exists(_shown))
+                Attempt(() => _rows = PoseFigures.OfFolder(_shown));
+            Compare(_compared);
+        }
+
+        void Refresh()
+        {
+            if (_panel == null)
+                return;
+            _form.FindRadar();
+            _panel.Reload();
+            _panel.Show(_session);
+            Draw();
+        }
+
+        void Draw()
+        {
+            _drawn = EditorApplication.timeSinceStartup;
+            _results.Show(_rows, _comparison);
+        }
+
+        void Begin(Func<SweepSession> begin) => Attempt(() =>
+        {
+            _panel.Report(null);
+            _session?.Dispose();
+            _session = begin();
+            _rows = _session.Rows;
+            _shown = _session.FolderPath ?? "";
+            _choice.Pose = -1;
+            Refresh();
+        });
+
+        void Tick()
+        {
+            if (_session == null || !_session.IsRunning || _panel == null)
+                return;
+            _session.Looks = _results.Preview.value;
+            using (var progress = new PoseProgress(_session))
+                _session.Tick(progress);
+            _panel.Show(_session);
+            _results.Preview.Show(_session.Preview);
+            InternalEditorUtility.RepaintAllViews(); // the target's turn and the ray paths
+            if (!_session.IsRunning)
+                Refresh();
+            else if (EditorApplication.timeSinceStartup - _drawn > SecondsBetweenDrawings)
+                Draw();
+        }
+
+        void Compare(string with) => Attempt(() =>
+        {
+            _compared = "";
+            _comparison = null;
+            foreach (var table in PublishedTable.All)
+                if (table.Name == with)
+                    _comparison = Comparison.With(table);
+            if (_comparison == null && with.Length > 0)
+                _comparison = Comparison.With(with);
+            _compared = with;
+            Draw();
+        });
+
+        void Look() => Attempt(() =>
+        {
+            if (_form.Radar == null)
+                throw new GlintException("choose a radar first");
+            _results.Preview.Show(RadarPreview.Of(_form.Radar));
+        });
+
+        void SavePreview()
+        {
+            var png = _results.Preview.Png();
+            if (png == null)
+            {
+                _panel.Report("there is no radar's view yet: unfold it and press Look now");
+                return;
+            }
+            string path = EditorUtility.SaveFilePanel("Export", "", "view.png", "png");
+            if (path.Length > 0)
+                Attempt(() => Export.Picture(png, path));
+        }
+
+        void SaveFile(string name)
+        {
+            string path = EditorUtility.SaveFilePanel("Export", "", name, Path.GetExtension(name).TrimStart('.'));
+            if (path.Length > 0)
+                Attempt(() => Export.Copy(_shown, name, path));
+        }
+
+        void SaveReport() => Attempt(() =>
+        {
+            if (_session?.IsRunning == true)
+                throw new GlintException("the sweep is at work: export its report when it is done, or cancel it");
+            string path = EditorUtility.SaveFilePanel("Export", _shown, ReportFile.Name, "html");
+            if (path.Length == 0)
+                return;
+            using (var progress = new DialogProgress())
+                Export.Report(_shown, _choice.Row(_rows), _form, path, progress);
+        });
+
+        // When the menu is closed again, and is no part of the picture.
+        void SavePicture() => rootVisualElement.schedule.Execute(() =>
+        {
+            var png = WindowPicture.Png(this, _results.Charts);
+            string path = EditorUtility.SaveFilePanel("Export", "", "chart.png", "png");
+            if (path.Length > 0)
+                Attempt(() => Export.Picture(png, path));
+        }).StartingIn(300);
+
+        // What goes wrong is said in the window.
+        void Attempt(Action act)
+        {
+            try
+            {
+                act();
+            }
+            catch (GlintException problem)
+            {
+                _panel.Report(problem.Message);
+            }
+            catch (OperationCanceledException)
+            {
+            }
+        }
+    }
+}

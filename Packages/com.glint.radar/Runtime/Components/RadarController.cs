@@ -1,0 +1,401 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Threading;
+using Glint.Core;
+using Unity.Mathematics;
+using Unity.Profiling;
+using UnityEngine;
+using Debug = UnityEngine.Debug;
+
+namespace Glint
+{
+    /// <summary>
+    /// A radar at a camera: one ray a pixel, bounced through the scene on the GPU,
+    /// and what returns to the receiver summed coherently.
+    /// Position, rotation and vertical field of view are the Camera's; rays across and down set the aspect ratio.
+    /// An orthographic Camera makes parallel rays: they leave an aperture twice its Size high.
+    /// It traces one pose when the scene starts and whenever
+    /// <see cref="Trace(IProgress{double}, CancellationToken)"/> is called.
+    /// </summary>
+    [AddComponentMenu("Glint/Radar Controller")]
+    [RequireComponent(typeof(Camera))]
+    [DisallowMultipleComponent]
+    public sealed class RadarController : MonoBehaviour
+    {
+        [SerializeField, Tooltip("Carrier frequency in hertz.")]
+        double _frequencyHz = 10e9;
+
+        [SerializeField, Min(1), Tooltip("Rays across the view. With Rays Down it sets the aspect ratio.")]
+        int _raysAcross = 1920;
+
+        [SerializeField, Min(1), Tooltip("Rays down the view, over the Camera's field of view or, "
+            + "where it is orthographic, twice its Size.")]
+        int _raysDown = 1080;
+
+        [SerializeField, Tooltip("Only for an orthographic Camera: the rays cover what is traced, "
+            + "as it looks from here, Ray Spacing apart, and none is wasted. The Camera's Size, "
+            + "Rays Across and Rays Down do not matter then.")]
+        bool _fitAperture;
+
+        [SerializeField, Tooltip("From ray to ray in metres, with Fit Aperture.")]
+        double _raySpacing = 0.01;
+
+        [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Most specular reflections a ray may make.")]
+        int _maxBounces = 4;
+
+        [SerializeField, Tooltip("Middle of the receiver, which faces along this transform's forward axis. "
+            + "It is neither target nor obstacle.")]
+        Transform _receiver;
+
+        [SerializeField, Tooltip("Width and height of the receiver in metres. 0 x 0, where the Camera is orthographic: "
+            + "as large as the aperture, and on its axis.")]
+        Vector2 _receiverSize = new Vector2(3, 3);
+
+        [SerializeField, Tooltip("Layers to trace.")]
+        LayerMask _layers = ~0;
+
+        [SerializeField, Tooltip("Objects to trace, with all below them. Empty: everything in the loaded scenes.")]
+        List<Transform> _roots = new List<Transform>();
+
+        [SerializeField, Tooltip("Which rays a result carries one by one. All takes 48 bytes a ray.")]
+        RayReadback _keptRays = RayReadback.Received;
+
+        [SerializeField, Tooltip("Left and bottom edge, in rays, of the part of the picture to trace.")]
+        Vector2Int _regionCorner;
+
+        [SerializeField, Tooltip("Rays across and down of the part of the picture to trace; "
+            + "the others are not emitted. 0 x 0: the whole picture.")]
+        Vector2Int _regionSize;
+
+        [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Trace.compute")]
+        ComputeShader _kernel;
+
+        static readonly ProfilerMarker s_gather = new ProfilerMarker("Glint.Gather");
+
+        readonly SceneGatherer _gatherer = new SceneGatherer();
+        readonly HashSet<string> _warned = new HashSet<string>();
+        RayTracer _tracer;
+        RadarPose _traced;
+        ulong _tracedContent;
+
+        /// <summary>Frequency, rays, bounces and the part of the picture. Checked when a pose is traced.</summary>
+        public RadarSettings Settings
+        {
+            get => new RadarSettings
+            {
+                FrequencyHz = _frequencyHz, RaysAcross = _raysAcross, RaysDown = _raysDown, MaxBounces = _maxBounces,
+                Region = new RayRegion
+                {
+                    Left = _regionCorner.x, Bottom = _regionCorner.y, Width = _regionSize.x, Height = _regionSize.y
+                },
+            };
+            set
+            {
+                (_frequencyHz, _raysAcross, _raysDown, _maxBounces) =
+                    (value.FrequencyHz, value.RaysAcross, value.RaysDown, value.MaxBounces);
+                _regionCorner = new Vector2Int(value.Region.Left, value.Region.Bottom);
+                _regionSize = new Vector2Int(value.Region.Width, value.Region.Height);
+            }
+        }
+
+        /// <summary>
+        /// With an orthographic Camera: the rays cover what is traced, <see cref="RaySpacing"/> apart.
+        /// The Camera's size and the rays across and down of <see cref="Settings"/> do not matter then.
+        /// </summary>
+        public bool FitAperture { get => _fitAperture; set => _fitAperture = value; }
+
+        /// <summary>From ray to ray with <see cref="FitAperture"/>, metres.</summary>
+        public double RaySpacing { get => _raySpacing; set => _raySpacing = value; }
+
+        /// <summary>Middle of the receiver; it faces along the transform's forward axis.</summary>
+        public Transform Receiver { get => _receiver; set => _receiver = value; }
+
+        /// <summary>
+        /// Width and height of the receiver, metres. 0 x 0 with an orthographic Camera:
+        /// as large as the aperture, and on its axis.
+        /// </summary>
+        public Vector2 ReceiverSize { get => _receiverSize; set => _receiverSize = value; }
+
+        /// <summary>Layers to trace.</summary>
+        public LayerMask Layers { get => _layers; set => _layers = value; }
+
+        /// <summary>Objects to trace, with all below them; empty: everything in the loaded scenes.</summary>
+        public List<Transform> Roots => _roots;
+
+        /// <summary>Which rays a result carries one by one.</summary>
+        public RayReadback RayReadback { get => _keptRays; set => _keptRays = value; }
+
+        /// <summary>Packages/com.glint.radar/Shaders/Trace.compute.</summary>
+        public ComputeShader Kernel
+        {
+            get => _kernel;
+            set
+            {
+                _kernel = value;
+                Release(); // the tracer in use has the kernel before
+            }
+        }
+
+        /// <summary>
+        /// Count the nodes visited and pairs tested: <see cref="TraceStatistics"/>. Slower; for benchmarks.
+        /// </summary>
+        public bool CountVisits { get; set; }
+
+        /// <summary>After each pose traced.</summary>
+        public event Action<RadarController> Traced;
+
+        /// <summary>The last pose traced; null before the first.</summary>
+        public RadarResult Result { get; private set; }
+
+        /// <summary>
+        /// Traces the scene as it stands now; returns when the sums are there.
+        /// The result carries the rays that <see cref="RayReadback"/> says.
+        /// </summary>
+        /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
+        /// <param name="cancel">
+        /// Ends the pose while trees are built or between two dispatches; the result before stays.
+        /// </param>
+        /// <exception cref="GlintException">
+        /// The radar or a mesh is not fit to be traced, or the device cannot hold the work.
+        /// </exception>
+        /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
+        public RadarResult Trace(IProgress<double> progress = null, CancellationToken cancel = default) =>
+            Trace(_keptRays, progress, cancel);
+
+        /// <summary>Traces the scene as it stands now; returns when the sums are there.</summary>
+        /// <param name="readback">Which rays the result carries one by one; none is the fastest.</param>
+        /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
+        /// <param name="cancel">
+        /// Ends the pose while trees are built or between two dispatches; the result before stays.
+        /// </param>
+        /// <exception cref="GlintException">
+        /// The radar or a mesh is not fit to be traced, or the device cannot hold the work.
+        /// </exception>
+        /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
+        public RadarResult Trace(RayReadback readback, IProgress<double> progress = null,
+            CancellationToken cancel = default)
+        {
+            // Before the scene is gathered: that may take long.
+            var settings = Describe().Settings;
+            _tracer ??= new RayTracer(_kernel, Subject);
+            if (!IsFitted)
+                DispatchPlan.Check(settings, readback, Subject);
+
+            var watch = Stopwatch.StartNew();
+            RadarPose pose;
+            using (s_gather.Auto())
+                pose = Gather();
+            double gatherMs = watch.Elapsed.TotalMilliseconds;
+            _tracer.CountVisits = CountVisits;
+            var result = _tracer.Trace(pose, readback, progress, cancel);
+            result.Statistics.SetGathered(_gatherer.ObjectCount, gatherMs);
+            (_traced.Settings, _traced.View, _tracedContent) = (pose.Settings, pose.View, _gatherer.Content());
+            Result = result;
+            Traced?.Invoke(this);
+            return result;
+        }
+
+        /// <summary>
+        /// Pixels of the rays that were received in the pose last traced, in ascending order: x + y * rays across,
+        /// from the lower left corner. None after <see cref="Release"/>.
+        /// </summary>
+        public uint[] ReceivedPixels() => _tracer?.ReceivedPixels() ?? Array.Empty<uint>();
+
+        /// <summary>
+        /// The ways of single rays through the scene as it stands now,
+        /// with the objects that they meet (<see cref="ObjectAt"/>).
+        /// </summary>
+        /// <param name="pixels">
+        /// x + y * rays across, from the lower left corner; <see cref="ReceivedPixels"/>, say.
+        /// </param>
+        /// <param name="progress">Told how much is done, 0 to 1; may be null.</param>
+        /// <param name="cancel">Ends the work between two dispatches.</param>
+        /// <returns>
+        /// A way for each pixel, in their order. Places are in metres from the origin of the pose's scene.
+        /// </returns>
+        /// <exception cref="GlintException">
+        /// The radar or a mesh is not fit to be traced, or a pixel is outside the picture.
+        /// </exception>
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public RayPath[] TracePaths(uint[] pixels, IProgress<double> progress = null,
+            CancellationToken cancel = default)
+        {
+            var pose = GatherForTracer();
+            return _tracer.TracePaths(pose, pixels, _gatherer, progress, cancel);
+        }
+
+        /// <summary>
+        /// What the radar sees as everything stands now, for the eye:
+        /// about 130,000 rays over the part of the view that meets anything.
+        /// </summary>
+        /// <param name="cancel">Ends the work between two dispatches.</param>
+        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public RadarPreviewImage TracePreview(CancellationToken cancel = default)
+        {
+            var pose = GatherForTracer();
+            return RadarPreviewTracer.Trace(_tracer, pose, _gatherer, cancel);
+        }
+
+        /// <summary>An object of the scene last gathered, by the number that a <see cref="PathHit"/> has.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">
+        /// There is no such number: none was gathered, or it is <see cref="PathHit.NoObject"/>.
+        /// </exception>
+        public Transform ObjectAt(int number) => _gatherer.ObjectAt(number);
+
+        /// <summary>
+        /// Says that a transform will move, so that the first motion costs no more than the next:
+        /// what moves as a whole is kept apart from the rest of the scene.
+        /// Motion that nobody announced is noticed, at the price of one rebuild.
+        /// </summary>
+        public void ExpectMotion(Transform transform) => _gatherer.ExpectMotion(transform);
+
+        /// <summary>
+        /// What a pose would trace, how and from where, as everything stands now.
+        /// Scene and view are in the axes and metres of the world, about the place of the nearest transform that
+        /// the radar, its receiver and all traced objects have in common; without one, about the world's origin.
+        /// Meshes that have not changed are the same objects as the last time.
+        /// </summary>
+        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>
+        public RadarPose Gather()
+        {
+            try
+            {
+                return Gather(_gatherer);
+            }
+            finally
+            {
+                foreach (string warning in _gatherer.Warnings)
+                    if (_warned.Add(warning))
+                        Debug.LogWarning($"{Subject}: {warning}", this);
+            }
+        }
+
+        /// <summary>
+        /// The same by a gatherer of the caller's, which warns of what is left out:
+        /// what this radar keeps and knows of motion is neither used nor changed.
+        /// </summary>
+        internal RadarPose Gather(SceneGatherer gatherer)
+        {
+            var pose = Describe();
+            if (_roots.Exists(root => root == null))
+                throw new GlintException(HasEmptyRoot);
+            pose.Scene = gatherer.Gather(_layers, _roots, _receiver, transform);
+            var radarFrame = PoseOf(gatherer, transform, "the radar");
+            (pose.View.Position, pose.View.Right, pose.View.Up, pose.View.Forward) =
+                (radarFrame.Origin, radarFrame.X, radarFrame.Y, radarFrame.Z);
+            radarFrame = PoseOf(gatherer, _receiver, $"its receiver '{_receiver.name}'");
+            (pose.View.ReceiverCentre, pose.View.ReceiverRight, pose.View.ReceiverUp, pose.View.ReceiverForward) =
+                (radarFrame.Origin, radarFrame.X, radarFrame.Y, radarFrame.Z);
+            if (IsFitted)
+                ApertureFit.Cover(ref pose, _raySpacing, Subject);
+            if (MatchesAperture(pose.View))
+                ApertureFit.MatchReceiver(ref pose);
+            return pose;
+        }
+
+        /// <summary>
+        /// Whether the pose just gathered by <see cref="Gather()"/> is the one that <see cref="Result"/> is of:
+        /// the same meshes at the same places, radar and rays the same.
+        /// </summary>
+        internal bool IsAsTraced(in RadarPose pose) => Result != null && pose.Settings.Equals(_traced.Settings)
+            && pose.View.Equals(_traced.View) && _gatherer.Content() == _tracedContent;
+
+        /// <summary>What is known of the scene.</summary>
+        internal SceneGatherer Gatherer => _gatherer;
+
+        /// <summary>Objects with a mesh that <see cref="Gather()"/> last found.</summary>
+        internal int ObjectCount => _gatherer.ObjectCount;
+
+        /// <summary>Lets go of the GPU's buffers and of what was gathered; the next pose makes them anew.</summary>
+        public void Release()
+        {
+            _gatherer.Forget();
+            _tracer?.Dispose();
+            _tracer = null;
+        }
+
+        /// <summary>Who it is, in messages.</summary>
+        internal string Subject => $"RadarController of '{name}'";
+
+        internal string HasNoReceiver =>
+            $"{Subject} has no receiver: assign a Transform behind the camera to its field Receiver";
+
+        internal string HasNoCamera => $"'{name}' has a RadarController and no Camera: add one, its position, "
+            + "rotation and field of view are the radar's";
+
+        internal string HasNoHeight => FormattableString.Invariant(
+            $"the Camera of '{name}' is orthographic and its Size is {GetComponent<Camera>().orthographicSize}: give it half the aperture's height in metres, above 0");
+
+        internal string HasEmptyRoot => $"{Subject}: an entry of Roots is empty: assign an object or remove the entry";
+
+        /// <summary>Whether each pose has an aperture of its own.</summary>
+        internal bool IsFitted => _fitAperture && GetComponent<Camera>().orthographic;
+
+        RadarPose GatherForTracer()
+        {
+            var pose = Gather();
+            _tracer ??= new RayTracer(_kernel, Subject);
+            return pose;
+        }
+
+        Affine PoseOf(SceneGatherer gatherer, Transform node, string role)
+        {
+            var pose = gatherer.PoseOf(node);
+            FiniteCheck.RefuseNotFinite(pose, node, $"{Subject}: {role}");
+            return pose;
+        }
+
+        bool MatchesAperture(in RadarView view) => view.IsParallel && _receiverSize.x == 0 && _receiverSize.y == 0;
+
+        // All that does not depend on where things stand, checked. A fitted aperture has some size or other.
+        RadarPose Describe()
+        {
+            if (_receiver == null)
+                throw new GlintException(HasNoReceiver);
+            if (!TryGetComponent<Camera>(out var camera))
+                throw new GlintException(HasNoCamera);
+            if (IsFitted)
+                ApertureFit.CheckSpacing(_raySpacing, Subject);
+            else if (camera.orthographic && !(camera.orthographicSize > 0))
+                throw new GlintException(HasNoHeight);
+
+            var pose = new RadarPose { Settings = Settings };
+            pose.View.VerticalFovDegrees = camera.fieldOfView;
+            pose.View.ApertureHeight = IsFitted ? _raySpacing : camera.orthographic ? 2.0 * camera.orthographicSize : 0;
+            pose.View.ReceiverSize = (float2)_receiverSize;
+            if (MatchesAperture(pose.View))
+                ApertureFit.MatchReceiver(ref pose);
+            var settings = pose.Settings;
+            if (IsFitted)
+                settings.Region = default; // of a picture that is not known yet
+            settings.Validate(Subject);
+            pose.View.Validate(Subject);
+            return pose;
+        }
+
+        void Start()
+        {
+            try
+            {
+                var result = Trace();
+                Debug.Log(FormattableString.Invariant(
+                    $"{Subject}: amplitude {result.Amplitude:g7}, {result.RaysReceived} of {result.RaysHit} rays that hit were received"),
+                    this);
+                if (result.Undersampled)
+                    Debug.LogWarning($"{Subject}: the amplitude is not to be trusted: its rays are too far apart, "
+                        + "or too few return; give it more rays or a narrower view", this);
+            }
+            catch (GlintException problem)
+            {
+                Debug.LogError(problem.Message, this);
+            }
+        }
+
+        void OnDisable() => Release();
+
+        // A radar that was traced while disabled gets no OnDisable.
+        void OnDestroy() => Release();
+    }
+}

@@ -1,0 +1,237 @@
+using System;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Glint
+{
+    /// <summary>
+    /// Draws the ways of the radar's rays in Scene and Game view: the segments red, green,
+    /// blue and yellow in this order, and the receiver white.
+    /// They are those of the pose last traced. As long as no camera shows them, as in batch mode, they are not traced;
+    /// nor are they once the scene is no longer that of the pose.
+    /// </summary>
+    [AddComponentMenu("Glint/Ray Paths")]
+    [RequireComponent(typeof(RadarController))]
+    [ExecuteAlways]
+    [DisallowMultipleComponent]
+    public sealed class RayPaths : MonoBehaviour
+    {
+        /// <summary>Rays that are followed at most; of more, so many are taken evenly.</summary>
+        public const int MaxRays = 100000;
+
+        [SerializeField, Tooltip("Only rays that reach the receiver. Otherwise rays from all over the picture.")]
+        bool _receivedOnly = true;
+
+        [SerializeField, Min(1), Tooltip("Every n-th of these rays.")]
+        int _every = 1;
+
+        [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Only rays with as many bounces or more.")]
+        int _fewestBounces = 1;
+
+        [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Only rays with as many bounces or fewer.")]
+        int _mostBounces = RadarSettings.BounceLimit;
+
+        [SerializeField, Tooltip("Only rays that meet this object or one below it. Empty: any.")]
+        Transform _meeting;
+
+        [SerializeField, Tooltip("A cross at each point of reflection.")]
+        bool _hitPoints;
+
+        RadarController _radar;
+        RayPath[] _paths = Array.Empty<RayPath>();
+        uint[] _received; // null: not known
+        RadarPose _pose;
+        Mesh _lines;
+        Material _material;
+        double3 _centre;
+        (bool, int, Transform) _tracedFor;
+        bool _isTraced, _isBuilt, _isSeen;
+
+        /// <summary>Only rays that reach the receiver; otherwise rays from all over the picture.</summary>
+        public bool ReceivedOnly { get => _receivedOnly; set => _receivedOnly = value; }
+
+        /// <summary>Every n-th of these rays, from 1.</summary>
+        public int Every { get => _every; set => _every = value; }
+
+        /// <summary>Only rays with as many bounces or more.</summary>
+        public int MinBounces { get => _fewestBounces; set => (_fewestBounces, _isBuilt) = (value, false); }
+
+        /// <summary>Only rays with as many bounces or fewer.</summary>
+        public int MaxBounces { get => _mostBounces; set => (_mostBounces, _isBuilt) = (value, false); }
+
+        /// <summary>Only rays that meet this object or one below it; null: any.</summary>
+        public Transform Meeting { get => _meeting; set => _meeting = value; }
+
+        /// <summary>A cross at each point of reflection.</summary>
+        public bool HitPoints { get => _hitPoints; set => (_hitPoints, _isBuilt) = (value, false); }
+
+        /// <summary>Rays drawn.</summary>
+        public int Count { get; private set; }
+
+        /// <summary>Rays asked for and not followed, as there are more than <see cref="MaxRays"/>.</summary>
+        public int LeftOut { get; private set; }
+
+        /// <summary>
+        /// Whether rays were to be followed when the scene, or the radar, was no longer as the pose found it,
+        /// or the radar had let go of the pose: none are drawn until the next.
+        /// </summary>
+        internal bool IsOutdated { get; private set; }
+
+        /// <summary>
+        /// The lines that are drawn, two vertices each, about a point near their middle; null before the first pose.
+        /// Reading it brings them up to date.
+        /// </summary>
+        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced any more.</exception>
+        public Mesh Lines()
+        {
+            if (!_isTraced || _tracedFor != TracingFilters)
+                Trace();
+            if (!_isBuilt)
+                Build();
+            return _lines;
+        }
+
+        void OnEnable()
+        {
+            _radar = GetComponent<RadarController>();
+            _radar.Traced += Follow;
+            Camera.onPreCull += Draw;
+            RenderPipelineManager.beginCameraRendering += Draw;
+            (_isTraced, _isSeen, _received) = (false, false, null);
+        }
+
+        void OnDisable()
+        {
+            _radar.Traced -= Follow;
+            Camera.onPreCull -= Draw;
+            RenderPipelineManager.beginCameraRendering -= Draw;
+            Free(_lines);
+            Free(_material);
+            (_lines, _material, _paths) = (null, null, Array.Empty<RayPath>());
+        }
+
+        void OnValidate() => _isBuilt = false;
+
+        // At once, if the pose before was seen: the next pose of a sweep, or its end, moves the scene on.
+        void Follow(RadarController radar)
+        {
+            (_isTraced, _received) = (false, null);
+            if (_isSeen)
+                Prepare();
+            _isSeen = false;
+        }
+
+        void Draw(ScriptableRenderContext context, Camera camera) => Draw(camera);
+
+        void Draw(Camera camera)
+        {
+            if (camera.cameraType != CameraType.Game && camera.cameraType != CameraType.SceneView)
+                return;
+            // A prefab that is open shows its own scene.
+            if (camera.cameraType == CameraType.SceneView && camera.scene.IsValid() && camera.scene != gameObject.scene)
+                return;
+            _isSeen = true;
+            if (Prepare() == null)
+                return;
+            double3 position = _pose.Scene.Origin + _centre;
+            Graphics.RenderMesh(new RenderParams(Lit())
+            {
+                camera = camera, layer = gameObject.layer,
+                worldBounds = new Bounds((float3)position, _lines.bounds.size)
+            }, _lines, 0, Matrix4x4.Translate((float3)position));
+        }
+
+        // The lines; null if there are none, and if the radar cannot be traced, which is said once:
+        // the next pose, or another setting, tries again.
+        Mesh Prepare()
+        {
+            try
+            {
+                return Lines();
+            }
+            catch (GlintException problem)
+            {
+                _isBuilt = true;
+                Debug.LogWarning($"Ray Paths of '{name}': {problem.Message}", this);
+                return null;
+            }
+        }
+
+        // Filters that decide which rays are traced; the others choose among them.
+        (bool, int, Transform) TracingFilters => (_receivedOnly, _every, _meeting);
+
+        // Of a radar that has traced nothing there is nothing to show.
+        void Trace()
+        {
+            (_isTraced, _isBuilt, _tracedFor) = (true, false, TracingFilters);
+            (_paths, LeftOut, IsOutdated) = (Array.Empty<RayPath>(), 0, false);
+            if (_radar.Result == null)
+                return;
+            _pose = _radar.Gather();
+            var received = _radar.ReceivedPixels();
+            if (received.Length == _radar.Result.RaysReceived) // a radar that was released knows them no more
+                _received = received;
+            IsOutdated = !_radar.IsAsTraced(_pose) || _receivedOnly && _received == null;
+            if (IsOutdated)
+                return;
+            var pixels = Chosen(_receivedOnly ? _received : null);
+            if (pixels.Length > 0)
+                _paths = Array.FindAll(_radar.TracePaths(pixels), IsMeant);
+        }
+
+        // Every n-th, and evenly as many as are followed. Pixels: null for the whole picture's.
+        uint[] Chosen(uint[] pixels)
+        {
+            long all = (pixels?.Length ?? _pose.Settings.RayCount) / math.max(1, _every),
+                count = math.min(all, MaxRays);
+            LeftOut = (int)math.min(int.MaxValue, all - count);
+            var chosen = new uint[count];
+            for (long i = 0; i < count; i++)
+            {
+                long index = i * all / count * math.max(1, _every);
+                chosen[i] = pixels?[index] ?? (uint)index;
+            }
+            return chosen;
+        }
+
+        void Build()
+        {
+            _isBuilt = true;
+            if (_radar.Result == null)
+                return;
+            if (_lines == null)
+                _lines = new Mesh
+                {
+                    name = "Ray Paths", hideFlags = HideFlags.HideAndDontSave, indexFormat = IndexFormat.UInt32
+                };
+            var shown = Array.FindAll(_paths, IsShown);
+            Count = shown.Length;
+            _centre = new PathLines(_pose.View, shown, _hitPoints).WriteTo(_lines);
+        }
+
+        bool IsMeant(RayPath path) =>
+            (path.IsReceived || !_receivedOnly) && (_meeting == null
+                || path.Meets(number => number != PathHit.NoObject && _radar.ObjectAt(number).IsChildOf(_meeting)));
+
+        bool IsShown(RayPath path) => path.Bounces >= _fewestBounces && path.Bounces <= _mostBounces;
+
+        // Unity's own material for coloured lines: of every render pipeline but HDRP.
+        Material Lit()
+        {
+            if (_material == null)
+                _material =
+                    new Material(Shader.Find("Hidden/Internal-Colored")) { hideFlags = HideFlags.HideAndDontSave };
+            return _material;
+        }
+
+        static void Free(UnityEngine.Object made)
+        {
+            if (Application.isPlaying)
+                Destroy(made);
+            else
+                DestroyImmediate(made);
+        }
+    }
+}

@@ -1,0 +1,247 @@
+using System;
+using System.Collections.Generic;
+using Glint.Core;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>
+    /// A sea of any extent: one periodic tile, laid side by side. The tile is a stored snapshot or, without snapshots,
+    /// made from the wave settings.
+    /// All tiles are instances of one mesh, so that a sea of a thousand costs little more memory than one.
+    /// They are children of this object, made when it is enabled, in edit mode too, and never saved.
+    /// </summary>
+    [AddComponentMenu("Glint/Sea")]
+    [ExecuteAlways]
+    [DisallowMultipleComponent]
+    public sealed class Sea : MonoBehaviour
+    {
+        [SerializeField,
+            Tooltip("Stored moments of a sea, in order; one of them is shown. Empty: the tile is made from Waves.")]
+        List<SeaSnapshot> _snapshots = new List<SeaSnapshot>();
+
+        [SerializeField, Min(1), Tooltip("Which snapshot is shown, from 1.")]
+        int _snapshot = 1;
+
+        [SerializeField, Tooltip("What the tile is made from when there are no snapshots.")]
+        SeaSettings _waves = SeaSettings.Default;
+
+        [SerializeField, Tooltip("Moment of the sea in seconds when there are no snapshots.")]
+        double _timeSeconds;
+
+        [SerializeField, Tooltip("Metres along this object's X and Z that are covered at least; whole tiles are laid.")]
+        Vector2 _extent = new Vector2(64, 128);
+
+        [SerializeField, Tooltip("What stays in the middle, the radar or the ship: the tiles follow it by whole tiles, "
+            + "the waves stay where they are. Empty: this object.")]
+        Transform _centre;
+
+        [SerializeField, Tooltip("While the scene plays: nothing, one snapshot after the other, "
+            + "or running waves (without snapshots).")]
+        SeaMotion _motion;
+
+        [SerializeField, Min(0.01f), Tooltip("How long each snapshot is shown, in seconds.")]
+        float _secondsPerSnapshot = 1;
+
+        [SerializeField, Tooltip("What the sea looks like; it does not matter to the radar.")]
+        Material _material;
+
+        readonly SeaTiles _tiles = new SeaTiles();
+        SeaSurface _surface;
+        Mesh _made;
+        Vector3 _localCentre;
+        bool _isStale;
+
+        /// <summary>Stored moments, in order. Call <see cref="Rebuild"/> after a change.</summary>
+        public List<SeaSnapshot> Snapshots => _snapshots;
+
+        /// <summary>Which snapshot is shown, from 1; setting it shows it at once.</summary>
+        /// <exception cref="GlintException">There is no such snapshot.</exception>
+        public int Snapshot
+        {
+            get => _snapshot;
+            set
+            {
+                CheckSnapshot(value);
+                _snapshot = value;
+                Show();
+            }
+        }
+
+        /// <summary>What the tile is made from when there are no snapshots. Setting it shows it at once.</summary>
+        /// <exception cref="GlintException">A setting is out of its range.</exception>
+        public SeaSettings Waves
+        {
+            get => _waves;
+            set
+            {
+                value.Validate(Subject);
+                (_waves, _surface) = (value, null);
+                Show();
+            }
+        }
+
+        /// <summary>Moment of the sea in seconds when there are no snapshots. Setting it shows it at once.</summary>
+        public double TimeSeconds
+        {
+            get => _timeSeconds;
+            set
+            {
+                _timeSeconds = value;
+                Show();
+            }
+        }
+
+        /// <summary>
+        /// Metres along X and Z that are covered at least. Call <see cref="Rebuild"/> after a change.
+        /// </summary>
+        public Vector2 Extent { get => _extent; set => _extent = value; }
+
+        /// <summary>What stays in the middle; null: this object. Call <see cref="Rebuild"/> after a change.</summary>
+        public Transform Centre { get => _centre; set => _centre = value; }
+
+        /// <summary>What happens while the scene plays.</summary>
+        public SeaMotion Motion { get => _motion; set => _motion = value; }
+
+        /// <summary>
+        /// How long each snapshot is shown when the motion is <see cref="SeaMotion.Snapshots"/>, seconds.
+        /// </summary>
+        /// <exception cref="GlintException">It is not above 0.</exception>
+        public float SecondsPerSnapshot
+        {
+            get => _secondsPerSnapshot;
+            set => _secondsPerSnapshot = value > 0 ? value : throw new GlintException(
+                FormattableString.Invariant($"{Subject}: {value} seconds a snapshot: must be above 0"));
+        }
+
+        /// <summary>What it looks like. Call <see cref="Rebuild"/> after a change.</summary>
+        internal Material Material { set => _material = value; }
+
+        /// <summary>The snapshot that is shown; null when there is none of that number.</summary>
+        internal SeaSnapshot CurrentSnapshot =>
+            _snapshot >= 1 && _snapshot <= _snapshots.Count ? _snapshots[_snapshot - 1] : null;
+
+        /// <summary>Tiles that are shown.</summary>
+        internal int TileCount => _tiles.Shown;
+
+        string Subject => $"Sea of '{name}'";
+
+        /// <summary>Lays the tiles as everything stands now.</summary>
+        /// <exception cref="GlintException">A setting is out of its range, or a snapshot is missing.</exception>
+        public void Rebuild()
+        {
+            _isStale = false;
+            // before what may be refused: it is said once, until the middle or a setting changes
+            _localCentre = LocalCentre();
+            Check();
+            var tile = Tile(out double size);
+            _tiles.Rebuild(transform, tile, _material, size, _extent, _localCentre, Subject);
+        }
+
+        /// <summary>Refuses what cannot be shown.</summary>
+        /// <exception cref="GlintException">
+        /// A setting of the waves is out of its range, a snapshot is missing, or it is to move as it cannot.
+        /// </exception>
+        internal void Check()
+        {
+            if (_motion == SeaMotion.Waves && _snapshots.Count > 0)
+                throw new GlintException($"{Subject}: its motion is Waves and it has snapshots, which stand still: "
+                    + "choose Snapshots or Still, or remove the snapshots");
+            if (_snapshots.Count > 0)
+                CheckSnapshot(_snapshot);
+            else
+                _waves.Validate(Subject);
+        }
+
+        /// <summary>Refuses a number that no snapshot has.</summary>
+        /// <exception cref="GlintException">There is no such snapshot.</exception>
+        internal void CheckSnapshot(int number)
+        {
+            if (_snapshots.Count == 0)
+                throw new GlintException($"{Subject} has no snapshots: "
+                    + "put prefabs that glint sea wrote into its list Snapshots");
+            if (number < 1 || number > _snapshots.Count)
+                throw new GlintException($"{Subject} has no snapshot {number}: it has 1 to {_snapshots.Count}");
+            if (_snapshots[number - 1] == null || _snapshots[number - 1].Tile == null)
+                throw new GlintException($"{Subject}: entry {number} of its list Snapshots is empty or has no tile: "
+                    + "put a prefab there that glint sea wrote");
+        }
+
+        Mesh Tile(out double size)
+        {
+            if (_snapshots.Count > 0)
+            {
+                size = _snapshots[_snapshot - 1].Settings.TileSize;
+                return _snapshots[_snapshot - 1].Tile;
+            }
+            _surface ??= new SeaSurface(_waves);
+            if (_made == null)
+                _made = new Mesh { name = "Sea", hideFlags = HideFlags.DontSave };
+            var tile = _surface.Mesh(_timeSeconds);
+            MeshMaker.Fill(_made, tile.Vertices, tile.Indices);
+            size = _waves.TileSize;
+            return _made;
+        }
+
+        Vector3 LocalCentre() => _centre == null ? Vector3.zero : transform.InverseTransformPoint(_centre.position);
+
+        void Show()
+        {
+            if (isActiveAndEnabled)
+                Rebuild();
+        }
+
+        void OnEnable() => Attempt();
+
+        // Tiles cannot be made while Unity validates.
+        void OnValidate() => (_isStale, _surface) = (true, null);
+
+        void Update()
+        {
+            if (Application.isPlaying)
+                Move();
+            if (_isStale || LocalCentre() != _localCentre)
+                Attempt();
+        }
+
+        void Move()
+        {
+            if (_motion == SeaMotion.Waves)
+                (_timeSeconds, _isStale) = (_timeSeconds + Time.deltaTime, true);
+            if (_motion != SeaMotion.Snapshots || _snapshots.Count == 0)
+                return;
+            int shown = 1 + (int)(Time.time / _secondsPerSnapshot) % _snapshots.Count;
+            if (shown != _snapshot)
+                (_snapshot, _isStale) = (shown, true);
+        }
+
+        // A sea that cannot be shown says why and shows nothing.
+        void Attempt()
+        {
+            try
+            {
+                Rebuild();
+            }
+            catch (GlintException problem)
+            {
+                _tiles.Hide(transform);
+                Debug.LogError(problem.Message, this);
+            }
+        }
+
+        void OnDisable()
+        {
+            _tiles.Hide(transform);
+        }
+
+        void OnDestroy()
+        {
+            if (_made == null)
+                return;
+            if (Application.isPlaying)
+                Destroy(_made);
+            else
+                DestroyImmediate(_made);
+        }
+    }
+}

@@ -1,0 +1,282 @@
+using System.Collections.Generic;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>
+    /// Collects the triangles of active GameObjects with an enabled MeshRenderer and a MeshFilter.
+    /// Of a LODGroup, LOD 0 is taken. The order is that of the hierarchy.
+    /// From one gather to the next it keeps what stays as it was: of a scene where only known movers have moved,
+    /// every TriangleMesh is the same object as before.
+    /// </summary>
+    /// <remarks>
+    /// The scene has the world's axes and metres. Its origin stands where the nearest transform stands that the radar,
+    /// its receiver and all traced objects are, or are below:
+    /// what that transform's place is does not enter. Without such a transform it is the world's origin.
+    /// Objects that keep still relative to each other (a <see cref="RigidGroup"/>) are merged into one mesh,
+    /// a <see cref="MergedMesh"/>, in a frame of their own.
+    /// A transform moves when it does not stand as it did in the gather before,
+    /// or when <see cref="ExpectMotion"/> was told so.
+    /// Objects with a mesh of their own that changes, and those with one that is used many times,
+    /// are instances of their mesh.
+    /// Vertices are rounded to float32 relative to such a frame, never to the scene: its place is kept in double.
+    /// </remarks>
+    sealed class SceneGatherer : IHitObjects
+    {
+        /// <summary>
+        /// A mesh that would make more triangles than this when merged once for each of its objects is not:
+        /// the objects are instances.
+        /// </summary>
+        public const long MaxMergedTriangles = 200_000;
+
+        readonly VisibleRenderers _visible = new VisibleRenderers();
+        readonly TransformTree _transforms = new TransformTree();
+        readonly FrameCache<Mesh, MeshSource> _sources = new FrameCache<Mesh, MeshSource>();
+        readonly FrameCache<TransformNode, MergedMesh> _mergedMeshes = new FrameCache<TransformNode, MergedMesh>();
+        readonly List<RigidGroup> _groups = new List<RigidGroup>();
+        readonly Dictionary<(RigidGroup, int3), MergedMesh> _cells = new Dictionary<(RigidGroup, int3), MergedMesh>();
+        readonly List<(TransformNode node, Renderer renderer)> _objects = new List<(TransformNode, Renderer)>();
+        readonly List<(MergedMesh merged, TransformNode lone)> _pieces = new List<(MergedMesh, TransformNode)>();
+        readonly List<string> _warnings = new List<string>();
+        MeshReader _reader = new MeshReader();
+        RadarScene _scene;
+
+        /// <summary>Objects with a mesh of the scene last gathered.</summary>
+        public int ObjectCount => _objects.Count;
+
+        /// <summary>What was left out and why, a line each.</summary>
+        public IReadOnlyList<string> Warnings => _warnings;
+
+        /// <summary>Counts a transform as moving before it has moved, so that its first motion costs nothing.</summary>
+        /// <returns>False when it was so already.</returns>
+        public bool ExpectMotion(Transform transform) => _transforms.ExpectMotion(transform);
+
+        /// <summary>
+        /// Takes <see cref="ExpectMotion"/> back. What has moved is known to move until <see cref="Forget"/>.
+        /// </summary>
+        public void ExpectNoMotion(Transform transform) => _transforms.ExpectNoMotion(transform);
+
+        /// <summary>The triangles of a scene.</summary>
+        /// <param name="layers">Layers to trace.</param>
+        /// <param name="roots">Objects to trace with all below them; empty: every loaded scene.</param>
+        /// <param name="receiver">
+        /// Never traced, with all below it: it is neither target nor obstacle. May be null.
+        /// </param>
+        /// <param name="radar">Where the radar stands; null: the scene's origin is the world's.</param>
+        /// <returns>The same scene as before when nothing has changed.</returns>
+        /// <exception cref="GlintException">
+        /// A mesh that cannot be traced; the message names it and the remedy.
+        /// </exception>
+        public RadarScene Gather(LayerMask layers, IReadOnlyList<Transform> roots,
+            Transform receiver, Transform radar = null)
+        {
+            _transforms.Begin();
+            _sources.Begin();
+            _mergedMeshes.Begin();
+            CollectObjects(layers, roots, receiver);
+            var centre = FindCentre(radar, receiver);
+            _transforms.Compose(centre);
+            var instances = MakeInstances();
+            var origin = centre.ToWorld().Origin;
+            _transforms.End();
+            _sources.End();
+            _mergedMeshes.End();
+            if (_scene == null || !origin.Equals(_scene.Origin) || !IsSame(instances, _scene.Instances))
+                _scene = new RadarScene(instances) { Origin = origin };
+            return _scene;
+        }
+
+        /// <summary>
+        /// Where the radar or the receiver of the last gather stands in its scene; the columns are its right,
+        /// up and forward, unit vectors.
+        /// </summary>
+        public Affine PoseOf(Transform radarOrReceiver) => _transforms.Visit(radarOrReceiver).Pose();
+
+        /// <summary>An object with a mesh of the last gather, by its number.</summary>
+        public Transform ObjectAt(int number) => _objects[number].renderer.transform;
+
+        /// <summary>Number of the object that a triangle of the last gather's scene belongs to.</summary>
+        public int ObjectOf(int instance, float3 a, float3 b, float3 c)
+        {
+            var (merged, lone) = _pieces[instance];
+            return (merged != null ? merged.NodeOf(a, b, c) : lone)?.ObjectNumber ?? PathHit.NoObject;
+        }
+
+        /// <summary>
+        /// Sums up the meshes of the last gather and where they stand, however they are divided into instances.
+        /// Good within one run only.
+        /// </summary>
+        public ulong Content()
+        {
+            var content = new ContentHash();
+            content.Add(_objects.Count);
+            foreach (var (node, _) in _objects)
+            {
+                content.Add(node.Source.Hash);
+                content.Add(node.ToScene);
+            }
+            return content.Value;
+        }
+
+        /// <summary>Lets go of everything kept but what was said of motion.</summary>
+        public void Forget()
+        {
+            _transforms.Forget();
+            _sources.Clear();
+            _mergedMeshes.Clear();
+            _groups.Clear();
+            _cells.Clear();
+            _objects.Clear();
+            _pieces.Clear();
+            _reader = new MeshReader();
+            _scene = null;
+        }
+
+        void CollectObjects(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver)
+        {
+            _objects.Clear();
+            _warnings.Clear();
+            var skinned = new List<string>();
+            foreach (var renderer in _visible.Find(layers, roots, receiver))
+            {
+                var node = _transforms.Visit(renderer.transform);
+                if (node.IsTaken) // below nested roots
+                    continue;
+                node.IsTaken = true;
+                if (renderer is MeshRenderer)
+                    AddObject(node, renderer);
+                else if (renderer is SkinnedMeshRenderer)
+                    skinned.Add(renderer.name);
+            }
+            if (skinned.Count > 0)
+                _warnings.Add($"skinned meshes are not traced: '{string.Join("', '", skinned)}'. "
+                    + "Bake them to a Mesh (SkinnedMeshRenderer.BakeMesh) to include them");
+        }
+
+        void AddObject(TransformNode node, Renderer renderer)
+        {
+            if (!renderer.TryGetComponent<MeshFilter>(out var filter))
+                return;
+            var mesh = filter.sharedMesh;
+            if (mesh == null)
+            {
+                _warnings.Add($"MeshFilter of '{renderer.name}' has no mesh and is not traced: assign one, "
+                    + "or disable its MeshRenderer");
+                return;
+            }
+            if (renderer.isPartOfStaticBatch)
+                throw new GlintException(InStaticBatch(renderer));
+            if (!mesh.isReadable)
+                throw new GlintException(NotReadable(mesh, renderer));
+
+            var source = _sources.Get(mesh, out bool first);
+            if (first)
+                source.Update(mesh, _reader, renderer);
+            source.AddObject();
+            node.SetSource(source);
+            node.ObjectNumber = _objects.Count;
+            _objects.Add((node, renderer));
+        }
+
+        /// <summary>Why an object of a static batch is refused.</summary>
+        public static string InStaticBatch(Renderer renderer) =>
+            $"'{renderer.name}' is part of a static batch, whose meshes Unity has merged: "
+            + $"clear Batching Static among the static flags of '{renderer.name}'";
+
+        /// <summary>Why a mesh that scripts cannot read is refused.</summary>
+        public static string NotReadable(Mesh mesh, Renderer renderer) =>
+            $"mesh '{mesh.name}' of '{renderer.name}' is not readable: tick Read/Write in the mesh's import settings";
+
+        // The transform at which the scene's origin stands.
+        TransformNode FindCentre(Transform radar, Transform receiver)
+        {
+            if (radar == null)
+                return _transforms.World;
+            var centre = _transforms.Visit(radar);
+            if (receiver != null)
+                centre = TransformNode.Common(centre, _transforms.Visit(receiver));
+            foreach (var (node, _) in _objects)
+                centre = TransformNode.Common(centre, node);
+            return centre;
+        }
+
+        MeshInstance[] MakeInstances()
+        {
+            FindGroups();
+            _cells.Clear();
+            _pieces.Clear();
+            foreach (var (node, renderer) in _objects)
+            {
+                node.Source.CheckTransform(node.ToScene, _reader, renderer);
+                if (node.Source.TriangleCount > 0)
+                    AddPiece(node);
+            }
+            var instances = new MeshInstance[_pieces.Count];
+            for (int i = 0; i < instances.Length; i++)
+            {
+                var (merged, lone) = _pieces[i];
+                instances[i] =
+                    merged != null ? merged.MakeInstance(_reader) : lone.Source.MakeInstance(lone.ToScene, _reader);
+            }
+            return instances;
+        }
+
+        void FindGroups()
+        {
+            _groups.Clear();
+            foreach (var (node, _) in _objects)
+            {
+                if (node.Mover.Group == null)
+                    _groups.Add(node.Mover.Group = new RigidGroup());
+                node.Mover.Group.Add(node);
+            }
+            foreach (var group in _groups)
+                group.ChooseFrame();
+        }
+
+        // An instance of its own, or a part of a body; a body stands where its first object stands.
+        void AddPiece(TransformNode node)
+        {
+            var source = node.Source;
+            bool isApart = node.SwapsMesh || source.Version > 0;
+            bool isRepeated = source.ObjectCount > 1
+                && source.ObjectCount * (long)source.TriangleCount > MaxMergedTriangles;
+            if ((isApart || isRepeated) && TransformMath.Conditioning(node.ToScene) >= TransformMath.MinConditioning)
+            {
+                _pieces.Add((null, node));
+                return;
+            }
+            var group = node.Mover.Group;
+            if (isApart)
+            {
+                AddMergedMesh(node, group);
+                return;
+            }
+            var cell = (group, group.Cell(node));
+            if (_cells.TryGetValue(cell, out var merged))
+                merged.Add(node);
+            else
+                _cells.Add(cell, AddMergedMesh(node, group));
+        }
+
+        MergedMesh AddMergedMesh(TransformNode first, RigidGroup group)
+        {
+            var merged = _mergedMeshes.Get(first, out _);
+            merged.Begin(first, group);
+            _pieces.Add((merged, null));
+            return merged;
+        }
+
+        static bool IsSame(MeshInstance[] some, MeshInstance[] others)
+        {
+            if (some.Length != others.Length)
+                return false;
+            for (int i = 0; i < some.Length; i++)
+                if (some[i].Mesh != others[i].Mesh || !some[i].ToWorld.Equals(others[i].ToWorld))
+                    return false;
+            return true;
+        }
+    }
+}

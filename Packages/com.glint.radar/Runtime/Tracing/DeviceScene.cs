@@ -1,0 +1,187 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint
+{
+    /// <summary>
+    /// The scene on the device: BVHs over its meshes, the places of its instances, and a small BVH over these.
+    /// What a pose does not change stays.
+    /// </summary>
+    sealed class DeviceScene : IDisposable
+    {
+        /// <summary>
+        /// Instances that are searched one after the other, without a BVH:
+        /// MAX_INLINE_INSTANCES in Shaders/Bindings.hlsl.
+        /// </summary>
+        public const int MaxInlineInstances = 4;
+
+        /// <summary>The row of the root of the BVH over instances: ROOT in Shaders/BinaryBvh.hlsl.</summary>
+        public const int InstanceBvhRootRow = 1;
+
+        readonly DeviceBvhs _bvhs;
+        readonly DeviceBuffer<InstanceRecord> _instances = new DeviceBuffer<InstanceRecord>("instances");
+        readonly List<(int instance, BvhPart part)> _parts = new List<(int, BvhPart)>(); // of each record
+        readonly DeviceBuffer<uint4> _instanceBvh = new DeviceBuffer<uint4>("rows of the BVH over instances");
+        RadarScene _scene;
+
+        public DeviceScene(BvhLayout layout, string owner, long maxRowsPerPage)
+        {
+            _bvhs = new DeviceBvhs(layout, owner, maxRowsPerPage);
+            _instances.Reserve(1);
+            _instanceBvh.Reserve(1);
+        }
+
+        /// <summary>Null before the first scene.</summary>
+        public RadarScene Scene => _scene;
+
+        public DeviceBuffer<InstanceRecord> Instances => _instances;
+
+        public DeviceBuffer<uint4> InstanceBvhRows => _instanceBvh;
+
+        /// <summary>Where the kernel begins: the top BVH's first row, or the leaf of the only instance.</summary>
+        public uint InstanceBvhRoot { get; private set; }
+
+        public bool IsEmpty { get; private set; }
+
+        /// <summary>
+        /// The instances when they are few and their BVHs stand in one buffer: then no BVH over them is needed.
+        /// </summary>
+        public IReadOnlyList<InstanceRecord> InlineInstances { get; private set; }
+
+        public bool HasInlineInstances => InlineInstances.Count > 0;
+
+        public IReadOnlyList<BvhPage> Pages => _bvhs.Pages;
+
+        public long Bytes => _bvhs.Bytes + _instances.Bytes + _instanceBvh.Bytes;
+
+        /// <summary>
+        /// Corners of the box around everything, metres; the lower one above the other when there is nothing.
+        /// </summary>
+        public double3 Min { get; private set; }
+
+        public double3 Max { get; private set; }
+
+        /// <summary>Middle of the box: the origin of all that the kernel is given.</summary>
+        public double3 Centre { get; private set; }
+
+        /// <summary>Takes a scene; builds the BVHs of meshes that are new.</summary>
+        /// <returns>True if a BVH was built.</returns>
+        public bool Set(RadarScene scene, TraceStatistics statistics, Func<TriangleMesh, BvhLayout, MeshBvh> build)
+        {
+            if (_scene != null && IsSame(_scene, scene))
+            {
+                _scene = scene; // its origin may be another
+                return false;
+            }
+            _scene = null; // until all is there
+            bool hasBuilt =
+                _bvhs.SetMeshes(new HashSet<TriangleMesh>(scene.Instances.Select(instance => instance.Mesh)),
+                    statistics, build);
+            SetInstances(scene, statistics);
+            _scene = scene;
+            return hasBuilt;
+        }
+
+        /// <summary>Marks where in the picture something of the scene can be seen.</summary>
+        public void AddTo(PictureTiles tiles)
+        {
+            foreach (var instance in _scene.Instances)
+                tiles.Add(_bvhs[instance.Mesh].Bvh, instance.ToWorld);
+        }
+
+        /// <summary>
+        /// The triangle of a reflection: its place among the scene's instances and its corners,
+        /// as the instance's mesh has them.
+        /// </summary>
+        public void TriangleOf(in HitData hit, out int instance, out float3 a, out float3 b, out float3 c)
+        {
+            BvhPart part;
+            (instance, part) = _parts[(int)hit.Instance];
+            part.GetTriangle((int)(hit.Triangle >> 1), (hit.Triangle & 1) != 0, out a, out b, out c);
+        }
+
+        public void Dispose()
+        {
+            _bvhs.Dispose();
+            _instances.Dispose();
+            _instanceBvh.Dispose();
+            _scene = null;
+        }
+
+        static bool IsSame(RadarScene a, RadarScene b)
+        {
+            if (a.Instances.Length != b.Instances.Length)
+                return false;
+            for (int i = 0; i < a.Instances.Length; i++)
+                if (a.Instances[i].Mesh != b.Instances[i].Mesh
+                    || !a.Instances[i].ToWorld.Equals(b.Instances[i].ToWorld))
+                    return false;
+            return true;
+        }
+
+        // One record for each BVH of each instance.
+        void SetInstances(RadarScene scene, TraceStatistics statistics)
+        {
+            var mins = new List<double3>();
+            var maxes = new List<double3>();
+            Min = double.PositiveInfinity;
+            Max = double.NegativeInfinity;
+            foreach (var instance in scene.Instances)
+                foreach (var part in _bvhs[instance.Mesh].Bvh.Parts)
+                {
+                    Bound(part, instance.ToWorld, out var boxMin, out var boxMax);
+                    mins.Add(boxMin);
+                    maxes.Add(boxMax);
+                    Min = math.min(Min, boxMin);
+                    Max = math.max(Max, boxMax);
+                }
+            IsEmpty = mins.Count == 0;
+            Centre = IsEmpty ? 0 : (Min + Max) / 2;
+
+            var records = new List<InstanceRecord>();
+            _parts.Clear();
+            for (int i = 0; i < scene.Instances.Length; i++)
+            {
+                var allocation = _bvhs[scene.Instances[i].Mesh];
+                var toLocal = scene.Instances[i].ToWorld.Inverse();
+                toLocal.Origin = toLocal.Point(Centre);
+                for (int part = 0; part < allocation.Bvh.Parts.Length; part++)
+                {
+                    records.Add(InstanceRecord.Of(toLocal, allocation.PageOf(part), allocation.FirstRowOf(part)));
+                    _parts.Add((i, allocation.Bvh.Parts[part]));
+                }
+            }
+            InlineInstances =
+                records.Count <= MaxInlineInstances && _bvhs.Pages.Count == 1 ? records : new List<InstanceRecord>();
+            InstanceBvhRoot = uint.MaxValue; // DONE: nothing to search
+            if (IsEmpty)
+                return;
+            var instanceBvh = InstanceBvh.Build(mins.Select(lower => Down(lower - Centre)).ToArray(),
+                maxes.Select(upper => -Down(Centre - upper)).ToArray(), BvhLayout.Binary);
+            // The root's first row ends with the reference to its first child: of one instance that is the leaf.
+            InstanceBvhRoot = records.Count == 1 ? instanceBvh[InstanceBvhRootRow].w : InstanceBvhRootRow;
+            _instances.Upload(records.ToArray());
+            _instanceBvh.Upload(instanceBvh);
+            statistics.BytesUploaded +=
+                records.Count * (long)_instances.Stride + instanceBvh.Length * (long)_instanceBvh.Stride;
+        }
+
+        static void Bound(BvhPart part, in Affine toWorld, out double3 boxMin, out double3 boxMax)
+        {
+            boxMin = double.PositiveInfinity;
+            boxMax = double.NegativeInfinity;
+            for (int corner = 0; corner < 8; corner++)
+            {
+                double3 p = toWorld.Point(new Box(part.Min, part.Max).Corner(corner));
+                boxMin = math.min(boxMin, p);
+                boxMax = math.max(boxMax, p);
+            }
+        }
+
+        // Float32 numbers not above the given ones, by some float32 steps: the kernel's transforms round as well.
+        static float3 Down(double3 v) => (float3)(v - 1e-6 * math.abs(v) - 1e-30);
+    }
+}

@@ -1,0 +1,110 @@
+using System.Linq;
+using System.Threading;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint
+{
+    /// <summary>
+    /// Traces what a radar sees as a picture for the eye: the part of the view that meets anything,
+    /// with about as many rays as a screen shows of it.
+    /// </summary>
+    sealed class RadarPreviewTracer
+    {
+        // Pixels of the picture, about: 480 x 270.
+        const double Pixels = 129600;
+
+        // Around what is met, as a part of its size.
+        const double Margin = 0.04;
+
+        // No more rays than these for one of the radar's: what they show between them is not what it sums.
+        const double MaxPerRay = 16;
+
+        readonly RayTracer _tracer;
+        readonly RadarPose _pose;
+        readonly IHitObjects _objects;
+        readonly CancellationToken _cancel;
+
+        RadarPreviewTracer(RayTracer tracer, in RadarPose pose, IHitObjects objects, CancellationToken cancel)
+        {
+            (_tracer, _pose, _objects, _cancel) = (tracer, pose, objects, cancel);
+        }
+
+        /// <summary>The picture of a pose whose scene the tracer holds.</summary>
+        public static RadarPreviewImage Trace(RayTracer tracer, in RadarPose pose, IHitObjects objects,
+            CancellationToken cancel) => new RadarPreviewTracer(tracer, pose, objects, cancel).Trace();
+
+        // First the whole at its size, then, where only a part of it meets anything, that part larger.
+        RadarPreviewImage Trace()
+        {
+            var coarse = Sized(Pixels);
+            var whole = new RayRegion { Width = coarse.RaysAcross, Height = coarse.RaysDown };
+            var paths = Trace(coarse, whole);
+            var hits = paths.Where(path => path.Bounces > 0).Select(path => path.Pixel).ToArray();
+            if (hits.Length == 0)
+                return Preview(coarse, whole, paths);
+            var part = Around(hits, coarse);
+            double share = (double)part.Width * part.Height / coarse.RayCount;
+            var fine = Sized(math.min(Pixels / share, _pose.Settings.RayCount * MaxPerRay));
+            part = Scaled(part, fine, coarse);
+            return Preview(fine, part, Trace(fine, part));
+        }
+
+        RayPath[] Trace(in RadarSettings settings, in RayRegion part)
+        {
+            var pixels = new uint[part.Width * part.Height];
+            for (int i = 0; i < pixels.Length; i++)
+                pixels[i] =
+                    (uint)(part.Left + i % part.Width + (long)(part.Bottom + i / part.Width) * settings.RaysAcross);
+            return _tracer.TracePaths(new RadarPose(_pose.Scene, settings, _pose.View), pixels,
+                _objects, null, _cancel);
+        }
+
+        static RadarPreviewImage Preview(in RadarSettings settings, in RayRegion part, RayPath[] paths)
+        {
+            var preview = new RadarPreviewImage(settings.RaysAcross, settings.RaysDown, part);
+            foreach (var path in paths)
+                preview.Set(path);
+            return preview;
+        }
+
+        // The same picture of about so many rays; a region is for its own number of rays.
+        RadarSettings Sized(double rays)
+        {
+            var settings = _pose.Settings;
+            settings.Region = default;
+            double scale = math.sqrt(rays / settings.RayCount);
+            settings.RaysAcross =
+                (int)math.clamp(math.round(settings.RaysAcross * scale), 1, RadarSettings.RaysPerAxisLimit);
+            settings.RaysDown =
+                (int)math.clamp(math.round(settings.RaysDown * scale), 1, RadarSettings.RaysPerAxisLimit);
+            return settings;
+        }
+
+        static RayRegion Around(uint[] pixels, in RadarSettings settings)
+        {
+            uint across = (uint)settings.RaysAcross;
+            int left = (int)pixels.Min(pixel => pixel % across), right = (int)pixels.Max(pixel => pixel % across),
+                bottom = (int)pixels.Min(pixel => pixel / across), top = (int)pixels.Max(pixel => pixel / across);
+            int edge = 1 + (int)(Margin * math.max(right - left, top - bottom));
+            (left, bottom) = (math.max(0, left - edge), math.max(0, bottom - edge));
+            return new RayRegion
+            {
+                Left = left, Bottom = bottom, Width = math.min(settings.RaysAcross, right + 1 + edge) - left,
+                Height = math.min(settings.RaysDown, top + 1 + edge) - bottom
+            };
+        }
+
+        static RayRegion Scaled(in RayRegion part, in RadarSettings to, in RadarSettings from)
+        {
+            double x = (double)to.RaysAcross / from.RaysAcross, y = (double)to.RaysDown / from.RaysDown;
+            int left = (int)(part.Left * x), bottom = (int)(part.Bottom * y);
+            return new RayRegion
+            {
+                Left = left, Bottom = bottom,
+                Width = math.clamp((int)math.ceil(part.Width * x), 1, to.RaysAcross - left),
+                Height = math.clamp((int)math.ceil(part.Height * y), 1, to.RaysDown - bottom)
+            };
+        }
+    }
+}

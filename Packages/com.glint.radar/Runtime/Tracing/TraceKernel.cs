@@ -1,0 +1,223 @@
+using System;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+using UnityEngine.Rendering;
+
+namespace Glint
+{
+    /// <summary>The kernels of Shaders/Trace.compute, or of TraceWide.compute, and what they are given.</summary>
+    sealed class TraceKernel
+    {
+        // GROUPS_A_ROW in Shaders/Constants.hlsl.
+        internal const int GroupsARow = 64;
+
+        /// <summary>Tiles that one dispatch takes at most: those of so many groups of 64 threads.</summary>
+        public const int MaxTiles = 65535 * GroupsARow;
+
+        readonly ComputeShader _shader;
+        readonly bool _isWide;
+        readonly string _name;
+        readonly string _refineName;
+        readonly int _entryPointsKernel, _pathsKernel;
+        int _kernel, _refineKernel;
+
+        /// <param name="shader">Shaders/Trace.compute.</param>
+        /// <param name="isWide">Take the kernels of <see cref="SoftwareDevice.WideShader"/> instead.</param>
+        /// <exception cref="GlintException">
+        /// There is no graphics device, the shader is another one, or the device cannot run it.
+        /// </exception>
+        public TraceKernel(ComputeShader shader, bool isWide, string owner)
+        {
+            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
+                throw new GlintException("there is no graphics device (graphics device type Null): "
+                    + "start Unity without -nographics");
+            if (!SystemInfo.supportsComputeShaders)
+                throw new GlintException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) runs no "
+                    + "compute shaders: use Direct3D 11 or 12, Vulkan or Metal");
+            if (shader == null)
+                throw new GlintException($"{owner} has no kernel: "
+                    + "assign Packages/com.glint.radar/Shaders/Trace.compute");
+            if (!shader.HasKernel("Trace"))
+                throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel 'Trace': "
+                    + "assign Packages/com.glint.radar/Shaders/Trace.compute");
+            _isWide = isWide;
+            _shader = isWide ? SoftwareDevice.WideShader : shader;
+            if (_shader == null)
+                throw new InvalidOperationException("the wide kernels are not there: only the headless host has them");
+            string suffix = isWide ? "Wide" : "";
+            _name = "Trace" + suffix;
+            _kernel = _shader.FindKernel(_name);
+            _entryPointsKernel = _shader.FindKernel("EntryPoints" + suffix);
+            _refineName = "Refine" + suffix;
+            _refineKernel = _shader.FindKernel(_refineName);
+            _pathsKernel = _shader.FindKernel("Paths" + suffix);
+            foreach (int kernel in new[] { _kernel, _entryPointsKernel, _refineKernel, _pathsKernel })
+                if (!_shader.IsSupported(kernel))
+                    throw new GlintException($"a kernel of compute shader '{_shader.name}' does not run on "
+                        + $"{SystemInfo.graphicsDeviceName}: see the shader's import messages");
+        }
+
+        /// <summary>Takes the kernels for a scene; the other calls set and run those.</summary>
+        public void Choose(DeviceScene scene, bool countsVisits)
+        {
+            // The loop over instances costs a software device a tenth of its time, even for a single one.
+            string kind = countsVisits ? "Count"
+                : !scene.HasInlineInstances ? scene.Pages.Count > 1 ? "Paged" : ""
+                : _isWide && scene.InlineInstances.Count == 1 ? "SingleInstance" : "InlineInstances";
+            _kernel = _shader.FindKernel(_name + kind);
+            _refineKernel = _shader.FindKernel(_refineName + (scene.Pages.Count > 1 ? "Paged" : ""));
+        }
+
+        public void SetRadar(in RadarSettings settings, in RadarView view, RayGrid grid, double3 origin,
+            float lengthUnits, Culling culling)
+        {
+            SetVector(ShaderIDs._Origin, grid.Origin);
+            SetVector(ShaderIDs._OriginDx, grid.OriginDx);
+            SetVector(ShaderIDs._OriginDy, grid.OriginDy);
+            SetVector(ShaderIDs._Direction, grid.Direction);
+            SetVector(ShaderIDs._DirectionDx, grid.DirectionDx);
+            SetVector(ShaderIDs._DirectionDy, grid.DirectionDy);
+            SetVector(ShaderIDs._ReceiverCentre, view.ReceiverCentre - grid.SceneCentre);
+            SetVector(ShaderIDs._ReceiverRight, view.ReceiverRight);
+            SetVector(ShaderIDs._ReceiverUp, view.ReceiverUp);
+            SetVector(ShaderIDs._ReceiverForward, view.ReceiverForward);
+            double2 half = view.ReceiverSize / 2;
+            _shader.SetVector(ShaderIDs._ReceiverHalfSize,
+                new Vector4((float)half.x, DoubleFloat.Lo(half.x), (float)half.y, DoubleFloat.Lo(half.y)));
+            SetNumber(ShaderIDs._OriginDepth, grid.OriginDepth);
+            SetNumber(ShaderIDs._WaveNumberTurns, 1 / settings.Wavelength);
+            _shader.SetVector(ShaderIDs._ReferencePixel,
+                new Vector4(grid.ReferencePixel.x, grid.ReferencePixel.y, 0, 0));
+            double3 centre = grid.SceneCentre + origin;
+            _shader.SetVector(ShaderIDs._SceneCentreExtent,
+                new Vector4((float)centre.x, (float)centre.y, (float)centre.z, (float)grid.SceneExtent));
+            _shader.SetInt(ShaderIDs._RaysAcross, settings.RaysAcross);
+            var region = settings.Region;
+            _shader.SetInts(ShaderIDs._Region, region.IsWhole
+                ? new[] { 0, settings.RaysAcross, 0, settings.RaysDown }
+                : new[] { region.Left, region.Left + region.Width, region.Bottom, region.Bottom + region.Height });
+            _shader.SetInt(ShaderIDs._MaxBounces, settings.MaxBounces);
+            _shader.SetFloat(ShaderIDs._LengthUnits, lengthUnits);
+            _shader.SetInt(ShaderIDs._Culling, (int)culling);
+        }
+
+        public void SetScene(DeviceScene scene)
+        {
+            if (scene.HasInlineInstances)
+            {
+                var rows = new Vector4[4 * DeviceScene.MaxInlineInstances];
+                var firstRows = new int[DeviceScene.MaxInlineInstances];
+                for (int i = 0; i < scene.InlineInstances.Count; i++)
+                {
+                    var record = scene.InlineInstances[i];
+                    (rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]) =
+                        (record.ToLocalX, record.ToLocalY, record.ToLocalZ);
+                    rows[4 * i + 3] = new Vector4(record.Stretch, record.Rounding);
+                    firstRows[i] = (int)record.FirstRow;
+                }
+                _shader.SetVectorArray(ShaderIDs._InlineToLocal, rows);
+                _shader.SetInts(ShaderIDs._InlineFirstRow, firstRows);
+                _shader.SetInt(ShaderIDs._InstanceCount, scene.InlineInstances.Count);
+            }
+            SetBvhs(_kernel, scene);
+            SetBvhs(_refineKernel, scene);
+        }
+
+        public void SetBuffers(DeviceBuffer<uint> tiles, DeviceBuffer<uint> sums)
+        {
+            _shader.SetBuffer(_kernel, ShaderIDs._Tiles, tiles.Buffer);
+            _shader.SetBuffer(_kernel, ShaderIDs._Sums, sums.Buffer);
+            _shader.SetBuffer(_refineKernel, ShaderIDs._Sums, sums.Buffer);
+        }
+
+        public void SetEntryPoints(DeviceBuffer<uint4> entryPoints) =>
+            _shader.SetBuffer(_kernel, ShaderIDs._EntryPoints, entryPoints.Buffer);
+
+        /// <summary>Finds where the rays of some tiles begin their search.</summary>
+        public void FindEntryPoints(DeviceScene scene, DeviceBuffer<uint> tiles, int firstTile, int count,
+            DeviceBuffer<uint4> entryPoints)
+        {
+            _shader.SetBuffer(_entryPointsKernel, ShaderIDs._Bvh[0], scene.Pages[0].Rows.Buffer);
+            _shader.SetBuffer(_entryPointsKernel, ShaderIDs._Tiles, tiles.Buffer);
+            _shader.SetBuffer(_entryPointsKernel, ShaderIDs._FoundEntryPoints, entryPoints.Buffer);
+            _shader.SetInt(ShaderIDs._FirstTile, firstTile);
+            _shader.SetInt(ShaderIDs._TileCount, count);
+            DispatchThreads(_entryPointsKernel, (long)count * scene.InlineInstances.Count);
+        }
+
+        /// <summary>Follows the rays of some of the tiles; lists those that may be received.</summary>
+        /// <param name="rays">Takes the others when all are to be kept.</param>
+        public void Dispatch(int firstTile, int count, RayReadback readback, DeviceBuffer<ReceivedRay> candidates,
+            DeviceBuffer<RayData> rays)
+        {
+            _shader.SetInt(ShaderIDs._FirstTile, firstTile);
+            _shader.SetInt(ShaderIDs._TileCount, count);
+            SetOutput(_kernel, readback, candidates, rays);
+            DispatchThreads(_kernel, (long)count * PictureTiles.Rays);
+        }
+
+        /// <summary>Follows listed rays once more, in double-float arithmetic.</summary>
+        /// <param name="subRays">Along the side of a ray's place: 1, or 2 to 8 to divide it.</param>
+        public void DispatchRefine(int first, int count, int subRays, RayReadback readback,
+            DeviceBuffer<ReceivedRay> candidates,
+            DeviceBuffer<RayData> rays)
+        {
+            _shader.SetInt(ShaderIDs._FirstCandidate, first);
+            _shader.SetInt(ShaderIDs._CandidateCount, count);
+            _shader.SetInt(ShaderIDs._SubRays, subRays);
+            SetOutput(_refineKernel, readback, candidates, rays);
+            DispatchThreads(_refineKernel, (long)count * subRays * subRays);
+        }
+
+        /// <summary>Follows listed rays, in double-float arithmetic, and notes their reflections.</summary>
+        /// <param name="listed">
+        /// Pixel, 0; then bounces, and the bits of the length from the last one to the receiver's plane,
+        /// 0 for a ray that is not received.
+        /// </param>
+        /// <param name="hits">Takes <see cref="RadarSettings.MaxBounces"/> places a ray.</param>
+        public void DispatchPaths(DeviceScene scene, int count, DeviceBuffer<uint2> listed, DeviceBuffer<HitData> hits)
+        {
+            SetBvhs(_pathsKernel, scene);
+            _shader.SetInt(ShaderIDs._CandidateCount, count);
+            _shader.SetBuffer(_pathsKernel, ShaderIDs._Candidates, listed.Buffer);
+            _shader.SetBuffer(_pathsKernel, ShaderIDs._Hits, hits.Buffer);
+            DispatchThreads(_pathsKernel, count);
+        }
+
+        void SetBvhs(int kernel, DeviceScene scene)
+        {
+            _shader.SetInt(ShaderIDs._InstanceBvhRoot, (int)scene.InstanceBvhRoot);
+            _shader.SetBuffer(kernel, ShaderIDs._InstanceBvh, scene.InstanceBvhRows.Buffer);
+            _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
+            // Every page that a kernel declares wants a buffer, read or not.
+            for (int page = 0; page < DeviceBvhs.MaxPages; page++)
+                _shader.SetBuffer(kernel, ShaderIDs._Bvh[page],
+                    scene.Pages[page < scene.Pages.Count ? page : 0].Rows.Buffer);
+        }
+
+        void SetOutput(int kernel, RayReadback readback, DeviceBuffer<ReceivedRay> candidates,
+            DeviceBuffer<RayData> rays)
+        {
+            _shader.SetInt(ShaderIDs._Readback, (int)readback);
+            _shader.SetBuffer(kernel, ShaderIDs._Candidates, candidates.Buffer);
+            _shader.SetBuffer(kernel, ShaderIDs._Rays, rays.Buffer);
+        }
+
+        void DispatchThreads(int kernel, long threads)
+        {
+            _shader.GetKernelThreadGroupSizes(kernel, out uint size, out _, out _);
+            int groups = (int)((threads + size - 1) / size);
+            _shader.Dispatch(kernel, math.min(groups, GroupsARow), (groups + GroupsARow - 1) / GroupsARow, 1);
+        }
+
+        void SetVector((int value, int lo) id, double3 v)
+        {
+            _shader.SetVector(id.value, new Vector4((float)v.x, (float)v.y, (float)v.z, 0));
+            _shader.SetVector(id.lo, new Vector4(DoubleFloat.Lo(v.x), DoubleFloat.Lo(v.y), DoubleFloat.Lo(v.z), 0));
+        }
+
+        void SetNumber(int id, double value) =>
+            _shader.SetVector(id, new Vector4((float)value, DoubleFloat.Lo(value), 0, 0));
+    }
+}
