@@ -10,6 +10,6 @@ namespace Glint.Core
         public int Left, Bottom, Width, Height;
 
         /// <summary>True when the whole picture is meant.</summary>
-        public bool IsWhole => Width == 0 && Height == 0;
+        public readonly bool IsWhole => Width == 0 && Height == 0;
     }
 }

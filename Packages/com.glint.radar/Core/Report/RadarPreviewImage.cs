@@ -67,8 +67,8 @@ namespace Glint.Core
         /// <summary>Sets the pixel of a ray.</summary>
         public void Set(in RayPath path)
         {
-            int index = ((int)(path.Pixel / (uint)RaysAcross) - Part.Bottom) * Part.Width
-                + (int)(path.Pixel % (uint)RaysAcross) - Part.Left;
+            var at = new RadarSettings { RaysAcross = RaysAcross }.PositionOf(path.Pixel);
+            int index = (at.y - Part.Bottom) * Part.Width + at.x - Part.Left;
             _bounces[index] = (byte)(path.Bounces + (path.IsReceived ? ReceivedBit : 0));
             _facing[index] = path.Bounces > 0 ? (byte)Math.Round(255 * Math.Min(1, Facing(path))) : (byte)0;
             _objects[index] = path.Bounces > 0 ? path.Hits[0].Object : PathHit.NoObject;

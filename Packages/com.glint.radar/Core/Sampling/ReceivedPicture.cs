@@ -1,3 +1,5 @@
+using Unity.Mathematics;
+
 namespace Glint.Core
 {
     /// <summary>
@@ -7,15 +9,14 @@ namespace Glint.Core
     {
         const int DigitBits = 11, Digits = 1 << DigitBits;
 
+        readonly RadarSettings _settings;
         readonly ReceivedRay[] _rays;
 
         /// <param name="received">Each pixel at most once, in any order, which is lost.</param>
         public ReceivedPicture(in RadarSettings settings, ReceivedRay[] received, int count)
         {
-            var region = settings.Region.IsWhole
-                ? new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown }
-                : settings.Region;
-            Across = (uint)settings.RaysAcross;
+            _settings = settings;
+            var region = settings.TracedRegion;
             (Left, Right) = (region.Left, region.Left + region.Width - 1);
             (Bottom, Top) = (region.Bottom, region.Bottom + region.Height - 1);
             Count = count;
@@ -25,7 +26,7 @@ namespace Glint.Core
         public int Count { get; }
 
         /// <summary>Rays across the whole picture.</summary>
-        public uint Across { get; }
+        public uint Across => (uint)_settings.RaysAcross;
 
         /// <summary>First and last column and row in which rays are emitted.</summary>
         public long Left { get; }
@@ -34,6 +35,9 @@ namespace Glint.Core
         public long Top { get; }
 
         public ReceivedRay this[int ray] => _rays[ray];
+
+        /// <summary>Column and row of a ray.</summary>
+        public int2 PositionOf(int ray) => _settings.PositionOf(_rays[ray].Pixel);
 
         /// <summary>The first ray whose pixel is not before this one; <see cref="Count"/> when there is none.</summary>
         public int FirstFrom(long pixel)

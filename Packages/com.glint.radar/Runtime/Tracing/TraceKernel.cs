@@ -93,10 +93,9 @@ namespace Glint
             _shader.SetVector(ShaderIDs._SceneCentreExtent,
                 new Vector4((float)centre.x, (float)centre.y, (float)centre.z, (float)grid.SceneExtent));
             _shader.SetInt(ShaderIDs._RaysAcross, settings.RaysAcross);
-            var region = settings.Region;
-            _shader.SetInts(ShaderIDs._Region, region.IsWhole
-                ? new[] { 0, settings.RaysAcross, 0, settings.RaysDown }
-                : new[] { region.Left, region.Left + region.Width, region.Bottom, region.Bottom + region.Height });
+            var region = settings.TracedRegion;
+            _shader.SetInts(ShaderIDs._Region,
+                region.Left, region.Left + region.Width, region.Bottom, region.Bottom + region.Height);
             _shader.SetInt(ShaderIDs._MaxBounces, settings.MaxBounces);
             _shader.SetFloat(ShaderIDs._LengthUnits, lengthUnits);
             _shader.SetInt(ShaderIDs._Culling, (int)culling);
