@@ -155,6 +155,7 @@ namespace Glint.Editor
                 settings.FrequencyHz = line.Get(Options.Frequency);
             if (line.IsGiven(Options.Bounces))
                 settings.MaxBounces = line.Get(Options.Bounces);
+            settings.SkipSamplingError |= line.Get(Options.NoSamplingError);
             return settings;
         }
 

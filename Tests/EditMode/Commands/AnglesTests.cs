@@ -15,7 +15,7 @@ namespace Glint.Tests
         [TestCase(" 5 : 6 : 1 ", 2, 5, 6)]
         public void Range_ReachedByWholeSteps_IncludesBothEnds(string text, int count, double first, double last)
         {
-            var angles = Angles.Parse(text);
+            var angles = SweepAxis.Angle.Parse(text);
 
             Assert.That(angles.Length, Is.EqualTo(count));
             Assert.That(angles.First(), Is.EqualTo(first));
@@ -27,16 +27,16 @@ namespace Glint.Tests
         [TestCase("0:45:1e300", 0)]
         [TestCase("0:1:0.4", 0.8)]
         public void Range_NotReachedByWholeSteps_EndsBelow(string text, double last) =>
-            Assert.That(Angles.Parse(text).Last(), Is.EqualTo(last));
+            Assert.That(SweepAxis.Angle.Parse(text).Last(), Is.EqualTo(last));
 
         [Test]
         public void Range_StepWrittenWithRounding_StillReachesTheEnd() =>
-            Assert.That(Angles.Parse("0:1:0.333333333"), Is.EqualTo(new[] { 0, 0.333333333, 0.666666666, 1 }));
+            Assert.That(SweepAxis.Angle.Parse("0:1:0.333333333"), Is.EqualTo(new[] { 0, 0.333333333, 0.666666666, 1 }));
 
         [Test]
         public void Range_OfTenths_PrintsAsTenths()
         {
-            var printed = Angles.Parse("-1:1:0.1").Select(angle => angle.ToString("R", CultureInfo.InvariantCulture));
+            var printed = SweepAxis.Angle.Parse("-1:1:0.1").Select(angle => angle.ToString("R", CultureInfo.InvariantCulture));
 
             var expected = Enumerable.Range(-10, 21).Select(tenth => (tenth < 0 ? "-" : "")
                 + System.Math.Abs(tenth) / 10 + (tenth % 10 == 0 ? "" : "." + System.Math.Abs(tenth) % 10));
@@ -47,11 +47,11 @@ namespace Glint.Tests
         [TestCase("0,10,5", new[] { 0.0, 10, 5 })]
         [TestCase("-1.5, 2e1", new[] { -1.5, 20 })]
         public void List_WithCommas_KeepsItsOrder(string text, double[] expected) =>
-            Assert.That(Angles.Parse(text), Is.EqualTo(expected));
+            Assert.That(SweepAxis.Angle.Parse(text), Is.EqualTo(expected));
 
         [Test]
         public void NegativeZero_IsZero() =>
-            Assert.That(1 / Angles.Parse("-0")[0], Is.EqualTo(double.PositiveInfinity));
+            Assert.That(1 / SweepAxis.Angle.Parse("-0")[0], Is.EqualTo(double.PositiveInfinity));
 
         [TestCase("", "no angles")]
         [TestCase("  ", "no angles")]
@@ -75,7 +75,7 @@ namespace Glint.Tests
         [TestCase("0:1e-20:1e-25", "STEP must be at least")]
         public void Text_Malformed_IsRefusedWithTheReason(string text, string reason)
         {
-            var error = Assert.Throws<UsageException>(() => Angles.Parse(text));
+            var error = Assert.Throws<UsageException>(() => SweepAxis.Angle.Parse(text));
 
             Assert.That(error.Message, Does.Contain(reason));
             Assert.That(error.Message, Does.Not.Contain("\n"));
@@ -83,14 +83,14 @@ namespace Glint.Tests
 
         [Test]
         public void Range_OfTheMostAngles_IsTaken() =>
-            Assert.That(Angles.Parse("0:0.999999:0.000001").Length, Is.EqualTo(Angles.Limit));
+            Assert.That(SweepAxis.Angle.Parse("0:0.999999:0.000001").Length, Is.EqualTo(1000000));
 
         [Test]
         public void Message_OfALongList_IsShort()
         {
             var list = string.Join(",", Enumerable.Repeat("1", 1000)) + ",x";
 
-            Assert.That(Assert.Throws<UsageException>(() => Angles.Parse(list)).Message.Length, Is.LessThan(200));
+            Assert.That(Assert.Throws<UsageException>(() => SweepAxis.Angle.Parse(list)).Message.Length, Is.LessThan(200));
         }
     }
 }

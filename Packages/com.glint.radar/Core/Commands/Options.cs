@@ -32,53 +32,23 @@ namespace Glint.Core
         static readonly Interval RaysFromEdge = Interval.Closed(0, RadarSettings.RaysPerAxisLimit);
         static readonly Interval Triangles = Interval.Closed(1000, 50000000);
 
-        /// <summary>Angles of a sweep, degrees; null when not given.</summary>
-        public static readonly Option<double[]> Angles =
-            new Option<double[]>("angles", "ANGLES", Glint.Core.Angles.Read)
+        // The lists of a sweep, in the order of SweepAxis.All.
+        static readonly Option<double[]>[] s_axes = SweepAxis.All.Select(axis =>
+            new Option<double[]>(axis.OptionName, axis.ValueName, axis.List.Read)
             {
                 Group = SweepGroup,
-                Help = "Turn angles in degrees, positive as Unity's rotation about Y: FROM:TO:STEP, all three, "
-                    + "or a list with commas. FROM is included, and TO when whole steps reach it: 0:45:2 ends at 44."
-            };
+                Inputs = axis.NeedsSea ? InputKind.Scene : InputKind.Any,
+                Refusal = axis.NeedsSea ? "only for scenes, which may have a Sea with snapshots" : null,
+                Help = axis.Help
+            }).ToArray();
 
-        /// <summary>Grazing angles of a sweep, degrees; null when not given.</summary>
-        public static readonly Option<double[]> GrazingAngles = new Option<double[]>("grazing", "LIST",
-            new NumberList("angle", GrazingAngle, "degrees", ("1:10:0.5", "1,2,5")).Read)
-        {
-            Group = SweepGroup,
-            Help = "Grazing angles in degrees, how far the radar looks down, as a range or list like --angles. "
-                    + "It moves about the point that it looks at: for a mesh file that of --aim, "
-                    + "10 degrees without the option; in a scene the point of its view axis nearest to the target."
-        };
+        /// <summary>Angles of a sweep, degrees; null when not given, as those of the other axes.</summary>
+        public static readonly Option<double[]> Angles = Of(SweepAxis.Angle),
+            GrazingAngles = Of(SweepAxis.Grazing), Distances = Of(SweepAxis.Range),
+            Frequencies = Of(SweepAxis.Frequency), Snapshots = Of(SweepAxis.Snapshot);
 
-        /// <summary>Ranges of a sweep, metres; null when not given.</summary>
-        public static readonly Option<double[]> Distances = new Option<double[]>("distance", "LIST",
-            new NumberList("distance", Length, "metres", ("50:500:50", "50,100,500")).Read)
-        {
-            Group = SweepGroup,
-            Help = "Distances from the radar to the same point in metres, as a range or list. "
-                    + "For a mesh file 50 without the option."
-        };
-
-        /// <summary>Carrier frequencies of a sweep, hertz; null when not given.</summary>
-        public static readonly Option<double[]> Frequencies = new Option<double[]>("frequency", "LIST", new NumberList(
-            "frequency", CarrierFrequency, "hertz", ("9e9:11e9:0.1e9", "9.4e9,10e9"), "frequencies").Read)
-        {
-            Group = SweepGroup,
-            Help = "Carrier frequencies in hertz, as a range or list. Without the option that of the scene, "
-                    + "or 10e9 for a mesh file."
-        };
-
-        /// <summary>Snapshots of the sea, from 1; null when not given.</summary>
-        public static readonly Option<int[]> Snapshots =
-            new Option<int[]>("snapshots", "LIST", Glint.Core.Snapshots.Read)
-            {
-                Group = SweepGroup,
-                Inputs = InputKind.Scene,
-                Refusal = "only for scenes, which may have a Sea with snapshots",
-                Help = "Snapshots of the scene's Sea, counted from 1: FROM:TO, both included, FROM:TO:STEP, "
-                    + "or a list with commas."
-            };
+        /// <summary>The lists of a sweep, in the order of the help.</summary>
+        internal static readonly Option[] Axes = s_axes.Reverse().ToArray();
 
         /// <summary>The object of the scene that a sweep turns or moves the radar about, by its name.</summary>
         public static readonly Option<string> Target = new Option<string>("target", "NAME", Values.NotEmpty)
@@ -86,10 +56,13 @@ namespace Glint.Core
             Group = SweepGroup,
             Inputs = InputKind.Scene,
             Refusal = "only for scenes: the mesh of a file is turned as a whole",
-            Needs = new Option[] { Angles, GrazingAngles, Distances },
+            Needs = Axes.Where((axis, i) => SweepAxis.All[SweepAxis.All.Count - 1 - i].NeedsTarget).ToArray(),
             Help = "The object of the scene that --angles turn, and that --grazing and --distance move the radar "
                 + "about, by its name or its path from the root (Fleet/Ship). With a scene these need it."
         };
+
+        /// <summary>The values of an axis of a sweep; null when not given.</summary>
+        public static Option<double[]> Of(SweepAxis axis) => s_axes[axis.Index];
 
         /// <summary>Folder for the result files; null when not given.</summary>
         public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.NotEmpty)
@@ -152,6 +125,16 @@ namespace Glint.Core
         /// <summary>Most reflections a ray may make.</summary>
         public static readonly Option<int> Bounces = Whole("bounces", "N", "4",
             Interval.Closed(1, RadarSettings.BounceLimit), RadarGroup, "Most reflections a ray may make.");
+
+        /// <summary>Whether the sampling error is left out.</summary>
+        public static readonly Option<bool> NoSamplingError = new Option<bool>("no-sampling-error", "", Values.Given)
+        {
+            Group = RadarGroup,
+            IsSwitch = true,
+            ImpliedText = Values.GivenText,
+            Help = "Leave out the estimate of the sampling error, which traces smaller rays around received ones: "
+                + "faster, and the columns sampling_error, largest_path_step_wavelengths and undersampled are empty."
+        };
 
         /// <summary>Width and height of the receiver, metres.</summary>
         public static readonly Option<double2> Receiver =
@@ -333,7 +316,7 @@ namespace Glint.Core
             Excludes = new Option[]
             {
                 Reference, Peers, WriteScene, Seed, SeaTriangles,
-                ShipTriangles, Size, Region, Frequency, Bounces, Receiver
+                ShipTriangles, Size, Region, Frequency, Bounces, NoSamplingError, Receiver
             }
                 .Select(option => (option, "it has scenes and radars of its own")).ToArray(),
             Help = "Instead: run time against error, in scenes of its own, "

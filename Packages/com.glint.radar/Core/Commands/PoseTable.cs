@@ -42,7 +42,7 @@ namespace Glint.Core
             + (result.Sampling is SamplingReport sampling
                 ? FormattableString.Invariant($"{sampling.Error:g3}; largest step between neighbouring paths ")
                     + FormattableString.Invariant($"{sampling.LargestPathStep:g3} wavelengths")
-                : "not estimated")
+                : ResultColumn.NotEstimated)
             + (result.RayArea is double area ? FormattableString.Invariant($"; {area:g6} m2 a ray") : "");
 
         // + 0 makes the -0 of a hair below 0 dB a plain 0.

@@ -9,7 +9,10 @@ namespace Glint.Core
     /// <summary>Writes results.json. Numbers have the same digits as in results.csv.</summary>
     sealed class ResultsJson
     {
-        public const string TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'", ShardName = "shard";
+        /// <summary>Version of the form of results.json and results.partial; files that name none have 0.</summary>
+        public const int Schema = 1;
+
+        public const string SchemaName = "schema", TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'", ShardName = "shard";
 
         readonly JsonTextWriter _json;
 
@@ -28,8 +31,7 @@ namespace Glint.Core
         /// <summary>The first line of an unfinished sweep, without its end.</summary>
         public static string Line(DateTime startedUtc, SweepIdentity sweep) => Line(json =>
         {
-            json._json.WriteStartObject();
-            json.Time(startedUtc);
+            json.Start(startedUtc);
             json.WriteSweep(sweep);
             json._json.WriteEndObject();
         });
@@ -47,8 +49,7 @@ namespace Glint.Core
 
         void Write(RunInfo info, IReadOnlyList<StoredRow> rows)
         {
-            _json.WriteStartObject();
-            Time(info.StartedUtc);
+            Start(info.StartedUtc);
             Number("elapsed_ms", info.ElapsedMs);
             WriteCommand(info.Command);
             WriteScene(info);
@@ -57,7 +58,7 @@ namespace Glint.Core
                 WriteSweep(info.Sweep);
             WriteMachine(info);
             WriteTimings(Sum(rows));
-            WriteUnits();
+            WriteColumns();
             Open("rows", array: true);
             foreach (var row in rows)
                 WriteRow(row);
@@ -130,35 +131,68 @@ namespace Glint.Core
             _json.WriteEndObject();
         }
 
-        void WriteUnits()
+        // What readers need to show a column; what does not hold for it is left out.
+        void WriteColumns()
         {
-            Open("units");
+            Open("columns");
             foreach (var column in ResultColumn.All)
-                Text(column.Name, column.Unit);
+                OnOneLine(column.Name, () => WriteColumn(column));
+            _json.WriteEndObject();
+        }
+
+        void WriteColumn(ResultColumn column)
+        {
+            _json.WriteStartObject();
+            Text("title", column.Title);
+            Text("unit", column.Unit);
+            if (column.IsAmplitude)
+                Raw("is_amplitude", "true");
+            if (column.IsFlag)
+                Raw("is_flag", "true");
+            if (column.Error != null)
+                Text("error", column.Error.Name);
+            if (column.Missing != null)
+                Text("missing", column.Missing);
+            if (column.Axis is SweepAxis axis)
+            {
+                Open("axis");
+                Number("order", axis.Index);
+                Text("plural", axis.Plural);
+                Text("text", axis.Text);
+                Text("shown_unit", axis.ShownUnit);
+                Number("shown_scale", axis.ShownScale);
+                Raw("is_whole", axis.List.IsWhole ? "true" : "false");
+                _json.WriteEndObject();
+            }
             _json.WriteEndObject();
         }
 
         void WriteRow(StoredRow row)
         {
             _json.WriteStartObject();
-            int column = 0;
-            foreach (string cell in row.Cells)
-                Raw(ResultColumn.All[column++].Name, cell);
+            foreach (var column in ResultColumn.All)
+                Raw(column.Name, row.Cell(column));
             WriteTimings(row.Timings);
             if (row.PhaseHistogram != null)
                 WriteHistogram(row.PhaseHistogram);
             _json.WriteEndObject();
         }
 
-        // On one line: a bin a line would bury the rows.
-        void WriteHistogram(int[] bins)
+        // A bin a line would bury the rows.
+        void WriteHistogram(IReadOnlyList<int> bins) => OnOneLine("phase_histogram", () =>
         {
-            Open("phase_histogram", array: true);
-            var formatting = _json.Formatting;
-            _json.Formatting = Formatting.None;
+            _json.WriteStartArray();
             foreach (int bin in bins)
                 _json.WriteValue(bin);
             _json.WriteEndArray();
+        });
+
+        void OnOneLine(string name, Action write)
+        {
+            _json.WritePropertyName(name);
+            var formatting = _json.Formatting;
+            _json.Formatting = Formatting.None;
+            write();
             _json.Formatting = formatting;
         }
 
@@ -196,8 +230,12 @@ namespace Glint.Core
                 _json.WriteStartObject();
         }
 
-        void Time(DateTime startedUtc) =>
+        void Start(DateTime startedUtc)
+        {
+            _json.WriteStartObject();
+            Number(SchemaName, Schema);
             Text("started_utc", startedUtc.ToString(TimeFormat, CultureInfo.InvariantCulture));
+        }
 
         void Text(string name, string text)
         {

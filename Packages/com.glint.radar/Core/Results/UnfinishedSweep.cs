@@ -34,7 +34,7 @@ namespace Glint.Core
         /// </summary>
         /// <returns>Null when not even the first line is whole.</returns>
         /// <exception cref="GlintException">
-        /// It cannot be read, or a whole line is damaged; the message names it.
+        /// It cannot be read or is of a newer schema, or a whole line is damaged; the message names it.
         /// </exception>
         public static UnfinishedSweep Read(string path)
         {
@@ -48,8 +48,11 @@ namespace Glint.Core
                     line++;
                     var json = StoredRun.Parse(Encoding.UTF8.GetString(bytes, from, end - from));
                     if (sweep == null)
+                    {
+                        StoredRun.CheckSchema(json, path);
                         sweep = new UnfinishedSweep(StoredRun.Time(json), StoredRun.Identity(json["sweep"] as JObject
                             ?? throw new FormatException("it names no sweep")));
+                    }
                     else
                         sweep.Rows.Add(new StoredRow(json));
                     sweep.Ends.Add(end + 1);

@@ -18,7 +18,8 @@ namespace Glint.Core
         // In steps: a STEP written as 0.333333333 still reaches TO.
         const decimal EndTolerance = 1e-6m;
 
-        readonly string _noun, _nouns, _unit, _forms;
+        readonly string _noun, _nouns, _unit;
+        readonly (string range, string list) _examples;
         readonly Interval _range;
 
         /// <param name="noun">What a number is: "angle".</param>
@@ -33,8 +34,14 @@ namespace Glint.Core
             _nouns = nouns ?? noun + "s";
             _range = range;
             _unit = unit;
-            _forms = $"give FROM:TO:STEP, such as {examples.range}, or a list, such as {examples.list}";
+            _examples = examples;
         }
+
+        /// <summary>Whether the numbers are whole; a range needs no STEP then.</summary>
+        public bool IsWhole { get; set; }
+
+        string Forms => $"give FROM:TO{(IsWhole ? "" : ":STEP")}, such as {_examples.range}, "
+            + $"or a list, such as {_examples.list}";
 
         /// <summary>
         /// The numbers in the order written. FROM and TO are both included, TO when whole steps reach it.
@@ -45,7 +52,7 @@ namespace Glint.Core
         public double[] Read(string text)
         {
             if (string.IsNullOrWhiteSpace(text))
-                throw new FormatException($"no {_nouns}: {_forms}");
+                throw new FormatException($"no {_nouns}: {Forms}");
             return text.Contains(':') ? Range(text.Split(':')) : List(text.Split(','));
         }
 
@@ -54,11 +61,13 @@ namespace Glint.Core
 
         double[] Range(string[] parts)
         {
+            if (IsWhole && parts.Length == 2)
+                parts = new[] { parts[0], parts[1], "1" };
             if (parts.Length != 3)
-                throw new FormatException("a range has three parts: " + _forms);
+                throw new FormatException($"a range has {(IsWhole ? "two or " : "")}three parts: {Forms}");
             double first = Value(parts[0]), last = Value(parts[1]), step = Number(parts[2]);
-            if (step <= 0)
-                throw new FormatException("STEP must be above 0");
+            if (step <= 0 || IsWhole && step % 1 != 0)
+                throw new FormatException($"STEP must be {(IsWhole ? "a whole number " : "")}above 0");
             if (first > last)
                 throw new FormatException("FROM must not be above TO");
             if (first == last)
@@ -88,17 +97,20 @@ namespace Glint.Core
         double Value(string text)
         {
             double value = Number(text);
-            return _range.Contains(value) ? value : throw new FormatException($"each {_noun} must be {_range} {_unit}");
+            return _range.Contains(value) && !(IsWhole && value % 1 != 0)
+                ? value
+                : throw new FormatException(
+                    $"each {_noun} must be {(IsWhole ? "a whole number " : "")}{_range} {_unit}".TrimEnd());
         }
 
         double Number(string text)
         {
             if (text.Trim().Length == 0)
-                throw new FormatException("a number is missing: " + _forms);
+                throw new FormatException("a number is missing: " + Forms);
             // + 0 makes -0 a plain 0.
             return Values.TryReal(text, out double value)
                 ? value + 0.0
-                : throw new FormatException($"{Values.Shown(text)} is not a number: {_forms}");
+                : throw new FormatException($"{Values.Shown(text)} is not a number: {Forms}");
         }
 
         static decimal Exact(string text) =>

@@ -57,16 +57,20 @@ namespace Glint.Editor
                 $"{result.Amplitude:g6}{(result.AmplitudeDb is double db ? FormattableString.Invariant($" ({db:0.00} dB)") : "")}"),
                 "Length of the summed phasor: 1 for one ray.");
             yield return ("Normalised",
-                FormattableString.Invariant($"{result.NormalisedAmplitude:g6} ± {result.SamplingError:g3}"),
+                FormattableString.Invariant($"{result.NormalisedAmplitude:g6} ")
+                    + Or(result.SamplingError, error => FormattableString.Invariant($"± {error:g3}"),
+                        $"(error {ResultColumn.NotEstimated})"),
                 "As if the same field of view had 1920 x 1080 rays, "
                     + "and about how far that is from endlessly many rays.");
             yield return ("Rays hit", FormattableString.Invariant($"{result.RaysHit:N0} of {result.RaysEmitted:N0}"),
                 "Rays whose first segment hits anything, of those emitted.");
             yield return ("Rays received", FormattableString.Invariant($"{result.RaysReceived:N0}"),
                 "Rays that reached the receiver.");
-            yield return ("Path step", FormattableString.Invariant($"{result.LargestPathStep:0.###} wavelengths"),
+            yield return ("Path step", Or(result.LargestPathStep,
+                    step => FormattableString.Invariant($"{step:0.###} wavelengths"), ResultColumn.NotEstimated),
                 "Largest difference of path length between received rays that are neighbours in the picture.");
-            yield return ("Undersampled", result.Undersampled ? "yes: give it more rays or a narrower view" : "no",
+            yield return ("Undersampled", result.Sampling == null ? ResultColumn.NotEstimated
+                    : result.Undersampled ? "yes: give it more rays or a narrower view" : "no",
                 "Whether the rays are too far apart, or too few return, "
                     + "for the amplitude and its error to be trusted.");
             var times = result.Statistics.Timings;
@@ -76,5 +80,8 @@ namespace Glint.Editor
             yield return ("On the device", Text.Mebibytes(result.Statistics.BytesOnDevice),
                 "Bytes of all the radar's buffers.");
         }
+
+        static string Or(double? value, Func<double, string> text, string missing) =>
+            value is double number ? text(number) : missing;
     }
 }

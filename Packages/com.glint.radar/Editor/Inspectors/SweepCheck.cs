@@ -45,8 +45,8 @@ namespace Glint.Editor
             Plan = _sweep.Plan();
             if (!(_sweep.FindSea() is Sea sea))
                 return;
-            foreach (int number in Snapshots.Parse(_sweep.Snapshots))
-                sea.CheckSnapshot(number);
+            foreach (double number in Plan.Values(SweepAxis.Snapshot))
+                sea.CheckSnapshot((int)number);
         }
 
         void Attempt(Action look, Fix fix = null)

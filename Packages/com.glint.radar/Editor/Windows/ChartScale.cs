@@ -47,9 +47,6 @@ namespace Glint.Editor
             return new ChartScale(first * step, last * step, Multiples(first, last, step));
         }
 
-        /// <summary>A turn, with a tick every 30 degrees.</summary>
-        public static ChartScale Turn() => new ChartScale(0, 360, Multiples(0, 11, 30));
-
         /// <summary>A number as charts show it: few digits, thousands apart.</summary>
         public static string Label(double value)
         {

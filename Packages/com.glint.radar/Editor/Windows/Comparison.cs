@@ -9,7 +9,7 @@ namespace Glint.Editor
     /// <summary>A second run to lay over a chart, and how far the first is from it where both have a pose.</summary>
     sealed class Comparison
     {
-        Comparison(string title, IReadOnlyList<PoseFigures> rows)
+        Comparison(string title, IReadOnlyList<StoredRow> rows)
         {
             Title = title;
             Rows = rows;
@@ -17,48 +17,64 @@ namespace Glint.Editor
 
         public string Title { get; }
 
-        public IReadOnlyList<PoseFigures> Rows { get; }
+        public IReadOnlyList<StoredRow> Rows { get; }
 
         /// <summary>A published table.</summary>
         /// <exception cref="GlintException">It is missing or damaged.</exception>
         public static Comparison With(PublishedTable table) =>
             new Comparison(table.Title,
-                PublishedTable.Read(table.Name).Select(row => PoseFigures.Of(row, table.Axis)).ToArray());
+                PublishedTable.Read(table.Name).Select(row => new StoredRow((ResultColumn.Of(table.Axis), row.Step),
+                (ResultColumn.Amplitude, row.Amplitude), (ResultColumn.Normalised, row.Amplitude),
+                (ResultColumn.RaysReceived, row.RaysReceived), (ResultColumn.RaysHit, row.RaysHit))).ToArray());
 
         /// <summary>A results folder.</summary>
         /// <exception cref="GlintException">It holds no results, or damaged ones.</exception>
         public static Comparison With(string folder) =>
-            new Comparison(Path.GetFileName(Path.GetFullPath(folder).TrimEnd('/', '\\')), PoseFigures.OfFolder(folder));
+            new Comparison(Path.GetFileName(Path.GetFullPath(folder).TrimEnd('/', '\\')), StoredRun.RowsOf(folder));
 
         /// <summary>
         /// The differences, a line for each of amplitude, rays received and rays hit; or why there are none.
         /// </summary>
         /// <param name="rows">The run that is compared with this one.</param>
-        public string Text(IReadOnlyList<PoseFigures> rows)
+        public string Text(IReadOnlyList<StoredRow> rows)
         {
             var pairs = Pairs(rows);
             if (pairs.Count == 0)
                 return $"{Title}: no pose in common.";
             return $"{Title}: {pairs.Count} {(pairs.Count == 1 ? "pose" : "poses")} in common.\n"
-                + string.Join("\n", new[] { Quantity.Normalised, Quantity.RaysReceived, Quantity.RaysHit }
-                    .Select(quantity => new Difference(quantity, pairs).ToString()));
+                + string.Join("\n", new[] { ResultColumn.Normalised, ResultColumn.RaysReceived, ResultColumn.RaysHit }
+                    .Select(column => Difference(column, pairs)));
         }
 
         /// <summary>
         /// Poses that stand at the same place on every axis that both runs have values on.
         /// One that only the other run steps through leaves it open which pose is meant: no pairs then.
         /// </summary>
-        public IReadOnlyList<(PoseFigures Ours, PoseFigures Theirs)> Pairs(IReadOnlyList<PoseFigures> rows)
+        public IReadOnlyList<(StoredRow Ours, StoredRow Theirs)> Pairs(IReadOnlyList<StoredRow> rows)
         {
             if (SweepAxis.All.Any(axis => SweepChart.Varies(Rows, axis) && rows.All(row => row[axis] == null)))
-                return Array.Empty<(PoseFigures, PoseFigures)>();
+                return Array.Empty<(StoredRow, StoredRow)>();
             var common = SweepAxis.All
                 .Where(axis => rows.Any(row => row[axis].HasValue) && Rows.Any(row => row[axis].HasValue)).ToArray();
-            string PoseKey(PoseFigures pose) =>
+            string PoseKey(StoredRow pose) =>
                 string.Join(",", common.Select(axis => pose[axis].HasValue ? Numbers.Format(pose[axis].Value) : ""));
             var theirs = Rows.GroupBy(PoseKey).ToDictionary(group => group.Key, group => group.First());
             return rows.Where(row => theirs.ContainsKey(PoseKey(row)))
                 .Select(row => (row, theirs[PoseKey(row)])).ToArray();
+        }
+
+        // The largest either way, ours less theirs, and the root of the mean square.
+        static string Difference(ResultColumn column, IReadOnlyList<(StoredRow Ours, StoredRow Theirs)> pairs)
+        {
+            double Of((StoredRow Ours, StoredRow Theirs) pair) => pair.Ours[column].Value - pair.Theirs[column].Value;
+            var at = pairs.OrderByDescending(pair => Math.Abs(Of(pair))).First();
+            double largest = Of(at), theirs = at.Theirs[column].Value;
+            if (largest == 0)
+                return $"{column.Title}: equal";
+            string share = theirs > 0 ? FormattableString.Invariant($" ({100 * largest / theirs:+0.##;-0.##} %)") : "";
+            double rms = Math.Sqrt(pairs.Average(pair => Of(pair) * Of(pair)));
+            return FormattableString.Invariant(
+                $"{column.Title}: at most {largest:+#,0.####;-#,0.####}{share} at {at.Ours.Name}, rms {rms:#,0.####}");
         }
     }
 }

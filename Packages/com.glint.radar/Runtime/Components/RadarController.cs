@@ -44,6 +44,10 @@ namespace Glint
         [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Most specular reflections a ray may make.")]
         int _maxBounces = 4;
 
+        [SerializeField, Tooltip("Leaves out the estimate of the sampling error, which traces smaller rays around "
+            + "received ones. A pose is faster, and whether it is undersampled is not known.")]
+        bool _skipSamplingError;
+
         [SerializeField, Tooltip("Middle of the receiver, which faces along this transform's forward axis. "
             + "It is neither target nor obstacle.")]
         Transform _receiver;
@@ -79,12 +83,16 @@ namespace Glint
         RadarPose _traced;
         ulong _tracedContent;
 
-        /// <summary>Frequency, rays, bounces and the part of the picture. Checked when a pose is traced.</summary>
+        /// <summary>
+        /// Frequency, rays, bounces, the part of the picture, and whether the sampling error is estimated.
+        /// Checked when a pose is traced.
+        /// </summary>
         public RadarSettings Settings
         {
             get => new RadarSettings
             {
                 FrequencyHz = _frequencyHz, RaysAcross = _raysAcross, RaysDown = _raysDown, MaxBounces = _maxBounces,
+                SkipSamplingError = _skipSamplingError,
                 Region = new RayRegion
                 {
                     Left = _regionCorner.x, Bottom = _regionCorner.y, Width = _regionSize.x, Height = _regionSize.y
@@ -92,8 +100,8 @@ namespace Glint
             };
             set
             {
-                (_frequencyHz, _raysAcross, _raysDown, _maxBounces) =
-                    (value.FrequencyHz, value.RaysAcross, value.RaysDown, value.MaxBounces);
+                (_frequencyHz, _raysAcross, _raysDown, _maxBounces, _skipSamplingError) = (value.FrequencyHz,
+                    value.RaysAcross, value.RaysDown, value.MaxBounces, value.SkipSamplingError);
                 _regionCorner = new Vector2Int(value.Region.Left, value.Region.Bottom);
                 _regionSize = new Vector2Int(value.Region.Width, value.Region.Height);
             }

@@ -94,6 +94,8 @@ namespace Glint
             if (!settings.Region.IsWhole)
                 AddRegion(info, settings.Region);
             info.Settings.Add(new RunSetting("max_bounces", settings.MaxBounces, "1"));
+            if (settings.SkipSamplingError)
+                info.Settings.Add(new RunSetting(ResultColumn.SamplingError.Name, ResultColumn.NotEstimated));
             info.Settings.Add(new RunSetting("projection", view.IsParallel ? "parallel" : "perspective"));
             if (!view.IsParallel)
             {

@@ -1,3 +1,5 @@
+using System.Linq;
+using Glint.Core;
 using UnityEditor;
 using UnityEngine.UIElements;
 
@@ -21,11 +23,8 @@ namespace Glint.Editor.Views
             inspector.Add(_findings);
             inspector.Add(Parts.Field("_radar", "Radar"));
             inspector.Add(Parts.Field("_target", "Target"));
-            inspector.Add(Parts.Field("_angles", "Angles (deg)"));
-            inspector.Add(Parts.Field("_grazingAngles", "Grazing Angles (deg)"));
-            inspector.Add(Parts.Field("_distances", "Distances (m)"));
-            inspector.Add(Parts.Field("_frequencies", "Frequencies (Hz)"));
-            inspector.Add(Parts.Field("_snapshots", "Snapshots"));
+            foreach (var axis in SweepAxis.All.Reverse())
+                inspector.Add(Parts.Field(FieldOf(axis), axis.ListLabel));
             inspector.Add(Parts.Field("_outputFolder", "Output Folder"));
             inspector.Add(_figures);
             if (targets.Length != 1 || !RadarCheck.CanLook((Sweep)target))
@@ -34,6 +33,10 @@ namespace Glint.Editor.Views
             _watch = new Watch(inspector, serializedObject, Look);
             return inspector;
         }
+
+        // "grazing angles" are in the field _grazingAngles.
+        static string FieldOf(SweepAxis axis) => "_" + string.Concat(axis.Plural.Split(' ')
+            .Select((word, i) => i == 0 ? word : char.ToUpperInvariant(word[0]) + word.Substring(1)));
 
         void Look()
         {

@@ -27,7 +27,7 @@ namespace Glint.Editor.Views
         // Folder or name of the published table that is laid over; empty for none.
         [SerializeField] string _compared = "";
 
-        IReadOnlyList<PoseFigures> _rows = Array.Empty<PoseFigures>();
+        IReadOnlyList<StoredRow> _rows = Array.Empty<StoredRow>();
         Comparison _comparison;
         SweepSession _session;
         SweepPanel _panel;
@@ -84,7 +84,7 @@ namespace Glint.Editor.Views
         void Recall()
         {
             if (_session == null && _shown.Length > 0 && Directory.Exists(_shown))
-                Attempt(() => _rows = PoseFigures.OfFolder(_shown));
+                Attempt(() => _rows = StoredRun.RowsOf(_shown));
             Compare(_compared);
         }
 
