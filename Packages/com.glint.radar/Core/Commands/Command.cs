@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 
@@ -43,6 +44,14 @@ namespace Glint.Core
 
         /// <summary>Name of the method for Unity's -executeMethod; null when Unity has no such command.</summary>
         public string UnityMethod { get; internal set; }
+
+        /// <summary>Whether it works in a Unity project, on a graphics device.</summary>
+        internal bool NeedsProject { get; set; } = true;
+
+        /// <summary>
+        /// Does what a command line of it says; returns the exit code. Null where the host does not have the command.
+        /// </summary>
+        internal Func<CommandLine, IProgressSink, int> Handler { get; set; }
 
         /// <summary>Examples: what follows "glint", and what it does.</summary>
         public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }

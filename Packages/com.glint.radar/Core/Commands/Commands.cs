@@ -1,4 +1,5 @@
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Glint.Core
 {
@@ -32,19 +33,15 @@ namespace Glint.Core
         public static readonly Command Sweep = new Command("sweep", "Step through angles, grazing angles, distances, "
             + "frequencies or snapshots of a sea, trace every pose and write results.csv and results.json.")
         {
-            Options = new Option[]
+            Options = Options.Axes.Concat(new Option[]
                 {
-                    Options.Angles, Options.GrazingAngles, Options.Distances, Options.Frequencies, Options.Snapshots,
                     Options.Target, Options.Shard, Options.Out, Options.Resume, Options.Size,
-                    Options.Region, Options.Bounces, Options.Receiver,
+                    Options.Region, Options.Bounces, Options.NoSamplingError, Options.Receiver,
                     Options.Unit, Options.Up, Options.Azimuth, Options.Fov,
                     Options.Spacing, Options.Aperture, Options.Aim, Options.Device
-                },
+                }).ToArray(),
             Required = new Option[] { Options.Target },
-            OneOf = new Option[]
-                {
-                    Options.Angles, Options.GrazingAngles, Options.Distances, Options.Frequencies, Options.Snapshots
-                },
+            OneOf = Options.Axes,
             Notes = new[]
                 {
                     "The target turns about the vertical through its own position and is put back afterwards. The mesh "
@@ -97,8 +94,9 @@ namespace Glint.Core
             {
                 Options = new Option[]
                 {
-                    Options.Out, Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
-                    Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov,
+                    Options.Out, Options.Size, Options.Region, Options.Frequency, Options.Bounces,
+                    Options.NoSamplingError, Options.Receiver, Options.Unit, Options.Up, Options.Distance,
+                    Options.Grazing, Options.Azimuth, Options.Fov,
                     Options.Spacing, Options.Aperture, Options.Aim, Options.Device
                 },
                 Notes = new[] { "Without --out the result is printed and no file is written." },
@@ -145,8 +143,9 @@ namespace Glint.Core
                 {
                     Options.Rounds, Options.Peers, Options.Reference, Options.Json, Options.WriteScene,
                     Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
-                    Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
-                    Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov,
+                    Options.Size, Options.Region, Options.Frequency, Options.Bounces,
+                    Options.NoSamplingError, Options.Receiver, Options.Unit, Options.Up, Options.Distance,
+                    Options.Grazing, Options.Azimuth, Options.Fov,
                     Options.Spacing, Options.Aperture, Options.Aim, Options.Accuracy, Options.Device
                 },
             Notes = new[]
@@ -264,6 +263,7 @@ namespace Glint.Core
         public static readonly Command Info =
             new Command("info", "List the GPUs, the limits of the one in use, and the versions.")
             {
+                NeedsProject = false,
                 Inputs = InputKind.None,
                 Options = new Option[] { Options.Device },
                 Examples = new[]
@@ -277,6 +277,7 @@ namespace Glint.Core
         public static readonly Command Completion = new Command("completion",
             "Print a script with which a shell completes commands, options, choices and file names of glint.")
         {
+            NeedsProject = false,
             Inputs = InputKind.Shell,
             Options = new Option[0],
             Examples = new[]

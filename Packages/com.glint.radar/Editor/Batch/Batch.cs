@@ -17,6 +17,16 @@ namespace Glint.Editor
     {
         internal const int Done = 0, Failed = 1, Cancelled = 130;
 
+        static Batch()
+        {
+            Commands.Sweep.Handler = Commands.Run.Handler = TracePoses;
+            Commands.Merge.Handler = MergeParts;
+            Commands.Report.Handler = ReportCommand.Write;
+            Commands.Sea.Handler = SeaAssets.Write;
+            Commands.Ship.Handler = ShipAssets.Write;
+            Commands.Reflector.Handler = CornerReflectorAssets.Write;
+        }
+
         /// <summary>Entry of Unity's -executeMethod: <c>glint sweep</c>.</summary>
         public static void Sweep() => ExecuteAndExit(Commands.Sweep, Environment.GetCommandLineArgs());
 
@@ -44,18 +54,11 @@ namespace Glint.Editor
         /// <exception cref="OperationCanceledException">
         /// Cancelled within a pose; the rows before it are kept.
         /// </exception>
-        public static int Execute(CommandLine line, IProgressSink progress)
+        public static int Execute(CommandLine line, IProgressSink progress) =>
+            line.Command.Handler(line, progress);
+
+        static int TracePoses(CommandLine line, IProgressSink progress)
         {
-            if (line.Command == Commands.Sea)
-                return SeaAssets.Write(line, progress);
-            if (line.Command == Commands.Ship)
-                return ShipAssets.Write(line, progress);
-            if (line.Command == Commands.Reflector)
-                return CornerReflectorAssets.Write(progress);
-            if (line.Command == Commands.Merge)
-                return MergeParts(line, progress);
-            if (line.Command == Commands.Report)
-                return ReportCommand.Write(line, progress);
             var plan = PlanOf(line);
             var loaded = LoadedScene.Open(line);
             try
@@ -96,13 +99,7 @@ namespace Glint.Editor
         {
             if (line.Command != Commands.Sweep)
                 return SweepPlan.Single;
-            var snapshots = line.Get(Options.Snapshots);
-            var plan = new SweepPlan(
-                (SweepAxis.Angle, line.Get(Options.Angles)),
-                (SweepAxis.Grazing, line.Get(Options.GrazingAngles)),
-                (SweepAxis.Range, line.Get(Options.Distances)),
-                (SweepAxis.Frequency, line.Get(Options.Frequencies)),
-                (SweepAxis.Snapshot, snapshots == null ? null : Array.ConvertAll(snapshots, number => (double)number)));
+            var plan = new SweepPlan(axis => line.Get(Options.Of(axis)));
             if (line.Get(Options.Shard) is SweepShard shard && shard.Count > plan.Count)
                 throw new UsageException($"{Options.Shard.Flag} {shard}: the sweep has {plan.Count} poses: "
                     + "divide it into so many parts at most");
