@@ -12,33 +12,22 @@ namespace Glint.Editor
     /// </summary>
     sealed class LoadedScene
     {
-        LoadedScene(string name, string scene, RadarController radar, Transform target,
-            Sea sea = null, RadarOrbit orbit = null)
-        {
-            Name = name;
-            Scene = scene;
-            Radar = radar;
-            Target = target;
-            Sea = sea;
-            Orbit = orbit;
-        }
-
         /// <summary>Name of the scene or mesh file without folder and extension.</summary>
-        public string Name { get; }
+        public string Name { get; private set; }
 
         /// <summary>Asset path of the scene, or path of the mesh file as given; null for the built-in scene.</summary>
-        public string Scene { get; }
+        public string Scene { get; private set; }
 
-        public RadarController Radar { get; }
+        public RadarController Radar { get; private set; }
 
         /// <summary>What a sweep turns or moves the radar about; null when the command names none.</summary>
-        public Transform Target { get; }
+        public Transform Target { get; private set; }
 
         /// <summary>Whose snapshots a sweep shows; null when the command names none.</summary>
-        public Sea Sea { get; }
+        public Sea Sea { get; private set; }
 
         /// <summary>Moves the radar that looks at a mesh file; null with a scene.</summary>
-        public RadarOrbit Orbit { get; }
+        public RadarOrbit Orbit { get; private set; }
 
         /// <summary>Opens what the command line names.</summary>
         /// <exception cref="GlintException">It is not there, or holds no radar or no such target.</exception>
@@ -60,7 +49,10 @@ namespace Glint.Editor
         public static LoadedScene InOpenScene(RadarController radar, Transform target, Sea sea)
         {
             string scene = radar.gameObject.scene.path;
-            return new LoadedScene(Path.GetFileNameWithoutExtension(scene), scene, radar, target, sea);
+            return new LoadedScene
+            {
+                Name = Path.GetFileNameWithoutExtension(scene), Scene = scene, Radar = radar, Target = target, Sea = sea
+            };
         }
 
         /// <summary>
@@ -99,7 +91,7 @@ namespace Glint.Editor
             }
             var target = line.IsGiven(Options.Target) ? FindTarget(line.Input, line.Get(Options.Target)) : null;
             var sea = line.IsGiven(Options.Snapshots) ? SceneSearch.FindSea(line.Input) : null;
-            return new LoadedScene(Path.GetFileNameWithoutExtension(scene), scene, radar, target, sea);
+            return InOpenScene(radar, target, sea);
         }
 
         static LoadedScene OpenMeshFile(CommandLine line)
@@ -119,7 +111,7 @@ namespace Glint.Editor
                 new SeaAndShip(line.Get(Options.Seed), line.Get(Options.SeaTriangles), line.Get(Options.ShipTriangles));
             var loaded = Show(new MeshFile("Ship", made.Ship.Vertices, made.Ship.Indices), line);
             MeshFileScene.MakeObject(new MeshFile("Sea", made.Sea.Vertices, made.Sea.Indices));
-            return new LoadedScene("sea and ship", null, loaded.Radar, loaded.Target);
+            return new LoadedScene { Name = "sea and ship", Radar = loaded.Radar, Target = loaded.Target };
         }
 
         // A new scene with the mesh, a radar before it and nothing else.
@@ -141,7 +133,10 @@ namespace Glint.Editor
                 placement.ReceiverSize = line.Get(Options.Receiver);
             var scene =
                 MeshFileScene.Create(file, placement, Override(RadarSettings.Default, line), ProjectAssets.Kernel);
-            return new LoadedScene(file.Name, line.Input, scene.Radar, scene.Target, null, scene.Orbit);
+            return new LoadedScene
+            {
+                Name = file.Name, Scene = line.Input, Radar = scene.Radar, Target = scene.Target, Orbit = scene.Orbit
+            };
         }
 
         // What is not given stays: a scene's own settings, or the standard ones, which are the options' defaults too.

@@ -22,4 +22,13 @@ namespace Glint.Core
         public static uint4[] Encode(BinaryBvh bvh, int root, BvhLayout layout, ILeafWriter writer) =>
             layout == BvhLayout.Wide ? WideEncoder.Encode(bvh, root, writer) : BinaryEncoder.Encode(bvh, root, writer);
     }
+
+    /// <summary>Writes the leaves of a BVH as the kernel reads them.</summary>
+    interface ILeafWriter
+    {
+        /// <summary>
+        /// Writes item <paramref name="item"/> into three rows from <paramref name="row"/> on; they are 0 before.
+        /// </summary>
+        void Write(int item, uint4[] rows, int row);
+    }
 }

@@ -27,4 +27,10 @@ namespace Glint.Core
             return BvhRows.Encode(bvh, bvh.Root, layout, new NumberWriter());
         }
     }
+
+    /// <summary>Leaves of a BVH over instances: their numbers.</summary>
+    sealed class NumberWriter : ILeafWriter
+    {
+        public void Write(int item, uint4[] rows, int row) => rows[row].x = (uint)item;
+    }
 }

@@ -38,6 +38,10 @@ namespace Glint.Core
         /// <summary>Value of an option: as given, else its default.</summary>
         public T Get<T>(Option<T> option) => _values.TryGetValue(option, out var value) ? (T)value : option.Default;
 
+        /// <summary>The same where the type is not known.</summary>
+        internal object ValueOf(Option option) =>
+            _values.TryGetValue(option, out var value) ? value : option.DefaultValue;
+
         /// <summary>Whether an option was given.</summary>
         public bool IsGiven(Option option) => _values.ContainsKey(option);
 

@@ -324,6 +324,19 @@ namespace Glint.Core
                 + "FILE is for the plot, as SVG; without it: accuracy.svg."
         };
 
+        /// <summary>The option for a measure, which is a plain double or int.</summary>
+        /// <param name="standard">Settings with its value when it is not given.</param>
+        internal static Option Of(Measure measure, object standard, string group)
+        {
+            string name = measure.Title.ToLowerInvariant().Replace(' ', '-');
+            string text = Numbers.Format(measure.Of(standard)),
+                help = measure.Unit.Length == 0 ? measure.Help : $"{measure.Help} Unit: {measure.Unit}.";
+            if (measure.IsWhole)
+                return Whole(name, "N", text, measure.Range, group, help);
+            return Number(name, measure.Unit.Length == 0 || measure.Unit.Contains(' ') ? "X"
+                : measure.Unit.ToUpperInvariant(), text, measure.Range, group, InputKind.Any, help);
+        }
+
         internal static Option<double> Number(string name, string valueName, string standard, Interval range,
             string group, InputKind inputs, string help) =>
             new Option<double>(name, valueName, text => Values.Real(text, range))

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using Newtonsoft.Json;
 
 namespace Glint.Core
@@ -57,7 +58,7 @@ namespace Glint.Core
             if (info.Sweep != null)
                 WriteSweep(info.Sweep);
             WriteMachine(info);
-            WriteTimings(Sum(rows));
+            WriteTimings(rows);
             WriteColumns();
             Open("rows", array: true);
             foreach (var row in rows)
@@ -136,13 +137,15 @@ namespace Glint.Core
         {
             Open("columns");
             foreach (var column in ResultColumn.All)
-                OnOneLine(column.Name, () => WriteColumn(column));
+            {
+                Open(column.Name);
+                OnOneLine(() => WriteColumn(column));
+            }
             _json.WriteEndObject();
         }
 
         void WriteColumn(ResultColumn column)
         {
-            _json.WriteStartObject();
             Text("title", column.Title);
             Text("unit", column.Unit);
             if (column.IsAmplitude)
@@ -172,53 +175,42 @@ namespace Glint.Core
             _json.WriteStartObject();
             foreach (var column in ResultColumn.All)
                 Raw(column.Name, row.Cell(column));
-            WriteTimings(row.Timings);
+            WriteTimings(new[] { row });
             if (row.PhaseHistogram != null)
                 WriteHistogram(row.PhaseHistogram);
             _json.WriteEndObject();
         }
 
         // A bin a line would bury the rows.
-        void WriteHistogram(IReadOnlyList<int> bins) => OnOneLine("phase_histogram", () =>
+        void WriteHistogram(IReadOnlyList<int> bins)
         {
-            _json.WriteStartArray();
-            foreach (int bin in bins)
-                _json.WriteValue(bin);
-            _json.WriteEndArray();
-        });
+            Open("phase_histogram", array: true);
+            OnOneLine(() =>
+            {
+                foreach (int bin in bins)
+                    _json.WriteValue(bin);
+                _json.WriteEndArray();
+            });
+        }
 
-        void OnOneLine(string name, Action write)
+        void OnOneLine(Action write)
         {
-            _json.WritePropertyName(name);
             var formatting = _json.Formatting;
             _json.Formatting = Formatting.None;
             write();
             _json.Formatting = formatting;
         }
 
-        void WriteTimings(Timings timings)
+        // Of all rows together.
+        void WriteTimings(IReadOnlyList<StoredRow> rows)
         {
             Open("timings");
-            Number("gather_ms", timings.GatherMs);
-            Number("build_ms", timings.BuildMs);
-            Number("upload_ms", timings.UploadMs);
-            Number("trace_ms", timings.TraceMs);
-            Number("read_back_ms", timings.ReadBackMs);
+            Number("gather_ms", rows.Sum(row => row.Timings.GatherMs));
+            Number("build_ms", rows.Sum(row => row.Timings.BuildMs));
+            Number("upload_ms", rows.Sum(row => row.Timings.UploadMs));
+            Number("trace_ms", rows.Sum(row => row.Timings.TraceMs));
+            Number("read_back_ms", rows.Sum(row => row.Timings.ReadBackMs));
             _json.WriteEndObject();
-        }
-
-        static Timings Sum(IReadOnlyList<StoredRow> rows)
-        {
-            var sum = new Timings();
-            foreach (var row in rows)
-            {
-                sum.GatherMs += row.Timings.GatherMs;
-                sum.BuildMs += row.Timings.BuildMs;
-                sum.UploadMs += row.Timings.UploadMs;
-                sum.TraceMs += row.Timings.TraceMs;
-                sum.ReadBackMs += row.Timings.ReadBackMs;
-            }
-            return sum;
         }
 
         void Open(string name, bool array = false)

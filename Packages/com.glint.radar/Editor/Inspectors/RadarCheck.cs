@@ -46,7 +46,8 @@ namespace Glint.Editor
             _findings.Clear();
             Figures = null;
             CheckRadar();
-            CheckKernel();
+            Attempt(() => _ = new TraceKernel(_radar.Kernel, SoftwareDevice.UsesWideKernels, _radar.Subject),
+                () => RadarFixes.AssignKernel(_radar));
             CheckMeshes();
             if (_findings.All(finding => finding.Severity != Severity.Error))
                 CheckPose();
@@ -73,16 +74,12 @@ namespace Glint.Editor
                 Add(Severity.Error, _radar.HasEmptyRoot, RadarFixes.RemoveEmptyRoots(_radar));
         }
 
-        void CheckKernel()
+        bool Attempt(Action look, Func<Fix> fix = null)
         {
-            try
-            {
-                _ = new TraceKernel(_radar.Kernel, SoftwareDevice.UsesWideKernels, _radar.Subject);
-            }
-            catch (GlintException problem)
-            {
-                Add(Severity.Error, problem.Message, RadarFixes.AssignKernel(_radar));
-            }
+            var finding = Finding.Of(look, fix);
+            if (finding != null)
+                _findings.Add(finding);
+            return finding == null;
         }
 
         void CheckMeshes()
@@ -128,17 +125,13 @@ namespace Glint.Editor
         // Whatever else the product refuses, in its own words, and what can be seen from a pose.
         void CheckPose()
         {
-            RadarPose pose;
-            try
+            RadarPose pose = default;
+            if (!Attempt(() =>
             {
                 pose = _radar.Gather(_gatherer);
                 DispatchPlan.Check(pose.Settings, _radar.RayReadback, _radar.Subject);
-            }
-            catch (GlintException problem)
-            {
-                Add(Severity.Error, problem.Message);
+            }))
                 return;
-            }
             foreach (string warning in _gatherer.Warnings)
                 Add(Severity.Warning, $"{_radar.Subject}: {warning}");
             _boxes.Update(pose.Scene);

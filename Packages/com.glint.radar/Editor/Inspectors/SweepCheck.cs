@@ -28,7 +28,7 @@ namespace Glint.Editor
             if (!_sweep.isActiveAndEnabled)
                 _findings.Add(new Finding(Severity.Warning, SceneSearch.IsDisabled(_sweep)));
             if (_sweep.Radar == null)
-                Attempt(() => SceneSearch.FindRadar(_sweep.Searcher), FindRadar());
+                Attempt(() => SceneSearch.FindRadar(_sweep.Searcher), FindRadar);
             Attempt(CheckPoses);
         }
 
@@ -49,16 +49,10 @@ namespace Glint.Editor
                 sea.CheckSnapshot((int)number);
         }
 
-        void Attempt(Action look, Fix fix = null)
+        void Attempt(Action look, Func<Fix> fix = null)
         {
-            try
-            {
-                look();
-            }
-            catch (GlintException problem)
-            {
-                _findings.Add(new Finding(Severity.Error, problem.Message, fix));
-            }
+            if (Finding.Of(look, fix) is Finding finding)
+                _findings.Add(finding);
         }
 
         // Of several enabled radars the first; one is made where there is none at all.

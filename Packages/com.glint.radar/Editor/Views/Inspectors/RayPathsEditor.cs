@@ -45,7 +45,7 @@ namespace Glint.Editor.Views
             if (said == _shown)
                 return;
             _shown = said;
-            Parts.ShowFindings(_findings, finding == null ? Enumerable.Empty<Finding>() : new[] { finding }, () => { });
+            Parts.ShowFindings(_findings, new[] { finding });
             Parts.ShowRows(_figures, rows);
         }
     }

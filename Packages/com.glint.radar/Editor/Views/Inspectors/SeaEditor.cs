@@ -41,7 +41,7 @@ namespace Glint.Editor.Views
             if (target == null)
                 return;
             var finding = SeaFigures.Check(Sea);
-            Parts.ShowFindings(_findings, finding == null ? Enumerable.Empty<Finding>() : new[] { finding }, () => { });
+            Parts.ShowFindings(_findings, new[] { finding });
             _snapshot.SetEnabled(Sea.Snapshots.Count > 0);
             _snapshot.choices = Enumerable.Range(1, Sea.Snapshots.Count)
                 .Select(number => SeaFigures.Name(Sea, number)).ToList();

@@ -1,4 +1,5 @@
 using System.Linq;
+using Glint.Core;
 using UnityEditor;
 using UnityEngine.UIElements;
 
@@ -24,7 +25,7 @@ namespace Glint.Editor.Views
                 tooltip = "From the measures above. The mesh is stored with the scene."
             };
             inspector.Add(_findings);
-            inspector.Add(Parts.Struct("_settings", "Measures", ShipFigures.Measures));
+            inspector.Add(Parts.Struct("_settings", "Measures", ShipSettings.Measures.Select(measure => measure.Row)));
             if (targets.Length != 1)
                 return inspector;
             // A prefab cannot hold the mesh.
@@ -43,7 +44,7 @@ namespace Glint.Editor.Views
             if (target == null)
                 return;
             var finding = ShipFigures.Check(Ship);
-            Parts.ShowFindings(_findings, finding == null ? Enumerable.Empty<Finding>() : new[] { finding }, () => { });
+            Parts.ShowFindings(_findings, new[] { finding });
             _remake.SetEnabled(finding == null);
             Parts.ShowRows(_figures, ShipFigures.Rows(Ship));
         }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
 using Glint.Core;
 using UnityEditor;
@@ -178,7 +179,7 @@ namespace Glint.Editor.Views
             string path = EditorUtility.SaveFilePanel("Export", _shown, ReportFile.Name, "html");
             if (path.Length == 0)
                 return;
-            using (var progress = new DialogProgress())
+            using (var progress = new CancelBar("Report"))
                 Export.Report(_shown, _choice.Row(_rows), _form, path, progress);
         });
 
@@ -205,6 +206,60 @@ namespace Glint.Editor.Views
             catch (OperationCanceledException)
             {
             }
+        }
+    }
+
+    /// <summary>A part of a window as it is on the screen.</summary>
+    static class WindowPicture
+    {
+        /// <summary>PNG of an element, as large as it is shown.</summary>
+        public static byte[] Png(EditorWindow window, VisualElement element)
+        {
+            var (rect, bound, scale) = (window.position, element.worldBound, EditorGUIUtility.pixelsPerPoint);
+            int width = Mathf.RoundToInt(bound.width * scale), height = Mathf.RoundToInt(bound.height * scale);
+            var picture = new Texture2D(width, height, TextureFormat.RGB24, false);
+            try
+            {
+                picture.SetPixels(InternalEditorUtility.ReadScreenPixel(
+                    (rect.position + bound.position - window.rootVisualElement.worldBound.position) * scale,
+                    width, height));
+                return picture.EncodeToPNG();
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(picture);
+            }
+        }
+    }
+
+    /// <summary>
+    /// Shows how much of a long pose is done, with a button that ends it. A pose holds the editor,
+    /// so that the window's own Cancel cannot be pressed within one.
+    /// </summary>
+    sealed class PoseProgress : IProgress<double>, IDisposable
+    {
+        const double SecondsUntilShown = 1;
+
+        readonly Stopwatch _watch = Stopwatch.StartNew();
+        readonly SweepSession _session;
+        bool _isShown;
+
+        public PoseProgress(SweepSession session) => _session = session;
+
+        public void Report(double value)
+        {
+            if (_watch.Elapsed.TotalSeconds < SecondsUntilShown)
+                return;
+            _isShown = true;
+            if (EditorUtility.DisplayCancelableProgressBar("Glint",
+                $"{_session.Status()}; the next {100 * value:0} % done", (float)value))
+                _session.Cancel();
+        }
+
+        public void Dispose()
+        {
+            if (_isShown)
+                EditorUtility.ClearProgressBar();
         }
     }
 }
