@@ -92,13 +92,7 @@ namespace Glint.Core
         public static readonly Command Run =
             new Command("run", "Trace one pose: the scene as it stands, or a mesh file.")
             {
-                Options = new Option[]
-                {
-                    Options.Out, Options.Size, Options.Region, Options.Frequency, Options.Bounces,
-                    Options.NoSamplingError, Options.Receiver, Options.Unit, Options.Up, Options.Distance,
-                    Options.Grazing, Options.Azimuth, Options.Fov,
-                    Options.Spacing, Options.Aperture, Options.Aim, Options.Device
-                },
+                Options = Options.Radar.Prepend(Options.Out).Append(Options.Device).ToArray(),
                 Notes = new[] { "Without --out the result is printed and no file is written." },
                 UnityMethod = "Glint.Editor.Batch.Run",
                 Examples = new[]
@@ -142,12 +136,8 @@ namespace Glint.Core
             Options = new Option[]
                 {
                     Options.Rounds, Options.Peers, Options.Reference, Options.Json, Options.WriteScene,
-                    Options.Seed, Options.SeaTriangles, Options.ShipTriangles,
-                    Options.Size, Options.Region, Options.Frequency, Options.Bounces,
-                    Options.NoSamplingError, Options.Receiver, Options.Unit, Options.Up, Options.Distance,
-                    Options.Grazing, Options.Azimuth, Options.Fov,
-                    Options.Spacing, Options.Aperture, Options.Aim, Options.Accuracy, Options.Device
-                },
+                    Options.Seed, Options.SeaTriangles, Options.ShipTriangles
+                }.Concat(Options.Radar).Concat(new Option[] { Options.Accuracy, Options.Device }).ToArray(),
             Notes = new[]
                 {
                     "A pose is timed as a sweep pays for it: the target (the ship, the mesh of a file) is turned by a "
@@ -171,13 +161,7 @@ namespace Glint.Core
         public static readonly Command Verify = new Command("verify",
             "Trace a scene and compare its rays one by one with those of a double-precision tracer.")
         {
-            Options = new Option[]
-                {
-                    Options.Rays, Options.Json,
-                    Options.Size, Options.Region, Options.Frequency, Options.Bounces, Options.Receiver,
-                    Options.Unit, Options.Up, Options.Distance, Options.Grazing, Options.Azimuth, Options.Fov,
-                    Options.Spacing, Options.Aperture, Options.Aim, Options.Device
-                },
+            Options = Options.Radar.Prepend(Options.Json).Prepend(Options.Rays).Append(Options.Device).ToArray(),
             Notes = new[]
                 {
                     "A ray is right when it goes the same way and, if it is received, "

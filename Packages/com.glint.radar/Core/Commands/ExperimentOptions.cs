@@ -6,12 +6,9 @@ namespace Glint.Core
         const string Group = "Experiments";
 
         /// <summary>Folder for tables, plots and figures; null when not given.</summary>
-        public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.NotEmpty)
-        {
-            Group = Group,
-            Help = "Folder for experiments.md, experiments.json and the plots in images/, "
-                + "made with its parents when it is not there."
-        };
+        public static readonly Option<string> Out = Options.Text("out", "DIR", Group,
+            "Folder for experiments.md, experiments.json and the plots in images/, "
+                + "made with its parents when it is not there.");
 
         /// <summary>Seas with the same wind and choppiness.</summary>
         public static readonly Option<int> Seeds = Options.Whole("seeds", "N", "20", Interval.Closed(1, 1000), Group,

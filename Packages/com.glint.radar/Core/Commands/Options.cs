@@ -56,7 +56,7 @@ namespace Glint.Core
             Group = SweepGroup,
             Inputs = InputKind.Scene,
             Refusal = "only for scenes: the mesh of a file is turned as a whole",
-            Needs = Axes.Where((axis, i) => SweepAxis.All[SweepAxis.All.Count - 1 - i].NeedsTarget).ToArray(),
+            Needs = SweepAxis.All.Reverse().Where(axis => axis.NeedsTarget).Select(axis => (Option)Of(axis)).ToArray(),
             Help = "The object of the scene that --angles turn, and that --grazing and --distance move the radar "
                 + "about, by its name or its path from the root (Fleet/Ship). With a scene these need it."
         };
@@ -65,29 +65,18 @@ namespace Glint.Core
         public static Option<double[]> Of(SweepAxis axis) => s_axes[axis.Index];
 
         /// <summary>Folder for the result files; null when not given.</summary>
-        public static readonly Option<string> Out = new Option<string>("out", "DIR", Values.NotEmpty)
-        {
-            Group = ResultGroup,
-            Help = "Folder for results.csv and results.json, made with its parents when it is not there."
-        };
+        public static readonly Option<string> Out = Text("out", "DIR", ResultGroup,
+            "Folder for results.csv and results.json, made with its parents when it is not there.");
 
         /// <summary>Folder of the project for meshes and prefabs; null when not given.</summary>
-        public static readonly Option<string> AssetFolder = new Option<string>("out", "DIR", Values.NotEmpty)
-        {
-            Group = ResultGroup,
-            Help = "Folder of the project for mesh and prefab, such as Assets/Mine; "
-                + "made with its parents when it is not there. Required with any other option."
-        };
+        public static readonly Option<string> AssetFolder = Text("out", "DIR", ResultGroup,
+            "Folder of the project for mesh and prefab, such as Assets/Mine; "
+                + "made with its parents when it is not there. Required with any other option.");
 
         /// <summary>Whether a sweep goes on where it was ended.</summary>
-        public static readonly Option<bool> Resume = new Option<bool>("resume", "", Values.Given)
-        {
-            Group = ResultGroup,
-            IsSwitch = true,
-            ImpliedText = Values.GivenText,
-            Help = "Go on with the same sweep where it was ended, killed or not: poses that are done stay. "
-                + "Refused when the folder holds another sweep; where nothing was begun the sweep begins."
-        };
+        public static readonly Option<bool> Resume = Switch("resume", ResultGroup,
+            "Go on with the same sweep where it was ended, killed or not: poses that are done stay. "
+                + "Refused when the folder holds another sweep; where nothing was begun the sweep begins.");
 
         /// <summary>The part of a sweep to do; null when not given.</summary>
         public static readonly Option<SweepShard?> Shard =
@@ -127,14 +116,9 @@ namespace Glint.Core
             Interval.Closed(1, RadarSettings.BounceLimit), RadarGroup, "Most reflections a ray may make.");
 
         /// <summary>Whether the sampling error is left out.</summary>
-        public static readonly Option<bool> NoSamplingError = new Option<bool>("no-sampling-error", "", Values.Given)
-        {
-            Group = RadarGroup,
-            IsSwitch = true,
-            ImpliedText = Values.GivenText,
-            Help = "Leave out the estimate of the sampling error, which traces smaller rays around received ones: "
-                + "faster, and the columns sampling_error, largest_path_step_wavelengths and undersampled are empty."
-        };
+        public static readonly Option<bool> NoSamplingError = Switch("no-sampling-error", RadarGroup,
+            "Leave out the estimate of the sampling error, which traces smaller rays around received ones: "
+                + "faster, and the columns sampling_error, largest_path_step_wavelengths and undersampled are empty.");
 
         /// <summary>Width and height of the receiver, metres.</summary>
         public static readonly Option<double2> Receiver =
@@ -149,29 +133,23 @@ namespace Glint.Core
             };
 
         /// <summary>Unit of the mesh file's coordinates.</summary>
-        public static readonly Option<LengthUnit> Unit = new Option<LengthUnit>("unit", "UNIT", LengthUnit.Parse)
+        public static readonly Option<LengthUnit> Unit = OfMesh(new Option<LengthUnit>("unit", "UNIT", LengthUnit.Parse)
         {
-            Group = MeshGroup,
-            Inputs = InputKind.MeshFile,
-            Refusal = InSceneInstead,
             Range = "one of " + string.Join(", ", LengthUnit.All.Select(unit => unit.Name)),
             Choices = LengthUnit.All.Select(unit => unit.Name).ToArray(),
             DefaultText = "m",
             Help = "Unit of the file's coordinates."
-        };
+        });
 
         /// <summary>Which axis of the mesh file points up.</summary>
-        public static readonly Option<UpAxis> Up = new Option<UpAxis>("up", "AXIS", Values.Up)
+        public static readonly Option<UpAxis> Up = OfMesh(new Option<UpAxis>("up", "AXIS", Values.Up)
         {
-            Group = MeshGroup,
-            Inputs = InputKind.MeshFile,
-            Refusal = InSceneInstead,
             Range = "y or z",
             Choices = new[] { "y", "z" },
             DefaultText = "y",
             Help = "Axis of the file that points up. y takes the coordinates as Unity's (x right, y up, z forward); "
                 + "z maps (x, y, z) to (x, z, y)."
-        };
+        });
 
         /// <summary>Distance from the radar to the point it is aimed at, metres.</summary>
         public static readonly Option<double> Distance = Number("distance", "M", "50", Length, MeshGroup,
@@ -195,11 +173,8 @@ namespace Glint.Core
 
         /// <summary>Metres from ray to ray where they are parallel; 0 when not given.</summary>
         public static readonly Option<double> Spacing =
-            new Option<double>("spacing", "M", text => Values.Real(text, Length))
+            OfMesh(new Option<double>("spacing", "M", text => Values.Real(text, Length))
             {
-                Group = MeshGroup,
-                Inputs = InputKind.MeshFile,
-                Refusal = InSceneInstead,
                 Range = Length.ToString(),
                 Excludes = new (Option, string)[]
                 {
@@ -208,34 +183,28 @@ namespace Glint.Core
                 Help = "Parallel rays, a plane wave, so many metres apart, in place of a field of view. "
                     + "They start at --distance across the line of sight, from a rectangle that just covers the mesh "
                     + "as it is seen from there (in a sweep: at each angle), or from that of --aperture."
-            };
+            });
 
         /// <summary>
         /// Width and height of the rectangle that parallel rays leave; 0 when not given: fitted to the mesh.
         /// </summary>
         public static readonly Option<double2> Aperture =
-            new Option<double2>("aperture", "M|WxH", text => Values.Area(text, Length))
+            OfMesh(new Option<double2>("aperture", "M|WxH", text => Values.Area(text, Length))
             {
-                Group = MeshGroup,
-                Inputs = InputKind.MeshFile,
-                Refusal = InSceneInstead,
                 Needs = new Option[] { Spacing },
                 Range = "each " + Length,
                 Help = "With --spacing: side of the square that parallel rays start from, or its width and height, "
                     + "in metres, enlarged to whole spacings. Its middle is the radar's place."
-            };
+            });
 
         /// <summary>The point that the radar is aimed at, metres, Unity's axes.</summary>
         public static readonly Option<double3> Aim =
-            new Option<double3>("aim", "X,Y,Z", text => Values.Point(text, Coordinate))
+            OfMesh(new Option<double3>("aim", "X,Y,Z", text => Values.Point(text, Coordinate))
             {
-                Group = MeshGroup,
-                Inputs = InputKind.MeshFile,
-                Refusal = InSceneInstead,
                 Range = "each " + Coordinate,
                 DefaultText = "0,0,0",
                 Help = "The point that the radar is aimed at, in metres, Unity's axes (after --unit and --up)."
-            };
+            });
 
         /// <summary>Seed of the built-in scene.</summary>
         public static readonly Option<int> Seed = Whole("seed", "N", "1", Interval.Closed(0, int.MaxValue),
@@ -283,19 +252,13 @@ namespace Glint.Core
                 + "all when there are fewer.");
 
         /// <summary>File for the figures; null when not given.</summary>
-        public static readonly Option<string> Json = new Option<string>("json", "FILE", Values.NotEmpty)
-        {
-            Group = ResultGroup,
-            Help = "File for the figures, as JSON."
-        };
+        public static readonly Option<string> Json = Text("json", "FILE", ResultGroup,
+            "File for the figures, as JSON.");
 
         /// <summary>File for the triangles; null when not given.</summary>
-        public static readonly Option<string> WriteScene = new Option<string>("write-scene", "FILE", Values.NotEmpty)
-        {
-            Group = BenchGroup,
-            Help = "File for the triangles: number of vertices and of triangles (int32), x, y, z of each vertex "
-                + "(float32, metres, the world's axes), three vertex numbers of each triangle (int32), little-endian."
-        };
+        public static readonly Option<string> WriteScene = Text("write-scene", "FILE", BenchGroup,
+            "File for the triangles: number of vertices and of triangles (int32), x, y, z of each vertex "
+                + "(float32, metres, the world's axes), three vertex numbers of each triangle (int32), little-endian.");
 
         /// <summary>The GPU to work on: index or part of the name; null when not given.</summary>
         public static readonly Option<string> Device = new Option<string>("device", "DEVICE", Values.NotEmpty)
@@ -324,6 +287,13 @@ namespace Glint.Core
                 + "FILE is for the plot, as SVG; without it: accuracy.svg."
         };
 
+        /// <summary>What a radar traces with: the options of all commands that trace one pose.</summary>
+        internal static readonly Option[] Radar =
+        {
+            Size, Region, Frequency, Bounces, NoSamplingError, Receiver, Unit, Up, Distance, Grazing, Azimuth, Fov,
+            Spacing, Aperture, Aim
+        };
+
         /// <summary>The option for a measure, which is a plain double or int.</summary>
         /// <param name="standard">Settings with its value when it is not given.</param>
         internal static Option Of(Measure measure, object standard, string group)
@@ -335,6 +305,21 @@ namespace Glint.Core
                 return Whole(name, "N", text, measure.Range, group, help);
             return Number(name, measure.Unit.Length == 0 || measure.Unit.Contains(' ') ? "X"
                 : measure.Unit.ToUpperInvariant(), text, measure.Range, group, InputKind.Any, help);
+        }
+
+        static Option<bool> Switch(string name, string group, string help) =>
+            new Option<bool>(name, "", Values.Given)
+            {
+                Group = group, IsSwitch = true, ImpliedText = Values.GivenText, Help = help
+            };
+
+        internal static Option<string> Text(string name, string valueName, string group, string help) =>
+            new Option<string>(name, valueName, Values.NotEmpty) { Group = group, Help = help };
+
+        static Option<T> OfMesh<T>(Option<T> option)
+        {
+            (option.Group, option.Inputs, option.Refusal) = (MeshGroup, InputKind.MeshFile, InSceneInstead);
+            return option;
         }
 
         internal static Option<double> Number(string name, string valueName, string standard, Interval range,

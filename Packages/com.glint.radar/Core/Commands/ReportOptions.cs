@@ -13,11 +13,8 @@ namespace Glint.Core
         static readonly Interval s_poses = Interval.Closed(1, int.MaxValue);
 
         /// <summary>The report's file; null when not given.</summary>
-        public static readonly Option<string> Out = new Option<string>("out", "FILE", Values.NotEmpty)
-        {
-            Group = Group,
-            Help = "The file to write, in a folder that is there. Without it: report.html in the folder of the results."
-        };
+        public static readonly Option<string> Out = Options.Text("out", "FILE", Group,
+            "The file to write, in a folder that is there. Without it: report.html in the folder of the results.");
 
         /// <summary>
         /// Number of the row, from 1, whose pose is shown; 0 when not given: the strongest.

@@ -7,7 +7,9 @@ namespace Glint.Core
     /// <summary>The options of <c>glint sea</c>: what sea is made, and where its files go.</summary>
     public static class SeaOptions
     {
-        const string Group = "Sea";
+        const string Group = "Sea", SpectrumRange = "phillips, pierson-moskowitz or jonswap";
+
+        static readonly string[] s_spectra = { "phillips", "pierson-moskowitz", "jonswap" };
 
         static readonly Option[] s_measures = SeaSettings.Measures
             .Select(measure => Options.Of(measure, SeaSettings.Default, Group)).ToArray();
@@ -30,8 +32,8 @@ namespace Glint.Core
             new Option<SeaSpectrumKind>("spectrum", "NAME", ReadSpectrum)
             {
                 Group = Group,
-                Range = "phillips, pierson-moskowitz or jonswap",
-                Choices = new[] { "phillips", "pierson-moskowitz", "jonswap" },
+                Range = SpectrumRange,
+                Choices = s_spectra,
                 DefaultText = "phillips",
                 Help = "How the waves' energy is spread over their lengths; how high they are is --wave-height's."
             };
@@ -92,15 +94,11 @@ namespace Glint.Core
             }
         }
 
+        // In the order of SeaSpectrumKind.
         static SeaSpectrumKind ReadSpectrum(string text)
         {
-            switch (text)
-            {
-                case "phillips": return SeaSpectrumKind.Phillips;
-                case "pierson-moskowitz": return SeaSpectrumKind.PiersonMoskowitz;
-                case "jonswap": return SeaSpectrumKind.Jonswap;
-                default: throw new FormatException("must be phillips, pierson-moskowitz or jonswap");
-            }
+            int kind = Array.IndexOf(s_spectra, text);
+            return kind >= 0 ? (SeaSpectrumKind)kind : throw new FormatException($"must be {SpectrumRange}");
         }
     }
 }

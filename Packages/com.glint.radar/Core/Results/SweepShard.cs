@@ -4,7 +4,7 @@ using System.Globalization;
 namespace Glint.Core
 {
     /// <summary>Part K of N of a sweep: poses that follow each other, as many in each part or one more.</summary>
-    public readonly struct SweepShard : IEquatable<SweepShard>
+    public readonly struct SweepShard
     {
         /// <summary>Most parts of a sweep.</summary>
         public const int Limit = 100000;
@@ -42,15 +42,6 @@ namespace Glint.Core
                     $"must be K/N, part K of N, such as 2/8, with K from 1 to N and N at most {Limit}"));
             return new SweepShard(number, count);
         }
-
-        /// <summary>Whether it is the same part of as many.</summary>
-        public bool Equals(SweepShard other) => Number == other.Number && Count == other.Count;
-
-        /// <inheritdoc/>
-        public override bool Equals(object other) => other is SweepShard shard && Equals(shard);
-
-        /// <inheritdoc/>
-        public override int GetHashCode() => Number * 397 ^ Count;
 
         /// <summary>"2/8".</summary>
         public override string ToString() => FormattableString.Invariant($"{Number}/{Count}");

@@ -45,12 +45,11 @@ namespace Glint.Editor.Views
         }
 
         /// <summary>Shows findings, each with the button that mends it.</summary>
-        /// <param name="findings">Nulls are left out.</param>
         /// <param name="mended">Called after a button was pressed.</param>
-        public static void ShowFindings(VisualElement parent, IEnumerable<Finding> findings, Action mended = null)
+        public static void ShowFindings(VisualElement parent, IEnumerable<Finding> findings, Action mended)
         {
             parent.Clear();
-            foreach (var finding in findings.Where(finding => finding != null))
+            foreach (var finding in findings)
             {
                 var box = new HelpBox(finding.Text,
                     finding.Severity == Severity.Error ? HelpBoxMessageType.Error : HelpBoxMessageType.Warning);
@@ -60,7 +59,7 @@ namespace Glint.Editor.Views
                         text = "Show", tooltip = $"Shows '{finding.Where.name}' in the Hierarchy."
                     });
                 if (finding.Fix != null)
-                    box.Add(new Button(() => { finding.Fix.Apply(); mended?.Invoke(); }) { text = finding.Fix.Label });
+                    box.Add(new Button(() => { finding.Fix.Apply(); mended(); }) { text = finding.Fix.Label });
                 parent.Add(box);
             }
         }

@@ -160,36 +160,36 @@ namespace Glint.Editor.Views
                 _panel.Report("there is no radar's view yet: unfold it and press Look now");
                 return;
             }
-            string path = EditorUtility.SaveFilePanel("Export", "", "view.png", "png");
-            if (path.Length > 0)
-                Attempt(() => Export.Picture(png, path));
+            Save("", "view.png", path => Export.Picture(png, path));
         }
 
-        void SaveFile(string name)
-        {
-            string path = EditorUtility.SaveFilePanel("Export", "", name, Path.GetExtension(name).TrimStart('.'));
-            if (path.Length > 0)
-                Attempt(() => Export.Copy(_shown, name, path));
-        }
+        void SaveFile(string name) => Save("", name, path => Export.Copy(_shown, name, path));
 
         void SaveReport() => Attempt(() =>
         {
             if (_session?.IsRunning == true)
                 throw new GlintException("the sweep is at work: export its report when it is done, or cancel it");
-            string path = EditorUtility.SaveFilePanel("Export", _shown, ReportFile.Name, "html");
-            if (path.Length == 0)
-                return;
-            using (var progress = new CancelBar("Report"))
-                Export.Report(_shown, _choice.Row(_rows), _form, path, progress);
+            Save(_shown, ReportFile.Name, path =>
+            {
+                using (var progress = new CancelBar("Report"))
+                    Export.Report(_shown, _choice.Row(_rows), _form, path, progress);
+            });
+        });
+
+        // To where the user says, if anywhere.
+        void Save(string folder, string name, Action<string> write) => Attempt(() =>
+        {
+            string path =
+                EditorUtility.SaveFilePanel("Export", folder, name, Path.GetExtension(name).TrimStart('.'));
+            if (path.Length > 0)
+                write(path);
         });
 
         // When the menu is closed again, and is no part of the picture.
         void SavePicture() => rootVisualElement.schedule.Execute(() =>
         {
             var png = WindowPicture.Png(this, _results.Charts);
-            string path = EditorUtility.SaveFilePanel("Export", "", "chart.png", "png");
-            if (path.Length > 0)
-                Attempt(() => Export.Picture(png, path));
+            Save("", "chart.png", path => Export.Picture(png, path));
         }).StartingIn(300);
 
         // What goes wrong is said in the window.
