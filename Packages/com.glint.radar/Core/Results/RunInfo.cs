@@ -50,24 +50,14 @@ namespace Glint.Core
     {
         /// <summary>A setting that is a number.</summary>
         /// <param name="unit">Unit such as "Hz"; "1" for a plain number.</param>
-        public RunSetting(string name, double number, string unit)
-        {
-            Name = name;
-            Number = number;
-            Unit = unit;
-            Text = null;
-        }
+        public RunSetting(string name, double number, string unit) =>
+            (Name, Number, Unit, Text) = (name, number, unit, null);
 
         /// <summary>A setting in words.</summary>
         /// <param name="name">As in results.json.</param>
         /// <param name="text">Its value.</param>
-        public RunSetting(string name, string text)
-        {
-            Name = name;
-            Number = 0;
-            Unit = null;
-            Text = text;
-        }
+        public RunSetting(string name, string text) =>
+            (Name, Number, Unit, Text) = (name, 0, null, text);
 
         /// <summary>As in results.json: "max_bounces".</summary>
         public string Name { get; }

@@ -103,11 +103,13 @@ namespace Glint.Core
         /// <summary>
         /// The pose with the largest amplitude, counted from 0; of equals the first; -1 without poses.
         /// </summary>
-        public int Strongest()
+        public int Strongest() => StrongestOf(Rows);
+
+        internal static int StrongestOf(IReadOnlyList<StoredRow> rows)
         {
             int strongest = -1;
-            for (int i = 0; i < Count; i++)
-                if (strongest < 0 || Amplitude(i) > Amplitude(strongest))
+            for (int i = 0; i < rows.Count; i++)
+                if (strongest < 0 || rows[i][ResultColumn.Amplitude] > rows[strongest][ResultColumn.Amplitude])
                     strongest = i;
             return strongest;
         }

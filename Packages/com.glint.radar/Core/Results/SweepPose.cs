@@ -49,11 +49,8 @@ namespace Glint.Core
         /// <summary>A row.</summary>
         /// <param name="pose">Where the sweep stood.</param>
         /// <param name="result">What was received.</param>
-        public SweepRow(SweepPose pose, RadarResult result)
-        {
-            Pose = pose;
-            Result = result;
-        }
+        public SweepRow(SweepPose pose, RadarResult result) =>
+            (Pose, Result) = (pose, result);
 
         /// <summary>Where the sweep stood.</summary>
         public SweepPose Pose { get; }

@@ -11,11 +11,8 @@ namespace Glint.Core
 
         /// <summary>A part.</summary>
         /// <param name="number">From 1 to <paramref name="count"/>.</param>
-        public SweepShard(int number, int count)
-        {
-            Number = number;
-            Count = count;
-        }
+        public SweepShard(int number, int count) =>
+            (Number, Count) = (number, count);
 
         /// <summary>Which part, from 1.</summary>
         public int Number { get; }

@@ -13,11 +13,8 @@ namespace Glint.Core
     /// </summary>
     sealed class UnfinishedSweep
     {
-        UnfinishedSweep(DateTime startedUtc, SweepIdentity identity)
-        {
-            StartedUtc = startedUtc;
-            Identity = identity;
-        }
+        UnfinishedSweep(DateTime startedUtc, SweepIdentity identity) =>
+            (StartedUtc, Identity) = (startedUtc, identity);
 
         /// <summary>When the sweep was first begun.</summary>
         public DateTime StartedUtc { get; }

@@ -7,13 +7,8 @@ namespace Glint.Editor
     /// <summary>Something that a check has found.</summary>
     sealed class Finding
     {
-        public Finding(Severity severity, string text, Fix fix = null, Object where = null)
-        {
-            Severity = severity;
-            Text = text;
-            Fix = fix;
-            Where = where;
-        }
+        public Finding(Severity severity, string text, Fix fix = null, Object where = null) =>
+            (Severity, Text, Fix, Where) = (severity, text, fix, where);
 
         public Severity Severity { get; }
 

@@ -92,19 +92,19 @@ namespace Glint.Editor
             var batched = seen.FindAll(pair => pair.renderer.isPartOfStaticBatch).ConvertAll(pair => pair.renderer);
             if (batched.Count > 0)
                 Add(Severity.Error, SceneGatherer.InStaticBatch(batched[0]) + More(batched.Count),
-                    Application.isPlaying ? null : MeshFixes.ClearBatching(batched), batched[0]);
+                    Application.isPlaying ? null : RadarFixes.ClearBatching(batched), batched[0]);
             var marked = seen.FindAll(pair => !pair.renderer.isPartOfStaticBatch
-                && MeshFixes.IsBatchingStatic(pair.renderer)).ConvertAll(pair => pair.renderer);
+                && RadarFixes.IsBatchingStatic(pair.renderer)).ConvertAll(pair => pair.renderer);
             if (marked.Count > 0)
                 Add(Severity.Warning, $"'{marked[0].name}' is marked Batching Static, and cannot be traced once Unity "
                     + "has merged it with others when the scene is played: clear Batching Static among its static "
-                    + $"flags{More(marked.Count)}", MeshFixes.ClearBatching(marked), marked[0]);
+                    + $"flags{More(marked.Count)}", RadarFixes.ClearBatching(marked), marked[0]);
             var unreadable = seen.FindAll(pair => !pair.renderer.isPartOfStaticBatch && !pair.mesh.isReadable)
                 .GroupBy(pair => pair.mesh).Select(group => group.First()).ToList();
             if (unreadable.Count > 0)
                 Add(Severity.Error,
                     SceneGatherer.NotReadable(unreadable[0].mesh, unreadable[0].renderer) + More(unreadable.Count),
-                    MeshFixes.MakeReadable(unreadable.ConvertAll(pair => pair.mesh)), unreadable[0].renderer);
+                    RadarFixes.MakeReadable(unreadable.ConvertAll(pair => pair.mesh)), unreadable[0].renderer);
             if (seen.Count == 0)
                 CheckLayers(roots);
         }

@@ -47,15 +47,7 @@ namespace Glint.Editor
         }
 
         /// <summary>Its number, from 0; -1 without poses.</summary>
-        public int Row(IReadOnlyList<StoredRow> rows)
-        {
-            if (Pose >= 0 && Pose < rows.Count)
-                return Pose;
-            int strongest = -1;
-            for (int i = 0; i < rows.Count; i++)
-                if (strongest < 0 || rows[i][ResultColumn.Amplitude] > rows[strongest][ResultColumn.Amplitude])
-                    strongest = i;
-            return strongest;
-        }
+        public int Row(IReadOnlyList<StoredRow> rows) =>
+            Pose >= 0 && Pose < rows.Count ? Pose : StoredRun.StrongestOf(rows);
     }
 }

@@ -9,11 +9,8 @@ namespace Glint.Editor
     /// <summary>A second run to lay over a chart, and how far the first is from it where both have a pose.</summary>
     sealed class Comparison
     {
-        Comparison(string title, IReadOnlyList<StoredRow> rows)
-        {
-            Title = title;
-            Rows = rows;
-        }
+        Comparison(string title, IReadOnlyList<StoredRow> rows) =>
+            (Title, Rows) = (title, rows);
 
         public string Title { get; }
 

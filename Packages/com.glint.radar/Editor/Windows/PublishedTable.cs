@@ -15,12 +15,8 @@ namespace Glint.Editor
         /// <summary>Where they are.</summary>
         public const string Folder = "Packages/com.glint.radar/Editor/Published";
 
-        PublishedTable(string name, string title, SweepAxis axis)
-        {
-            Name = name;
-            Title = title;
-            Axis = axis;
-        }
+        PublishedTable(string name, string title, SweepAxis axis) =>
+            (Name, Title, Axis) = (name, title, axis);
 
         /// <summary>Those that results can be compared with.</summary>
         public static IReadOnlyList<PublishedTable> All { get; } = new[]
@@ -82,13 +78,8 @@ namespace Glint.Editor
     /// <summary>A row of a published table.</summary>
     sealed class PublishedRow
     {
-        public PublishedRow(double step, double amplitude, long raysReceived, long raysHit)
-        {
-            Step = step;
-            Amplitude = amplitude;
-            RaysReceived = raysReceived;
-            RaysHit = raysHit;
-        }
+        public PublishedRow(double step, double amplitude, long raysReceived, long raysHit) =>
+            (Step, Amplitude, RaysReceived, RaysHit) = (step, amplitude, raysReceived, raysHit);
 
         /// <summary>Turn of the target in degrees, or number of the snapshot.</summary>
         public double Step { get; }

@@ -9,11 +9,8 @@ namespace Glint
     {
         /// <param name="radar">Traces the poses.</param>
         /// <param name="plan">The poses.</param>
-        public SweepSetup(RadarController radar, SweepPlan plan)
-        {
-            Radar = radar;
-            Plan = plan;
-        }
+        public SweepSetup(RadarController radar, SweepPlan plan) =>
+            (Radar, Plan) = (radar, plan);
 
         /// <summary>Traces the poses.</summary>
         public RadarController Radar { get; }
