@@ -255,7 +255,7 @@ namespace Glint.Core
             Inputs = InputKind.None,
             Options = new Option[0],
             Notes = new[] { "It writes the two prefabs that Scenes/CornerReflector.unity shows to "
-                    + "Meshes/CornerReflector. Their geometry is that of Core/Benchmark/CornerReflector.cs." },
+                    + "Meshes/CornerReflector. Their geometry is that of Reference/CornerReflector.cs." },
             UnityMethod = "Glint.Editor.Batch.Reflector",
             Examples = new[] { Example("reflector", "The stored prefabs.") }
         };

@@ -1,8 +1,9 @@
 using System;
 using System.Threading.Tasks;
+using Glint.Core;
 using Unity.Mathematics;
 
-namespace Glint.Core
+namespace Glint.Reference
 {
     /// <summary>
     /// The reference tracer's own search for the nearest triangle: double precision,

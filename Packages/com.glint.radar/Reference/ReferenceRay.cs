@@ -1,6 +1,6 @@
 using Unity.Mathematics;
 
-namespace Glint.Core
+namespace Glint.Reference
 {
     /// <summary>One ray as the reference tracer traced it, in double precision.</summary>
     public struct ReferenceRay

@@ -1,9 +1,10 @@
 using System;
 using System.Collections.Generic;
 using System.Threading;
+using Glint.Core;
 using Unity.Mathematics;
 
-namespace Glint.Core
+namespace Glint.Reference
 {
     /// <summary>
     /// The kernel's rays beside the reference tracer's, one by one.

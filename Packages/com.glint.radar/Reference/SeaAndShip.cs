@@ -1,8 +1,9 @@
 using System;
 using System.Collections.Generic;
+using Glint.Core;
 using Unity.Mathematics;
 
-namespace Glint.Core
+namespace Glint.Reference
 {
     /// <summary>
     /// A scene for benchmarks, the same for the same numbers: a rough sea, 128 x 128 m about the origin,

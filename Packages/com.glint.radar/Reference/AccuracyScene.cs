@@ -1,7 +1,8 @@
 using System.Collections.Generic;
+using Glint.Core;
 using Unity.Mathematics;
 
-namespace Glint.Core
+namespace Glint.Reference
 {
     /// <summary>
     /// One of the scenes, built in code, in which the accuracy benchmark compares what

@@ -1,7 +1,8 @@
 using System.Collections.Generic;
+using Glint.Core;
 using Unity.Mathematics;
 
-namespace Glint.Core
+namespace Glint.Reference
 {
     /// <summary>
     /// The corner reflector of the published experiment with its radar:
@@ -67,7 +68,7 @@ namespace Glint.Core
         public static RadarScene Turned(double degrees) => AccuracyScene.Turned(Mesh, degrees);
 
         /// <summary>The reflector's axes at 0 degrees, a rotation; their origin is the vertex.</summary>
-        internal static Affine Axes
+        public static Affine Axes
         {
             get
             {
@@ -86,7 +87,7 @@ namespace Glint.Core
         /// <summary>
         /// Lowest and highest corner of the plate across an axis of the reflector: 0, 1 or 2 for x, y or z.
         /// </summary>
-        internal static (double3 min, double3 max) Plate(int normal)
+        public static (double3 min, double3 max) Plate(int normal)
         {
             double3 min = PlateStart, max = PlateEnd;
             min[normal] = -Thickness;

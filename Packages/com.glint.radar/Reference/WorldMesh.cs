@@ -1,6 +1,7 @@
+using Glint.Core;
 using Unity.Mathematics;
 
-namespace Glint.Core
+namespace Glint.Reference
 {
     /// <summary>A scene as one mesh.</summary>
     public static class WorldMesh

@@ -1,6 +1,7 @@
 using System.IO;
+using Glint.Core;
 
-namespace Glint.Core
+namespace Glint.Reference
 {
     /// <summary>
     /// Triangles as plain numbers, for other programs: number of vertices and of triangles, x, y, z of each vertex
