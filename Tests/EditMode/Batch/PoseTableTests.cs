@@ -1,4 +1,5 @@
 using Glint.Core;
+using Glint.Editor;
 using NUnit.Framework;
 
 namespace Glint.Tests

@@ -1,8 +1,9 @@
 using System;
 using System.Collections.Generic;
+using Glint.Core;
 using Unity.Mathematics;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>
     /// A mesh for the eye: coordinates of 16 bits, and no more triangles than asked for. Where there are too many,

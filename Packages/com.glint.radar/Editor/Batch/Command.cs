@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>
     /// One command: its words for the user, the options it takes, and which of them it cannot do without.

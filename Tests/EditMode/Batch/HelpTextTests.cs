@@ -1,5 +1,5 @@
 using System.Linq;
-using Glint.Core;
+using Glint.Editor;
 using NUnit.Framework;
 
 namespace Glint.Tests

@@ -1,6 +1,7 @@
 using System.Linq;
+using Glint.Core;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>The options of <c>glint ship</c>: the ship's measures, and where its files go.</summary>
     public static class ShipOptions

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Text;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>Writes the help of the commands from their tables.</summary>
     public sealed class HelpText

@@ -1,6 +1,6 @@
 using System;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>What a command works on.</summary>
     [Flags]

@@ -1,6 +1,6 @@
 using System.Collections.Generic;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>The commands, for both hosts.</summary>
     public static class Commands

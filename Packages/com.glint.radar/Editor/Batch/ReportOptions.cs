@@ -1,6 +1,7 @@
 using System;
+using Glint.Core;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>The options of <c>glint report</c>.</summary>
     public static class ReportOptions

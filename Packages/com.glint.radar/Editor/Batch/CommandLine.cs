@@ -2,8 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Glint.Core;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>
     /// A checked command line: what is to be done, to what, with which options. Nothing of it has been opened yet.

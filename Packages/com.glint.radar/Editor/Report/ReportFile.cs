@@ -1,10 +1,11 @@
 using System;
 using System.IO;
 using System.Text;
+using Glint.Core;
 using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>
     /// The report of a run: one HTML file that opens offline, made of a template and the run's figures.

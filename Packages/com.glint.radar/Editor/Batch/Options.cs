@@ -1,7 +1,8 @@
 using System.Linq;
+using Glint.Core;
 using Unity.Mathematics;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>
     /// Every option of every command. Both hosts parse, check and explain by this table;
@@ -22,12 +23,8 @@ namespace Glint.Core
         const string InSceneInstead = "only for mesh files: a scene has its own camera and objects, change it there";
         const string WithoutInput = "only for the built-in scene: leave INPUT out";
 
-        // Lengths and angles go into single precision, which holds both ends.
-        static readonly Interval Length = Interval.Closed(1e-6, 1e6);
+        // Coordinates go into single precision, which holds both ends.
         static readonly Interval Coordinate = Interval.Closed(-1e6, 1e6);
-        static readonly Interval GrazingAngle = Interval.Closed(-90, 90);
-        static readonly Interval CarrierFrequency =
-            Interval.Closed(RadarSettings.LowestFrequencyHz, RadarSettings.HighestFrequencyHz);
         static readonly Interval RaysOfAxis = Interval.Closed(1, RadarSettings.RaysPerAxisLimit);
         static readonly Interval RaysFromEdge = Interval.Closed(0, RadarSettings.RaysPerAxisLimit);
         static readonly Interval Triangles = Interval.Closed(1000, 50000000);
@@ -43,7 +40,7 @@ namespace Glint.Core
 
         /// <summary>Grazing angles of a sweep, degrees; null when not given.</summary>
         public static readonly Option<double[]> GrazingAngles = new Option<double[]>("grazing", "LIST",
-            new NumberList("angle", GrazingAngle, "degrees", ("1:10:0.5", "1,2,5")).Read)
+            SweepLists.GrazingAngles.Read)
         {
             Group = SweepGroup,
             Help = "Grazing angles in degrees, how far the radar looks down, as a range or list like --angles. "
@@ -53,7 +50,7 @@ namespace Glint.Core
 
         /// <summary>Ranges of a sweep, metres; null when not given.</summary>
         public static readonly Option<double[]> Distances = new Option<double[]>("distance", "LIST",
-            new NumberList("distance", Length, "metres", ("50:500:50", "50,100,500")).Read)
+            SweepLists.Distances.Read)
         {
             Group = SweepGroup,
             Help = "Distances from the radar to the same point in metres, as a range or list. "
@@ -61,8 +58,8 @@ namespace Glint.Core
         };
 
         /// <summary>Carrier frequencies of a sweep, hertz; null when not given.</summary>
-        public static readonly Option<double[]> Frequencies = new Option<double[]>("frequency", "LIST", new NumberList(
-            "frequency", CarrierFrequency, "hertz", ("9e9:11e9:0.1e9", "9.4e9,10e9"), "frequencies").Read)
+        public static readonly Option<double[]> Frequencies = new Option<double[]>("frequency", "LIST",
+            SweepLists.Frequencies.Read)
         {
             Group = SweepGroup,
             Help = "Carrier frequencies in hertz, as a range or list. Without the option that of the scene, "
@@ -146,7 +143,7 @@ namespace Glint.Core
             };
 
         /// <summary>Carrier frequency, hertz.</summary>
-        public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", CarrierFrequency,
+        public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", SweepLists.Frequency,
             RadarGroup, InputKind.Any, "Carrier frequency in hertz.");
 
         /// <summary>Most reflections a ray may make.</summary>
@@ -155,10 +152,10 @@ namespace Glint.Core
 
         /// <summary>Width and height of the receiver, metres.</summary>
         public static readonly Option<double2> Receiver =
-            new Option<double2>("receiver", "M|WxH", text => Values.Area(text, Length))
+            new Option<double2>("receiver", "M|WxH", text => Values.Area(text, SweepLists.Length))
             {
                 Group = RadarGroup,
-                Range = "each " + Length,
+                Range = "each " + SweepLists.Length,
                 DefaultText = "3",
                 Help = "Side of the square receiver in metres, or its width and height. With a mesh file it stands 0.2 "
                     + "m behind the radar; for parallel rays it stands where they start, "
@@ -191,11 +188,11 @@ namespace Glint.Core
         };
 
         /// <summary>Distance from the radar to the point it is aimed at, metres.</summary>
-        public static readonly Option<double> Distance = Number("distance", "M", "50", Length, MeshGroup,
+        public static readonly Option<double> Distance = Number("distance", "M", "50", SweepLists.Length, MeshGroup,
             InputKind.MeshFile, "From the radar to the point it is aimed at, in metres.");
 
         /// <summary>Elevation of the radar above the horizontal through the point it is aimed at, degrees.</summary>
-        public static readonly Option<double> Grazing = Number("grazing", "DEG", "10", GrazingAngle,
+        public static readonly Option<double> Grazing = Number("grazing", "DEG", "10", SweepLists.GrazingAngle,
             MeshGroup, InputKind.MeshFile,
             "Grazing angle in degrees: how far the radar looks down. Below 0 it looks up.");
 
@@ -212,12 +209,12 @@ namespace Glint.Core
 
         /// <summary>Metres from ray to ray where they are parallel; 0 when not given.</summary>
         public static readonly Option<double> Spacing =
-            new Option<double>("spacing", "M", text => Values.Real(text, Length))
+            new Option<double>("spacing", "M", text => Values.Real(text, SweepLists.Length))
             {
                 Group = MeshGroup,
                 Inputs = InputKind.MeshFile,
                 Refusal = InSceneInstead,
-                Range = Length.ToString(),
+                Range = SweepLists.Length.ToString(),
                 Excludes = new (Option, string)[]
                 {
                     (Size, "the spacing decides how many rays there are"), (Fov, "parallel rays have no field of view")
@@ -231,13 +228,13 @@ namespace Glint.Core
         /// Width and height of the rectangle that parallel rays leave; 0 when not given: fitted to the mesh.
         /// </summary>
         public static readonly Option<double2> Aperture =
-            new Option<double2>("aperture", "M|WxH", text => Values.Area(text, Length))
+            new Option<double2>("aperture", "M|WxH", text => Values.Area(text, SweepLists.Length))
             {
                 Group = MeshGroup,
                 Inputs = InputKind.MeshFile,
                 Refusal = InSceneInstead,
                 Needs = new Option[] { Spacing },
-                Range = "each " + Length,
+                Range = "each " + SweepLists.Length,
                 Help = "With --spacing: side of the square that parallel rays start from, or its width and height, "
                     + "in metres, enlarged to whole spacings. Its middle is the radar's place."
             };

@@ -1,8 +1,9 @@
 using System;
 using System.Linq;
+using Glint.Core;
 using Unity.Mathematics;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>The options of <c>glint sea</c>: what sea is made, and where its files go.</summary>
     public static class SeaOptions

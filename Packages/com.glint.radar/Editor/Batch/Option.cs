@@ -1,7 +1,8 @@
 using System;
 using System.Collections.Generic;
+using Glint.Core;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>One option of the commands: a row of the table <see cref="Options"/>.</summary>
     public abstract class Option
@@ -117,17 +118,7 @@ namespace Glint.Core
         /// <exception cref="UsageException">
         /// Malformed or out of range; the message names the place and the text.
         /// </exception>
-        public T Parse(string text, string where)
-        {
-            try
-            {
-                return _read(text);
-            }
-            catch (FormatException error)
-            {
-                throw new UsageException($"{where} {Values.Shown(text)}: {error.Message}");
-            }
-        }
+        public T Parse(string text, string where) => Values.Parse(_read, text, where);
 
         /// <inheritdoc/>
         public override object ParseValue(string text) => Parse(text);

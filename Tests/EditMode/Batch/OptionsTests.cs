@@ -1,6 +1,7 @@
 using System.Linq;
 using System.Threading;
 using Glint.Core;
+using Glint.Editor;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -1,4 +1,6 @@
-namespace Glint.Core
+using Glint.Core;
+
+namespace Glint.Editor
 {
     /// <summary>The options of <c>glint experiments</c>.</summary>
     public static class ExperimentOptions

@@ -1,6 +1,6 @@
 using System;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>A program that a benchmark times beside Glint.</summary>
     public readonly struct PeerCommand

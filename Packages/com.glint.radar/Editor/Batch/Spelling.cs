@@ -2,7 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>Finds the name that was probably meant.</summary>
     public static class Spelling

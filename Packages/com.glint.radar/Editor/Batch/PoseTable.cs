@@ -2,8 +2,9 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
+using Glint.Core;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>The lines that a command prints, one a pose, in columns.</summary>
     public static class PoseTable

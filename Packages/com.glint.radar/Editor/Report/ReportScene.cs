@@ -1,10 +1,11 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Glint.Core;
 using Newtonsoft.Json.Linq;
 using Unity.Mathematics;
 
-namespace Glint.Core
+namespace Glint.Editor
 {
     /// <summary>
     /// What a report shows of one pose: triangles, the ways of received rays, and the radar's picture.
