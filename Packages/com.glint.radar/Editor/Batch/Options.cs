@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
@@ -24,7 +25,10 @@ namespace Glint.Editor
         const string WithoutInput = "only for the built-in scene: leave INPUT out";
 
         // Coordinates go into single precision, which holds both ends.
+        static readonly Interval Length = SweepLists.Length;
         static readonly Interval Coordinate = Interval.Closed(-1e6, 1e6);
+        static readonly Interval GrazingAngle = SweepLists.GrazingAngle;
+        static readonly Interval CarrierFrequency = SweepLists.Frequency;
         static readonly Interval RaysOfAxis = Interval.Closed(1, RadarSettings.RaysPerAxisLimit);
         static readonly Interval RaysFromEdge = Interval.Closed(0, RadarSettings.RaysPerAxisLimit);
         static readonly Interval Triangles = Interval.Closed(1000, 50000000);
@@ -143,7 +147,7 @@ namespace Glint.Editor
             };
 
         /// <summary>Carrier frequency, hertz.</summary>
-        public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", SweepLists.Frequency,
+        public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", CarrierFrequency,
             RadarGroup, InputKind.Any, "Carrier frequency in hertz.");
 
         /// <summary>Most reflections a ray may make.</summary>
@@ -152,10 +156,10 @@ namespace Glint.Editor
 
         /// <summary>Width and height of the receiver, metres.</summary>
         public static readonly Option<double2> Receiver =
-            new Option<double2>("receiver", "M|WxH", text => Values.Area(text, SweepLists.Length))
+            new Option<double2>("receiver", "M|WxH", text => Values.Area(text, Length))
             {
                 Group = RadarGroup,
-                Range = "each " + SweepLists.Length,
+                Range = "each " + Length,
                 DefaultText = "3",
                 Help = "Side of the square receiver in metres, or its width and height. With a mesh file it stands 0.2 "
                     + "m behind the radar; for parallel rays it stands where they start, "
@@ -188,11 +192,11 @@ namespace Glint.Editor
         };
 
         /// <summary>Distance from the radar to the point it is aimed at, metres.</summary>
-        public static readonly Option<double> Distance = Number("distance", "M", "50", SweepLists.Length, MeshGroup,
+        public static readonly Option<double> Distance = Number("distance", "M", "50", Length, MeshGroup,
             InputKind.MeshFile, "From the radar to the point it is aimed at, in metres.");
 
         /// <summary>Elevation of the radar above the horizontal through the point it is aimed at, degrees.</summary>
-        public static readonly Option<double> Grazing = Number("grazing", "DEG", "10", SweepLists.GrazingAngle,
+        public static readonly Option<double> Grazing = Number("grazing", "DEG", "10", GrazingAngle,
             MeshGroup, InputKind.MeshFile,
             "Grazing angle in degrees: how far the radar looks down. Below 0 it looks up.");
 
@@ -209,12 +213,12 @@ namespace Glint.Editor
 
         /// <summary>Metres from ray to ray where they are parallel; 0 when not given.</summary>
         public static readonly Option<double> Spacing =
-            new Option<double>("spacing", "M", text => Values.Real(text, SweepLists.Length))
+            new Option<double>("spacing", "M", text => Values.Real(text, Length))
             {
                 Group = MeshGroup,
                 Inputs = InputKind.MeshFile,
                 Refusal = InSceneInstead,
-                Range = SweepLists.Length.ToString(),
+                Range = Length.ToString(),
                 Excludes = new (Option, string)[]
                 {
                     (Size, "the spacing decides how many rays there are"), (Fov, "parallel rays have no field of view")
@@ -228,13 +232,13 @@ namespace Glint.Editor
         /// Width and height of the rectangle that parallel rays leave; 0 when not given: fitted to the mesh.
         /// </summary>
         public static readonly Option<double2> Aperture =
-            new Option<double2>("aperture", "M|WxH", text => Values.Area(text, SweepLists.Length))
+            new Option<double2>("aperture", "M|WxH", text => Values.Area(text, Length))
             {
                 Group = MeshGroup,
                 Inputs = InputKind.MeshFile,
                 Refusal = InSceneInstead,
                 Needs = new Option[] { Spacing },
-                Range = "each " + SweepLists.Length,
+                Range = "each " + Length,
                 Help = "With --spacing: side of the square that parallel rays start from, or its width and height, "
                     + "in metres, enlarged to whole spacings. Its middle is the radar's place."
             };
@@ -361,5 +365,33 @@ namespace Glint.Editor
                 DefaultText = standard,
                 Help = help
             };
+    }
+
+    /// <summary>A program that a benchmark times beside Glint.</summary>
+    public readonly struct PeerCommand
+    {
+        PeerCommand(string name, string command)
+        {
+            Name = name;
+            Command = command;
+        }
+
+        /// <summary>What it is called in the tables.</summary>
+        public string Name { get; }
+
+        /// <summary>Its command line, for the shell.</summary>
+        public string Command { get; }
+
+        /// <summary>Reads NAME=COMMAND.</summary>
+        /// <exception cref="FormatException">Name or command is missing.</exception>
+        public static PeerCommand Parse(string text)
+        {
+            int equals = text.IndexOf('=');
+            string name = equals < 0 ? "" : text.Substring(0, equals).Trim(),
+                command = text.Substring(equals + 1).Trim();
+            return name.Length > 0 && command.Length > 0
+                ? new PeerCommand(name, command)
+                : throw new FormatException("must be NAME=COMMAND, such as \"Embree=./embree {scene}\"");
+        }
     }
 }
