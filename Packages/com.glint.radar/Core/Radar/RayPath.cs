@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.InteropServices;
 using Unity.Mathematics;
 
 namespace Glint.Core
@@ -42,5 +43,55 @@ namespace Glint.Core
                 points[points.Length - 1] = end;
             return points;
         }
+    }
+
+    /// <summary>A reflection of a ray.</summary>
+    public struct PathHit
+    {
+        /// <summary>Point of reflection, metres, from the scene's origin.</summary>
+        public double3 Position;
+
+        /// <summary>Unit direction after the reflection.</summary>
+        public double3 Direction;
+
+        /// <summary>Place of the instance in <see cref="RadarScene.Instances"/>.</summary>
+        public int Instance;
+
+        /// <summary>Number of the triangle in the instance's mesh.</summary>
+        public int Triangle;
+
+        /// <summary>Number of the object that reflects; <see cref="MeshRange.NoObject"/> if it is not known.</summary>
+        public int Object;
+
+        /// <summary>Place of the surface that reflects in <see cref="RadarScene.Surfaces"/>.</summary>
+        public int Surface;
+    }
+
+    /// <summary>
+    /// A reflection of one ray as the kernel writes it. GLINT_HIT_DATA: Shaders/Types.hlsl has the same struct;
+    /// a test compares them.
+    /// </summary>
+    [StructLayout(LayoutKind.Sequential)]
+    struct HitData
+    {
+        /// <summary>Point of reflection, metres, about the scene's centre.</summary>
+        public float3 Position;
+
+        /// <summary>Place of the instance in the scene.</summary>
+        public uint Instance; // 16 bytes
+
+        /// <summary>Unit direction after the reflection.</summary>
+        public float3 Direction;
+
+        /// <summary>Number of the triangle in the instance's mesh.</summary>
+        public uint Triangle; // 32 bytes
+
+        /// <summary>Number of the object; -1 if it is not known.</summary>
+        public int Object;
+
+        /// <summary>Place of the surface in the scene.</summary>
+        public uint Surface;
+
+        readonly uint2 _unused; // 48 bytes
     }
 }
