@@ -58,32 +58,6 @@ namespace Glint.Core
         }
     }
 
-    /// <summary>
-    /// A gun in a turret with sloped faces, on the deckhouse before the bridge:
-    /// from there it does not stand between a radar ahead and the deckhouse's front.
-    /// </summary>
-    static class Gun
-    {
-        public static ShipPart[] Build(double3 foot, double2[] circle)
-        {
-            double3 At(double x, double y, double z) => foot + new double3(x, y, z);
-            // Seen from above: a front of 1.2 m, sides that widen aft.
-            double3[] Outline(double height, double width, double front, double aft) => new[]
-            {
-                At(0.5 * width, height, front), At(width, height, front + 0.9), At(width, height, aft),
-                At(-width, height, aft), At(-width, height, front + 0.9), At(-0.5 * width, height, front),
-            };
-            return new[]
-            {
-                Circle.Turned(circle, foot, true, new double2(1.05, -Deckhouse.Overlap), new double2(1.05, 0.4)),
-                ShipPart.Block(Outline(0.35, 1.15, -1.5, 1.3), Outline(1.75, 0.8, -0.7, 1.1)),
-                // Barrel, raised by 6 degrees, and its thicker root.
-                Circle.Rod(circle, At(0, 1.05, -0.9), At(0, 1.33, -3.9), 0.085, 0.06),
-                Circle.Rod(circle, At(0, 1.05, -0.9), At(0, 1.15, -2), 0.15, 0.12),
-            };
-        }
-    }
-
     /// <summary>A funnel that leans aft, longer than wide, with a rim.</summary>
     static class Funnel
     {
@@ -106,6 +80,32 @@ namespace Glint.Core
             {
                 ShipPart.Loft(side),
                 ShipPart.Loft(new[] { Ring(height - 0.5, 0.76), Ring(height + 0.1, 0.76) }),
+            };
+        }
+    }
+
+    /// <summary>
+    /// A gun in a turret with sloped faces, on the deckhouse before the bridge:
+    /// from there it does not stand between a radar ahead and the deckhouse's front.
+    /// </summary>
+    static class Gun
+    {
+        public static ShipPart[] Build(double3 foot, double2[] circle)
+        {
+            double3 At(double x, double y, double z) => foot + new double3(x, y, z);
+            // Seen from above: a front of 1.2 m, sides that widen aft.
+            double3[] Outline(double height, double width, double front, double aft) => new[]
+            {
+                At(0.5 * width, height, front), At(width, height, front + 0.9), At(width, height, aft),
+                At(-width, height, aft), At(-width, height, front + 0.9), At(-0.5 * width, height, front),
+            };
+            return new[]
+            {
+                Circle.Turned(circle, foot, true, new double2(1.05, -Deckhouse.Overlap), new double2(1.05, 0.4)),
+                ShipPart.Block(Outline(0.35, 1.15, -1.5, 1.3), Outline(1.75, 0.8, -0.7, 1.1)),
+                // Barrel, raised by 6 degrees, and its thicker root.
+                Circle.Rod(circle, At(0, 1.05, -0.9), At(0, 1.33, -3.9), 0.085, 0.06),
+                Circle.Rod(circle, At(0, 1.05, -0.9), At(0, 1.15, -2), 0.15, 0.12),
             };
         }
     }
@@ -181,6 +181,62 @@ namespace Glint.Core
                     new double2(0.5 * radius, 0.5 * radius)),
                 Circle.Turned(circle, foot, false, profile),
             };
+        }
+    }
+
+    /// <summary>
+    /// Points of the unit circle from square roots and rational functions alone,
+    /// so that they are the same bits on every machine.
+    /// </summary>
+    static class Circle
+    {
+        /// <summary>
+        /// Once about, from (1, 0) over (0, 1) back to (1, 0), which comes twice;
+        /// eight times so many steps, equal within a sixth.
+        /// </summary>
+        public static double2[] Points(int stepsPerEighth)
+        {
+            int quarter = 2 * stepsPerEighth;
+            var points = new double2[4 * quarter + 1];
+            for (int i = 0; i <= stepsPerEighth; i++)
+            {
+                // ((1 - u^2)/(1 + u^2), 2u/(1 + u^2)) is the circle; u is the tangent of half the angle,
+                // that of 45 degrees sqrt(2) - 1.
+                double u = (math.sqrt(2.0) - 1) * i / stepsPerEighth;
+                var point = new double2((1 - u * u) / (1 + u * u), 2 * u / (1 + u * u));
+                points[i] = point;
+                points[quarter - i] = point.yx;
+            }
+            for (int i = 0; i < quarter; i++)
+            {
+                points[quarter + i] = new double2(-points[i].y, points[i].x);
+                points[2 * quarter + i] = -points[i];
+                points[3 * quarter + i] = new double2(points[i].y, -points[i].x);
+            }
+            points[4 * quarter] = points[0];
+            return points;
+        }
+
+        /// <summary>A ring about a centre, level, round or stretched along z.</summary>
+        public static double3[] Level(double2[] circle, double3 centre, double radiusX, double radiusZ) =>
+            System.Array.ConvertAll(circle, p => centre + new double3(radiusX * p.x, 0, radiusZ * p.y));
+
+        /// <summary>
+        /// A solid of revolution about a vertical axis: (radius, height) from ring to ring, heights above the foot.
+        /// </summary>
+        public static ShipPart Turned(double2[] circle, double3 foot, bool creases, params double2[] profile) =>
+            ShipPart.Loft(
+                System.Array.ConvertAll(profile, at => Level(circle, foot + new double3(0, at.y, 0), at.x, at.x)),
+                creases);
+
+        /// <summary>A round rod, tapering from one end to the other; not upright.</summary>
+        public static ShipPart Rod(double2[] circle, double3 from, double3 to, double radiusFrom, double radiusTo)
+        {
+            double3 side = math.normalize(math.cross(to - from, new double3(0, 1, 0))),
+                over = math.normalize(math.cross(side, to - from));
+            double3[] Ring(double3 centre, double radius) =>
+                System.Array.ConvertAll(circle, p => centre + radius * (p.x * side + p.y * over));
+            return ShipPart.Loft(new[] { Ring(from, radiusFrom), Ring(to, radiusTo) });
         }
     }
 }

@@ -8,7 +8,7 @@ namespace Glint.Core
     /// Reads the numbers of an option, written FROM:TO:STEP or as a list with commas.
     /// A <see cref="FormatException"/> says what they must be.
     /// </summary>
-    sealed class NumberList
+    public sealed class NumberList
     {
         /// <summary>Most numbers of one list.</summary>
         public const int Limit = 1000000;
@@ -20,8 +20,8 @@ namespace Glint.Core
 
         readonly string _noun, _nouns, _unit;
         readonly (string range, string list) _examples;
-        readonly Interval _range;
 
+        /// <summary>A list of such numbers.</summary>
         /// <param name="noun">What a number is: "angle".</param>
         /// <param name="range">Of each number.</param>
         /// <param name="unit">"degrees".</param>
@@ -32,10 +32,13 @@ namespace Glint.Core
         {
             _noun = noun;
             _nouns = nouns ?? noun + "s";
-            _range = range;
+            Range = range;
             _unit = unit;
             _examples = examples;
         }
+
+        /// <summary>Of each number.</summary>
+        public Interval Range { get; }
 
         /// <summary>Whether the numbers are whole; a range needs no STEP then.</summary>
         public bool IsWhole { get; set; }
@@ -53,13 +56,19 @@ namespace Glint.Core
         {
             if (string.IsNullOrWhiteSpace(text))
                 throw new FormatException($"no {_nouns}: {Forms}");
-            return text.Contains(':') ? Range(text.Split(':')) : List(text.Split(','));
+            return text.Contains(':') ? Steps(text.Split(':')) : List(text.Split(','));
         }
+
+        /// <summary>As <see cref="Read"/>, with a message that names the text and where it is written.</summary>
+        /// <exception cref="UsageException">
+        /// Malformed, empty, out of range or more than <see cref="Limit"/>.
+        /// </exception>
+        public double[] Parse(string text, string where) => Values.Parse(Read, text, where);
 
         double[] List(string[] parts) =>
             parts.Length <= Limit ? parts.Select(Value).ToArray() : throw TooMany("give fewer");
 
-        double[] Range(string[] parts)
+        double[] Steps(string[] parts)
         {
             if (IsWhole && parts.Length == 2)
                 parts = new[] { parts[0], parts[1], "1" };
@@ -97,10 +106,10 @@ namespace Glint.Core
         double Value(string text)
         {
             double value = Number(text);
-            return _range.Contains(value) && !(IsWhole && value % 1 != 0)
+            return Range.Contains(value) && !(IsWhole && value % 1 != 0)
                 ? value
                 : throw new FormatException(
-                    $"each {_noun} must be {(IsWhole ? "a whole number " : "")}{_range} {_unit}".TrimEnd());
+                    $"each {_noun} must be {(IsWhole ? "a whole number " : "")}{Range} {_unit}".TrimEnd());
         }
 
         double Number(string text)
