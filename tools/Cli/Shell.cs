@@ -1,5 +1,6 @@
 using System;
 using Glint.Core;
+using Glint.Editor;
 using Glint.Vulkan;
 
 namespace Glint.Cli;

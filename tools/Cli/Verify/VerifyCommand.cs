@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Glint.Core;
 using Glint.Editor;
 using Glint.Host;
+using Glint.Reference;
 
 namespace Glint.Cli;
 

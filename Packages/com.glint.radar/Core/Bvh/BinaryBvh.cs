@@ -54,4 +54,27 @@ namespace Glint.Core
 
         public int LeafCount(int child) => child < 0 ? 1 : Nodes[child].Count;
     }
+
+    /// <summary>An inner node of a <see cref="BinaryBvh"/>.</summary>
+    struct BinaryNode
+    {
+        public Box Box;
+
+        /// <summary>The first of its leaves.</summary>
+        public int First;
+
+        /// <summary>How many leaves it has, two at least.</summary>
+        public int Count;
+
+        /// <summary>How many of them, the first ones, are the left child's.</summary>
+        public int LeftCount;
+    }
+
+    /// <summary>A thing in a BVH: its box and its number.</summary>
+    struct BvhLeaf
+    {
+        public Box Box;
+
+        public int Item;
+    }
 }

@@ -41,4 +41,31 @@ namespace Glint.Core
             return rows;
         }
     }
+
+    /// <summary>How the nodes of a BVH look to the kernel.</summary>
+    public enum BvhLayout
+    {
+        /// <summary>Two children with float boxes a node, 48 bytes: for GPUs.</summary>
+        Binary,
+
+        /// <summary>
+        /// Up to four children with 8-bit boxes a node, 48 bytes: for software devices, where fetches cost most.
+        /// </summary>
+        Wide,
+    }
+
+    /// <summary>Writes the leaves of a BVH as the kernel reads them.</summary>
+    interface ILeafWriter
+    {
+        /// <summary>Rows behind the BVH that name what is in its leaves.</summary>
+        /// <param name="records">Records that leaves are numbered among.</param>
+        int IdentityRows(int records);
+
+        /// <summary>
+        /// Writes item <paramref name="item"/> into three rows from <paramref name="row"/> on; they are 0 before.
+        /// </summary>
+        /// <param name="record">The leaf's number.</param>
+        /// <param name="firstIdentityRow">First of the identity rows.</param>
+        void Write(int item, uint4[] rows, int row, int record, int firstIdentityRow);
+    }
 }

@@ -83,4 +83,17 @@ namespace Glint.Core
 
         internal static string Text(double value) => value.ToString(System.Globalization.CultureInfo.InvariantCulture);
     }
+
+    /// <summary>
+    /// A rectangle of the picture, in rays from its left and bottom edge; the rays outside are not emitted.
+    /// Without area: the whole picture.
+    /// </summary>
+    public struct RayRegion
+    {
+        /// <summary>Left and bottom edge, width and height, all in rays of the whole picture.</summary>
+        public int Left, Bottom, Width, Height;
+
+        /// <summary>True when the whole picture is meant.</summary>
+        public bool IsWhole => Width == 0 && Height == 0;
+    }
 }

@@ -12,7 +12,7 @@ namespace Glint.Core
         public string ScenePath;
 
         /// <summary>
-        /// The command line that asked for it, as <see cref="CommandLine.Arguments"/>, without where its files go;
+        /// The arguments of the command that asked for it, without where its files go;
         /// null for a run that no command began.
         /// </summary>
         public IReadOnlyList<string> Command;

@@ -33,7 +33,7 @@ namespace Glint.Core
 
         /// <summary>Reads K/N.</summary>
         /// <exception cref="FormatException">Malformed or out of range.</exception>
-        internal static SweepShard Parse(string text)
+        public static SweepShard Parse(string text)
         {
             var parts = text.Split('/');
             if (parts.Length != 2 || !TryRead(parts[0], out int number) || !TryRead(parts[1], out int count)

@@ -1,3 +1,5 @@
+using System.Runtime.InteropServices;
+
 namespace Glint.Core
 {
     /// <summary>
@@ -77,5 +79,21 @@ namespace Glint.Core
                     return false;
             return true;
         }
+    }
+
+    /// <summary>What the estimate of the sampling error needs of a received ray: two 32-bit words.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct ReceivedRay
+    {
+        // NO_PIXEL in Shaders/Constants.hlsl.
+        internal const uint NoPixel = uint.MaxValue;
+
+        /// <summary>x + y * rays across; x from the left, y from the bottom of the whole picture.</summary>
+        public uint Pixel;
+
+        /// <summary>
+        /// Path length in metres less a length common to all rays of the pose, so that float32 holds it to micrometres.
+        /// </summary>
+        public float Length;
     }
 }

@@ -18,18 +18,12 @@ namespace Glint.Core
         /// <exception cref="UsageException">
         /// Malformed, empty, out of range or more than <see cref="Limit"/>.
         /// </exception>
-        public static double[] Parse(string text)
-        {
-            try
-            {
-                return Read(text);
-            }
-            catch (FormatException error)
-            {
-                throw new UsageException($"{Values.Shown(text)}: {error.Message}");
-            }
-        }
+        public static double[] Parse(string text) => Values.Parse(Read, text);
 
-        internal static double[] Read(string text) => s_list.Read(text);
+        /// <summary>As <see cref="Parse"/>, for a caller that names the text itself.</summary>
+        /// <exception cref="FormatException">
+        /// Malformed, empty, out of range or more than <see cref="Limit"/>.
+        /// </exception>
+        public static double[] Read(string text) => s_list.Read(text);
     }
 }

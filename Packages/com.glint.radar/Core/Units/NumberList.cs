@@ -8,7 +8,7 @@ namespace Glint.Core
     /// Reads the numbers of an option, written FROM:TO:STEP or as a list with commas.
     /// A <see cref="FormatException"/> says what they must be.
     /// </summary>
-    sealed class NumberList
+    public sealed class NumberList
     {
         /// <summary>Most numbers of one list.</summary>
         public const int Limit = 1000000;
@@ -21,6 +21,7 @@ namespace Glint.Core
         readonly string _noun, _nouns, _unit, _forms;
         readonly Interval _range;
 
+        /// <summary>A list of such numbers.</summary>
         /// <param name="noun">What a number is: "angle".</param>
         /// <param name="range">Of each number.</param>
         /// <param name="unit">"degrees".</param>
@@ -48,6 +49,12 @@ namespace Glint.Core
                 throw new FormatException($"no {_nouns}: {_forms}");
             return text.Contains(':') ? Range(text.Split(':')) : List(text.Split(','));
         }
+
+        /// <summary>As <see cref="Read"/>, with a message that names the text and where it is written.</summary>
+        /// <exception cref="UsageException">
+        /// Malformed, empty, out of range or more than <see cref="Limit"/>.
+        /// </exception>
+        public double[] Parse(string text, string where) => Values.Parse(Read, text, where);
 
         double[] List(string[] parts) =>
             parts.Length <= Limit ? parts.Select(Value).ToArray() : throw TooMany("give fewer");

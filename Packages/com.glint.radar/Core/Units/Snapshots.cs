@@ -16,19 +16,11 @@ namespace Glint.Core
         /// The snapshots in the order written; both ends of a range are included, TO when whole steps reach it.
         /// </summary>
         /// <exception cref="UsageException">Malformed, empty or out of range.</exception>
-        public static int[] Parse(string text)
-        {
-            try
-            {
-                return Read(text);
-            }
-            catch (FormatException error)
-            {
-                throw new UsageException($"{Values.Shown(text)}: {error.Message}");
-            }
-        }
+        public static int[] Parse(string text) => Values.Parse(Read, text);
 
-        internal static int[] Read(string text)
+        /// <summary>As <see cref="Parse"/>, for a caller that names the text itself.</summary>
+        /// <exception cref="FormatException">Malformed, empty or out of range.</exception>
+        public static int[] Read(string text)
         {
             if (string.IsNullOrWhiteSpace(text))
                 throw new FormatException("no snapshots: " + Forms);

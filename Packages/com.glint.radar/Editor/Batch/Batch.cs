@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using Glint.Core;
@@ -210,5 +211,76 @@ namespace Glint.Editor
             }
             EditorApplication.Exit(code);
         }
+    }
+
+    /// <summary><c>glint ship</c>: a ship as a mesh and a prefab that carries its measures.</summary>
+    static class ShipAssets
+    {
+        const string Name = "Ship";
+
+        /// <summary>Writes the ship that a command line asks for, or the stored one.</summary>
+        /// <returns>The exit code: 0 done.</returns>
+        /// <exception cref="GlintException">The measures make no ship, or a file cannot be written.</exception>
+        public static int Write(CommandLine line, IProgressSink progress)
+        {
+            var asked = ShipOptions.Read(line);
+            string folder =
+                asked.HasValue ? ProjectAssets.Folder(line.Get(Options.AssetFolder)) : ProjectAssets.StoredFolder(Name);
+            var settings = asked ?? ShipSettings.Default;
+            var made = ShipModel.Build(settings);
+            var mesh = ProjectAssets.Save(MeshMaker.Make(Name, made.Vertices, made.Indices), $"{folder}/{Name}.asset");
+            var root = new GameObject(Name, typeof(MeshFilter), typeof(MeshRenderer), typeof(Ship));
+            ProjectAssets.Show(root, mesh);
+            root.GetComponent<Ship>().Settings = settings;
+            ProjectAssets.SavePrefab(root, $"{folder}/{Name}.prefab");
+            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}/{1}.prefab: {2} triangles, {3} m long",
+                folder, Name, made.TriangleCount, settings.Length));
+            return Batch.Done;
+        }
+    }
+
+    /// <summary>The lines that a command prints, one a pose, in columns.</summary>
+    public static class PoseTable
+    {
+        /// <summary>
+        /// Heading of the columns for the poses of a plan: the axes that have more than one value, the angle always.
+        /// </summary>
+        public static string Header(SweepPlan plan) =>
+            string.Concat(Columns(plan).Select(axis => axis.Name.PadLeft(axis.Width) + "  "))
+            + "    amplitude         dB   received        hit";
+
+        /// <summary>The line of one pose.</summary>
+        /// <param name="plan">Whose pose it is.</param>
+        /// <param name="row">The pose and what the radar received in it.</param>
+        public static string Row(SweepPlan plan, SweepRow row) =>
+            string.Concat(Columns(plan).Select(axis => Cell(axis, row.Pose[axis]))) + Row(row.Result);
+
+        static IEnumerable<SweepAxis> Columns(SweepPlan plan) =>
+            SweepAxis.All.Where(axis => axis == SweepAxis.Angle || plan.Varies(axis));
+
+        static string Cell(SweepAxis axis, double? value) =>
+            (value?.ToString("0.###", CultureInfo.InvariantCulture) ?? "-").PadLeft(axis.Width) + "  ";
+
+        static string Row(RadarResult result) => string.Format(CultureInfo.InvariantCulture,
+            "{0,13:0.000}  {1,9}  {2,9}  {3,9}",
+            result.Amplitude,
+            result.AmplitudeDb.HasValue ? Decibels(result.AmplitudeDb.Value) : "-",
+            result.RaysReceived,
+            result.RaysHit);
+
+        /// <summary>
+        /// What the line of a pose has no column for: how far its amplitude can be trusted, and what a ray stands for.
+        /// </summary>
+        public static string Details(RadarResult result) => FormattableString.Invariant(
+                $"normalised amplitude {result.NormalisedAmplitude:0.000}, sampling error ")
+            + (result.Sampling is SamplingReport sampling
+                ? FormattableString.Invariant($"{sampling.Error:g3}; largest step between neighbouring paths ")
+                    + FormattableString.Invariant($"{sampling.LargestPathStep:g3} wavelengths")
+                : "not estimated")
+            + (result.RayArea is double area ? FormattableString.Invariant($"; {area:g6} m2 a ray") : "");
+
+        // + 0 makes the -0 of a hair below 0 dB a plain 0.
+        static string Decibels(double value) =>
+            (Math.Round(value, 2) + 0.0).ToString("0.00", CultureInfo.InvariantCulture);
     }
 }

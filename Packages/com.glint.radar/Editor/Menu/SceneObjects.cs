@@ -1,5 +1,5 @@
 using System.Linq;
-using Glint.Core;
+using Glint.Reference;
 using UnityEditor;
 using UnityEditor.SceneManagement;
 using UnityEngine;

@@ -108,17 +108,17 @@ namespace Glint
             return new SweepPlan(
                 (SweepAxis.Angle,
                     _target != null && (IsGiven(_angles) || !hasOthers) ? Glint.Core.Angles.Parse(_angles) : null),
-                (SweepAxis.Grazing, Values(Options.GrazingAngles, _grazingAngles, "grazing angles")),
-                (SweepAxis.Range, Values(Options.Distances, _distances, "distances")),
-                (SweepAxis.Frequency, Values(Options.Frequencies, _frequencies, "frequencies")),
+                (SweepAxis.Grazing, Values(SweepLists.GrazingAngles, _grazingAngles, "grazing angles")),
+                (SweepAxis.Range, Values(SweepLists.Distances, _distances, "distances")),
+                (SweepAxis.Frequency, Values(SweepLists.Frequencies, _frequencies, "frequencies")),
                 (SweepAxis.Snapshot, HasSnapshots ? Array.ConvertAll(Glint.Core.Snapshots.Parse(_snapshots),
                     number => (double)number) : null));
         }
 
         static bool IsGiven(string list) => !string.IsNullOrWhiteSpace(list);
 
-        static double[] Values(Option<double[]> option, string list, string where) =>
-            IsGiven(list) ? option.Parse(list, where) : null;
+        static double[] Values(NumberList numbers, string list, string where) =>
+            IsGiven(list) ? numbers.Parse(list, where) : null;
 
         /// <summary>Whose snapshots are shown; null when none are.</summary>
         /// <exception cref="GlintException">The scene has no sea, or several.</exception>

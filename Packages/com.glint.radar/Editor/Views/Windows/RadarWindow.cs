@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
+using System.Threading;
 using Glint.Core;
 using UnityEditor;
 using UnityEditorInternal;
@@ -204,6 +206,87 @@ namespace Glint.Editor.Views
             }
             catch (OperationCanceledException)
             {
+            }
+        }
+    }
+
+    /// <summary>Progress of work that holds the editor, with a button that ends it.</summary>
+    sealed class DialogProgress : IProgressSink, IDisposable
+    {
+        readonly CancellationTokenSource _cancel = new CancellationTokenSource();
+        string _what = "";
+
+        public CancellationToken Cancel => _cancel.Token;
+
+        public void Start(string what, int total) => _what = what;
+
+        public void Report(double value)
+        {
+            if (EditorUtility.DisplayCancelableProgressBar("Glint", _what, (float)value))
+                _cancel.Cancel();
+        }
+
+        public void Advance(int done, string note)
+        {
+        }
+
+        public void Finish() => EditorUtility.ClearProgressBar();
+
+        public void Print(string line) => UnityEngine.Debug.Log(line);
+
+        public void Dispose() => _cancel.Dispose();
+    }
+
+    /// <summary>
+    /// Shows how much of a long pose is done, with a button that ends it. A pose holds the editor,
+    /// so that the window's own Cancel cannot be pressed within one.
+    /// </summary>
+    sealed class PoseProgress : IProgress<double>, IDisposable
+    {
+        const double SecondsUntilShown = 1;
+
+        readonly Stopwatch _watch = Stopwatch.StartNew();
+        readonly SweepSession _session;
+        bool _isShown;
+
+        public PoseProgress(SweepSession session) => _session = session;
+
+        public void Report(double value)
+        {
+            if (_watch.Elapsed.TotalSeconds < SecondsUntilShown)
+                return;
+            _isShown = true;
+            if (EditorUtility.DisplayCancelableProgressBar("Glint",
+                $"{_session.Status()}; the next {100 * value:0} % done", (float)value))
+                _session.Cancel();
+        }
+
+        public void Dispose()
+        {
+            if (_isShown)
+                EditorUtility.ClearProgressBar();
+        }
+    }
+
+    /// <summary>A part of a window as it is on the screen.</summary>
+    static class WindowPicture
+    {
+        /// <summary>PNG of an element, as large as it is shown.</summary>
+        public static byte[] Png(EditorWindow window, VisualElement element)
+        {
+            var (rect, bound, scale) = (window.position, element.worldBound, EditorGUIUtility.pixelsPerPoint);
+            int width = Mathf.RoundToInt(bound.width * scale), height = Mathf.RoundToInt(bound.height * scale);
+            var picture = new Texture2D(width, height, TextureFormat.RGB24, false);
+            try
+            {
+                picture.SetPixels(InternalEditorUtility.ReadScreenPixel(
+                    (rect.position + bound.position - window.rootVisualElement.worldBound.position) * scale,
+                    width, height));
+                return picture.EncodeToPNG();
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(picture);
             }
         }
     }

@@ -1,0 +1,93 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+
+namespace Glint.Editor
+{
+    /// <summary>
+    /// One command: its words for the user, the options it takes, and which of them it cannot do without.
+    /// </summary>
+    public sealed class Command
+    {
+        internal Command(string name, string summary)
+        {
+            Name = name;
+            Summary = summary;
+        }
+
+        /// <summary>As written on the command line: "sweep".</summary>
+        public string Name { get; }
+
+        /// <summary>One sentence.</summary>
+        public string Summary { get; }
+
+        /// <summary>Further sentences for the help, one paragraph each.</summary>
+        public IReadOnlyList<string> Notes { get; internal set; } = new string[0];
+
+        /// <summary>What the command works on; none for a command without an argument.</summary>
+        public InputKind Inputs { get; internal set; } = InputKind.File;
+
+        /// <summary>Whether it has a scene of its own to work on when no input is given.</summary>
+        public bool HasBuiltIn => (Inputs & InputKind.BuiltIn) != 0;
+
+        /// <summary>The options, in the order of the help.</summary>
+        public IReadOnlyList<Option> Options { get; internal set; }
+
+        /// <summary>
+        /// The options that must be given, each for the inputs it goes with;
+        /// one that needs others, only with one of these.
+        /// </summary>
+        public IReadOnlyList<Option> Required { get; internal set; } = new Option[0];
+
+        /// <summary>Options of which one at least must be given; empty when there are none.</summary>
+        public IReadOnlyList<Option> OneOf { get; internal set; } = new Option[0];
+
+        /// <summary>Name of the method for Unity's -executeMethod; null when Unity has no such command.</summary>
+        public string UnityMethod { get; internal set; }
+
+        /// <summary>Examples: what follows "glint", and what it does.</summary>
+        public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }
+
+        /// <summary>What its arguments are called: INPUT, [INPUT], DIR... or SHELL; null when it takes none.</summary>
+        public string InputName => Inputs == InputKind.None ? null : Inputs == InputKind.Shell ? "SHELL" : Inputs
+            == InputKind.Folders ? "DIR..." : HasBuiltIn ? "[INPUT]" : "INPUT";
+
+        /// <summary>How the command is called, in one line.</summary>
+        public string Usage => string.Join(" ", new[] { "glint", Name, InputName }
+            .Concat(OneOf.Take(1).Concat(Required.Where(option => option.Needs.Count == 0))
+                .Select(option => $"{option.Flag} {option.ValueName}")).Append("[options]")
+            .Where(word => word != null));
+    }
+
+    /// <summary>What a command works on.</summary>
+    [Flags]
+    public enum InputKind
+    {
+        /// <summary>Nothing: the command takes no input.</summary>
+        None = 0,
+
+        /// <summary>A Unity scene: .unity.</summary>
+        Scene = 1,
+
+        /// <summary>A mesh file: .obj or .stl.</summary>
+        MeshFile = 2,
+
+        /// <summary>Either.</summary>
+        File = Scene | MeshFile,
+
+        /// <summary>The generated scene of a command that may be called without an input.</summary>
+        BuiltIn = 4,
+
+        /// <summary>Results folders, one or more.</summary>
+        Folders = 8,
+
+        /// <summary>A folder with results of a run or sweep.</summary>
+        Results = 16,
+
+        /// <summary>The name of a shell.</summary>
+        Shell = 32,
+
+        /// <summary>Whatever a command works on alone.</summary>
+        Any = File | BuiltIn | Results
+    }
+}

@@ -1,0 +1,212 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint.Reference
+{
+    /// <summary>
+    /// The kernel's rays beside the reference tracer's, one by one.
+    /// A ray has gone wrong unless it went the reference tracer's way, or passes an edge so near that the reference
+    /// tracer goes the kernel's way from a place in the picture a little beside:
+    /// so near that float32 cannot tell the places on the target apart.
+    /// </summary>
+    public sealed class RayComparison
+    {
+        /// <summary>Rays that went wrong and are kept one by one, at most.</summary>
+        public const int MaxListed = 20;
+
+        // Of the scene's size. A float32 place at its rim, brought to a mesh's frame,
+        // is rounded some eight times by half a step: 22 micrometres where the scene is 92 m from corner to corner.
+        const double Step = 1.0 / (1 << 22);
+
+        // A sliver narrower than a step is not found by steps alone.
+        const int Rings = 4, RingRatio = 4, Sides = 8;
+
+        // A length that differs less is that of the same path, metres; and a last direction, radians.
+        const double SameLength = 1e-7, SameDirection = 1e-5;
+
+        // Two float32 numbers hold 48 bits of a length; some are lost on its way.
+        const double DoubleFloatRounding = 1.0 / (1L << 44);
+
+        // The path of a ray that is not received is followed in float32, which turns thin triangles a little:
+        // so much of the scene's size its length may be off.
+        const double LostOfSize = 1e-3;
+
+        readonly ReferenceTracer _referenceTracer;
+        readonly RadarSettings _settings;
+        readonly double _tolerance, _sceneSize;
+        readonly RadarSums _kernelSums, _judgeSums;
+        readonly List<(RayData Kernel, ReferenceRay Reference)> _wrongRays = new List<(RayData, ReferenceRay)>();
+        double _sumOfSquares;
+
+        /// <summary>A comparison in which no ray has been compared yet.</summary>
+        /// <param name="lengthTolerance">
+        /// Difference of a received ray's length that is allowed besides rounding, metres.
+        /// </param>
+        public RayComparison(in RadarPose pose, double lengthTolerance)
+        {
+            _referenceTracer = new ReferenceTracer(pose);
+            _settings = pose.Settings;
+            _tolerance = lengthTolerance;
+            _sceneSize = 2 * _referenceTracer.SceneRadius;
+            _kernelSums = new RadarSums { RaysOfPicture = _settings.RayCount };
+            _judgeSums = new RadarSums { RaysOfPicture = _settings.RayCount };
+        }
+
+        /// <summary>Rays compared.</summary>
+        public long Rays { get; private set; }
+
+        /// <summary>Of these, those that went the reference tracer's way.</summary>
+        public long Same { get; private set; }
+
+        /// <summary>Of these, those that passed an edge on its other side, so near that float32 cannot tell.</summary>
+        public long AtEdge { get; private set; }
+
+        /// <summary>
+        /// Of these, those that went another way, or whose length differs by more than the tolerance.
+        /// </summary>
+        public long Wrong { get; private set; }
+
+        /// <summary>The first rays that went wrong.</summary>
+        public IReadOnlyList<(RayData Kernel, ReferenceRay Reference)> WrongRays => _wrongRays;
+
+        /// <summary>The kernel's sums over the rays that went the reference tracer's way.</summary>
+        public RadarResult KernelSums => new RadarResult(_kernelSums);
+
+        /// <summary>The reference tracer's sums over the same rays.</summary>
+        public RadarResult ReferenceSums => new RadarResult(_judgeSums);
+
+        /// <summary>
+        /// Largest difference between the lengths of received rays that went the reference tracer's way, metres.
+        /// </summary>
+        public double LargestLengthDifference { get; private set; }
+
+        /// <summary>Root of the mean square of these differences, metres; 0 when no ray was received.</summary>
+        public double RmsLengthDifference =>
+            _kernelSums.RaysReceived > 0 ? math.sqrt(_sumOfSquares / _kernelSums.RaysReceived) : 0;
+
+        /// <summary>Largest difference between their phases, radians.</summary>
+        public double LargestPhaseDifference { get; private set; }
+
+        /// <summary>Compares rays; those added before count too.</summary>
+        /// <param name="progress">Told how much is done, 0 to 1, from any thread; may be null.</param>
+        /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+        public void Add(RayData[] rays, IProgress<double> progress = null, CancellationToken cancel = default)
+        {
+            var references = _referenceTracer.TraceSame(rays, progress, cancel);
+            for (int i = 0; i < rays.Length; i++)
+            {
+                cancel.ThrowIfCancellationRequested();
+                Add(rays[i], references[i]);
+            }
+        }
+
+        void Add(in RayData ray, in ReferenceRay reference)
+        {
+            Rays++;
+            bool isSame = IsAsLong(ray, reference, SameLength)
+                && math.distance(ray.Direction, reference.Direction) <= SameDirection;
+            if (!isSame)
+            {
+                var beside = Beside(ray, reference);
+                if (IsAmong(ray, beside, reference, onSamePath: false))
+                {
+                    AtEdge++;
+                    return;
+                }
+                // A path that is lost is right if it is that of a ray a little beside.
+                isSame = IsAsLong(ray, reference, _tolerance)
+                    || !reference.Received && IsAmong(ray, beside, reference, onSamePath: true);
+            }
+            if (!isSame)
+            {
+                Wrong++;
+                if (_wrongRays.Count < MaxListed)
+                    _wrongRays.Add((ray, reference));
+                return;
+            }
+            Same++;
+            AddSums(ray, reference);
+        }
+
+        bool IsAsLong(in RayData ray, in ReferenceRay reference, double tolerance) =>
+            EndsAs(ray, reference)
+            && math.abs(ray.RefinedPathLength - reference.LengthToEnd) <= tolerance + Rounding(reference);
+
+        static bool EndsAs(in RayData ray, in ReferenceRay reference) =>
+            ray.Bounces == reference.Bounces && ray.IsReceived == reference.Received;
+
+        static bool HasSamePath(in ReferenceRay a, in ReferenceRay b) =>
+            a.PathHash == b.PathHash && a.Received == b.Received;
+
+        double Rounding(in ReferenceRay reference) =>
+            reference.Received
+                ? DoubleFloatRounding * reference.PathLength
+                : LostOfSize * _sceneSize + Step * reference.LengthToLastHit;
+
+        // The reference tracer's ray, and those through places around it.
+        List<ReferenceRay> Beside(in RayData ray, in ReferenceRay reference)
+        {
+            // A ray that hit nothing ends where it started.
+            double distance =
+                reference.Bounces > 0 ? reference.LengthToFirstHit : math.distance(ray.LastHit, reference.LastHit);
+            // Every bounce rounds anew.
+            int bounces = math.max(1, math.max(reference.Bounces, (int)ray.Bounces));
+            double step = bounces * Step * _sceneSize / _referenceTracer.RaySpacing(distance);
+            var rays = new List<ReferenceRay> { reference };
+            for (int ring = 0; ring < Rings; ring++, step /= RingRatio)
+                for (int side = 0; side < Sides; side++)
+                {
+                    double angle = 2 * math.PI_DBL * side / Sides;
+                    rays.Add(_referenceTracer.Trace(_referenceTracer.ColumnOf(ray) + step * math.cos(angle),
+                        _referenceTracer.RowOf(ray) + step * math.sin(angle)));
+                }
+            return rays;
+        }
+
+        // True if a ray ends as others that go the reference tracer's way, or that go another:
+        // as long as some of them are, or would be a step farther.
+        bool IsAmong(in RayData ray, List<ReferenceRay> others, in ReferenceRay reference, bool onSamePath)
+        {
+            foreach (var first in others)
+            {
+                if (HasSamePath(first, reference) != onSamePath || !EndsAs(ray, first))
+                    continue;
+                double min = first.LengthToEnd, max = min;
+                foreach (var other in others)
+                    if (HasSamePath(other, first))
+                        (min, max) = (math.min(min, other.LengthToEnd), math.max(max, other.LengthToEnd));
+                double tolerance = max - min + 4 * Step * _sceneSize + Rounding(first);
+                if (ray.RefinedPathLength >= min - tolerance && ray.RefinedPathLength <= max + tolerance)
+                    return true;
+            }
+            return false;
+        }
+
+        void AddSums(in RayData ray, in ReferenceRay reference)
+        {
+            AddTo(_kernelSums, (int)ray.Bounces, ray.RefinedPathLength);
+            AddTo(_judgeSums, reference.Bounces, reference.LengthToEnd);
+            if (!reference.Received)
+                return;
+            double phase = Signal.Phase(reference.PathLength, _settings.Wavelength),
+                difference = math.abs(ray.RefinedPathLength - reference.PathLength);
+            _kernelSums.AddReceived(ray.Phase, ray.InPhase, ray.Quadrature);
+            _judgeSums.AddReceived(phase, math.cos(phase), math.sin(phase));
+            LargestLengthDifference = math.max(LargestLengthDifference, difference);
+            LargestPhaseDifference =
+                math.max(LargestPhaseDifference, math.abs(Math.IEEERemainder(ray.Phase - phase, 2 * math.PI_DBL)));
+            _sumOfSquares += difference * difference;
+        }
+
+        static void AddTo(RadarSums sums, int bounces, double length)
+        {
+            sums.RaysEmitted++;
+            sums.RaysHit += bounces > 0 ? 1 : 0;
+            sums.Bounces += bounces;
+            sums.PathLengthMeters += length;
+        }
+    }
+}
