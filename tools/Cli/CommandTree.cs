@@ -9,7 +9,7 @@ using System.Linq;
 namespace Glint.Cli;
 
 /// <summary>
-/// The parser: a System.CommandLine tree made from the tables of Glint.Core, which also judge what it finds.
+/// The parser: a System.CommandLine tree made from the tables of Glint.Core, which also validate the values.
 /// </summary>
 sealed class CommandTree
 {

@@ -115,19 +115,19 @@ namespace Glint.Core
         {
             var vertices = new List<float3>();
             var indices = new List<int>();
-            AddBody(vertices, indices, new Body
+            AddEllipsoid(vertices, indices, new Ellipsoid
             {
                 Centre = new double3(0, 0.5, 0), HalfSize = new double3(30, 4, 5), Roundness = new double2(0.6, 0.75)
             }, 0.55 * triangles);
-            AddBody(vertices, indices, new Body
+            AddEllipsoid(vertices, indices, new Ellipsoid
             {
                 Centre = new double3(-5, 6, 0), HalfSize = new double3(9, 3.5, 3.5), Roundness = new double2(0.3, 0.35)
             }, 0.25 * triangles);
-            AddBody(vertices, indices, new Body
+            AddEllipsoid(vertices, indices, new Ellipsoid
             {
                 Centre = new double3(9, 5, 0), HalfSize = new double3(4, 2.5, 2.5), Roundness = new double2(0.5, 0.5)
             }, 0.14 * triangles);
-            AddBody(vertices, indices, new Body
+            AddEllipsoid(vertices, indices, new Ellipsoid
             {
                 Centre = new double3(-4, 12, 0), HalfSize = new double3(0.8, 5, 0.8), Roundness = new double2(0.4, 1)
             }, 0.06 * triangles);
@@ -135,16 +135,16 @@ namespace Glint.Core
         }
 
         // A superellipsoid in rings from its top to its bottom point, twice as many steps about as down.
-        static void AddBody(List<float3> vertices, List<int> indices, Body body, double triangles)
+        static void AddEllipsoid(List<float3> vertices, List<int> indices, Ellipsoid part, double triangles)
         {
             int stacks = math.max(3, (int)math.round(0.5 + math.sqrt(0.25 + triangles / 4)));
             int slices = math.max(3, (int)math.round(triangles / (2 * (stacks - 1))));
             int top = vertices.Count, bottom = top + 1, rings = top + 2;
-            vertices.Add(body.Point(0, 0));
-            vertices.Add(body.Point(math.PI_DBL, 0));
+            vertices.Add(part.Point(0, 0));
+            vertices.Add(part.Point(math.PI_DBL, 0));
             for (int stack = 1; stack < stacks; stack++)
                 for (int slice = 0; slice < slices; slice++)
-                    vertices.Add(body.Point(math.PI_DBL * stack / stacks, 2 * math.PI_DBL * slice / slices));
+                    vertices.Add(part.Point(math.PI_DBL * stack / stacks, 2 * math.PI_DBL * slice / slices));
 
             for (int slice = 0; slice < slices; slice++)
             {
@@ -178,7 +178,7 @@ namespace Glint.Core
             public double Amplitude, AlongX, AlongZ, Phase;
         }
 
-        struct Body
+        struct Ellipsoid
         {
             public double3 Centre, HalfSize;
 

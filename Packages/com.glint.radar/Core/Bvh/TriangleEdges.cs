@@ -12,7 +12,7 @@ namespace Glint.Core
         public const int None = -1;
 
         // Few enough edges for sorting by insertion.
-        const int Few = 24;
+        const int MaxInsertionSort = 24;
 
         /// <summary>The corner that edge <paramref name="edge"/> runs to.</summary>
         public static int End(int edge) => edge % 3 == 2 ? edge - 2 : edge + 1;
@@ -50,7 +50,7 @@ namespace Glint.Core
             Blocks.For(across.Length, (from, to) => Array.Fill(across, None, from, to - from), cancel);
             Blocks.For(vertexCount, (from, to) =>
             {
-                var keys = new ulong[Few];
+                var keys = new ulong[MaxInsertionSort];
                 for (int vertex = from; vertex < to; vertex++)
                     MatchAround(corners, gathered, starts[vertex],
                         starts[vertex + 1] - starts[vertex], ref keys, across);
@@ -70,7 +70,7 @@ namespace Glint.Core
                 int edge = gathered[first + i];
                 keys[i] = (ulong)Math.Max(corners[edge], corners[End(edge)]) << 32 | (uint)edge;
             }
-            if (count <= Few)
+            if (count <= MaxInsertionSort)
                 SortByInsertion(keys, count);
             else
                 Array.Sort(keys, 0, count);

@@ -36,7 +36,7 @@ namespace Glint.Core
         readonly ReferenceTracer _referenceTracer;
         readonly RadarSettings _settings;
         readonly double _tolerance, _sceneSize;
-        readonly RadarSums _kernelSums, _judgeSums;
+        readonly RadarSums _kernelSums, _referenceSums;
         readonly List<(RayData Kernel, ReferenceRay Reference)> _wrongRays = new List<(RayData, ReferenceRay)>();
         double _sumOfSquares;
 
@@ -51,7 +51,7 @@ namespace Glint.Core
             _tolerance = lengthTolerance;
             _sceneSize = 2 * _referenceTracer.SceneRadius;
             _kernelSums = new RadarSums { RaysOfPicture = _settings.RayCount };
-            _judgeSums = new RadarSums { RaysOfPicture = _settings.RayCount };
+            _referenceSums = new RadarSums { RaysOfPicture = _settings.RayCount };
         }
 
         /// <summary>Rays compared.</summary>
@@ -75,7 +75,7 @@ namespace Glint.Core
         public RadarResult KernelSums => new RadarResult(_kernelSums);
 
         /// <summary>The reference tracer's sums over the same rays.</summary>
-        public RadarResult ReferenceSums => new RadarResult(_judgeSums);
+        public RadarResult ReferenceSums => new RadarResult(_referenceSums);
 
         /// <summary>
         /// Largest difference between the lengths of received rays that went the reference tracer's way, metres.
@@ -187,13 +187,13 @@ namespace Glint.Core
         void AddSums(in RayData ray, in ReferenceRay reference)
         {
             AddTo(_kernelSums, (int)ray.Bounces, ray.RefinedPathLength);
-            AddTo(_judgeSums, reference.Bounces, reference.LengthToEnd);
+            AddTo(_referenceSums, reference.Bounces, reference.LengthToEnd);
             if (!reference.Received)
                 return;
             double phase = Signal.Phase(reference.PathLength, _settings.Wavelength),
                 difference = math.abs(ray.RefinedPathLength - reference.PathLength);
             _kernelSums.AddReceived(ray.Phase, ray.InPhase, ray.Quadrature);
-            _judgeSums.AddReceived(phase, math.cos(phase), math.sin(phase));
+            _referenceSums.AddReceived(phase, math.cos(phase), math.sin(phase));
             LargestLengthDifference = math.max(LargestLengthDifference, difference);
             LargestPhaseDifference =
                 math.max(LargestPhaseDifference, math.abs(Math.IEEERemainder(ray.Phase - phase, 2 * math.PI_DBL)));

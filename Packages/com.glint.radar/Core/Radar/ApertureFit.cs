@@ -76,7 +76,7 @@ namespace Glint.Core
         }
 
         // Corners of the rectangle around all triangles, along the view's right and up, from its position;
-        // the low beyond the high without triangles.
+        // the minimum is above the maximum when there are no triangles.
         static void Project(RadarScene scene, in RadarView view, out double2 boxMin, out double2 boxMax)
         {
             (boxMin, boxMax) = (double.PositiveInfinity, double.NegativeInfinity);

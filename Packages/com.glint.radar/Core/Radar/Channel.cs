@@ -33,7 +33,7 @@ namespace Glint.Core
         public static readonly Channel Candidates = new Channel("candidates", 1);
 
         /// <summary>
-        /// Lengths up to the last hit beyond the rays' origins, in the longest that the scene allows.
+        /// Path lengths from the ray's origin to its last hit, as a share of the longest that the scene allows.
         /// </summary>
         public static readonly Channel Length = new Channel("length", 2, scale: 1 << 30);
 

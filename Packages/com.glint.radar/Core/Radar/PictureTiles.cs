@@ -139,8 +139,8 @@ namespace Glint.Core
         /// <param name="spread">
         /// Order them so that every long stretch of the list has its share of all parts of the picture:
         /// a software device gives each processor one stretch.
-        /// Otherwise they go from the top of the picture down: what is far off takes longest,
-        /// and begun last it would keep a GPU waiting.
+        /// Otherwise they go from the top of the picture down: distant tiles take longest,
+        /// and a GPU that begins them last ends with most of its groups idle.
         /// </param>
         public uint[] ToArray(bool spread)
         {

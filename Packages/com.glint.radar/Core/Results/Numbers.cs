@@ -31,7 +31,7 @@ namespace Glint.Core
             return shortest;
         }
 
-        // G15 rounds the largest doubles up beyond what a double holds.
+        // G15 rounds the largest doubles up to numbers that no double holds.
         static bool ReadsBack(string text, double value) =>
             double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double read) && read == value;
     }

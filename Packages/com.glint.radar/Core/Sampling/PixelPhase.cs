@@ -5,13 +5,13 @@ namespace Glint.Core
 {
     /// <summary>
     /// The phase over a pixel that received rays surround: a parabola through its own and its neighbours' path lengths.
-    /// Its mean phasor is then known without further rays, also where the phase turns by more than half a turn from
-    /// pixel to pixel, because lengths are known beyond the wavelength.
+    /// Its mean phasor then needs no further rays, even where the phase changes by more than half a turn from pixel to
+    /// pixel, because path lengths are not wrapped to the wavelength.
     /// </summary>
     struct PixelPhase
     {
-        // Most turns from one pixel to the next, and most by which that changes from pixel
-        // to pixel, for the mean to hold.
+        // Maximum turns from one pixel to the next, and maximum change of that from pixel to pixel, for which the
+        // mean holds.
         const double Steepest = 1, MaxBend = 1.0 / 16;
 
         double _slopeX, _slopeY, _bendX, _bendY, _twist; // turns a pixel, and turns a pixel squared

@@ -28,23 +28,24 @@ namespace Glint.Core
         internal const int FewestRays = 16;
 
         /// <summary>
-        /// Wavelengths by which the paths of neighbours differ that are too far apart to say what lies between them.
+        /// Path difference of neighbours, in wavelengths, from which on they say nothing about the rays between them.
         /// </summary>
         internal const double StepApart = 0.5;
 
         /// <summary>
-        /// Share of neighbours so far apart, and of rays without any, beyond which the sum is no integral any more.
+        /// Share of such neighbours, and of rays without neighbours, above which the sum no longer approximates the
+        /// integral.
         /// </summary>
         internal const double MaxApart = 0.5;
 
-        // Pixels that are refined in any case; beyond, as many as make the sub-rays as many as the rays of the pose.
+        // Pixels that are refined in any case. Above this number: as many as make as many sub-rays as the pose has rays.
         const int RefinedAlways = 1 << 16;
 
-        // How well sub-rays know where an edge lies, in pixels. They cannot be off by more than 1/8.
+        // Standard error of an edge's position from sub-rays, in pixels; the maximum error is 1/8.
         const double EdgePosition = 0.06;
 
-        // A ray alone stands for a return smaller than its pixel, of which rays miss others. As much of one ray,
-        // where the rays' phases are by chance.
+        // A ray without neighbours is a return smaller than its pixel; rays miss other such returns. Error of the sum
+        // for each such ray, in rays, when their phases are random.
         const double Missed = 1.0 / 3;
 
         readonly double _wavelength, _referenceTurns;

@@ -8,7 +8,7 @@ namespace Glint.Core
     /// </summary>
     public sealed class TriangleMesh
     {
-        /// <summary>Metres. Beyond it float32 places are a metre apart, and lengths are no longer right.</summary>
+        /// <summary>Metres. Above it float32 coordinates are a metre apart, too coarse for path lengths.</summary>
         public const float LargestCoordinate = 1e7f;
 
         /// <summary>A mesh over the given arrays, which are kept, not copied.</summary>

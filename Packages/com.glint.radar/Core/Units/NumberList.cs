@@ -68,9 +68,9 @@ namespace Glint.Core
             if (step < SmallestStep)
                 throw new FormatException("STEP must be at least "
                     + SmallestStep.ToString(CultureInfo.InvariantCulture));
-            decimal from = Exact(parts[0]), to = Exact(parts[1]);
-            // A step beyond the range is as good as any other that is, and fits a decimal.
-            return Steps(from, to, step > 2 * (last - first) ? 2 * (to - from) : Exact(parts[2]));
+            decimal from = ToDecimal(parts[0]), to = ToDecimal(parts[1]);
+            // Any step larger than the range gives the same list; this one fits a decimal.
+            return Steps(from, to, step > 2 * (last - first) ? 2 * (to - from) : ToDecimal(parts[2]));
         }
 
         // Decimal arithmetic: 0:1:0.1 has 0.3 in it, not 0.30000000000000004.
@@ -101,7 +101,7 @@ namespace Glint.Core
                 : throw new FormatException($"{Values.Shown(text)} is not a number: {_forms}");
         }
 
-        static decimal Exact(string text) =>
+        static decimal ToDecimal(string text) =>
             decimal.Parse(text.Trim(), NumberStyles.Float, CultureInfo.InvariantCulture);
 
         static double Nearest(decimal value) =>

@@ -38,7 +38,7 @@ namespace Glint.Editor
         /// <summary>Entry of Unity's -executeMethod: <c>glint reflector</c>.</summary>
         public static void Reflector() => ExecuteAndExit(Commands.Reflector, Environment.GetCommandLineArgs());
 
-        /// <summary>Does what a command line says, without leaving edit mode; the scene is not saved.</summary>
+        /// <summary>Executes a command line in edit mode; the scene is not saved.</summary>
         /// <returns>The exit code: 0 done, 130 cancelled.</returns>
         /// <exception cref="GlintException">Something is wrong with a file, the scene or the device.</exception>
         /// <exception cref="OperationCanceledException">

@@ -163,7 +163,7 @@ namespace Glint.Editor
                     RadarFixes.LookAt(_radar, Figures.Centre - pose.View.Position));
         }
 
-        // As SamplingEstimate judges a result, where that is plain before.
+        // The conditions by which SamplingEstimate flags a result, as far as the scene's bounds decide them.
         void CheckSampling()
         {
             string remedy = _radar.IsFitted ? "take a smaller Ray Spacing" : "give it more rays or a narrower view";

@@ -70,10 +70,10 @@ namespace Glint.Editor
                 () => Fix.Change(radar, "Trace more rays", it => it.Settings = denser));
         }
 
-        /// <param name="way">Where to look, in the world's axes.</param>
-        public static Fix LookAt(RadarController radar, double3 way)
+        /// <param name="direction">Where to look, in the world's axes.</param>
+        public static Fix LookAt(RadarController radar, double3 direction)
         {
-            var forward = math.normalize(way);
+            var forward = math.normalize(direction);
             return new Fix("Turn the radar towards it", () =>
                 Fix.Change(radar.transform, "Turn the radar", it => it.rotation =
                     Quaternion.LookRotation(new Vector3((float)forward.x, (float)forward.y, (float)forward.z))));

@@ -38,7 +38,7 @@ namespace Glint.Editor
                 Multiples(Math.Ceiling(min / step - 1e-9), Math.Floor(max / step + 1e-9), step));
         }
 
-        /// <summary>Beyond both values, to the next ticks.</summary>
+        /// <summary>From the tick below the smaller value to the tick above the larger.</summary>
         public static ChartScale Around(double min, double max, int limit = 6)
         {
             Widen(ref min, ref max);

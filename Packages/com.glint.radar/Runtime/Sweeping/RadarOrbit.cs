@@ -13,7 +13,7 @@ namespace Glint
     /// </summary>
     public sealed class RadarOrbit : AxisDriver
     {
-        // Of the view axis against the vertical, beyond which it has no compass direction: 0.8 degrees.
+        // Cosine of the angle to the vertical, 0.8 degrees, below which the view axis has no compass direction.
         const double SteepestForward = 0.9999;
         const float ScaleTolerance = 1e-5f;
 

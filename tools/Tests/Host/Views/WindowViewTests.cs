@@ -84,10 +84,10 @@ public sealed class WindowViewTests
     [TestCase("Polar")]
     [TestCase("Decibels")]
     [TestCase("Raw")]
-    public void Sweep_DrawnAnotherWay_HasLinesOfFiniteCorners(string way)
+    public void Sweep_DrawnAnotherWay_HasLinesOfFiniteCorners(string option)
     {
         Sweep();
-        _tree.Find<ToolbarToggle>(toggle => toggle.text == way).value = true;
+        _tree.Find<ToolbarToggle>(toggle => toggle.text == option).value = true;
         foreach (VisualElement plot in Plots())
         {
             plot.Size = new Rect(0, 0, 400, 200);

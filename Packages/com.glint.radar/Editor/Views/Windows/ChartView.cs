@@ -45,11 +45,11 @@ namespace Glint.Editor.Views
             SetAxes(chart.X, chart.Y, chart.XTitle, chart.YTitle, chart.IsPolar);
         }
 
-        void Find(Vector2 position, Action<ChartSeries, ChartPoint> found)
+        void Find(Vector2 position, Action<ChartSeries, ChartPoint> act)
         {
             var (x, y) = From(position);
             if (_chart?.Nearest(x, y, Aspect) is var nearest && nearest.HasValue)
-                found(nearest.Value.Series, nearest.Value.Point);
+                act(nearest.Value.Series, nearest.Value.Point);
         }
 
         protected override void DrawContent(Painter2D painter)
