@@ -14,6 +14,8 @@ uint _InstanceCount;
 StructuredBuffer<uint4> _InstanceBvh;       // binary BVH over the instances
 StructuredBuffer<InstanceRecord> _Instances;
 uint _InstanceBvhRoot;                      // where the search starts
+// objects and surfaces of the instances' triangles, in their order: first triangle, object, surface
+StructuredBuffer<uint4> _Ranges;
 #endif
 
 // Input: the radar, about the middle of the scene, m.
@@ -60,8 +62,8 @@ uint _SubRays;                              // along the side of a ray's place: 
 RWStructuredBuffer<RayData> _Rays;
 RWStructuredBuffer<uint> _Sums;             // see Sums.hlsl
 // rays that may be received: pixel, place in the order of tiles. The refine kernels put instead:
-// pixel, or NO_PIXEL if it is not received; length beyond twice _OriginDepth, m. The kernels of paths put: bounces;
-// from the last hit to the receiver's plane, m, 0 if it is not received
+// pixel, or NO_PIXEL if it is not received; length beyond twice _OriginDepth, m. The kernels of paths put:
+// bounces, with RAY_RECEIVED if it is received; then from the last hit to the receiver's plane, m
 RWStructuredBuffer<uint2> _Candidates;
 RWStructuredBuffer<HitData> _Hits;            // of the rays of _Candidates, _MaxBounces places each
 RWStructuredBuffer<uint4> _FoundEntryPoints;  // what the kernels EntryPoints and EntryPointsWide find for _EntryPoints

@@ -3,11 +3,14 @@
 
 #include "Bindings.hlsl"
 #include "Geometry.hlsl"
-#include "Path.hlsl"
+#include "PathLoop.hlsl"
 #include "EntryPoints.hlsl"
 #include "Sums.hlsl"
 #ifdef GLINT_REFINE
 #include "Phasor.hlsl"
+#endif
+#ifdef GLINT_NOTE_HITS
+#include "Identity.hlsl"
 #endif
 
 // Threads of a group; no result hangs on it.
@@ -61,17 +64,22 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     uint pixel = _Candidates[entry].x;
     Path path = BeginPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferencePixel.xy + 0.5);
+    Hit hit;
     [loop]
-    while (Advance(path, NO_ENTRY_POINTS))
+    while (Advance(path, NO_ENTRY_POINTS, hit))
     {
-        HitData hit;
-        hit.Position = Rounded(path.LastHit);
-        hit.Instance = path.ExcludedTriangle.x;
-        hit.Direction = Rounded(path.Direction);
-        hit.Triangle = path.ExcludedTriangle.y;
-        _Hits[entry * _MaxBounces + path.Bounces - 1] = hit;
+        Identity identity = Identify(hit);
+        HitData data = (HitData)0;
+        data.Position = Rounded(path.Ray.Origin);
+        data.Instance = identity.Instance;
+        data.Direction = Rounded(path.Ray.Direction);
+        data.Triangle = identity.Triangle;
+        data.Object = identity.Object;
+        data.Surface = identity.Surface;
+        _Hits[entry * _MaxBounces + path.Bounces - 1] = data;
     }
-    _Candidates[entry] = uint2(path.Bounces, path.IsCandidate ? asuint(Rounded(path.WayBack)) : 0);
+    _Candidates[entry] =
+        uint2(path.Bounces | (path.IsCandidate ? RAY_RECEIVED : 0), asuint(Rounded(path.WayBack)));
 }
 
 #elif defined(GLINT_REFINE)

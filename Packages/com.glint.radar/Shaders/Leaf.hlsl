@@ -11,8 +11,8 @@ static const uint NO_INSTANCE = 0xffffffff;
 #include "RefineHit.hlsl"
 #endif
 
-// The nearest triangle found so far.
-struct Hit
+// A search through the BVHs: the nearest triangle that it has met so far.
+struct TraversalState
 {
     float Distance;          // m, from where the search began; where it ends as long as nothing is found
     uint Instance;           // NO_INSTANCE: nothing
@@ -33,6 +33,12 @@ struct Hit
     float AmbiguousDistance;
 #endif
 };
+
+// AnyHit: the search may end at the first triangle that it meets.
+bool IsEnough(TraversalState state, bool anyHit)
+{
+    return anyHit && state.Instance != NO_INSTANCE;
+}
 
 // A triangle by its instance and its number in the BVH.
 uint2 NumberOf(uint instance, uint row, bool second)
@@ -69,86 +75,87 @@ static uint s_pairsTested = 0;
 
 #ifdef GLINT_REFINE
 
-bool HasPending(Hit hit)
+bool HasPending(TraversalState state)
 {
-    return hit.PendingLeaf != 0;
+    return state.PendingLeaf != 0;
 }
 
 // Float32 tells which triangles the ray may hit: its search waits for their test. Such a test is dear,
 // and threads side by side do theirs together: when each has one or is done.
-void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint row, inout Hit hit)
+void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint row, inout TraversalState state)
 {
     COUNT_PAIR;
     Pair pair = LoadPair(page, firstRow + row);
-    float reach = hit.Distance + DistanceError(ray, hit.PositionError);
+    float reach = state.Distance + DistanceError(ray, state.PositionError);
     bool mayHitFirst = MayHit(ray, pair.Corner0, pair.Corner1, pair.Corner2, reach),
         mayHitSecond = MayHit(ray, pair.Corner0, pair.Corner2, pair.Corner3, reach);
-    if (instance == hit.ExcludedTriangle.x && row == hit.ExcludedTriangle.y >> 1)
+    if (instance == state.ExcludedTriangle.x && row == state.ExcludedTriangle.y >> 1)
     {
-        bool isSecond = (hit.ExcludedTriangle.y & 1) != 0;
+        bool isSecond = (state.ExcludedTriangle.y & 1) != 0;
         mayHitFirst = mayHitFirst && isSecond;
         mayHitSecond = mayHitSecond && !isSecond;
     }
     if (mayHitFirst || mayHitSecond)
-        hit.PendingLeaf = 4 * row + (mayHitFirst ? 1 : 0) + (mayHitSecond ? 2 : 0);
+        state.PendingLeaf = 4 * row + (mayHitFirst ? 1 : 0) + (mayHitSecond ? 2 : 0);
 }
 
 // Double-float arithmetic tells whether the ray hits a triangle that waits.
-void TestPending(TraversalRay ray, uint instance, uint page, uint firstRow, inout Hit hit)
+void TestPending(TraversalRay ray, uint instance, uint page, uint firstRow, inout TraversalState state)
 {
-    if (hit.PendingLeaf == 0)
+    if (state.PendingLeaf == 0)
         return;
-    uint row = hit.PendingLeaf >> 2;
-    bool isSecond = (hit.PendingLeaf & 1) == 0;
-    hit.PendingLeaf = isSecond || (hit.PendingLeaf & 2) == 0 ? 0 : hit.PendingLeaf & ~1u;
+    uint row = state.PendingLeaf >> 2;
+    bool isSecond = (state.PendingLeaf & 1) == 0;
+    state.PendingLeaf = isSecond || (state.PendingLeaf & 2) == 0 ? 0 : state.PendingLeaf & ~1u;
     Pair pair = LoadPair(page, firstRow + row);
     DoubleFloat toHit;
     bool isAtEdge;
-    if (!Hits(ray, hit.Ray, DistanceError(ray, hit.PositionError), pair.Corner0, isSecond ? pair.Corner2 : pair.Corner1,
-        isSecond ? pair.Corner3 : pair.Corner2, toHit, isAtEdge) || Rounded(Sub(toHit, hit.RefinedDistance)) >= 0.0)
+    if (!Hits(ray, state.Ray, DistanceError(ray, state.PositionError), pair.Corner0,
+        isSecond ? pair.Corner2 : pair.Corner1,
+        isSecond ? pair.Corner3 : pair.Corner2, toHit, isAtEdge) || Rounded(Sub(toHit, state.RefinedDistance)) >= 0.0)
         return;
-    hit.RefinedDistance = toHit;
-    hit.IsAtEdge = isAtEdge;
-    hit.Distance = toHit.Hi + hit.Ray.Back + hit.PositionError;
-    hit.Instance = instance;
-    hit.Row = row;
-    hit.Second = isSecond;
+    state.RefinedDistance = toHit;
+    state.IsAtEdge = isAtEdge;
+    state.Distance = toHit.Hi + state.Ray.Back + state.PositionError;
+    state.Instance = instance;
+    state.Row = row;
+    state.Second = isSecond;
 }
 
 #else
 
 // Float32 tests at once.
-bool HasPending(Hit hit)
+bool HasPending(TraversalState state)
 {
     return false;
 }
 
-void TestPending(TraversalRay ray, uint instance, uint page, uint firstRow, inout Hit hit)
+void TestPending(TraversalRay ray, uint instance, uint page, uint firstRow, inout TraversalState state)
 {
 }
 
-void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint row, inout Hit hit)
+void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint row, inout TraversalState state)
 {
     COUNT_PAIR;
     Pair pair = LoadPair(page, firstRow + row);
     float2 ambiguousDistance,
         toHit = HitPair(ray, pair.Corner0, pair.Corner1, pair.Corner2, pair.Corner3, ambiguousDistance);
-    if (instance == hit.ExcludedTriangle.x && row == hit.ExcludedTriangle.y >> 1)
+    if (instance == state.ExcludedTriangle.x && row == state.ExcludedTriangle.y >> 1)
     {
-        bool excludesFirst = (hit.ExcludedTriangle.y & 1) == 0;
+        bool excludesFirst = (state.ExcludedTriangle.y & 1) == 0;
         toHit = excludesFirst ? float2(MISS, toHit.y) : float2(toHit.x, MISS);
         ambiguousDistance = excludesFirst ? float2(MISS, ambiguousDistance.y) : float2(ambiguousDistance.x, MISS);
     }
-    hit.AmbiguousDistance = min(hit.AmbiguousDistance, min(ambiguousDistance.x, ambiguousDistance.y));
+    state.AmbiguousDistance = min(state.AmbiguousDistance, min(ambiguousDistance.x, ambiguousDistance.y));
     float nearer = min(toHit.x, toHit.y);
     // Of equally near triangles the first in the BVH, in whatever order they are tested.
-    bool isFirst = instance < hit.Instance || instance == hit.Instance && row < hit.Row;
-    if (nearer < hit.Distance || nearer == hit.Distance && hit.Instance != NO_INSTANCE && isFirst)
+    bool isFirst = instance < state.Instance || instance == state.Instance && row < state.Row;
+    if (nearer < state.Distance || nearer == state.Distance && state.Instance != NO_INSTANCE && isFirst)
     {
-        hit.Distance = nearer;
-        hit.Instance = instance;
-        hit.Row = row;
-        hit.Second = toHit.y < toHit.x;
+        state.Distance = nearer;
+        state.Instance = instance;
+        state.Row = row;
+        state.Second = toHit.y < toHit.x;
     }
 }
 

@@ -43,25 +43,38 @@ static const float POSITION_ERROR = 1.0e-6;
 // of the turn at each bounce, by this part of the way from there.
 static const float ERROR_PER_SEGMENT = 3.0e-7;
 
-// Start: where the search begins, on the ray or next to it; origin: the hit before.
-void TraverseInstance(uint instance, float3 start, Real3 origin, Real3 direction, uint4 entryPoints, inout Hit hit)
+// A segment of a path, about the middle of the scene.
+struct Ray
+{
+    Real3 Origin;            // m: the last hit, or the start of the path
+    Real3 Direction;         // unit vector
+    // where the search begins, just before the origin: in float32 on the way to it, else on the way on
+    float3 Start;
+    uint2 ExcludedTriangle;  // the triangle that the ray leaves, which it cannot meet again: see NumberOf
+    float PositionError;     // in float32: how far beside its place in truth the origin may be, m,
+    float DirectionError;    // and so much more for each m from there
+};
+
+void TraverseInstance(uint instance, Ray ray, uint4 entryPoints, bool anyHit, inout TraversalState state)
 {
     InstanceRecord record = LoadInstance(instance);
-    float positionError = hit.PositionError * record.Stretch + record.Rounding;
+    float positionError = state.PositionError * record.Stretch + record.Rounding;
 #ifdef GLINT_REFINE
-    hit.Ray.SceneExtent = _SceneCentreExtent.w * record.Stretch;
-    hit.Ray.Origin = PointToLocal(record, origin);
-    hit.Ray.Direction = VectorToLocal(record, direction);
+    state.Ray.SceneExtent = _SceneCentreExtent.w * record.Stretch;
+    state.Ray.Origin = PointToLocal(record, ray.Origin);
+    state.Ray.Direction = VectorToLocal(record, ray.Direction);
 #endif
-    TraverseMesh(MakeTraversalRay(PointToLocal(record, start), VectorToLocal(record, Rounded(direction)), positionError,
-        hit.DirectionError * record.Stretch), instance, record.Page, record.FirstRow, entryPoints, hit);
+    TraverseMesh(MakeTraversalRay(PointToLocal(record, ray.Start), VectorToLocal(record, Rounded(ray.Direction)),
+        positionError, state.DirectionError * record.Stretch), instance, record.Page, record.FirstRow, entryPoints,
+        anyHit, state);
 }
 
 #ifndef GLINT_INLINE_INSTANCES
-void TraverseInstanceBvh(float3 start, Real3 origin, Real3 direction, inout Hit hit)
+void TraverseInstanceBvh(Ray ray, bool anyHit, inout TraversalState state)
 {
-    TraversalRay ray = MakeTraversalRay(start, Rounded(direction), hit.PositionError, hit.DirectionError);
-    BoxRay boxRay = MakeBoxRay(ray, asfloat(_InstanceBvh[0].xyz));
+    TraversalRay traversalRay =
+        MakeTraversalRay(ray.Start, Rounded(ray.Direction), state.PositionError, state.DirectionError);
+    BoxRay boxRay = MakeBoxRay(traversalRay, asfloat(_InstanceBvh[0].xyz));
     uint stack[STACK_BOTTOM + BINARY_LEVELS];
     stack[0] = DONE;
     stack[1] = DONE;
@@ -76,7 +89,7 @@ void TraverseInstanceBvh(float3 start, Real3 origin, Real3 direction, inout Hit 
             COUNT_NODE;
             Entered entered =
                 EnterChildren(_InstanceBvh[current], _InstanceBvh[current + 1],
-                    _InstanceBvh[current + 2].xyz, boxRay, hit.Distance);
+                    _InstanceBvh[current + 2].xyz, boxRay, state.Distance);
             current = entered.Near;
             if (entered.Both)
                 stack[++top] = entered.Far;
@@ -86,60 +99,48 @@ void TraverseInstanceBvh(float3 start, Real3 origin, Real3 direction, inout Hit 
         if (current != DONE)
         {
             // A leaf holds an instance's number.
-            TraverseInstance(_InstanceBvh[current & ~LEAF].x, start, origin, direction, ROOT_ENTRY_POINTS, hit);
-            current = stack[top--];
+            TraverseInstance(_InstanceBvh[current & ~LEAF].x, ray, ROOT_ENTRY_POINTS, anyHit, state);
+            current = IsEnough(state, anyHit) ? DONE : stack[top--];
         }
     }
 }
 #endif
 
-// The nearest triangle that the ray meets before reach, over all instances; not the one it is leaving.
-// PositionError: how far beside it float32 may have brought the start, m; the refine kernels have another.
+// Searches all instances for what the ray meets before reach, m from ray.Start; never the excluded triangle.
 // FirstEntryPoint: where _EntryPoints says where to begin in the BVH of each instance; NO_ENTRY_POINTS: at the roots.
-Hit ClosestHit(float3 start, Real3 origin, Real3 direction, float reach, uint firstEntryPoint, uint2 excludedTriangle,
-    uint bounces, float positionError)
+TraversalState Traverse(Ray ray, float reach, uint firstEntryPoint, bool anyHit)
 {
-    Hit hit = (Hit)0;
-    hit.Distance = reach;
-    hit.Instance = NO_INSTANCE;
-    hit.ExcludedTriangle = excludedTriangle;
+    TraversalState state = (TraversalState)0;
+    state.Distance = reach;
+    state.Instance = NO_INSTANCE;
+    state.ExcludedTriangle = ray.ExcludedTriangle;
 #ifdef GLINT_REFINE
-    hit.PositionError = POSITION_ERROR * _SceneCentreExtent.w;
-    hit.Ray.Back = dot(Rounded(origin) - start, Rounded(direction));
-    hit.Distance += hit.Ray.Back + hit.PositionError;
-    hit.RefinedDistance = MakeDoubleFloat(MISS, 0.0);
+    state.PositionError = POSITION_ERROR * _SceneCentreExtent.w;
+    state.Ray.Back = dot(Rounded(ray.Origin) - ray.Start, Rounded(ray.Direction));
+    state.Distance += state.Ray.Back + state.PositionError;
+    state.RefinedDistance = MakeDoubleFloat(MISS, 0.0);
 #else
-    hit.DirectionError = ERROR_PER_SEGMENT * (1 + bounces);
-    hit.PositionError = positionError + ERROR_PER_SEGMENT * MaxComponent(abs(start));
-    hit.AmbiguousDistance = MISS;
+    state.DirectionError = ray.DirectionError;
+    state.PositionError = ray.PositionError + ERROR_PER_SEGMENT * MaxComponent(abs(ray.Start));
+    state.AmbiguousDistance = MISS;
 #endif
 #ifdef GLINT_INLINE_INSTANCES
 #ifdef GLINT_SINGLE_INSTANCE
     uint instance = 0; // a loop of one turn costs a software device a tenth of its time
 #else
     [loop]
-    for (uint instance = 0; instance < _InstanceCount; instance++)
+    for (uint instance = 0; instance < _InstanceCount && !IsEnough(state, anyHit); instance++)
 #endif
     {
         uint4 entryPoints = ROOT_ENTRY_POINTS;
         if (firstEntryPoint != NO_ENTRY_POINTS)
             entryPoints = _EntryPoints[firstEntryPoint + instance];
-        TraverseInstance(instance, start, origin, direction, entryPoints, hit);
+        TraverseInstance(instance, ray, entryPoints, anyHit, state);
     }
 #else
-    TraverseInstanceBvh(start, origin, direction, hit);
+    TraverseInstanceBvh(ray, anyHit, state);
 #endif
-    return hit;
-}
-
-// From the ray's origin to the nearest triangle, m; MISS or beyond if there is none.
-Real HitDistance(Hit hit)
-{
-#ifdef GLINT_REFINE
-    return hit.RefinedDistance;
-#else
-    return hit.Distance;
-#endif
+    return state;
 }
 
 #endif

@@ -7,8 +7,9 @@
 static const uint4 ROOT_ENTRY_POINTS = uint4(ROOT, DONE, DONE, DONE);
 
 // Searches the BVH of one mesh from up to four places in order: two children a node, the nearer one first,
-// the farther one waits on a stack. The fastest on GPUs.
-void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uint4 entryPoints, inout Hit hit)
+// the farther one waits on a stack. The fastest on GPUs. AnyHit: any triangle will do.
+void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uint4 entryPoints, bool anyHit,
+    inout TraversalState state)
 {
     uint stack[STACK_BOTTOM + 3 + BINARY_LEVELS]; // three starts besides
     stack[0] = DONE;
@@ -20,10 +21,10 @@ void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uin
     uint current = entryPoints.x;
     BoxRay boxRay = MakeBoxRay(ray, asfloat(LoadBvh(page, firstRow).xyz));
     [loop]
-    while (current != DONE || HasPending(hit)) // only refine kernels ever wait
+    while (current != DONE || HasPending(state)) // only refine kernels ever wait
     {
         [loop]
-        while (current != DONE && !HasPending(hit))
+        while (current != DONE && !HasPending(state))
         {
             [loop]
             while ((current & LEAF) == 0)
@@ -31,7 +32,7 @@ void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uin
                 COUNT_NODE;
                 uint row = firstRow + current;
                 Entered entered = EnterChildren(LoadBvh(page, row), LoadBvh(page, row + 1),
-                    LoadBvh(page, row + 2).xyz, boxRay, hit.Distance);
+                    LoadBvh(page, row + 2).xyz, boxRay, state.Distance);
                 current = entered.Near;
                 if (entered.Both)
                     stack[++top] = entered.Far;
@@ -39,13 +40,15 @@ void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uin
                     current = stack[top--];
             }
             [loop]
-            while (current >= LEAF && current != DONE && !HasPending(hit))
+            while (current >= LEAF && current != DONE && !HasPending(state))
             {
-                TestPair(ray, instance, page, firstRow, current & ~LEAF, hit);
-                current = stack[top--];
+                TestPair(ray, instance, page, firstRow, current & ~LEAF, state);
+                current = IsEnough(state, anyHit) ? DONE : stack[top--];
             }
         }
-        TestPending(ray, instance, page, firstRow, hit);
+        TestPending(ray, instance, page, firstRow, state);
+        if (IsEnough(state, anyHit))
+            return;
     }
 }
 

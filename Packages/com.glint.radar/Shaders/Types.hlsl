@@ -20,10 +20,13 @@ struct RayData
 // GLINT_HIT_DATA: a reflection of one ray as the kernel writes it (Core/Radar/HitData.cs).
 struct HitData
 {
-    float3 Position;      // m, about the middle of the scene
-    uint Instance;        // the BVH of an instance that was hit
+    float3 Position;      // m, about the scene's centre
+    uint Instance;        // place in the scene
     float3 Direction;     // unit vector, after the reflection
-    uint Triangle;        // row of its pair in the BVH, and in the lowest bit which of the two
+    uint Triangle;        // number in the instance's mesh
+    int Object;           // -1 if it is not known
+    uint Surface;         // place in the scene
+    uint2 Unused;
 };
 
 // GLINT_INSTANCE: a mesh's BVH at its place in the scene (Runtime/Tracing/InstanceRecord.cs).
@@ -39,6 +42,12 @@ struct InstanceRecord
     uint Page;
     float Stretch;        // of lengths on the way into the mesh's frame, at most
     float Rounding;       // m: of places on that way
+    uint FirstRecordRow;  // of the record that the BVH's leaves are numbered from, after FirstRow
+    uint FirstIdentityRow; // first row with numbers of triangles, after FirstRow
+    uint FirstRange;      // the instance's objects and surfaces in _Ranges
+    uint RangeCount;
+    uint Instance;        // place in the scene
+    uint Unused[3];
 };
 
 #endif

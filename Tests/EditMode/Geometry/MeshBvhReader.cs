@@ -10,7 +10,10 @@ namespace Glint.Tests
     /// <summary>Reads a mesh's BVHs and checks all that the shaders count on.</summary>
     sealed class MeshBvhReader
     {
+        readonly TriangleMesh _mesh;
         readonly List<ulong> _triangles = new List<ulong>();
+
+        MeshBvhReader(TriangleMesh mesh) => _mesh = mesh;
 
         /// <summary>Pairs of triangles, and triangles left alone.</summary>
         public int Leaves { get; private set; }
@@ -26,7 +29,7 @@ namespace Glint.Tests
 
         public static MeshBvhReader Check(TriangleMesh mesh, BvhLayout layout, MeshBvh bvh)
         {
-            var reader = new MeshBvhReader();
+            var reader = new MeshBvhReader(mesh);
             foreach (var part in bvh.Parts)
                 reader.ReadPart(part, layout);
             var expected = Expected(mesh);
@@ -41,7 +44,8 @@ namespace Glint.Tests
 
         void ReadPart(BvhPart part, BvhLayout layout)
         {
-            var bvh = BvhReader.Read(part.Rows, layout, row => ReadPair(part.Rows, row));
+            var bvh = BvhReader.Read(part.Rows.AsSpan(0, part.FirstIdentityRow).ToArray(), layout,
+                row => ReadPair(part, row));
             Assert.That(bvh.Levels, Is.LessThanOrEqualTo(layout == BvhLayout.Wide ? 16 : 32), "levels");
             Assert.That(bvh.Leaves, Is.LessThanOrEqualTo(1 << 20), "leaves of a part");
             if (layout == BvhLayout.Wide)
@@ -54,19 +58,34 @@ namespace Glint.Tests
             Bytes += 16L * part.Rows.Length;
         }
 
-        Bounds3 ReadPair(uint4[] rows, int row)
+        Bounds3 ReadPair(BvhPart part, int row)
         {
+            var rows = part.Rows;
             float4 r0 = asfloat(rows[row]), r1 = asfloat(rows[row + 1]), r2 = asfloat(rows[row + 2]);
             float3 a = r0.xyz, b = float3(r0.w, r1.xy), c = float3(r1.zw, r2.x), d = r2.yzw;
             _triangles.Add(Key(a, b, c));
+            // Two leaves share a row that names their triangles.
+            int leaf = (row - part.FirstRecordRow) / 3;
+            uint4 names = rows[part.FirstIdentityRow + leaf / 2];
+            CheckName(leaf % 2 == 0 ? names.x : names.z, Key(a, b, c));
             if (any(d != c))
+            {
                 _triangles.Add(Key(a, c, d));
+                CheckName(leaf % 2 == 0 ? names.y : names.w, Key(a, c, d));
+            }
             var bounds = Bounds3.Empty;
             bounds.Add(a);
             bounds.Add(b);
             bounds.Add(c);
             bounds.Add(d);
             return bounds;
+        }
+
+        void CheckName(uint triangle, ulong key)
+        {
+            _mesh.GetTriangle((int)triangle, out var a, out var b, out var c);
+            if (Key(a, b, c) != key)
+                Assert.Fail($"a leaf's triangle is not number {triangle}");
         }
 
         // Triangles with a normal in float32.

@@ -20,8 +20,8 @@ namespace Glint.Tests
         public void SharedStructs_AreWholeRowsOfSixteenBytes()
         {
             Assert.That(Marshal.SizeOf<RayData>(), Is.EqualTo(48));
-            Assert.That(Marshal.SizeOf<HitData>(), Is.EqualTo(32));
-            Assert.That(Marshal.SizeOf<InstanceRecord>(), Is.EqualTo(112));
+            Assert.That(Marshal.SizeOf<HitData>(), Is.EqualTo(48));
+            Assert.That(Marshal.SizeOf<InstanceRecord>(), Is.EqualTo(144));
         }
 
         [Test]
@@ -38,13 +38,15 @@ namespace Glint.Tests
                 ToLocalZ = float4(21, 22, 23, 24),
                 ToLocalXLo = float4(25, 26, 27, 28),
                 ToLocalYLo = float4(29, 30, 31, 32), ToLocalZLo = float4(33, 34, 35, 36),
-                FirstRow = 37, Page = 38, Stretch = 39, Rounding = 40
+                FirstRow = 37, Page = 38, Stretch = 39, Rounding = 40,
+                FirstRecordRow = 41, FirstIdentityRow = 42, FirstRange = 43, RangeCount = 44, Instance = 45
             };
             var hit = new HitData
             {
-                Position = float3(41, 42, 43), Instance = 44, Direction = float3(45, 46, 47), Triangle = 48
+                Position = float3(46, 47, 48), Instance = 49, Direction = float3(50, 51, 52), Triangle = 53,
+                Object = 54, Surface = 55
             };
-            var expected = Enumerable.Range(1, 48).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
+            var expected = Enumerable.Range(1, 55).Select(i => IsWhole(i) ? (uint)i : asuint((float)i)).ToArray();
 
             Assert.That(Unpack(ray, instance, hit, expected.Length), Is.EqualTo(expected));
         }
@@ -125,7 +127,7 @@ namespace Glint.Tests
             ? uint.Parse(text.Substring(2), NumberStyles.HexNumber)
             : double.Parse(text, CultureInfo.InvariantCulture);
 
-        static bool IsWhole(int field) => new[] { 11, 12, 37, 38, 44, 48 }.Contains(field);
+        static bool IsWhole(int field) => new[] { 11, 12, 37, 38, 41, 42, 43, 44, 45, 49, 53, 54, 55 }.Contains(field);
 
         static uint[] Unpack(RayData ray, InstanceRecord instance, HitData hit, int count)
         {

@@ -2,7 +2,6 @@ using System;
 using System.Linq;
 using Glint.Core;
 using NUnit.Framework;
-using Unity.Mathematics;
 using static Unity.Mathematics.math;
 
 namespace Glint.Tests
@@ -42,7 +41,7 @@ namespace Glint.Tests
             RayData[] rays;
             using (var tracer = new RayTracer(TestKernels.Trace, "test", asSoftware))
             {
-                paths = tracer.TracePaths(new RadarPose(scene, s_settings, view), pixels, new Numbers(scene));
+                paths = tracer.TracePaths(new RadarPose(scene, s_settings, view), pixels);
                 rays = tracer.Trace(new RadarPose(scene, s_settings, view), RayReadback.All).Rays;
                 Assert.That(tracer.ReceivedPixels(),
                     Is.EqualTo(rays.Where(ray => ray.IsReceived).Select(ray => ray.Pixel)));
@@ -60,7 +59,7 @@ namespace Glint.Tests
                             (int)path.Pixel / settings.RaysAcross);
                     var hit = path.Hits[bounce - 1];
                     compared++;
-                    if (reference.Bounces != bounce || reference.LastTriangle != hit.Object
+                    if (reference.Bounces != bounce || reference.LastTriangle != NumberOf(scene, hit)
                         || distance(reference.LastHit, hit.Position) > Near
                         || distance(reference.Direction, hit.Direction) > Near)
                         others++;
@@ -90,7 +89,7 @@ namespace Glint.Tests
                     Assert.That(path.IsReceived, Is.True);
                     Assert.That(abs(dot(path.End.Value - view.ReceiverCentre, view.ReceiverForward)),
                         Is.LessThan(1e-5));
-                    Assert.That(path.Hits.Select(hit => hit.Object), Is.All.EqualTo(PathHit.NoObject));
+                    Assert.That(path.Hits.Select(hit => hit.Object), Is.All.EqualTo(MeshRange.NoObject));
                     Assert.That(path.Points(), Has.Length.EqualTo(path.Bounces + 2));
                 }
                 // A corner turns a ray about: three walls, and back the way it came.
@@ -147,26 +146,8 @@ namespace Glint.Tests
             Assert.That(paths.Count(path => path.Bounces != rays[path.Pixel].Bounces), Is.LessThanOrEqualTo(1));
         }
 
-        // Triangles numbered over all instances, as the reference tracer does it.
-        sealed class Numbers : IHitObjects
-        {
-            readonly RadarScene _scene;
-
-            public Numbers(RadarScene scene) => _scene = scene;
-
-            public int ObjectOf(int instance, float3 a, float3 b, float3 c)
-            {
-                int before = _scene.Instances.Take(instance).Sum(other => other.Mesh.TriangleCount);
-                var mesh = _scene.Instances[instance].Mesh;
-                return before + Enumerable.Range(0, mesh.TriangleCount).Single(i => IsSame(mesh, i, new[] { a, b, c }));
-            }
-
-            static bool IsSame(TriangleMesh mesh, int triangle, float3[] corners)
-            {
-                mesh.GetTriangle(triangle, out var a, out var b, out var c);
-                return Array.TrueForAll(new[] { a, b, c },
-                    corner => Array.Exists(corners, other => other.Equals(corner)));
-            }
-        }
+        // A triangle's number over all instances, as the reference tracer counts.
+        static int NumberOf(RadarScene scene, in PathHit hit) =>
+            scene.Instances.Take(hit.Instance).Sum(instance => instance.Mesh.TriangleCount) + hit.Triangle;
     }
 }

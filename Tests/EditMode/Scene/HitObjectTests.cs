@@ -97,7 +97,7 @@ namespace Glint.Tests
                 {
                     if (preview.Bounces(x, y) == 0)
                     {
-                        Assert.That(preview.Object(x, y), Is.EqualTo(PathHit.NoObject));
+                        Assert.That(preview.Object(x, y), Is.EqualTo(MeshRange.NoObject));
                         continue;
                     }
                     seen++;

@@ -39,7 +39,7 @@ namespace Glint.Core
             var box = bvh.BoxOf(root);
             _centre = (float3)(0.5 * ((double3)box.Min + box.Max));
             _margin = bvh.Margin;
-            _rows = new uint4[LeafRow(_leafCount)];
+            _rows = new uint4[LeafRow(_leafCount) + writer.IdentityRows(_leafCount)];
         }
 
         /// <summary>Leaves of a BVH of at most this many rows.</summary>
@@ -67,9 +67,12 @@ namespace Glint.Core
             Blocks.For(_leafCount, (from, to) =>
             {
                 for (int leaf = from; leaf < to; leaf++)
-                    _writer.Write(_bvh.Leaves[_firstLeaf + leaf].Item, _rows, LeafRow(leaf));
+                    _writer.Write(_bvh.Leaves[_firstLeaf + leaf].Item, _rows, LeafRow(leaf), leaf, LeafRow(_leafCount));
             });
         }
+
+        /// <summary>Row of the first leaf.</summary>
+        public static int FirstLeafRow(int leafCount) => NodeRow(Math.Max(1, leafCount - 1));
 
         static int NodeRow(int node) => HeadRows + NodeRows * node;
 

@@ -15,11 +15,30 @@ namespace Glint.Core
             layout == BvhLayout.Wide ? WideEncoder.MaxLeaves(MaxRecords) : BinaryEncoder.MaxLeaves(MaxRows);
 
         /// <summary>Rows that a leaf takes at least, with its share of the nodes when these are full.</summary>
-        public static double MinRowsPerLeaf(BvhLayout layout) =>
-            layout == BvhLayout.Wide ? WideEncoder.MinRowsPerLeaf : BinaryEncoder.MinRowsPerLeaf;
+        /// <param name="hasIdentity">With its half of an identity row.</param>
+        public static double MinRowsPerLeaf(BvhLayout layout, bool hasIdentity)
+        {
+            double rows = layout == BvhLayout.Wide ? WideEncoder.MinRowsPerLeaf : BinaryEncoder.MinRowsPerLeaf;
+            // The wide layout numbers its leaves among all records, of 3 rows each.
+            double records = layout == BvhLayout.Wide ? rows / 3 : 1;
+            return hasIdentity ? rows + records / 2 : rows;
+        }
 
         /// <summary>The rows of a subtree with at most <see cref="MaxLeaves"/> leaves.</summary>
-        public static uint4[] Encode(BinaryBvh bvh, int root, BvhLayout layout, ILeafWriter writer) =>
-            layout == BvhLayout.Wide ? WideEncoder.Encode(bvh, root, writer) : BinaryEncoder.Encode(bvh, root, writer);
+        /// <param name="firstRecordRow">Row of the record that leaves are numbered from.</param>
+        /// <param name="firstIdentityRow">First of the rows behind the BVH that name what is in its leaves.</param>
+        public static uint4[] Encode(BinaryBvh bvh, int root, BvhLayout layout, ILeafWriter writer,
+            out int firstRecordRow, out int firstIdentityRow)
+        {
+            var rows =
+                layout == BvhLayout.Wide
+                    ? WideEncoder.Encode(bvh, root, writer)
+                    : BinaryEncoder.Encode(bvh, root, writer);
+            int leaves = bvh.LeafCount(root);
+            firstRecordRow = layout == BvhLayout.Wide ? 0 : BinaryEncoder.FirstLeafRow(leaves);
+            int records = layout == BvhLayout.Wide ? WideEncoder.Records(rows.Length, writer) : leaves;
+            firstIdentityRow = rows.Length - writer.IdentityRows(records);
+            return rows;
+        }
     }
 }

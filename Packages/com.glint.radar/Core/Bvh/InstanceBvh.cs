@@ -6,7 +6,7 @@ namespace Glint.Core
     public static class InstanceBvh
     {
         /// <summary>Rows that a box takes at least, with its share of the nodes.</summary>
-        public static double MinRowsPerBox(BvhLayout layout) => BvhRows.MinRowsPerLeaf(layout);
+        public static double MinRowsPerBox(BvhLayout layout) => BvhRows.MinRowsPerLeaf(layout, hasIdentity: false);
 
         /// <summary>
         /// Rows of 16 bytes of the BVH over the boxes;
@@ -24,7 +24,7 @@ namespace Glint.Core
             for (int i = 0; i < leaves.Length; i++)
                 leaves[i] = new BvhLeaf { Box = new Box(boxMins[i], boxMaxes[i]), Item = i };
             var bvh = BinaryBvhBuilder.Build(leaves, max);
-            return BvhRows.Encode(bvh, bvh.Root, layout, new NumberWriter());
+            return BvhRows.Encode(bvh, bvh.Root, layout, new NumberWriter(), out _, out _);
         }
     }
 }

@@ -52,9 +52,10 @@ namespace Glint.Core
             Parallel.For(0, parts.Length, new ParallelOptions { CancellationToken = cancel }, part =>
             {
                 var box = bvh.BoxOf(roots[part]);
+                var rows = BvhRows.Encode(bvh, roots[part], layout, writer, out int firstRecord, out int identity);
                 parts[part] = new BvhPart
                 {
-                    Rows = BvhRows.Encode(bvh, roots[part], layout, writer), Min = box.Min, Max = box.Max
+                    Rows = rows, FirstRecordRow = firstRecord, FirstIdentityRow = identity, Min = box.Min, Max = box.Max
                 };
             });
             var cover = Cover(bvh);
@@ -65,7 +66,7 @@ namespace Glint.Core
                 Max = bvh.Leaves.Length > 0 ? bvh.BoxOf(bvh.Root).Max : 0,
                 CoverMin = cover.Select(box => box.Min).ToArray(),
                 CoverMax = cover.Select(box => box.Max).ToArray(),
-                TriangleCount = pairs.Sum(pair => pair.z == pair.w ? 1 : 2),
+                TriangleCount = pairs.Sum(pair => pair.IsSingle ? 1 : 2),
             };
         }
 
@@ -73,9 +74,10 @@ namespace Glint.Core
         public static int CountReflecting(TriangleMesh mesh) => TrianglePairs.CountReflecting(mesh);
 
         /// <summary>Rows of 16 bytes that a triangle takes at least: all triangles in pairs, all nodes full.</summary>
-        public static double MinRowsPerTriangle(BvhLayout layout) => BvhRows.MinRowsPerLeaf(layout) / 2;
+        public static double MinRowsPerTriangle(BvhLayout layout) =>
+            BvhRows.MinRowsPerLeaf(layout, hasIdentity: true) / 2;
 
-        static BvhLeaf[] BoxesOf(float3[] vertices, int4[] pairs)
+        static BvhLeaf[] BoxesOf(float3[] vertices, TrianglePair[] pairs)
         {
             var leaves = new BvhLeaf[pairs.Length];
             Blocks.For(leaves.Length, (from, to) =>
@@ -83,10 +85,10 @@ namespace Glint.Core
                 for (int i = from; i < to; i++)
                 {
                     var box = Box.Empty;
-                    box.Add(vertices[pairs[i].x]);
-                    box.Add(vertices[pairs[i].y]);
-                    box.Add(vertices[pairs[i].z]);
-                    box.Add(vertices[pairs[i].w]);
+                    box.Add(vertices[pairs[i].Corners.x]);
+                    box.Add(vertices[pairs[i].Corners.y]);
+                    box.Add(vertices[pairs[i].Corners.z]);
+                    box.Add(vertices[pairs[i].Corners.w]);
                     leaves[i] = new BvhLeaf { Box = box, Item = i };
                 }
             });

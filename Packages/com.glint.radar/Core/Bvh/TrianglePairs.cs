@@ -50,17 +50,16 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Vertex numbers of the pairs, in the order of their first triangles. A pair is (x, y, z) and (x, z, w);
-        /// a triangle left alone has w = z.
+        /// The pairs, in the order of their first triangles.
         /// Triangles of less than 5e-17 m2, or so large that their area is not finite,
         /// reflect nothing and are left out.
         /// </summary>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
-        public static int4[] Find(TriangleMesh mesh, CancellationToken cancel = default)
+        public static TrianglePair[] Find(TriangleMesh mesh, CancellationToken cancel = default)
         {
             var pairs = new TrianglePairs(mesh, cancel);
             pairs.Pair();
-            return pairs.Corners();
+            return pairs.All();
         }
 
         /// <summary>Triangles that are not left out.</summary>
@@ -163,32 +162,46 @@ namespace Glint.Core
 
         float3 Corner(int corner) => _mesh.Vertices[_mesh.Indices[corner]];
 
-        int4[] Corners()
+        TrianglePair[] All()
         {
             int count = 0;
             for (int t = 0; t < _mates.Length; t++)
                 if (IsFirst(t))
                     count++;
-            var corners = new int4[count];
+            var pairs = new TrianglePair[count];
             count = 0;
             for (int t = 0; t < _mates.Length; t++)
                 if (IsFirst(t))
-                    corners[count++] = CornersOf(t);
-            return corners;
+                    pairs[count++] = PairOf(t);
+            return pairs;
         }
 
         bool IsFirst(int triangle) =>
             _mates[triangle] == Free || _mates[triangle] >= 0 && _across[_mates[triangle]] / 3 > triangle;
 
-        int4 CornersOf(int triangle)
+        TrianglePair PairOf(int triangle)
         {
             var indices = _mesh.Indices;
             if (_mates[triangle] == Free)
-                return int4(indices[3 * triangle], indices[3 * triangle + 1], indices[3 * triangle + 2],
-                    indices[3 * triangle + 2]);
+                return new TrianglePair(int4(indices[3 * triangle], indices[3 * triangle + 1],
+                    indices[3 * triangle + 2], indices[3 * triangle + 2]), triangle, triangle);
             int edge = _mates[triangle];
-            return int4(indices[TriangleEdges.End(edge)], indices[TriangleEdges.Opposite(edge)], indices[edge],
-                indices[TriangleEdges.Opposite(_across[edge])]);
+            return new TrianglePair(int4(indices[TriangleEdges.End(edge)], indices[TriangleEdges.Opposite(edge)],
+                indices[edge], indices[TriangleEdges.Opposite(_across[edge])]), triangle, _across[edge] / 3);
         }
+    }
+
+    /// <summary>Two triangles of a mesh that share an edge, or one.</summary>
+    readonly struct TrianglePair
+    {
+        /// <summary>Vertex numbers: triangles (x, y, z) and (x, z, w); w = z where there is only one.</summary>
+        public readonly int4 Corners;
+
+        /// <summary>Numbers of the triangles in the mesh.</summary>
+        public readonly int First, Second;
+
+        public TrianglePair(int4 corners, int first, int second) => (Corners, First, Second) = (corners, first, second);
+
+        public bool IsSingle => Corners.z == Corners.w;
     }
 }

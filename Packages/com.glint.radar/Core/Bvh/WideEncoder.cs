@@ -42,11 +42,19 @@ namespace Glint.Core
             _nodes = nodes;
             _writer = writer;
             _margin = bvh.Margin;
-            _rows = new uint4[RecordRows * nodes.Count];
+            _rows = new uint4[RecordRows * nodes.Count + writer.IdentityRows(nodes.Count)];
         }
 
         /// <summary>Leaves of a BVH of at most this many records, however few children its nodes have.</summary>
         public static int MaxLeaves(int records) => records / 2;
+
+        /// <summary>Records of a BVH of this many rows, identity rows included.</summary>
+        public static int Records(int rows, ILeafWriter writer)
+        {
+            // A record has half an identity row or none: the first guess is off by one at most.
+            int records = writer.IdentityRows(2) > 0 ? (int)(2L * rows / (2 * RecordRows + 1)) : rows / RecordRows;
+            return RecordRows * records + writer.IdentityRows(records) > rows ? records - 1 : records;
+        }
 
         /// <summary>The rows of a subtree.</summary>
         public static uint4[] Encode(BinaryBvh bvh, int root, ILeafWriter writer)
@@ -64,7 +72,8 @@ namespace Glint.Core
         {
             var node = _nodes.Array[record];
             if (node.ChildCount == 0)
-                _writer.Write(_bvh.Leaves[~node.Binary].Item, _rows, RecordRows * record);
+                _writer.Write(_bvh.Leaves[~node.Binary].Item, _rows, RecordRows * record, record,
+                    RecordRows * _nodes.Count);
             else
                 WriteNode(record, node);
         }

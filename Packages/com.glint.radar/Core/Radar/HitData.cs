@@ -4,22 +4,30 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// A reflection of one ray as the kernel writes it. GLINT_HIT_DATA:
-    /// the same struct stands in Shaders/Types.hlsl; a test compares them.
+    /// A reflection of one ray as the kernel writes it. GLINT_HIT_DATA: Shaders/Types.hlsl has the same struct;
+    /// a test compares them.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     struct HitData
     {
-        /// <summary>Where, metres, about the middle of the scene.</summary>
+        /// <summary>Point of reflection, metres, about the scene's centre.</summary>
         public float3 Position;
 
-        /// <summary>Number of the tree of an instance that was hit.</summary>
+        /// <summary>Place of the instance in the scene.</summary>
         public uint Instance; // 16 bytes
 
         /// <summary>Unit direction after the reflection.</summary>
         public float3 Direction;
 
-        /// <summary>Row of the pair of triangles in the tree, and in the lowest bit which of the two.</summary>
+        /// <summary>Number of the triangle in the instance's mesh.</summary>
         public uint Triangle; // 32 bytes
+
+        /// <summary>Number of the object; -1 if it is not known.</summary>
+        public int Object;
+
+        /// <summary>Place of the surface in the scene.</summary>
+        public uint Surface;
+
+        readonly uint2 _unused; // 48 bytes
     }
 }

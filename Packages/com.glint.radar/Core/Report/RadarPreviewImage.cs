@@ -51,7 +51,7 @@ namespace Glint.Core
 
         /// <summary>
         /// Number of the object that a pixel's ray meets first;
-        /// <see cref="PathHit.NoObject"/> if none, or if nobody knows.
+        /// <see cref="MeshRange.NoObject"/> if none, or if nobody knows.
         /// </summary>
         public int Object(int x, int y) => _objects[y * Part.Width + x];
 
@@ -62,7 +62,7 @@ namespace Glint.Core
 
         /// <summary>Numbers of the objects that are seen, in ascending order.</summary>
         public IReadOnlyList<int> Objects() =>
-            _objects.Where(number => number != PathHit.NoObject).Distinct().OrderBy(number => number).ToArray();
+            _objects.Where(number => number != MeshRange.NoObject).Distinct().OrderBy(number => number).ToArray();
 
         /// <summary>Sets the pixel of a ray.</summary>
         public void Set(in RayPath path)
@@ -71,7 +71,7 @@ namespace Glint.Core
                 + (int)(path.Pixel % (uint)RaysAcross) - Part.Left;
             _bounces[index] = (byte)(path.Bounces + (path.IsReceived ? ReceivedBit : 0));
             _facing[index] = path.Bounces > 0 ? (byte)Math.Round(255 * Math.Min(1, Facing(path))) : (byte)0;
-            _objects[index] = path.Bounces > 0 ? path.Hits[0].Object : PathHit.NoObject;
+            _objects[index] = path.Bounces > 0 ? path.Hits[0].Object : MeshRange.NoObject;
         }
 
         // A mirror turns a direction by twice its part along the normal.
@@ -83,7 +83,7 @@ namespace Glint.Core
         internal JObject ToJson(Func<int, string> nameOf)
         {
             var seen = Objects();
-            var positions = new Dictionary<int, byte> { [PathHit.NoObject] = 0 };
+            var positions = new Dictionary<int, byte> { [MeshRange.NoObject] = 0 };
             for (int i = 0; i < seen.Count; i++)
                 positions[seen[i]] = (byte)Math.Min(i + 1, MaxNames);
             return ToJson(seen.Take(MaxNames)

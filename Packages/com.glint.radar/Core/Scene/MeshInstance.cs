@@ -1,12 +1,58 @@
+using System;
+
 namespace Glint.Core
 {
-    /// <summary>A mesh at its place in the world.</summary>
-    public struct MeshInstance
+    /// <summary>A mesh at its place in the scene, and whose its triangles are.</summary>
+    public struct MeshInstance : IEquatable<MeshInstance>
     {
-        /// <summary>The triangles, in a frame of their own. The same object may stand at many places.</summary>
+        static readonly MeshRange[] s_unknown = { new MeshRange(0, MeshRange.NoObject, 0) };
+
+        MeshRange[] _ranges;
+
+        /// <summary>The triangles, in a frame of their own. Several instances may share a mesh.</summary>
         public TriangleMesh Mesh;
 
         /// <summary>From the mesh's frame to the scene's, metres.</summary>
         public Affine ToWorld;
+
+        /// <summary>
+        /// Objects and surfaces of the triangles, in the order of <see cref="MeshRange.FirstTriangle"/>, from 0.
+        /// Null, or not set: one range of no known object, a perfect conductor.
+        /// </summary>
+        public MeshRange[] Ranges
+        {
+            get => _ranges ?? s_unknown;
+            set
+            {
+                if (value != null && (value.Length == 0 || value[0].FirstTriangle != 0))
+                    throw new ArgumentException("the first range of a mesh begins at triangle 0");
+                _ranges = value;
+            }
+        }
+
+        /// <summary>The range that a triangle of the mesh is in.</summary>
+        public MeshRange RangeOf(int triangle)
+        {
+            int first = 0, end = Ranges.Length;
+            while (end - first > 1)
+            {
+                int middle = (first + end) / 2;
+                if (Ranges[middle].FirstTriangle <= triangle)
+                    first = middle;
+                else
+                    end = middle;
+            }
+            return Ranges[first];
+        }
+
+        /// <summary>Whether both are the same mesh at the same place, with equal ranges.</summary>
+        public bool Equals(MeshInstance other) => Mesh == other.Mesh && ToWorld.Equals(other.ToWorld)
+            && Ranges.AsSpan().SequenceEqual(other.Ranges);
+
+        /// <inheritdoc/>
+        public override bool Equals(object other) => other is MeshInstance instance && Equals(instance);
+
+        /// <inheritdoc/>
+        public override int GetHashCode() => Mesh == null ? 0 : Mesh.GetHashCode();
     }
 }

@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using System.Linq;
 using Unity.Mathematics;
 
@@ -23,10 +25,19 @@ namespace Glint.Core
         public MeshInstance[] Instances { get; }
 
         /// <summary>
+        /// Surfaces that ranges of the instances' triangles refer to; the first is the perfect conductor.
+        /// </summary>
+        public IReadOnlyList<SurfaceMaterial> Surfaces { get; set; } = new[] { SurfaceMaterial.PerfectConductor };
+
+        /// <summary>
         /// Where in the world the origin of the places stands, metres: for what is written out,
         /// as the axes are the world's. Tracing needs none.
         /// </summary>
         public double3 Origin { get; set; }
+
+        /// <summary>Whether both have the same meshes at the same places, with the same ranges and surfaces.</summary>
+        internal bool IsSame(RadarScene other) =>
+            Instances.AsSpan().SequenceEqual(other.Instances) && Surfaces.SequenceEqual(other.Surfaces);
 
         /// <summary>Triangles of all instances.</summary>
         public long TriangleCount => Instances.Sum(instance => (long)instance.Mesh.TriangleCount);

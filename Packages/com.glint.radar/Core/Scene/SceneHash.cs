@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Runtime.InteropServices;
 using System.Security.Cryptography;
 
@@ -31,6 +32,13 @@ namespace Glint.Core
                 Add(new[] { number });
                 Add(new[] { instance.ToWorld });
             }
+            // Scenes of perfect conductors alone keep the hash that they had before there were surfaces.
+            if (scene.Surfaces.Count == 1)
+                return;
+            foreach (var instance in scene.Instances)
+                Add(instance.Ranges.SelectMany(range => new[] { range.FirstTriangle, range.Surface }).ToArray());
+            foreach (var surface in scene.Surfaces)
+                Add(surface.Name.ToCharArray());
         }
 
         /// <summary>Takes in numbers or structs of numbers, and how many they are.</summary>

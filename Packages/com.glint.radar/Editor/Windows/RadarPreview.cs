@@ -42,7 +42,7 @@ namespace Glint.Editor
             (_image, _names) = (image, names);
             _pixels = All().Where(at => image.Bounces(at.x, at.y) > 0).GroupBy(at => image.Object(at.x, at.y))
                 .ToDictionary(group => group.Key, group => group.Count());
-            _objects = _pixels.Keys.Where(number => number != PathHit.NoObject)
+            _objects = _pixels.Keys.Where(number => number != MeshRange.NoObject)
                 .OrderByDescending(number => _pixels[number]).ThenBy(number => number).ToList();
         }
 

@@ -222,7 +222,7 @@ namespace Glint
             CancellationToken cancel = default)
         {
             var pose = GatherForTracer();
-            return _tracer.TracePaths(pose, pixels, _gatherer, progress, cancel);
+            return _tracer.TracePaths(pose, pixels, progress, cancel);
         }
 
         /// <summary>
@@ -235,12 +235,12 @@ namespace Glint
         public RadarPreviewImage TracePreview(CancellationToken cancel = default)
         {
             var pose = GatherForTracer();
-            return RadarPreviewTracer.Trace(_tracer, pose, _gatherer, cancel);
+            return RadarPreviewTracer.Trace(_tracer, pose, cancel);
         }
 
         /// <summary>An object of the scene last gathered, by the number that a <see cref="PathHit"/> has.</summary>
         /// <exception cref="ArgumentOutOfRangeException">
-        /// There is no such number: none was gathered, or it is <see cref="PathHit.NoObject"/>.
+        /// There is no such number: none was gathered, or it is <see cref="MeshRange.NoObject"/>.
         /// </exception>
         public Transform ObjectAt(int number) => _gatherer.ObjectAt(number);
 

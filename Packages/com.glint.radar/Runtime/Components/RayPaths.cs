@@ -213,7 +213,7 @@ namespace Glint
 
         bool IsMeant(RayPath path) =>
             (path.IsReceived || !_receivedOnly) && (_meeting == null
-                || path.Meets(number => number != PathHit.NoObject && _radar.ObjectAt(number).IsChildOf(_meeting)));
+                || path.Meets(number => number != MeshRange.NoObject && _radar.ObjectAt(number).IsChildOf(_meeting)));
 
         bool IsShown(RayPath path) => path.Bounces >= _fewestBounces && path.Bounces <= _mostBounces;
 

@@ -12,7 +12,6 @@ namespace Glint
     {
         List<Part> _parts = new List<Part>(), _merged = new List<Part>();
         readonly List<TransformNode> _nodes = new List<TransformNode>();
-        PartFinder _finder;
         RigidGroup _group;
         TransformNode _first;
         TriangleMesh _mesh;
@@ -34,15 +33,8 @@ namespace Glint
             _nodes.Add(node);
         }
 
-        /// <summary>The object that a triangle comes from, by its corners; null if none does.</summary>
-        public TransformNode NodeOf(float3 a, float3 b, float3 c)
-        {
-            if (_nodes.Count == 1)
-                return _first;
-            _finder ??= new PartFinder(_mesh, _merged.ConvertAll(part => part.Source.TriangleCount));
-            int found = _finder.PartOf(a, b, c);
-            return found < 0 ? null : _nodes[found];
-        }
+        /// <summary>The objects, in the order of their triangles.</summary>
+        public IReadOnlyList<TransformNode> Nodes => _nodes;
 
         /// <summary>The mesh where the group's frame stands now.</summary>
         public MeshInstance MakeInstance(MeshReader reader)
@@ -91,7 +83,6 @@ namespace Glint
                 reader.Append(part.Source.Mesh, into * part.InFrame, vertices, ref vertexCount,
                     indices, ref indexCount);
             _mesh = new TriangleMesh(vertices, indices);
-            _finder = null;
             (_parts, _merged) = (_merged, _parts);
         }
 

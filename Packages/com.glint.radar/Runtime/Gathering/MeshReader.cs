@@ -45,12 +45,13 @@ namespace Glint
                 (boxMin, boxMax) = (float.NaN, float.NaN);
         }
 
-        /// <summary>Counts a mesh's triangles.</summary>
+        /// <summary>Triangles of each submesh.</summary>
         /// <param name="owner">Has the mesh, for messages.</param>
         /// <exception cref="GlintException">A submesh has no faces, or indices that name no vertex.</exception>
-        public int CountTriangles(Mesh mesh, Renderer owner)
+        public int[] CountTriangles(Mesh mesh, Renderer owner)
         {
-            int vertices = mesh.vertexCount, triangles = 0;
+            int vertices = mesh.vertexCount;
+            var triangles = new int[mesh.subMeshCount];
             for (int submesh = 0; submesh < mesh.subMeshCount; submesh++)
             {
                 var topology = mesh.GetTopology(submesh);
@@ -66,7 +67,7 @@ namespace Glint
                     if (index < 0 || index >= vertices)
                         throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} has index {index}, "
                             + $"and the mesh has {vertices} vertices: mend the mesh");
-                triangles += _indices.Count / corners * (corners - 2);
+                triangles[submesh] = _indices.Count / corners * (corners - 2);
             }
             return triangles;
         }

@@ -1,3 +1,4 @@
+using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -28,6 +29,9 @@ namespace Glint
 
         public int TriangleCount { get; private set; }
 
+        /// <summary>Triangles of each submesh; those of one follow those of the one before.</summary>
+        public int[] SubmeshTriangles { get; private set; }
+
         /// <summary>Half the sides of the box around the vertices, and its middle, in the mesh's coordinates.</summary>
         public double3 Half { get; private set; }
 
@@ -46,7 +50,8 @@ namespace Glint
             if (_isKnown && hash == Hash)
                 return;
 
-            TriangleCount = reader.CountTriangles(mesh, owner);
+            SubmeshTriangles = reader.CountTriangles(mesh, owner);
+            TriangleCount = SubmeshTriangles.Sum();
             VertexCount = mesh.vertexCount;
             reader.Measure(mesh, out var boxMin, out var boxMax);
             (Half, Centre) = (((double3)boxMax - boxMin) / 2, ((double3)boxMax + boxMin) / 2);

@@ -23,7 +23,7 @@ namespace Glint
     /// are instances of their mesh.
     /// Vertices are rounded to float32 relative to such a frame, never to the scene: its place is kept in double.
     /// </remarks>
-    sealed class SceneGatherer : IHitObjects
+    sealed class SceneGatherer
     {
         /// <summary>
         /// A mesh that would make more triangles than this when merged once for each of its objects is not:
@@ -39,6 +39,7 @@ namespace Glint
         readonly Dictionary<(RigidGroup, int3), MergedMesh> _cells = new Dictionary<(RigidGroup, int3), MergedMesh>();
         readonly List<(TransformNode node, Renderer renderer)> _objects = new List<(TransformNode, Renderer)>();
         readonly List<(MergedMesh merged, TransformNode lone)> _pieces = new List<(MergedMesh, TransformNode)>();
+        readonly List<SurfaceMaterial> _surfaces = new List<SurfaceMaterial>();
         readonly List<string> _warnings = new List<string>();
         MeshReader _reader = new MeshReader();
         RadarScene _scene;
@@ -78,13 +79,16 @@ namespace Glint
             CollectObjects(layers, roots, receiver);
             var centre = FindCentre(radar, receiver);
             _transforms.Compose(centre);
+            _surfaces.Clear();
+            _surfaces.Add(SurfaceMaterial.PerfectConductor);
             var instances = MakeInstances();
             var origin = centre.ToWorld().Origin;
             _transforms.End();
             _sources.End();
             _mergedMeshes.End();
-            if (_scene == null || !origin.Equals(_scene.Origin) || !IsSame(instances, _scene.Instances))
-                _scene = new RadarScene(instances) { Origin = origin };
+            var scene = new RadarScene(instances) { Origin = origin, Surfaces = _surfaces.ToArray() };
+            if (_scene == null || !origin.Equals(_scene.Origin) || !scene.IsSame(_scene))
+                _scene = scene;
             return _scene;
         }
 
@@ -96,13 +100,6 @@ namespace Glint
 
         /// <summary>An object with a mesh of the last gather, by its number.</summary>
         public Transform ObjectAt(int number) => _objects[number].renderer.transform;
-
-        /// <summary>Number of the object that a triangle of the last gather's scene belongs to.</summary>
-        public int ObjectOf(int instance, float3 a, float3 b, float3 c)
-        {
-            var (merged, lone) = _pieces[instance];
-            return (merged != null ? merged.NodeOf(a, b, c) : lone)?.ObjectNumber ?? PathHit.NoObject;
-        }
 
         /// <summary>
         /// Sums up the meshes of the last gather and where they stand, however they are divided into instances.
@@ -116,6 +113,9 @@ namespace Glint
             {
                 content.Add(node.Source.Hash);
                 content.Add(node.ToScene);
+                for (int submesh = 0; submesh < node.Source.SubmeshTriangles.Length; submesh++)
+                    if (node.MaterialOf(submesh) is RadarMaterial material)
+                        content.Add(material.name.GetHashCode());
             }
             return content.Value;
         }
@@ -219,8 +219,40 @@ namespace Glint
                 var (merged, lone) = _pieces[i];
                 instances[i] =
                     merged != null ? merged.MakeInstance(_reader) : lone.Source.MakeInstance(lone.ToScene, _reader);
+                instances[i].Ranges = RangesOf(merged != null ? merged.Nodes : new[] { lone });
             }
             return instances;
+        }
+
+        // An object has one range, or one for each of its submeshes that has another surface than the one before.
+        MeshRange[] RangesOf(IReadOnlyList<TransformNode> nodes)
+        {
+            var ranges = new List<MeshRange>(nodes.Count);
+            int triangle = 0;
+            foreach (var node in nodes)
+            {
+                int before = -1;
+                for (int submesh = 0; submesh < node.Source.SubmeshTriangles.Length; submesh++)
+                {
+                    int surface = SurfaceOf(node.MaterialOf(submesh));
+                    if (surface != before)
+                        ranges.Add(new MeshRange(triangle, node.ObjectNumber, surface));
+                    before = surface;
+                    triangle += node.Source.SubmeshTriangles[submesh];
+                }
+            }
+            return ranges.ToArray();
+        }
+
+        int SurfaceOf(RadarMaterial material)
+        {
+            if (material == null)
+                return 0;
+            int surface = _surfaces.IndexOf(material.Material);
+            if (surface >= 0)
+                return surface;
+            _surfaces.Add(material.Material);
+            return _surfaces.Count - 1;
         }
 
         void FindGroups()
@@ -267,16 +299,6 @@ namespace Glint
             merged.Begin(first, group);
             _pieces.Add((merged, null));
             return merged;
-        }
-
-        static bool IsSame(MeshInstance[] some, MeshInstance[] others)
-        {
-            if (some.Length != others.Length)
-                return false;
-            for (int i = 0; i < some.Length; i++)
-                if (some[i].Mesh != others[i].Mesh || !some[i].ToWorld.Equals(others[i].ToWorld))
-                    return false;
-            return true;
         }
     }
 }

@@ -1,3 +1,4 @@
+using System;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -47,6 +48,24 @@ namespace Glint
         /// <summary>Then its number among them.</summary>
         public int ObjectNumber { get; set; }
 
+        /// <summary>Its own <see cref="RadarSurface"/> components; null if it has none.</summary>
+        RadarSurface[] _surfaces;
+
+        /// <summary>
+        /// Of the whole object, from the nearest transform at or above it that has one; null if none has.
+        /// </summary>
+        RadarSurface _surface;
+
+        /// <summary>The material of a submesh of its object; null: a perfect conductor.</summary>
+        public RadarMaterial MaterialOf(int submesh)
+        {
+            if (_surfaces != null)
+                foreach (var surface in _surfaces)
+                    if (surface.Submesh == submesh)
+                        return surface.Material;
+            return _surface == null ? null : _surface.Material;
+        }
+
         /// <summary>The parent of roots.</summary>
         public static TransformNode World()
         {
@@ -71,6 +90,10 @@ namespace Glint
             _depth = parent._depth + 1;
             _local = Local((float3)position, (float3)scale);
             (_frame, Group, IsTaken) = (null, null, false);
+            _surfaces = transform.TryGetComponent<RadarSurface>(out _) ? transform.GetComponents<RadarSurface>() : null;
+            _surface = _surfaces == null
+                ? parent._surface
+                : Array.Find(_surfaces, surface => surface.Submesh < 0) ?? parent._surface;
         }
 
         public void SetSource(MeshSource source)

@@ -23,7 +23,7 @@ namespace Glint
 
         readonly DeviceBvhs _bvhs;
         readonly DeviceBuffer<InstanceRecord> _instances = new DeviceBuffer<InstanceRecord>("instances");
-        readonly List<(int instance, BvhPart part)> _parts = new List<(int, BvhPart)>(); // of each record
+        readonly DeviceBuffer<uint4> _ranges = new DeviceBuffer<uint4>("ranges of triangles");
         readonly DeviceBuffer<uint4> _instanceBvh = new DeviceBuffer<uint4>("rows of the BVH over instances");
         RadarScene _scene;
 
@@ -31,6 +31,7 @@ namespace Glint
         {
             _bvhs = new DeviceBvhs(layout, owner, maxRowsPerPage);
             _instances.Reserve(1);
+            _ranges.Reserve(1);
             _instanceBvh.Reserve(1);
         }
 
@@ -38,6 +39,9 @@ namespace Glint
         public RadarScene Scene => _scene;
 
         public DeviceBuffer<InstanceRecord> Instances => _instances;
+
+        /// <summary>Objects and surfaces of the instances: first triangle, object, surface.</summary>
+        public DeviceBuffer<uint4> Ranges => _ranges;
 
         public DeviceBuffer<uint4> InstanceBvhRows => _instanceBvh;
 
@@ -55,7 +59,7 @@ namespace Glint
 
         public IReadOnlyList<BvhPage> Pages => _bvhs.Pages;
 
-        public long Bytes => _bvhs.Bytes + _instances.Bytes + _instanceBvh.Bytes;
+        public long Bytes => _bvhs.Bytes + _instances.Bytes + _instanceBvh.Bytes + _ranges.Bytes;
 
         /// <summary>
         /// Corners of the box around everything, metres; the lower one above the other when there is nothing.
@@ -71,7 +75,7 @@ namespace Glint
         /// <returns>True if a BVH was built.</returns>
         public bool Set(RadarScene scene, TraceStatistics statistics, Func<TriangleMesh, BvhLayout, MeshBvh> build)
         {
-            if (_scene != null && IsSame(_scene, scene))
+            if (_scene != null && scene.IsSame(_scene))
             {
                 _scene = scene; // its origin may be another
                 return false;
@@ -92,34 +96,13 @@ namespace Glint
                 tiles.Add(_bvhs[instance.Mesh].Bvh, instance.ToWorld);
         }
 
-        /// <summary>
-        /// The triangle of a reflection: its place among the scene's instances and its corners,
-        /// as the instance's mesh has them.
-        /// </summary>
-        public void TriangleOf(in HitData hit, out int instance, out float3 a, out float3 b, out float3 c)
-        {
-            BvhPart part;
-            (instance, part) = _parts[(int)hit.Instance];
-            part.GetTriangle((int)(hit.Triangle >> 1), (hit.Triangle & 1) != 0, out a, out b, out c);
-        }
-
         public void Dispose()
         {
             _bvhs.Dispose();
             _instances.Dispose();
             _instanceBvh.Dispose();
+            _ranges.Dispose();
             _scene = null;
-        }
-
-        static bool IsSame(RadarScene a, RadarScene b)
-        {
-            if (a.Instances.Length != b.Instances.Length)
-                return false;
-            for (int i = 0; i < a.Instances.Length; i++)
-                if (a.Instances[i].Mesh != b.Instances[i].Mesh
-                    || !a.Instances[i].ToWorld.Equals(b.Instances[i].ToWorld))
-                    return false;
-            return true;
         }
 
         // One record for each BVH of each instance.
@@ -142,17 +125,12 @@ namespace Glint
             Centre = IsEmpty ? 0 : (Min + Max) / 2;
 
             var records = new List<InstanceRecord>();
-            _parts.Clear();
+            var ranges = new List<uint4>();
             for (int i = 0; i < scene.Instances.Length; i++)
             {
-                var allocation = _bvhs[scene.Instances[i].Mesh];
-                var toLocal = scene.Instances[i].ToWorld.Inverse();
-                toLocal.Origin = toLocal.Point(Centre);
-                for (int part = 0; part < allocation.Bvh.Parts.Length; part++)
-                {
-                    records.Add(InstanceRecord.Of(toLocal, allocation.PageOf(part), allocation.FirstRowOf(part)));
-                    _parts.Add((i, allocation.Bvh.Parts[part]));
-                }
+                AddRecords(scene.Instances[i], i, ranges.Count, records);
+                ranges.AddRange(scene.Instances[i].Ranges.Select(
+                    range => new uint4((uint)range.FirstTriangle, (uint)range.Object, (uint)range.Surface, 0)));
             }
             InlineInstances =
                 records.Count <= MaxInlineInstances && _bvhs.Pages.Count == 1 ? records : new List<InstanceRecord>();
@@ -165,8 +143,27 @@ namespace Glint
             InstanceBvhRoot = records.Count == 1 ? instanceBvh[InstanceBvhRootRow].w : InstanceBvhRootRow;
             _instances.Upload(records.ToArray());
             _instanceBvh.Upload(instanceBvh);
-            statistics.BytesUploaded +=
-                records.Count * (long)_instances.Stride + instanceBvh.Length * (long)_instanceBvh.Stride;
+            _ranges.Upload(ranges.ToArray());
+            statistics.BytesUploaded += records.Count * (long)_instances.Stride
+                + instanceBvh.Length * (long)_instanceBvh.Stride + ranges.Count * (long)_ranges.Stride;
+        }
+
+        // One for each BVH of the instance's mesh.
+        void AddRecords(in MeshInstance instance, int number, int firstRange, List<InstanceRecord> records)
+        {
+            var allocation = _bvhs[instance.Mesh];
+            var toLocal = instance.ToWorld.Inverse();
+            toLocal.Origin = toLocal.Point(Centre);
+            for (int i = 0; i < allocation.Bvh.Parts.Length; i++)
+            {
+                var part = allocation.Bvh.Parts[i];
+                var record = InstanceRecord.Of(toLocal, allocation.PageOf(i), allocation.FirstRowOf(i));
+                (record.FirstRecordRow, record.FirstIdentityRow) =
+                    ((uint)part.FirstRecordRow, (uint)part.FirstIdentityRow);
+                (record.FirstRange, record.RangeCount) = ((uint)firstRange, (uint)instance.Ranges.Length);
+                record.Instance = (uint)number;
+                records.Add(record);
+            }
         }
 
         static void Bound(BvhPart part, in Affine toWorld, out double3 boxMin, out double3 boxMax)

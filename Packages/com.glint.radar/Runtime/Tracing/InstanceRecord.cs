@@ -31,7 +31,23 @@ namespace Glint
         /// <summary>By how much float32 rounds places on that way, m there.</summary>
         public float Rounding; // 112 bytes
 
-        /// <param name="toLocal">From the middle of the scene to the mesh's frame.</param>
+        /// <summary>Row of the record that the BVH's leaves are numbered from, after FirstRow.</summary>
+        public uint FirstRecordRow;
+
+        /// <summary>First row with numbers of triangles, after FirstRow.</summary>
+        public uint FirstIdentityRow;
+
+        /// <summary>The instance's objects and surfaces: the first of them in _Ranges, and their number.</summary>
+        public uint FirstRange;
+
+        public uint RangeCount; // 128 bytes
+
+        /// <summary>Place of the instance in the scene.</summary>
+        public uint Instance;
+
+        readonly uint3 _unused; // 144 bytes
+
+        /// <param name="toLocal">From the scene's centre to the mesh's frame.</param>
         public static InstanceRecord Of(in Affine toLocal, int page, int firstRow)
         {
             var x = new double4(toLocal.X.x, toLocal.Y.x, toLocal.Z.x, toLocal.Origin.x);

@@ -20,9 +20,8 @@ namespace Glint
         }
 
         /// <summary>The ways of the rays of some pixels, in their order.</summary>
-        /// <param name="objects">Knows what is hit; null: nobody does.</param>
-        public RayPath[] Follow(in RadarPose pose, RayGrid grid, uint[] pixels,
-            IHitObjects objects, IProgress<double> progress, CancellationToken cancel)
+        public RayPath[] Follow(in RadarPose pose, RayGrid grid, uint[] pixels, IProgress<double> progress,
+            CancellationToken cancel)
         {
             var settings = pose.Settings;
             var paths = new RayPath[pixels.Length];
@@ -42,7 +41,7 @@ namespace Glint
                 _hits.ReadBack(hits, count * settings.MaxBounces);
                 for (int i = 0; i < count; i++)
                     paths[first + i] = PathOf(settings, pose.View, grid, pixels[first + i], listed[i],
-                        new ArraySegment<HitData>(hits, i * settings.MaxBounces, (int)listed[i].x), objects);
+                        hits, i * settings.MaxBounces);
                 progress?.Report((double)(first + count) / pixels.Length);
             }
             return paths;
@@ -54,27 +53,29 @@ namespace Glint
             _hits.Dispose();
         }
 
-        // End: bounces, and the bits of the length from the last one to the receiver.
-        RayPath PathOf(in RadarSettings settings, in RadarView view, RayGrid grid, uint pixel, uint2 end,
-            ArraySegment<HitData> hits, IHitObjects objects)
+        // End: bounces, with RAY_RECEIVED; then the bits of the length from the last one to the receiver.
+        static RayPath PathOf(in RadarSettings settings, in RadarView view, RayGrid grid, uint pixel, uint2 end,
+            HitData[] hits, int firstHit)
         {
-            var path =
-                new RayPath { Pixel = pixel, Start = view.StartOf(settings, pixel), Hits = new PathHit[hits.Count] };
-            for (int i = 0; i < hits.Count; i++)
+            var path = new RayPath
             {
-                var hit = hits.Array[hits.Offset + i];
+                Pixel = pixel, Start = view.StartOf(settings, pixel),
+                Hits = new PathHit[end.x & ~RayData.Received]
+            };
+            for (int i = 0; i < path.Hits.Length; i++)
+            {
+                var hit = hits[firstHit + i];
                 path.Hits[i] = new PathHit
                 {
-                    Position = grid.SceneCentre + hit.Position, Direction = hit.Direction, Object = PathHit.NoObject
+                    Position = grid.SceneCentre + hit.Position, Direction = hit.Direction,
+                    Instance = (int)hit.Instance, Triangle = (int)hit.Triangle,
+                    Object = hit.Object, Surface = (int)hit.Surface
                 };
-                if (objects == null)
-                    continue;
-                _scene.TriangleOf(hit, out int instance, out var a, out var b, out var c);
-                path.Hits[i].Object = objects.ObjectOf(instance, a, b, c);
             }
-            float wayBack = math.asfloat(end.y);
-            if (wayBack > 0)
-                path.End = path.Hits[hits.Count - 1].Position + wayBack * path.Hits[hits.Count - 1].Direction;
+            if ((end.x & RayData.Received) == 0)
+                return path;
+            var last = path.Hits[path.Hits.Length - 1];
+            path.End = last.Position + math.asfloat(end.y) * last.Direction;
             return path;
         }
     }

@@ -22,17 +22,16 @@ namespace Glint
 
         readonly RayTracer _tracer;
         readonly RadarPose _pose;
-        readonly IHitObjects _objects;
         readonly CancellationToken _cancel;
 
-        RadarPreviewTracer(RayTracer tracer, in RadarPose pose, IHitObjects objects, CancellationToken cancel)
+        RadarPreviewTracer(RayTracer tracer, in RadarPose pose, CancellationToken cancel)
         {
-            (_tracer, _pose, _objects, _cancel) = (tracer, pose, objects, cancel);
+            (_tracer, _pose, _cancel) = (tracer, pose, cancel);
         }
 
         /// <summary>The picture of a pose whose scene the tracer holds.</summary>
-        public static RadarPreviewImage Trace(RayTracer tracer, in RadarPose pose, IHitObjects objects,
-            CancellationToken cancel) => new RadarPreviewTracer(tracer, pose, objects, cancel).Trace();
+        public static RadarPreviewImage Trace(RayTracer tracer, in RadarPose pose, CancellationToken cancel) =>
+            new RadarPreviewTracer(tracer, pose, cancel).Trace();
 
         // First the whole at its size, then, where only a part of it meets anything, that part larger.
         RadarPreviewImage Trace()
@@ -56,8 +55,7 @@ namespace Glint
             for (int i = 0; i < pixels.Length; i++)
                 pixels[i] =
                     (uint)(part.Left + i % part.Width + (long)(part.Bottom + i / part.Width) * settings.RaysAcross);
-            return _tracer.TracePaths(new RadarPose(_pose.Scene, settings, _pose.View), pixels,
-                _objects, null, _cancel);
+            return _tracer.TracePaths(new RadarPose(_pose.Scene, settings, _pose.View), pixels, null, _cancel);
         }
 
         static RadarPreviewImage Preview(in RadarSettings settings, in RayRegion part, RayPath[] paths)

@@ -128,8 +128,8 @@ namespace Glint
         /// <param name="cancel">Ends the work after the dispatch in hand.</param>
         /// <exception cref="GlintException">A setting is out of its range, or a pixel outside the picture.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
-        public RayPath[] TracePaths(in RadarPose pose, uint[] pixels, IHitObjects objects = null,
-            IProgress<double> progress = null, CancellationToken cancel = default)
+        public RayPath[] TracePaths(in RadarPose pose, uint[] pixels, IProgress<double> progress = null,
+            CancellationToken cancel = default)
         {
             Validate(pose);
             var settings = pose.Settings;
@@ -141,7 +141,7 @@ namespace Glint
             SetScene(pose.Scene, new TraceStatistics(), cancel);
             var grid = new RayGrid(settings, pose.View, _scene.Min, _scene.Max);
             _kernel.SetRadar(settings, pose.View, grid, pose.Scene.Origin, 0, Culling & ~Culling.EntryPoints);
-            return _paths.Follow(pose, grid, pixels, objects, progress, cancel);
+            return _paths.Follow(pose, grid, pixels, progress, cancel);
         }
 
         /// <summary>Releases all buffers on the device.</summary>

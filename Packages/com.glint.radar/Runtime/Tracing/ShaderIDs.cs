@@ -10,6 +10,7 @@ namespace Glint
             .Select(page => Shader.PropertyToID("_Bvh" + page)).ToArray();
         public static readonly int _InstanceBvh = Shader.PropertyToID("_InstanceBvh");
         public static readonly int _Instances = Shader.PropertyToID("_Instances");
+        public static readonly int _Ranges = Shader.PropertyToID("_Ranges");
         public static readonly int _InlineToLocal = Shader.PropertyToID("_InlineToLocal");
         public static readonly int _InlineFirstRow = Shader.PropertyToID("_InlineFirstRow");
         public static readonly int _InstanceCount = Shader.PropertyToID("_InstanceCount");

@@ -172,13 +172,14 @@ namespace Glint
 
         /// <summary>Follows listed rays, in double-float arithmetic, and notes their reflections.</summary>
         /// <param name="listed">
-        /// Pixel, 0; then bounces, and the bits of the length from the last one to the receiver's plane,
-        /// 0 for a ray that is not received.
+        /// Pixel, 0; then bounces, with RAY_RECEIVED, and the bits of the length from the last one
+        /// to the receiver's plane.
         /// </param>
         /// <param name="hits">Takes <see cref="RadarSettings.MaxBounces"/> places a ray.</param>
         public void DispatchPaths(DeviceScene scene, int count, DeviceBuffer<uint2> listed, DeviceBuffer<HitData> hits)
         {
             SetBvhs(_pathsKernel, scene);
+            _shader.SetBuffer(_pathsKernel, ShaderIDs._Ranges, scene.Ranges.Buffer);
             _shader.SetInt(ShaderIDs._CandidateCount, count);
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Candidates, listed.Buffer);
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Hits, hits.Buffer);

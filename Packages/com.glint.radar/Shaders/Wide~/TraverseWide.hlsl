@@ -107,17 +107,18 @@ uint4 Sorted(uint4 k)
 static const uint4 ROOT_ENTRY_POINTS = uint4(8, DONE, DONE, DONE);
 
 // Searches the BVH of one mesh from up to four places in order: four children a node, nearest first.
-// The fastest on software devices, which pay for each fetch.
-void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uint4 entryPoints, inout Hit hit)
+// The fastest on software devices, which pay for each fetch. AnyHit: any triangle will do.
+void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uint4 entryPoints, bool anyHit,
+    inout TraversalState state)
 {
     WideStack stack = (WideStack)0;
     stack.A = uint4(entryPoints.yzw == DONE ? 0 : entryPoints.yzw, 0);
     uint current = entryPoints.x == DONE ? DONE : NextOf(entryPoints.x);
     [loop]
-    while (current != DONE || HasPending(hit)) // only refine kernels ever wait
+    while (current != DONE || HasPending(state)) // only refine kernels ever wait
     {
         [loop]
-        while (current != DONE && !HasPending(hit))
+        while (current != DONE && !HasPending(state))
         {
             [loop]
             while ((current & LEAF) == 0)
@@ -125,7 +126,7 @@ void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uin
                 COUNT_NODE;
                 uint row = firstRow + 3 * current;
                 uint4 a = LoadBvh(page, row), b = LoadBvh(page, row + 1), c = LoadBvh(page, row + 2);
-                uint4 keys = Sorted(ChildKeys(a, b, c, ray, hit.Distance));
+                uint4 keys = Sorted(ChildKeys(a, b, c, ray, state.Distance));
                 uint pending = (keys.y & 15) | (keys.z & 15) << 4 | (keys.w & 15) << 8;
                 bool enters = (keys.x & 8) != 0;
 
@@ -138,15 +139,17 @@ void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uin
                 stack = Choose(pushes, Pushed(stack, c.z << 12 | pending), pops, Popped(stack), taken);
             }
             [loop]
-            while (current >= LEAF && current != DONE && !HasPending(hit))
+            while (current >= LEAF && current != DONE && !HasPending(state))
             {
-                TestPair(ray, instance, page, firstRow, 3 * (current & ~LEAF), hit);
-                current = NextOf(stack.A.x);
+                TestPair(ray, instance, page, firstRow, 3 * (current & ~LEAF), state);
+                current = IsEnough(state, anyHit) ? DONE : NextOf(stack.A.x);
                 stack.A.x = WithoutNext(stack.A.x);
                 stack = Choose(false, stack, (stack.A.x & CHILDREN) == 0, Popped(stack), stack);
             }
         }
-        TestPending(ray, instance, page, firstRow, hit);
+        TestPending(ray, instance, page, firstRow, state);
+        if (IsEnough(state, anyHit))
+            return;
     }
 }
 

@@ -13,7 +13,7 @@ public sealed class SerializedFieldsTests
     {
         string[] names = SerializedFields.Of(typeof(Mixed)).Select(field => field.Name).ToArray();
         Assert.That(names,
-            Is.EqualTo(new[] { "Base", "Number", "Numbers", "Place", "Level", "_kept", "Data", "List", "_layout" }));
+            Is.EqualTo(new[] { "Base", "Number", "Numbers", "Place", "Level", "_kept", "Data", "List", "_shape" }));
     }
 
     // The fields are only looked at.

@@ -1,0 +1,29 @@
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>
+    /// Gives a radar material to an object and to all below it that have none of their own, or to one submesh of
+    /// its mesh. Objects without one are perfect conductors.
+    /// </summary>
+    [AddComponentMenu("Glint/Radar Surface")]
+    public sealed class RadarSurface : MonoBehaviour
+    {
+        /// <summary>Value of <see cref="Submesh"/>: the whole object, and those below it.</summary>
+        public const int AllSubmeshes = -1;
+
+        [SerializeField, Tooltip("Material of the surface. Empty: a perfect conductor.")]
+        RadarMaterial _material;
+
+        [SerializeField, Min(AllSubmeshes), Tooltip("Submesh of this object's mesh, from 0. -1: the whole object and those below it.")]
+        int _submesh = AllSubmeshes;
+
+        /// <summary>Material of the surface; null: a perfect conductor.</summary>
+        public RadarMaterial Material { get => _material; set => _material = value; }
+
+        /// <summary>
+        /// Submesh of this object's mesh, from 0; <see cref="AllSubmeshes"/>: the whole object and those below it.
+        /// </summary>
+        public int Submesh { get => _submesh; set => _submesh = value; }
+    }
+}

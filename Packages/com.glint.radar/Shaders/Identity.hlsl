@@ -1,0 +1,46 @@
+#ifndef GLINT_IDENTITY
+#define GLINT_IDENTITY
+
+#include "ClosestHit.hlsl"
+
+// What was hit.
+struct Identity
+{
+    uint Instance;        // place in the scene
+    uint Triangle;        // number in the instance's mesh
+    int Object;           // -1 if it is not known
+    uint Surface;         // place in the scene
+};
+
+// The last range that begins at the triangle or before it.
+uint4 FindRange(uint first, uint count, uint triangleNumber)
+{
+    uint end = first + count;
+    [loop]
+    while (end - first > 1)
+    {
+        uint middle = (first + end) / 2;
+        if (_Ranges[middle].x <= triangleNumber)
+            first = middle;
+        else
+            end = middle;
+    }
+    return _Ranges[first];
+}
+
+Identity Identify(Hit hit)
+{
+    InstanceRecord record = LoadInstance(hit.Instance);
+    uint leaf = (hit.Row - record.FirstRecordRow) / 3;
+    uint4 leaves = LoadBvh(record.Page, record.FirstRow + record.FirstIdentityRow + leaf / 2);
+    uint2 triangles = leaf % 2 == 0 ? leaves.xy : leaves.zw;
+    Identity identity;
+    identity.Instance = record.Instance;
+    identity.Triangle = hit.Second ? triangles.y : triangles.x;
+    uint4 range = FindRange(record.FirstRange, record.RangeCount, identity.Triangle);
+    identity.Object = asint(range.y);
+    identity.Surface = range.z;
+    return identity;
+}
+
+#endif
