@@ -5,13 +5,13 @@ namespace Glint.Core
     {
         public Box Box;
 
-        /// <summary>The first of its leaves.</summary>
+        /// <summary>Index of its first leaf.</summary>
         public int First;
 
-        /// <summary>How many leaves it has, two at least.</summary>
+        /// <summary>Number of its leaves, at least 2.</summary>
         public int Count;
 
-        /// <summary>How many of them, the first ones, are the left child's.</summary>
+        /// <summary>Number of leaves of the left child, which come first.</summary>
         public int LeftCount;
     }
 }

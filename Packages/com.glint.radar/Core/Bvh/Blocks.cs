@@ -4,7 +4,7 @@ using System.Threading.Tasks;
 
 namespace Glint.Core
 {
-    /// <summary>Loops shared out among the cores in blocks.</summary>
+    /// <summary>Parallel loops in blocks.</summary>
     static class Blocks
     {
         const int Size = 8192;
@@ -13,7 +13,7 @@ namespace Glint.Core
         /// Calls <paramref name="action"/> with the first and the end of each block of 0 .. count - 1.
         /// The result must not depend on the blocks' order.
         /// </summary>
-        /// <exception cref="OperationCanceledException">Cancelled; some blocks were left out.</exception>
+        /// <exception cref="OperationCanceledException">Cancelled; some blocks were not processed.</exception>
         public static void For(int count, Action<int, int> action, CancellationToken cancel = default)
         {
             cancel.ThrowIfCancellationRequested();

@@ -1,13 +1,13 @@
 namespace Glint.Core
 {
-    /// <summary>How the nodes of a BVH look to the kernel.</summary>
+    /// <summary>Format of BVH nodes on the device.</summary>
     public enum BvhLayout
     {
-        /// <summary>Two children with float boxes a node, 48 bytes: for GPUs.</summary>
+        /// <summary>Two children a node, float boxes, 48 bytes: for GPUs.</summary>
         Binary,
 
         /// <summary>
-        /// Up to four children with 8-bit boxes a node, 48 bytes: for software devices, where fetches cost most.
+        /// Up to four children a node, 8-bit boxes, 48 bytes: for software devices, where fetches cost most.
         /// </summary>
         Wide,
     }

@@ -1,6 +1,6 @@
 namespace Glint.Core
 {
-    /// <summary>A thing in a BVH: its box and its number.</summary>
+    /// <summary>An item of a BVH: its box and its number.</summary>
     struct BvhLeaf
     {
         public Box Box;

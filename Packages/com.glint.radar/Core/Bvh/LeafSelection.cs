@@ -1,14 +1,14 @@
 namespace Glint.Core
 {
     /// <summary>
-    /// Puts the middle one of some leaves where it would stand if they were sorted by their centres.
-    /// Time grows with their number, not with its logarithm as well.
+    /// Quickselect: moves the median of some leaves, by their centres, to the position it has in sorted order.
+    /// Linear time.
     /// </summary>
     static class LeafSelection
     {
         /// <summary>
-        /// Afterwards no centre before place <paramref name="first"/> + <paramref name="count"/> / 2 is
-        /// above one from there on.
+        /// Afterwards no centre before index <paramref name="first"/> + <paramref name="count"/> / 2 is
+        /// above one at or after it.
         /// </summary>
         public static void PutMedianInPlace(BvhLeaf[] leaves, int first, int count, int axis)
         {
@@ -30,7 +30,7 @@ namespace Glint.Core
                     i++;
                     j--;
                 }
-                // Up to j at most the pivot, from i on at least; between them the pivot itself.
+                // Up to j: at most the pivot. From i on: at least the pivot. Between them: the pivot.
                 if (mid <= j)
                     right = j;
                 else if (mid >= i)

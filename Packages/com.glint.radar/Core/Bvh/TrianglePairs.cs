@@ -6,21 +6,20 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// A mesh's triangles two by two, where two that share an edge fit into a box not much larger than their own:
-    /// the leaves of its BVH.
-    /// On a sea or a ship hardly a triangle is left alone, so that a BVH has half the leaves and half the nodes.
+    /// Pairs of a mesh's triangles that share an edge and whose common box is not much larger than their own boxes: the
+    /// leaves of its BVH. On a sea or a ship almost all triangles find a partner, which halves leaves and nodes.
     /// </summary>
     sealed class TrianglePairs
     {
-        // Square of the least cross product of edges, m4, that float32 can make a normal of:
+        // Square of the minimum cross product of edges, m4, from which float32 can compute a normal:
         // the triangle's area is then half of 1e-16 m2.
         const float MinNormalSquared = 1e-32f;
 
-        // Boxes' half areas: that of a pair may be this much larger than those of its triangles together.
+        // Maximum ratio of a pair's box area to the sum of the box areas of its triangles.
         const float MaxGrowth = 1.3f;
 
         // Rounds of pairing triangles that are each other's best partner;
-        // what is left takes the best that is free, in the mesh's order.
+        // the rest take the best free partner, in the mesh's order.
         const int Rounds = 3;
 
         const int Free = -1;
@@ -129,7 +128,7 @@ namespace Glint.Core
             _mates[_across[edge] / 3] = _across[edge];
         }
 
-        // The edge of a free triangle to the free one that makes the smallest box with it.
+        // The edge of a free triangle to the free neighbour with the smallest common box.
         int BestEdge(int triangle)
         {
             if (_mates[triangle] != Free)

@@ -5,8 +5,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// Finds vertices at the same place, as meshes have them whose triangles share
-    /// no vertices (STL) or are shaded flat.
+    /// Finds vertices at the same position. Meshes whose triangles share no vertices (STL), or are shaded flat, have
+    /// many.
     /// </summary>
     static class VertexWelder
     {
@@ -18,8 +18,7 @@ namespace Glint.Core
             while (bits < 30 && 1L << bits < 2L * vertices.Length)
                 bits++;
             // A hash table with linear probing: a slot holds a vertex number + 1, 0 is free.
-            // Which slot a place gets depends on the order in which threads arrive;
-            // the lowest number it ends with does not.
+            // The slot of a position depends on the order of the threads; the lowest number in it does not.
             var table = new int[1 << bits];
             var welded = new int[vertices.Length];
             Blocks.For(vertices.Length, (from, to) =>
@@ -60,7 +59,7 @@ namespace Glint.Core
         static bool SameBits(float3 a, float3 b) =>
             asuint(a.x) == asuint(b.x) && asuint(a.y) == asuint(b.y) && asuint(a.z) == asuint(b.z);
 
-        // The high bits are used: products spread towards them.
+        // The high bits of a product depend on all bits of its factors.
         static uint Hash(float3 position)
         {
             uint hash = asuint(position.x) * 0x9e3779b1;

@@ -10,11 +10,11 @@ namespace Glint.Core
     /// Reads a Wavefront OBJ: v and f statements. Polygons are cut into a fan about their first corner,
     /// or by clipping ears where they are concave.
     /// Colours, texture coordinates, normals, groups, materials, points,
-    /// lines and free-form curves and surfaces are passed over.
+    /// lines and free-form curves and surfaces are ignored.
     /// </summary>
     sealed class ObjReader
     {
-        // Above every vertex count, and ten times it still is a long.
+        // Above every vertex count; ten times it still fits a long.
         const long ReferenceCap = 100_000_000_000_000_000;
 
         static readonly HashSet<string> PassedOver = new HashSet<string>(StringComparer.Ordinal)
@@ -32,8 +32,7 @@ namespace Glint.Core
         readonly List<int> _indices = new List<int>();
         readonly List<Polygon> _polygons = new List<Polygon>();
 
-        // A face may stand before its vertices, so the largest reference is compared at the end,
-        // and polygons are looked at then.
+        // A face may precede its vertices, so the largest reference is checked, and polygons are cut, at the end.
         long _largestReference;
         int _largestReferenceLine;
 
@@ -86,7 +85,7 @@ namespace Glint.Core
             float x = Coordinate(ref tokens, "x"), y = Coordinate(ref tokens, "y"), z = Coordinate(ref tokens, "z");
             _vertices.Add(_placement.Turn(x, y, z));
 
-            // A weight or a colour may follow, or both: up to four numbers, not used.
+            // Ignores up to four numbers: a weight, a colour or both.
             for (int i = 0; !tokens.IsComment && tokens.Next(); i++)
                 if (i == 4 || !NumberParser.TryParse(tokens.Current, out _))
                     throw _lines.Error($"{Bytes.Quote(tokens.Current)} does not belong into a vertex: "
@@ -143,7 +142,7 @@ namespace Glint.Core
                         + "; mend it or export triangles");
         }
 
-        // v, v/vt, v//vn or v/vt/vn: counted from 1, or backwards from the latest as -1.
+        // v, v/vt, v//vn or v/vt/vn. Vertices count from 1, or backwards from -1, the latest.
         int Corner(ReadOnlySpan<byte> word)
         {
             int at = 0;
@@ -183,7 +182,7 @@ namespace Glint.Core
             return slashes <= 2;
         }
 
-        /// <summary>A face of more than three corners: its fan in the indices, and its line.</summary>
+        /// <summary>A face of more than three corners: its fan in the indices, and its line in the file.</summary>
         readonly struct Polygon
         {
             public readonly int FirstIndex, Corners, Line;
