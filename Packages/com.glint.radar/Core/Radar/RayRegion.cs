@@ -9,7 +9,7 @@ namespace Glint.Core
         /// <summary>Left and bottom edge, width and height, all in rays of the whole picture.</summary>
         public int Left, Bottom, Width, Height;
 
-        /// <summary>True when the whole picture is meant.</summary>
+        /// <summary>True for the whole picture.</summary>
         public bool IsWhole => Width == 0 && Height == 0;
     }
 }

@@ -2,7 +2,7 @@ using System.Runtime.InteropServices;
 
 namespace Glint.Core
 {
-    /// <summary>What the estimate of the sampling error needs of a received ray: two 32-bit words.</summary>
+    /// <summary>A received ray for the estimate of the sampling error: two 32-bit words.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct ReceivedRay
     {
@@ -13,7 +13,7 @@ namespace Glint.Core
         public uint Pixel;
 
         /// <summary>
-        /// Path length in metres less a length common to all rays of the pose, so that float32 holds it to micrometres.
+        /// Path length in metres less a length common to all rays of the pose, for which float32 has micrometres.
         /// </summary>
         public float Length;
     }

@@ -3,13 +3,13 @@ using System.Numerics;
 
 namespace Glint.Core
 {
-    /// <summary>Phasors in great number, where six digits are enough.</summary>
+    /// <summary>Fast phasors with six digits.</summary>
     static class Phasors
     {
         /// <summary>cos and sin of 2 pi <paramref name="turns"/>, to 2e-6.</summary>
         public static Complex OfTurns(double turns)
         {
-            // A quarter of the angle by its series, doubled twice.
+            // The series at a quarter of the angle, doubled twice.
             double x = (turns - Math.Round(turns)) * (Math.PI / 2), square = x * x;
             double cos = 1 - square / 2 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56)));
             double sin = x * (1 - square / 6 * (1 - square / 20 * (1 - square / 42)));

@@ -16,11 +16,11 @@ namespace Glint.Core
 
         double _slopeX, _slopeY, _bendX, _bendY, _twist; // turns a pixel, and turns a pixel squared
 
-        /// <summary>True if the phase is as smooth as the mean needs it.</summary>
+        /// <summary>True if the phase is smooth enough for the mean.</summary>
         public bool IsSmooth => Math.Abs(_slopeX) <= Steepest && Math.Abs(_slopeY) <= Steepest
             && Math.Abs(_bendX) <= MaxBend && Math.Abs(_bendY) <= MaxBend && Math.Abs(_twist) <= MaxBend;
 
-        /// <summary>Mean over the pixel of the phasor relative to that in its middle.</summary>
+        /// <summary>Mean phasor over the pixel relative to the phasor at its centre.</summary>
         public Complex Mean
         {
             get
@@ -31,7 +31,7 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>Of a ray all of whose neighbours were received.</summary>
+        /// <summary>The phase around a ray whose eight neighbours are all received.</summary>
         public static PixelPhase Of(ReceivedPicture picture, int ray, in ReceivedNeighbours near, double wavelength)
         {
             double centre = picture[ray].Length, west = picture[near.West].Length, east = picture[near.East].Length,
@@ -50,7 +50,7 @@ namespace Glint.Core
         // and its derivatives by the angle.
         readonly struct Slope
         {
-            const double MinTurns = 0.03; // below, the series is as good
+            const double MinTurns = 0.03; // below, the series is used
 
             public readonly double Mean, First, Second;
 

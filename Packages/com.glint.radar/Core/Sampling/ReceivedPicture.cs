@@ -1,7 +1,7 @@
 namespace Glint.Core
 {
     /// <summary>
-    /// The received rays in the order of their pixels. Memory goes with the rays, not with the picture.
+    /// The received rays in the order of their pixels: a sparse picture.
     /// </summary>
     sealed class ReceivedPicture
     {
@@ -9,7 +9,7 @@ namespace Glint.Core
 
         readonly ReceivedRay[] _rays;
 
-        /// <param name="received">Each pixel at most once, in any order, which is lost.</param>
+        /// <param name="received">Each pixel at most once, in any order; sorted in place.</param>
         public ReceivedPicture(in RadarSettings settings, ReceivedRay[] received, int count)
         {
             var region = settings.Region.IsWhole
@@ -27,7 +27,7 @@ namespace Glint.Core
         /// <summary>Rays across the whole picture.</summary>
         public uint Across { get; }
 
-        /// <summary>First and last column and row in which rays are emitted.</summary>
+        /// <summary>Bounds of the emitted rays: first and last column and row.</summary>
         public long Left { get; }
         public long Right { get; }
         public long Bottom { get; }
@@ -35,7 +35,7 @@ namespace Glint.Core
 
         public ReceivedRay this[int ray] => _rays[ray];
 
-        /// <summary>The first ray whose pixel is not before this one; <see cref="Count"/> when there is none.</summary>
+        /// <summary>First ray at or after a pixel; <see cref="Count"/> if there is none.</summary>
         public int FirstFrom(long pixel)
         {
             int first = 0, end = Count;
@@ -50,7 +50,7 @@ namespace Glint.Core
             return first;
         }
 
-        // Digit by digit from the lowest: several times faster than comparing.
+        // Radix sort: several times faster than comparisons.
         static ReceivedRay[] Ordered(ReceivedRay[] rays, int count)
         {
             if (IsOrdered(rays, count))

@@ -6,10 +6,10 @@ using System.Numerics;
 namespace Glint.Core
 {
     /// <summary>
-    /// How far the amplitude of a pose is from that of endlessly many rays. It is made from the received rays;
-    /// the tracer then looks more closely at the pixels it names, with <see cref="SubRays"/> x
-    /// <see cref="SubRays"/> rays in each, and hands over their sums to <see cref="Finish"/>. An estimate of size,
-    /// not a bound; how it is made and how well it holds: Documentation~/accuracy.md.
+    /// Estimates the difference between the amplitude of a pose and that of infinitely many rays. It chooses pixels
+    /// from the received rays; the tracer traces <see cref="SubRays"/> x <see cref="SubRays"/> sub-rays in each and
+    /// passes their sums to <see cref="Finish"/>. The estimate is a magnitude, not a bound. Derivation and validation:
+    /// Documentation~/accuracy.md.
     /// </summary>
     public sealed class SamplingEstimate
     {
@@ -20,11 +20,11 @@ namespace Glint.Core
         public const int SubRays = 4;
 
         /// <summary>
-        /// Sub-rays a pixel. Those of one number, of all pixels, are a grid as dense as the picture's.
+        /// Sub-rays a pixel. Sub-rays of the same number form a grid of the picture's density.
         /// </summary>
         public const int SubGrids = SubRays * SubRays;
 
-        /// <summary>Fewer received rays say little about what lies between them.</summary>
+        /// <summary>Minimum received rays for a reliable estimate.</summary>
         internal const int FewestRays = 16;
 
         /// <summary>
@@ -38,7 +38,8 @@ namespace Glint.Core
         /// </summary>
         internal const double MaxApart = 0.5;
 
-        // Pixels that are refined in any case. Above this number: as many as make as many sub-rays as the pose has rays.
+        // Pixels that are refined in any case. Above this number: as many as make as many sub-rays as the pose has
+        // rays.
         const int RefinedAlways = 1 << 16;
 
         // Standard error of an edge's position from sub-rays, in pixels; the maximum error is 1/8.
@@ -53,13 +54,13 @@ namespace Glint.Core
         readonly Tally _tally;
         readonly double _edges;
         readonly Complex _refined; // sum of the refined pixels' own rays
-        readonly double _share; // what the refined pixels stand for, when there are too many to refine all
+        readonly double _share; // weight of a refined pixel if not all are refined
 
-        /// <summary>Looks at the received rays of a pose, and chooses the pixels to refine.</summary>
+        /// <summary>Analyses the received rays of a pose and chooses the pixels to refine.</summary>
         /// <param name="settings">Of the pose.</param>
-        /// <param name="received">The received rays, each pixel once, in any order, which is lost.</param>
-        /// <param name="count">How many there are in the array.</param>
-        /// <param name="referenceLength">Metres that were taken off each <see cref="ReceivedRay.Length"/>.</param>
+        /// <param name="received">The received rays, each pixel once, in any order; sorted in place.</param>
+        /// <param name="count">Number of rays in the array.</param>
+        /// <param name="referenceLength">Metres to add to each <see cref="ReceivedRay.Length"/>.</param>
         public SamplingEstimate(in RadarSettings settings, ReceivedRay[] received, int count, double referenceLength)
         {
             _wavelength = settings.Wavelength;
@@ -74,8 +75,7 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Largest difference of path length between received rays that are among each other's eight
-        /// neighbours in the picture, wavelengths.
+        /// Maximum path difference between received rays of neighbouring pixels (eight neighbours), wavelengths.
         /// </summary>
         public double LargestPathStep => _tally.LargestStep / _wavelength;
 
@@ -102,7 +102,7 @@ namespace Glint.Core
             return new SamplingReport(error, LargestPathStep, undersampled);
         }
 
-        // In blocks that are added in their order: the same sum on any machine.
+        // In blocks that are added in a fixed order: the same sum on any machine.
         Tally LookAtAll(bool[] isSmooth)
         {
             var blocks = new SortedDictionary<int, Tally>();
@@ -166,15 +166,15 @@ namespace Glint.Core
             return edges.Strength();
         }
 
-        // All, or by chance as many as are affordable.
+        // All pixels, or a random selection within the limit.
         static uint[] Choose(List<uint> pixels, long raysEmitted, out double share)
         {
             long max = Math.Max(RefinedAlways, raysEmitted / SubGrids);
             uint every = (uint)Math.Max(1, (pixels.Count + max - 1) / max);
             if (every > 1)
                 pixels.RemoveAll(pixel => Scattered(pixel) % every != 0);
-            // The others' errors add to theirs if they are alike,
-            // their squares do if they are by chance: between the two.
+            // The errors of the other pixels add up if they are correlated, their squares if they are independent: the
+            // weight is between the two.
             share = Math.Sqrt(every);
             return pixels.ToArray();
         }
@@ -195,7 +195,7 @@ namespace Glint.Core
 
         Complex PhasorOf(int ray) => Phasors.OfTurns(_picture[ray].Length / _wavelength + _referenceTurns);
 
-        // A number by chance, the same for the same pixel.
+        // A random number that depends on the pixel alone.
         static uint Scattered(uint pixel)
         {
             pixel = (pixel ^ pixel >> 16) * 0x7feb352du;
@@ -207,7 +207,7 @@ namespace Glint.Core
         {
             public double LargestStep; // metres
             public long Pairs, Apart, Alone; // neighbours, those half a wavelength apart, rays without neighbours
-            public Complex Smooth; // mean phasors of the smooth pixels less their rays'
+            public Complex Smooth; // sum over smooth pixels of mean phasor less the ray's phasor
 
             public void Add(Tally other)
             {

@@ -7,17 +7,17 @@ using System.Security.Cryptography;
 namespace Glint.Core
 {
     /// <summary>
-    /// Tells the content of scenes apart, from run to run and machine to machine:
-    /// SHA-256 over numbers as they lie in memory, little-endian.
+    /// Identifies the content of a scene across runs and machines: SHA-256 over the bytes of its numbers,
+    /// little-endian.
     /// </summary>
     sealed class SceneHash : IDisposable
     {
-        // Of 64 digits: enough that two scenes never have the same.
+        // Of 64: 128 bits make collisions negligible.
         const int Digits = 32;
 
         readonly IncrementalHash _hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
 
-        /// <summary>Takes in meshes and places, each mesh once.</summary>
+        /// <summary>Adds meshes and transforms, each mesh once.</summary>
         public void Add(RadarScene scene)
         {
             var meshes = new Dictionary<TriangleMesh, int>();
@@ -41,14 +41,14 @@ namespace Glint.Core
                 Add(surface.Name.ToCharArray());
         }
 
-        /// <summary>Takes in numbers or structs of numbers, and how many they are.</summary>
+        /// <summary>Adds numbers or structs of numbers, and their count.</summary>
         public void Add<T>(T[] values) where T : struct
         {
             _hash.AppendData(BitConverter.GetBytes(values.Length));
             _hash.AppendData(MemoryMarshal.AsBytes(new ReadOnlySpan<T>(values)));
         }
 
-        /// <summary>The hash of all that was added, in hexadecimal digits; then it is empty again.</summary>
+        /// <summary>The hash of everything added, in hexadecimal digits; resets the hash.</summary>
         public string Text() =>
             BitConverter.ToString(_hash.GetHashAndReset()).Replace("-", "").ToLowerInvariant().Substring(0, Digits);
 

@@ -3,8 +3,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Triangles in a frame of their own, metres, Unity's axes (left-handed, y up). Both sides of a triangle reflect.
-    /// It does not change: a mesh that changed is a new one.
+    /// Triangles in the mesh's own frame, metres, Unity's axes (left-handed, y up). Both sides of a triangle reflect.
+    /// Immutable: a changed mesh is a new object.
     /// </summary>
     public sealed class TriangleMesh
     {
@@ -30,7 +30,7 @@ namespace Glint.Core
         public int TriangleCount => Indices.Length / 3;
 
         /// <summary>
-        /// The box around all triangles; empty without any. A vertex without a triangle is nothing to see.
+        /// The box around all triangles; empty without triangles. Vertices without a triangle do not count.
         /// </summary>
         internal Box Bound()
         {
