@@ -63,8 +63,8 @@ namespace Glint.Core
         public double3 SceneCentre { get; }
 
         /// <summary>
-        /// Maximum length of a segment in the scene, metres: the diagonal of its bounds, or the distance from its
-        /// centre to a near radar.
+        /// Bound of segment lengths, metres: the diagonal of the scene's bounds plus the distance from its centre to
+        /// <see cref="Origin"/>.
         /// </summary>
         public double SceneExtent { get; }
 

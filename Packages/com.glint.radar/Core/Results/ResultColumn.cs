@@ -4,8 +4,7 @@ using System.Collections.Generic;
 namespace Glint.Core
 {
     /// <summary>
-    /// One column of result files. The table <see cref="All"/> is the only place that knows them;
-    /// CSV and JSON follow it.
+    /// One column of result files. CSV and JSON follow the table <see cref="All"/>.
     /// </summary>
     public sealed class ResultColumn
     {
@@ -64,7 +63,7 @@ namespace Glint.Core
         /// <summary>Whether a row may have no value.</summary>
         internal bool MayBeEmpty { get; }
 
-        /// <summary>The value; null when the row has none, as an amplitude of 0 has no decibels.</summary>
+        /// <summary>The value; null if the row has none, such as the decibels of amplitude 0.</summary>
         /// <exception cref="GlintException">The value is NaN or infinite.</exception>
         public double? Value(SweepRow row)
         {

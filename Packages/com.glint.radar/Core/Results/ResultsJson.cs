@@ -150,7 +150,7 @@ namespace Glint.Core
             _json.WriteEndObject();
         }
 
-        // On one line: a bin a line would bury the rows.
+        // On one line, for readability.
         void WriteHistogram(int[] bins)
         {
             Open("phase_histogram", array: true);

@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Glint.Core
 {
     /// <summary>
-    /// What a run or sweep worked on and with, for results.json. What is not known stays null and is written as null.
+    /// Input and environment of a run or sweep, for results.json. Unknown values are null and written as null.
     /// </summary>
     public sealed class RunInfo
     {
@@ -12,8 +12,8 @@ namespace Glint.Core
         public string ScenePath;
 
         /// <summary>
-        /// The command line that asked for it, as <see cref="CommandLine.Arguments"/>, without where its files go;
-        /// null for a run that no command began.
+        /// The command line, as <see cref="CommandLine.Arguments"/>, without its output folder; null for a run that was
+        /// not started by a command.
         /// </summary>
         public IReadOnlyList<string> Command;
 
@@ -23,7 +23,7 @@ namespace Glint.Core
         /// <summary>Objects and triangles traced.</summary>
         public long Objects, Triangles;
 
-        /// <summary>Graphics device, and the interface it was used through ("Vulkan").</summary>
+        /// <summary>Graphics device, and its API ("Vulkan").</summary>
         public string DeviceName, GraphicsApi;
 
         /// <summary>Versions: of Glint, of Unity's API, and name and version of the program that ran.</summary>
@@ -32,13 +32,13 @@ namespace Glint.Core
         /// <summary>Name and version of the operating system.</summary>
         public string OperatingSystem;
 
-        /// <summary>When the run began, UTC.</summary>
+        /// <summary>Start of the run, UTC.</summary>
         public DateTime StartedUtc;
 
         /// <summary>Wall time of the whole run in milliseconds.</summary>
         public double ElapsedMs;
 
-        /// <summary>What the rows are of; null for a single pose.</summary>
+        /// <summary>Identity of the sweep; null for a single pose.</summary>
         public SweepIdentity Sweep;
 
         /// <summary>Radar, receiver and sweep settings, in the order of the file; each name once.</summary>

@@ -13,7 +13,7 @@ namespace Glint.Core
             Text = null;
         }
 
-        /// <summary>A setting in words.</summary>
+        /// <summary>A setting that is a text.</summary>
         /// <param name="name">As in results.json.</param>
         /// <param name="text">Its value.</param>
         public RunSetting(string name, string text)
@@ -27,7 +27,7 @@ namespace Glint.Core
         /// <summary>As in results.json: "max_bounces".</summary>
         public string Name { get; }
 
-        /// <summary>The value in <see cref="Unit"/>, when <see cref="Unit"/> is given.</summary>
+        /// <summary>The value in <see cref="Unit"/>, if that is not null.</summary>
         public double Number { get; }
 
         /// <summary>Null for a text.</summary>

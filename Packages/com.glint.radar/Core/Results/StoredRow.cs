@@ -6,7 +6,7 @@ using Newtonsoft.Json.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// What results.json needs of a row once it is in results.csv: not the rays, which may be millions.
+    /// The part of a row that results.json needs: without the rays, which may be millions.
     /// </summary>
     sealed class StoredRow
     {
@@ -36,12 +36,12 @@ namespace Glint.Core
             PhaseHistogram = row["phase_histogram"]?.ToObject<int[]>();
         }
 
-        /// <summary>The value of a column, by its name; null where there is none.</summary>
+        /// <summary>The value of a column, by its name; null if empty.</summary>
         public double? this[string column] => _values[s_indices[column]];
 
         /// <summary>
-        /// Texts in the order of <see cref="ResultColumn.All"/>; null where there is no value.
-        /// The shortest text of a number is the one that was read.
+        /// Texts in the order of <see cref="ResultColumn.All"/>; null for an empty value. Numbers have their shortest
+        /// text, which is the one that was read.
         /// </summary>
         public IEnumerable<string> Cells =>
             _values.Select(value => value.HasValue ? Numbers.Format(value.Value) : null);

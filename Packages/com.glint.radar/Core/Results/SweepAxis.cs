@@ -4,9 +4,8 @@ using System.Globalization;
 namespace Glint.Core
 {
     /// <summary>
-    /// One thing that a sweep steps through. The table <see cref="All"/> is where plan, result files,
-    /// tables and messages know the axes from;
-    /// an option of glint sweep gives the values, and Glint.AxisDrivers shows them.
+    /// A quantity that a sweep steps through. Plan, result files, tables and messages follow the table
+    /// <see cref="All"/>; an option of glint sweep gives the values, and Glint.AxisDrivers applies them.
     /// </summary>
     public sealed class SweepAxis
     {
@@ -16,10 +15,10 @@ namespace Glint.Core
         /// <summary>Carrier frequency, hertz.</summary>
         public static readonly SweepAxis Frequency = new SweepAxis(1, "frequency", "frequency_hz", "Hz", "{0} Hz", 12);
 
-        /// <summary>From the radar to the point that it looks at, metres.</summary>
+        /// <summary>Distance from the radar to the point it looks at, metres.</summary>
         public static readonly SweepAxis Range = new SweepAxis(2, "range", "range_m", "m", "range {0} m", 9);
 
-        /// <summary>How far the radar looks down, degrees.</summary>
+        /// <summary>Angle by which the radar looks down, degrees.</summary>
         public static readonly SweepAxis Grazing =
             new SweepAxis(3, "grazing", "grazing_deg", "deg", "grazing {0} deg", 7);
 
@@ -38,10 +37,10 @@ namespace Glint.Core
             Width = width;
         }
 
-        /// <summary>Every axis in the order of a plan: the first changes slowest, the last from pose to pose.</summary>
+        /// <summary>Every axis in the order of a plan: the first changes slowest, the last fastest.</summary>
         public static IReadOnlyList<SweepAxis> All { get; } = new[] { Snapshot, Frequency, Range, Grazing, Angle };
 
-        /// <summary>In one word.</summary>
+        /// <summary>Name of the axis, one word.</summary>
         public string Name { get; }
 
         /// <summary>Name of the column in result files.</summary>
@@ -50,7 +49,7 @@ namespace Glint.Core
         /// <summary>Unit; "1" for a plain number.</summary>
         public string Unit { get; }
 
-        /// <summary>Place in <see cref="All"/>.</summary>
+        /// <summary>Index in <see cref="All"/>.</summary>
         internal int Index { get; }
 
         /// <summary>Characters of the column in printed tables.</summary>

@@ -1,21 +1,21 @@
 namespace Glint.Core
 {
-    /// <summary>One pose of a sweep and what the radar received in it.</summary>
+    /// <summary>A pose of a sweep and its result.</summary>
     public readonly struct SweepRow
     {
         /// <summary>A row.</summary>
-        /// <param name="pose">Where the sweep stood.</param>
-        /// <param name="result">What was received.</param>
+        /// <param name="pose">The pose.</param>
+        /// <param name="result">Its result.</param>
         public SweepRow(SweepPose pose, RadarResult result)
         {
             Pose = pose;
             Result = result;
         }
 
-        /// <summary>Where the sweep stood.</summary>
+        /// <summary>The pose.</summary>
         public SweepPose Pose { get; }
 
-        /// <summary>What was received.</summary>
+        /// <summary>Its result.</summary>
         public RadarResult Result { get; }
     }
 }

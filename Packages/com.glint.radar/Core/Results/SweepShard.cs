@@ -3,10 +3,10 @@ using System.Globalization;
 
 namespace Glint.Core
 {
-    /// <summary>Part K of N of a sweep: poses that follow each other, as many in each part or one more.</summary>
+    /// <summary>Part K of N of a sweep: consecutive poses, in parts whose sizes differ by at most one.</summary>
     public readonly struct SweepShard : IEquatable<SweepShard>
     {
-        /// <summary>Most parts of a sweep.</summary>
+        /// <summary>Maximum number of parts of a sweep.</summary>
         public const int Limit = 100000;
 
         /// <summary>A part.</summary>
@@ -17,10 +17,10 @@ namespace Glint.Core
             Count = count;
         }
 
-        /// <summary>Which part, from 1.</summary>
+        /// <summary>Number of the part, from 1.</summary>
         public int Number { get; }
 
-        /// <summary>Parts in all.</summary>
+        /// <summary>Number of parts.</summary>
         public int Count { get; }
 
         /// <summary>The first pose of the part.</summary>
@@ -43,7 +43,7 @@ namespace Glint.Core
             return new SweepShard(number, count);
         }
 
-        /// <summary>Whether it is the same part of as many.</summary>
+        /// <summary>Whether number and count are equal.</summary>
         public bool Equals(SweepShard other) => Number == other.Number && Count == other.Count;
 
         /// <inheritdoc/>

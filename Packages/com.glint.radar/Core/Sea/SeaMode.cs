@@ -15,7 +15,7 @@ namespace Glint.Core
         /// <summary>h, metres.</summary>
         public double Real, Imaginary;
 
-        /// <summary>w over 2 pi, turns a second: below 0 where the wave runs along -k.</summary>
+        /// <summary>w over 2 pi, turns a second: negative if the wave travels along -k.</summary>
         public double Frequency;
 
         /// <summary>k over its length.</summary>

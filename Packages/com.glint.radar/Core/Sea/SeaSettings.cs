@@ -3,14 +3,14 @@ using System;
 namespace Glint.Core
 {
     /// <summary>
-    /// What sea there is: a tile that repeats without a seam. All of a surface follows from these numbers and the time,
+    /// Settings of a sea's tile, which repeats without a seam. The surface is a function of these numbers and the time,
     /// bit for bit on any machine.
     /// </summary>
     [Serializable]
     public struct SeaSettings
     {
         /// <summary>
-        /// Metres. Tile sizes are multiples of it, so that float32 holds the edges of neighbouring tiles alike.
+        /// Metres. Tile sizes are multiples of it, so that the edges of neighbouring tiles round to the same float32.
         /// </summary>
         public const double TileStep = 1.0 / 1024;
 
@@ -22,21 +22,21 @@ namespace Glint.Core
 
         static readonly Interval s_factors = Interval.Closed(0.001, 1000);
 
-        /// <summary>How the variance is spread over wavelengths.</summary>
+        /// <summary>Distribution of the variance over wavelengths.</summary>
         public SeaSpectrumKind Kind;
 
         /// <summary>Hs in metres: four standard deviations of the height, on average over seeds.</summary>
         public double SignificantWaveHeight;
 
-        /// <summary>Metres a second, 10 m above the sea. It shapes the spectrum and leaves the height alone.</summary>
+        /// <summary>Metres a second, 10 m above the sea. It sets the shape of the spectrum, not the height.</summary>
         public double WindSpeed;
 
-        /// <summary>Where wind and waves run to, as Unity's rotation about Y: 0 to +Z, 90 to +X.</summary>
+        /// <summary>Direction in which wind and waves travel, as Unity's rotation about Y: 0 is +Z, 90 is +X.</summary>
         public double WindDirectionDegrees;
 
         /// <summary>
-        /// Horizontal displacement over that of waves in deep water (Gerstner's): 0 none, 1 theirs;
-        /// crests curl over where it is large.
+        /// Horizontal displacement as a multiple of that of deep-water waves (Gerstner's); crests curl over where it is
+        /// large.
         /// </summary>
         public double Choppiness;
 
@@ -44,7 +44,7 @@ namespace Glint.Core
         public double TileSize;
 
         /// <summary>
-        /// Grid points a side, a power of two from 4 to 1024: waves down to nearly 2 TileSize / GridSize are there.
+        /// Grid points a side, a power of two from 4 to 1024. The shortest wave is nearly 2 TileSize / GridSize.
         /// </summary>
         public int GridSize;
 
@@ -54,17 +54,17 @@ namespace Glint.Core
         /// </summary>
         public int Cells;
 
-        /// <summary>Metres. Shorter waves are left out; 0: none are.</summary>
+        /// <summary>Metres. Shorter waves are omitted; 0: all waves.</summary>
         public double ShortestWave;
 
-        /// <summary>Metres of water that the wind has blown over. JONSWAP only.</summary>
+        /// <summary>Fetch in metres. JONSWAP only.</summary>
         public double Fetch;
 
-        /// <summary>How much higher the peak is than that of a fully risen sea, 1 to 10. JONSWAP only.</summary>
+        /// <summary>Ratio of the peak to that of a fully developed sea, 1 to 10. JONSWAP only.</summary>
         public double PeakEnhancement;
 
         /// <summary>
-        /// Which of all seas with this spectrum. Finer grids of one seed, tile and wind have the same long waves.
+        /// Seed of the random numbers. Finer grids of one seed, tile and wind have the same long waves.
         /// </summary>
         public int Seed;
 
@@ -79,7 +79,7 @@ namespace Glint.Core
             Fetch = 100000, PeakEnhancement = 3.3, Seed = 1, HeightFactor = 1,
         };
 
-        /// <summary>Refuses values that make no sea.</summary>
+        /// <summary>Refuses values out of range.</summary>
         /// <param name="subject">Whose settings they are, for messages.</param>
         /// <exception cref="GlintException">A value is out of its range.</exception>
         public void Validate(string subject = "sea")

@@ -6,7 +6,7 @@ namespace Glint.Core
     /// </summary>
     public static class SeaState
     {
-        /// <summary>The codes with a range of heights: 0 is a calm, and 9 (above 14 m) has no upper end.</summary>
+        /// <summary>The codes with a range of heights: 0 is calm, and 9 (above 14 m) has no upper end.</summary>
         public const int Lowest = 1, Highest = 8;
 
         // Range of code c: from s_ends[c - 1] to s_ends[c].
@@ -20,7 +20,7 @@ namespace Glint.Core
             return (from + to) / 2;
         }
 
-        /// <summary>Least and greatest significant wave height of the code, metres.</summary>
+        /// <summary>Range of the significant wave height of the code, metres.</summary>
         /// <exception cref="GlintException">The code is not one of 1 to 8.</exception>
         public static (double From, double To) Range(int code)
         {

@@ -1,7 +1,7 @@
 namespace Glint.Core
 {
     /// <summary>
-    /// The SplitMix64 generator (Steele, Lea and Flood 2014): whole numbers only, so the same on every machine.
+    /// The SplitMix64 generator (Steele, Lea and Flood 2014): integers only, so the same on every machine.
     /// </summary>
     struct SplitMix64
     {
@@ -18,7 +18,7 @@ namespace Glint.Core
             return mixed ^ (mixed >> 31);
         }
 
-        /// <summary>Uniform above 0 up to and with 1, in steps of 2^-53.</summary>
+        /// <summary>Uniform in (0, 1], in steps of 2^-53.</summary>
         public double NextAboveZero() => ((Next() >> 11) + 1) * (1.0 / (1L << 53));
     }
 }

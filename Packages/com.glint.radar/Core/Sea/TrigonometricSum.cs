@@ -1,6 +1,6 @@
 namespace Glint.Core
 {
-    /// <summary>Sums waves at any number of cells a side: along x first, then along z.</summary>
+    /// <summary>The sum for any number of cells a side: along x, then along z.</summary>
     sealed class TrigonometricSum : IWaveSum
     {
         readonly int _cells;
@@ -36,7 +36,7 @@ namespace Glint.Core
             return field;
         }
 
-        // Columns n and -n together: their cosines are the same, their sines opposite.
+        // Columns n and -n together: their cosines are equal, their sines opposite.
         void SumAlongX(WaveCoefficients waves, int row, double[] real, double[] imaginary)
         {
             int to = row * _cells;

@@ -6,7 +6,7 @@ namespace Glint.Core
     /// </summary>
     sealed class WaveCoefficients
     {
-        /// <param name="reach">Greatest column and row; columns go down to its negative, rows to 0.</param>
+        /// <param name="reach">Largest column and row; the smallest are -reach and 0.</param>
         public WaveCoefficients(int reach)
         {
             Reach = reach;

@@ -9,8 +9,8 @@ namespace Glint.Core
     static class Circle
     {
         /// <summary>
-        /// Once about, from (1, 0) over (0, 1) back to (1, 0), which comes twice;
-        /// eight times so many steps, equal within a sixth.
+        /// One turn from (1, 0) over (0, 1) back to (1, 0), which occurs twice; eight times this number of steps, equal
+        /// within a sixth.
         /// </summary>
         public static double2[] Points(int stepsPerEighth)
         {
@@ -47,7 +47,7 @@ namespace Glint.Core
                 System.Array.ConvertAll(profile, at => Level(circle, foot + new double3(0, at.y, 0), at.x, at.x)),
                 creases);
 
-        /// <summary>A round rod, tapering from one end to the other; not upright.</summary>
+        /// <summary>A tapered round rod; it must not be vertical.</summary>
         public static ShipPart Rod(double2[] circle, double3 from, double3 to, double radiusFrom, double radiusTo)
         {
             double3 side = math.normalize(math.cross(to - from, new double3(0, 1, 0))),

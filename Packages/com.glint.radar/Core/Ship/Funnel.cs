@@ -5,10 +5,10 @@ namespace Glint.Core
     /// <summary>A funnel that leans aft, longer than wide, with a rim.</summary>
     static class Funnel
     {
-        // How far it leans aft, of its height; and its length, of its width.
+        // Lean aft as a fraction of the height; length as a multiple of the width.
         const double Lean = 0.35, Length = 2.2;
 
-        /// <param name="halfWidth">At its foot.</param>
+        /// <param name="halfWidth">Half the width at the foot.</param>
         /// <param name="rings">Steps up its side.</param>
         public static ShipPart[] Build(double3 foot, double height, double halfWidth, double2[] circle, int rings)
         {

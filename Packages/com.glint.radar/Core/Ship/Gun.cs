@@ -3,8 +3,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// A gun in a turret with sloped faces, on the deckhouse before the bridge:
-    /// from there it does not stand between a radar ahead and the deckhouse's front.
+    /// A gun in a turret with sloped faces, on the deckhouse before the bridge, where it does not hide the deckhouse's
+    /// front from a radar ahead.
     /// </summary>
     static class Gun
     {

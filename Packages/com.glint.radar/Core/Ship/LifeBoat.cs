@@ -7,10 +7,10 @@ namespace Glint.Core
     {
         const double HalfLength = 3.2, HalfWidth = 1.0, Height = 1.9;
 
-        // Its keel over the deck that it stands on.
+        // Height of the keel above the deck, metres.
         const double KeelHeight = 0.35;
 
-        /// <param name="foot">Below its middle, on the deck.</param>
+        /// <param name="foot">Point of the deck below its centre.</param>
         public static ShipPart[] Build(double3 foot, double2[] circle)
         {
             double3 centre = foot + new double3(0, KeelHeight + Height / 2, 0);
@@ -19,7 +19,7 @@ namespace Glint.Core
             for (int i = 0; i < frames.Length; i++)
             {
                 double at = circle[i].x, size = circle[i].y;
-                // The ends rise, and frames are between circle and square.
+                // The ends rise; frames are between circle and square.
                 frames[i] = System.Array.ConvertAll(circle, p =>
                     centre + new double3(HalfWidth * size * Full(p.x),
                         Height / 2 * size * Full(p.y) + 0.25 * at * at, HalfLength * at));

@@ -6,7 +6,7 @@ namespace Glint.Core
     /// <summary>A pyramid with a pole on it, two yards, a radar drum on a platform.</summary>
     static class Mast
     {
-        /// <param name="foot">In the middle of the pyramid's foot.</param>
+        /// <param name="foot">Centre of the pyramid's base.</param>
         /// <param name="top">Height of the pole's top.</param>
         public static IEnumerable<ShipPart> Build(double3 foot, double top, double2[] circle)
         {

@@ -5,24 +5,24 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// A procedural naval vessel of closed solids that reach into each other. Bow towards -Z, y up, the water at y = 0,
+    /// A procedural naval vessel of intersecting closed solids. Bow towards -Z, y up, the water at y = 0,
     /// x = z = 0 in the middle of its length.
     /// The same settings give the same bits on every machine: sums, products,
     /// quotients and square roots in double, rounded to 2^-16 m.
     /// A new part is a class that returns a ShipPart, and a line in Build;
-    /// the hull takes the triangles that the other parts leave.
+    /// the hull gets the triangles that the other parts do not use.
     /// </summary>
     public static class ShipModel
     {
         /// <summary>
-        /// Each patch of a surface has vertices of its own:
-        /// normals recalculated from the triangles are smooth on it and sharp at its edges.
+        /// Patches of a surface do not share vertices: normals computed from the triangles are smooth within a patch
+        /// and sharp at its edges.
         /// </summary>
         /// <exception cref="GlintException">A setting is out of its range.</exception>
         public static TriangleMesh Build(in ShipSettings settings)
         {
             settings.Validate();
-            // Round parts get steps as the hull does: both ways by the square root of the triangles.
+            // Steps of round parts grow, like the hull's, with the square root of the triangles.
             double fineness = math.sqrt(settings.Triangles / 44000.0);
             int Steps(int standard) => math.max(1, (int)math.round(standard * fineness));
             double2[] fine = Circle.Points(Steps(5)), coarse = Circle.Points(Steps(2));

@@ -13,7 +13,7 @@ namespace Glint.Core
         static readonly Interval Numbers = Interval.Closed(1, 1000000);
 
         /// <summary>
-        /// The snapshots in the order written; both ends of a range are included, TO when whole steps reach it.
+        /// The snapshots in the order given. FROM is included, and TO if whole steps reach it.
         /// </summary>
         /// <exception cref="UsageException">Malformed, empty or out of range.</exception>
         public static int[] Parse(string text)
