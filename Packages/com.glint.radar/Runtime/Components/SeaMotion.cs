@@ -1,15 +1,15 @@
 namespace Glint
 {
-    /// <summary>What a <see cref="Sea"/> does while the scene plays.</summary>
+    /// <summary>Motion of a <see cref="Sea"/> while the scene plays.</summary>
     public enum SeaMotion
     {
-        /// <summary>Nothing.</summary>
+        /// <summary>No motion.</summary>
         Still,
 
-        /// <summary>It shows one snapshot after the other, and begins again.</summary>
+        /// <summary>Shows one snapshot after the other, repeatedly.</summary>
         Snapshots,
 
-        /// <summary>Its waves run: the tile is made anew each frame.</summary>
+        /// <summary>Travelling waves: the tile is recomputed each frame.</summary>
         Waves
     }
 }

@@ -4,12 +4,12 @@ using Glint.Core;
 
 namespace Glint
 {
-    /// <summary>Shows the poses of a sweep, each axis by its own motion. Disposing puts everything back.</summary>
+    /// <summary>Applies the poses of a sweep by a driver for each axis. Disposing restores the scene.</summary>
     sealed class AxisDrivers : IDisposable
     {
         readonly List<AxisDriver> _motions = new List<AxisDriver>();
 
-        /// <exception cref="GlintException">An axis has nothing that it could move, or not so.</exception>
+        /// <exception cref="GlintException">An axis has no object to move, or cannot move it.</exception>
         public AxisDrivers(SweepSetup setup)
         {
             var plan = setup.Plan;
@@ -37,8 +37,8 @@ namespace Glint
             }
         }
 
-        /// <summary>Shows a pose.</summary>
-        /// <exception cref="GlintException">What was to be moved is gone.</exception>
+        /// <summary>Applies a pose.</summary>
+        /// <exception cref="GlintException">An object to move was destroyed.</exception>
         public void Show(SweepPose pose)
         {
             foreach (var motion in _motions)

@@ -7,13 +7,13 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>What results.json says about a run besides its rows, and where results go.</summary>
+    /// <summary>Describes a run for results.json, and chooses its folder.</summary>
     static class RunDescription
     {
         /// <summary>Results/<paramref name="name"/> beside the project's Assets.</summary>
         public static string DefaultFolder(string name) => InProject(Path.Combine("Results", name));
 
-        /// <summary>A path relative to the folder that holds Assets; an absolute path stays.</summary>
+        /// <summary>Resolves a path relative to the folder that holds Assets.</summary>
         public static string InProject(string path) => Path.Combine(Path.GetDirectoryName(Application.dataPath), path);
 
         public static RunInfo Of(SweepSetup setup)
@@ -45,7 +45,7 @@ namespace Glint
             return info;
         }
 
-        /// <summary>What makes a sweep the one it is, as it stands in its first pose.</summary>
+        /// <summary>Identity of a sweep; the scene must be in its first pose.</summary>
         public static SweepIdentity IdentityOf(SweepSetup setup)
         {
             var info = Of(setup);
@@ -66,7 +66,7 @@ namespace Glint
             return identity;
         }
 
-        // The scene of the first pose, and the snapshots that come after it.
+        // Hash of the scene in the first pose, and of the snapshots of later poses.
         static string ContentOf(SweepSetup setup)
         {
             using (var hash = new SceneHash())
@@ -76,7 +76,7 @@ namespace Glint
                     ?? Enumerable.Empty<double>())
                 {
                     var tile = setup.Sea.Snapshots[(int)snapshot - 1].Tile;
-                    if (!tile.isReadable) // refused, by name, when it is traced
+                    if (!tile.isReadable) // the trace refuses it by name
                         continue;
                     hash.Add(tile.vertices);
                     hash.Add(tile.triangles);

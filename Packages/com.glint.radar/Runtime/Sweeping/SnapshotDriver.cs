@@ -3,7 +3,7 @@ using Glint.Core;
 
 namespace Glint
 {
-    /// <summary>Shows the snapshots of a sea.</summary>
+    /// <summary>Shows a snapshot of a sea.</summary>
     sealed class SnapshotDriver : AxisDriver
     {
         readonly Sea _sea;

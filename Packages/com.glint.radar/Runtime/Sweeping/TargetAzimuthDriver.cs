@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Turns the target about the world's vertical through its own position, from its rotation at the beginning.
+    /// Turns the target about the world's vertical through its own position, relative to its initial rotation.
     /// </summary>
     sealed class TargetAzimuthDriver : AxisDriver
     {
@@ -33,7 +33,7 @@ namespace Glint
         {
             if (_target != null)
                 _target.localRotation = _localRotation;
-            // The next sweep's scene is not to be divided by this one's target.
+            // The target of this sweep must not affect the rigid groups of the next one.
             if (_isAnnounced && _radar != null)
                 _radar.Gatherer.ExpectNoMotion(_target);
         }
