@@ -118,7 +118,7 @@ TraversalState Traverse(Ray ray, float reach, uint firstEntryPoint, bool anyHit)
     state.PositionError = POSITION_ERROR * _SceneCentreExtent.w;
     state.Ray.Back = dot(Rounded(ray.Origin) - ray.Start, Rounded(ray.Direction));
     state.Distance += state.Ray.Back + state.PositionError;
-    state.RefinedDistance = MakeDoubleFloat(MISS, 0.0);
+    state.RefinedDistance = MakeDoubleFloat(anyHit ? reach : MISS, 0.0);
 #else
     state.DirectionError = ray.DirectionError;
     state.PositionError = ray.PositionError + ERROR_PER_SEGMENT * MaxComponent(abs(ray.Start));

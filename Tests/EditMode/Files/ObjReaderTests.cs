@@ -48,7 +48,7 @@ namespace Glint.Tests
             Assert.That(ReadText.Obj($"v {numbers}\nf 1 1 1").Vertices.Single(), Is.EqualTo(new float3(x, y, z)));
         }
 
-        [TestCase("g a\no b\ns off\nusemtl c\nmtllib d.mtl")]
+        [TestCase("g a\no b\ns off\nmtllib d.mtl")]
         [TestCase("vt 0 0\nvn 0 0 1\nvp 1 1")]
         [TestCase("p 1\nl 1 2\ncstype bezier\ndeg 3\ncurv 0 1 1 2\nparm u 0 1\nend")]
         [TestCase("# a path ends in a backslash \\")]
@@ -57,6 +57,16 @@ namespace Glint.Tests
         {
             Assert.That(ReadText.Obj($"{statements}\n{Corners}{statements}\nf 1 2 3\n{statements}").TriangleCount,
                 Is.EqualTo(1));
+        }
+
+        [Test]
+        public void UseMaterial_PutsTheTrianglesOfEachMaterialInARow()
+        {
+            var file = ReadText.Obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\nusemtl dark wood # oak\nf 1 2 4\n"
+                + "usemtl steel\nf 2 3 4\nusemtl dark wood\nf 1 3 4\nusemtl none of it\n");
+            Assert.That(file.Surfaces.Select(surface => (surface.FirstTriangle, surface.Material)),
+                Is.EqualTo(new[] { (0, null), (1, "dark wood"), (3, "steel") }));
+            Assert.That(file.Indices, Is.EqualTo(new[] { 0, 1, 2, 0, 1, 3, 0, 2, 3, 1, 2, 3 }));
         }
 
         [Test]

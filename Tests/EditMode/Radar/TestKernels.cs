@@ -24,6 +24,8 @@ namespace Glint.Tests
         public static ComputeShader DoubleFloat =>
             Load("Packages/com.glint.tests/EditMode/Shaders/DoubleFloat.compute");
 
+        public static ComputeShader Shadow => Load("Packages/com.glint.tests/EditMode/Shaders/Shadow.compute");
+
         /// <summary>The tracer's kernels in groups of other sizes.</summary>
         public static ComputeShader OtherGroups =>
             Load("Packages/com.glint.tests/EditMode/Shaders/OtherGroups.compute");

@@ -84,6 +84,59 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void TracePaths_SurfacesOfAMergedMesh_AreInheritedAndGivenToSubmeshes()
+        {
+            RadarMaterial Material(string name)
+            {
+                var material = ScriptableObject.CreateInstance<RadarMaterial>();
+                material.name = name;
+                return material;
+            }
+            void Give(Transform item, string name, int submesh = RadarSurface.AllSubmeshes)
+            {
+                var surface = item.gameObject.AddComponent<RadarSurface>();
+                (surface.Material, surface.Submesh) = (Material(name), submesh);
+            }
+            Give(_plates[0].parent, "steel");
+            Give(_plates[1], "sea");
+            var filter = _plates[2].GetComponent<MeshFilter>();
+            var halves = Object.Instantiate(filter.sharedMesh);
+            halves.subMeshCount = 2;
+            halves.SetIndices(new[] { 0, 1, 2 }, MeshTopology.Triangles, 0);
+            halves.SetIndices(new[] { 0, 2, 3 }, MeshTopology.Triangles, 1);
+            filter.sharedMesh = halves;
+            Give(_plates[2], "wood", 1);
+            _plates[3].gameObject.AddComponent<RadarSurface>(); // without a material: a perfect conductor
+
+            var pose = _radar.Gather();
+            Assert.That(pose.Scene.Instances, Has.Length.EqualTo(1), "merged");
+            Assert.That(pose.Scene.Surfaces[0], Is.SameAs(SurfaceMaterial.PerfectConductor));
+            var paths = _radar.TracePaths(Enumerable.Range(0, (int)pose.Settings.RayCount)
+                .Select(pixel => (uint)pixel).ToArray());
+            var reference = new ReferenceTracer(pose);
+            var seen = new Dictionary<string, int>();
+            foreach (var path in paths.Where(path => path.Bounces > 0))
+            {
+                var hit = path.Hits[0];
+                int plate = _plates.IndexOf(_radar.ObjectAt(hit.Object));
+                // The triangles of the halved plate meet at its diagonal from the lower left to the upper right.
+                bool isBelow = hit.Position.y < hit.Position.x;
+                string expected = plate == 1 ? "sea" : plate == 2 && isBelow ? "wood"
+                    : plate == 3 ? "perfect conductor" : "steel";
+                string found = pose.Scene.Surfaces[hit.Surface].Name;
+                if (plate == 2 && math.abs(hit.Position.y - hit.Position.x) < 1e-4)
+                    continue; // on the diagonal it is either
+                Assert.That(found, Is.EqualTo(expected), $"plate {plate} at {hit.Position}");
+                seen[found] = seen.TryGetValue(found, out int count) ? count + 1 : 1;
+                var ray = reference.Trace(path.Pixel % pose.Settings.RaysAcross, path.Pixel / pose.Settings.RaysAcross);
+                if (path.Bounces == 1)
+                    Assert.That((ray.LastObject, ray.LastSurface), Is.EqualTo((hit.Object, hit.Surface)));
+            }
+            Assert.That(seen.Keys, Is.EquivalentTo(new[] { "steel", "sea", "wood", "perfect conductor" }));
+            Assert.That(seen["steel"], Is.EqualTo(5 * seen["wood"]).Within(seen["wood"]));
+        }
+
+        [Test]
         public void TracePreview_ShowsThePartThatMeetsAnything()
         {
             var preview = _radar.TracePreview();

@@ -1,3 +1,4 @@
+using System.Linq;
 using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -73,6 +74,22 @@ namespace Glint.Tests
             Assert.That(distance(pose.View.ReceiverCentre, placement.Aim - new double3(0, 0, 100)), Is.LessThan(1e-9),
                 "where it stands, when it has a size");
             Assert.That(pose.View.ReceiverSize, Is.EqualTo(new double2(3, 4)));
+        }
+
+        [Test]
+        public void Create_MaterialsOfTheFile_AreSurfacesOfTheScene()
+        {
+            var file = new MeshFile("Two", new[]
+            {
+                new float3(-1, 0, 0), new float3(-1, 1, 0), new float3(1, 1, 0), new float3(1, 0, 0)
+            }, new[] { 0, 1, 2, 0, 2, 3 }, new[] { new MeshFileSurface(0, null), new MeshFileSurface(1, "steel") });
+            _made = MeshFileScene.Create(file, Placement(100, 0, 0), RadarSettings.Default, null);
+            _made.Radar.Roots.Add(_made.Target);
+            var scene = _made.Radar.Gather().Scene;
+            Assert.That(scene.Surfaces.Select(surface => surface.Name),
+                Is.EqualTo(new[] { SurfaceMaterial.PerfectConductor.Name, "steel" }));
+            Assert.That(scene.Instances.Single().Ranges,
+                Is.EqualTo(new[] { new MeshRange(0, 0, 0), new MeshRange(1, 0, 1) }));
         }
 
         static RadarPlacement Placement(double range, double grazing, double azimuth) => new RadarPlacement

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using Unity.Mathematics;
 
 namespace Glint.Core
@@ -5,8 +6,9 @@ namespace Glint.Core
     /// <summary>The triangles of a mesh file in Unity's axes and metres.</summary>
     public sealed class MeshFile
     {
-        internal MeshFile(string name, float3[] vertices, int[] indices)
+        internal MeshFile(string name, float3[] vertices, int[] indices, MeshFileSurface[] surfaces = null)
         {
+            Surfaces = surfaces ?? new[] { new MeshFileSurface(0, null) };
             Name = name;
             Vertices = vertices;
             Indices = indices;
@@ -20,6 +22,9 @@ namespace Glint.Core
 
         /// <summary>Vertex numbers, three a triangle, each below the number of vertices.</summary>
         public int[] Indices { get; }
+
+        /// <summary>Triangles of each material, in their order; the first begins at triangle 0.</summary>
+        public IReadOnlyList<MeshFileSurface> Surfaces { get; }
 
         /// <summary>Triangles, those without area included.</summary>
         public int TriangleCount => Indices.Length / 3;
@@ -43,5 +48,18 @@ namespace Glint.Core
             double vx = (double)c.x - a.x, vy = (double)c.y - a.y, vz = (double)c.z - a.z;
             return uy * vz == uz * vy && uz * vx == ux * vz && ux * vy == uy * vx;
         }
+    }
+
+    /// <summary>Triangles of a mesh file, in a row, of one material.</summary>
+    public readonly struct MeshFileSurface
+    {
+        internal MeshFileSurface(int firstTriangle, string material) =>
+            (FirstTriangle, Material) = (firstTriangle, material);
+
+        /// <summary>Number of the first triangle; the surface ends where the next one begins.</summary>
+        public int FirstTriangle { get; }
+
+        /// <summary>Name of the material; null if the file gives none.</summary>
+        public string Material { get; }
     }
 }

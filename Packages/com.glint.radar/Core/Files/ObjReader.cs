@@ -1,15 +1,16 @@
 using System;
 using System.Collections.Generic;
 using System.IO;
+using System.Linq;
 using System.Text;
 using Unity.Mathematics;
 
 namespace Glint.Core
 {
     /// <summary>
-    /// Reads a Wavefront OBJ: v and f statements. Polygons are cut into a fan about their first corner,
-    /// or by clipping ears where they are concave.
-    /// Colours, texture coordinates, normals, groups, materials, points,
+    /// Reads a Wavefront OBJ: v, f and usemtl statements. Polygons are cut into a fan about their first corner,
+    /// or by clipping ears where they are concave. Triangles of one material are put in a row.
+    /// Colours, texture coordinates, normals, groups, material libraries, points,
     /// lines and free-form curves and surfaces are ignored.
     /// </summary>
     sealed class ObjReader
@@ -17,9 +18,11 @@ namespace Glint.Core
         // Above every vertex count; ten times it still fits a long.
         const long ReferenceCap = 100_000_000_000_000_000;
 
+        static readonly byte[] UseMaterial = Encoding.ASCII.GetBytes("usemtl");
+
         static readonly HashSet<string> PassedOver = new HashSet<string>(StringComparer.Ordinal)
         {
-            "g", "o", "s", "mg", "usemtl", "mtllib", "usemap", "maplib", "lod", "bevel", "c_interp",
+            "g", "o", "s", "mg", "mtllib", "usemap", "maplib", "lod", "bevel", "c_interp",
             "d_interp", "shadow_obj", "trace_obj", "ctech", "stech",
             "p", "l", "cstype", "deg", "bmat", "step", "curv", "curv2", "surf",
             "parm", "trim", "hole", "scrv", "sp", "end", "con"
@@ -31,6 +34,9 @@ namespace Glint.Core
         readonly List<float3> _vertices = new List<float3>();
         readonly List<int> _indices = new List<int>();
         readonly List<Polygon> _polygons = new List<Polygon>();
+
+        // Triangles from an index on have a material; those before the first usemtl have none.
+        readonly List<(int firstIndex, string material)> _runs = new List<(int, string)> { (0, null) };
 
         // A face may precede its vertices, so the largest reference is checked, and polygons are cut, at the end.
         long _largestReference;
@@ -55,8 +61,28 @@ namespace Glint.Core
                 throw new GlintException($"{_path}: has no triangles ({_vertices.Count} vertices, no f line); "
                     + "export it as a polygon mesh");
             CutPolygons();
-            return new MeshFile(Path.GetFileNameWithoutExtension(_path), _vertices.ToArray(),
-                _placement.Turn(_indices.ToArray()));
+            return GroupByMaterial(_placement.Turn(_indices.ToArray()));
+        }
+
+        // Materials in the order in which the file names them first; the triangles of each in the file's order.
+        MeshFile GroupByMaterial(int[] indices)
+        {
+            var grouped = new List<int>(indices.Length);
+            var surfaces = new List<MeshFileSurface>();
+            foreach (var runs in Enumerable.Range(0, _runs.Count).GroupBy(run => _runs[run].material))
+            {
+                int first = grouped.Count;
+                foreach (int run in runs)
+                {
+                    int start = _runs[run].firstIndex,
+                        end = run + 1 < _runs.Count ? _runs[run + 1].firstIndex : indices.Length;
+                    grouped.AddRange(new ArraySegment<int>(indices, start, end - start));
+                }
+                if (grouped.Count > first)
+                    surfaces.Add(new MeshFileSurface(first / 3, runs.Key));
+            }
+            return new MeshFile(Path.GetFileNameWithoutExtension(_path), _vertices.ToArray(), grouped.ToArray(),
+                surfaces.ToArray());
         }
 
         void ReadStatement(Tokenizer tokens)
@@ -68,9 +94,19 @@ namespace Glint.Core
                 ReadVertex(tokens);
             else if (keyword.Length == 1 && keyword[0] == 'f')
                 ReadFace(tokens);
+            else if (keyword.SequenceEqual(UseMaterial))
+                ReadMaterial(tokens);
             else if (keyword.Length != 2 || keyword[0] != 'v'
                 || keyword[1] != 't' && keyword[1] != 'n' && keyword[1] != 'p')
                 PassOver(keyword);
+        }
+
+        void ReadMaterial(Tokenizer tokens)
+        {
+            var name = new StringBuilder();
+            while (!tokens.IsComment && tokens.Next())
+                name.Append(name.Length > 0 ? " " : "").Append(Encoding.UTF8.GetString(tokens.Current));
+            _runs.Add((_indices.Count, name.Length > 0 ? name.ToString() : null));
         }
 
         void PassOver(ReadOnlySpan<byte> keyword)

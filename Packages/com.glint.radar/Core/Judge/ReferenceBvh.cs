@@ -28,6 +28,7 @@ namespace Glint.Core
         // Corners, unit normals and numbers in the order of the leaves.
         readonly double3[] _a, _b, _c, _normals;
         readonly int[] _numbers;
+        readonly MeshInstance[] _instances;
         readonly Node _root;
         readonly double _margin, _onSurface;
 
@@ -35,6 +36,7 @@ namespace Glint.Core
         public ReferenceBvh(RadarScene scene)
         {
             int count = checked((int)scene.TriangleCount);
+            _instances = scene.Instances;
             _a = new double3[count];
             _b = new double3[count];
             _c = new double3[count];
@@ -71,6 +73,16 @@ namespace Glint.Core
         /// </summary>
         public int Number(int triangle) => _numbers[triangle];
 
+        /// <summary>Object and surface of the triangle.</summary>
+        public MeshRange RangeOf(int triangle)
+        {
+            int inMesh = _numbers[triangle], instance = 0;
+            while (inMesh >= _instances[instance].Mesh.TriangleCount)
+                inMesh -= _instances[instance++].Mesh.TriangleCount;
+            // Range by range, as simply as can be.
+            return Array.FindLast(_instances[instance].Ranges, range => range.FirstTriangle <= inMesh);
+        }
+
         /// <summary>Unit normal of a triangle, 0 for one without area; its side is arbitrary.</summary>
         public double3 Normal(int triangle) => _normals[triangle];
 
@@ -93,6 +105,10 @@ namespace Glint.Core
             distance = traversal.Distance;
             return traversal.Hit;
         }
+
+        /// <summary>The shadow query: whether the ray meets anything nearer than reach, metres.</summary>
+        public bool AnyHit(double3 origin, double3 direction, double reach) =>
+            ClosestHit(origin, direction, out double distance) >= 0 && distance < reach;
 
         // Corners and normals of all triangles, in the scene's order.
         void LoadTriangles(RadarScene scene)

@@ -31,6 +31,9 @@ namespace Glint.Core
         /// <summary>Triangle last hit, counted over the scene's instances in order; -1 if nothing was hit.</summary>
         public int LastTriangle;
 
+        /// <summary>Object and surface last hit, as <see cref="MeshRange"/> has them; -1 if nothing was hit.</summary>
+        public int LastObject, LastSurface;
+
         /// <summary>
         /// The same for rays over the same triangles in the same order,
         /// else almost surely another; 0 if nothing was hit.

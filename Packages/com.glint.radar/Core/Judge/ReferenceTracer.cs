@@ -115,32 +115,56 @@ namespace Glint.Core
             double length = math.max(0, -math.dot(position, direction) - 2 * _bvh.Radius);
             position += length * direction;
 
-            var ray = new ReferenceRay { LastHit = start, LastTriangle = -1 };
+            var path = new Path
+            {
+                Position = position, Direction = direction, Length = length,
+                Ray = new ReferenceRay { LastHit = start, LastTriangle = -1, LastObject = -1, LastSurface = -1 }
+            };
             while (true)
             {
-                ray.Direction = direction;
-                int hit = _bvh.ClosestHit(position, direction, out double distance);
-                if (ray.Bounces > 0 && CrossesReceiver(position, direction, out double toReceiver)
-                    && toReceiver < distance)
-                {
-                    ray.Received = true;
-                    ray.PathLength = length + toReceiver;
-                    return ray;
-                }
-                if (hit < 0 || ray.Bounces == _settings.MaxBounces)
-                    return ray;
-                length += distance;
-                position += distance * direction;
-                ray.Bounces++;
-                if (ray.Bounces == 1)
-                    ray.LengthToFirstHit = length;
-                ray.LengthToLastHit = length;
-                ray.LastHit = _bvh.Centre + position;
-                ray.LastTriangle = _bvh.Number(hit);
-                ray.PathHash = unchecked(PathHashFactor * ray.PathHash + ray.LastTriangle + 1);
-                double3 normal = _bvh.Normal(hit);
-                direction = math.normalize(direction - 2 * math.dot(direction, normal) * normal);
+                int hit = _bvh.ClosestHit(path.Position, path.Direction, out double distance);
+                if (!Observe(ref path, hit, distance))
+                    return path.Ray;
+                MoveTo(ref path, hit, distance);
+                Scatter(ref path, hit);
             }
+        }
+
+        // What is recorded: whether the ray crosses the receiver before it hits anything. False if the path ends.
+        bool Observe(ref Path path, int hit, double distance)
+        {
+            path.Ray.Direction = path.Direction;
+            if (path.Ray.Bounces > 0 && CrossesReceiver(path.Position, path.Direction, out double toReceiver)
+                && toReceiver < distance)
+            {
+                path.Ray.Received = true;
+                path.Ray.PathLength = path.Length + toReceiver;
+                return false;
+            }
+            return hit >= 0 && path.Ray.Bounces < _settings.MaxBounces;
+        }
+
+        void MoveTo(ref Path path, int hit, double distance)
+        {
+            path.Length += distance;
+            path.Position += distance * path.Direction;
+            ref var ray = ref path.Ray;
+            ray.Bounces++;
+            if (ray.Bounces == 1)
+                ray.LengthToFirstHit = path.Length;
+            ray.LengthToLastHit = path.Length;
+            ray.LastHit = _bvh.Centre + path.Position;
+            ray.LastTriangle = _bvh.Number(hit);
+            var range = _bvh.RangeOf(hit);
+            (ray.LastObject, ray.LastSurface) = (range.Object, range.Surface);
+            ray.PathHash = unchecked(PathHashFactor * ray.PathHash + ray.LastTriangle + 1);
+        }
+
+        // Every surface is a mirror.
+        void Scatter(ref Path path, int hit)
+        {
+            double3 normal = _bvh.Normal(hit);
+            path.Direction = math.normalize(path.Direction - 2 * math.dot(path.Direction, normal) * normal);
         }
 
         internal int ColumnOf(in RayData ray) => (int)(ray.Pixel % (uint)_settings.RaysAcross);
@@ -167,6 +191,14 @@ namespace Glint.Core
             double3 position = origin + distance * direction - _receiver;
             return math.abs(math.dot(position, _view.ReceiverRight)) <= _view.ReceiverSize.x / 2
                 && math.abs(math.dot(position, _view.ReceiverUp)) <= _view.ReceiverSize.y / 2;
+        }
+
+        // A ray on its way. Places are from the middle of the BVH; the length is from the radar, metres.
+        struct Path
+        {
+            public ReferenceRay Ray;
+            public double3 Position, Direction;
+            public double Length;
         }
     }
 }

@@ -1,6 +1,6 @@
 namespace Glint.Core
 {
-    /// <summary>Which rays a result carries one by one.</summary>
+    /// <summary>Rays that a result carries.</summary>
     public enum RayReadback
     {
         /// <summary>Rays that reached the receiver.</summary>

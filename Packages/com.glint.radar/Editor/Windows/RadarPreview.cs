@@ -53,7 +53,7 @@ namespace Glint.Editor
         public int Height => _image.Part.Height;
 
         /// <summary>Traces it, as everything stands.</summary>
-        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>
+        /// <exception cref="GlintException">The radar or a mesh cannot be traced.</exception>
         public static RadarPreview Of(RadarController radar, CancellationToken cancel = default)
         {
             var image = radar.TracePreview(cancel);

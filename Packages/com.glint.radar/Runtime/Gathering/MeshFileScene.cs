@@ -85,12 +85,23 @@ namespace Glint
             return child;
         }
 
-        /// <summary>The mesh as an object of the active scene, at the origin.</summary>
+        /// <summary>
+        /// The mesh as an object of the active scene, at the origin, with a <see cref="RadarSurface"/> for each material
+        /// that the file names.
+        /// </summary>
         internal static Transform MakeObject(MeshFile file)
         {
             var made = new GameObject(file.Name);
-            made.AddComponent<MeshFilter>().sharedMesh = MeshMaker.Make(file.Name, file.Vertices, file.Indices);
+            made.AddComponent<MeshFilter>().sharedMesh = MeshMaker.Make(file);
             made.AddComponent<MeshRenderer>();
+            for (int i = 0; i < file.Surfaces.Count; i++)
+                if (file.Surfaces[i].Material is string name)
+                {
+                    var surface = made.AddComponent<RadarSurface>();
+                    surface.Material = ScriptableObject.CreateInstance<RadarMaterial>();
+                    surface.Material.name = name;
+                    surface.Submesh = i;
+                }
             return made.transform;
         }
     }

@@ -1,3 +1,4 @@
+using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -14,6 +15,20 @@ namespace Glint
         {
             var mesh = new Mesh { name = name };
             Fill(mesh, vertices, indices);
+            return mesh;
+        }
+
+        /// <summary>A new mesh with a submesh for each surface of a file.</summary>
+        public static Mesh Make(MeshFile file)
+        {
+            var mesh = Make(file.Name, file.Vertices, file.Indices);
+            mesh.subMeshCount = file.Surfaces.Count;
+            for (int i = 0; i < file.Surfaces.Count; i++)
+            {
+                int first = file.Surfaces[i].FirstTriangle,
+                    end = i + 1 < file.Surfaces.Count ? file.Surfaces[i + 1].FirstTriangle : file.TriangleCount;
+                mesh.SetIndices(file.Indices, 3 * first, 3 * (end - first), MeshTopology.Triangles, i);
+            }
             return mesh;
         }
 

@@ -6,7 +6,7 @@ namespace Glint
 {
     /// <summary>
     /// A BVH at its place in the scene. GLINT_INSTANCE:
-    /// the same struct stands in Shaders/Types.hlsl; a test compares them.
+    /// the same struct is in Shaders/Types.hlsl; a test compares them.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     struct InstanceRecord
