@@ -40,9 +40,9 @@ namespace Glint.Editor
 
         /// <summary>Executes a command line in edit mode; the scene is not saved.</summary>
         /// <returns>The exit code: 0 done, 130 cancelled.</returns>
-        /// <exception cref="GlintException">Something is wrong with a file, the scene or the device.</exception>
+        /// <exception cref="GlintException">A problem with a file, the scene or the device.</exception>
         /// <exception cref="OperationCanceledException">
-        /// Cancelled within a pose; the rows before it are kept.
+        /// Cancelled within a pose; earlier rows are kept.
         /// </exception>
         public static int Execute(CommandLine line, IProgressSink progress)
         {
@@ -75,7 +75,7 @@ namespace Glint.Editor
             }
         }
 
-        /// <summary>What was traced: not where the files go, which part of it, or on what device.</summary>
+        /// <summary>The arguments that identify what is traced, without output folder, part and device.</summary>
         internal static string[] ArgumentsOf(CommandLine line) =>
             line.Arguments.Where(word => new Option[] { Options.Out, Options.Shard, Options.Resume, Options.Device }
                 .All(aside => word.Split('=')[0] != aside.Flag)).ToArray();
@@ -91,7 +91,7 @@ namespace Glint.Editor
             return Done;
         }
 
-        /// <summary>The poses of a sweep; of other commands the one.</summary>
+        /// <summary>The poses of a sweep; a single pose for other commands.</summary>
         internal static SweepPlan PlanOf(CommandLine line)
         {
             if (line.Command != Commands.Sweep)
@@ -162,7 +162,7 @@ namespace Glint.Editor
                     + $"the first row replaces it ({Options.Resume.Flag} would go on with it)");
         }
 
-        // Nothing in any pose is a valid result, and more often a wrong aim.
+        // No hit in any pose is a valid result, but more often a wrong aim.
         static void WarnOfSilence(string name, long hit, long received)
         {
             if (hit == 0)
@@ -184,7 +184,7 @@ namespace Glint.Editor
                 + $"narrower view ({Options.Fov.Flag}; in a scene the Camera's Field of View)");
         }
 
-        // A sweep always keeps its results; a single pose when told where.
+        // A sweep always writes results; a single pose only with --out.
         static ResultsFolder OpenFolder(CommandLine line, string name)
         {
             if (line.IsGiven(Options.Out))

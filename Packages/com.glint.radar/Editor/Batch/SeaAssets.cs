@@ -6,11 +6,11 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// <c>glint sea</c>: snapshots of a sea, each a mesh and a prefab that lays its tiles and carries its recipe.
+    /// <c>glint sea</c>: snapshots of a sea, each a mesh and a prefab with its tiles and its recipe.
     /// </summary>
     static class SeaAssets
     {
-        /// <summary>Writes the sea that a command line asks for, or the stored ones.</summary>
+        /// <summary>Writes the sea of a command line, or the stored seas.</summary>
         /// <returns>The exit code: 0 done, 130 cancelled.</returns>
         /// <exception cref="GlintException">A setting is out of its range, or a file cannot be written.</exception>
         public static int Write(CommandLine line, IProgressSink progress)
@@ -69,7 +69,7 @@ namespace Glint.Editor
             ProjectAssets.SavePrefab(root, $"{folder}/{name}.prefab");
         }
 
-        // Two digits at least: in the order of their names the first ten are in their own.
+        // At least two digits, so that names sort by number.
         static string SnapshotName(int number) => "Snapshot " + number.ToString("00", CultureInfo.InvariantCulture);
     }
 }

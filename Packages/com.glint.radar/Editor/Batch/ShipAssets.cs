@@ -9,9 +9,9 @@ namespace Glint.Editor
     {
         const string Name = "Ship";
 
-        /// <summary>Writes the ship that a command line asks for, or the stored one.</summary>
+        /// <summary>Writes the ship of a command line, or the stored ship.</summary>
         /// <returns>The exit code: 0 done.</returns>
-        /// <exception cref="GlintException">The measures make no ship, or a file cannot be written.</exception>
+        /// <exception cref="GlintException">A measure is out of range, or a file cannot be written.</exception>
         public static int Write(CommandLine line, IProgressSink progress)
         {
             var asked = ShipOptions.Read(line);

@@ -4,23 +4,23 @@ using UnityEditor;
 
 namespace Glint.Editor
 {
-    /// <summary>Unity's progress bar with a cancel button, there until disposed.</summary>
+    /// <summary>Unity's progress bar with a cancel button; shown until disposed.</summary>
     sealed class CancelBar : IProgress<double>, IDisposable
     {
         readonly CancellationTokenSource _source = new CancellationTokenSource();
         readonly string _what;
 
-        /// <param name="what">What is done, such as "Tracing 'Radar'".</param>
+        /// <param name="what">Name of the work, such as "Tracing 'Radar'".</param>
         public CancelBar(string what)
         {
             _what = what;
             Report(0);
         }
 
-        /// <summary>Asked for by the button.</summary>
+        /// <summary>Cancelled by the button.</summary>
         public CancellationToken Cancel => _source.Token;
 
-        /// <summary>So much is done, 0 to 1; looks whether the button was pressed.</summary>
+        /// <summary>Shows the fraction done, 0 to 1, and polls the button.</summary>
         public void Report(double value)
         {
             if (EditorUtility.DisplayCancelableProgressBar("Glint", _what, (float)value))

@@ -2,7 +2,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Editor
 {
-    /// <summary>Something that a check has found.</summary>
+    /// <summary>A finding of a check.</summary>
     sealed class Finding
     {
         public Finding(Severity severity, string text, Fix fix = null, Object where = null)
@@ -15,13 +15,13 @@ namespace Glint.Editor
 
         public Severity Severity { get; }
 
-        /// <summary>One line: object, value, way out.</summary>
+        /// <summary>One line: object, value, remedy.</summary>
         public string Text { get; }
 
-        /// <summary>What a button mends; null where the user must.</summary>
+        /// <summary>The fix of a button; null if there is none.</summary>
         public Fix Fix { get; }
 
-        /// <summary>The object to look at, where it is not the one checked; else null.</summary>
+        /// <summary>The object of the finding, if it is not the one checked; else null.</summary>
         public Object Where { get; }
 
         public override string ToString() => $"{Severity}: {Text}";

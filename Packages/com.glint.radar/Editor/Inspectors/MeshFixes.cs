@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>What the buttons beside findings of traced meshes do.</summary>
+    /// <summary>Fixes for findings about traced meshes.</summary>
     static class MeshFixes
     {
         public static bool IsBatchingStatic(Renderer renderer) =>
@@ -19,8 +19,8 @@ namespace Glint.Editor
         });
 
         /// <summary>
-        /// Null when none of the meshes is a model's, an asset of its own, or only in the scene.
-        /// A model is imported anew, which Undo does not take back.
+        /// Null if none of the meshes belongs to a model, is an asset of its own, or is only in the scene.
+        /// A model is reimported, which Undo does not revert.
         /// </summary>
         public static Fix MakeReadable(IReadOnlyList<Mesh> meshes)
         {
@@ -37,7 +37,7 @@ namespace Glint.Editor
             });
         }
 
-        // Its file is the mesh itself, or it has none.
+        // A mesh asset of its own, or a mesh without a file.
         static bool IsOwn(Mesh mesh)
         {
             string path = AssetDatabase.GetAssetPath(mesh);

@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Editor
 {
-    /// <summary>What the buttons of a radar's inspector do, those beside findings among them.</summary>
+    /// <summary>The fixes of a radar's inspector.</summary>
     static class RadarFixes
     {
         public static Fix Enable(RadarController radar) => new Fix("Enable", () =>
@@ -57,7 +57,7 @@ namespace Glint.Editor
                 it.Settings = settings;
             }));
 
-        /// <param name="times">As many rays across and down; null: no fix.</param>
+        /// <param name="times">Factor for the rays across and down; null: no fix.</param>
         public static Fix TraceDenser(RadarController radar, int? times)
         {
             if (!(times is int more))
@@ -70,7 +70,7 @@ namespace Glint.Editor
                 () => Fix.Change(radar, "Trace more rays", it => it.Settings = denser));
         }
 
-        /// <param name="direction">Where to look, in the world's axes.</param>
+        /// <param name="direction">View direction in the world's axes.</param>
         public static Fix LookAt(RadarController radar, double3 direction)
         {
             var forward = math.normalize(direction);
@@ -79,7 +79,7 @@ namespace Glint.Editor
                     Quaternion.LookRotation(new Vector3((float)forward.x, (float)forward.y, (float)forward.z))));
         }
 
-        /// <summary>Null when the radar has the kernel already, or the project has none.</summary>
+        /// <summary>Null if the radar has the kernel, or the project has none.</summary>
         public static Fix AssignKernel(RadarController radar)
         {
             var kernel = ProjectAssets.Kernel;

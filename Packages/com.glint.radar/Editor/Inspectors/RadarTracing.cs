@@ -6,9 +6,9 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// Poses of a radar at the press of a button, with a bar that can be cancelled. The device's buffers stay for
-    /// the next one until this is disposed of (or <see cref="ReleaseBuffers"/> comes first);
-    /// while the scene plays they are its own.
+    /// Traces poses of a radar at the press of a button, with a bar that cancels. The device's buffers are kept for the
+    /// next pose until this is disposed or <see cref="ReleaseBuffers"/> releases them; in play mode the scene owns
+    /// them.
     /// </summary>
     sealed class RadarTracing : IDisposable
     {
@@ -17,12 +17,12 @@ namespace Glint.Editor
 
         public RadarTracing(RadarController radar) => _radar = radar;
 
-        /// <summary>Why the last pose was not traced, for the user; null when it was.</summary>
+        /// <summary>Why the last pose was not traced, for the user; null if it was traced.</summary>
         public string Problem { get; private set; }
 
         /// <summary>
-        /// Traces one pose as everything stands; the result is the radar's.
-        /// A cancelled or refused one leaves the result before.
+        /// Traces one pose of the scene in its current state. A cancelled or refused pose leaves the radar's last
+        /// result.
         /// </summary>
         public void Trace()
         {
@@ -44,13 +44,13 @@ namespace Glint.Editor
 
         public void Dispose()
         {
-            // Unless somebody else, a sweep say, has traced with it since.
+            // Unless another caller, such as a sweep, has traced with it since.
             if (_result != null && _radar != null && _radar.Result == _result && !Application.isPlaying)
                 _radar.Release();
             _result = null;
         }
 
-        /// <summary>A result as an inspector shows it: label, value, what it means.</summary>
+        /// <summary>A result for an inspector: label, value, meaning.</summary>
         public static IEnumerable<(string label, string value, string tooltip)> Rows(RadarResult result)
         {
             yield return ("Amplitude", FormattableString.Invariant(

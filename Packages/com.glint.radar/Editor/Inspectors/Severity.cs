@@ -1,12 +1,12 @@
 namespace Glint.Editor
 {
-    /// <summary>How bad a finding is.</summary>
+    /// <summary>Severity of a finding.</summary>
     enum Severity
     {
-        /// <summary>It can be traced, and the result may mislead.</summary>
+        /// <summary>A trace is possible, but the result may mislead.</summary>
         Warning,
 
-        /// <summary>It cannot be traced.</summary>
+        /// <summary>A trace is impossible.</summary>
         Error,
     }
 }

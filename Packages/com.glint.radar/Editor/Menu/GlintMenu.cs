@@ -7,7 +7,7 @@ namespace Glint.Editor
     static class GlintMenu
     {
         const string Folder = "GameObject/Glint/";
-        const int Priority = 10; // among the objects that can be made
+        const int Priority = 10; // among the entries that make objects
 
         [MenuItem(Folder + "Radar", false, Priority)]
         static void MakeRadar(MenuCommand command)

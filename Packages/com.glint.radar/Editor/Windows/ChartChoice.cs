@@ -5,19 +5,19 @@ using Glint.Core;
 
 namespace Glint.Editor
 {
-    /// <summary>What the window's charts show of a run.</summary>
+    /// <summary>Display options of the window's charts.</summary>
     [Serializable]
     sealed class ChartChoice
     {
         /// <summary>
-        /// Name of the axis; one that the run does not step through stands for the one that changes from pose to pose.
+        /// Name of the axis; if the run does not sweep it, the fastest axis is shown.
         /// </summary>
         public string Axis = "";
 
-        /// <summary>Amplitudes in decibels, around a middle, and raw in place of normalised.</summary>
+        /// <summary>Amplitudes in decibels; polar chart; raw instead of normalised amplitudes.</summary>
         public bool InDecibels, IsPolar, IsRaw;
 
-        /// <summary>The pose whose phases are shown, from 0; -1 for the strongest.</summary>
+        /// <summary>Index of the pose whose phases are shown, from 0; -1: the strongest.</summary>
         public int Pose = -1;
 
         /// <summary>The axis for these poses.</summary>
@@ -44,7 +44,7 @@ namespace Glint.Editor
             return row < 0 ? null : rows[row];
         }
 
-        /// <summary>Its number, from 0; -1 without poses.</summary>
+        /// <summary>Index of the chosen pose, from 0; -1 without poses.</summary>
         public int Row(IReadOnlyList<PoseFigures> rows)
         {
             if (Pose >= 0 && Pose < rows.Count)

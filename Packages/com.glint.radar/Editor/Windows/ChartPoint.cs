@@ -1,6 +1,6 @@
 namespace Glint.Editor
 {
-    /// <summary>A pose in a chart, by chart coordinates: x and y from 0 at the left and the bottom to 1.</summary>
+    /// <summary>A pose in chart coordinates: x and y from 0 at the left and the bottom to 1.</summary>
     readonly struct ChartPoint
     {
         public ChartPoint(PoseFigures pose, int row, (double, double) position,
@@ -15,14 +15,14 @@ namespace Glint.Editor
 
         public PoseFigures Pose { get; }
 
-        /// <summary>Number of the pose in its run, from 0.</summary>
+        /// <summary>Index of the pose in its run, from 0.</summary>
         public int Row { get; }
 
         public double X { get; }
 
         public double Y { get; }
 
-        /// <summary>Ends of the band of the sampling error; the point itself where there is none.</summary>
+        /// <summary>Ends of the band of the sampling error; the point itself if there is none.</summary>
         public (double X, double Y) Lower { get; }
 
         /// <inheritdoc cref="Lower"/>

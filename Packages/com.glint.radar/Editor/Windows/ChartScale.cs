@@ -22,14 +22,14 @@ namespace Glint.Editor
 
         public double Max { get; }
 
-        /// <summary>Place and label.</summary>
+        /// <summary>Position and label.</summary>
         public IReadOnlyList<(double Position, string Label)> Ticks { get; }
 
-        /// <summary>Place of a value.</summary>
+        /// <summary>Position of a value.</summary>
         public double Of(double value) => (value - Min) / (Max - Min);
 
-        /// <summary>Just from the lowest to the highest value, with some ticks between.</summary>
-        /// <param name="limit">Ticks at most, about.</param>
+        /// <summary>From the lowest to the highest value, with ticks between.</summary>
+        /// <param name="limit">Approximate maximum number of ticks.</param>
         public static ChartScale Over(double min, double max, int limit = 8)
         {
             Widen(ref min, ref max);
@@ -47,10 +47,10 @@ namespace Glint.Editor
             return new ChartScale(first * step, last * step, Multiples(first, last, step));
         }
 
-        /// <summary>A turn, with a tick every 30 degrees.</summary>
+        /// <summary>From 0 to 360, with a tick every 30 degrees.</summary>
         public static ChartScale Turn() => new ChartScale(0, 360, Multiples(0, 11, 30));
 
-        /// <summary>A number as charts show it: few digits, thousands apart.</summary>
+        /// <summary>A number for charts: few digits, thousands separated.</summary>
         public static string Label(double value)
         {
             double size = Math.Abs(value);
@@ -59,7 +59,7 @@ namespace Glint.Editor
                 CultureInfo.InvariantCulture);
         }
 
-        // A single value, or values that differ by rounding only, stand in the middle.
+        // Centres a single value, or values that differ by rounding only.
         static void Widen(ref double min, ref double max)
         {
             if (max - min > 1e-9 * Math.Max(Math.Abs(min), Math.Abs(max)))
@@ -78,7 +78,7 @@ namespace Glint.Editor
         static IEnumerable<double> Multiples(double first, double last, double step)
         {
             for (double i = first; i <= last; i++)
-                yield return i * step + 0.0; // -0 is a plain 0
+                yield return i * step + 0.0; // -0 becomes 0
         }
     }
 }

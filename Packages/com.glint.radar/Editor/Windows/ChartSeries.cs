@@ -14,11 +14,11 @@ namespace Glint.Editor
 
         public string Name { get; }
 
-        /// <summary>Whether it is of the run that is laid over.</summary>
+        /// <summary>Whether it belongs to the compared run.</summary>
         public bool IsCompared { get; }
 
         /// <summary>
-        /// The pieces of the line, along the axis. Between two of them is a pose that has no decibels.
+        /// Segments of the line along the axis, interrupted by poses without decibels.
         /// </summary>
         public IReadOnlyList<IReadOnlyList<ChartPoint>> Runs { get; }
     }

@@ -4,12 +4,12 @@ using System.Linq;
 
 namespace Glint.Editor
 {
-    /// <summary>How far a figure of one run is from that of another.</summary>
+    /// <summary>Differences of a quantity between two runs.</summary>
     sealed class Difference
     {
         readonly Quantity _quantity;
 
-        /// <param name="pairs">Poses of both; at least one.</param>
+        /// <param name="pairs">Poses of both runs; at least one.</param>
         public Difference(Quantity quantity, IReadOnlyList<(PoseFigures Ours, PoseFigures Theirs)> pairs)
         {
             _quantity = quantity;
@@ -24,19 +24,19 @@ namespace Glint.Editor
             Rms = Math.Sqrt(pairs.Average(pair => Of(pair) * Of(pair)));
         }
 
-        /// <summary>The difference that is largest either way, ours less theirs.</summary>
+        /// <summary>The difference of largest magnitude, ours less theirs.</summary>
         public double Largest { get; }
 
-        /// <summary>Where it is.</summary>
+        /// <summary>Its pose.</summary>
         public PoseFigures At { get; }
 
-        /// <summary>Their figure there.</summary>
+        /// <summary>Their value at that pose.</summary>
         public double Theirs { get; }
 
-        /// <summary>Root of the mean square of all.</summary>
+        /// <summary>Root mean square of all differences.</summary>
         public double Rms { get; }
 
-        /// <summary>In words.</summary>
+        /// <summary>A line of text.</summary>
         public override string ToString()
         {
             if (Largest == 0)

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Glint.Editor
 {
-    /// <summary>The phases of the rays that a pose received, in bars.</summary>
+    /// <summary>Histogram of the phases of a pose's received rays.</summary>
     sealed class PhaseChart
     {
         /// <param name="pose">Null for none.</param>
@@ -21,16 +21,16 @@ namespace Glint.Editor
                     $"{pose.Name}: {pose.RaysReceived:#,0} {(pose.RaysReceived == 1 ? "ray" : "rays")} in bins of {360.0 / bins.Length:0.##} degrees. Rays of like phase add up; spread evenly over all phases they cancel.");
         }
 
-        /// <summary>Of the bars, from phase 0 to 360 degrees, 0 to 1.</summary>
+        /// <summary>Heights of the bars from phase 0 to 360 degrees, 0 to 1.</summary>
         public IReadOnlyList<double> Heights { get; }
 
-        /// <summary>Rays.</summary>
+        /// <summary>Number of rays.</summary>
         public ChartScale Y { get; }
 
         /// <summary>Phase in degrees.</summary>
         public ChartScale X { get; } = ChartScale.Over(0, 360, 4);
 
-        /// <summary>What it shows, in a sentence or two.</summary>
+        /// <summary>Description of the chart.</summary>
         public string Text { get; }
     }
 }

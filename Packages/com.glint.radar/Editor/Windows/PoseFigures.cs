@@ -6,7 +6,7 @@ using Glint.Core;
 
 namespace Glint.Editor
 {
-    /// <summary>A pose in numbers, as charts and comparisons take it: traced just now, stored, or published.</summary>
+    /// <summary>Figures of a pose for charts and comparisons: traced, stored, or published.</summary>
     sealed class PoseFigures
     {
         readonly double?[] _values = new double?[SweepAxis.All.Count];
@@ -15,7 +15,7 @@ namespace Glint.Editor
         {
         }
 
-        /// <summary>Of a row that was written or read.</summary>
+        /// <summary>Figures of a stored row.</summary>
         public PoseFigures(StoredRow row)
         {
             for (int i = 0; i < _values.Length; i++)
@@ -29,8 +29,8 @@ namespace Glint.Editor
             PhaseHistogram = row.PhaseHistogram;
         }
 
-        /// <summary>Of a published row.</summary>
-        /// <param name="axis">What the table steps through.</param>
+        /// <summary>Figures of a published row.</summary>
+        /// <param name="axis">Axis of the table.</param>
         public static PoseFigures Of(PublishedRow row, SweepAxis axis)
         {
             var figures = new PoseFigures
@@ -42,7 +42,7 @@ namespace Glint.Editor
             return figures;
         }
 
-        /// <summary>The rows of a results folder, of a sweep that is not finished too.</summary>
+        /// <summary>The rows of a results folder, also of an unfinished sweep.</summary>
         /// <exception cref="GlintException">There are none, or they cannot be read.</exception>
         public static IReadOnlyList<PoseFigures> OfFolder(string folder)
         {
@@ -56,12 +56,11 @@ namespace Glint.Editor
             rows.Select(row => new PoseFigures(row)).ToArray();
 
         /// <summary>
-        /// Where it stands on an axis, in its unit; null where the axis was left alone.
-        /// Of a stored row the angle is 0 then.
+        /// Value on an axis, in its unit; null if the axis is not swept, except the angle of a stored row, which is 0.
         /// </summary>
         public double? this[SweepAxis axis] => _values[axis.Index];
 
-        /// <summary>"15 deg", "snapshot 3, 15 deg"; "the pose" where nothing was moved.</summary>
+        /// <summary>"15 deg", "snapshot 3, 15 deg"; "the pose" if nothing is swept.</summary>
         public string Name => new SweepPose(_values).ToString() is var text && text.Length > 0 ? text : "the pose";
 
         /// <summary>The pose and its figures, in a line.</summary>
@@ -81,7 +80,7 @@ namespace Glint.Editor
         public double Normalised { get; private set; }
 
         /// <summary>
-        /// About how far <see cref="Normalised"/> is from that of endlessly many rays; 0 where it is not known.
+        /// Estimated error of <see cref="Normalised"/>; 0 if unknown.
         /// </summary>
         public double SamplingError { get; private set; }
 
@@ -89,10 +88,10 @@ namespace Glint.Editor
 
         public double RaysHit { get; private set; }
 
-        /// <summary>Whether the amplitude is not to be trusted.</summary>
+        /// <summary>Whether the amplitude is unreliable.</summary>
         public bool IsUndersampled { get; private set; }
 
-        /// <summary>Received rays by phase; null where it is not known.</summary>
+        /// <summary>Received rays by phase; null if unknown.</summary>
         public int[] PhaseHistogram { get; private set; }
     }
 }

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Glint.Editor
 {
-    /// <summary>A figure of a pose that a chart can show.</summary>
+    /// <summary>A quantity of a pose for charts.</summary>
     sealed class Quantity
     {
         public static readonly Quantity Normalised =
@@ -28,13 +28,13 @@ namespace Glint.Editor
 
         public string Title { get; }
 
-        /// <summary>Whether it can be shown in decibels.</summary>
+        /// <summary>Whether decibels apply.</summary>
         public bool IsAmplitude { get; }
 
-        /// <summary>Never below 0.</summary>
+        /// <summary>The value, at least 0.</summary>
         public double Of(PoseFigures pose) => _value(pose);
 
-        /// <summary>The band of its sampling error, to either side; 0 for none.</summary>
+        /// <summary>Sampling error to either side; 0 for none.</summary>
         public double ErrorOf(PoseFigures pose) => _error(pose);
     }
 }

@@ -6,17 +6,16 @@ using Glint.Core;
 namespace Glint.Editor
 {
     /// <summary>
-    /// A figure of the poses of a sweep over one of its axes, ready to be drawn:
-    /// a line for each combination of the other axes, and those of a run laid over.
-    /// Polar, the angle grows clockwise from the top, as a target turns that is seen from above;
-    /// values grow from the middle, (0.5, 0.5), to the radius 0.5.
+    /// A quantity of the poses of a sweep over one of its axes, ready to be drawn: a line for each combination of the
+    /// other axes, and the lines of a compared run. In a polar chart the angle grows clockwise from the top, like a
+    /// turning target seen from above; values grow from the centre, (0.5, 0.5), to the radius 0.5.
     /// </summary>
     sealed class SweepChart
     {
-        /// <summary>Lines at most.</summary>
+        /// <summary>Maximum number of lines.</summary>
         public const int MaxSeries = 12;
 
-        // What is farther below the strongest is drawn at the foot.
+        // Range of decibels below the maximum; lower values are drawn at the bottom.
         const double DeepestDb = 100;
 
         readonly SweepAxis _axis;
@@ -24,10 +23,10 @@ namespace Glint.Editor
         readonly bool _inDecibels;
 
         /// <param name="rows">The run's poses so far.</param>
-        /// <param name="axis">Along x, or around.</param>
-        /// <param name="inDecibels">20 log10 of amplitudes; does not matter to others.</param>
-        /// <param name="isPolar">Around the middle; does not matter where the axis is no angle.</param>
-        /// <param name="compared">A run to lay over; may be null.</param>
+        /// <param name="axis">Axis of x, or of the polar angle.</param>
+        /// <param name="inDecibels">20 log10 of amplitudes; ignored for other quantities.</param>
+        /// <param name="isPolar">Polar chart; ignored if the axis is not an angle.</param>
+        /// <param name="compared">The compared run; may be null.</param>
         public SweepChart(IReadOnlyList<PoseFigures> rows, SweepAxis axis, Quantity quantity, bool inDecibels,
             bool isPolar, Comparison compared = null)
         {
@@ -37,7 +36,7 @@ namespace Glint.Editor
             IsPolar = isPolar && CanBePolar(axis);
             var groups = Groups(rows, null)
                 .Concat(compared == null ? Enumerable.Empty<Group>() : Groups(compared.Rows, compared.Title)).ToArray();
-            // The run laid over comes last and is wanted most.
+            // The compared run comes last, but takes precedence.
             var shown = groups.Where(group => group.IsCompared).Take(MaxSeries / 2).ToArray();
             shown = groups.Where(group => !group.IsCompared).Take(MaxSeries - shown.Length).Concat(shown).ToArray();
             LeftOut = groups.Length - shown.Length;
@@ -49,16 +48,16 @@ namespace Glint.Editor
             Series = shown.Select(Line).ToArray();
         }
 
-        /// <summary>Lines: of the run first, then of that laid over.</summary>
+        /// <summary>Lines of the run, then of the compared run.</summary>
         public IReadOnlyList<ChartSeries> Series { get; }
 
-        /// <summary>Combinations that are not shown, there being too many.</summary>
+        /// <summary>Combinations above the maximum, which are not shown.</summary>
         public int LeftOut { get; }
 
         /// <summary>The axis; in a polar chart one turn.</summary>
         public ChartScale X { get; }
 
-        /// <summary>The values; in a polar chart from the middle outwards.</summary>
+        /// <summary>The values; in a polar chart from the centre outwards.</summary>
         public ChartScale Y { get; }
 
         public bool IsPolar { get; }
@@ -69,18 +68,18 @@ namespace Glint.Editor
 
         public string YTitle => _inDecibels ? _quantity.Title + ", dB" : _quantity.Title;
 
-        /// <summary>Whether poses can stand around a middle.</summary>
+        /// <summary>Whether an axis can be polar.</summary>
         public static bool CanBePolar(SweepAxis axis) => axis.Unit == "deg";
 
-        /// <summary>The axes along which poses can be shown, the one that changes from pose to pose first.</summary>
+        /// <summary>The axes of the poses, the fastest first.</summary>
         public static IReadOnlyList<SweepAxis> AxesOf(IReadOnlyList<PoseFigures> rows)
         {
             var axes = SweepAxis.All.Reverse().Where(axis => Varies(rows, axis)).ToArray();
             return axes.Length > 0 ? axes : new[] { SweepAxis.Angle };
         }
 
-        /// <summary>The pose nearest to a place; null without any.</summary>
-        /// <param name="aspect">Width over height of the chart, so that near is near to the eye.</param>
+        /// <summary>The pose nearest to a position; null without poses.</summary>
+        /// <param name="aspect">Width over height of the chart, to measure distances on the screen.</param>
         public (ChartSeries Series, ChartPoint Point)? Nearest(double x, double y, double aspect)
         {
             (ChartSeries, ChartPoint)? nearest = null;
@@ -108,8 +107,7 @@ namespace Glint.Editor
             public (PoseFigures Pose, int Row)[] Poses;
         }
 
-        // In a sweep every combination has its first pose before the next one's second, or all before:
-        // in the order of the first either way.
+        // In the order of their first poses.
         IEnumerable<Group> Groups(IReadOnlyList<PoseFigures> rows, string compared)
         {
             var others = SweepAxis.All.Where(axis => axis != _axis && Varies(rows, axis)).ToArray();
@@ -168,7 +166,7 @@ namespace Glint.Editor
 
         double At(PoseFigures pose) => pose[_axis].Value * (_axis == SweepAxis.Frequency ? 1e-9 : 1);
 
-        // Null where there is nothing to show: no decibels.
+        // Null for a value without decibels.
         double? Height(double value)
         {
             double? level = Level(value);

@@ -4,7 +4,7 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The inspector of Ray Paths: its filters, how many rays are drawn, and why none are.</summary>
+    /// <summary>The inspector of Ray Paths: filters, number of rays drawn, or why there are none.</summary>
     [CustomEditor(typeof(RayPaths)), CanEditMultipleObjects]
     sealed class RayPathsEditor : UnityEditor.Editor
     {
@@ -34,7 +34,7 @@ namespace Glint.Editor.Views
             return inspector;
         }
 
-        // The rays are followed when a view shows them: nothing tells of it.
+        // Polls: rays are traced when a view shows them, and no event is raised.
         void Look()
         {
             if (target == null)

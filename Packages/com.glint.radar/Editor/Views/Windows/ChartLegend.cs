@@ -3,7 +3,7 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>Says which line of a chart is what.</summary>
+    /// <summary>The legend of a chart.</summary>
     sealed class ChartLegend : VisualElement
     {
         public ChartLegend() => AddToClassList("glint-legend");

@@ -7,11 +7,11 @@ using UnityEngine.UIElements;
 namespace Glint.Editor.Views
 {
     /// <summary>
-    /// Draws a <see cref="SweepChart"/>. The pointer over it asks for the nearest pose, a click chooses it.
+    /// Draws a <see cref="SweepChart"/>. The pointer reads the nearest pose, a click chooses it.
     /// </summary>
     sealed class ChartView : PlotArea
     {
-        // With more poses the markers would hide the lines.
+        // Above this number of poses the markers would hide the lines.
         const int MaxMarkers = 400;
 
         SweepChart _chart;
@@ -29,13 +29,13 @@ namespace Glint.Editor.Views
             }));
         }
 
-        /// <summary>The pose nearest to the pointer.</summary>
+        /// <summary>Raised with the pose nearest to the pointer.</summary>
         public event Action<ChartSeries, ChartPoint> Hovered;
 
-        /// <summary>The pointer is elsewhere now.</summary>
+        /// <summary>Raised when the pointer leaves.</summary>
         public event Action Left;
 
-        /// <summary>Number of the pose that was clicked, from 0.</summary>
+        /// <summary>Raised with the index of the clicked pose, from 0.</summary>
         public event Action<int> Chosen;
 
         /// <param name="marked">The chosen pose; may be null.</param>
@@ -60,7 +60,7 @@ namespace Glint.Editor.Views
                 {
                     DrawBand(painter, run, Colours.Line(i));
                     DrawLine(painter, run, Colours.Line(i));
-                    // A pose alone is no line.
+                    // A single pose has no line.
                     if (hasMarkers || run.Count == 1)
                         foreach (var point in run)
                             Markers.Draw(painter, At(point.X, point.Y), i, 3, Colours.Line(i),

@@ -5,7 +5,7 @@ using UnityEditor;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>Progress of work that holds the editor, with a button that ends it.</summary>
+    /// <summary>Progress of work that blocks the editor, with a cancel button.</summary>
     sealed class DialogProgress : IProgressSink, IDisposable
     {
         readonly CancellationTokenSource _cancel = new CancellationTokenSource();

@@ -5,7 +5,7 @@ namespace Glint.Editor.Views
     /// <summary>Draws a <see cref="PhaseChart"/>.</summary>
     sealed class PhaseView : PlotArea
     {
-        // Of a bin's width.
+        // Fraction of a bin's width.
         const double Gap = 0.06;
 
         PhaseChart _chart;

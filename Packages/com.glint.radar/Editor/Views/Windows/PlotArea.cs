@@ -3,7 +3,7 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The ground of a chart: grid, ticks with labels, titles; what it shows is drawn over it.</summary>
+    /// <summary>Base of a chart: grid, ticks with labels, titles; subclasses draw the content.</summary>
     abstract class PlotArea : VisualElement
     {
         const float TickGap = 5;
@@ -22,7 +22,7 @@ namespace Glint.Editor.Views
 
         protected ChartColours Colours { get; }
 
-        /// <summary>Draws what is shown.</summary>
+        /// <summary>Draws the content.</summary>
         protected abstract void DrawContent(Painter2D painter);
 
         protected void SetAxes(ChartScale x, ChartScale y, string xTitle, string yTitle, bool isPolar)
@@ -33,14 +33,14 @@ namespace Glint.Editor.Views
             MarkDirtyRepaint();
         }
 
-        /// <summary>From chart coordinates, 0 to 1 with y up, to the element's.</summary>
+        /// <summary>Maps chart coordinates, 0 to 1 with y up, to the element's.</summary>
         protected Vector2 At(double x, double y)
         {
             var area = Area();
             return new Vector2(area.x + area.width * (float)x, area.yMax - area.height * (float)y);
         }
 
-        /// <summary>From the element's coordinates to the chart's.</summary>
+        /// <summary>Maps the element's coordinates to the chart's.</summary>
         protected (double X, double Y) From(Vector2 position)
         {
             var area = Area();
@@ -85,7 +85,7 @@ namespace Glint.Editor.Views
             DrawContent(painter);
         }
 
-        // A place on the rim of a polar chart, by the part of a turn clockwise from the top.
+        // A point of a polar chart, by the fraction of a turn clockwise from the top.
         Vector2 Around(double turn, double radius)
         {
             float angle = 2 * Mathf.PI * (float)turn;
@@ -128,7 +128,7 @@ namespace Glint.Editor.Views
                 Put(_xTitle, "glint-axis-title", At(0.5, 0) + 4 * TickGap * Vector2.up, -50, 0);
         }
 
-        // The part of its own size, in percent, by which a label is moved: -50 is its middle.
+        // Right and down: shift of the label in percent of its size; -50 centres it.
         void Put(string text, string kind, Vector2 at, float right, float down)
         {
             var label = new Label(text) { pickingMode = PickingMode.Ignore };

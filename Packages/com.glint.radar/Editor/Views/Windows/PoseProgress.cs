@@ -5,8 +5,8 @@ using UnityEditor;
 namespace Glint.Editor.Views
 {
     /// <summary>
-    /// Shows how much of a long pose is done, with a button that ends it. A pose holds the editor,
-    /// so that the window's own Cancel cannot be pressed within one.
+    /// Progress of a long pose, with a cancel button. A pose blocks the editor, so that the window's own Cancel cannot
+    /// be pressed.
     /// </summary>
     sealed class PoseProgress : IProgress<double>, IDisposable
     {

@@ -11,20 +11,20 @@ namespace Glint.Editor.Views
 {
     /// <summary>
     /// Window > Glint > Radar: traces and sweeps the open scene, in edit mode and in play mode,
-    /// and shows the results as they come.
+    /// and shows the results live.
     /// </summary>
     sealed class RadarWindow : EditorWindow
     {
         const string StylePath = "Packages/com.glint.radar/Editor/Views/Windows/RadarWindow.uss";
 
-        // Charts of many poses take longer to draw than a pose to trace.
+        // Drawing charts of many poses takes longer than tracing a pose.
         const double SecondsBetweenDrawings = 0.2;
 
         [SerializeField] SweepForm _form = new SweepForm();
         [SerializeField] ChartChoice _choice = new ChartChoice();
-        // Folder of the results shown, for after a reload of the scripts; empty for none.
+        // Folder of the results shown, kept across a reload of the scripts; empty for none.
         [SerializeField] string _shown = "";
-        // Folder or name of the published table that is laid over; empty for none.
+        // Folder or name of the published table of the compared run; empty for none.
         [SerializeField] string _compared = "";
 
         IReadOnlyList<PoseFigures> _rows = Array.Empty<PoseFigures>();
@@ -80,7 +80,7 @@ namespace Glint.Editor.Views
             Recall();
         }
 
-        // What was shown before the scripts were reloaded.
+        // Restores what was shown before a reload of the scripts.
         void Recall()
         {
             if (_session == null && _shown.Length > 0 && Directory.Exists(_shown))
@@ -124,7 +124,7 @@ namespace Glint.Editor.Views
                 _session.Tick(progress);
             _panel.Show(_session);
             _results.Preview.Show(_session.Preview);
-            InternalEditorUtility.RepaintAllViews(); // the target's turn and the ray paths
+            InternalEditorUtility.RepaintAllViews(); // for the target's rotation and the ray paths
             if (!_session.IsRunning)
                 Refresh();
             else if (EditorApplication.timeSinceStartup - _drawn > SecondsBetweenDrawings)
@@ -182,7 +182,7 @@ namespace Glint.Editor.Views
                 Export.Report(_shown, _choice.Row(_rows), _form, path, progress);
         });
 
-        // When the menu is closed again, and is no part of the picture.
+        // After the menu has closed, so that it is not in the picture.
         void SavePicture() => rootVisualElement.schedule.Execute(() =>
         {
             var png = WindowPicture.Png(this, _results.Charts);
@@ -191,7 +191,7 @@ namespace Glint.Editor.Views
                 Attempt(() => Export.Picture(png, path));
         }).StartingIn(300);
 
-        // What goes wrong is said in the window.
+        // Shows errors in the window.
         void Attempt(Action act)
         {
             try

@@ -8,7 +8,7 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The window's right side: what is shown of the rows, and the charts.</summary>
+    /// <summary>The window's right side: display options and charts.</summary>
     sealed class ResultsPanel : VisualElement
     {
         readonly ChartChoice _choice;
@@ -21,9 +21,9 @@ namespace Glint.Editor.Views
         readonly Label _readout = new Label(), _differences = new Label(), _phaseText = new Label();
         PoseFigures _chosen;
 
-        /// <param name="redraw">Called when the choice has changed.</param>
+        /// <param name="redraw">Called when the options have changed.</param>
         /// <param name="compare">
-        /// Called with the folder or the published table's name to lay over; empty for none.
+        /// Called with the folder or the published table of the compared run; empty for none.
         /// </param>
         /// <param name="saveFile">Called with the name of the results file to export.</param>
         /// <param name="saveReport">Called to export the HTML report.</param>
@@ -93,7 +93,7 @@ namespace Glint.Editor.Views
         /// <summary>All charts, for a picture of them.</summary>
         public ScrollView Charts { get; }
 
-        /// <param name="comparison">Laid over; may be null.</param>
+        /// <param name="comparison">The compared run; may be null.</param>
         public void Show(IReadOnlyList<PoseFigures> rows, Comparison comparison)
         {
             var axes = SweepChart.AxesOf(rows);

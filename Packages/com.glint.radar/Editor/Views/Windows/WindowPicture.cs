@@ -5,10 +5,10 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>A part of a window as it is on the screen.</summary>
+    /// <summary>Picture of a part of a window.</summary>
     static class WindowPicture
     {
-        /// <summary>PNG of an element, as large as it is shown.</summary>
+        /// <summary>PNG of an element in its size on the screen.</summary>
         public static byte[] Png(EditorWindow window, VisualElement element)
         {
             var (rect, bound, scale) = (window.position, element.worldBound, EditorGUIUtility.pixelsPerPoint);
