@@ -6,9 +6,9 @@ namespace Glint.Core
     public static class WorldMesh
     {
         /// <summary>
-        /// All instances in the world's axes, metres, in their order; places rounded to float32 at the end.
+        /// All instances in the world's axes, metres, in their order; positions are rounded to float32 at the end.
         /// </summary>
-        /// <exception cref="GlintException">More vertices or indices than an array numbers.</exception>
+        /// <exception cref="GlintException">More vertices or indices than an array can hold.</exception>
         public static TriangleMesh Of(RadarScene scene)
         {
             long vertexCount = 0, indexCount = 0;

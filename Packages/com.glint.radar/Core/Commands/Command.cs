@@ -4,7 +4,7 @@ using System.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// One command: its words for the user, the options it takes, and which of them it cannot do without.
+    /// One command: its texts, its options, and the required ones.
     /// </summary>
     public sealed class Command
     {
@@ -14,7 +14,7 @@ namespace Glint.Core
             Summary = summary;
         }
 
-        /// <summary>As written on the command line: "sweep".</summary>
+        /// <summary>Name on the command line: "sweep".</summary>
         public string Name { get; }
 
         /// <summary>One sentence.</summary>
@@ -23,35 +23,36 @@ namespace Glint.Core
         /// <summary>Further sentences for the help, one paragraph each.</summary>
         public IReadOnlyList<string> Notes { get; internal set; } = new string[0];
 
-        /// <summary>What the command works on; none for a command without an argument.</summary>
+        /// <summary>Kind of input; none for a command without an argument.</summary>
         public InputKind Inputs { get; internal set; } = InputKind.File;
 
-        /// <summary>Whether it has a scene of its own to work on when no input is given.</summary>
+        /// <summary>Whether it has a built-in scene if no input is given.</summary>
         public bool HasBuiltIn => (Inputs & InputKind.BuiltIn) != 0;
 
         /// <summary>The options, in the order of the help.</summary>
         public IReadOnlyList<Option> Options { get; internal set; }
 
         /// <summary>
-        /// The options that must be given, each for the inputs it goes with;
-        /// one that needs others, only with one of these.
+        /// Required options, each for the inputs it applies to; an option that needs others, only with one of these.
         /// </summary>
         public IReadOnlyList<Option> Required { get; internal set; } = new Option[0];
 
-        /// <summary>Options of which one at least must be given; empty when there are none.</summary>
+        /// <summary>Options of which at least one must be given; may be empty.</summary>
         public IReadOnlyList<Option> OneOf { get; internal set; } = new Option[0];
 
-        /// <summary>Name of the method for Unity's -executeMethod; null when Unity has no such command.</summary>
+        /// <summary>
+        /// Name of the method for Unity's -executeMethod; null if the command does not exist in Unity.
+        /// </summary>
         public string UnityMethod { get; internal set; }
 
-        /// <summary>Examples: what follows "glint", and what it does.</summary>
+        /// <summary>Examples: the arguments after "glint", and their effect.</summary>
         public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }
 
-        /// <summary>What its arguments are called: INPUT, [INPUT], DIR... or SHELL; null when it takes none.</summary>
+        /// <summary>Name of its arguments: INPUT, [INPUT], DIR... or SHELL; null without arguments.</summary>
         public string InputName => Inputs == InputKind.None ? null : Inputs == InputKind.Shell ? "SHELL" : Inputs
             == InputKind.Folders ? "DIR..." : HasBuiltIn ? "[INPUT]" : "INPUT";
 
-        /// <summary>How the command is called, in one line.</summary>
+        /// <summary>Usage, in one line.</summary>
         public string Usage => string.Join(" ", new[] { "glint", Name, InputName }
             .Concat(OneOf.Take(1).Concat(Required.Where(option => option.Needs.Count == 0))
                 .Select(option => $"{option.Flag} {option.ValueName}")).Append("[options]")

@@ -2,11 +2,11 @@ using System;
 
 namespace Glint.Core
 {
-    /// <summary>What a command works on.</summary>
+    /// <summary>Kinds of input of a command.</summary>
     [Flags]
     public enum InputKind
     {
-        /// <summary>Nothing: the command takes no input.</summary>
+        /// <summary>No input.</summary>
         None = 0,
 
         /// <summary>A Unity scene: .unity.</summary>
@@ -15,10 +15,10 @@ namespace Glint.Core
         /// <summary>A mesh file: .obj or .stl.</summary>
         MeshFile = 2,
 
-        /// <summary>Either.</summary>
+        /// <summary>A scene or a mesh file.</summary>
         File = Scene | MeshFile,
 
-        /// <summary>The generated scene of a command that may be called without an input.</summary>
+        /// <summary>The built-in scene of a command with optional input.</summary>
         BuiltIn = 4,
 
         /// <summary>Results folders, one or more.</summary>
@@ -30,7 +30,7 @@ namespace Glint.Core
         /// <summary>The name of a shell.</summary>
         Shell = 32,
 
-        /// <summary>Whatever a command works on alone.</summary>
+        /// <summary>Any single input.</summary>
         Any = File | BuiltIn | Results
     }
 }

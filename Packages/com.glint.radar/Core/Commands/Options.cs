@@ -4,8 +4,7 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Every option of every command. Both hosts parse, check and explain by this table;
-    /// nothing of it is repeated elsewhere.
+    /// The options of all commands. Both hosts parse, validate and print help by this table.
     /// </summary>
     public static class Options
     {
@@ -22,7 +21,7 @@ namespace Glint.Core
         const string InSceneInstead = "only for mesh files: a scene has its own camera and objects, change it there";
         const string WithoutInput = "only for the built-in scene: leave INPUT out";
 
-        // Lengths and angles go into single precision, which holds both ends.
+        // Lengths and angles become single precision, which holds both ends.
         static readonly Interval Length = Interval.Closed(1e-6, 1e6);
         static readonly Interval Coordinate = Interval.Closed(-1e6, 1e6);
         static readonly Interval GrazingAngle = Interval.Closed(-90, 90);
@@ -80,7 +79,7 @@ namespace Glint.Core
                     + "or a list with commas."
             };
 
-        /// <summary>The object of the scene that a sweep turns or moves the radar about, by its name.</summary>
+        /// <summary>Name of the object that a sweep turns, or about which it moves the radar.</summary>
         public static readonly Option<string> Target = new Option<string>("target", "NAME", Values.NotEmpty)
         {
             Group = SweepGroup,
@@ -106,7 +105,7 @@ namespace Glint.Core
                 + "made with its parents when it is not there. Required with any other option."
         };
 
-        /// <summary>Whether a sweep goes on where it was ended.</summary>
+        /// <summary>Whether to resume an unfinished sweep.</summary>
         public static readonly Option<bool> Resume = new Option<bool>("resume", "", Values.Given)
         {
             Group = ResultGroup,
@@ -116,7 +115,7 @@ namespace Glint.Core
                 + "Refused when the folder holds another sweep; where nothing was begun the sweep begins."
         };
 
-        /// <summary>The part of a sweep to do; null when not given.</summary>
+        /// <summary>The part of a sweep to trace; null when not given.</summary>
         public static readonly Option<SweepShard?> Shard =
             new Option<SweepShard?>("shard", "K/N", text => SweepShard.Parse(text))
             {
@@ -149,7 +148,7 @@ namespace Glint.Core
         public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", CarrierFrequency,
             RadarGroup, InputKind.Any, "Carrier frequency in hertz.");
 
-        /// <summary>Most reflections a ray may make.</summary>
+        /// <summary>Maximum number of reflections of a ray.</summary>
         public static readonly Option<int> Bounces = Whole("bounces", "N", "4",
             Interval.Closed(1, RadarSettings.BounceLimit), RadarGroup, "Most reflections a ray may make.");
 
@@ -199,7 +198,7 @@ namespace Glint.Core
             MeshGroup, InputKind.MeshFile,
             "Grazing angle in degrees: how far the radar looks down. Below 0 it looks up.");
 
-        /// <summary>Compass direction in which the radar stands, degrees.</summary>
+        /// <summary>Compass direction of the radar, degrees.</summary>
         public static readonly Option<double> Azimuth = Number("azimuth", "DEG", "0", Interval.Closed(-360, 360),
             MeshGroup, InputKind.MeshFile,
             "Where the radar stands, in degrees about the vertical, positive as Unity's rotation about Y. "
@@ -210,7 +209,7 @@ namespace Glint.Core
             MeshGroup, InputKind.MeshFile,
             "Vertical field of view in degrees, within the limits of Unity's cameras.");
 
-        /// <summary>Metres from ray to ray where they are parallel; 0 when not given.</summary>
+        /// <summary>Spacing of parallel rays, metres; 0 when not given.</summary>
         public static readonly Option<double> Spacing =
             new Option<double>("spacing", "M", text => Values.Real(text, Length))
             {
@@ -228,7 +227,7 @@ namespace Glint.Core
             };
 
         /// <summary>
-        /// Width and height of the rectangle that parallel rays leave; 0 when not given: fitted to the mesh.
+        /// Width and height of the aperture of parallel rays; 0 when not given: fitted to the mesh.
         /// </summary>
         public static readonly Option<double2> Aperture =
             new Option<double2>("aperture", "M|WxH", text => Values.Area(text, Length))
@@ -258,11 +257,11 @@ namespace Glint.Core
         public static readonly Option<int> Seed = Whole("seed", "N", "1", Interval.Closed(0, int.MaxValue),
             BuiltInGroup, "Which sea it is: the same number, the same waves.", InputKind.BuiltIn);
 
-        /// <summary>About as many triangles has the built-in scene's sea.</summary>
+        /// <summary>Approximate number of triangles of the built-in scene's sea.</summary>
         public static readonly Option<int> SeaTriangles = Whole("sea-triangles", "N", "35000", Triangles, BuiltInGroup,
             "About as many triangles has the sea.", InputKind.BuiltIn);
 
-        /// <summary>About as many triangles has the built-in scene's ship.</summary>
+        /// <summary>Approximate number of triangles of the built-in scene's ship.</summary>
         public static readonly Option<int> ShipTriangles = Whole("ship-triangles", "N", "44000", Triangles,
             BuiltInGroup, "About as many triangles has the ship.", InputKind.BuiltIn);
 
@@ -283,7 +282,7 @@ namespace Glint.Core
                     + "May be given more than once."
             };
 
-        /// <summary>Which rays the reference tracer traces as well: 0 none, 1 all, N every N-th.</summary>
+        /// <summary>Rays that the reference tracer traces too: 0 none, 1 all, N every N-th.</summary>
         public static readonly Option<int> Reference =
             new Option<int>("reference", "all|none|N", text => Values.Share(text, Interval.Closed(1, 1000000)))
             {
@@ -293,7 +292,7 @@ namespace Glint.Core
                     + "Without it: all, when rays and triangles are at most 4 million each."
             };
 
-        /// <summary>About as many rays are compared with the reference tracer's.</summary>
+        /// <summary>Approximate number of rays compared with the reference tracer's.</summary>
         public static readonly Option<int> Rays = Whole("rays", "N", "100000",
             Interval.Closed(1, 1000000000), VerifyGroup,
             "About as many rays are compared, spread evenly over the picture, and as many of those received; "
@@ -314,7 +313,7 @@ namespace Glint.Core
                 + "(float32, metres, the world's axes), three vertex numbers of each triangle (int32), little-endian."
         };
 
-        /// <summary>The GPU to work on: index or part of the name; null when not given.</summary>
+        /// <summary>The device: index or part of its name; null when not given.</summary>
         public static readonly Option<string> Device = new Option<string>("device", "DEVICE", Values.NotEmpty)
         {
             Group = DeviceGroup,

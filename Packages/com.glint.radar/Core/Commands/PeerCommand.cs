@@ -2,7 +2,7 @@ using System;
 
 namespace Glint.Core
 {
-    /// <summary>A program that a benchmark times beside Glint.</summary>
+    /// <summary>A program that a benchmark times in alternation with Glint.</summary>
     public readonly struct PeerCommand
     {
         PeerCommand(string name, string command)
@@ -11,7 +11,7 @@ namespace Glint.Core
             Command = command;
         }
 
-        /// <summary>What it is called in the tables.</summary>
+        /// <summary>Name in the tables.</summary>
         public string Name { get; }
 
         /// <summary>Its command line, for the shell.</summary>

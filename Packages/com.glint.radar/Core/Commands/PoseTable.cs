@@ -5,7 +5,7 @@ using System.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>The lines that a command prints, one a pose, in columns.</summary>
+    /// <summary>The table that a command prints, a line for each pose.</summary>
     public static class PoseTable
     {
         /// <summary>
@@ -16,8 +16,8 @@ namespace Glint.Core
             + "    amplitude         dB   received        hit";
 
         /// <summary>The line of one pose.</summary>
-        /// <param name="plan">Whose pose it is.</param>
-        /// <param name="row">The pose and what the radar received in it.</param>
+        /// <param name="plan">The plan of the pose.</param>
+        /// <param name="row">The pose and its result.</param>
         public static string Row(SweepPlan plan, SweepRow row) =>
             string.Concat(Columns(plan).Select(axis => Cell(axis, row.Pose[axis]))) + Row(row.Result);
 
@@ -35,7 +35,7 @@ namespace Glint.Core
             result.RaysHit);
 
         /// <summary>
-        /// What the line of a pose has no column for: how far its amplitude can be trusted, and what a ray stands for.
+        /// Details without a column: the sampling error, and the wavefront of a parallel ray.
         /// </summary>
         public static string Details(RadarResult result) => FormattableString.Invariant(
                 $"normalised amplitude {result.NormalisedAmplitude:0.000}, sampling error ")
@@ -45,7 +45,7 @@ namespace Glint.Core
                 : "not estimated")
             + (result.RayArea is double area ? FormattableString.Invariant($"; {area:g6} m2 a ray") : "");
 
-        // + 0 makes the -0 of a hair below 0 dB a plain 0.
+        // + 0 turns -0, rounded from slightly below 0 dB, into 0.
         static string Decibels(double value) =>
             (Math.Round(value, 2) + 0.0).ToString("0.00", CultureInfo.InvariantCulture);
     }

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>The options of <c>glint sea</c>: what sea is made, and where its files go.</summary>
+    /// <summary>The options of <c>glint sea</c>: settings of the sea, and its folder.</summary>
     public static class SeaOptions
     {
         const string Group = "Sea";
@@ -43,7 +43,7 @@ namespace Glint.Core
         public static readonly Option<double> Wind = Number("wind", "M/S", s_standard.WindSpeed, SeaSettings.Winds,
             "Wind speed in metres a second, 10 m up: more wind, longer waves.");
 
-        /// <summary>Where the waves run to, degrees.</summary>
+        /// <summary>Direction in which the waves travel, degrees.</summary>
         public static readonly Option<double> WindDirection =
             Number("wind-direction", "DEG", s_standard.WindDirectionDegrees, SeaSettings.Directions,
                 "Where wind and waves go, in degrees as Unity's rotation about Y: 0 to +Z, 90 to +X.");
@@ -79,11 +79,11 @@ namespace Glint.Core
             Number("peak-enhancement", "X", s_standard.PeakEnhancement, SeaSettings.PeakEnhancements,
                 "How much higher the spectrum's peak is than that of a fully risen sea; jonswap only.");
 
-        /// <summary>Which sea.</summary>
+        /// <summary>Seed of the random numbers.</summary>
         public static readonly Option<int> Seed = Whole("seed", "N", s_standard.Seed, Interval.Closed(0, int.MaxValue),
             "Which sea it is: the same number, the same waves.");
 
-        /// <summary>Moments of the snapshots, seconds.</summary>
+        /// <summary>Times of the snapshots, seconds.</summary>
         public static readonly Option<double[]> Times = new Option<double[]>("times", "TIMES", s_times.Read)
         {
             Group = Group,
@@ -103,7 +103,7 @@ namespace Glint.Core
                 Help = "Tiles along X and along Z of each prefab, about its origin. All show one mesh."
             };
 
-        /// <summary>All of them, in the order of the help.</summary>
+        /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All =
         {
             Options.AssetFolder, WaveHeight, State, Spectrum, Wind, WindDirection, Choppiness, Tile, Grid, Cells,
@@ -111,7 +111,7 @@ namespace Glint.Core
         };
 
         /// <summary>
-        /// The sea that a command line asks for; null when it has no option, which means the stored ones.
+        /// The sea of a command line; null without options, which means the stored seas.
         /// </summary>
         /// <exception cref="UsageException">
         /// A value is out of its range, or there is no folder for the files.

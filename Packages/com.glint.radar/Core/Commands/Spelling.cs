@@ -4,10 +4,10 @@ using System.Linq;
 
 namespace Glint.Core
 {
-    /// <summary>Finds the name that was probably meant.</summary>
+    /// <summary>Suggests the intended name for a misspelt one.</summary>
     public static class Spelling
     {
-        /// <summary>The known name nearest to a word; null when none is near.</summary>
+        /// <summary>The known name nearest to a word; null if none is near.</summary>
         public static string Nearest(string word, IEnumerable<string> names)
         {
             var near = names.Select(name => (name, distance: name.StartsWith(word, StringComparison.Ordinal)
@@ -16,7 +16,7 @@ namespace Glint.Core
             return near.name != null && near.distance <= Math.Max(1, word.Length / 3) ? near.name : null;
         }
 
-        // Edits of one letter (Levenshtein), one row of the table at a time.
+        // Levenshtein distance, one row of the table at a time.
         static int Distance(string from, string to)
         {
             var row = Enumerable.Range(0, to.Length + 1).ToArray();

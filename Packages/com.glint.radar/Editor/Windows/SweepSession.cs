@@ -36,8 +36,8 @@ namespace Glint.Editor
             try
             {
                 LoadedScene.RebuildSeas();
-                // How a scene is divided depends on what was seen to move.
-                // Nothing of what was traced before is to show in the rows, which are those of the command.
+                // The division into rigid groups depends on motion seen before. Without that history the rows are those
+                // of the command.
                 _radar.Release();
                 _folder = folder == null ? null : ResultsFolder.Open(folder);
                 _run = new SweepRun(setup, _folder, null, resume);

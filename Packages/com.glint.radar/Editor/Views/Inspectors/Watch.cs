@@ -6,8 +6,8 @@ using UnityEngine.UIElements;
 namespace Glint.Editor.Views
 {
     /// <summary>
-    /// Calls when something in the open scenes or in the object inspected has changed and then has been still for
-    /// a moment; at once when an inspector is shown.
+    /// Calls back when the open scenes or the inspected object have changed and then been still for a moment, and
+    /// immediately when an inspector is shown.
     /// </summary>
     sealed class Watch
     {
