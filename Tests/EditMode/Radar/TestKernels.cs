@@ -24,6 +24,8 @@ namespace Glint.Tests
         public static ComputeShader DoubleFloat =>
             Load("Packages/com.glint.tests/EditMode/Shaders/DoubleFloat.compute");
 
+        public static ComputeShader Channels => Load("Packages/com.glint.tests/EditMode/Shaders/Channels.compute");
+
         public static ComputeShader Shadow => Load("Packages/com.glint.tests/EditMode/Shaders/Shadow.compute");
 
         /// <summary>The tracer's kernels in groups of other sizes.</summary>

@@ -90,10 +90,14 @@ namespace Glint.Core
         internal decimal SumOf(uint[] words, int slot)
         {
             int first = slot * WordsPerSlot + Word;
-            if (Words == 1)
-                return words[first];
-            decimal sum = (int)words[first + Words - 1]; // the highest word is signed
-            for (int word = Words - 2; word >= 0; word--)
+            return Words == 1 ? words[first] : SumOf(words, first, Words);
+        }
+
+        /// <summary>The number of several words, the lowest first, in two's complement.</summary>
+        internal static decimal SumOf(uint[] words, int first, int count)
+        {
+            decimal sum = (int)words[first + count - 1]; // the highest word is signed
+            for (int word = count - 2; word >= 0; word--)
                 sum = sum * (1L << 32) + words[first + word];
             return sum;
         }

@@ -29,7 +29,7 @@ namespace Glint.Core
         /// <summary>Settings of the tile, including the height factor.</summary>
         public SeaSettings Settings { get; }
 
-        /// <summary>Moments of the snapshots, seconds.</summary>
+        /// <summary>Times of the snapshots, seconds.</summary>
         public IReadOnlyList<double> Times { get; }
 
         /// <summary>Tiles along X and Z of each snapshot, centred on the origin.</summary>
