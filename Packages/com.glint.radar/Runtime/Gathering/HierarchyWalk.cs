@@ -6,12 +6,12 @@ using UnityEngine.SceneManagement;
 namespace Glint
 {
     /// <summary>
-    /// Lists the renderers of active objects as the Hierarchy window lists them: scene by scene,
-    /// parents before children, siblings in order.
+    /// Lists the renderers of active objects in the order of the Hierarchy window: scene by scene, parents before
+    /// children, siblings in order.
     /// </summary>
     sealed class HierarchyWalk
     {
-        readonly List<Renderer> _found = new List<Renderer>(), _below = new List<Renderer>();
+        readonly List<Renderer> _renderers = new List<Renderer>(), _below = new List<Renderer>();
         readonly List<GameObject> _sceneRoots = new List<GameObject>();
 
         /// <summary>
@@ -20,15 +20,15 @@ namespace Glint
         /// </summary>
         public IReadOnlyList<Renderer> Find(IReadOnlyList<Transform> roots)
         {
-            _found.Clear();
+            _renderers.Clear();
             if (roots.Count == 0)
                 AddLoadedScenes();
             foreach (var root in roots)
             {
                 root.GetComponentsInChildren(_below);
-                _found.AddRange(_below);
+                _renderers.AddRange(_below);
             }
-            return _found;
+            return _renderers;
         }
 
         void AddLoadedScenes()
@@ -36,7 +36,7 @@ namespace Glint
             for (int i = 0; i < SceneManager.sceneCount; i++)
             {
                 var scene = SceneManager.GetSceneAt(i);
-                // While it plays, a scene that is still loading has objects already, and scripts that run.
+                // In play mode a scene that is still loading already has objects with running scripts.
                 if (!scene.isLoaded && !Application.isPlaying)
                     continue;
                 scene.GetRootGameObjects(_sceneRoots);
@@ -47,7 +47,7 @@ namespace Glint
                 AddSurvivors();
         }
 
-        // Objects that survive loading are in a scene of their own, which is not among the others: they come last.
+        // Objects that survive loading are in a separate scene, which is not listed: they come last.
         void AddSurvivors()
         {
             var roots = new HashSet<Transform>();
@@ -67,13 +67,13 @@ namespace Glint
             return false;
         }
 
-        // What the editor keeps in a scene for itself, hidden, is no part of it.
+        // The editor's hidden objects are not part of the scene.
         void AddVisible(GameObject root)
         {
             root.GetComponentsInChildren(_below);
             foreach (var renderer in _below)
                 if ((renderer.gameObject.hideFlags & HideFlags.HideInHierarchy) == 0)
-                    _found.Add(renderer);
+                    _renderers.Add(renderer);
         }
     }
 }

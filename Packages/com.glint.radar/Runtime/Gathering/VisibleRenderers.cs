@@ -5,15 +5,15 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// The renderers that a radar sees: enabled, of active objects on its layers and below its roots,
-    /// of level 0 where there are levels of detail, and not below its receiver.
+    /// The renderers visible to a radar: enabled, of active objects on its layers and below its roots, of LOD 0, and
+    /// not below its receiver.
     /// </summary>
     sealed class VisibleRenderers
     {
         readonly HierarchyWalk _walk = new HierarchyWalk();
 
-        /// <summary>In the order of the hierarchy; below nested roots more than once.</summary>
-        /// <param name="roots">None of them null; none: every loaded scene.</param>
+        /// <summary>The renderers in the order of the hierarchy; those below nested roots repeat.</summary>
+        /// <param name="roots">Not null; empty: every loaded scene.</param>
         /// <param name="receiver">May be null.</param>
         public IEnumerable<Renderer> Find(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver)
         {

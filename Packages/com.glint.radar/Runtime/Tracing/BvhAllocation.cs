@@ -3,7 +3,7 @@ using Glint.Core;
 
 namespace Glint
 {
-    /// <summary>A mesh's BVHs and where they stand on the device.</summary>
+    /// <summary>A mesh's BVHs and their positions on the device.</summary>
     sealed class BvhAllocation
     {
         readonly int[] _pages, _firstRows;
@@ -32,7 +32,9 @@ namespace Glint
 
         public int FirstRowOf(int part) => _firstRows[part];
 
-        /// <summary>Writes every part where there is room; false, and none written, if there is not enough.</summary>
+        /// <summary>
+        /// Writes all parts into pages with room; false, and writes none, if there is not enough room.
+        /// </summary>
         public bool Allocate(IReadOnlyList<BvhPage> pages)
         {
             for (int part = 0; part < Bvh.Parts.Length; part++)

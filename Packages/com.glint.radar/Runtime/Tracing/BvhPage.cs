@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>One of the device's buffers for BVHs, in rows of 16 bytes, and which of its rows are taken.</summary>
+    /// <summary>A device buffer for BVHs, in rows of 16 bytes, and its allocated rows.</summary>
     sealed class BvhPage : IDisposable
     {
         readonly DeviceBuffer<uint4> _rows = new DeviceBuffer<uint4>("rows of trees");
@@ -14,7 +14,7 @@ namespace Glint
 
         public DeviceBuffer<uint4> Rows => _rows;
 
-        /// <summary>Writes a BVH into the first gap that it fits; -1 if there is none.</summary>
+        /// <summary>Writes a BVH into the first gap that fits; -1 if there is none.</summary>
         public int Allocate(uint4[] rows)
         {
             int first = 0, at = 0;
