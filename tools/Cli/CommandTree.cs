@@ -9,7 +9,7 @@ using System.Linq;
 namespace Glint.Cli;
 
 /// <summary>
-/// The parser: a System.CommandLine tree made from the tables of Glint.Editor, which also judge what it finds.
+/// The parser: a System.CommandLine tree made from the tables of Glint.Editor, which also validate the values.
 /// </summary>
 sealed class CommandTree
 {

@@ -68,7 +68,7 @@ public sealed unsafe class ComputeProgram : IDisposable
             return;
         try
         {
-            _device.Settle(LastBatch);
+            _device.FlushIfPending(LastBatch);
         }
         finally
         {

@@ -6,7 +6,7 @@ namespace Glint.Vulkan;
 /// <summary>Bytes on the device that kernels read and write; zero when new.</summary>
 public sealed unsafe class GpuBuffer : IDisposable
 {
-    /// <summary>Up to here copying a second time, into the staging buffer, costs less than waiting.</summary>
+    /// <summary>Up to this size a second copy, into the staging buffer, costs less than a flush.</summary>
     const int SmallBytes = 64 << 10;
 
     Allocation _allocation;
@@ -51,11 +51,11 @@ public sealed unsafe class GpuBuffer : IDisposable
             Device.Recorder.Upload(data, this, offset);
             return;
         }
-        Device.Settle(LastBatch);
+        Device.FlushIfPending(LastBatch);
         data.CopyTo(new Span<byte>(_allocation.Mapped + offset, data.Length));
     }
 
-    /// <summary>Takes bytes out, after waiting for what was dispatched before.</summary>
+    /// <summary>Copies bytes from the device, after all earlier dispatches have completed.</summary>
     public void Read(Span<byte> data, long offset = 0)
     {
         CheckRange(data.Length, offset);
@@ -64,7 +64,7 @@ public sealed unsafe class GpuBuffer : IDisposable
             Device.Recorder.Download(this, offset, data);
             return;
         }
-        Device.Settle(LastBatch);
+        Device.FlushIfPending(LastBatch);
         new ReadOnlySpan<byte>(_allocation.Mapped + offset, data.Length).CopyTo(data);
     }
 
@@ -74,7 +74,7 @@ public sealed unsafe class GpuBuffer : IDisposable
             return;
         try
         {
-            Device.Settle(LastBatch);
+            Device.FlushIfPending(LastBatch);
         }
         finally
         {

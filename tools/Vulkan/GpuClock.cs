@@ -1,9 +1,8 @@
 namespace Glint.Vulkan;
 
 /// <summary>
-/// Adds up how long the device works on dispatches, by timestamps of its own before and after each.
-/// Copies and waiting do not count.
-/// Off at first, when it costs nothing.
+/// Sums the device time of dispatches, from timestamps that the device writes before and after each.
+/// Copies and idle time do not count. It is off by default and then costs nothing.
 /// </summary>
 public sealed unsafe class GpuClock
 {

@@ -73,9 +73,9 @@ sealed class SpirvModule
     static VulkanException CutOff(int bytes) =>
         new($"a compiled kernel of {bytes} bytes is cut off; build the tools again");
 
-    static string Text(ReadOnlySpan<uint> words)
+    static string Text(ReadOnlySpan<uint> characters)
     {
-        var bytes = MemoryMarshal.AsBytes(words);
+        var bytes = MemoryMarshal.AsBytes(characters);
         return Encoding.UTF8.GetString(bytes[..bytes.IndexOf((byte)0)]);
     }
 }

@@ -192,7 +192,7 @@ public sealed unsafe class VulkanDevice : IDisposable
     internal void Abandon() => IsAbandoned = true;
 
     /// <summary>Waits when <paramref name="batch"/>, the last that uses something, has not run yet.</summary>
-    internal void Settle(long batch)
+    internal void FlushIfPending(long batch)
     {
         if (!IsAbandoned && batch == Recorder.Batch)
             Recorder.Flush();

@@ -8,8 +8,7 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// The radar that a command traces with and what it turns, from a scene of the project,
-    /// from a mesh file, or the built-in ones.
+    /// The radar and target of a command, from a scene of the project, a mesh file, or the built-in scene.
     /// </summary>
     sealed class LoadedScene
     {
@@ -21,17 +20,17 @@ namespace Glint.Editor
 
         public RadarController Radar { get; private set; }
 
-        /// <summary>What a sweep turns or moves the radar about; null when the command names none.</summary>
+        /// <summary>The object that a sweep turns, or about which it moves the radar; null if none is given.</summary>
         public Transform Target { get; private set; }
 
-        /// <summary>Whose snapshots a sweep shows; null when the command names none.</summary>
+        /// <summary>The sea whose snapshots a sweep shows; null if none are swept.</summary>
         public Sea Sea { get; private set; }
 
-        /// <summary>Moves the radar that looks at a mesh file; null with a scene.</summary>
+        /// <summary>Orbit of the radar of a mesh file; null with a scene.</summary>
         public RadarOrbit Orbit { get; private set; }
 
-        /// <summary>Opens what the command line names.</summary>
-        /// <exception cref="GlintException">It is not there, or holds no radar or no such target.</exception>
+        /// <summary>Opens the input of a command line.</summary>
+        /// <exception cref="GlintException">It does not exist, or has no radar or no such target.</exception>
         public static LoadedScene Open(CommandLine line)
         {
             switch (line.InputKind)
@@ -42,11 +41,11 @@ namespace Glint.Editor
             }
         }
 
-        /// <summary>A sweep of these through the poses of a plan.</summary>
+        /// <summary>A sweep through the poses of a plan.</summary>
         public SweepSetup Sweep(SweepPlan plan) =>
             new SweepSetup(Radar, plan) { Target = Target, Sea = Sea, Orbit = Orbit, Scene = Scene };
 
-        /// <summary>What stands in the open scene.</summary>
+        /// <summary>The open scene.</summary>
         public static LoadedScene InOpenScene(RadarController radar, Transform target, Sea sea)
         {
             string scene = radar.gameObject.scene.path;
@@ -57,8 +56,8 @@ namespace Glint.Editor
         }
 
         /// <summary>
-        /// Lays the seas of the open scenes. One that could not be shown only said so in the log:
-        /// without it nothing would be traced aright.
+        /// Updates the seas of the open scenes. A sea that cannot be shown is only logged in the editor; here it is an
+        /// error.
         /// </summary>
         /// <exception cref="GlintException">A sea cannot be shown.</exception>
         public static void RebuildSeas()
@@ -105,7 +104,7 @@ namespace Glint.Editor
             return Show(file, line);
         }
 
-        // The mesh options are refused here: their defaults are the published experiment's camera.
+        // Mesh options are refused: their defaults are the published experiment's camera.
         static LoadedScene MakeBuiltIn(CommandLine line)
         {
             var made =
@@ -115,7 +114,7 @@ namespace Glint.Editor
             return new LoadedScene { Name = "sea and ship", Radar = loaded.Radar, Target = loaded.Target };
         }
 
-        // A new scene with the mesh, a radar before it and nothing else.
+        // A new scene with only the mesh and a radar before it.
         static LoadedScene Show(MeshFile file, CommandLine line)
         {
             EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
@@ -129,7 +128,7 @@ namespace Glint.Editor
                 RaySpacing = line.Get(Options.Spacing),
                 ApertureSize = line.Get(Options.Aperture),
             };
-            // Parallel rays come back to the rectangle that they left, unless another is given.
+            // The receiver of parallel rays is their aperture, unless another is given.
             if (!line.IsGiven(Options.Spacing) || line.IsGiven(Options.Receiver))
                 placement.ReceiverSize = line.Get(Options.Receiver);
             var scene =
@@ -140,7 +139,7 @@ namespace Glint.Editor
             };
         }
 
-        // What is not given stays: a scene's own settings, or the standard ones, which are the options' defaults too.
+        // Options that are not given keep the scene's settings, or the defaults, which are also those of the options.
         static RadarSettings Override(RadarSettings settings, CommandLine line)
         {
             if (line.IsGiven(Options.Size))
@@ -179,7 +178,7 @@ namespace Glint.Editor
             return components.Length > shown ? $"{names} and {components.Length - shown} more" : names;
         }
 
-        /// <summary>From the root, as --target takes it: Fleet/Ship.</summary>
+        /// <summary>Path from the root, as in --target: Fleet/Ship.</summary>
         public static string PathOf(Transform transform) =>
             transform.parent == null ? transform.name : $"{PathOf(transform.parent)}/{transform.name}";
     }

@@ -5,9 +5,8 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// Lets radars that were traced outside play mode go of their buffers before scripts are
-    /// reloaded or their scene is closed:
-    /// Unity sends them no OnDisable then.
+    /// Releases the buffers of radars traced in edit mode before scripts are reloaded or their scene is closed: Unity
+    /// sends them no OnDisable then.
     /// </summary>
     [InitializeOnLoad]
     static class ReleaseBuffers
@@ -15,7 +14,7 @@ namespace Glint.Editor
         static ReleaseBuffers()
         {
             AssemblyReloadEvents.beforeAssemblyReload += ReleaseAll;
-            // Not when a mode has begun: its first poses are traced by then.
+            // Not after a mode has begun: its first poses may have been traced.
             EditorApplication.playModeStateChanged += change =>
             {
                 if (change == PlayModeStateChange.ExitingEditMode || change == PlayModeStateChange.ExitingPlayMode)

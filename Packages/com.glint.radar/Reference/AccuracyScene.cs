@@ -5,12 +5,11 @@ using Unity.Mathematics;
 namespace Glint.Reference
 {
     /// <summary>
-    /// One of the scenes, built in code, in which the accuracy benchmark compares what
-    /// a pose costs with how right it is.
+    /// A scene of the accuracy benchmark, built in code.
     /// </summary>
     public sealed class AccuracyScene
     {
-        /// <summary>How far the radar of the published experiment looks down, degrees.</summary>
+        /// <summary>Grazing angle of the published experiment, degrees.</summary>
         public const double PublishedGrazingDegrees = 10;
 
         const double PublishedFov = 60, PublishedReceiver = 3, ReceiverBehindCamera = 0.2;
@@ -22,20 +21,20 @@ namespace Glint.Reference
             View = view;
         }
 
-        /// <summary>What is traced and from where, in a few words.</summary>
+        /// <summary>Name of target and direction.</summary>
         public string Name { get; }
 
-        /// <summary>What is traced.</summary>
+        /// <summary>The traced scene.</summary>
         public RadarScene Scene { get; }
 
-        /// <summary>Where radar and receiver stand.</summary>
+        /// <summary>Poses of radar and receiver.</summary>
         public RadarView View { get; }
 
-        /// <summary>True if there is enough to see for pieces of the work to be told apart.</summary>
+        /// <summary>True if the scene is large enough to time the stages of a pose.</summary>
         public bool HasMuch => Scene.TriangleCount > 10000;
 
         /// <summary>
-        /// The scenes: what returns is large and flat, in step or out of step, curved, or in many small pieces.
+        /// The scenes. Returns are large and flat, in or out of phase, curved, or in many small pieces.
         /// </summary>
         public static IReadOnlyList<AccuracyScene> All()
         {
@@ -56,8 +55,8 @@ namespace Glint.Reference
         /// The camera of the published experiment looking along +Z at the origin: 60 degrees high,
         /// receiver 3 x 3 m, 0.2 m behind it.
         /// </summary>
-        /// <param name="distance">To the origin, metres.</param>
-        /// <param name="grazing">How far it looks down, degrees.</param>
+        /// <param name="distance">Distance to the origin, metres.</param>
+        /// <param name="grazing">Grazing angle, degrees.</param>
         public static RadarView PublishedView(double distance, double grazing)
         {
             double down = math.radians(grazing);
@@ -88,7 +87,7 @@ namespace Glint.Reference
             });
         }
 
-        // Square, across the z axis.
+        // A square perpendicular to the z axis.
         static TriangleMesh Plate(float side)
         {
             float half = side / 2;

@@ -5,18 +5,18 @@ using Unity.Mathematics;
 namespace Glint.Reference
 {
     /// <summary>
-    /// Triangles as plain numbers, for other programs: number of vertices and of triangles, x, y, z of each vertex
-    /// (float32, metres), three vertex numbers of each triangle. All little-endian, whole numbers int32.
+    /// A binary format of triangles for other programs: number of vertices and of triangles, x, y, z of each vertex
+    /// (float32, metres), three vertex indices of each triangle. Little-endian; integers are int32.
     /// </summary>
     public static class BinaryScene
     {
         const int BufferBytes = 1 << 20;
 
         /// <summary>Writes a mesh.</summary>
-        /// <exception cref="System.IO.IOException">The stream takes no more.</exception>
+        /// <exception cref="System.IO.IOException">Writing to the stream fails.</exception>
         public static void Write(Stream stream, TriangleMesh mesh)
         {
-            // Neither is disposed: that would close the stream, which is the caller's.
+            // Neither is disposed: that would close the caller's stream.
             var buffer = new BufferedStream(stream, BufferBytes);
             var writer = new BinaryWriter(buffer);
             writer.Write(mesh.Vertices.Length);
@@ -37,9 +37,9 @@ namespace Glint.Reference
     public static class WorldMesh
     {
         /// <summary>
-        /// All instances in the world's axes, metres, in their order; places rounded to float32 at the end.
+        /// All instances in the world's axes, metres, in their order; positions are rounded to float32 at the end.
         /// </summary>
-        /// <exception cref="GlintException">More vertices or indices than an array numbers.</exception>
+        /// <exception cref="GlintException">More vertices or indices than an array can hold.</exception>
         public static TriangleMesh Of(RadarScene scene)
         {
             long vertexCount = 0, indexCount = 0;

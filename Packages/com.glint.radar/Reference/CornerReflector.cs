@@ -5,11 +5,9 @@ using Unity.Mathematics;
 namespace Glint.Reference
 {
     /// <summary>
-    /// The corner reflector of the published experiment with its radar:
-    /// the only place that holds the recovered geometry.
-    /// The thesis does not give it. It was fitted to rays hit,
-    /// rays received and amplitudes of all 46 rows of Table A.2 together.
-    /// The stored prefabs are made of these numbers by <c>glint reflector</c>.
+    /// The corner reflector of the published experiment with its radar, in the recovered geometry. The thesis does not
+    /// give the geometry; it was fitted to rays hit, rays received and amplitudes of all 46 rows of Table A.2 together.
+    /// <c>glint reflector</c> makes the stored prefabs from these numbers.
     /// </summary>
     public static class CornerReflector
     {
@@ -32,8 +30,8 @@ namespace Glint.Reference
         /// <summary>Centre of the receiver in the camera's frame (right, up, forward), metres.</summary>
         public static double3 ReceiverOffset => new double3(0, -0.210, -0.236);
 
-        // A plate's faces and ends along the axes of the reflector, from its vertex, metres.
-        // Plates cross in their middle planes: each ends half a thickness behind its neighbours' inner faces.
+        // Faces and ends of a plate along the axes of the reflector, from its vertex, metres. Plates intersect in their
+        // middle planes: each ends half a thickness behind its neighbours' inner faces.
         const double Thickness = 0.211, PlateStart = -Thickness / 2, PlateEnd = 15.8985;
 
         // The angle between the vertical and the reflector's z axis, degrees.
@@ -107,7 +105,7 @@ namespace Glint.Reference
             return new TriangleMesh(vertices.ToArray(), indices.ToArray());
         }
 
-        // Corner i lies at the high end of axis a where bit a of i is set.
+        // Corner i is at the upper end of axis a if bit a of i is set.
         static void AddBox(List<float3> vertices, List<int> indices, in Affine axes, double3 min, double3 max)
         {
             int first = vertices.Count;

@@ -7,43 +7,43 @@ using Unity.Mathematics;
 namespace Glint.Reference
 {
     /// <summary>
-    /// The kernel's rays beside the reference tracer's, one by one.
-    /// A ray has gone wrong unless it went the reference tracer's way, or passes an edge so near that the reference
-    /// tracer goes the kernel's way from a place in the picture a little beside:
-    /// so near that float32 cannot tell the places on the target apart.
+    /// Compares the kernel's rays with the reference tracer's, one by one. A ray is right if it has the reference
+    /// tracer's path, or if it passes an edge so near that the reference tracer's ray through a slightly different
+    /// point of the picture has the kernel's path. The difference is below the float32 resolution of positions on the
+    /// target.
     /// </summary>
     public sealed class RayComparison
     {
-        /// <summary>Rays that went wrong and are kept one by one, at most.</summary>
+        /// <summary>Maximum number of wrong rays listed.</summary>
         public const int MaxListed = 20;
 
-        // Of the scene's size. A float32 place at its rim, brought to a mesh's frame,
-        // is rounded some eight times by half a step: 22 micrometres where the scene is 92 m from corner to corner.
+        // Fraction of the scene's size. A float32 position at its border, transformed to a mesh's frame, is rounded
+        // some eight times by half a step: 22 micrometres in a scene with a diagonal of 92 m.
         const double Step = 1.0 / (1 << 22);
 
-        // A sliver narrower than a step is not found by steps alone.
+        // Rings of smaller radius find slivers narrower than a step.
         const int Rings = 4, RingRatio = 4, Sides = 8;
 
-        // A length that differs less is that of the same path, metres; and a last direction, radians.
+        // Maximum difference of the lengths of one path, metres, and of its last directions, radians.
         const double SameLength = 1e-7, SameDirection = 1e-5;
 
-        // Two float32 numbers hold 48 bits of a length; some are lost on its way.
+        // Double-float has 48 bits; some are lost along the path.
         const double DoubleFloatRounding = 1.0 / (1L << 44);
 
-        // The path of a ray that is not received is followed in float32, which turns thin triangles a little:
-        // so much of the scene's size its length may be off.
+        // Maximum length error of a ray that is not received, as a fraction of the scene's size: it is traced in
+        // float32, whose normals of thin triangles are inaccurate.
         const double LostOfSize = 1e-3;
 
         readonly ReferenceTracer _referenceTracer;
         readonly RadarSettings _settings;
         readonly double _tolerance, _sceneSize;
-        readonly RadarSums _kernelSums, _judgeSums;
+        readonly RadarSums _kernelSums, _referenceSums;
         readonly List<(RayData Kernel, ReferenceRay Reference)> _wrongRays = new List<(RayData, ReferenceRay)>();
         double _sumOfSquares;
 
-        /// <summary>A comparison in which no ray has been compared yet.</summary>
+        /// <summary>An empty comparison.</summary>
         /// <param name="lengthTolerance">
-        /// Difference of a received ray's length that is allowed besides rounding, metres.
+        /// Maximum length difference of received rays in addition to rounding, metres.
         /// </param>
         public RayComparison(in RadarPose pose, double lengthTolerance)
         {
@@ -52,46 +52,46 @@ namespace Glint.Reference
             _tolerance = lengthTolerance;
             _sceneSize = 2 * _referenceTracer.SceneRadius;
             _kernelSums = new RadarSums { RaysOfPicture = _settings.RayCount };
-            _judgeSums = new RadarSums { RaysOfPicture = _settings.RayCount };
+            _referenceSums = new RadarSums { RaysOfPicture = _settings.RayCount };
         }
 
         /// <summary>Rays compared.</summary>
         public long Rays { get; private set; }
 
-        /// <summary>Of these, those that went the reference tracer's way.</summary>
+        /// <summary>Rays with the reference tracer's path.</summary>
         public long Same { get; private set; }
 
-        /// <summary>Of these, those that passed an edge on its other side, so near that float32 cannot tell.</summary>
+        /// <summary>Rays that pass an edge on the other side, within the float32 resolution.</summary>
         public long AtEdge { get; private set; }
 
         /// <summary>
-        /// Of these, those that went another way, or whose length differs by more than the tolerance.
+        /// Rays with another path, or with a length difference above the tolerance.
         /// </summary>
         public long Wrong { get; private set; }
 
-        /// <summary>The first rays that went wrong.</summary>
+        /// <summary>The first wrong rays.</summary>
         public IReadOnlyList<(RayData Kernel, ReferenceRay Reference)> WrongRays => _wrongRays;
 
-        /// <summary>The kernel's sums over the rays that went the reference tracer's way.</summary>
+        /// <summary>The kernel's sums over the rays with the reference tracer's path.</summary>
         public RadarResult KernelSums => new RadarResult(_kernelSums);
 
         /// <summary>The reference tracer's sums over the same rays.</summary>
-        public RadarResult ReferenceSums => new RadarResult(_judgeSums);
+        public RadarResult ReferenceSums => new RadarResult(_referenceSums);
 
         /// <summary>
-        /// Largest difference between the lengths of received rays that went the reference tracer's way, metres.
+        /// Maximum length difference of received rays with the reference tracer's path, metres.
         /// </summary>
         public double LargestLengthDifference { get; private set; }
 
-        /// <summary>Root of the mean square of these differences, metres; 0 when no ray was received.</summary>
+        /// <summary>Root mean square of these differences, metres; 0 if no ray was received.</summary>
         public double RmsLengthDifference =>
             _kernelSums.RaysReceived > 0 ? math.sqrt(_sumOfSquares / _kernelSums.RaysReceived) : 0;
 
-        /// <summary>Largest difference between their phases, radians.</summary>
+        /// <summary>Maximum difference of their phases, radians.</summary>
         public double LargestPhaseDifference { get; private set; }
 
-        /// <summary>Compares rays; those added before count too.</summary>
-        /// <param name="progress">Told how much is done, 0 to 1, from any thread; may be null.</param>
+        /// <summary>Compares rays and adds them to the counts.</summary>
+        /// <param name="progress">Receives the fraction done, 0 to 1, from any thread; may be null.</param>
         /// <exception cref="OperationCanceledException">It was cancelled.</exception>
         public void Add(RayData[] rays, IProgress<double> progress = null, CancellationToken cancel = default)
         {
@@ -116,7 +116,7 @@ namespace Glint.Reference
                     AtEdge++;
                     return;
                 }
-                // A path that is lost is right if it is that of a ray a little beside.
+                // A path that is not received is right if a slightly displaced ray has it.
                 isSame = IsAsLong(ray, reference, _tolerance)
                     || !reference.Received && IsAmong(ray, beside, reference, onSamePath: true);
             }
@@ -146,13 +146,13 @@ namespace Glint.Reference
                 ? DoubleFloatRounding * reference.PathLength
                 : LostOfSize * _sceneSize + Step * reference.LengthToLastHit;
 
-        // The reference tracer's ray, and those through places around it.
+        // The reference tracer's ray, and those through points around it.
         List<ReferenceRay> Beside(in RayData ray, in ReferenceRay reference)
         {
-            // A ray that hit nothing ends where it started.
+            // A ray that hit nothing ends at its start.
             double distance =
                 reference.Bounces > 0 ? reference.LengthToFirstHit : math.distance(ray.LastHit, reference.LastHit);
-            // Every bounce rounds anew.
+            // Every bounce adds its rounding.
             int bounces = math.max(1, math.max(reference.Bounces, (int)ray.Bounces));
             double step = bounces * Step * _sceneSize / _referenceTracer.RaySpacing(distance);
             var rays = new List<ReferenceRay> { reference };
@@ -166,8 +166,8 @@ namespace Glint.Reference
             return rays;
         }
 
-        // True if a ray ends as others that go the reference tracer's way, or that go another:
-        // as long as some of them are, or would be a step farther.
+        // True if a ray ends as some of the other rays, with the reference tracer's path or with another one: its
+        // length is within the range of theirs, extended by a step.
         bool IsAmong(in RayData ray, List<ReferenceRay> others, in ReferenceRay reference, bool onSamePath)
         {
             foreach (var first in others)
@@ -188,13 +188,13 @@ namespace Glint.Reference
         void AddSums(in RayData ray, in ReferenceRay reference)
         {
             AddTo(_kernelSums, (int)ray.Bounces, ray.RefinedPathLength);
-            AddTo(_judgeSums, reference.Bounces, reference.LengthToEnd);
+            AddTo(_referenceSums, reference.Bounces, reference.LengthToEnd);
             if (!reference.Received)
                 return;
             double phase = Signal.Phase(reference.PathLength, _settings.Wavelength),
                 difference = math.abs(ray.RefinedPathLength - reference.PathLength);
             _kernelSums.AddReceived(ray.Phase, ray.InPhase, ray.Quadrature);
-            _judgeSums.AddReceived(phase, math.cos(phase), math.sin(phase));
+            _referenceSums.AddReceived(phase, math.cos(phase), math.sin(phase));
             LargestLengthDifference = math.max(LargestLengthDifference, difference);
             LargestPhaseDifference =
                 math.max(LargestPhaseDifference, math.abs(Math.IEEERemainder(ray.Phase - phase, 2 * math.PI_DBL)));

@@ -6,24 +6,23 @@ using Unity.Mathematics;
 namespace Glint.Reference
 {
     /// <summary>
-    /// The reference tracer's own search for the nearest triangle: double precision,
-    /// triangles halved along the longest side, plain recursion.
-    /// It shares no code with the kernel or its builder, so that an error in one does not hide in the other.
+    /// The reference tracer's BVH: double precision, median splits along the longest side, recursive traversal.
+    /// It shares no code with the kernel or its builder, so that they cannot have the same error.
     /// Its coordinates are those of the scene less <see cref="Centre"/>.
     /// </summary>
     sealed class ReferenceBvh
     {
         const int LeafSize = 4;
 
-        // Fewer triangles than this are sorted sooner than another processor takes them over.
+        // Minimum number of triangles for sorting on another core.
         const int MinShared = 4096;
 
-        // A ray that starts as near to a triangle's plane as this fraction of the scene's size starts on it,
-        // and does not meet it: some hundred roundings of a place.
+        // Fraction of the scene's size within which a ray starts on a triangle's plane and does not hit it: some
+        // hundred roundings of a position.
         const double OnSurface = 1e-13;
 
-        // Boxes are larger than their triangles by this fraction of the scene's size:
-        // rounding must not lose a ray that meets one edge-on.
+        // Enlargement of boxes, as a fraction of the scene's size: rounding must not lose a ray that hits a box
+        // edge-on.
         const double Margin = 1e-12;
 
         // Corners, unit normals and numbers in the order of the leaves.
@@ -33,7 +32,7 @@ namespace Glint.Reference
         readonly Node _root;
         readonly double _margin, _onSurface;
 
-        /// <param name="scene">Corners are where the double transforms put the float32 vertices.</param>
+        /// <param name="scene">Corners are the float32 vertices transformed in double.</param>
         public ReferenceBvh(RadarScene scene)
         {
             int count = checked((int)scene.TriangleCount);
@@ -54,7 +53,7 @@ namespace Glint.Reference
             _margin = 2 * Radius * Margin;
             _onSurface = 2 * Radius * OnSurface;
 
-            // Once more, about the middle from the start: a far scene's coordinates would keep their rounding.
+            // Loads again relative to the centre, so that coordinates of a distant scene have no large rounding.
             LoadTriangles(scene);
             _root = Build(0, count, new double[count]);
             Reorder(_a);
@@ -63,14 +62,14 @@ namespace Glint.Reference
             Reorder(_normals);
         }
 
-        /// <summary>Middle of the box around all triangles, in the scene's coordinates.</summary>
+        /// <summary>Centre of the box around all triangles, in the scene's coordinates.</summary>
         public double3 Centre { get; }
 
         /// <summary>Half the diagonal of that box, metres.</summary>
         public double Radius { get; }
 
         /// <summary>
-        /// The triangle's number in the scene: over the instances in order, over their triangles in order.
+        /// Number of a triangle in the scene, counted over the instances and their triangles in order.
         /// </summary>
         public int Number(int triangle) => _numbers[triangle];
 
@@ -88,10 +87,9 @@ namespace Glint.Reference
         public double3 Normal(int triangle) => _normals[triangle];
 
         /// <summary>
-        /// The nearest triangle along a ray, other than those in whose plane it starts;
-        /// -1 and infinity if there is none.
-        /// Of several at the same distance the one of the lowest number. Triangles are counted as the BVH has them;
-        /// <see cref="Number"/> tells the scene's.
+        /// The closest hit of a ray, except triangles in whose plane it starts; -1 and infinity if there is none. Of
+        /// several at the same distance the one with the lowest number. The result is the BVH's index of the triangle;
+        /// <see cref="Number"/> gives the scene's.
         /// </summary>
         public int ClosestHit(double3 origin, double3 direction, out double distance)
         {
@@ -119,8 +117,8 @@ namespace Glint.Reference
             {
                 var transform = instance.ToWorld;
                 transform.Origin -= Centre;
-                // A surface's normals turn and stretch as its areas do. Differences of float32 corners are exact in
-                // double, their cross product nearly so, however thin the triangle.
+                // Normals transform like areas. Differences of float32 corners are exact in double, and their cross
+                // product is accurate even for thin triangles.
                 var areas = new Affine
                 {
                     X = math.cross(transform.Y, transform.Z),
@@ -207,7 +205,8 @@ namespace Glint.Reference
                 (traversal.Hit, traversal.Distance) = (triangle, there);
         }
 
-        // Where the ray enters the box; infinity if it misses it or has a hit before it. Slab by slab.
+        // Distance at which the ray enters the box, by the slab test; infinity if it misses the box or has a nearer
+        // hit.
         static double Enters(Node node, in Traversal traversal)
         {
             double ax = (node.Min.x - traversal.Origin.x) * traversal.Inverse.x,
@@ -222,17 +221,16 @@ namespace Glint.Reference
             return enter <= leave ? enter : double.PositiveInfinity;
         }
 
-        // A ray along a slab is inside it or enters it nowhere: a large number says so,
-        // infinity would give 0 times infinity on the slab's side.
+        // A ray parallel to a slab is inside it or never enters it: a large number gives that, while infinity would
+        // give 0 times infinity on the slab's plane.
         static double Inverse(double component) => Math.Abs(component) > 1e-200 ? 1 / component : 1e200;
 
-        // To where the ray meets the triangle's plane, if it passes its three edges on the same side;
-        // infinity if it does not meet it.
+        // Distance to the triangle's plane if the ray passes the three edges on the same side; else infinity.
         double Distance(int triangle, double3 origin, double3 direction)
         {
             double3 a = _a[triangle] - origin, b = _b[triangle] - origin, c = _c[triangle] - origin;
             double height = math.dot(a, _normals[triangle]), facing = math.dot(direction, _normals[triangle]);
-            // Both hold for triangles without area.
+            // Both are true for triangles without area.
             if (Math.Abs(height) <= _onSurface || facing == 0)
                 return double.PositiveInfinity;
 
@@ -242,16 +240,16 @@ namespace Glint.Reference
             if (!(ab >= 0 && bc >= 0 && ca >= 0 || ab <= 0 && bc <= 0 && ca <= 0))
                 return double.PositiveInfinity;
 
-            // Seen edge-on, the plane is met anywhere; the triangle is not.
+            // Edge-on the distance to the plane is undetermined; the corners bound the hit.
             double da = math.dot(a, direction), db = math.dot(b, direction), dc = math.dot(c, direction);
             double distance =
                 math.clamp(height / facing, math.min(da, math.min(db, dc)), math.max(da, math.max(db, dc)));
             return distance > 0 ? distance : double.PositiveInfinity;
         }
 
-        // On which side a ray from the origin passes the edge between two points, times the edge's length and twice
-        // the distance. The two triangles at an edge get exactly opposite numbers, so that no ray passes between them;
-        // and an edge that is short and far away costs no digits.
+        // Side on which a ray from the origin passes the edge between two points, times the edge's length and twice the
+        // distance. The two triangles of an edge get exactly opposite numbers, so that no ray passes between them;
+        // short distant edges lose no digits.
         static double Passes(double3 direction, double3 from, double3 to, double3 edge) =>
             math.dot(direction, math.cross(from + to, edge));
 
@@ -259,7 +257,7 @@ namespace Glint.Reference
         {
             public double3 Min, Max;
             public Node Left, Right;
-            public int First, Count; // of a leaf's triangles
+            public int First, Count; // the triangles of a leaf
         }
 
         struct Traversal

@@ -3,7 +3,7 @@ using Unity.Mathematics;
 
 namespace Glint.Reference
 {
-    /// <summary>One ray as the reference tracer traced it, in double precision.</summary>
+    /// <summary>One ray of the reference tracer, in double precision.</summary>
     public struct ReferenceRay
     {
         /// <summary>Reflections made.</summary>
@@ -19,11 +19,11 @@ namespace Glint.Reference
         public double PathLength;
 
         /// <summary>
-        /// Received: the whole path. Otherwise: to the last hit. Metres; what RayData has for a length.
+        /// Received: the whole path. Otherwise: to the last hit. Metres, as RayData.PathLength.
         /// </summary>
         public double LengthToEnd => Received ? PathLength : LengthToLastHit;
 
-        /// <summary>Last point of reflection, metres; where the ray started if nothing was hit.</summary>
+        /// <summary>Last point of reflection, metres; the ray's start if nothing was hit.</summary>
         public double3 LastHit;
 
         /// <summary>Unit direction of the last segment.</summary>
@@ -36,8 +36,7 @@ namespace Glint.Reference
         public int LastObject, LastSurface;
 
         /// <summary>
-        /// The same for rays over the same triangles in the same order,
-        /// else almost surely another; 0 if nothing was hit.
+        /// Hash of the triangles hit, in their order; 0 if nothing was hit.
         /// </summary>
         public long PathHash;
     }

@@ -7,20 +7,19 @@ using Unity.Mathematics;
 namespace Glint.Reference
 {
     /// <summary>
-    /// The independent tracer that tests and benchmarks compare the kernel with: double precision on the CPU,
-    /// the same float32 vertices, double transforms, camera and receiver.
-    /// Slow on purpose: nothing is skipped and nothing is approximated.
+    /// An independent tracer for comparison with the kernel: double precision on the CPU, with the same float32
+    /// vertices, double transforms, camera and receiver. It skips and approximates nothing.
     /// </summary>
     public sealed class ReferenceTracer
     {
-        // Odd and without pattern: sums of its multiples by small numbers differ.
+        // An odd multiplier without pattern.
         const long PathHashFactor = 6364136223846793005;
 
         readonly RadarSettings _settings;
         readonly RadarView _view;
         readonly ReferenceBvh _bvh;
-        readonly double3 _receiver; // its middle, in the BVH's coordinates
-        // of the picture: at distance 1 in perspective, of the aperture for parallel rays
+        readonly double3 _receiver; // its centre, in the BVH's coordinates
+        // half size of the picture at distance 1 in perspective, of the aperture for parallel rays
         readonly double _halfWidth, _halfHeight;
 
         /// <summary>A tracer of a pose.</summary>
@@ -40,17 +39,16 @@ namespace Glint.Reference
         public double SceneRadius => _bvh.Radius;
 
         /// <summary>
-        /// Distance between the rays of neighbouring pixels where they have gone
-        /// <paramref name="length"/> metres, metres.
+        /// Distance between the rays of neighbouring pixels after <paramref name="length"/> metres, metres.
         /// </summary>
         public double RaySpacing(double length) =>
             2 * _halfHeight / _settings.RaysDown * (_view.IsParallel ? 1 : length);
 
         /// <summary>
-        /// Every ray of the region (of the whole picture when none is set), row by row from its left and bottom edge.
+        /// Traces every ray of the region, or of the whole picture, row by row from the left and bottom edge.
         /// </summary>
-        /// <param name="progress">Told how much is done, 0 to 1, from any thread; may be null.</param>
-        /// <param name="cancel">Ends the work.</param>
+        /// <param name="progress">Receives the fraction done, 0 to 1, from any thread; may be null.</param>
+        /// <param name="cancel">Cancels the work.</param>
         /// <exception cref="OperationCanceledException">It was cancelled.</exception>
         public ReferenceRay[] TraceAll(IProgress<double> progress = null, CancellationToken cancel = default)
         {
@@ -66,7 +64,7 @@ namespace Glint.Reference
             return rays;
         }
 
-        /// <summary>The rays of the same pixels as the kernel's.</summary>
+        /// <summary>Traces the rays of the kernel's pixels.</summary>
         /// <exception cref="OperationCanceledException">It was cancelled.</exception>
         public ReferenceRay[] TraceSame(RayData[] rays, IProgress<double> progress = null,
             CancellationToken cancel = default)
@@ -81,7 +79,7 @@ namespace Glint.Reference
             return same;
         }
 
-        /// <summary>The sums over rays as <see cref="TraceAll"/> gives them; carries no rays and no timings.</summary>
+        /// <summary>Sums over rays of <see cref="TraceAll"/>, without rays and timings.</summary>
         public RadarResult Sum(ReferenceRay[] rays)
         {
             var sums = new RadarSums { RaysEmitted = rays.Length, RaysOfPicture = _settings.RayCount };
@@ -100,8 +98,8 @@ namespace Glint.Reference
             return new RadarResult(sums);
         }
 
-        /// <summary>The ray through any place of the picture.</summary>
-        /// <param name="x">Pixels from the left; whole numbers are the middles of pixels, 0 that of the first.</param>
+        /// <summary>Traces the ray through any point of the picture.</summary>
+        /// <param name="x">Pixels from the left; whole numbers are the centres of pixels, 0 that of the first.</param>
         /// <param name="y">Pixels from the bottom.</param>
         public ReferenceRay Trace(double x, double y)
         {
@@ -110,8 +108,8 @@ namespace Glint.Reference
             double3 start = _view.IsParallel ? _view.Position + aside : _view.Position;
             double3 direction = math.normalize(_view.IsParallel ? _view.Forward : _view.Forward + aside);
 
-            // Rounding grows with numbers: those of the search are distances from the scene's middle,
-            // and a far ray is followed from just before the scene.
+            // Small coordinates keep rounding small: positions are relative to the scene's centre, and a distant ray
+            // starts just before the scene.
             double3 position = start - _bvh.Centre;
             double length = math.max(0, -math.dot(position, direction) - 2 * _bvh.Radius);
             position += length * direction;
@@ -172,7 +170,7 @@ namespace Glint.Reference
 
         internal int RowOf(in RayData ray) => (int)(ray.Pixel / (uint)_settings.RaysAcross);
 
-        // Parts of the work are shared among processors.
+        // Parallel loop.
         static void ForAll(int parts, Action<int> work, IProgress<double> progress, CancellationToken cancel)
         {
             int done = 0;

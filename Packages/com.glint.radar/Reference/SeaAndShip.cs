@@ -6,10 +6,9 @@ using Unity.Mathematics;
 namespace Glint.Reference
 {
     /// <summary>
-    /// A scene for benchmarks, the same for the same numbers: a rough sea, 128 x 128 m about the origin,
-    /// and a ship-like body on it, 60 m long, broadside on to +-Z.
-    /// Only its shape matters: rays bounce between waves, hull and superstructure.
-    /// It is no sea spectrum and no real ship.
+    /// A reproducible scene for benchmarks: a rough sea, 128 x 128 m about the origin, and a ship-like body on it, 60 m
+    /// long, broadside on to +-Z. Rays bounce between waves, hull and superstructure. It has no sea spectrum and is no
+    /// real ship.
     /// </summary>
     public sealed class SeaAndShip
     {
@@ -22,9 +21,9 @@ namespace Glint.Reference
         const double Steepness = 0.0085;
 
         /// <summary>Makes the sea and the ship.</summary>
-        /// <param name="seed">Which sea.</param>
-        /// <param name="seaTriangles">Triangles of the sea, met within the steps of a square grid.</param>
-        /// <param name="shipTriangles">Triangles of the ship, met within the steps of its bodies' meshes.</param>
+        /// <param name="seed">Seed of the waves.</param>
+        /// <param name="seaTriangles">Triangles of the sea, rounded to a square grid.</param>
+        /// <param name="shipTriangles">Triangles of the ship, rounded to the grids of its bodies.</param>
         public SeaAndShip(int seed, int seaTriangles, int shipTriangles)
         {
             Sea = MakeSea(seed, math.max(1, (int)math.round(math.sqrt(seaTriangles / 2.0))));
@@ -34,14 +33,14 @@ namespace Glint.Reference
         /// <summary>An open surface over the XZ plane.</summary>
         public TriangleMesh Sea { get; }
 
-        /// <summary>Four closed bodies that reach into each other: every edge belongs to two triangles.</summary>
+        /// <summary>Four intersecting closed bodies: every edge belongs to two triangles.</summary>
         public TriangleMesh Ship { get; }
 
         static TriangleMesh MakeSea(int seed, int cells)
         {
             var waves = MakeWaves((uint)seed);
             int side = cells + 1;
-            // sin(a + b) from the sines and cosines of each axis: a wave costs no sine a vertex.
+            // sin(a + b) from the sines and cosines of each axis, without a sine for each vertex and wave.
             double[] alongX = Phases(waves, side, wave => wave.AlongX, wave => 0),
                 alongZ = Phases(waves, side, wave => wave.AlongZ, wave => wave.Phase);
             var vertices = new float3[side * side];
@@ -83,14 +82,14 @@ namespace Glint.Reference
             return phases;
         }
 
-        // Wavelengths in equal ratios, directions and phases by chance, heights falling with the wavelength.
+        // Wavelengths in a geometric series, random directions and phases, heights proportional to the wavelength.
         static Wave[] MakeWaves(uint seed)
         {
             uint state = seed;
             double Next()
             {
-                // Numerical Recipes' generator: the same on every machine. Its low bits are poor,
-                // the quotient takes the high ones.
+                // The generator of Numerical Recipes: the same on every machine. Its low bits are poor; the quotient
+                // uses the high ones.
                 state = state * 1664525u + 1013904223u;
                 return state / 4294967296.0;
             }
@@ -116,36 +115,36 @@ namespace Glint.Reference
         {
             var vertices = new List<float3>();
             var indices = new List<int>();
-            AddBody(vertices, indices, new Body
+            AddEllipsoid(vertices, indices, new Ellipsoid
             {
                 Centre = new double3(0, 0.5, 0), HalfSize = new double3(30, 4, 5), Roundness = new double2(0.6, 0.75)
             }, 0.55 * triangles);
-            AddBody(vertices, indices, new Body
+            AddEllipsoid(vertices, indices, new Ellipsoid
             {
                 Centre = new double3(-5, 6, 0), HalfSize = new double3(9, 3.5, 3.5), Roundness = new double2(0.3, 0.35)
             }, 0.25 * triangles);
-            AddBody(vertices, indices, new Body
+            AddEllipsoid(vertices, indices, new Ellipsoid
             {
                 Centre = new double3(9, 5, 0), HalfSize = new double3(4, 2.5, 2.5), Roundness = new double2(0.5, 0.5)
             }, 0.14 * triangles);
-            AddBody(vertices, indices, new Body
+            AddEllipsoid(vertices, indices, new Ellipsoid
             {
                 Centre = new double3(-4, 12, 0), HalfSize = new double3(0.8, 5, 0.8), Roundness = new double2(0.4, 1)
             }, 0.06 * triangles);
             return new TriangleMesh(vertices.ToArray(), indices.ToArray());
         }
 
-        // A superellipsoid in rings from its top to its bottom point, twice as many steps about as down.
-        static void AddBody(List<float3> vertices, List<int> indices, Body body, double triangles)
+        // A superellipsoid in rings from its top to its bottom point, with twice as many steps around as down.
+        static void AddEllipsoid(List<float3> vertices, List<int> indices, Ellipsoid part, double triangles)
         {
             int stacks = math.max(3, (int)math.round(0.5 + math.sqrt(0.25 + triangles / 4)));
             int slices = math.max(3, (int)math.round(triangles / (2 * (stacks - 1))));
             int top = vertices.Count, bottom = top + 1, rings = top + 2;
-            vertices.Add(body.Point(0, 0));
-            vertices.Add(body.Point(math.PI_DBL, 0));
+            vertices.Add(part.Point(0, 0));
+            vertices.Add(part.Point(math.PI_DBL, 0));
             for (int stack = 1; stack < stacks; stack++)
                 for (int slice = 0; slice < slices; slice++)
-                    vertices.Add(body.Point(math.PI_DBL * stack / stacks, 2 * math.PI_DBL * slice / slices));
+                    vertices.Add(part.Point(math.PI_DBL * stack / stacks, 2 * math.PI_DBL * slice / slices));
 
             for (int slice = 0; slice < slices; slice++)
             {
@@ -179,11 +178,11 @@ namespace Glint.Reference
             public double Amplitude, AlongX, AlongZ, Phase;
         }
 
-        struct Body
+        struct Ellipsoid
         {
             public double3 Centre, HalfSize;
 
-            // Exponents down and about: 1 is an ellipsoid, towards 0 a box.
+            // Exponents down and around: 1 is an ellipsoid, towards 0 a box.
             public double2 Roundness;
 
             public float3 Point(double down, double about)

@@ -4,22 +4,22 @@
 #include "Constants.hlsl"
 #include "Geometry.hlsl"
 
-// A reference to a child: its row, or with this bit a leaf.
+// Bit of a reference to a child that is a leaf; the rest is its row.
 static const uint LEAF = 0x80000000;
 
-// No reference: the search is over.
+// No reference: end of the traversal.
 static const uint DONE = 0xffffffff;
 
-// Two DONE below what waits: whoever takes the first has no need to look whether there was anything.
+// Sentinels at the bottom of the stack: two DONE, so that a pop needs no test for an empty stack.
 static const uint STACK_BOTTOM = 2;
 
-// A ray as boxes want it, which are given by their middles from the BVH's centre and their half sizes.
+// A ray for the slab test of boxes given by centre, relative to the BVH's centre, and half size.
 struct BoxRay
 {
-    float3 Scale;         // distance along the ray a step along each axis
-    float3 ToCentre;      // distance to the planes through the centre
+    float3 Scale;         // distance along the ray per metre along each axis
+    float3 ToCentre;      // distance to the planes through the BVH's centre
 #ifdef GLINT_REFINE
-    float PositionError;  // half sizes are larger by this
+    float PositionError;  // added to half sizes
 #endif
 };
 
@@ -34,11 +34,10 @@ BoxRay MakeBoxRay(TraversalRay ray, float3 centre)
     return boxRay;
 }
 
-// Where a ray enters and leaves a box, as the bits of floats: enter <= leave if it meets it nearer than reach.
-// Whole numbers are compared because a GPU takes the larger of three in one step.
-// They are in the order of floats unless both are negative.
-// Then it is reversed, and of a box behind the ray, where a leave is negative, the leave taken is less than the enter:
-// it is missed as it should be.
+// Distances at which a ray enters and leaves a box, as the bits of floats; enter <= leave if it hits the box nearer
+// than reach. Integers are compared because a GPU computes the maximum of three in one instruction. Their order is that
+// of the floats unless both are negative, where it is reversed. For a box behind the ray leave is then less than enter,
+// which is a miss, as it should be.
 int2 EnterAndLeave(float3 centre, float3 halfSize, BoxRay ray, float reach)
 {
     float3 toCentre = centre * ray.Scale + ray.ToCentre, size = abs(ray.Scale);
@@ -50,8 +49,8 @@ int2 EnterAndLeave(float3 centre, float3 halfSize, BoxRay ray, float reach)
     return int2(max(max(enter.x, enter.y), enter.z), asint(asfloat(leaveAll) * LEAVE_LATER));
 }
 
-// Half sizes are the upper halves of floats: those of child a in the upper bits,
-// as they are (what stands below makes them larger by less than one step), those of child b in the lower bits.
+// Half sizes are the upper halves of floats. Those of child a are in the upper bits and used unmasked: the bits below
+// enlarge them by less than one step. Those of child b are in the lower bits.
 float3 HalfSizeA(uint3 halfSizes)
 {
     return asfloat(halfSizes);
@@ -62,15 +61,15 @@ float3 HalfSizeB(uint3 halfSizes)
     return asfloat(halfSizes << 16);
 }
 
-// The children of a node that the ray enters nearer than reach.
+// Children of a node that the ray enters nearer than reach.
 struct Entered
 {
     bool Any, Both;
-    uint Near;            // if it enters any
-    uint Far;             // if it enters both
+    uint Near;            // if Any
+    uint Far;             // if Both
 };
 
-// From the three rows of a node: middle and reference of child a, the same of child b, half sizes of both.
+// Tests the children of a node from its three rows: centre and reference of child a, the same of child b, half sizes.
 Entered EnterChildren(uint4 a, uint4 b, uint3 halfSizes, BoxRay ray, float reach)
 {
     int2 throughA = EnterAndLeave(asfloat(a.xyz), HalfSizeA(halfSizes), ray, reach);

@@ -6,71 +6,70 @@
 
 // Input: the scene.
 #ifdef GLINT_INLINE_INSTANCES
-// Up to four instances, searched one after the other.
-float4 _InlineToLocal[16];                  // an instance: three rows, then InstanceRecord.Stretch and Rounding
+// Up to four instances, traversed in a loop.
+float4 _InlineToLocal[16];                  // per instance: three rows, then InstanceRecord.Stretch and Rounding
 uint4 _InlineFirstRow;
 uint _InstanceCount;
 #else
 StructuredBuffer<uint4> _InstanceBvh;       // binary BVH over the instances
 StructuredBuffer<InstanceRecord> _Instances;
-uint _InstanceBvhRoot;                      // where the search starts
-// objects and surfaces of the instances' triangles, in their order: first triangle, object, surface
+uint _InstanceBvhRoot;                      // reference to the root
+// ranges of the instances' triangles, in order: first triangle, object, surface
 StructuredBuffer<uint4> _Ranges;
 #endif
 
-// Input: the radar, about the middle of the scene, m.
-// Each number is given by its float32 and by the rest that this leaves out.
-// Start and direction of a ray are linear in its place in the picture:
-// in rays to the right of and above _ReferencePixel.
-// on a plane between the radar and the scene, at the radar if this is in the scene
+// Input: the radar, relative to the scene's centre, m. Numbers are double-floats: the float32 and its Lo part.
+// Origin and direction of a ray are linear in its position in the picture, in rays to the right of and above
+// _ReferencePixel.
+// on a plane between the radar and the scene; at the radar if it is in the scene
 float4 _Origin, _OriginLo;
 float4 _OriginDx, _OriginDxLo;
 float4 _OriginDy, _OriginDyLo;
-float4 _Direction, _DirectionLo;            // direction; a unit vector on the axis of the picture
+float4 _Direction, _DirectionLo;            // unit vector on the axis of the picture
 float4 _DirectionDx, _DirectionDxLo;
 float4 _DirectionDy, _DirectionDyLo;
-float4 _OriginDepth;                        // x: from the radar to the plane along the axis; y: the rest
-float4 _ReferencePixel;                     // x, y: whole numbers of rays from the left and bottom edge
+float4 _OriginDepth;                        // x: distance from the radar to that plane along the axis; y: Lo
+float4 _ReferencePixel;                     // x, y: whole rays from the left and bottom edge
 float4 _ReceiverCentre, _ReceiverCentreLo;
 float4 _ReceiverRight, _ReceiverRightLo;    // unit vectors
 float4 _ReceiverUp, _ReceiverUpLo;
 float4 _ReceiverForward, _ReceiverForwardLo;
-float4 _ReceiverHalfSize;                   // x: half its width, y: the rest; z, w: the same of its height
-// xyz: of the scene, in the world; w: the scene's size, as lengths that rays go in it, m
+float4 _ReceiverHalfSize;                   // x: half its width, y: Lo; z, w: half its height
+// xyz: the scene's centre in the world; w: bound of segment lengths, m
 float4 _SceneCentreExtent;
 uint _RaysAcross;
 uint _RaysDown;
-// rays traced: first and one past the last across, first and one past the last down
+// rays traced: first and end across, first and end down
 uint4 _Region;
 uint _MaxBounces;
-float4 _WaveNumberTurns;                    // x: 1 / wavelength, turns per m; y: the rest
+float4 _WaveNumberTurns;                    // x: 1 / wavelength, turns per m; y: Lo
 
 // Input: the work of this dispatch.
 StructuredBuffer<uint> _Tiles;              // 8 x 8 rays each: column | row << 16
 uint _FirstTile;
 uint _TileCount;                            // of this dispatch
-// where the rays of each tile begin their search, four places a tile: one an instance
+// entry points of each tile, four elements a tile: one per instance
 StructuredBuffer<uint4> _EntryPoints;
 uint _Culling;                              // CULL_ flags
-uint _Readback;                             // READBACK_ what is written to _Rays
-float _LengthUnits;                         // units of length sums a m: the longest path beyond _OriginDepth takes 2^30
-uint _FirstCandidate;                       // rays of _Candidates to follow
+uint _Readback;                             // READBACK_ mode of _Rays
+float _LengthUnits;                         // units of length sums per m: the maximum relative length is 2^30
+uint _FirstCandidate;                       // first of the rays of _Candidates of this dispatch
 uint _CandidateCount;
-uint _SubRays;                              // along the side of a ray's place: 1 for the ray itself
+uint _SubRays;                              // sub-rays along the side of a pixel: 1 for the ray itself
 
 // Output.
 RWStructuredBuffer<RayData> _Rays;
 RWStructuredBuffer<uint> _Sums;             // see Sums.hlsl
-// rays that may be received: pixel, place in the order of tiles. The refine kernels put instead:
-// pixel, or NO_PIXEL if it is not received; length beyond twice _OriginDepth, m. The kernels of paths put:
-// bounces, with RAY_RECEIVED if it is received; then from the last hit to the receiver's plane, m
+// Candidates: pixel, index in the order of tiles. The refine kernels replace them by pixel, or NO_PIXEL if not
+// received, and path length less twice _OriginDepth, m. The kernels of paths write bounces, with RAY_RECEIVED if
+// received, and the distance from the last hit to the receiver's plane, m.
 RWStructuredBuffer<uint2> _Candidates;
-RWStructuredBuffer<HitData> _Hits;            // of the rays of _Candidates, _MaxBounces places each
-RWStructuredBuffer<uint4> _FoundEntryPoints;  // what the kernels EntryPoints and EntryPointsWide find for _EntryPoints
+RWStructuredBuffer<HitData> _Hits;            // _MaxBounces elements for each ray of _Candidates
+RWStructuredBuffer<uint4> _FoundEntryPoints;  // output of the kernels EntryPoints and EntryPointsWide
 
 static const uint NO_ENTRY_POINTS = 0xffffffff;
 
-// The BVHs over the meshes, in rows of 16 bytes: one buffer, or several where one cannot hold them all.
+// The mesh BVHs, in rows of 16 bytes: one page, or several if one cannot hold them.
 #if defined(GLINT_PAGED)
 StructuredBuffer<uint4> _Bvh0;
 StructuredBuffer<uint4> _Bvh1;

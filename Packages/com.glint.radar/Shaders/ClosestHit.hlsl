@@ -3,18 +3,18 @@
 
 #include "Traversal.hlsl"
 
-// What a segment meets first. The same in float32 and in double-float arithmetic.
+// The closest hit of a segment. The same struct in float32 and in double-float arithmetic.
 struct Hit
 {
-    uint Instance;          // record of _Instances; NO_INSTANCE: nothing within reach
-    uint Row;               // of the pair of triangles in its BVH
-    bool Second;            // which of the pair
-    Real SearchDistance;    // m, where the search met it; the reach or more if it met nothing
-    Real Distance;          // m, from the ray's origin to the triangle's plane
-    Real3 Normal;           // unit vector by float32, in the scene, towards the ray
-    bool IsAmbiguous;       // float32 cannot tell whether this is what the ray meets
+    uint Instance;          // index into _Instances; NO_INSTANCE: no hit within reach
+    uint Row;               // of the leaf's pair of triangles in its BVH
+    bool Second;            // the second triangle of the pair
+    Real SearchDistance;    // m, found by the traversal; at least the reach if there is no hit
+    Real Distance;          // m, from the ray's origin along the ray to the triangle's plane
+    Real3 Normal;           // unit vector in the scene, towards the ray
+    bool IsAmbiguous;       // float32 cannot decide whether this is the closest hit
 #ifndef GLINT_REFINE
-    float3 NextStart;       // where the search after it begins
+    float3 NextStart;       // start of the traversal after it
 #endif
 };
 
@@ -23,7 +23,7 @@ bool IsMiss(Hit hit)
     return hit.Instance == NO_INSTANCE;
 }
 
-// Normals go by the transpose of the inverse.
+// Normals transform by the transpose of the inverse.
 Real3 NormalFromLocal(InstanceRecord record, Real3 normal)
 {
 #ifdef GLINT_REFINE
@@ -38,8 +38,8 @@ Real3 NormalFromLocal(InstanceRecord record, Real3 normal)
 
 #ifdef GLINT_REFINE
 
-// A ray that meets an edge or a corner turns so much before it, as a part of the scene's size: there it is on the right
-// side of all surfaces that meet there. No farther than half the way back: there may be one behind it as well.
+// Distance before an edge or corner at which a ray that hits it is reflected, as a fraction of the scene's size: there
+// it is on the right side of all adjacent surfaces. At most half the way back, as there may be a surface behind it too.
 static const float BEFORE_EDGE = 1.0e-10;
 
 Hit LoadHit(TraversalState state, Ray ray)
@@ -60,35 +60,34 @@ Hit LoadHit(TraversalState state, Ray ray)
 
 #else
 
-// Sine of the angle between the two shorter edges of a triangle,
-// below which its normal is not good enough to tell what may be received.
+// Sine of the angle between the two shorter edges of a triangle, below which float32 has no normal that could decide
+// reception.
 static const float NEEDLE = 0.1;
 
-// A ray that grazes a plane meets it anywhere, by rounding:
-// where the search met it counts when the plane is so much farther off, as a part of the lengths that went into it.
+// Maximum difference between the distance to the plane and that of the traversal, as a fraction of the lengths in the
+// computation. Above it the traversal's distance is used: rounding makes a grazing ray hit the plane anywhere.
 static const float GRAZING = 1.0e-3;
 
-// Rounding of a hit, as a fraction of the lengths that went into it: 4 float32 steps.
+// Rounding of a hit, as a fraction of the lengths in the computation: 4 float32 steps.
 static const float HIT_ROUNDING = 2.4e-7;
 
-// How often the way back from a hit is doubled, at most: rays that graze a surface go farther back.
+// Maximum number of doublings of the distance from a hit back to the next start: grazing rays need more.
 static const uint MAX_DOUBLINGS = 16;
 
-// The plane of a triangle that was hit, in the mesh's frame.
+// The plane of the hit triangle, in the mesh's frame.
 struct Plane
 {
     InstanceRecord Instance;
     float3 Corner;
     float3 Normal;        // unit vector
-    bool IsBehind;        // the ray comes from the side that the normal points away from
-    float Scale;          // height above the plane here, of 1 m in the scene
-    float Lever;          // from the corner to the hit: the lever of the normal's rounding, as a height in m
+    bool IsBehind;        // the ray comes from the back of the normal
+    float Scale;          // height above the plane in this frame per metre in the scene
+    float Lever;          // distance from the corner to the hit: lever of the normal's rounding, m in the scene
 };
 
-// Where the search after a hit begins: on the ray to it from the start of the last search,
-// as near before it as is surely on the ray's side of the plane.
-// The way there is free, of this triangle and of those that meet it at an edge:
-// a point moved off along the normal may be behind one of them, and lost.
+// Start of the traversal after a hit: the point of the incoming ray nearest to the hit that is certainly on the ray's
+// side of the plane. The incoming segment is free of this triangle and of its neighbours, while a point offset along
+// the normal may be behind one of them.
 float3 StartBefore(Plane plane, float3 start, float3 direction, float toHit)
 {
     float3 position = abs(start + toHit * direction);
@@ -113,7 +112,7 @@ Hit LoadHit(TraversalState state, Ray ray)
     Pair pair = LoadPair(record.Page, record.FirstRow + state.Row);
     float3 third = state.Second ? pair.Corner3 : pair.Corner1;
     float3 edge1 = pair.Corner2 - pair.Corner0, edge2 = third - pair.Corner0, edge3 = third - pair.Corner2;
-    // By the two shorter edges: the normal of a long strip is as good as that of a square.
+    // From the two shorter edges, so that the normal of a long strip is as accurate as that of a square.
     float size1 = dot(edge1, edge1), size2 = dot(edge2, edge2), size3 = dot(edge3, edge3);
     bool isFirstLongest = size1 >= size2 && size1 >= size3, isSecondLongest = !isFirstLongest && size2 >= size3;
     float3 side1 = isFirstLongest ? edge3 : edge1, side2 = isSecondLongest ? edge3 : edge2, area = cross(side1, side2);
@@ -141,8 +140,8 @@ Hit LoadHit(TraversalState state, Ray ray)
 
 #endif
 
-// What the ray meets first, no farther than reach, m.
-// FirstEntryPoint: where _EntryPoints says where to begin in the BVH of each instance; NO_ENTRY_POINTS: at the roots.
+// The closest hit of a ray within reach, m.
+// FirstEntryPoint: index into _EntryPoints of the first instance; NO_ENTRY_POINTS: traversal from the roots.
 Hit ClosestHit(Ray ray, float reach, uint firstEntryPoint)
 {
     TraversalState state = Traverse(ray, reach, firstEntryPoint, false);
@@ -160,15 +159,15 @@ Hit ClosestHit(Ray ray, float reach, uint firstEntryPoint)
     hit.SearchDistance = state.RefinedDistance;
 #else
     hit.SearchDistance = state.Distance;
-    // What a ray goes by an edge of may keep it in truth from going farther.
+    // A triangle whose edge the ray passes within the edge error may be the true hit.
     bool isByEdge = state.AmbiguousDistance < MISS && state.AmbiguousDistance <= state.Distance;
     hit.IsAmbiguous = hit.IsAmbiguous || isByEdge;
 #endif
     return hit;
 }
 
-// The shadow query: whether the ray meets anything, no farther than reach, m.
-// IsAmbiguous: float32 cannot tell.
+// The any-hit query of shadow rays: whether the ray hits anything within reach, m.
+// IsAmbiguous: float32 cannot decide.
 bool AnyHit(Ray ray, float reach, out bool isAmbiguous)
 {
     TraversalState state = Traverse(ray, reach, NO_ENTRY_POINTS, true);

@@ -1,15 +1,14 @@
 #ifndef GLINT_DOUBLE_FLOAT
 #define GLINT_DOUBLE_FLOAT
 
-// Numbers of about 45 bits: the unevaluated sum of two float32,
-// as shader model 5.0 has no double on all devices and no fused multiply-add.
-// (After Dekker 1971, Knuth, and Li et al. 2002.) Every step is "precise": without it FXC takes a + b - a for b,
-// and the errors that this is all about are gone, without a word.
+// Double-float arithmetic: a number is the unevaluated sum of two float32, accurate to about 45 bits. Shader model 5.0
+// has neither double on all devices nor fused multiply-add. After Dekker 1971, Knuth, and Li et al. 2002. Every step is
+// "precise": otherwise FXC simplifies a + b - a to b, which silently removes the error terms.
 
 struct DoubleFloat
 {
-    float Hi;             // the number, rounded to float32
-    float Lo;             // what the rounding left out
+    float Hi;             // the number rounded to float32
+    float Lo;             // the rounding error
 };
 
 struct DoubleFloat3
@@ -40,7 +39,7 @@ float RoundedSum(float a, float b)
     return sum;
 }
 
-// a + b, exactly.
+// a + b, exact.
 DoubleFloat TwoSum(float a, float b)
 {
     precise float sum = a + b;
@@ -49,7 +48,7 @@ DoubleFloat TwoSum(float a, float b)
     return MakeDoubleFloat(sum, lo);
 }
 
-// a + b, exactly, when a is the larger one or 0.
+// a + b, exact if |a| >= |b| or a is 0.
 DoubleFloat QuickTwoSum(float a, float b)
 {
     precise float sum = a + b;
@@ -65,7 +64,7 @@ float Upper(float a)
     return upper;
 }
 
-// a * b, exactly.
+// a * b, exact.
 DoubleFloat TwoProd(float a, float b)
 {
     float upperA = Upper(a), upperB = Upper(b);
@@ -99,14 +98,14 @@ DoubleFloat Mul(DoubleFloat a, float b)
     return QuickTwoSum(product.Hi, RoundedSum(product.Lo, a.Lo * b));
 }
 
-// Two digits of a long division: a device's own may be off by some steps.
+// Long division with two digits; a device's own division may be off by some steps.
 DoubleFloat Div(DoubleFloat a, DoubleFloat b)
 {
     float first = a.Hi / b.Hi;
     return TwoSum(first, Sub(a, Mul(b, first)).Hi / b.Hi);
 }
 
-// Square root of a positive number: a step of Newton's after the device's own.
+// Square root of a positive number: the device's own, and a Newton step.
 DoubleFloat Sqrt(DoubleFloat a)
 {
     float root = sqrt(a.Hi);
@@ -133,7 +132,7 @@ DoubleFloat3 Sub(DoubleFloat3 a, DoubleFloat3 b)
     return MakeDoubleFloat3(Sub(a.X, b.X), Sub(a.Y, b.Y), Sub(a.Z, b.Z));
 }
 
-// a - b, exactly.
+// a - b, exact.
 DoubleFloat3 Difference(float3 a, float3 b)
 {
     return MakeDoubleFloat3(TwoSum(a.x, -b.x), TwoSum(a.y, -b.y), TwoSum(a.z, -b.z));

@@ -3,32 +3,31 @@
 
 #include "Traversal.hlsl"
 
-// The rays of a tile go down the same nodes before they part. A frustum around them goes there once,
-// and they all start from where it ends:
-// at most MAX_ENTRY_POINTS references to nodes or leaves that together hold all that
-// the frustum can meet, nearest first.
+// Entry points (after Reshetov et al. 2005). The rays of a tile visit the same upper nodes. A frustum around the tile
+// is traversed once, and its rays start at the nodes found: at most MAX_ENTRY_POINTS references to nodes or leaves,
+// nearest first, that together hold everything the frustum can hit.
 
-// So much wider than the rays of its tile is a frustum, in rays: many times the rounding of directions.
+// Margin of a frustum around the rays of its tile, in rays: many times the rounding of directions.
 static const float FRUSTUM_MARGIN = 0.05;
 
-// What lies between four planes beside the rays, and beyond the one where they start, in the BVH's frame.
+// The volume between four side planes and the plane of the origins, in the BVH's frame.
 struct TileFrustum
 {
-    float3 Corner;        // the start of the lower left ray
+    float3 Corner;        // origin of the lower left ray
     float3 Axis;          // normals, inward
     float3 Left, Right, Below, Above;
-    float2 Width;         // from the corner inward to the planes on the right and above
-    float Rounding;       // of places in that frame
+    float2 Width;         // distance from the corner inward to the right and upper planes
+    float Rounding;       // of positions in that frame
 };
 
-// The plane that two rays lie in, with all between them.
+// Normal of the plane through two neighbouring rays, inward.
 float3 SideNormal(float3 direction, float3 edge, float3 inward)
 {
     float3 normal = normalize(cross(direction, edge));
     return dot(normal, inward) < 0.0 ? -normal : normal;
 }
 
-// Around the rays of a square of the picture.
+// The frustum around a square of the picture.
 // Corner: its lower left corner, in rays from _ReferencePixel.
 TileFrustum MakeTileFrustum(InstanceRecord record, float2 corner, float side)
 {
@@ -38,7 +37,7 @@ TileFrustum MakeTileFrustum(InstanceRecord record, float2 corner, float side)
         directionDy = side * VectorToLocal(record, _DirectionDy.xyz);
     float3 direction =
         VectorToLocal(record, _Direction.xyz + corner.x * _DirectionDx.xyz + corner.y * _DirectionDy.xyz);
-    // From ray to ray, at the start or beyond: the same direction.
+    // Direction from ray to ray, the same at any distance.
     float3 right = originDx + directionDx, up = originDy + directionDy;
 
     TileFrustum frustum;
@@ -53,14 +52,14 @@ TileFrustum MakeTileFrustum(InstanceRecord record, float2 corner, float side)
     return frustum;
 }
 
-// The farthest that a box reaches along a direction.
+// Maximum coordinate of a box along a direction.
 float Farthest(float3 direction, float3 centre, float3 halfSize)
 {
     return dot(direction, centre) + dot(abs(direction), halfSize);
 }
 
-// A distance, from the plane of the starts, that no ray of the frustum is nearer to the box than;
-// MISS if none meets it.
+// Lower bound of the distance from the plane of the origins at which a ray of the frustum hits the box;
+// MISS if none hits it.
 float EnterFrustum(TileFrustum frustum, float3 boxMin, float3 boxMax)
 {
     float3 centre = 0.5 * (boxMin + boxMax) - frustum.Corner, halfSize = 0.5 * (boxMax - boxMin);
@@ -75,7 +74,7 @@ float EnterFrustum(TileFrustum frustum, float3 boxMin, float3 boxMax)
     return minDistance >= -rounding ? -Farthest(-frustum.Axis, centre, halfSize) : MISS;
 }
 
-// The children of a node that the frustum meets, and the distances that its rays meet them at or later.
+// Children of a node that the frustum hits, and lower bounds of their distances.
 static uint s_child[4];
 static float s_childNear[4];
 static uint s_children = 0;
@@ -93,7 +92,7 @@ void AddChild(TileFrustum frustum, float3 boxMin, float3 boxMax, uint reference)
 
 #ifdef GLINT_WIDE
 
-// References of a wide BVH are words of its stack with one child (Wide~/TraverseWide.hlsl).
+// References of a wide BVH are stack words with one child (Wide~/TraverseWide.hlsl).
 bool IsLeaf(uint reference)
 {
     return (reference & 4) != 0;
@@ -137,7 +136,7 @@ void FindChildren(TileFrustum frustum, uint firstRow, uint reference)
 
 #endif
 
-// Opens nodes in turn as long as there is room for what they hold.
+// Opens nodes, breadth first, while there is room for their children.
 uint4 FindEntryPoints(TileFrustum frustum, uint firstRow)
 {
     uint entry[MAX_ENTRY_POINTS];
@@ -159,7 +158,7 @@ uint4 FindEntryPoints(TileFrustum frustum, uint firstRow)
             at++;
             continue;
         }
-        // The last one takes the place of the node, then the children follow.
+        // The last reference replaces the node, then its children are appended.
         unopened = 0;
         count--;
         entry[at] = entry[count];

@@ -3,29 +3,29 @@
 
 #include "Types.hlsl"
 
-// Distance of a segment that hits nothing, m.
+// Distance of a miss, m.
 static const float MISS = 3.0e38;
 
-// Least size of a direction's component, so that its inverse stays finite and an axis-parallel ray on
-// a box's face is no 0 * infinity.
+// Minimum magnitude of a direction's component: its inverse stays finite, and an axis-parallel ray on a box's face
+// gives no 0 * infinity.
 static const float MIN_COMPONENT = 1.0e-20;
 
-// A ray leaves a box this much later, so that rounding does not lose one that grazes it: 16 float32 steps.
+// Factor on the distance at which a ray leaves a box, so that rounding loses no grazing ray: 16 float32 steps.
 static const float LEAVE_LATER = 1.000002;
 
-// A ray as the search wants it: in the frame of a BVH, the direction of any length.
+// A ray in the frame of a BVH; the direction is not normalised.
 struct TraversalRay
 {
     float3 Origin;
     float3 Direction;
     float3 Inverse;        // 1 / direction
-    uint Axis;             // along which the direction is longest
-    float3 Shear;          // what shears that axis into the ray's direction, and scales it to distances
-    float PositionError;   // in truth it may go so far beside this where it starts,
-    float DirectionError;  // and so much more for each m from there
+    uint Axis;             // the direction's largest component
+    float3 Shear;          // shears that axis into the ray's direction, and scales it to distances
+    float PositionError;   // maximum distance between the float32 ray and the true ray at the origin,
+    float DirectionError;  // and its growth per metre
 };
 
-// The components in the order that puts the given axis last.
+// Permutes components so that the given axis is last.
 float3 AxisLast(float3 v, uint axis)
 {
     return axis == 0 ? v.yzx : axis == 1 ? v.zxy : v;
@@ -48,9 +48,8 @@ TraversalRay MakeTraversalRay(float3 origin, float3 direction, float positionErr
     return ray;
 }
 
-// A corner as the ray sees it: x and y across the ray, z the distance along it.
-// Every triangle at a corner gets the same numbers for it, to the last bit:
-// "precise" keeps the compiler from fusing operations here and not there.
+// A corner in the ray's coordinates: x and y across the ray, z the distance along it. All triangles at a corner must
+// get bit-identical coordinates: "precise" keeps the compiler from fusing operations in only some of them.
 float3 AsSeen(TraversalRay ray, float3 corner)
 {
     float3 p = AxisLast(corner - ray.Origin, ray.Axis);
@@ -58,16 +57,16 @@ float3 AsSeen(TraversalRay ray, float3 corner)
     return seen;
 }
 
-// Twice the area, seen along the ray, that an edge spans with the ray: its sign says on which side the ray passes.
-// The sign is right or the result 0, as the products are rounded before they are compared.
-// Swapped corners give exactly the opposite.
+// Edge function: twice the projected area of an edge and the ray. Its sign is the side on which the ray passes; it is
+// correct or the result is 0, as the products are rounded before the comparison. Swapping the corners negates it
+// exactly.
 float SideOf(float3 a, float3 b)
 {
     precise float side = a.x * b.y - a.y * b.x;
     return side;
 }
 
-// Of a corner's place across the ray: 4 float32 steps.
+// Rounding of a corner's coordinates across the ray: 4 float32 steps.
 static const float SEEN_ROUNDING = 2.4e-7;
 
 float SumOfSizes(float2 v)
@@ -85,10 +84,10 @@ float MaxComponent(float3 v)
     return max(v.x, max(v.y, v.z));
 }
 
-// Distance to a triangle of these corners, as the ray sees them, and with these sides opposite to them; MISS outside.
-// A ray through an edge or a corner, where a side is 0, is inside.
-// AmbiguousDistance: no more than the distance in truth, if the ray is inside or outside by so little that this may be
-// wrong, else MISS. MaxEdgeError: no side is in doubt that is larger.
+// Distance to a triangle, from its corners in the ray's coordinates and the edge functions opposite to them; MISS
+// outside. A ray through an edge or a corner, where an edge function is 0, is inside. AmbiguousDistance: lower bound of
+// the true distance if an edge function is within its error, else MISS. MaxEdgeError: bound of the errors of all edge
+// functions.
 float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionError, float maxEdgeError,
     out float ambiguousDistance)
 {
@@ -103,8 +102,8 @@ float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionErro
             positionError * float3(SumOfSizes(c.xy - b.xy), SumOfSizes(a.xy - c.xy), SumOfSizes(b.xy - a.xy));
         bool mayBeInside = MinComponent(sides + edgeErrors) >= 0.0 || MaxComponent(sides - edgeErrors) <= 0.0;
         bool surelyInside = MinComponent(sides - edgeErrors) > 0.0 || MaxComponent(sides + edgeErrors) < 0.0;
-        // Of a triangle seen edge-on rounding leaves no distance,
-        // and the ray may be in line with its edges far beside it.
+        // Edge-on, rounding leaves no distance, and the ray may be collinear with edges far beside it: the bounds
+        // decide.
         float2 lower = min(a.xy, min(b.xy, c.xy)), upper = max(a.xy, max(b.xy, c.xy));
         bool isBeside = max(lower.x, lower.y) > positionError || min(upper.x, upper.y) < -positionError;
         float nearest = MinComponent(distances), farthest = MaxComponent(distances),
@@ -120,8 +119,8 @@ float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionErro
     return isInside && toHit > 0.0 ? toHit : MISS;
 }
 
-// Distances to the triangles (0, 1, 2) and (0, 2, 3) of a pair, and to those in doubt. Watertight:
-// a ray cannot pass between triangles that share corners (after Woop, Benthin and Wald 2013).
+// Distances to the triangles (0, 1, 2) and (0, 2, 3) of a pair, and their ambiguous distances. Watertight: no ray
+// passes between triangles that share corners (after Woop, Benthin and Wald 2013).
 float2 HitPair(TraversalRay ray, float3 corner0, float3 corner1, float3 corner2, float3 corner3,
     out float2 ambiguousDistance)
 {

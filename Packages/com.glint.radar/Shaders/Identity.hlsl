@@ -3,16 +3,16 @@
 
 #include "ClosestHit.hlsl"
 
-// What was hit.
+// Identity of the hit triangle.
 struct Identity
 {
-    uint Instance;        // place in the scene
-    uint Triangle;        // number in the instance's mesh
-    int Object;           // -1 if it is not known
+    uint Instance;        // index in the scene
+    uint Triangle;        // index in the instance's mesh
+    int Object;           // -1: unknown
     uint Surface;         // place in the scene
 };
 
-// The last range that begins at the triangle or before it.
+// Binary search: the last range that begins at or before the triangle.
 uint4 FindRange(uint first, uint count, uint triangleNumber)
 {
     uint end = first + count;

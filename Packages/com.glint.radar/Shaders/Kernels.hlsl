@@ -13,7 +13,7 @@
 #include "Identity.hlsl"
 #endif
 
-// Threads of a group; no result hangs on it.
+// Threads of a group; results do not depend on it.
 #ifndef GLINT_GROUP
 #define GLINT_GROUP 64
 #endif
@@ -55,7 +55,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 
 #elif defined(GLINT_NOTE_HITS)
 
-// Follows the rays of _Candidates and notes where each is reflected.
+// Traces the rays of _Candidates and records their reflections.
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -84,8 +84,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 
 #elif defined(GLINT_REFINE)
 
-// Follows the rays of _Candidates once more, or rays of each of their places divided evenly into smaller ones,
-// and sums what is received.
+// Refine pass: traces the rays of _Candidates again, or sub-rays of their pixels, and sums received rays.
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -98,7 +97,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     float2 inPixel = (float2(subRay % _SubRays, subRay / _SubRays) + 0.5) / _SubRays;
     Path path =
         FollowPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferencePixel.xy + inPixel, NO_ENTRY_POINTS);
-    // Rays with the same place in their pixels are summed by themselves.
+    // Sub-rays of the same number have their own slot.
     uint slot = (_SubRays == 1 ? index % SUM_SLOTS : subRay) * SUM_WORDS;
     AddPath(slot, path.Bounces, Rounded(path.RelativeLength));
     CountWork(slot);
@@ -135,7 +134,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint index = IndexOf(group, thread);
     uint tile = index / RAYS_A_TILE, ray = index % RAYS_A_TILE;
     uint slot = tile % SUM_SLOTS * SUM_WORDS;
-    // Eight threads in a row take 4 x 2 rays: they stay together on devices of that width.
+    // Eight consecutive threads trace 4 x 2 rays, which are coherent on devices of that width.
     uint2 inTile = uint2((ray & 3) | (ray >> 1 & 4), (ray >> 2 & 1) | (ray >> 3 & 6));
     uint2 at = TilePixel(tile) + inTile;
     uint pixel = NO_PIXEL;

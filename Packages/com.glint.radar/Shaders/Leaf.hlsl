@@ -11,36 +11,36 @@ static const uint NO_INSTANCE = 0xffffffff;
 #include "RefineHit.hlsl"
 #endif
 
-// A search through the BVHs: the nearest triangle that it has met so far.
+// State of a traversal: the closest hit so far.
 struct TraversalState
 {
-    float Distance;          // m, from where the search began; where it ends as long as nothing is found
-    uint Instance;           // NO_INSTANCE: nothing
-    uint Row;                // of the pair of triangles in its BVH
-    bool Second;             // which of the pair
-    uint2 ExcludedTriangle;  // the triangle that the ray has just left, which it cannot meet again: see NumberOf
-    // m, in the scene: so far beside the ray searched may the ray go in truth where the search begins,
+    float Distance;          // m, from the start of the traversal; the reach if there is no hit
+    uint Instance;           // NO_INSTANCE: no hit
+    uint Row;                // of the leaf's pair of triangles in its BVH
+    bool Second;             // the second triangle of the pair
+    uint2 ExcludedTriangle;  // the last triangle hit, which cannot be hit again: see NumberOf
+    // Maximum distance between the float32 ray and the true ray at the start of the traversal, m in the scene,
     float PositionError;
-    float DirectionError;  // and so much more for each m from there
+    float DirectionError;  // and its growth per metre
 #ifdef GLINT_REFINE
-    RefineRay Ray;                // the ray itself, in the frame of the mesh searched
-    DoubleFloat RefinedDistance;  // m, along it
-    bool IsAtEdge;                // nobody can tell on which side of an edge
-    // triangles of one pair that it may hit and that are yet to be tested: 4 * row, 1 for the first, 2 for the second
+    RefineRay Ray;                // the double-float ray, in the frame of the current mesh
+    DoubleFloat RefinedDistance;  // m, along that ray
+    bool IsAtEdge;                // the side of an edge is undecided
+    // pending double-float tests of a leaf's triangles: 4 * row, + 1 for the first, + 2 for the second
     uint PendingLeaf;
 #else
-    // m: the nearest triangle that the ray goes by an edge of, and nobody can tell on which side
+    // m: smallest distance of a triangle whose edge the ray passes within the edge error
     float AmbiguousDistance;
 #endif
 };
 
-// AnyHit: the search may end at the first triangle that it meets.
+// AnyHit: the traversal ends at the first hit.
 bool IsEnough(TraversalState state, bool anyHit)
 {
     return anyHit && state.Instance != NO_INSTANCE;
 }
 
-// A triangle by its instance and its number in the BVH.
+// Identifies a triangle by its instance and its row in the BVH.
 uint2 NumberOf(uint instance, uint row, bool second)
 {
     return uint2(instance, 2 * row + (second ? 1 : 0));
@@ -80,8 +80,8 @@ bool HasPending(TraversalState state)
     return state.PendingLeaf != 0;
 }
 
-// Float32 tells which triangles the ray may hit: its search waits for their test. Such a test is dear,
-// and threads side by side do theirs together: when each has one or is done.
+// Float32 selects the triangles that the ray may hit, and defers their double-float test. The test is expensive; the
+// threads of a group run it together, when each has a pending one or is done.
 void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint row, inout TraversalState state)
 {
     COUNT_PAIR;
@@ -99,7 +99,7 @@ void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint ro
         state.PendingLeaf = 4 * row + (mayHitFirst ? 1 : 0) + (mayHitSecond ? 2 : 0);
 }
 
-// Double-float arithmetic tells whether the ray hits a triangle that waits.
+// Tests the pending triangles in double-float arithmetic.
 void TestPending(TraversalRay ray, uint instance, uint page, uint firstRow, inout TraversalState state)
 {
     if (state.PendingLeaf == 0)
@@ -124,7 +124,7 @@ void TestPending(TraversalRay ray, uint instance, uint page, uint firstRow, inou
 
 #else
 
-// Float32 tests at once.
+// Float32 tests are immediate.
 bool HasPending(TraversalState state)
 {
     return false;
@@ -148,7 +148,7 @@ void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint ro
     }
     state.AmbiguousDistance = min(state.AmbiguousDistance, min(ambiguousDistance.x, ambiguousDistance.y));
     float nearer = min(toHit.x, toHit.y);
-    // Of equally near triangles the first in the BVH, in whatever order they are tested.
+    // Of triangles at the same distance the first in the BVH, independent of the order of the tests.
     bool isFirst = instance < state.Instance || instance == state.Instance && row < state.Row;
     if (nearer < state.Distance || nearer == state.Distance && state.Instance != NO_INSTANCE && isFirst)
     {

@@ -3,7 +3,7 @@
 
 #include "Path.hlsl"
 
-// How a path goes on from a hit: every surface is a mirror.
+// Continues a path from a hit: every surface is a mirror.
 void Scatter(inout Path path, Hit hit)
 {
     Real share = Div(Dot(hit.Normal, path.Ray.Direction), Dot(hit.Normal, hit.Normal));

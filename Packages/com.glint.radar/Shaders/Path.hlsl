@@ -3,19 +3,18 @@
 
 #include "ClosestHit.hlsl"
 
-// A ray on its way.
+// State of a path.
 struct Path
 {
-    Ray Ray;              // the segment that it is on
+    Ray Ray;              // the current segment
     uint Bounces;
-    Real RelativeLength;  // length up to the last hit less _OriginDepth, m
-    bool MeetsReceiver;   // the segment does, if nothing is in its way
-    Real WayBack;         // then from the last hit to the receiver's plane, m
-    bool IsCandidate;     // received; in float32: it may be, or nobody can tell
+    Real RelativeLength;  // path length up to the last hit less _OriginDepth, m
+    bool MeetsReceiver;   // the segment meets the receiver unless it hits something
+    Real WayBack;         // if so, distance from the last hit to the receiver's plane, m
+    bool IsCandidate;     // received; in float32: possibly received, or undecided
 };
 
-// The number of a ray's place in the picture where x and y begin;
-// exact, as are the halves and eighths of rays that are added.
+// Evaluates a linear function of the pixel. Pixels are exact: whole rays, halves or eighths.
 Real3 AtPixel(float2 pixel, float4 value, float4 valueLo, float4 dx, float4 dxLo, float4 dy, float4 dyLo)
 {
     Real3 across = Mul(MakeReal3(dx.xyz, dxLo.xyz), pixel.x),
@@ -23,7 +22,7 @@ Real3 AtPixel(float2 pixel, float4 value, float4 valueLo, float4 dx, float4 dxLo
     return Add(MakeReal3(value.xyz, valueLo.xyz), Add(across, along));
 }
 
-// The ray through a place in the picture, in rays from _ReferencePixel.
+// The ray through a point of the picture, in rays from _ReferencePixel.
 Path BeginPath(float2 pixel)
 {
     Real3 direction =
@@ -44,11 +43,10 @@ bool IsLast(Path path)
     return path.Bounces == _MaxBounces;
 }
 
-// Goes to what the segment meets. The length is measured from the surface to the surface,
-// not from where searches begin.
+// Moves a path to its hit. Lengths are measured from surface to surface, not from the starts of traversals.
 void MoveTo(inout Path path, Hit hit)
 {
-    // Next to an edge the other surface may lie behind by rounding.
+    // Next to an edge rounding may put the other surface behind.
     if (Rounded(hit.Distance) > 0.0)
     {
         path.RelativeLength = Add(path.RelativeLength, hit.Distance);
@@ -63,7 +61,7 @@ void MoveTo(inout Path path, Hit hit)
 #endif
 }
 
-// Goes on from the last hit in another direction, a unit vector but for rounding.
+// Continues from the last hit in another direction, a unit vector up to rounding.
 void Leave(inout Path path, Real3 direction)
 {
     path.Ray.Direction = UnitAgain(direction);
@@ -73,14 +71,14 @@ void Leave(inout Path path, Real3 direction)
 #endif
 }
 
-// Of a ray that is not received.
+// The data of a ray that is not received.
 RayData DataOf(Path path, uint pixel)
 {
     RayData ray = (RayData)0;
     ray.Pixel = pixel;
     ray.Bounces = path.Bounces;
     ray.Direction = Rounded(path.Ray.Direction);
-    // Back from the start to the radar when nothing was hit.
+    // For a miss, from the ray's origin back to the radar.
     float back = path.Bounces > 0 ? 0.0 : _OriginDepth.x + Rounded(path.RelativeLength);
     ray.LastHit = Rounded(path.Ray.Origin) - back * ray.Direction + _SceneCentreExtent.xyz;
     ray.PathLength = path.Bounces > 0 ? _OriginDepth.x + Rounded(path.RelativeLength) : 0.0;

@@ -4,8 +4,8 @@
 #include "Mirror.hlsl"
 #include "ReceiverPlane.hlsl"
 
-// Follows a path to its next bounce; false if there is none.
-// FirstEntryPoint: where _EntryPoints says where the search of the first segment begins.
+// Traces a path to its next bounce; false if there is none.
+// FirstEntryPoint: index into _EntryPoints for the first segment.
 bool Advance(inout Path path, uint firstEntryPoint, out Hit hit)
 {
     hit = (Hit)0;
@@ -21,8 +21,8 @@ bool Advance(inout Path path, uint firstEntryPoint, out Hit hit)
     return true;
 }
 
-// Follows a ray to its end.
-// Pixel: a place in the picture, in rays from _ReferencePixel.
+// Traces a path to its end.
+// Pixel: a point of the picture, in rays from _ReferencePixel.
 Path FollowPath(float2 pixel, uint firstEntryPoint)
 {
     Path path = BeginPath(pixel);

@@ -5,14 +5,14 @@
 
 static const float TWO_PI = 6.28318530717958647692;
 
-// What is left of a number of turns without the whole ones, 0 to 1.
+// Fractional part of a number of turns, 0 to 1.
 float PartOfTurn(DoubleFloat turns)
 {
     precise float part = (turns.Hi - floor(turns.Hi)) + turns.Lo;
     return part - floor(part);
 }
 
-// Cosine and sine of a part of a turn, to 1e-7: a device's own may be off by 5e-4.
+// Cosine and sine of a fraction of a turn, to 1e-7; a device's own may be off by 5e-4.
 float2 Phasor(float turns)
 {
     uint quarter = (uint)(4.0 * turns + 0.5);

@@ -1,8 +1,8 @@
 #ifndef GLINT_REAL
 #define GLINT_REAL
 
-// The arithmetic of a path: float32 in the kernels that follow every ray, double-float arithmetic in those that follow
-// once more the rays that may be received. The path's code is the same.
+// Arithmetic of paths: float32 in the kernels that trace every ray, double-float in the refine kernels. The code of
+// paths is the same.
 
 #ifdef GLINT_REFINE
 
@@ -22,13 +22,13 @@ Real3 MakeReal3(float3 value, float3 lo)
         MakeDoubleFloat(value.z, lo.z));
 }
 
-// Of a vector that is one already, beside the rounding.
+// Normalises a vector that is a unit vector up to rounding.
 Real3 UnitAgain(Real3 v)
 {
     return v;
 }
 
-// Reception is decided as it is.
+// The refine kernels decide reception without tolerance.
 static const float DIRECTION_ERROR = 0.0;
 
 #else
@@ -56,7 +56,7 @@ Real3 UnitAgain(Real3 v)
     return normalize(v);
 }
 
-// So far off may a direction be, rad: within it a ray may be received.
+// Tolerance of float32 directions in the test for reception, rad.
 static const float DIRECTION_ERROR = 4.0e-6;
 
 float Rounded(float a)

@@ -3,37 +3,37 @@
 
 #include "Path.hlsl"
 
-// What is recorded of a path: whether it passes through the receiver's rectangle on its way on, and how long it is then.
+// Observes whether a path passes through the receiver's rectangle, and its length.
 
-// True if a place, from the receiver's middle, is within half its size along an axis.
+// True if a position, relative to the receiver's centre, is within half its size along an axis.
 bool IsWithin(Real3 position, Real3 axis, float2 halfSize, float positionError)
 {
     Real there = Dot(position, axis), half = MakeReal(halfSize.x, halfSize.y);
     return Rounded(Sub(there, half)) <= positionError && Rounded(Add(there, half)) >= -positionError;
 }
 
-// True if a ray meets the receiver's rectangle, travelling against its axis. The receiver is no obstacle:
-// only rays after a bounce are asked.
+// True if a ray meets the receiver's rectangle, travelling against its axis. Called only after a bounce, since the
+// receiver is no obstacle.
 bool MeetsReceiver(Real3 origin, Real3 direction, out Real distance)
 {
     Real3 centre = MakeReal3(_ReceiverCentre.xyz, _ReceiverCentreLo.xyz),
         forward = MakeReal3(_ReceiverForward.xyz, _ReceiverForwardLo.xyz);
     distance = ToPlane(origin, direction, centre, forward);
     Real3 position = Sub(Add(origin, Mul(direction, distance)), centre);
-    // places are as far off as the directions that led there
+    // positions have the error of the direction
     float positionError = DIRECTION_ERROR * (Rounded(distance) + _SceneCentreExtent.w);
     return Rounded(Dot(direction, forward)) < 0.0 && Rounded(distance) > 0.0
         && IsWithin(position, MakeReal3(_ReceiverRight.xyz, _ReceiverRightLo.xyz), _ReceiverHalfSize.xy, positionError)
         && IsWithin(position, MakeReal3(_ReceiverUp.xyz, _ReceiverUpLo.xyz), _ReceiverHalfSize.zw, positionError);
 }
 
-// Looks ahead from the last hit: what lies beyond the receiver need not be searched.
+// Tests the segment from the last hit against the receiver, which may limit its traversal.
 void LookAhead(inout Path path)
 {
     path.MeetsReceiver = MeetsReceiver(path.Ray.Origin, path.Ray.Direction, path.WayBack) && path.Bounces > 0;
 }
 
-// How far the search for the next hit goes, m; 0: no hit there changes anything.
+// Reach of the query for the next hit, m; 0: no hit can change the result.
 float Reach(Path path)
 {
     if (IsLast(path) && !path.MeetsReceiver && (_Culling & CULL_LAST) != 0)
@@ -50,7 +50,7 @@ bool Observe(inout Path path, Hit hit)
         path.IsCandidate = hit.IsAmbiguous;
 #ifndef GLINT_REFINE
     else
-        path.IsCandidate = path.MeetsReceiver; // what keeps the last segment from the receiver may pass it in truth
+        path.IsCandidate = path.MeetsReceiver; // float32 may have hit an obstacle that the true ray passes
 #endif
     return !path.IsCandidate && !IsLast(path) && !IsMiss(hit);
 }

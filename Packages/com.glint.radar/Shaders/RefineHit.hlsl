@@ -4,20 +4,20 @@
 #include "Geometry.hlsl"
 #include "DoubleFloat.hlsl"
 
-// A ray as it is, beside the one of float32 that is searched for.
+// The double-float ray beside the float32 ray of the traversal.
 struct RefineRay
 {
-    DoubleFloat3 Origin;  // the hit before
+    DoubleFloat3 Origin;  // the last hit
     DoubleFloat3 Direction;
-    float Back;           // m, from where the search began, on the line, to the origin
-    float SceneExtent;    // the scene's size in the mesh's frame: the origin is rounded as places in the scene are
+    float Back;           // m, along the line, from the start of the traversal to the origin
+    float SceneExtent;    // the scene's size in the mesh's frame: the origin has the rounding of positions in the scene
 };
 
-// A triangle in whose plane the ray starts is not met:
-// so near, as a part of the lengths that go into the height above it.
+// Maximum height of the origin above a triangle's plane, as a fraction of the lengths in its computation, at which the
+// ray starts in the plane and does not hit the triangle.
 static const float ON_SURFACE = 1.0e-13;
 
-// Of the numbers that go into the side of an edge: some steps of double-float numbers.
+// Relative rounding of an edge function: some steps of double-float numbers.
 static const float SIDE_ROUNDING = 4.0e-13;
 
 float Sum(float3 v)
@@ -25,8 +25,8 @@ float Sum(float3 v)
     return v.x + v.y + v.z;
 }
 
-// Whether a ray of float32 passes an edge on the inner side of a triangle, for both ways around,
-// or beyond it by no more than rounding and the position error explain. Not if a corner is no number.
+// Whether a float32 ray passes an edge on the inner side of a triangle, for both orientations, or outside by at most
+// rounding and the position error. False if a corner is NaN.
 bool2 IsInside(float2 a, float2 b, float positionError)
 {
     float side = a.x * b.y - a.y * b.x;
@@ -35,13 +35,13 @@ bool2 IsInside(float2 a, float2 b, float positionError)
     return bool2(side >= -edgeError, side <= edgeError);
 }
 
-// In a frame that stretches, distances round as its lengths do.
+// Error of distances in a frame that stretches lengths.
 float DistanceError(TraversalRay ray, float positionError)
 {
     return max(positionError, ray.PositionError * abs(ray.Shear.z));
 }
 
-// Whether the line may hit the triangle, no farther from where the search began than reach, m.
+// Whether the line may hit the triangle within reach of the start of the traversal, m.
 bool MayHit(TraversalRay ray, float3 a, float3 b, float3 c, float reach)
 {
     float3 p = AsSeen(ray, a), q = AsSeen(ray, b), r = AsSeen(ray, c);
@@ -51,10 +51,9 @@ bool MayHit(TraversalRay ray, float3 a, float3 b, float3 c, float reach)
     return (isInside.x || isInside.y) && min(p.z, min(q.z, r.z)) <= reach;
 }
 
-// On which side the line passes the edge between two corners, times four times the area that the edge spans with
-// the origin; 0 where rounding leaves that open.
-// So a line through an edge or a corner meets all triangles there, and passes between none.
-// An edge that is short and far away costs no digits.
+// Edge function of the line and the edge between two corners, times four times the area of edge and origin; 0 if
+// rounding leaves the side undecided. A line through an edge or a corner then hits all triangles there and passes
+// between none. Short distant edges lose no digits.
 float SideOfLine(RefineRay ray, float3 a, float3 b)
 {
     DoubleFloat3 between =
@@ -66,8 +65,8 @@ float SideOfLine(RefineRay ray, float3 a, float3 b)
     return abs(side) <= edgeError ? 0.0 : side;
 }
 
-// Whether the line meets the triangle after its origin, and how far along, m:
-// at its nearest or farthest corner where rounding says nearer or farther, as of a triangle seen edge-on.
+// Whether the line hits the triangle after its origin, and the distance, m. The distance is clamped to that of the
+// nearest and farthest corner, which rounding may exceed for a triangle seen edge-on.
 bool Hits(TraversalRay traversalRay, RefineRay ray, float positionError, float3 a, float3 b, float3 c,
     out DoubleFloat toHit, out bool isAtEdge)
 {
@@ -81,7 +80,7 @@ bool Hits(TraversalRay traversalRay, RefineRay ray, float positionError, float3 
     DoubleFloat3 toCorner = Sub(
         MakeDoubleFloat3(MakeDoubleFloat(a.x, 0.0), MakeDoubleFloat(a.y, 0.0), MakeDoubleFloat(a.z, 0.0)), ray.Origin);
     DoubleFloat height = Dot(normal, toCorner), facing = Dot(normal, ray.Direction);
-    if (!(abs(facing.Hi) > 0.0)) // nor a number, of the second triangle of a pair that has but one
+    if (!(abs(facing.Hi) > 0.0)) // also NaN, for the absent second triangle of a pair
         return false;
     if (abs(height.Hi) <= ON_SURFACE * (Sum(abs(Rounded(toCorner)) + abs(Rounded(ray.Origin))) + ray.SceneExtent))
         return false;

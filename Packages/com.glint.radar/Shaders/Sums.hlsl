@@ -4,9 +4,8 @@
 #include "Bindings.hlsl"
 #include "Geometry.hlsl"
 
-// Channels: sums over rays in whole units (Core/Radar/Channel.cs), the same bit for bit in any order.
-// Threads add to one of SUM_SLOTS slots, so that they seldom wait for each other. Sums of several words have the
-// lowest first and are in two's complement.
+// Channels: sums over rays in whole units (Core/Radar/Channel.cs), the same bit for bit in any order. Threads spread
+// over SUM_SLOTS slots, which reduces contention. Sums of several words have the lowest first, in two's complement.
 
 static const float TWO_TO_32 = 4294967296.0;
 
@@ -15,7 +14,7 @@ void AddTo(uint word, uint value)
     InterlockedAdd(_Sums[word], value);
 }
 
-// Adds a number of 64 bits, or with three words of 96, given by its words; each carry goes on to the next word.
+// Adds a number of 64 bits, or of 96 with three words, with carries.
 void AddWords(uint word, uint words, uint lower, uint upper, uint top)
 {
     uint before;
@@ -37,8 +36,8 @@ void AddUnsigned(uint word, uint value)
     AddWords(word, 2, value, 0, 0);
 }
 
-// Adds one ray's part to a channel of two or three words. A part that is too large, or not a number, is refused:
-// it sets a bit of SUM_OVERFLOW instead.
+// Adds one ray's part to a channel of two or three words. A part above maxPart, or NaN, sets the bit of SUM_OVERFLOW
+// instead.
 void AddPart(uint slot, uint channel, uint words, float part, float maxPart, float unitsPerPart, uint overflow)
 {
     if (!(abs(part) <= maxPart))
@@ -54,9 +53,8 @@ void AddPart(uint slot, uint channel, uint words, float part, float maxPart, flo
         AddWords(slot + channel, words, lower, upper, 0);
 }
 
-// Ray by ray: adding within a group first gains a GPU nothing,
-// and its barriers cost a software device 10 % of its time.
-// lengthBeyond: metres beyond _OriginDepth, positive.
+// Each ray adds for itself: a reduction within the group gains nothing on a GPU, and its barriers cost a software
+// device 10 % of its time. RelativeLength: path length less _OriginDepth, m, positive.
 void AddPath(uint slot, uint bounces, float relativeLength)
 {
     if (bounces == 0)
@@ -70,7 +68,7 @@ void AddPath(uint slot, uint bounces, float relativeLength)
         InterlockedOr(_Sums[slot + SUM_OVERFLOW], LENGTH_OVERFLOW);
 }
 
-// Turns: phase as a part of a turn, 0 to 1.
+// Turns: phase as a fraction of a turn, 0 to 1.
 void AddReceived(uint slot, float turns, float2 phasor)
 {
     AddTo(slot + SUM_RECEIVED, 1);

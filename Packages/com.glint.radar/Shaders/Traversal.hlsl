@@ -3,7 +3,7 @@
 
 #include "Real.hlsl"
 
-#ifndef GLINT_WIDE // Wide~/TraceWide.compute includes another search
+#ifndef GLINT_WIDE // Wide~/TraceWide.compute includes another traversal
 #include "TraverseBinary.hlsl"
 #endif
 
@@ -12,7 +12,7 @@ float3 VectorToLocal(InstanceRecord record, float3 v)
     return float3(dot(record.ToLocalX.xyz, v), dot(record.ToLocalY.xyz, v), dot(record.ToLocalZ.xyz, v));
 }
 
-// "precise": a start is checked against the plane it leaves with the very numbers that the search then has for it.
+// "precise": the check of a start against the plane it leaves must use the same bits as the traversal.
 float3 PointToLocal(InstanceRecord record, float3 p)
 {
     precise float3 local = VectorToLocal(record, p) + float3(record.ToLocalX.w, record.ToLocalY.w, record.ToLocalZ.w);
@@ -35,24 +35,24 @@ DoubleFloat3 PointToLocal(InstanceRecord record, DoubleFloat3 p)
 }
 #endif
 
-// Beside the ray that float32 searches for goes one that is followed exactly,
-// by no more than this part of the scene's size.
+// Maximum distance between the float32 ray of the traversal and the double-float ray, as a fraction of the scene's
+// size.
 static const float POSITION_ERROR = 1.0e-6;
 
-// And one followed in float32: of each segment, by this part of the lengths that go into it;
-// of the turn at each bounce, by this part of the way from there.
+// Error of a float32 path: of positions, per segment, as a fraction of the lengths in the computation; of directions,
+// per bounce, in radians.
 static const float ERROR_PER_SEGMENT = 3.0e-7;
 
-// A segment of a path, about the middle of the scene.
+// A segment of a path, relative to the scene's centre.
 struct Ray
 {
-    Real3 Origin;            // m: the last hit, or the start of the path
+    Real3 Origin;            // m: the last hit, or the path's origin
     Real3 Direction;         // unit vector
-    // where the search begins, just before the origin: in float32 on the way to it, else on the way on
+    // start of the traversal: in float32 on the incoming segment just before the origin, else on this segment
     float3 Start;
-    uint2 ExcludedTriangle;  // the triangle that the ray leaves, which it cannot meet again: see NumberOf
-    float PositionError;     // in float32: how far beside its place in truth the origin may be, m,
-    float DirectionError;    // and so much more for each m from there
+    uint2 ExcludedTriangle;  // the last triangle hit, which cannot be hit again: see NumberOf
+    float PositionError;     // in float32: maximum distance between the origin and the true origin, m,
+    float DirectionError;    // and its growth per metre
 };
 
 void TraverseInstance(uint instance, Ray ray, uint4 entryPoints, bool anyHit, inout TraversalState state)
@@ -98,7 +98,7 @@ void TraverseInstanceBvh(Ray ray, bool anyHit, inout TraversalState state)
         }
         if (current != DONE)
         {
-            // A leaf holds an instance's number.
+            // A leaf holds the index of an instance.
             TraverseInstance(_InstanceBvh[current & ~LEAF].x, ray, ROOT_ENTRY_POINTS, anyHit, state);
             current = IsEnough(state, anyHit) ? DONE : stack[top--];
         }
@@ -106,8 +106,8 @@ void TraverseInstanceBvh(Ray ray, bool anyHit, inout TraversalState state)
 }
 #endif
 
-// Searches all instances for what the ray meets before reach, m from ray.Start; never the excluded triangle.
-// FirstEntryPoint: where _EntryPoints says where to begin in the BVH of each instance; NO_ENTRY_POINTS: at the roots.
+// Traverses all instances up to reach, m from ray.Start, without the excluded triangle.
+// FirstEntryPoint: index into _EntryPoints of the first instance; NO_ENTRY_POINTS: traversal from the roots.
 TraversalState Traverse(Ray ray, float reach, uint firstEntryPoint, bool anyHit)
 {
     TraversalState state = (TraversalState)0;
@@ -126,7 +126,7 @@ TraversalState Traverse(Ray ray, float reach, uint firstEntryPoint, bool anyHit)
 #endif
 #ifdef GLINT_INLINE_INSTANCES
 #ifdef GLINT_SINGLE_INSTANCE
-    uint instance = 0; // a loop of one turn costs a software device a tenth of its time
+    uint instance = 0; // a loop of one iteration costs a software device a tenth of its time
 #else
     [loop]
     for (uint instance = 0; instance < _InstanceCount && !IsEnough(state, anyHit); instance++)

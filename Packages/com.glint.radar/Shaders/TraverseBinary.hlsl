@@ -6,12 +6,12 @@
 
 static const uint4 ROOT_ENTRY_POINTS = uint4(ROOT, DONE, DONE, DONE);
 
-// Searches the BVH of one mesh from up to four places in order: two children a node, the nearer one first,
-// the farther one waits on a stack. The fastest on GPUs. AnyHit: any triangle will do.
+// Traverses the BVH of one mesh from up to four entry points in order. The near child of a node is visited first, the
+// far one is put on the stack. The fastest on GPUs. AnyHit: ends at the first hit.
 void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uint4 entryPoints, bool anyHit,
     inout TraversalState state)
 {
-    uint stack[STACK_BOTTOM + 3 + BINARY_LEVELS]; // three starts besides
+    uint stack[STACK_BOTTOM + 3 + BINARY_LEVELS]; // and three further entry points
     stack[0] = DONE;
     stack[1] = DONE;
     uint top = 1;
@@ -21,7 +21,7 @@ void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uin
     uint current = entryPoints.x;
     BoxRay boxRay = MakeBoxRay(ray, asfloat(LoadBvh(page, firstRow).xyz));
     [loop]
-    while (current != DONE || HasPending(state)) // only refine kernels ever wait
+    while (current != DONE || HasPending(state)) // only refine kernels have pending tests
     {
         [loop]
         while (current != DONE && !HasPending(state))

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Glint.Tests
 {
-    /// <summary>A box in double precision, in which sums of float32 are exact enough to judge them.</summary>
+    /// <summary>A box in double precision, accurate enough to check sums of float32.</summary>
     struct Bounds3
     {
         public double3 Min, Max;
@@ -21,7 +21,7 @@ namespace Glint.Tests
             Max = math.max(Max, other.Max);
         }
 
-        /// <summary>Whether it reaches beyond the other box by a margin on each side.</summary>
+        /// <summary>Whether it holds the other box with a margin on each side.</summary>
         public bool Holds(in Bounds3 other, double3 margin) =>
             math.all(Min + margin <= other.Min) && math.all(Max - margin >= other.Max);
     }

@@ -17,7 +17,7 @@ namespace Glint.Tests
         [Test]
         public void Update_NothingWrong_FindsNothingAndTraces()
         {
-            Assert.That(Found(), Is.Empty);
+            Assert.That(Findings(), Is.Empty);
             Assert.That(_radar.Trace().Undersampled, Is.False);
         }
 
@@ -67,16 +67,16 @@ namespace Glint.Tests
         [TestCaseSource(nameof(Mended))]
         public void Fix_OfAFinding_MendsItAndUndoBringsItBack(Action<RadarCheckTests> spoil, string text)
         {
-            Assert.That(Found(), Has.None.Contains(text));
+            Assert.That(Findings(), Has.None.Contains(text));
             spoil(this);
             var finding = Finding(text);
             Undo.ClearAll();
 
             finding.Fix.Apply();
-            Assert.That(Found(), Is.Empty);
+            Assert.That(Findings(), Is.Empty);
             Assert.That(_radar.gameObject.scene.isDirty);
             Undo.PerformUndo();
-            Assert.That(Found(), Has.Some.Contains(text));
+            Assert.That(Findings(), Has.Some.Contains(text));
         }
 
         static IEnumerable<TestCaseData> LeftToTheUser()
@@ -108,7 +108,7 @@ namespace Glint.Tests
         [TestCaseSource(nameof(LeftToTheUser))]
         public void Update_WhatOnlyTheUserCanMend_IsFoundWithoutAFix(Action<RadarCheckTests> spoil, string text)
         {
-            Assert.That(Found(), Has.None.Contains(text));
+            Assert.That(Findings(), Has.None.Contains(text));
             spoil(this);
             Assert.That(Finding(text).Fix, Is.Null);
         }
@@ -119,10 +119,10 @@ namespace Glint.Tests
             _radar.Receiver = null;
             _radar.Roots.Add(null);
             var refused = Assert.Throws<GlintException>(() => _radar.Gather());
-            Assert.That(Found(), Has.Some.Contains(refused.Message));
+            Assert.That(Findings(), Has.Some.Contains(refused.Message));
             _radar.Receiver = _plate.transform;
             refused = Assert.Throws<GlintException>(() => _radar.Gather());
-            Assert.That(Found(), Has.Some.Contains(refused.Message));
+            Assert.That(Findings(), Has.Some.Contains(refused.Message));
         }
 
         [Test]
@@ -141,7 +141,7 @@ namespace Glint.Tests
         public void Update_CoarseRays_AreFoundWhereTheTraceIsUndersampled()
         {
             _radar.transform.rotation = Quaternion.Euler(0, 25, 0);
-            Assert.That(Found(), Has.Some.Contains(Sampled));
+            Assert.That(Findings(), Has.Some.Contains(Sampled));
             Assert.That(_radar.Trace().Undersampled);
         }
 
@@ -153,7 +153,7 @@ namespace Glint.Tests
             Assert.That(_radar.ObjectCount, Is.EqualTo(0), "the radar's own gatherer has seen nothing");
         }
 
-        List<string> Found()
+        List<string> Findings()
         {
             _check.Update();
             return _check.Findings.Select(finding => finding.ToString()).ToList();

@@ -29,7 +29,7 @@ namespace Glint.Tests
         public void Update_OneRadar_CountsThePoses()
         {
             AddRadar("Radar");
-            Assert.That(Found(), Is.Empty);
+            Assert.That(Findings(), Is.Empty);
             Assert.That(_check.Plan.Count, Is.EqualTo(46));
             Assert.That(_check.Rows().Single().value, Is.EqualTo("46"));
         }
@@ -42,7 +42,7 @@ namespace Glint.Tests
             AddRadar("Radar");
             _sweep.Angles = angles;
             var refused = Assert.Throws<UsageException>(() => SweepAxis.Angle.Parse(angles));
-            Assert.That(Found().Single(), Is.EqualTo("Error: " + refused.Message));
+            Assert.That(Findings().Single(), Is.EqualTo("Error: " + refused.Message));
             Assert.That(_check.Plan, Is.Null);
         }
 
@@ -51,7 +51,7 @@ namespace Glint.Tests
         {
             AddRadar("Radar");
             _sweep.Target = null;
-            Assert.That(Found().Single(), Does.StartWith("Error: Sweep of 'Sweep' has no target and no snapshots"));
+            Assert.That(Findings().Single(), Does.StartWith("Error: Sweep of 'Sweep' has no target and no snapshots"));
         }
 
         [Test]
@@ -60,13 +60,13 @@ namespace Glint.Tests
             AddRadar("Radar");
             (_sweep.Angles, _sweep.GrazingAngles, _sweep.Distances, _sweep.Frequencies) =
                 ("0:10:5", "5,10", "50,60,70", "9e9,10e9");
-            Assert.That(Found(), Is.Empty);
+            Assert.That(Findings(), Is.Empty);
             Assert.That(_check.Plan.Count, Is.EqualTo(3 * 2 * 3 * 2));
             _sweep.Angles = "";
-            Assert.That(Found(), Is.Empty, "the target is not turned");
+            Assert.That(Findings(), Is.Empty, "the target is not turned");
             Assert.That(_check.Plan.Count, Is.EqualTo(2 * 3 * 2));
             _sweep.Frequencies = "10 GHz";
-            Assert.That(Found().Single(), Does.StartWith("Error: frequencies \"10 GHz\": "));
+            Assert.That(Findings().Single(), Does.StartWith("Error: frequencies \"10 GHz\": "));
         }
 
         [Test]
@@ -74,10 +74,10 @@ namespace Glint.Tests
         {
             AddRadar("Radar");
             (_sweep.Target, _sweep.Distances) = (null, "50,60");
-            Assert.That(Found().Single(),
+            Assert.That(Findings().Single(),
                 Does.StartWith("Error: Sweep of 'Sweep' has grazing angles or distances and no target"));
             (_sweep.Distances, _sweep.Frequencies) = ("", "9e9,10e9");
-            Assert.That(Found(), Is.Empty);
+            Assert.That(Findings(), Is.Empty);
             Assert.That(_check.Plan.Count, Is.EqualTo(2));
         }
 
@@ -86,19 +86,19 @@ namespace Glint.Tests
         {
             AddRadar("Radar");
             _sweep.Snapshots = "1:3";
-            Assert.That(Found().Single(), Does.Contain("has no sea"));
+            Assert.That(Findings().Single(), Does.Contain("has no sea"));
             new GameObject("Sea").AddComponent<Sea>();
-            Assert.That(Found().Single(), Does.Contain("Sea of 'Sea' has no snapshots"));
+            Assert.That(Findings().Single(), Does.Contain("Sea of 'Sea' has no snapshots"));
         }
 
         [Test]
         public void Fix_WithoutRadar_MakesOneThatLooksAtTheTarget()
         {
-            Assert.That(Found().Single(), Does.Contain("has no radar"));
+            Assert.That(Findings().Single(), Does.Contain("has no radar"));
             _check.Findings[0].Fix.Apply();
-            Assert.That(Found(), Is.Empty);
+            Assert.That(Findings(), Is.Empty);
             Undo.PerformUndo();
-            Assert.That(Found(), Has.Exactly(1).Items);
+            Assert.That(Findings(), Has.Exactly(1).Items);
         }
 
         [Test]
@@ -107,13 +107,13 @@ namespace Glint.Tests
             AddRadar("Off").enabled = false;
             var radar = AddRadar("First");
             AddRadar("Second");
-            Assert.That(Found().Single(), Does.Contain("has 2 radars"));
+            Assert.That(Findings().Single(), Does.Contain("has 2 radars"));
             _check.Findings[0].Fix.Apply();
             Assert.That(_sweep.Radar == radar || _sweep.Radar.name == "Second");
-            Assert.That(Found(), Is.Empty);
+            Assert.That(Findings(), Is.Empty);
         }
 
-        string[] Found()
+        string[] Findings()
         {
             _check.Update();
             return _check.Findings.Select(finding => finding.ToString()).ToArray();

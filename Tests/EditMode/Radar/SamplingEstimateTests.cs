@@ -62,11 +62,11 @@ namespace Glint.Tests
         // and finer rays may not see it.
         [Test]
         public void Estimate_OfEdgesAlongTheRows_IsNeverFarBelowTheError(
-            [Values(0.02, 0.06, 0.1, 0.12, 0.13, 0.2, 0.3, 0.4, 0.49)] double beyond)
+            [Values(0.02, 0.06, 0.1, 0.12, 0.13, 0.2, 0.3, 0.4, 0.49)] double overhang)
         {
             var settings = TestRadar.Settings();
-            var result = Rectangle(settings, 20 - beyond, 20 - beyond, 100 + beyond, 60 + beyond, 0, 0).Trace();
-            double error = Norm(settings) * ((80 + 2 * beyond) * (40 + 2 * beyond) - 80 * 40);
+            var result = Rectangle(settings, 20 - overhang, 20 - overhang, 100 + overhang, 60 + overhang, 0, 0).Trace();
+            double error = Norm(settings) * ((80 + 2 * overhang) * (40 + 2 * overhang) - 80 * 40);
             Assert.That(result.SamplingError / error, Is.GreaterThan(0.25));
         }
 

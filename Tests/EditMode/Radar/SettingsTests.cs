@@ -75,11 +75,11 @@ namespace Glint.Tests
             AssertRefused(() => view.Validate("radar 'X'"), "camera", "10000000 m");
         }
 
-        static void AssertRefused(Action validate, params string[] words)
+        static void AssertRefused(Action validate, params string[] fragments)
         {
             string message = Assert.Throws<GlintException>(() => validate()).Message;
-            foreach (string word in words)
-                Assert.That(message, Does.Contain(word));
+            foreach (string fragment in fragments)
+                Assert.That(message, Does.Contain(fragment));
         }
     }
 }

@@ -68,7 +68,7 @@ namespace Glint.Tests
                 AssertSame(Pose(tracer => tracer.Culling = Culling.All & ~off, asSoftware: asSoftware), all);
         }
 
-        // All but the entry points, which kernels that count do not use: see StartsTests.
+        // All but the entry points, which kernels that count do not use: see EntryPointsTests.
         [Test]
         public void Culling_EachSaveWork()
         {

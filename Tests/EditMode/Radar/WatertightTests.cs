@@ -76,7 +76,7 @@ namespace Glint.Tests
         sealed class Escapes
         {
             readonly int _side, _bounces;
-            readonly List<string> _found = new List<string>();
+            readonly List<string> _escapes = new List<string>();
             long _rays;
 
             public Escapes(int side, int bounces)
@@ -103,7 +103,7 @@ namespace Glint.Tests
                         RayReadback.None);
                     long missing = _bounces * result.RaysEmitted - result.Bounces;
                     if (missing > 0)
-                        _found.Add($"{name}, {mesh.TriangleCount} triangles, towards {forward}: "
+                        _escapes.Add($"{name}, {mesh.TriangleCount} triangles, towards {forward}: "
                             + $"{result.RaysEmitted - result.RaysHit} rays at once, {missing} bounces missing");
                     _rays += result.RaysEmitted;
                 }
@@ -111,7 +111,7 @@ namespace Glint.Tests
 
             public void Check(long min)
             {
-                Assert.That(_found, Is.Empty);
+                Assert.That(_escapes, Is.Empty);
                 Assert.That(_rays, Is.GreaterThan(min));
             }
         }

@@ -74,13 +74,13 @@ namespace Glint.Tests
         [TestCase("[]", "is damaged")]
         [TestCase("{}", "it has no started_utc")]
         [TestCase("{\"started_utc\":\"2025-03-04T15:06:07Z\",\"elapsed_ms\":NaN}", "not finite")]
-        public void Run_OfADamagedFile_IsRefusedByNameInOneLine(string json, string words)
+        public void Run_OfADamagedFile_IsRefusedByNameInOneLine(string json, string expected)
         {
             Directory.CreateDirectory(_path);
             File.WriteAllText(Path.Combine(_path, "results.json"), json);
             var problem = Assert.Throws<GlintException>(() => StoredRun.Read(_path));
             Assert.That(problem.Message,
-                Does.Contain(Path.Combine(_path, "results.json")).And.Contain(words).And.Not.Contain("\n"));
+                Does.Contain(Path.Combine(_path, "results.json")).And.Contain(expected).And.Not.Contain("\n"));
         }
 
         [TestCase("\"angle_deg\": 0", "\"angle_deg\": \"x\"", "angle_deg of a row is no number")]
@@ -88,14 +88,14 @@ namespace Glint.Tests
         [TestCase("\"amplitude\": 5", "\"amplitude\": Infinity", "not finite")]
         [TestCase("\"phase_histogram\": [0,", "\"phase_histogram\": [NaN,", "not finite")]
         [TestCase("\"versions\": {", "\"versions\": 7, \"others\": {", "it has no glint")]
-        public void Run_OfADamagedRow_IsRefusedByName(string before, string after, string words)
+        public void Run_OfADamagedRow_IsRefusedByName(string before, string after, string expected)
         {
             Write(SampleRun.Info());
             string path = Path.Combine(_path, "results.json"), text = File.ReadAllText(path);
             Assert.That(text, Does.Contain(before));
             File.WriteAllText(path, text.Replace(before, after));
             Assert.That(() => StoredRun.Read(_path),
-                Throws.TypeOf<GlintException>().With.Message.Contain(path).And.Message.Contain(words));
+                Throws.TypeOf<GlintException>().With.Message.Contain(path).And.Message.Contain(expected));
         }
 
         [Test]

@@ -154,13 +154,13 @@ namespace Glint.Tests
             }
         }
 
-        void AssertGoesOn(byte[] partial, int partialLength, byte[] csv, int csvLength, int kept, string[] whole)
+        void AssertGoesOn(byte[] partial, int partialLength, byte[] csv, int csvLength, int rows, string[] whole)
         {
             Directory.Delete(_path, true);
             Directory.CreateDirectory(_path);
             File.WriteAllBytes(Path.Combine(_path, ResultsFolder.PartialName), partial.Take(partialLength).ToArray());
             File.WriteAllBytes(Path.Combine(_path, ResultsFolder.CsvName), csv.Take(csvLength).ToArray());
-            Assert.That(GoOn(), Is.EqualTo(kept));
+            Assert.That(GoOn(), Is.EqualTo(rows));
             Assert.That(Files(_path), Is.EqualTo(whole), $"{partialLength} and {csvLength} bytes");
         }
 

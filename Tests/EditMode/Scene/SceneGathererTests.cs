@@ -205,11 +205,11 @@ namespace Glint.Tests
         RadarScene Gather(int layers = ~0, Transform receiver = null) =>
             _gatherer.Gather(layers, new List<Transform> { _root }, receiver);
 
-        void AssertRefused(params string[] words)
+        void AssertRefused(params string[] fragments)
         {
             string message = Assert.Throws<GlintException>(() => Gather()).Message;
-            foreach (string word in words)
-                Assert.That(message, Does.Contain(word));
+            foreach (string fragment in fragments)
+                Assert.That(message, Does.Contain(fragment));
         }
 
         Transform AddPrimitive(PrimitiveType type)

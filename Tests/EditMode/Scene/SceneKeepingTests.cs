@@ -328,15 +328,15 @@ namespace Glint.Tests
         }
 
         // Triangles of one list that the other lacks, each taken once.
-        static int Unmatched(double3[] expected, double3[] found, double tolerance)
+        static int Unmatched(double3[] expected, double3[] actual, double tolerance)
         {
-            var left = new List<int>(Enumerable.Range(0, found.Length / 3));
-            int unmatched = abs(expected.Length - found.Length) / 3;
+            var left = new List<int>(Enumerable.Range(0, actual.Length / 3));
+            int unmatched = abs(expected.Length - actual.Length) / 3;
             for (int t = 0; t < expected.Length; t += 3)
             {
-                int match = left.FindIndex(f => distance(found[3 * f], expected[t]) < tolerance
-                    && distance(found[3 * f + 1], expected[t + 1]) < tolerance
-                    && distance(found[3 * f + 2], expected[t + 2]) < tolerance);
+                int match = left.FindIndex(f => distance(actual[3 * f], expected[t]) < tolerance
+                    && distance(actual[3 * f + 1], expected[t + 1]) < tolerance
+                    && distance(actual[3 * f + 2], expected[t + 2]) < tolerance);
                 if (match < 0)
                     unmatched++;
                 else

@@ -132,14 +132,14 @@ namespace Glint.Tests
             Assert.That(Assert.Throws<GlintException>(() => SeaState.WaveHeight(code)).Message,
                 Does.Contain($"sea state {code} ").And.Contain("1 to 8").And.Contain("metres"));
 
-        static void AssertRefused(Change change, params string[] words)
+        static void AssertRefused(Change change, params string[] fragments)
         {
             var settings = SeaSettings.Default;
             change(ref settings);
             string message = Assert.Throws<GlintException>(() => settings.Validate()).Message;
             Assert.That(message, Does.StartWith("sea: "));
-            foreach (string word in words)
-                Assert.That(message, Does.Contain(word));
+            foreach (string fragment in fragments)
+                Assert.That(message, Does.Contain(fragment));
         }
     }
 }

@@ -41,13 +41,14 @@ sealed class AccuracyReference
         (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
         var referenceTracer = new ReferenceTracer(new RadarPose(scene.Scene, settings, scene.View));
         int down = settings.RaysDown;
-        var found = new Found[down, across];
+        var outcomes = new Outcome[down, across];
         ForRows(down, new Part(progress, 0, 2), cancel, row =>
         {
             for (int column = 0; column < across; column++)
             {
                 var ray = referenceTracer.Trace(column, row);
-                found[row, column] = ray.Received ? Found.Received : ray.Bounces > 0 ? Found.Hit : Found.Nothing;
+                outcomes[row, column] = ray.Received ? Outcome.Received
+                    : ray.Bounces > 0 ? Outcome.Hit : Outcome.Nothing;
             }
         });
 
@@ -57,9 +58,9 @@ sealed class AccuracyReference
         ForRows(down, new Part(progress, 1, 2), cancel, row =>
         {
             for (int column = 0; column < across; column++)
-                if (IsRefined(found, column, row))
+                if (IsRefined(outcomes, column, row))
                     hits[row] += TracePixel(referenceTracer, settings.Wavelength, column, row, sums);
-                else if (found[row, column] != Found.Nothing)
+                else if (outcomes[row, column] != Outcome.Nothing)
                     hits[row] += SubRays * SubRays;
         });
         var parts = new Complex[4];
@@ -76,23 +77,23 @@ sealed class AccuracyReference
         return new AccuracyReference(sum, FineOverHalf * Math.Sqrt(squares), scale * hits);
     }
 
-    static void ForRows(int rows, IProgress<double> progress, CancellationToken cancel, Action<int> body)
+    static void ForRows(int rows, IProgress<double> progress, CancellationToken cancel, Action<int> doRow)
     {
         int done = 0;
         Parallel.For(0, rows, new ParallelOptions { CancellationToken = cancel }, row =>
         {
-            body(row);
+            doRow(row);
             progress.Report(Interlocked.Increment(ref done) / (double)rows);
         });
     }
 
     // Received rays and those around them, and hits beside misses.
-    static bool IsRefined(Found[,] found, int column, int row)
+    static bool IsRefined(Outcome[,] outcomes, int column, int row)
     {
-        bool isHit = found[row, column] != Found.Nothing;
-        for (int y = Math.Max(0, row - 1); y <= Math.Min(found.GetLength(0) - 1, row + 1); y++)
-            for (int x = Math.Max(0, column - 1); x <= Math.Min(found.GetLength(1) - 1, column + 1); x++)
-                if (found[y, x] == Found.Received || found[y, x] != Found.Nothing != isHit)
+        bool isHit = outcomes[row, column] != Outcome.Nothing;
+        for (int y = Math.Max(0, row - 1); y <= Math.Min(outcomes.GetLength(0) - 1, row + 1); y++)
+            for (int x = Math.Max(0, column - 1); x <= Math.Min(outcomes.GetLength(1) - 1, column + 1); x++)
+                if (outcomes[y, x] == Outcome.Received || outcomes[y, x] != Outcome.Nothing != isHit)
                     return true;
         return false;
     }
@@ -113,7 +114,7 @@ sealed class AccuracyReference
         return hits;
     }
 
-    enum Found : byte
+    enum Outcome : byte
     {
         Nothing,
         Hit,

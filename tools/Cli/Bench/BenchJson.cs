@@ -103,7 +103,7 @@ static class BenchJson
 
     static JObject Time(Peer peer, string label, PoseBench poses)
     {
-        var starts = peer.Starts(label);
+        var starts = peer.SeriesOf(label);
         return new JObject
         {
             ["name"] = peer.Name,

@@ -106,7 +106,7 @@ sealed class BenchTables(Terminal terminal)
         foreach (var peer in result.Peers)
             foreach (string label in peer.Labels)
             {
-                var starts = peer.Starts(label);
+                var starts = peer.SeriesOf(label);
                 string[] cells =
                     [peer.Name, label, Ms(starts.Median), Ms(starts.Lowest), Ratios(starts, result.Poses.Pose),
                         .. hasClock ? [Ratios(starts, result.Poses.PoseGpu)] : Array.Empty<string>()];

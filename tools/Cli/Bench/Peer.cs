@@ -13,7 +13,7 @@ sealed class Peer(PeerCommand command)
     /// <summary>What stands in a command for the path of the scene.</summary>
     public const string ScenePlaceholder = "{scene}";
 
-    readonly Dictionary<string, Series> _starts = [];
+    readonly Dictionary<string, Series> _series = [];
 
     public string Name => command.Name;
 
@@ -29,7 +29,7 @@ sealed class Peer(PeerCommand command)
     public string LastLine { get; private set; }
 
     /// <summary>The medians of a time, one a start.</summary>
-    public Series Starts(string label) => _starts[label];
+    public Series SeriesOf(string label) => _series[label];
 
     /// <summary>Runs it to its end.</summary>
     /// <param name="scene">Path that takes the place of {scene}.</param>
@@ -47,10 +47,10 @@ sealed class Peer(PeerCommand command)
             return;
         foreach (string label in output.Labels)
         {
-            if (!_starts.ContainsKey(label))
+            if (!_series.ContainsKey(label))
                 Labels = [.. Labels, label];
-            _starts.TryAdd(label, new Series());
-            _starts[label].Add(output.Median(label));
+            _series.TryAdd(label, new Series());
+            _series[label].Add(output.Median(label));
         }
     }
 

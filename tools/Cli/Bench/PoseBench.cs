@@ -89,8 +89,8 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
             if (clock.IsSupported)
             {
                 Turn();
-                gpu.Add(TimeOnDevice(new Part(progress, 2 * i + 1, 2 * PosesARound), cancel, out double rest));
-                other.Add(rest);
+                gpu.Add(TimeOnDevice(new Part(progress, 2 * i + 1, 2 * PosesARound), cancel, out double onHost));
+                other.Add(onHost);
             }
             else
                 other.Add(result.Statistics.Timings.GatherMs + result.Statistics.Timings.BuildMs
@@ -129,14 +129,14 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
         return watch.Elapsed.TotalMilliseconds;
     }
 
-    double TimeOnDevice(IProgress<double> progress, CancellationToken cancel, out double rest)
+    double TimeOnDevice(IProgress<double> progress, CancellationToken cancel, out double onHost)
     {
         clock.IsOn = true;
         try
         {
             clock.Reset();
             double wall = Time(progress, cancel, out _), device = clock.Read();
-            rest = wall - device;
+            onHost = wall - device;
             return device;
         }
         finally

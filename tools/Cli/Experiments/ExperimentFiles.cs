@@ -67,7 +67,7 @@ sealed class ExperimentFiles
         foreach (var ship in result.Ships)
             Add(ship.Name, ship.Title, ExperimentTables.Of(ship), stream => ExperimentPlots.Write(stream, ship));
         Add(Seas, "Other seas", ExperimentTables.OfSeas(result),
-            stream => SeaPlot.Write(stream, result.Seas, result.PublishedReturning));
+            stream => SeaPlot.Write(stream, result.Seas, result.PublishedReturns));
         _page.Write(stream => stream.Write(Encoding.UTF8.GetBytes(_text.Text)));
         return $"{_page.Path}, {_json.Path}, "
             + $"{_plots.Count + 1} plots in {Path.Combine(_path, Path.GetDirectoryName(PlotName(Seas)))}";

@@ -74,7 +74,7 @@ static class ExperimentTables
                 .Select(bounces => bounces == 1 ? "by 1 bounce" : Text($"by {bounces}"))]);
         foreach (var angle in angles)
             table.Add([Step(angle.Step), Amplitude(angle.FreeSpace), Amplitude(angle.OnSea), Amplitude(angle.ShipAlone),
-                Count(angle.Kept), Count(angle.Lost), Count(angle.Added.Sum()),
+                Count(angle.Unchanged), Count(angle.Lost), Count(angle.Added.Sum()),
                 .. angle.Added.Select(count => Count(count))]);
         return table.ToString();
     }
@@ -103,11 +103,11 @@ static class ExperimentTables
             var waves = family.First.Waves;
             var (fewer, asMany, more) = family.Rank;
             families.Add(family.Sea + (family.IsStored ? ", as stored" : ""), Text($"{waves.WindSpeed:0.##}"),
-                Text($"{waves.Choppiness:0.##}"), Text($"{family.Returning} of {family.Snapshots}"),
+                Text($"{waves.Choppiness:0.##}"), Text($"{family.ReturningSnapshots} of {family.Snapshots}"),
                 Text($"{100 * family.Share:0.0}"),
                 Range(family.PerSea, "0.#"),
-                Text($"{family.Trials.Count(trial => trial.Returning == 0)} of {family.Trials.Count}"),
-                Text($"{family.First.Returning} of {family.First.Snapshots.Count}"),
+                Text($"{family.Trials.Count(trial => trial.ReturningSnapshots == 0)} of {family.Trials.Count}"),
+                Text($"{family.First.ReturningSnapshots} of {family.First.Snapshots.Count}"),
                 Text($"{fewer}, {asMany}, {more}"));
         }
         return families + string.Concat(result.Seas.Where(family => family.IsStored)
@@ -120,7 +120,7 @@ static class ExperimentTables
             "rays hit, median (lowest to highest)");
         foreach (var trial in family.Trials)
             table.Add(Text($"{trial.Waves.Seed}{(trial == family.First ? " (stored)" : "")}"),
-                Text($"{trial.Returning}"),
+                Text($"{trial.ReturningSnapshots}"),
                 string.Join(" ", trial.Snapshots.Select(snapshot => Text($"{snapshot.RaysReceived}"))),
                 Range(new Series(trial.Snapshots.Select(snapshot => (double)snapshot.RaysHit)), "#,0"));
         return table.ToString();

@@ -56,6 +56,6 @@ sealed class ExperimentsCommand(Terminal terminal)
         yield return "";
         foreach (var family in result.Seas.Where(family => family.IsStored))
             yield return Text(
-                $"{family.Sea}: {family.First.Returning} of {family.First.Snapshots.Count} stored snapshots return rays, as {family.Returning} of {family.Snapshots} of all seeds do; published: {result.PublishedReturning(family.Sea).Returning} of {result.PublishedReturning(family.Sea).Snapshots}");
+                $"{family.Sea}: {family.First.ReturningSnapshots} of {family.First.Snapshots.Count} stored snapshots return rays, as {family.ReturningSnapshots} of {family.Snapshots} of all seeds do; published: {result.PublishedReturns(family.Sea).ReturningSnapshots} of {result.PublishedReturns(family.Sea).Snapshots}");
     }
 }

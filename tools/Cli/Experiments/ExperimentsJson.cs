@@ -71,7 +71,7 @@ static class ExperimentsJson
         {
             ["seed"] = trial.Waves.Seed,
             ["height_factor"] = trial.Waves.HeightFactor,
-            ["returning"] = trial.Returning,
+            ["returning"] = trial.ReturningSnapshots,
             ["rays_received"] = new JArray(trial.Snapshots.Select(snapshot => snapshot.RaysReceived)),
             ["rays_hit"] = new JArray(trial.Snapshots.Select(snapshot => snapshot.RaysHit)),
             ["amplitude"] = new JArray(trial.Snapshots.Select(snapshot => snapshot.Amplitude)),

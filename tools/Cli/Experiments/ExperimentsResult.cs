@@ -40,7 +40,7 @@ sealed class ExperimentsResult
 
     /// <summary>Snapshots of a sea that returned anything as published, and of how many.</summary>
     /// <param name="sea">Name of the stored sea.</param>
-    public (int Returning, int Snapshots) PublishedReturning(string sea)
+    public (int ReturningSnapshots, int Snapshots) PublishedReturns(string sea)
     {
         var sweep = Sweeps.Single(sweep => Path.GetFileNameWithoutExtension(sweep.Experiment.Scene) == sea);
         return (sweep.Published?.Count(row => row.RaysReceived > 0) ?? 0, sweep.Rows.Count);

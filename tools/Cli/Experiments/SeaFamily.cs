@@ -14,22 +14,22 @@ sealed record SeaFamily(string Sea, bool IsStored, IReadOnlyList<SeaTrial> Trial
 
     public int Snapshots => Trials.Sum(trial => trial.Snapshots.Count);
 
-    public int Returning => Trials.Sum(trial => trial.Returning);
+    public int ReturningSnapshots => Trials.Sum(trial => trial.ReturningSnapshots);
 
-    public double Share => (double)Returning / Snapshots;
+    public double Share => (double)ReturningSnapshots / Snapshots;
 
     /// <summary>Returning snapshots of each sea.</summary>
-    public Series PerSea => new(Trials.Select(trial => (double)trial.Returning));
+    public Series PerSea => new(Trials.Select(trial => (double)trial.ReturningSnapshots));
 
     /// <summary>Other seas with fewer returning snapshots than the first, with as many, and with more.</summary>
     public (int Fewer, int AsMany, int More) Rank
     {
         get
         {
-            var others = Trials.Skip(1).Select(trial => trial.Returning).ToArray();
-            return (others.Count(returning => returning < First.Returning),
-                others.Count(returning => returning == First.Returning),
-                others.Count(returning => returning > First.Returning));
+            var others = Trials.Skip(1).Select(trial => trial.ReturningSnapshots).ToArray();
+            return (others.Count(count => count < First.ReturningSnapshots),
+                others.Count(count => count == First.ReturningSnapshots),
+                others.Count(count => count > First.ReturningSnapshots));
         }
     }
 }

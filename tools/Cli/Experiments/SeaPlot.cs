@@ -26,7 +26,7 @@ sealed class SeaPlot
 
     /// <param name="published">Returning snapshots of a sea as published, and of how many.</param>
     public static void Write(Stream stream, IReadOnlyList<SeaFamily> families,
-        Func<string, (int Returning, int Snapshots)> published)
+        Func<string, (int ReturningSnapshots, int Snapshots)> published)
     {
         using var svg = new Svg(stream, Width, Height);
         var plot = new SeaPlot(svg, families.Max(family => family.First.Snapshots.Count));
@@ -47,16 +47,16 @@ sealed class SeaPlot
         _svg.Write(Left + 282, y, "the stored seed is among them", "start");
         _svg.Line(Left + 490, y - 4, Left + 514, y - 4, Published, 1.5);
         _svg.Write(Left + 522, y, "published", "start");
-        for (int returning = 0; returning <= _max; returning += _max > 5 ? 2 : 1)
-            _svg.Write(Left - 8, Y(returning) + 4, Text($"{returning}"), "end");
+        for (int count = 0; count <= _max; count += _max > 5 ? 2 : 1)
+            _svg.Write(Left - 8, Y(count) + 4, Text($"{count}"), "end");
     }
 
-    void DrawSea(SeaFamily[] families, double left, double width, (int returning, int snapshots) published)
+    void DrawSea(SeaFamily[] families, double left, double width, (int count, int snapshots) published)
     {
         _svg.Write(left + width / 2, Top - 22, families[0].Sea, "middle");
-        for (int returning = 0; returning <= _max; returning += _max > 5 ? 2 : 1)
-            _svg.Line(left, Y(returning), left + width, Y(returning), "#dddddd");
-        double theirs = Y((double)published.returning / published.snapshots * _max);
+        for (int count = 0; count <= _max; count += _max > 5 ? 2 : 1)
+            _svg.Line(left, Y(count), left + width, Y(count), "#dddddd");
+        double theirs = Y((double)published.count / published.snapshots * _max);
         _svg.Line(left, theirs, left + width, theirs, Published, 1.5);
         double column = width / families.Length;
         for (int i = 0; i < families.Length; i++)
@@ -65,7 +65,7 @@ sealed class SeaPlot
 
     void DrawColumn(SeaFamily family, double x)
     {
-        foreach (var seas in family.Trials.GroupBy(trial => trial.Returning))
+        foreach (var seas in family.Trials.GroupBy(trial => trial.ReturningSnapshots))
         {
             double radius = Math.Round(3 * Math.Sqrt(seas.Count()), 1);
             _svg.Dot(x, Y(seas.Key), All, false, radius);
@@ -81,5 +81,5 @@ sealed class SeaPlot
             _svg.Write(x, Height - 8, "as stored", "middle");
     }
 
-    double Y(double returning) => Height - Bottom - returning / _max * (Height - Bottom - Top);
+    double Y(double count) => Height - Bottom - count / _max * (Height - Bottom - Top);
 }

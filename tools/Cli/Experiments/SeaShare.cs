@@ -11,9 +11,10 @@ namespace Glint.Cli;
 /// </summary>
 /// <param name="FreeSpace">Amplitude of the ship in free space.</param>
 /// <param name="ShipAlone">Amplitude, on the sea, of the rays that met the ship alone.</param>
-/// <param name="Kept">Their number; <paramref name="Lost"/> more returned in free space.</param>
+/// <param name="Unchanged">Their number; <paramref name="Lost"/> more returned in free space.</param>
 /// <param name="Added">Rays that met the sea, by their number of bounces from 1.</param>
-sealed record SeaShare(double Step, double FreeSpace, double OnSea, double ShipAlone, int Kept, int Lost, int[] Added)
+sealed record SeaShare(double Step, double FreeSpace, double OnSea, double ShipAlone, int Unchanged, int Lost,
+    int[] Added)
 {
     // Metres: two ways to go are never as alike.
     const double SameLength = 1e-4;
@@ -33,8 +34,8 @@ sealed record SeaShare(double Step, double FreeSpace, double OnSea, double ShipA
             added[ray.Bounces - 1]++;
         double inPhase = ofShip[true].Sum(ray => (double)ray.InPhase),
             quadrature = ofShip[true].Sum(ray => (double)ray.Quadrature);
-        int kept = ofShip[true].Count();
+        int unchanged = ofShip[true].Count();
         return new SeaShare(SweepResult.StepOf(onSea.Pose), freeSpace.Result.Amplitude, onSea.Result.Amplitude,
-            Math.Sqrt(inPhase * inPhase + quadrature * quadrature), kept, before.Count - kept, added);
+            Math.Sqrt(inPhase * inPhase + quadrature * quadrature), unchanged, before.Count - unchanged, added);
     }
 }

@@ -10,5 +10,5 @@ namespace Glint.Cli;
 sealed record SeaTrial(SeaSettings Waves, IReadOnlyList<RadarResult> Snapshots)
 {
     /// <summary>Snapshots from which at least one ray was received.</summary>
-    public int Returning => Snapshots.Count(snapshot => snapshot.RaysReceived > 0);
+    public int ReturningSnapshots => Snapshots.Count(snapshot => snapshot.RaysReceived > 0);
 }

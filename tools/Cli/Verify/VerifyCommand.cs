@@ -19,7 +19,7 @@ sealed class VerifyCommand(Terminal terminal)
     const int RaysAtOnce = 1 << 21;
 
     /// <returns>The report, line by line, and the exit code: 1 if a ray went wrong.</returns>
-    /// <exception cref="GlintException">Something is wrong with a file, the scene or the device.</exception>
+    /// <exception cref="GlintException">A problem with a file, the scene or the device.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public (string[] Report, int ExitCode) Execute(CommandLine line, IProgressSink progress)
     {

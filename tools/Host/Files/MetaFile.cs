@@ -16,7 +16,7 @@ internal static class MetaFile
     {
         try
         {
-            // A pipe or device has no length either; to open one can take for ever.
+            // A pipe or device has length 0 too; opening one may block.
             if (new FileInfo(physicalPath).Length == 0)
                 return null;
             using FileStream stream =

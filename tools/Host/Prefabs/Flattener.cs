@@ -10,7 +10,7 @@ namespace Glint.Host;
 /// </summary>
 internal sealed class Flattener
 {
-    // Beyond any real prefab; deeper ones would overflow the stack.
+    // Deeper than any real prefab; the limit prevents a stack overflow.
     const int MaxDepth = 100;
 
     readonly ProjectFiles _files;

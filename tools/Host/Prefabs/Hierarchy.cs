@@ -10,7 +10,7 @@ namespace Glint.Host;
 /// </summary>
 internal sealed class Hierarchy
 {
-    // Beyond any real scene; deeper ones would overflow the stack of whoever walks them.
+    // Deeper than any real scene; the limit prevents a stack overflow in recursive walks.
     const int MaxDepth = 500;
 
     readonly ObjectTable _table;

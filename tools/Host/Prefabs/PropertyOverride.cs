@@ -8,7 +8,7 @@ namespace Glint.Host;
 /// </summary>
 internal sealed class PropertyOverride
 {
-    // Far beyond what anybody overrides by hand; a damaged file must not fill the memory.
+    // Far above any override made by hand; the limit keeps a damaged file from filling the memory.
     internal const int LargestArray = 1_000_000;
 
     readonly FieldMap _source;

@@ -59,11 +59,11 @@ internal sealed partial class ScriptCatalog
     (Type Type, string Problem) Find(string guid)
     {
         if (!_byGuid.TryGetValue(guid, out (Type Type, string Problem) found))
-            _byGuid.Add(guid, found = Search(guid));
+            _byGuid.Add(guid, found = Resolve(guid));
         return found;
     }
 
-    (Type Type, string Problem) Search(string guid)
+    (Type Type, string Problem) Resolve(string guid)
     {
         if (_files.PathOf(guid) is not string path)
             return (null, $"its script has guid {guid}, which no .meta in the project has");

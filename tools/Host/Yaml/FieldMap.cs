@@ -107,9 +107,9 @@ internal readonly struct FieldMap
             : throw self.Wrong($"{key}[{index}]", "text", node.ToString())).ToList();
     }
 
-    internal GlintException Wrong(string key, string expected, string found)
+    internal GlintException Wrong(string key, string expected, string actual)
     {
-        string line = string.Join(' ', found.Split('\r', '\n'));
+        string line = string.Join(' ', actual.Split('\r', '\n'));
         string shown = line.Length > ShownCharacters ? line[..ShownCharacters] + "..." : line;
         return _record.Flaw($"{PathOf(key)} must be {expected}, and is '{shown}': restore the file, "
             + "or save it again in Unity");

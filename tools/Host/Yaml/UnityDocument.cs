@@ -8,27 +8,28 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// One object of a Unity file, <c>--- !u!CLASS &amp;ID</c> and what follows. Its body is read when it is asked for,
+/// One object of a Unity file, <c>--- !u!CLASS &amp;ID</c> and what follows. Its content is read when it is asked for,
 /// so that objects of no interest cost nothing.
 /// </summary>
 internal sealed class UnityDocument
 {
     readonly string _file;
     readonly string _text;
-    readonly Range _body;
-    readonly int _bodyLine;
+    readonly Range _content;
+    readonly int _contentLine;
     string _typeName;
     YamlMappingNode _fields;
 
-    internal UnityDocument(string file, int classId, long id, bool isStripped, string text, Range body, int bodyLine)
+    internal UnityDocument(string file, int classId, long id, bool isStripped, string text, Range content,
+        int contentLine)
     {
         _file = file;
         ClassId = classId;
         Id = id;
         IsStripped = isStripped;
         _text = text;
-        _body = body;
-        _bodyLine = bodyLine;
+        _content = content;
+        _contentLine = contentLine;
     }
 
     internal int ClassId { get; }
@@ -38,7 +39,7 @@ internal sealed class UnityDocument
     /// <summary>A stand-in for an object of a prefab instance.</summary>
     internal bool IsStripped { get; }
 
-    /// <summary>Name of the class, as the body begins.</summary>
+    /// <summary>Name of the class, with which the content begins.</summary>
     internal string TypeName
     {
         get
@@ -64,7 +65,7 @@ internal sealed class UnityDocument
         YamlStream stream = new();
         try
         {
-            stream.Load(new DepthGuard(new Parser(new StringReader(_text[_body]))));
+            stream.Load(new DepthGuard(new Parser(new StringReader(_text[_content]))));
         }
         catch (YamlException error)
         {
@@ -88,7 +89,7 @@ internal sealed class UnityDocument
     GlintException Damaged(long line, string what, Exception cause)
     {
         string oneLine = string.Join(' ', what.Split('\r', '\n')).TrimEnd('.');
-        return new GlintException($"{_file}:{_bodyLine + line - 1}: damaged YAML in object &{Id}: {oneLine}: "
+        return new GlintException($"{_file}:{_contentLine + line - 1}: damaged YAML in object &{Id}: {oneLine}: "
             + "restore the file, or save it again in Unity", cause);
     }
 }

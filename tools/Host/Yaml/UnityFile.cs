@@ -57,10 +57,10 @@ internal sealed class UnityFile
     {
         if (open.Line > 0)
             _documents.Add(new UnityDocument(ShownPath, open.ClassId, open.Id, open.IsStripped, text,
-                Math.Min(open.Body, end)..end, open.Line + 1));
+                Math.Min(open.Content, end)..end, open.Line + 1));
     }
 
-    Header ReadHeader(ReadOnlySpan<char> header, int line, int body)
+    Header ReadHeader(ReadOnlySpan<char> header, int line, int content)
     {
         const string ClassMark = "!u!", IdMark = " &", Stripped = " stripped";
         ReadOnlySpan<char> rest = header[HeaderStart.Length..];
@@ -73,12 +73,12 @@ internal sealed class UnityFile
                 CultureInfo.InvariantCulture, out int classId)
             && long.TryParse(rest[(gap + IdMark.Length)..], NumberStyles.AllowLeadingSign,
                 CultureInfo.InvariantCulture, out long id) && id != 0)
-            return new Header(classId, id, isStripped, body, line);
+            return new Header(classId, id, isStripped, content, line);
         ReadOnlySpan<char> shown = header[..Math.Min(header.Length, ShownCharacters)];
         throw Damaged(line, $"'{shown}' is no header of the form '--- !u!CLASS &ID'");
     }
 
     GlintException Damaged(int line, string what) => new($"{ShownPath}:{line}: damaged: {what}: restore the file");
 
-    readonly record struct Header(int ClassId, long Id, bool IsStripped, int Body, int Line);
+    readonly record struct Header(int ClassId, long Id, bool IsStripped, int Content, int Line);
 }

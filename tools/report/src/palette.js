@@ -7,10 +7,11 @@ const segments = [
   { colour: '#f0e442', name: 'yellow', dash: [2, 4], pattern: 'dots' }
 ];
 
-/** From 1; after four they begin anew. */
+/** n counts from 1; the colours repeat after four. */
 export const ofSegment = n => segments[(n - 1) % segments.length];
 
-// Okabe and Ito's, with a mint for black, which the dark view swallows; objects beyond begin anew.
+// The palette of Okabe and Ito, with mint in place of black, which is invisible in the dark view. It repeats after eight
+// objects.
 const objects = ['#e69f00', '#56b4e9', '#009e73', '#cc79a7', '#0072b2', '#d55e00', '#f0e442', '#00eeaa'];
 
 // Of the charts; those that begin with -- stand in the style sheet, once for each theme.

@@ -5,10 +5,9 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// A binary BVH over boxes with one box a leaf. As n leaves always have n - 1 inner nodes,
-    /// the nodes' places are known before the BVH is:
-    /// a node stands before its left subtree, that one before the right subtree.
-    /// So cores that build subtrees need not agree on anything.
+    /// A binary BVH over boxes with one box a leaf. n leaves always have n - 1 inner nodes, so the position of each
+    /// node is known before the BVH is built: a node precedes its left subtree, which precedes the right subtree.
+    /// Cores that build subtrees therefore need no synchronisation.
     /// A child is the number of an inner node, or ~ (the complement of) the number of a leaf.
     /// </summary>
     sealed class BinaryBvh
@@ -38,8 +37,8 @@ namespace Glint.Core
         public Box BoxOf(int child) => child < 0 ? Leaves[~child].Box : Nodes[child].Box;
 
         /// <summary>
-        /// Metres: boxes are written so much larger on each side, as rays in float32 pass what they hit in truth by
-        /// some ten-millionths (ERROR_PER_SEGMENT in the kernels) of the lengths and coordinates that go into them.
+        /// Metres by which stored boxes are larger on each side. float32 rays deviate from the true rays by some
+        /// ten-millionths (ERROR_PER_SEGMENT in the kernels) of the lengths and coordinates of a segment.
         /// </summary>
         public double Margin
         {
@@ -60,17 +59,17 @@ namespace Glint.Core
     {
         public Box Box;
 
-        /// <summary>The first of its leaves.</summary>
+        /// <summary>Index of its first leaf.</summary>
         public int First;
 
-        /// <summary>How many leaves it has, two at least.</summary>
+        /// <summary>Number of its leaves, at least 2.</summary>
         public int Count;
 
-        /// <summary>How many of them, the first ones, are the left child's.</summary>
+        /// <summary>Number of leaves of the left child, which come first.</summary>
         public int LeftCount;
     }
 
-    /// <summary>A thing in a BVH: its box and its number.</summary>
+    /// <summary>An item of a BVH: its box and its number.</summary>
     struct BvhLeaf
     {
         public Box Box;

@@ -11,13 +11,14 @@ namespace Glint.Core
     /// </summary>
     sealed class BinaryBvhBuilder
     {
-        /// <summary>Inner levels of a part at most. The stacks of the kernels hold as many.</summary>
+        /// <summary>Maximum number of inner levels of a part: the stack size of the kernels.</summary>
         public const int MaxLevels = 28;
 
-        // Above parts, the smaller side of a split gets at least this fraction of the leaves, so that parts are few.
+        // Above parts, the smaller side of a split gets at least 1 / this of the leaves, which keeps the number of
+        // parts low.
         const int MinFractionOfParts = 8;
 
-        // Subtrees of more leaves are built side by side.
+        // Subtrees of more leaves are built in parallel.
         const int ParallelFrom = 8192;
 
         readonly BinaryBvh _bvh;
@@ -51,7 +52,7 @@ namespace Glint.Core
         {
             bool abovePart = count > _leavesPerPart;
             int levelsBelow = abovePart ? MaxLevels : levels - 1;
-            // What a side may hold without being too deep even when it is halved at each level.
+            // Maximum number of leaves of a side that fit into the remaining levels.
             int maxPerSide = abovePart ? count - count / MinFractionOfParts : 1 << Math.Min(30, levelsBelow);
             int left = Split(first, count, extent, maxPerSide, finder, out var leftExtent, out var rightExtent);
             _bvh.Nodes[node] = new BinaryNode { Box = extent.Box, First = first, Count = count, LeftCount = left };
@@ -91,7 +92,7 @@ namespace Glint.Core
             if (count > 2 && finder.Find(_leaves, first, count, extent.Centres, maxPerSide))
             {
                 int left = Partition(first, count, finder, out leftExtent, out rightExtent);
-                // A runtime may compute with more digits here than when the bins were filled.
+                // Guards against runtimes that round differently here than when the bins were filled.
                 if (Math.Min(left, count - left) > 0 && Math.Max(left, count - left) <= maxPerSide)
                     return left;
             }
@@ -157,14 +158,14 @@ namespace Glint.Core
     }
 
     /// <summary>
-    /// Puts the middle one of some leaves where it would stand if they were sorted by their centres.
-    /// Time grows with their number, not with its logarithm as well.
+    /// Quickselect: moves the median of some leaves, by their centres, to the position it has in sorted order.
+    /// Linear time.
     /// </summary>
     static class LeafSelection
     {
         /// <summary>
-        /// Afterwards no centre before place <paramref name="first"/> + <paramref name="count"/> / 2 is
-        /// above one from there on.
+        /// Afterwards no centre before index <paramref name="first"/> + <paramref name="count"/> / 2 is
+        /// above one at or after it.
         /// </summary>
         public static void PutMedianInPlace(BvhLeaf[] leaves, int first, int count, int axis)
         {
@@ -186,7 +187,7 @@ namespace Glint.Core
                     i++;
                     j--;
                 }
-                // Up to j at most the pivot, from i on at least; between them the pivot itself.
+                // Up to j: at most the pivot. From i on: at least the pivot. Between them: the pivot.
                 if (mid <= j)
                     right = j;
                 else if (mid >= i)

@@ -7,8 +7,8 @@ namespace Glint.Core
     /// <summary>
     /// Writes a BVH in <see cref="BvhLayout.Binary"/>: a row with the centre of all boxes,
     /// nodes of 3 rows from the root on, then leaves of 3.
-    /// A node: middle of child a's box from the centre and reference to a, the same of child b,
-    /// and the half sizes of both boxes, x, y, z:
+    /// A node: centre of child a's box, relative to the centre of all, and reference to a; the same of child b;
+    /// half sizes of both boxes, x, y, z:
     /// the upper halves of floats, a's above b's. A reference is the row of a child; a leaf's has bit 31 set.
     /// </summary>
     sealed class BinaryEncoder
@@ -107,8 +107,8 @@ namespace Glint.Core
             halfSize = UpperHalfFrom(Math.Max(upper - midpoint, midpoint - lower) + margin);
         }
 
-        // The upper half of the least float that ends in 16 zero bits and is not below a number from 0 on;
-        // of the largest finite one if there is none.
+        // The upper half of the smallest float with 16 low zero bits that is not below a number >= 0;
+        // of the largest finite float if there is none.
         static uint UpperHalfFrom(double number)
         {
             const uint Largest = 0x7f7f;

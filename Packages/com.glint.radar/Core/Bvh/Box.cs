@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>A box along the axes.</summary>
+    /// <summary>An axis-aligned box.</summary>
     struct Box
     {
         public float3 Min, Max;
@@ -13,7 +13,7 @@ namespace Glint.Core
             Max = boxMax;
         }
 
-        /// <summary>Holds nothing.</summary>
+        /// <summary>The empty box.</summary>
         public static Box Empty => new Box(float.PositiveInfinity, float.NegativeInfinity);
 
         /// <summary>A corner, 0 to 7: bits 1, 2 and 4 stand for the upper x, y and z.</summary>
@@ -21,7 +21,9 @@ namespace Glint.Core
             new double3((number & 1) != 0 ? Max.x : Min.x, (number & 2) != 0 ? Max.y : Min.y,
                 (number & 4) != 0 ? Max.z : Min.z);
 
-        /// <summary>Half of the surface, which is in proportion to the rays that meet it.</summary>
+        /// <summary>
+        /// Half of the surface area, which is proportional to the probability that a ray hits the box.
+        /// </summary>
         public readonly float HalfArea
         {
             get
@@ -31,7 +33,7 @@ namespace Glint.Core
             }
         }
 
-        // Comparisons, because boxes seldom grow: a branch foretold costs less than a minimum and a store.
+        // Comparisons, because boxes seldom grow: a predicted branch costs less than a minimum and a store.
         public void Add(in Box other)
         {
             if (other.Min.x < Min.x) Min.x = other.Min.x;

@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>BVHs as the kernel reads them.</summary>
+    /// <summary>BVHs in the format of the kernels.</summary>
     static class BvhRows
     {
         // A BVH stays within the 128 MiB that the smallest devices let one binding hold,
@@ -10,11 +10,11 @@ namespace Glint.Core
         const int MaxRows = 96 << 20 >> 4;
         const int MaxRecords = 1 << 20;
 
-        /// <summary>Most leaves of one BVH.</summary>
+        /// <summary>Maximum number of leaves of one BVH.</summary>
         public static int MaxLeaves(BvhLayout layout) =>
             layout == BvhLayout.Wide ? WideEncoder.MaxLeaves(MaxRecords) : BinaryEncoder.MaxLeaves(MaxRows);
 
-        /// <summary>Rows that a leaf takes at least, with its share of the nodes when these are full.</summary>
+        /// <summary>Minimum number of rows of a leaf, with its share of full nodes.</summary>
         /// <param name="hasIdentity">With its half of an identity row.</param>
         public static double MinRowsPerLeaf(BvhLayout layout, bool hasIdentity)
         {
@@ -42,14 +42,14 @@ namespace Glint.Core
         }
     }
 
-    /// <summary>How the nodes of a BVH look to the kernel.</summary>
+    /// <summary>Format of BVH nodes on the device.</summary>
     public enum BvhLayout
     {
-        /// <summary>Two children with float boxes a node, 48 bytes: for GPUs.</summary>
+        /// <summary>Two children a node, float boxes, 48 bytes: for GPUs.</summary>
         Binary,
 
         /// <summary>
-        /// Up to four children with 8-bit boxes a node, 48 bytes: for software devices, where fetches cost most.
+        /// Up to four children a node, 8-bit boxes, 48 bytes: for software devices, where fetches cost most.
         /// </summary>
         Wide,
     }

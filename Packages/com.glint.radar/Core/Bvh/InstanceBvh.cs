@@ -2,10 +2,10 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>A BVH over boxes, such as those of instances, in the nodes of a mesh's BVH.</summary>
+    /// <summary>The top-level BVH, over the boxes of instances, with the nodes of a mesh BVH.</summary>
     public static class InstanceBvh
     {
-        /// <summary>Rows that a box takes at least, with its share of the nodes.</summary>
+        /// <summary>Minimum number of rows of a box, with its share of the nodes.</summary>
         public static double MinRowsPerBox(BvhLayout layout) => BvhRows.MinRowsPerLeaf(layout, hasIdentity: false);
 
         /// <summary>

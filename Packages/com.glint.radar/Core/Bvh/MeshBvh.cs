@@ -8,7 +8,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// The BVHs over a mesh: one, or several where a mesh is too large for one. A mesh without triangles has none.
+    /// The bottom-level BVHs over a mesh: one, or several for a mesh too large for one. A mesh without triangles has
+    /// no BVH.
     /// </summary>
     public sealed class MeshBvh
     {
@@ -33,14 +34,14 @@ namespace Glint.Core
         /// <summary>Upper corners of the same boxes, metres.</summary>
         public float3[] CoverMax { get; private set; }
 
-        /// <summary>Triangles in the BVHs. Those that reflect nothing are not.</summary>
+        /// <summary>Triangles in the BVHs, without those that reflect nothing.</summary>
         public int TriangleCount { get; private set; }
 
         /// <summary>
         /// Builds the BVHs of a mesh whose coordinates are finite. The same mesh always gives the same BVHs.
         /// </summary>
         /// <exception cref="System.OperationCanceledException">
-        /// Cancelled: a tenth of a second later per million triangles at most.
+        /// Cancelled, within a tenth of a second per million triangles.
         /// </exception>
         public static MeshBvh Build(TriangleMesh mesh, BvhLayout layout, CancellationToken cancel = default)
         {
@@ -118,7 +119,7 @@ namespace Glint.Core
             return roots;
         }
 
-        // The boxes left when the largest inner node is opened again and again.
+        // Boxes obtained by repeatedly opening the largest inner node.
         static List<Box> Cover(BinaryBvh bvh)
         {
             var subtrees = new List<int>();

@@ -3,8 +3,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Finds the plane through a node that makes its children cheapest by the surface area heuristic,
-    /// trying the borders of 16 bins along each axis.
+    /// Finds the split plane of a node with the lowest cost by the surface area heuristic, among the borders of 16 bins
+    /// along each axis.
     /// </summary>
     sealed class SplitFinder
     {
@@ -48,7 +48,7 @@ namespace Glint.Core
             }
         }
 
-        // Bins per length; 0 along an axis on which all centres are the same.
+        // Bins per metre; 0 along an axis on which all centres are equal.
         float Scale(float min, float max)
         {
             float scale = Bins / (max - min);

@@ -11,8 +11,8 @@ namespace Glint.Core
     {
         public const int None = -1;
 
-        // Few enough edges for sorting by insertion.
-        const int Few = 24;
+        // Maximum number of edges that are sorted by insertion.
+        const int MaxInsertionSort = 24;
 
         /// <summary>The corner that edge <paramref name="edge"/> runs to.</summary>
         public static int End(int edge) => edge % 3 == 2 ? edge - 2 : edge + 1;
@@ -25,15 +25,14 @@ namespace Glint.Core
         /// Where more than two triangles meet, edges are matched two by two.
         /// </summary>
         /// <param name="corners">
-        /// Vertex of each corner, three a triangle; vertices at the same place have the same number.
+        /// Vertex of each corner, three a triangle; vertices at the same position have the same number.
         /// </param>
-        /// <param name="vertexCount">Vertices there are.</param>
-        /// <param name="used">Triangles that take part. Their corners must be at three places.</param>
+        /// <param name="vertexCount">Number of vertices.</param>
+        /// <param name="used">Triangles that take part. Each must have three different corners.</param>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public static int[] Match(int[] corners, int vertexCount, bool[] used, CancellationToken cancel = default)
         {
-            // Edges are gathered by the lower of their vertices: a counting sort,
-            // so that time grows with the number of edges only.
+            // A counting sort of the edges by the lower of their vertices, in linear time.
             var starts = new int[vertexCount + 1];
             for (int edge = 0; edge < corners.Length; edge++)
                 if (used[edge / 3])
@@ -50,7 +49,7 @@ namespace Glint.Core
             Blocks.For(across.Length, (from, to) => Array.Fill(across, None, from, to - from), cancel);
             Blocks.For(vertexCount, (from, to) =>
             {
-                var keys = new ulong[Few];
+                var keys = new ulong[MaxInsertionSort];
                 for (int vertex = from; vertex < to; vertex++)
                     MatchAround(corners, gathered, starts[vertex],
                         starts[vertex + 1] - starts[vertex], ref keys, across);
@@ -60,7 +59,7 @@ namespace Glint.Core
 
         static int LowerVertex(int[] corners, int edge) => Math.Min(corners[edge], corners[End(edge)]);
 
-        // Sorts the edges of one vertex by their other vertex and matches neighbours.
+        // Sorts the edges of one vertex by their other vertex and matches equal neighbours.
         static void MatchAround(int[] corners, int[] gathered, int first, int count, ref ulong[] keys, int[] across)
         {
             if (keys.Length < count)
@@ -70,7 +69,7 @@ namespace Glint.Core
                 int edge = gathered[first + i];
                 keys[i] = (ulong)Math.Max(corners[edge], corners[End(edge)]) << 32 | (uint)edge;
             }
-            if (count <= Few)
+            if (count <= MaxInsertionSort)
                 SortByInsertion(keys, count);
             else
                 Array.Sort(keys, 0, count);

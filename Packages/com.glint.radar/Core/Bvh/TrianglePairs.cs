@@ -6,21 +6,20 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// A mesh's triangles two by two, where two that share an edge fit into a box not much larger than their own:
-    /// the leaves of its BVH.
-    /// On a sea or a ship hardly a triangle is left alone, so that a BVH has half the leaves and half the nodes.
+    /// Pairs of a mesh's triangles that share an edge and whose common box is not much larger than their own boxes: the
+    /// leaves of its BVH. On a sea or a ship almost all triangles find a partner, which halves leaves and nodes.
     /// </summary>
     sealed class TrianglePairs
     {
-        // Square of the least cross product of edges, m4, that float32 can make a normal of:
+        // Square of the minimum cross product of edges, m4, from which float32 can compute a normal:
         // the triangle's area is then half of 1e-16 m2.
         const float MinNormalSquared = 1e-32f;
 
-        // Boxes' half areas: that of a pair may be this much larger than those of its triangles together.
+        // Maximum ratio of a pair's box area to the sum of the box areas of its triangles.
         const float MaxGrowth = 1.3f;
 
         // Rounds of pairing triangles that are each other's best partner;
-        // what is left takes the best that is free, in the mesh's order.
+        // the rest take the best free partner, in the mesh's order.
         const int Rounds = 3;
 
         const int Free = -1;
@@ -129,7 +128,7 @@ namespace Glint.Core
             _mates[_across[edge] / 3] = _across[edge];
         }
 
-        // The edge of a free triangle to the free one that makes the smallest box with it.
+        // The edge of a free triangle to the free neighbour with the smallest common box.
         int BestEdge(int triangle)
         {
             if (_mates[triangle] != Free)
@@ -206,8 +205,8 @@ namespace Glint.Core
     }
 
     /// <summary>
-    /// Finds vertices at the same place, as meshes have them whose triangles share
-    /// no vertices (STL) or are shaded flat.
+    /// Finds vertices at the same position. Meshes whose triangles share no vertices (STL), or are shaded flat, have
+    /// many.
     /// </summary>
     static class VertexWelder
     {
@@ -219,8 +218,7 @@ namespace Glint.Core
             while (bits < 30 && 1L << bits < 2L * vertices.Length)
                 bits++;
             // A hash table with linear probing: a slot holds a vertex number + 1, 0 is free.
-            // Which slot a place gets depends on the order in which threads arrive;
-            // the lowest number it ends with does not.
+            // The slot of a position depends on the order of the threads; the lowest number in it does not.
             var table = new int[1 << bits];
             var welded = new int[vertices.Length];
             Blocks.For(vertices.Length, (from, to) =>
@@ -261,7 +259,7 @@ namespace Glint.Core
         static bool SameBits(float3 a, float3 b) =>
             asuint(a.x) == asuint(b.x) && asuint(a.y) == asuint(b.y) && asuint(a.z) == asuint(b.z);
 
-        // The high bits are used: products spread towards them.
+        // The high bits of a product depend on all bits of its factors.
         static uint Hash(float3 position)
         {
             uint hash = asuint(position.x) * 0x9e3779b1;

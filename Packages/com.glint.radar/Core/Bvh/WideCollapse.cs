@@ -3,18 +3,17 @@ using System;
 namespace Glint.Core
 {
     /// <summary>
-    /// Makes nodes of up to four children out of a binary BVH, so that the surface of all of them together,
-    /// which the visits of a ray are in proportion to, is least.
-    /// For each subtree the least surface is known when it has one, two or three roots;
-    /// a node's choice follows from those of its children.
-    /// On a sea with a ship that leaves a fifth fewer nodes than opening the largest child first.
+    /// Collapses a binary BVH into nodes of up to four children with the minimum total surface area, to which the
+    /// expected visits of a ray are proportional. Dynamic programming: the minimum area of a subtree with one, two or
+    /// three roots follows from the minima of its children.
+    /// A sea with a ship gets a fifth fewer nodes than by opening the largest child first.
     /// </summary>
     sealed class WideCollapse
     {
         public const int MaxChildren = 4;
 
         /// <summary>
-        /// Inner levels at most: half of the binary BVH's, as a node can always take the place of two levels.
+        /// Maximum number of inner levels: half of the binary BVH's, as a node can always replace two levels.
         /// </summary>
         public const int MaxLevels = BinaryBvhBuilder.MaxLevels / 2;
 
@@ -46,7 +45,7 @@ namespace Glint.Core
             }
             else
             {
-                // Children stand behind their parents.
+                // Children come after their parents.
                 for (int node = collapse._costs.Length - 1; node >= 0; node--)
                     collapse._costs[node] = collapse.CostsOf(root + node);
                 collapse.EmitNode(0, root, MaxLevels);
@@ -64,7 +63,7 @@ namespace Glint.Core
             return costs;
         }
 
-        // The least surface of two subtrees with this many roots together, and how many of them are the left one's.
+        // The minimum area of two subtrees with this many roots together, and how many of the roots are the left one's.
         float Open(int left, int right, int roots, out int leftRoots)
         {
             leftRoots = 1;
@@ -81,7 +80,7 @@ namespace Glint.Core
             return best;
         }
 
-        // Leaves cost the same whatever stands above them.
+        // The cost of leaves does not depend on the nodes above them.
         float Cost(int child, int roots)
         {
             if (child < 0)
@@ -92,7 +91,7 @@ namespace Glint.Core
 
         int Levels(int child) => child < 0 ? 0 : _costs[child - _root].Levels;
 
-        // Finds the children of an inner node and gives them places, and theirs.
+        // Finds the children of an inner node and emits them and their subtrees.
         // The node may have this many inner levels, itself included.
         void EmitNode(int index, int node, int levels)
         {
@@ -100,7 +99,7 @@ namespace Glint.Core
             AddBest(_bvh.Left(node), _bvh.Right(node), MaxChildren);
             if (!ChildrenFit(levels - 1))
             {
-                // Its grandchildren have two binary levels less; they fit whenever the node does.
+                // Its grandchildren have two binary levels fewer; they fit if the node does.
                 _childCount = 0;
                 AddOpened(_bvh.Left(node));
                 AddOpened(_bvh.Right(node));
@@ -160,7 +159,7 @@ namespace Glint.Core
             return true;
         }
 
-        // Least surface of the nodes of a subtree with at most so many roots, and its binary inner levels.
+        // Minimum area of the nodes of a subtree with at most 1, 2 or 3 roots, and its binary inner levels.
         struct Costs
         {
             public float AsOne, AsTwo, AsThree;
@@ -171,7 +170,7 @@ namespace Glint.Core
     /// <summary>A record of a BVH of up to four children a node: an inner node or a leaf.</summary>
     struct Bvh4Node
     {
-        /// <summary>What it is in the binary BVH: a node, or ~ a leaf.</summary>
+        /// <summary>Its node of the binary BVH, or ~ (the complement of) its leaf.</summary>
         public int Binary;
 
         /// <summary>An inner node's first child; the others follow it.</summary>

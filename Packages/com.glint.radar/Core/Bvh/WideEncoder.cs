@@ -15,18 +15,17 @@ namespace Glint.Core
         const int RecordRows = 3;
 
         /// <summary>
-        /// A leaf's record and a third of a node's: a node's children are three records more than it.
+        /// A leaf's record and a third of a node's: a node replaces one record by four.
         /// </summary>
         public const double MinRowsPerLeaf = RecordRows * (1 + 1 / (WideCollapse.MaxChildren - 1.0)) * (1 - 1e-6);
 
         const int LastCell = 255;
 
-        // In cells: beside the BVH's margin each plane lies outwards by this at least;
-        // the kernels count on half of it.
+        // Cells by which each plane is moved outwards at least, in addition to the BVH's margin; the kernels rely on
+        // half of it.
         const double Margin = 1.0 / 32;
 
-        // The cell's side is at least this fraction of the largest coordinate,
-        // so that float32 places are finer than cells.
+        // Minimum side of a cell as a fraction of the largest coordinate, so that float32 resolves a cell.
         const double MinCell = 1.0 / (1 << 21);
         const double MinNormal = 1.17549435e-38;
 
@@ -45,7 +44,7 @@ namespace Glint.Core
             _rows = new uint4[RecordRows * nodes.Count + writer.IdentityRows(nodes.Count)];
         }
 
-        /// <summary>Leaves of a BVH of at most this many records, however few children its nodes have.</summary>
+        /// <summary>Leaves that always fit into this many records, even if nodes have only two children.</summary>
         public static int MaxLeaves(int records) => records / 2;
 
         /// <summary>Records of a BVH of this many rows, identity rows included.</summary>
@@ -135,7 +134,7 @@ namespace Glint.Core
             public uint Above(float position) =>
                 (uint)Math.Min(LastCell, Math.Ceiling((position + _margin - Origin) * _cellsPerMetre + Margin));
 
-            // The least power of two that is not below a positive number.
+            // The smallest power of two that is not below a positive number.
             static double PowerOfTwoFrom(double number)
             {
                 const long Fraction = (1L << 52) - 1;

@@ -4,7 +4,7 @@ using System.Text;
 
 namespace Glint.Core
 {
-    /// <summary>Small work on the bytes of a file.</summary>
+    /// <summary>Helpers for the bytes of a file.</summary>
     static class Bytes
     {
         const int LongestShown = 40;
@@ -42,7 +42,7 @@ namespace Glint.Core
             return true;
         }
 
-        /// <summary>The bytes in quotes for a message: one line, not long.</summary>
+        /// <summary>The bytes in quotes for a message, shortened to one line.</summary>
         public static string Quote(ReadOnlySpan<byte> bytes)
         {
             var text = new StringBuilder("\"");

@@ -22,7 +22,7 @@ namespace Glint.Core
         int _nextNumber = 1;
 
         /// <param name="joinsContinued">
-        /// A line ending in a backslash goes on in the next one, comments excepted.
+        /// A line that ends in a backslash continues in the next one, except in comments.
         /// </param>
         public LineReader(Stream stream, string path, bool joinsContinued)
         {
@@ -78,8 +78,8 @@ namespace Glint.Core
             return true;
         }
 
-        // Overwrites backslash and line end by blanks, so that the joined line lies in one piece.
-        // Where its first word begins is not looked for twice.
+        // Overwrites backslash and line end by blanks, so that the joined line is contiguous.
+        // The position of its first word is cached.
         bool TryBlankContinuation(int length, ref int word)
         {
             int last = length - 1;

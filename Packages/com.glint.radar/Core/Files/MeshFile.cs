@@ -41,7 +41,7 @@ namespace Glint.Core
             return count;
         }
 
-        // In double: the products of two float edges neither overflow nor vanish.
+        // In double the products of two float edges neither overflow nor underflow.
         static bool IsDegenerate(float3 a, float3 b, float3 c)
         {
             double ux = (double)b.x - a.x, uy = (double)b.y - a.y, uz = (double)b.z - a.z;

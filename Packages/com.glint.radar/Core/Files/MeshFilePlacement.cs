@@ -17,13 +17,13 @@ namespace Glint.Core
 
         public LengthUnit Unit { get; }
 
-        /// <summary>One coordinate in metres; infinite when no float holds it.</summary>
+        /// <summary>One coordinate in metres; infinite if it exceeds the range of float.</summary>
         public float Scale(double coordinate) => (float)(coordinate * _meters);
 
         public float3 Turn(float x, float y, float z) => _up == UpAxis.Z ? new float3(x, z, y) : new float3(x, y, z);
 
         /// <summary>
-        /// Puts the corners in the order that keeps each face's outer side: swapping two axes mirrors.
+        /// Reorders the corners so that each face keeps its outer side: swapping two axes mirrors.
         /// </summary>
         public int[] Turn(int[] indices)
         {

@@ -8,7 +8,7 @@ namespace Glint.Core
     /// Coordinates are taken as Unity's (x right, y up, z forward), not mirrored.
     /// With z up, (x, y, z) becomes (x, z, y); that mirrors, so the corners of each triangle change order
     /// and faces keep their outer side.
-    /// The tracer, whose triangles reflect on both sides, does not mind either way.
+    /// The tracer does not depend on that order: triangles reflect on both sides.
     /// </summary>
     public static class MeshFileReader
     {
@@ -26,7 +26,7 @@ namespace Glint.Core
         /// <param name="up">Axis of the file that points up.</param>
         /// <exception cref="UsageException">Another extension.</exception>
         /// <exception cref="GlintException">
-        /// The file cannot be read, is no such file inside, is damaged, or has no triangles.
+        /// The file cannot be read, has another format than its extension, is damaged, or has no triangles.
         /// </exception>
         public static MeshFile Read(string path, LengthUnit unit, UpAxis up)
         {
@@ -37,7 +37,7 @@ namespace Glint.Core
                 throw new GlintException($"{path}: there is no such file; check the path");
             try
             {
-                // A pipe or device has no length either; to open one can take for ever.
+                // A pipe or device has length 0 too; opening one may block.
                 if (new FileInfo(path).Length == 0)
                     throw Empty(path);
                 using (var stream = new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite, 1))
@@ -55,7 +55,7 @@ namespace Glint.Core
 
         /// <summary>
         /// Reads a stream of known length, from its beginning;
-        /// <paramref name="path"/> names it in messages and tells the format.
+        /// <paramref name="path"/> names it in messages and gives the format.
         /// </summary>
         internal static MeshFile Read(Stream stream, string path, LengthUnit unit, UpAxis up)
         {
@@ -85,7 +85,7 @@ namespace Glint.Core
                 throw new UsageException($"{path}: is no mesh file: give an .obj or .stl");
         }
 
-        // Files that carry a mesh's name but wrap it, or stand for it.
+        // Files with the extension of a mesh that are archives or links to one.
         static void RefuseForeign(string path, ReadOnlySpan<byte> head)
         {
             if (Bytes.StartsWith(head, 0x1f, 0x8b))

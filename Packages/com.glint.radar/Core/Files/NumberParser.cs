@@ -9,8 +9,8 @@ namespace Glint.Core
     /// </summary>
     static class NumberParser
     {
-        // Up to 2^53 an integer is a double, and up to 10^22 a power of ten is:
-        // one multiplication or division of the two rounds once.
+        // Integers up to 2^53 and powers of ten up to 10^22 are exact doubles, so that one multiplication or division
+        // of the two rounds once.
         const ulong LargestExact = 1UL << 53;
         const int LargestExactPower = 22;
         const int MaxDigits = 18;
@@ -26,7 +26,7 @@ namespace Glint.Core
         /// Reads digits with sign, point and exponent, any of them optional;
         /// false for other text, "nan" and "inf" included.
         /// </summary>
-        /// <param name="value">The number; infinite when no double holds it.</param>
+        /// <param name="value">The number; infinite if it exceeds the range of double.</param>
         public static bool TryParse(ReadOnlySpan<byte> text, out double value)
         {
             int at = 0;
@@ -83,7 +83,7 @@ namespace Glint.Core
             return at > start;
         }
 
-        // The text is known to be a number. It fails only where overflow does not yield infinity, as on Mono.
+        // The text is known to be a number. Parsing fails only if overflow does not yield infinity, as on Mono.
         static double ParseSlowly(ReadOnlySpan<byte> text)
         {
             bool signed = text[0] == '-' || text[0] == '+';

@@ -11,11 +11,11 @@ namespace Glint.Core
     /// Reads a Wavefront OBJ: v, f and usemtl statements. Polygons are cut into a fan about their first corner,
     /// or by clipping ears where they are concave. Triangles of one material are put in a row.
     /// Colours, texture coordinates, normals, groups, material libraries, points,
-    /// lines and free-form curves and surfaces are passed over.
+    /// lines and free-form curves and surfaces are ignored.
     /// </summary>
     sealed class ObjReader
     {
-        // Above every vertex count, and ten times it still is a long.
+        // Above every vertex count; ten times it still fits a long.
         const long ReferenceCap = 100_000_000_000_000_000;
 
         static readonly byte[] UseMaterial = Encoding.ASCII.GetBytes("usemtl");
@@ -38,8 +38,7 @@ namespace Glint.Core
         // Triangles from an index on have a material; those before the first usemtl have none.
         readonly List<(int firstIndex, string material)> _runs = new List<(int, string)> { (0, null) };
 
-        // A face may stand before its vertices, so the largest reference is compared at the end,
-        // and polygons are looked at then.
+        // A face may precede its vertices, so the largest reference is checked, and polygons are cut, at the end.
         long _largestReference;
         int _largestReferenceLine;
 
@@ -122,7 +121,7 @@ namespace Glint.Core
             float x = Coordinate(ref tokens, "x"), y = Coordinate(ref tokens, "y"), z = Coordinate(ref tokens, "z");
             _vertices.Add(_placement.Turn(x, y, z));
 
-            // A weight or a colour may follow, or both: up to four numbers, not used.
+            // Ignores up to four numbers: a weight, a colour or both.
             for (int i = 0; !tokens.IsComment && tokens.Next(); i++)
                 if (i == 4 || !NumberParser.TryParse(tokens.Current, out _))
                     throw _lines.Error($"{Bytes.Quote(tokens.Current)} does not belong into a vertex: "
@@ -179,7 +178,7 @@ namespace Glint.Core
                         + "; mend it or export triangles");
         }
 
-        // v, v/vt, v//vn or v/vt/vn: counted from 1, or backwards from the latest as -1.
+        // v, v/vt, v//vn or v/vt/vn. Vertices count from 1, or backwards from -1, the latest.
         int Corner(ReadOnlySpan<byte> word)
         {
             int at = 0;
@@ -219,7 +218,7 @@ namespace Glint.Core
             return slashes <= 2;
         }
 
-        /// <summary>A face of more than three corners: its fan in the indices, and its line.</summary>
+        /// <summary>A face of more than three corners: its fan in the indices, and its line in the file.</summary>
         readonly struct Polygon
         {
             public readonly int FirstIndex, Corners, Line;

@@ -5,16 +5,16 @@ using static Unity.Mathematics.math;
 namespace Glint.Core
 {
     /// <summary>
-    /// Cuts a polygon, seen along its own normal, into triangles that all turn the way it turns:
-    /// these cover what its outline goes round, and nothing else.
-    /// The fan about the first corner is such a cut of every convex polygon; of the others ears are clipped.
+    /// Triangulates a polygon, seen along its normal, into triangles of its own orientation, which cover the inside of
+    /// its outline and nothing else. For a convex polygon this is the fan about the first corner; other polygons are
+    /// triangulated by ear clipping.
     /// </summary>
     sealed class PolygonCutter
     {
-        /// <summary>Most corners of a polygon whose fan does not do: the time grows with their square.</summary>
+        /// <summary>Maximum corners of a concave polygon: the time grows with their square.</summary>
         public const int MaxCorners = 4096;
 
-        // Of the largest coordinate: eight times what rounding to float may move a corner.
+        // Fraction of the largest coordinate: eight times the rounding of a corner to float.
         const double Tolerance = 1.0 / (1 << 21);
 
         readonly IReadOnlyList<float3> _vertices;
@@ -25,11 +25,11 @@ namespace Glint.Core
         public PolygonCutter(IReadOnlyList<float3> vertices) => _vertices = vertices;
 
         /// <summary>
-        /// Puts other triangles in the place of a fan where that reaches out of its polygon; false when there are none.
+        /// Replaces a fan that reaches out of its polygon; false if the polygon has no triangulation.
         /// </summary>
         /// <param name="indices">Holds the fan.</param>
-        /// <param name="first">Where it begins.</param>
-        /// <param name="count">Its triangles.</param>
+        /// <param name="first">First index of the fan.</param>
+        /// <param name="count">Triangles of the fan.</param>
         public bool TryCut(List<int> indices, int first, int count)
         {
             double reach = 0, largest = 0, size = 0, reversed = 0;
@@ -48,7 +48,7 @@ namespace Glint.Core
 
             _tolerance = Tolerance * size;
             double speck = _tolerance * reach, length = math.length(_normal);
-            // Without area, as a triangle may be too; or a good fan.
+            // A polygon without area, which is allowed, or a valid fan.
             if (largest <= speck || length > speck && reversed <= speck * length)
                 return true;
             if (length <= speck || count > MaxCorners - 2)
@@ -77,7 +77,7 @@ namespace Glint.Core
             return Turn(_ring[0], _ring[1], _ring[2]) > 0 || IsFlat(_ring[0], _ring[1], _ring[2]);
         }
 
-        // The next ear from a place in the ring, else a corner that its neighbours' connection passes through.
+        // The next ear in the ring; if there is none, a corner on the line between its neighbours.
         int FindEar(int start)
         {
             int flat = -1;
@@ -93,8 +93,8 @@ namespace Glint.Core
             return flat;
         }
 
-        // Only corners that turn the other way can stand in an ear's way.
-        // The ends of a cut to a hole come twice and lie on its corners.
+        // Only reflex corners can lie inside an ear. The ends of a cut to a hole occur twice and coincide with its
+        // corners.
         bool HoldsACorner(int a, int b, int c)
         {
             for (int i = 0; i < _ring.Count; i++)
@@ -117,7 +117,7 @@ namespace Glint.Core
         int After(int corner) => _ring[corner == _ring.Count - 1 ? 0 : corner + 1];
 
         /// <summary>
-        /// Twice the area of a triangle as the polygon's normal sees it; above 0 when it turns the polygon's way.
+        /// Twice the signed area of a triangle along the polygon's normal; above 0 if it has the polygon's orientation.
         /// </summary>
         double Turn(int a, int b, int c) => dot(Cross(a, b, c), _normal);
 

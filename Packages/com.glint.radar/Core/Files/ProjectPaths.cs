@@ -34,7 +34,7 @@ namespace Glint.Core
             AddLocal();
         }
 
-        /// <summary>Absolute path of the project's folder, with '/' and none at the end.</summary>
+        /// <summary>Absolute path of the project's folder, with '/', without a trailing one.</summary>
         public string Root { get; }
 
         /// <summary>
@@ -61,7 +61,7 @@ namespace Glint.Core
         /// <summary>
         /// Asset path of a file named in any of the usual ways: as asset path, absolute,
         /// relative to the current directory or to the project.
-        /// Where several readings are possible the first that exists counts, in this order. The file need not exist.
+        /// Of several possible readings the first that exists is taken, in this order. The file need not exist.
         /// </summary>
         /// <exception cref="GlintException">The path is empty or lies outside of the project.</exception>
         public string ToAssetPath(string path, string currentDirectory)
@@ -73,8 +73,7 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// The absolute paths on disk, with '/', that <see cref="ToAssetPath"/> takes a path for,
-        /// the first that exists counting.
+        /// The absolute paths on disk, with '/', that <see cref="ToAssetPath"/> tries for a path, in its order.
         /// </summary>
         /// <exception cref="GlintException">The path is empty.</exception>
         public IReadOnlyList<string> Readings(string path, string currentDirectory)
@@ -93,7 +92,7 @@ namespace Glint.Core
 
         /// <summary>
         /// Absolute path on disk, with '/', of an asset path; other paths (ProjectSettings/...)
-        /// are taken from the project's folder.
+        /// are relative to the project's folder.
         /// </summary>
         public string ToPhysicalPath(string assetPath)
         {
@@ -116,7 +115,7 @@ namespace Glint.Core
 
         string TryFromPhysical(string physical)
         {
-            // Of nested folders the innermost owns the file.
+            // The innermost of nested folders owns the file.
             var owner = _packages.Where(package => IsWithin(physical, package.Value))
                 .OrderByDescending(package => package.Value.Length).FirstOrDefault();
             if (owner.Key != null)
@@ -185,7 +184,7 @@ namespace Glint.Core
         {
             try
             {
-                // A pipe or device has no length either; to open one can take for ever.
+                // A pipe or device has length 0 too; opening one may block.
                 if (new FileInfo(file).Length == 0)
                     throw new GlintException($"{file}: is empty, or a pipe or device and no file: restore the file");
                 return JObject.Parse(File.ReadAllText(file));

@@ -6,9 +6,9 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Reads a binary STL: 80 bytes of anything, the number of triangles, and 50 bytes for each:
-    /// normal and three corners in float32, two bytes more.
-    /// Normals are not used. Corners that coincide are not merged: the tracer looks at one triangle at a time.
+    /// Reads a binary STL: a header of 80 bytes, the number of triangles, and 50 bytes for each: normal and three
+    /// corners in float32, and two unused bytes.
+    /// Normals are not used. Coinciding corners are not merged: the tracer needs no shared vertices.
     /// </summary>
     sealed class StlBinaryReader
     {
@@ -31,9 +31,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Whether the length is the one that the number of triangles asks for. The word "solid" tells nothing:
-        /// binary files may begin with it.
-        /// Text read as a number would ask for more than 7 GB.
+        /// Whether the length matches the number of triangles. The word "solid" does not decide: binary files may begin
+        /// with it. Text read as a number would need more than 7 GB.
         /// </summary>
         public static bool IsBinary(ReadOnlySpan<byte> head, long length) =>
             head.Length >= HeadBytes && length == LengthOf(Count(head));
@@ -52,7 +51,7 @@ namespace Glint.Core
 
         public MeshFile Read()
         {
-            // The file has the length that the count asks for, so the count can be trusted with memory.
+            // The file's length matches the count, so that the count may size the buffers.
             var buffer = new byte[RecordBytes * RecordsAtOnce];
             Bytes.Fill(_stream, buffer, HeadBytes);
             uint count = Count(buffer);

@@ -6,9 +6,9 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Reads an ASCII STL, word by word, in any case and however the lines are broken. Several solids become one mesh.
-    /// Normals are not used, nor need they be numbers. Corners that coincide are not merged:
-    /// the tracer looks at one triangle at a time.
+    /// Reads an ASCII STL word by word, in any letter case and with any line breaks. Several solids become one mesh.
+    /// Normals are ignored and need not be numbers. Coinciding corners are not merged: the tracer needs no shared
+    /// vertices.
     /// </summary>
     sealed class StlTextReader
     {

@@ -2,7 +2,7 @@ using System;
 
 namespace Glint.Core
 {
-    /// <summary>The words of a line, one after the other; blanks and control characters part them.</summary>
+    /// <summary>The words of a line, separated by blanks and control characters.</summary>
     ref struct Tokenizer
     {
         ReadOnlySpan<byte> _remaining;
@@ -15,7 +15,7 @@ namespace Glint.Core
 
         public ReadOnlySpan<byte> Current { get; private set; }
 
-        /// <summary>Whether the next word begins a comment, which reaches to the end of the line.</summary>
+        /// <summary>Whether the next word begins a comment, which extends to the end of the line.</summary>
         public bool IsComment
         {
             get
@@ -34,7 +34,7 @@ namespace Glint.Core
             return end > start;
         }
 
-        /// <summary>Where the next word begins, or the line's length when there is none.</summary>
+        /// <summary>Start of the next word, or the line's length if there is none.</summary>
         public static int StartOf(ReadOnlySpan<byte> line, int at)
         {
             while (at < line.Length && line[at] <= ' ')
@@ -42,7 +42,7 @@ namespace Glint.Core
             return at;
         }
 
-        /// <summary>Where the word at <paramref name="at"/> ends.</summary>
+        /// <summary>End of the word at <paramref name="at"/>.</summary>
         public static int EndOf(ReadOnlySpan<byte> line, int at)
         {
             while (at < line.Length && line[at] > ' ')

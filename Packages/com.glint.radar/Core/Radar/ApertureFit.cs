@@ -4,19 +4,18 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The rectangle that parallel rays leave, from their spacing:
-    /// as large as what is traced looks from the radar, or of a given size.
+    /// Chooses the aperture of parallel rays from their spacing: as large as the scene seen from the radar, or of a
+    /// given size.
     /// </summary>
     public static class ApertureFit
     {
-        // So much of a spacing is rounding: the outermost rays run half a spacing inside of the edges.
+        // Fraction of a spacing that is rounding: the outermost rays are half a spacing inside the edges.
         const double Tolerance = 1e-6;
 
         /// <summary>
-        /// Chooses the picture so that its rays cover the scene as it is seen along <see cref="RadarView.Forward"/>,
-        /// at the spacing given, with no row or column to spare:
-        /// rays across and down, the aperture's height, and its middle.
-        /// That is <see cref="RadarView.Position"/> moved sideways, not nearer.
+        /// Chooses the picture so that its rays cover the scene, seen along <see cref="RadarView.Forward"/>, at the
+        /// given spacing and without superfluous rows or columns: rays across and down, and the aperture's height and
+        /// centre. The centre is <see cref="RadarView.Position"/> moved sideways, not nearer.
         /// </summary>
         /// <param name="spacing">From ray to ray in metres, across and down.</param>
         /// <param name="owner">Who holds the radar, for messages.</param>
@@ -35,8 +34,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Chooses the picture so that its rays cover a rectangle about the view axis at the spacing given.
-        /// The aperture is as much larger as it takes for whole rays.
+        /// Chooses the picture so that its rays cover a rectangle about the view axis at the given spacing.
+        /// The aperture is enlarged to a whole number of rays.
         /// </summary>
         /// <param name="size">Width and height of the rectangle, metres.</param>
         /// <param name="spacing">From ray to ray in metres, across and down.</param>
@@ -53,7 +52,7 @@ namespace Glint.Core
             pose.View.ApertureHeight = rays.y * spacing;
         }
 
-        /// <summary>Refuses a spacing that no rays have.</summary>
+        /// <summary>Refuses an invalid spacing.</summary>
         /// <exception cref="GlintException">It is not positive and finite.</exception>
         public static void CheckSpacing(double spacing, string owner)
         {
@@ -63,8 +62,7 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Makes the receiver as large as the aperture and moves it onto the aperture's axis,
-        /// neither nearer nor farther.
+        /// Gives the receiver the aperture's size and moves it onto the aperture's axis, at the same depth.
         /// </summary>
         public static void MatchReceiver(ref RadarPose pose)
         {
@@ -76,7 +74,7 @@ namespace Glint.Core
         }
 
         // Corners of the rectangle around all triangles, along the view's right and up, from its position;
-        // the low beyond the high without triangles.
+        // the minimum is above the maximum when there are no triangles.
         static void Project(RadarScene scene, in RadarView view, out double2 boxMin, out double2 boxMax)
         {
             (boxMin, boxMax) = (double.PositiveInfinity, double.NegativeInfinity);
@@ -90,7 +88,7 @@ namespace Glint.Core
                         math.dot(toWorld.Z, view.Up));
                 var vertices = instance.Mesh.Vertices;
                 double2 meshMin = double.PositiveInfinity, meshMax = double.NegativeInfinity;
-                foreach (int index in instance.Mesh.Indices) // a vertex without a triangle is nothing to see
+                foreach (int index in instance.Mesh.Indices) // vertices without a triangle do not count
                 {
                     double3 vertex = vertices[index];
                     var point = new double2(math.dot(across, vertex), math.dot(up, vertex));

@@ -4,18 +4,18 @@ using System.Collections.Generic;
 namespace Glint.Core
 {
     /// <summary>
-    /// One sum over the rays of a pose, made on the device in whole units so that no order of the work changes it.
-    /// <see cref="All"/> is the table from which constants of the kernels, reset, read-back and tests follow.
+    /// A sum over the rays of a pose, computed on the device in whole units, so that it does not depend on the order of
+    /// the rays. The kernels' constants, reset, read-back and tests follow the table <see cref="All"/>.
     /// </summary>
     public sealed class Channel
     {
-        /// <summary>A channel holds the sum over this number of rays that add its largest part each.</summary>
+        /// <summary>Maximum number of rays: a channel holds their sum if each adds <see cref="MaxPart"/>.</summary>
         public const long MaxRays = 1L << 26;
 
         /// <summary>Slots that the kernels spread their sums over, and 32-bit words in each slot.</summary>
         public const int Slots = 64, WordsPerSlot = 64;
 
-        // Of a cosine, whose polynomial may round to a little above 1.
+        // The polynomial of the cosine may round to slightly above 1.
         const double MaxPhasorPart = 1 + 1.0 / (1 << 20);
 
         static readonly List<Channel> s_all = new List<Channel>();
@@ -29,11 +29,11 @@ namespace Glint.Core
         /// <summary>Rays received.</summary>
         public static readonly Channel Received = new Channel("received", 1);
 
-        /// <summary>Rays that may be received and are followed once more; in the first slot only.</summary>
+        /// <summary>Candidates: rays for the refine pass. In the first slot only.</summary>
         public static readonly Channel Candidates = new Channel("candidates", 1);
 
         /// <summary>
-        /// Lengths up to the last hit beyond the rays' origins, in the longest that the scene allows.
+        /// Path lengths from the ray's origin to its last hit, as a share of the longest that the scene allows.
         /// </summary>
         public static readonly Channel Length = new Channel("length", 2, scale: 1 << 30);
 
@@ -49,7 +49,7 @@ namespace Glint.Core
         /// <summary>Pairs of triangles tested.</summary>
         public static readonly Channel Pairs = new Channel("pairs", 2, maxPart: 1 << 24);
 
-        /// <summary>A bit for each channel, by its number, that a ray's part was too large for.</summary>
+        /// <summary>Bit n is set if a ray's part exceeded <see cref="MaxPart"/> of channel n.</summary>
         public static readonly Channel Overflow = new Channel("overflow", 1);
 
         /// <summary>Received rays by phase: the first of <see cref="Signal.PhaseBins"/> words, one a bin.</summary>
@@ -66,24 +66,24 @@ namespace Glint.Core
         /// <summary>Every channel, in the order of the words.</summary>
         public static IReadOnlyList<Channel> All => s_all;
 
-        /// <summary>What is summed, for messages; in upper case after SUM_ the constant of the kernels.</summary>
+        /// <summary>The quantity, for messages; the kernels' constant is SUM_ with this name in upper case.</summary>
         public string Name { get; }
 
-        /// <summary>Place in <see cref="All"/>.</summary>
+        /// <summary>Index in <see cref="All"/>.</summary>
         public int Number { get; }
 
         /// <summary>First word of the sum in a slot.</summary>
         public int Word { get; }
 
         /// <summary>
-        /// 32-bit words of the sum, the lowest first: one without sign, or two or three in two's complement.
+        /// 32-bit words of the sum, the lowest first: one word is unsigned, two or three are in two's complement.
         /// </summary>
         public int Words { get; }
 
-        /// <summary>Units of the sum for 1 of what is summed.</summary>
+        /// <summary>Units of the sum per unit of the quantity.</summary>
         public double Scale { get; }
 
-        /// <summary>Largest part of one ray, of either sign; a larger one is refused.</summary>
+        /// <summary>Maximum magnitude of one ray's part; a larger one is refused.</summary>
         public double MaxPart { get; }
 
         /// <summary>The sum of a slot in units.</summary>
@@ -98,15 +98,15 @@ namespace Glint.Core
         {
             if (count == 2)
                 return (long)((ulong)words[first + 1] << 32 | words[first]);
-            decimal sum = (int)words[first + count - 1]; // the highest word has the sign
+            decimal sum = (int)words[first + count - 1]; // the highest word is signed
             for (int word = count - 2; word >= 0; word--)
                 sum = sum * (1L << 32) + words[first + word];
             return sum;
         }
 
-        /// <summary>Refuses sums with a part that was too large for its channel.</summary>
+        /// <summary>Refuses sums with a part above its channel's maximum.</summary>
         /// <param name="owner">Who traced, for the message.</param>
-        /// <exception cref="GlintException">There is one.</exception>
+        /// <exception cref="GlintException">A part exceeds the maximum.</exception>
         internal static void CheckOverflow(uint[] words, string owner)
         {
             for (int slot = 0; slot < Slots; slot++)

@@ -2,25 +2,25 @@ using System;
 
 namespace Glint.Core
 {
-    /// <summary>The channels of a pose, added up dispatch by dispatch.</summary>
+    /// <summary>The channels of a pose, summed over its dispatches.</summary>
     public sealed class ChannelSums
     {
         readonly decimal[] _totals = new decimal[Channel.All.Count];
         readonly int[] _histogram = new int[Signal.PhaseBins];
         readonly double _startDepth;
 
-        /// <summary>Sums of no dispatch yet.</summary>
-        /// <param name="grid">Limits the lengths of paths.</param>
+        /// <summary>Sums of 0.</summary>
+        /// <param name="grid">Gives the maximum path length.</param>
         public ChannelSums(RayGrid grid)
         {
             LengthUnits = (float)(Channel.Length.Scale / Math.Max(grid.MaxRelativeLength, 1e-30));
             _startDepth = grid.OriginDepth;
         }
 
-        /// <summary>Units of lengths a metre.</summary>
+        /// <summary>Units of length per metre.</summary>
         public float LengthUnits { get; }
 
-        /// <summary>Rays of a dispatch that may be received.</summary>
+        /// <summary>Number of candidates of a dispatch.</summary>
         public static int CandidatesOf(uint[] words) => (int)words[Channel.Candidates.Word];
 
         /// <summary>Adds the sums of cos and sin of a dispatch's first slots, slot by slot.</summary>
@@ -33,7 +33,7 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>Adds what a dispatch summed.</summary>
+        /// <summary>Adds the sums of a dispatch.</summary>
         public void Add(uint[] words)
         {
             for (int slot = 0; slot < Channel.Slots; slot++)

@@ -4,22 +4,22 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The tiles of 8 x 8 rays in which something of the scene can be seen: those that the outlines of its boxes cover.
-    /// The other rays hit nothing and need no tracing.
+    /// The tiles of 8 x 8 rays that may see the scene: those that the outlines of its boxes cover.
+    /// The rays of other tiles hit nothing and are not traced.
     /// </summary>
     public sealed class PictureTiles
     {
-        /// <summary>Rays along the side of a tile, and in a tile; one thread group takes one.</summary>
+        /// <summary>Rays along the side of a tile, and in a tile; a tile is one thread group.</summary>
         public const int Side = 8, Rays = Side * Side;
 
-        // Rays by which a box's outline is widened: many times the rounding of the kernel's directions.
+        // Rays by which the outline of a box is widened: many times the rounding of the kernel's directions.
         const double Margin = 0.05;
 
-        // Of a mesh that is seen in no more tiles than it has parts, the outlines of its parts would cost more than
-        // they save: there may be thousands of such.
+        // Up to this number of tiles a mesh is outlined as a whole: outlines of its parts would cost more than they
+        // save, and there may be thousands of such meshes.
         const int FewTiles = 64;
 
-        // Tiles that stay neighbours when the order is spread over processors: they share much of the tree.
+        // Consecutive tiles that stay together when the order is spread over processors: they share BVH nodes.
         const int Run = 32;
 
         readonly RadarSettings _settings;
@@ -27,12 +27,12 @@ namespace Glint.Core
         readonly double2 _halfSize; // of the picture
         readonly int2 _first, _end; // tiles of the region, first and one past the last
         readonly double3[] _corners = new double3[8];
-        // by how many more boxes a tile is covered than those before it, in both directions; null before the first box
+        // 2-D differences of the number of boxes over each tile; null before the first box
         int[] _steps;
 
-        /// <summary>The tiles of a picture, of which none can be seen yet.</summary>
+        /// <summary>The tiles of a picture; none is taken.</summary>
         /// <param name="settings">Rays and region.</param>
-        /// <param name="view">Where the radar stands, in the frame of the boxes that are added.</param>
+        /// <param name="view">In the frame of the boxes that are added.</param>
         public PictureTiles(in RadarSettings settings, in RadarView view)
         {
             _settings = settings;
@@ -53,7 +53,7 @@ namespace Glint.Core
             return (long)(end.x - first.x) * (end.y - first.y);
         }
 
-        /// <summary>Whether a box's outline meets any tile; takes none.</summary>
+        /// <summary>Whether the outline of a box covers any tile; takes none.</summary>
         /// <param name="toWorld">From the box's axes to the world.</param>
         internal bool CanSee(in Box box, in Affine toWorld) =>
             FindOutline(box.Min, box.Max, toWorld, out var from, out var to) && math.all(from < _end & to >= _first);
@@ -61,7 +61,7 @@ namespace Glint.Core
         /// <summary>Takes every tile.</summary>
         public void AddAll() => Cover(_first, _end - 1);
 
-        /// <summary>Takes the tiles in which a box can be seen.</summary>
+        /// <summary>Takes the tiles that may see a box.</summary>
         /// <param name="toWorld">From the box's axes to the world.</param>
         public void Add(float3 boxMin, float3 boxMax, in Affine toWorld)
         {
@@ -69,7 +69,7 @@ namespace Glint.Core
                 Cover(from, to);
         }
 
-        /// <summary>Takes the tiles in which a mesh can be seen.</summary>
+        /// <summary>Takes the tiles that may see a mesh.</summary>
         /// <param name="toWorld">From the mesh's axes to the world.</param>
         public void Add(MeshBvh mesh, in Affine toWorld)
         {
@@ -105,8 +105,8 @@ namespace Glint.Core
             foreach (var corner in corners)
                 size = math.max(size, math.cmax(math.abs(corner)));
 
-            // Of a box that reaches behind the camera the part before it counts:
-            // its corners, and where its edges cross a plane just before the camera.
+            // Of a box that extends behind the camera only the part before it counts: its corners, and the points at
+            // which its edges cross a plane just before the camera.
             double nearest = 1e-9 * size;
             double2 min = double.PositiveInfinity, max = double.NegativeInfinity;
             void Include(double3 p)
@@ -135,10 +135,9 @@ namespace Glint.Core
 
         /// <summary>The tiles taken: column | row shifted by 16 bits.</summary>
         /// <param name="spread">
-        /// Order them so that every long stretch of the list has its share of all parts of the picture:
-        /// a software device gives each processor one stretch.
-        /// Otherwise they go from the top of the picture down: what is far off takes longest,
-        /// and begun last it would keep a GPU waiting.
+        /// Interleave all parts of the picture, so that every long section of the list has the same cost: a software
+        /// device gives each processor one section. Otherwise tiles go from the top of the picture down: distant tiles
+        /// take longest, and a GPU that begins them last ends with most of its groups idle.
         /// </param>
         public uint[] ToArray(bool spread)
         {
@@ -174,7 +173,7 @@ namespace Glint.Core
                 math.dot(v, _view.Forward));
         }
 
-        // The tile of the ray that passes nearest, kept within bounds that an int holds.
+        // The tile of the nearest ray, clamped to the range of int.
         int2 TileOf(double2 position, double margin)
         {
             double2 ray = 0.5 * (position + 1) * new double2(_settings.RaysAcross, _settings.RaysDown) - 0.5 + margin;
@@ -194,8 +193,7 @@ namespace Glint.Core
             _steps[to.y * Stride + to.x]++;
         }
 
-        // Runs of neighbouring tiles, taken with a stride that is about 0.6 of their number and
-        // has no divisor in common with it.
+        // Runs of neighbouring tiles, taken with a stride of about 0.6 of their number that is coprime to it.
         static uint[] Spread(uint[] tiles)
         {
             int runs = (tiles.Length + Run - 1) / Run;

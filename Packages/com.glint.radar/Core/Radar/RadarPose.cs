@@ -1,18 +1,18 @@
 namespace Glint.Core
 {
     /// <summary>
-    /// All that one pose is traced from, gathered once. Scene and view are in the same frame;
-    /// settings and view are of the same picture.
+    /// The input of a trace, gathered once: a value. Scene and view are in the same frame; settings and view describe
+    /// the same picture.
     /// </summary>
     public struct RadarPose
     {
-        /// <summary>What is traced.</summary>
+        /// <summary>The traced scene.</summary>
         public RadarScene Scene;
 
-        /// <summary>Frequency, rays, region and bounces; those of a fitted aperture where the radar fits one.</summary>
+        /// <summary>Frequency, rays, region and bounces; with a fitted aperture its rays.</summary>
         public RadarSettings Settings;
 
-        /// <summary>Pose of radar and receiver, and what they see.</summary>
+        /// <summary>Pose, field of view or aperture of the radar, and the receiver.</summary>
         public RadarView View;
 
         /// <summary>A pose of a scene.</summary>

@@ -7,20 +7,20 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// What the radar sees, a ray a pixel: how often the ray is reflected, whether it is received,
-    /// which object it meets first, and how squarely.
+    /// The radar's view, a ray a pixel: number of reflections, whether the ray is received, the first object hit, and
+    /// the cosine of the angle of incidence.
     /// </summary>
     public sealed class RadarPreviewImage
     {
         const byte ReceivedBit = 128;
 
-        // Objects that a byte tells apart; the last is for the rest.
+        // Objects that a byte distinguishes; the last stands for all others.
         const int MaxNames = 255;
 
         readonly byte[] _bounces, _facing;
         readonly int[] _objects;
 
-        /// <summary>A picture in which nothing is seen yet.</summary>
+        /// <summary>An empty picture.</summary>
         /// <param name="raysAcross">The whole picture's rays across.</param>
         /// <param name="raysDown">The whole picture's rays down.</param>
         /// <param name="part">The part that is shown, in these rays.</param>
@@ -50,17 +50,17 @@ namespace Glint.Core
         public bool IsReceived(int x, int y) => (_bounces[y * Part.Width + x] & ReceivedBit) != 0;
 
         /// <summary>
-        /// Number of the object that a pixel's ray meets first;
-        /// <see cref="MeshRange.NoObject"/> if none, or if nobody knows.
+        /// Number of the object that a pixel's ray hits first;
+        /// <see cref="MeshRange.NoObject"/> if none or unknown.
         /// </summary>
         public int Object(int x, int y) => _objects[y * Part.Width + x];
 
         /// <summary>
-        /// Cosine of the angle between a pixel's ray and the first surface's normal, 0 to 1; 0 where nothing is met.
+        /// Cosine of the angle between a pixel's ray and the first surface's normal, 0 to 1; 0 without a hit.
         /// </summary>
         public double Facing(int x, int y) => _facing[y * Part.Width + x] / 255.0;
 
-        /// <summary>Numbers of the objects that are seen, in ascending order.</summary>
+        /// <summary>Numbers of the visible objects, in ascending order.</summary>
         public IReadOnlyList<int> Objects() =>
             _objects.Where(number => number != MeshRange.NoObject).Distinct().OrderBy(number => number).ToArray();
 
@@ -74,12 +74,12 @@ namespace Glint.Core
             _objects[index] = path.Bounces > 0 ? path.Hits[0].Object : MeshRange.NoObject;
         }
 
-        // A mirror turns a direction by twice its part along the normal.
+        // A mirror changes a direction by twice its component along the normal.
         static double Facing(in RayPath path) =>
             math.length(path.Hits[0].Direction - math.normalize(path.Hits[0].Position - path.Start)) / 2;
 
-        // Rows from the bottom. Of a byte of bounces the highest bit says that the ray is received;
-        // of objects the number in the list of names, from 1.
+        // Rows from the bottom. The highest bit of a byte of bounces means received; objects are indices into the list
+        // of names, from 1.
         internal JObject ToJson(Func<int, string> nameOf)
         {
             var seen = Objects();

@@ -3,11 +3,11 @@ using System.Collections.Generic;
 
 namespace Glint.Core
 {
-    /// <summary>What the radar received in one pose.</summary>
+    /// <summary>The result of one pose.</summary>
     public sealed class RadarResult
     {
         /// <summary>
-        /// Rays of the published experiment, 1920 x 1080: the number that <see cref="NormalisedAmplitude"/> is for.
+        /// Rays of the published experiment, 1920 x 1080, to which <see cref="NormalisedAmplitude"/> refers.
         /// </summary>
         public const double NormalRays = 2073600;
 
@@ -65,10 +65,10 @@ namespace Glint.Core
         /// </summary>
         public SamplingReport? Sampling { get; }
 
-        /// <summary>Received rays, or all rays when the radar keeps all, in order of their pixel.</summary>
+        /// <summary>The rays read back (<see cref="RayReadback"/>), in order of their pixel.</summary>
         public RayData[] Rays { get; }
 
-        /// <summary>What the pose made the computer do, and how long that took.</summary>
+        /// <summary>Work counts and wall times of the pose.</summary>
         public TraceStatistics Statistics { get; }
 
         /// <inheritdoc cref="SamplingReport.Error"/>
@@ -99,7 +99,7 @@ namespace Glint.Core
         public double Ratio => RaysHit > 0 ? (double)RaysReceived / RaysHit : 0;
 
         /// <summary>
-        /// Rays emitted plus bounces: the last segment counts, whether it hits, is received or leaves.
+        /// Rays emitted plus bounces: the last segment counts, whether it hits, is received or leaves the scene.
         /// </summary>
         public long Segments => RaysEmitted + Bounces;
     }

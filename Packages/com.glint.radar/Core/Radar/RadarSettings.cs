@@ -2,16 +2,16 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>What the radar is, wherever it stands.</summary>
+    /// <summary>The radar's settings, except its pose.</summary>
     public struct RadarSettings
     {
-        /// <summary>Most bounces a ray may be given: each costs a search of the whole scene.</summary>
+        /// <summary>Upper limit of <see cref="MaxBounces"/>: each bounce costs a closest-hit query.</summary>
         public const int BounceLimit = 16;
 
-        /// <summary>Most rays across or down: a tile of 8 x 8 has a column and a row of 16 bits.</summary>
+        /// <summary>Maximum rays across or down: tiles of 8 x 8 have 16-bit columns and rows.</summary>
         public const int RaysPerAxisLimit = 65535 * 8;
 
-        /// <summary>Least and greatest carrier frequency, hertz: wavelengths from 0.3 mm to 300,000 km.</summary>
+        /// <summary>Range of the carrier frequency, hertz: wavelengths from 0.3 mm to 300,000 km.</summary>
         public const double LowestFrequencyHz = 1, HighestFrequencyHz = 1e12;
 
         /// <summary>Carrier frequency in hertz.</summary>
@@ -25,14 +25,14 @@ namespace Glint.Core
         /// <summary>Rays down the view, 1 to 524,280.</summary>
         public int RaysDown;
 
-        /// <summary>Most specular reflections a ray may make, 1 to 16.</summary>
+        /// <summary>Maximum number of specular reflections of a ray, 1 to 16.</summary>
         public int MaxBounces;
 
         /// <summary>Part of the picture to trace; by default all of it.</summary>
         public RayRegion Region;
 
         /// <summary>
-        /// Leaves out the estimate of the sampling error, which traces smaller rays around received ones.
+        /// Skips the estimate of the sampling error, which traces sub-rays around received rays.
         /// </summary>
         public bool SkipSamplingError;
 
@@ -46,7 +46,7 @@ namespace Glint.Core
         /// <summary>Rays of the whole picture.</summary>
         public long RayCount => (long)RaysAcross * RaysDown;
 
-        /// <summary>Rays emitted a pose: those of the region.</summary>
+        /// <summary>Rays emitted in a pose: those of the region.</summary>
         public long RaysEmitted => (long)TracedRegion.Width * TracedRegion.Height;
 
         /// <summary><see cref="Region"/>, or all of the picture as one.</summary>
@@ -63,7 +63,7 @@ namespace Glint.Core
         /// <summary>Width of the view over its height.</summary>
         public double Aspect => (double)RaysAcross / RaysDown;
 
-        /// <summary>Refuses values that no radar has.</summary>
+        /// <summary>Refuses values out of range.</summary>
         /// <param name="owner">Who holds the settings, for the message.</param>
         /// <exception cref="GlintException">A value is out of its range.</exception>
         public void Validate(string owner)
@@ -106,7 +106,7 @@ namespace Glint.Core
         /// <summary>Left and bottom edge, width and height, all in rays of the whole picture.</summary>
         public int Left, Bottom, Width, Height;
 
-        /// <summary>True when the whole picture is meant.</summary>
+        /// <summary>True for the whole picture.</summary>
         public readonly bool IsWhole => Width == 0 && Height == 0;
     }
 }

@@ -1,6 +1,6 @@
 namespace Glint.Core
 {
-    /// <summary>The sums over the rays of one pose, while they are added up.</summary>
+    /// <summary>Sums over the rays of one pose; mutable until the result is made.</summary>
     public sealed class RadarSums
     {
         /// <summary>
@@ -9,7 +9,7 @@ namespace Glint.Core
         /// </summary>
         public double InPhase, Quadrature;
 
-        /// <summary>Rays of the whole picture, of which those of the region are emitted.</summary>
+        /// <summary>Rays of the whole picture; those of the region are emitted.</summary>
         public long RaysOfPicture;
 
         /// <summary>Rays emitted, rays whose first segment hits anything, rays that reached the receiver.</summary>
@@ -22,8 +22,8 @@ namespace Glint.Core
         public double PathLengthMeters;
 
         /// <summary>
-        /// Area of the wavefront that each ray stands for, square metres; null in perspective,
-        /// where it grows with the distance.
+        /// Area of wavefront that each ray represents, square metres; null in perspective, where it grows with the
+        /// distance.
         /// </summary>
         public double? RayArea;
 

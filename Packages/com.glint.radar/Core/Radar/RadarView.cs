@@ -3,44 +3,42 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Where the radar stands and looks, and where it receives. Metres, Unity's axes.
-    /// Rays leave <see cref="Position"/>; the receiver is a rectangle that takes rays travelling against its
-    /// <see cref="ReceiverForward"/>.
+    /// Poses of the radar and its receiver. Metres, Unity's axes. Rays start at <see cref="Position"/>; the receiver is
+    /// a rectangle that receives rays travelling against <see cref="ReceiverForward"/>.
     /// </summary>
     public struct RadarView
     {
-        /// <summary>Where every ray starts.</summary>
+        /// <summary>Start of every ray; centre of the aperture of parallel rays.</summary>
         public double3 Position;
 
         /// <summary>Unit axes of the camera: x of the picture, y of the picture, view axis.</summary>
         public double3 Right, Up, Forward;
 
         /// <summary>
-        /// Vertical field of view in degrees, above 0 and below 180; means nothing for parallel rays.
+        /// Vertical field of view in degrees, above 0 and below 180; ignored for parallel rays.
         /// </summary>
         public double VerticalFovDegrees;
 
         /// <summary>
-        /// Height in metres of the aperture that parallel rays leave: a rectangle through <see cref="Position"/>,
-        /// across <see cref="Forward"/>, as wide as the picture's aspect ratio makes it.
-        /// 0: the rays leave <see cref="Position"/> in perspective.
+        /// Height in metres of the aperture of parallel rays: a rectangle through <see cref="Position"/>, perpendicular
+        /// to <see cref="Forward"/>, with the picture's aspect ratio. 0: perspective.
         /// </summary>
         public double ApertureHeight;
 
         /// <summary>True for parallel rays.</summary>
         public bool IsParallel => ApertureHeight > 0;
 
-        /// <summary>Middle of the receiver.</summary>
+        /// <summary>Centre of the receiver.</summary>
         public double3 ReceiverCentre;
 
-        /// <summary>Unit axes of the receiver: along its width, along its height, the way it faces.</summary>
+        /// <summary>Unit axes of the receiver: along its width, along its height, its normal.</summary>
         public double3 ReceiverRight, ReceiverUp, ReceiverForward;
 
         /// <summary>Width and height of the receiver.</summary>
         public double2 ReceiverSize;
 
         /// <summary>
-        /// Area of the wavefront that each of the parallel rays stands for, square metres; null in perspective.
+        /// Area of wavefront that each of the parallel rays represents, square metres; null in perspective.
         /// </summary>
         public double? RayArea(in RadarSettings settings) =>
             IsParallel ? math.pow(ApertureHeight / settings.RaysDown, 2) : (double?)null;
@@ -55,7 +53,7 @@ namespace Glint.Core
             return new double2(height * settings.Aspect, height);
         }
 
-        /// <summary>Where the ray of a pixel (<see cref="RayData.Pixel"/>) leaves the radar.</summary>
+        /// <summary>Start of the ray of a pixel (<see cref="RayData.Pixel"/>).</summary>
         public double3 StartOf(in RadarSettings settings, uint pixel)
         {
             if (!IsParallel)
@@ -66,7 +64,7 @@ namespace Glint.Core
             return Position + from.x * Right + from.y * Up;
         }
 
-        /// <summary>Refuses a view that no ray can leave or return to.</summary>
+        /// <summary>Refuses values out of range.</summary>
         /// <param name="owner">Who holds the view, for the message.</param>
         /// <exception cref="GlintException">
         /// Field of view or receiver size out of range, or a position that is not finite.

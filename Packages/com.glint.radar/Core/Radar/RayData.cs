@@ -6,7 +6,7 @@ namespace Glint.Core
 {
     /// <summary>
     /// One ray as the kernel writes it. GLINT_RAY_DATA:
-    /// the same struct stands in Shaders/Types.hlsl; a test compares them.
+    /// the same struct is in Shaders/Types.hlsl; a test compares them.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct RayData
@@ -19,7 +19,7 @@ namespace Glint.Core
 
         /// <summary>
         /// Received: the whole path, radar to last hit to receiver plane. Otherwise: radar to last hit.
-        /// Metres, as float32 has it: see <see cref="RefinedPathLength"/>.
+        /// Metres, rounded to float32: see <see cref="RefinedPathLength"/>.
         /// </summary>
         public float PathLength; // 16 bytes
 
@@ -27,7 +27,7 @@ namespace Glint.Core
         public float3 Direction;
 
         /// <summary>
-        /// What float32 leaves out of <see cref="PathLength"/>, metres; known for received rays, else 0.
+        /// Low part of <see cref="PathLength"/> in double-float, metres; 0 if not received.
         /// </summary>
         public float PathLengthLo; // 32 bytes
 
@@ -54,8 +54,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// The path's length in metres: of a received ray to 1e-8 m, beside the float32 rounding of the corners and
-        /// places that the scene is given in.
+        /// Path length in metres; of a received ray accurate to 1e-8 m, except for the float32 rounding of the scene's
+        /// corners and transforms.
         /// </summary>
         public double RefinedPathLength => (double)PathLength + PathLengthLo;
 

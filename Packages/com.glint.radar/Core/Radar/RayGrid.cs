@@ -3,13 +3,13 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The rays of a view as the kernel is given them: about the middle of the scene,
-    /// and starting on a plane just before it, so that the distance to the radar costs a float32 no digits.
-    /// Origin and direction (a direction of any length) are linear in the ray's place in the picture.
+    /// The rays of a view in the kernel's coordinates: relative to the scene's centre, starting on a plane just before
+    /// the scene, so that the distance to the radar costs float32 no digits. Origin and direction (not normalised) are
+    /// linear in the ray's position in the picture.
     /// </summary>
     public sealed class RayGrid
     {
-        // Of the scene's size: so far before the scene the rays start at least.
+        // Minimum distance from the rays' origins to the scene, as a fraction of its size.
         const double Clearance = 1e-3;
 
         /// <summary>The rays of a picture that go through a box.</summary>
@@ -27,8 +27,8 @@ namespace Glint.Core
 
             double2 step = 2 * view.HalfSize(settings) / new double2(settings.RaysAcross, settings.RaysDown);
             double3 right = step.x * view.Right, up = step.y * view.Up;
-            // The ray nearest to the middle of the scene:
-            // what is added for the others is no larger than the scene, where that matters.
+            // The ray nearest to the scene's centre: the differences to the other rays are then no larger than the
+            // scene.
             double3 seen = SceneCentre - view.Position;
             double2 centrePixel = new double2(math.dot(seen, view.Right), math.dot(seen, view.Up)) / step;
             if (!view.IsParallel)
@@ -59,48 +59,49 @@ namespace Glint.Core
                 isEmpty ? 1 : 1.01 * (math.length(away) - OriginDepth + (settings.MaxBounces - 1) * size);
         }
 
-        /// <summary>Middle of the scene's bounds: the origin of the kernel's coordinates.</summary>
+        /// <summary>Centre of the scene's bounds: the origin of the kernel's coordinates.</summary>
         public double3 SceneCentre { get; }
 
         /// <summary>
-        /// How far rays go in the scene, or from a start within it: the diagonal of its bounds,
-        /// and from the middle to a radar that stands near, metres.
+        /// Bound of segment lengths, metres: the diagonal of the scene's bounds plus the distance from its centre to
+        /// <see cref="Origin"/>.
         /// </summary>
         public double SceneExtent { get; }
 
         /// <summary>
-        /// From the radar to the plane where rays start, along the view axis, metres; 0 when the radar is in the scene.
+        /// Distance from the radar to the plane where rays start, along the view axis, metres; 0 if the radar is in the
+        /// scene.
         /// </summary>
         public double OriginDepth { get; }
 
         /// <summary>
-        /// The place in the picture, in rays from its left and bottom edge, that others are counted from.
+        /// The position in the picture, in rays from its left and bottom edge, to which others are relative.
         /// </summary>
         public int2 ReferencePixel { get; }
 
         /// <summary>
-        /// Origin of the ray through <see cref="ReferencePixel"/>, from <see cref="SceneCentre"/>, metres.
+        /// Origin of the ray through <see cref="ReferencePixel"/>, relative to <see cref="SceneCentre"/>, metres.
         /// </summary>
         public double3 Origin { get; }
 
-        /// <summary>How the origin changes by one ray to the right, metres.</summary>
+        /// <summary>Change of the origin by one ray to the right, metres.</summary>
         public double3 OriginDx { get; }
 
-        /// <summary>How the origin changes by one ray up, metres.</summary>
+        /// <summary>Change of the origin by one ray up, metres.</summary>
         public double3 OriginDy { get; }
 
         /// <summary>
-        /// Direction of the ray through <see cref="ReferencePixel"/>: its direction, with 1 along the view axis.
+        /// Direction of the ray through <see cref="ReferencePixel"/>, scaled to 1 along the view axis.
         /// </summary>
         public double3 Direction { get; }
 
-        /// <summary>How the direction changes by one ray to the right.</summary>
+        /// <summary>Change of the direction by one ray to the right.</summary>
         public double3 DirectionDx { get; }
 
-        /// <summary>How the direction changes by one ray up.</summary>
+        /// <summary>Change of the direction by one ray up.</summary>
         public double3 DirectionDy { get; }
 
-        /// <summary>No path up to a last hit is longer than this and <see cref="OriginDepth"/>, metres.</summary>
+        /// <summary>Maximum path length up to the last hit, less <see cref="OriginDepth"/>, metres.</summary>
         public double MaxRelativeLength { get; }
     }
 }

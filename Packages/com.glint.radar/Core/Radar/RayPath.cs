@@ -4,21 +4,21 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The way of one ray through the scene. Places are in metres and the axes of the world,
-    /// from the scene's origin (<see cref="RadarScene.Origin"/>).
+    /// The path of one ray through the scene. Positions are in metres in the axes of the world, relative to the scene's
+    /// origin (<see cref="RadarScene.Origin"/>).
     /// </summary>
     public struct RayPath
     {
         /// <summary>x + y * rays across; x from the left, y from the bottom of the picture.</summary>
         public uint Pixel;
 
-        /// <summary>Where the ray left the radar.</summary>
+        /// <summary>Start of the ray at the radar.</summary>
         public double3 Start;
 
         /// <summary>Its reflections in order; empty for a ray that hit nothing.</summary>
         public PathHit[] Hits;
 
-        /// <summary>Where a received ray meets the receiver's plane; null for a ray that is not received.</summary>
+        /// <summary>Point of a received ray on the receiver's plane; null if not received.</summary>
         public double3? End;
 
         /// <summary>Reflections made.</summary>
@@ -31,7 +31,7 @@ namespace Glint.Core
         /// <param name="isMeant">Asked for the numbers of the objects that it meets.</param>
         public bool Meets(Predicate<int> isMeant) => Array.Exists(Hits, hit => isMeant(hit.Object));
 
-        /// <summary>Start, reflections and, if it is received, end: what is drawn as a line.</summary>
+        /// <summary>Start, reflections and, if received, end: the points of its line.</summary>
         public double3[] Points()
         {
             var points = new double3[Hits.Length + (IsReceived ? 2 : 1)];

@@ -28,16 +28,16 @@ namespace Glint.Core
             return 2 * Math.PI * (turns - Math.Floor(turns));
         }
 
-        /// <summary>An angle in radians as one from 0 to 2 pi.</summary>
+        /// <summary>Wraps an angle from -2 pi to 2 pi to 0 to 2 pi, radians.</summary>
         public static double Turned(double radians) => radians < 0 ? radians + 2 * Math.PI : radians;
 
         /// <summary>
         /// 20 log10 of an amplitude, not calibrated to a radar cross section;
-        /// null for amplitude 0, which has no decibels.
+        /// null for amplitude 0.
         /// </summary>
         public static double? Decibels(double amplitude) => amplitude > 0 ? 20 * Math.Log10(amplitude) : (double?)null;
 
-        /// <summary>The histogram bin of a phase in radians; any phase is taken modulo 2 pi.</summary>
+        /// <summary>The histogram bin of a phase in radians, modulo 2 pi.</summary>
         public static int PhaseBin(double phase)
         {
             double turns = phase / (2 * Math.PI);

@@ -1,9 +1,9 @@
 namespace Glint.Core
 {
-    /// <summary>What one pose made the computer do: counts that no machine's speed changes, and wall times.</summary>
+    /// <summary>Work counts of one pose, which do not depend on the machine, and wall times.</summary>
     public sealed class TraceStatistics
     {
-        /// <summary>Objects with a mesh, and triangles, that were traced.</summary>
+        /// <summary>Traced objects with a mesh, and triangles.</summary>
         public long Objects { get; internal set; }
 
         /// <inheritdoc cref="Objects"/>
@@ -12,7 +12,7 @@ namespace Glint.Core
         /// <summary>BVHs built because a mesh was new or had changed.</summary>
         public long BvhsBuilt { get; internal set; }
 
-        /// <summary>Triangles in them.</summary>
+        /// <summary>Triangles in the BVHs built.</summary>
         public long TrianglesBuilt { get; internal set; }
 
         /// <summary>Bytes written to the device.</summary>
@@ -30,13 +30,13 @@ namespace Glint.Core
         /// <summary>Tiles of 8 x 8 rays traced.</summary>
         public long TilesTraced { get; internal set; }
 
-        /// <summary>Tiles left out because nothing of the scene can be in them.</summary>
+        /// <summary>Tiles skipped because they cannot see the scene.</summary>
         public long TilesSkipped { get; internal set; }
 
-        /// <summary>Rays followed once more in double-float arithmetic because they may be received.</summary>
+        /// <summary>Candidates traced again in double-float arithmetic.</summary>
         public long RaysRefined { get; internal set; }
 
-        /// <summary>Smaller rays around received ones, for the sampling error.</summary>
+        /// <summary>Sub-rays around received rays, for the sampling error.</summary>
         public long SubRays { get; internal set; }
 
         /// <summary>BVH nodes read; 0 unless the tracer was asked to count.</summary>
@@ -48,7 +48,7 @@ namespace Glint.Core
         /// <summary>Wall times.</summary>
         public Timings Timings { get; internal set; }
 
-        /// <summary>Adds what was found before the pose was traced.</summary>
+        /// <summary>Adds the figures of the gathering.</summary>
         internal void SetGathered(long objects, double milliseconds)
         {
             Objects = objects;
@@ -61,19 +61,19 @@ namespace Glint.Core
     /// <summary>Wall time of the phases of one pose, milliseconds.</summary>
     public struct Timings
     {
-        /// <summary>Looking at the scene's objects, and reading the meshes that are new or changed.</summary>
+        /// <summary>Gathering the scene's objects and reading new or changed meshes.</summary>
         public double GatherMs;
 
-        /// <summary>Building the trees over meshes that are new or changed.</summary>
+        /// <summary>Building BVHs over new or changed meshes.</summary>
         public double BuildMs;
 
-        /// <summary>Filling the GPU's buffers.</summary>
+        /// <summary>Uploading buffers to the device.</summary>
         public double UploadMs;
 
         /// <summary>From the dispatch to the sums read back; includes <see cref="ReadBackMs"/>.</summary>
         public double TraceMs;
 
-        /// <summary>Reading back the rays that are kept one by one.</summary>
+        /// <summary>Reading back single rays.</summary>
         public double ReadBackMs;
     }
 }

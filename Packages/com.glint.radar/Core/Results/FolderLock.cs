@@ -6,9 +6,8 @@ using System.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// Keeps a results folder for one run, from before its first row to its end:
-    /// makes the folder and holds a lock file in it.
-    /// The lock is the system's and goes with the process; a file that a killed run left behind locks nothing.
+    /// Locks a results folder for one run: creates the folder and holds a lock file in it.
+    /// The system releases the lock with the process; the file of a killed run locks nothing.
     /// </summary>
     sealed class FolderLock : IDisposable
     {
@@ -26,7 +25,7 @@ namespace Glint.Core
             try
             {
                 _file = Take(path);
-                // A disk may have room for a name and none for a row.
+                // A full disk may still have room for an empty file.
                 _file.WriteByte((byte)'\n');
             }
             catch (Exception error)
@@ -37,7 +36,7 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>Lets the folder go. When nothing was written into it, all is as it was.</summary>
+        /// <summary>Releases the folder, and removes it if nothing was written into it.</summary>
         public void Dispose()
         {
             _file?.Dispose();
@@ -50,7 +49,7 @@ namespace Glint.Core
             string file = Path.Combine(path, FileName);
             try
             {
-                // A file of its own: only FileShare.None locks against processes on every system,
+                // A separate file: only FileShare.None locks against processes on every system,
                 // and results.csv must stay open to readers.
                 return new FileStream(file, FileMode.OpenOrCreate, FileAccess.ReadWrite, FileShare.None, 1,
                     FileOptions.DeleteOnClose);
@@ -107,7 +106,7 @@ namespace Glint.Core
             }
             catch (Exception error) when (error is IOException || error is UnauthorizedAccessException)
             {
-                // Somebody else uses it now.
+                // Another process uses it now.
             }
         }
     }

@@ -6,8 +6,7 @@ namespace Glint.Core
     /// <summary>Numbers as text in result files.</summary>
     public static class Numbers
     {
-        // .NET's R gives the shortest digits; Mono's gives 15 or 17,
-        // so 16 and the rest are tried too and both write the same.
+        // .NET's R gives the shortest digits, Mono's 15 or 17. Trying 15 to 17 makes both write the same.
         static readonly string[] Formats = { "R", "G15", "G16", "G17" };
 
         /// <summary>
@@ -31,7 +30,7 @@ namespace Glint.Core
             return shortest;
         }
 
-        // G15 rounds the largest doubles up beyond what a double holds.
+        // G15 rounds the largest doubles up to numbers that no double holds.
         static bool ReadsBack(string text, double value) =>
             double.TryParse(text, NumberStyles.Float, CultureInfo.InvariantCulture, out double read) && read == value;
     }

@@ -115,7 +115,7 @@ namespace Glint.Core
         /// <summary>Title and unit.</summary>
         public string Label => Unit == "1" ? Title : $"{Title}, {Unit}";
 
-        /// <summary>The value; null when the row has none, as an amplitude of 0 has no decibels.</summary>
+        /// <summary>The value; null if the row has none, such as the decibels of amplitude 0.</summary>
         /// <exception cref="GlintException">The value is NaN or infinite.</exception>
         public double? Value(SweepRow row)
         {

@@ -7,10 +7,10 @@ using System.Text;
 namespace Glint.Core
 {
     /// <summary>
-    /// The folder that a run or sweep writes: results.csv, row by row as they are done, and results.json at the end.
-    /// Until then a sweep also keeps results.partial there, from which it can be resumed.
-    /// Before the first row only a lock file is there, and older results stay. One run at a time has the folder,
-    /// until it is disposed or finished.
+    /// The folder of the results of a run or sweep: results.csv, written row by row, and results.json at the end.
+    /// An unfinished sweep also has results.partial, from which it can be resumed.
+    /// Before the first row the folder holds only a lock file, and older results stay. One run at a time owns the
+    /// folder, until it is disposed or finished.
     /// </summary>
     public sealed class ResultsFolder : IDisposable
     {
@@ -41,7 +41,7 @@ namespace Glint.Core
             _lock = new FolderLock(path);
         }
 
-        /// <summary>The folder as it was given.</summary>
+        /// <summary>The folder as given.</summary>
         public string FolderPath { get; }
 
         /// <summary>Path of the CSV file.</summary>
@@ -53,17 +53,17 @@ namespace Glint.Core
         /// <summary>Path of the file of an unfinished sweep.</summary>
         public string PartialPath => Path.Combine(FolderPath, PartialName);
 
-        /// <summary>When the sweep whose rows these are was first begun, UTC; null when it is not known.</summary>
+        /// <summary>First start of the sweep, UTC; null if unknown.</summary>
         public DateTime? StartedUtc { get; private set; }
 
-        /// <summary>The rows so far, those of before a resumption too.</summary>
+        /// <summary>The rows so far, including those before a resumption.</summary>
         public IReadOnlyList<StoredRow> Rows => _rows;
 
         string TemporaryJsonPath => JsonPath + ".tmp";
 
         /// <summary>
-        /// Makes sure, before any work is done, that no other run has the folder, and that both files can be written.
-        /// Disposing it without a row leaves everything as it was.
+        /// Checks, before any work is done, that no other run has the folder, and that both files can be written.
+        /// Disposing it without a row leaves the folder unchanged.
         /// </summary>
         /// <exception cref="GlintException">
         /// Another run is writing there, or it cannot be written; the message names the folder or file.
@@ -87,7 +87,7 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>Says, before the first row, which sweep the rows are of, so that it can be resumed.</summary>
+        /// <summary>Sets, before the first row, the identity of the sweep, so that it can be resumed.</summary>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public void Begin(SweepIdentity sweep, DateTime startedUtc)
         {
@@ -97,15 +97,15 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Goes on, after <see cref="Begin(SweepIdentity, DateTime)"/>, with the same sweep where it was ended.
-        /// Whole rows are kept, but at least the last pose of all is left to do.
-        /// Where nothing was begun the sweep begins.
+        /// Resumes the same sweep, after <see cref="Begin(SweepIdentity, DateTime)"/>.
+        /// Complete rows are kept, but at least the last pose is traced again.
+        /// If there is nothing to resume, the sweep starts from its first pose.
         /// </summary>
         /// <param name="poses">Poses of the sweep, or of its part.</param>
-        /// <returns>The poses that are done: all of them when results.json is there too.</returns>
+        /// <returns>Number of poses done: all of them if results.json exists.</returns>
         /// <exception cref="GlintException">
-        /// Another sweep's results are there, or they are damaged;
-        /// the message says what differs. Nothing is changed then.
+        /// The folder holds results of another sweep, or damaged ones; the message says what differs. Nothing is
+        /// changed.
         /// </exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public int Resume(int poses)
@@ -130,8 +130,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Writes one row to results.csv, so that it is there even if the program is ended at once.
-        /// The first row makes the folder, replaces an older results.csv and removes an older results.json.
+        /// Writes and flushes one row to results.csv, so that it survives the end of the program.
+        /// The first row creates the folder, replaces an older results.csv and removes an older results.json.
         /// </summary>
         /// <exception cref="GlintException">
         /// The disk is full or the file cannot be written; earlier rows stay. Or a value is not finite.
@@ -149,7 +149,7 @@ namespace Glint.Core
             _rows.Add(row);
         }
 
-        /// <summary>Writes results.json, whole or not at all, and closes results.csv.</summary>
+        /// <summary>Writes results.json atomically and closes results.csv.</summary>
         /// <exception cref="GlintException">The file cannot be written; results.csv stays.</exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public void Finish(RunInfo info)
@@ -175,7 +175,7 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>Closes results.csv, whose rows stay, and lets the folder go.</summary>
+        /// <summary>Closes results.csv, whose rows stay, and releases the folder.</summary>
         public void Dispose()
         {
             if (_finished)
@@ -201,7 +201,7 @@ namespace Glint.Core
         void Create() => Try($"{CsvPath}: cannot be written", () =>
         {
             Directory.CreateDirectory(FolderPath);
-            // First: whoever is ended between these lines has begun, and done nothing.
+            // First: a process that ends between these lines leaves a sweep without rows, which can be resumed.
             if (_sweep == null)
                 File.Delete(PartialPath);
             else
@@ -218,7 +218,7 @@ namespace Glint.Core
             if (earlier == null)
                 return 0;
             Require(earlier.Identity, PartialPath);
-            // The pose at which the last one stands is what results.json describes.
+            // results.json describes the scene at the last pose, so that pose is traced again.
             int kept = Math.Min(earlier.Rows.Count, poses - 1);
             if (kept == 0)
                 return 0;
@@ -271,7 +271,7 @@ namespace Glint.Core
                 throw new GlintException($"{path}: is of another sweep: {difference}: {StartAnew}");
         }
 
-        // First what a sweep is resumed from. Half a row in either file is cut off.
+        // results.partial first: a sweep is resumed from it. An incomplete row in either file is cut off.
         void Write(string partial, string lines)
         {
             try
@@ -280,7 +280,7 @@ namespace Glint.Core
                 _csvLength += Put(_csv, lines);
                 _partialLength += more;
             }
-            // the second where a file may not grow further
+            // ArgumentException: a file that cannot grow further
             catch (Exception error) when (error is IOException || error is ArgumentException)
             {
                 KeepWholeRows();
@@ -296,11 +296,11 @@ namespace Glint.Core
             return bytes.Length;
         }
 
-        // Without a buffer a row that failed is not written again on closing.
+        // Unbuffered, so that closing does not write a failed row again.
         static FileStream Open(string path, FileMode mode) =>
             new FileStream(path, mode, FileAccess.Write, FileShare.Read, 1);
 
-        // Half a row must not stay, nor a file without rows. If even this fails, the first failure is the one to tell.
+        // Removes an incomplete row, and a file without rows. If this fails too, the first failure is reported.
         void KeepWholeRows()
         {
             try

@@ -5,7 +5,7 @@ using System.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// Joins the parts of a sweep (--shard) to the files that the whole sweep would have written, timings aside.
+    /// Joins the parts of a sweep (--shard) into the files of the whole sweep; only timings differ.
     /// </summary>
     public static class ResultsMerge
     {
@@ -16,8 +16,8 @@ namespace Glint.Core
         /// <param name="output">Results folder to write, none of the parts'.</param>
         /// <returns>The folder written.</returns>
         /// <exception cref="GlintException">
-        /// A part is missing, twice there, not finished, damaged or of another sweep,
-        /// or the output cannot be written; the message names it.
+        /// A part is missing, given twice, not finished, damaged or of another sweep, or the output cannot be written;
+        /// the message names it.
         /// </exception>
         public static ResultsFolder Merge(IReadOnlyList<string> folders, string output)
         {
@@ -49,7 +49,7 @@ namespace Glint.Core
         internal static bool IsOneOf(IReadOnlyList<string> folders, string output) =>
             folders.Any(folder => FullPathOf(folder) == FullPathOf(output));
 
-        /// <summary>The same for all ways to write a folder's name, links aside.</summary>
+        /// <summary>Normalised path of a folder; links are not resolved.</summary>
         internal static string FullPathOf(string folder) => Path.GetFullPath(folder).TrimEnd('/', '\\');
 
         static StoredRun Read(string folder)

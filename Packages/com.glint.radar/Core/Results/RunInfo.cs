@@ -4,7 +4,7 @@ using System.Collections.Generic;
 namespace Glint.Core
 {
     /// <summary>
-    /// What a run or sweep worked on and with, for results.json. What is not known stays null and is written as null.
+    /// Input and environment of a run or sweep, for results.json. Unknown values are null and written as null.
     /// </summary>
     public sealed class RunInfo
     {
@@ -23,7 +23,7 @@ namespace Glint.Core
         /// <summary>Objects and triangles traced.</summary>
         public long Objects, Triangles;
 
-        /// <summary>Graphics device, and the interface it was used through ("Vulkan").</summary>
+        /// <summary>Graphics device, and its API ("Vulkan").</summary>
         public string DeviceName, GraphicsApi;
 
         /// <summary>Versions: of Glint, of Unity's API, and name and version of the program that ran.</summary>
@@ -32,13 +32,13 @@ namespace Glint.Core
         /// <summary>Name and version of the operating system.</summary>
         public string OperatingSystem;
 
-        /// <summary>When the run began, UTC.</summary>
+        /// <summary>Start of the run, UTC.</summary>
         public DateTime StartedUtc;
 
         /// <summary>Wall time of the whole run in milliseconds.</summary>
         public double ElapsedMs;
 
-        /// <summary>What the rows are of; null for a single pose.</summary>
+        /// <summary>Identity of the sweep; null for a single pose.</summary>
         public SweepIdentity Sweep;
 
         /// <summary>Radar, receiver and sweep settings, in the order of the file; each name once.</summary>
@@ -53,7 +53,7 @@ namespace Glint.Core
         public RunSetting(string name, double number, string unit) =>
             (Name, Number, Unit, Text) = (name, number, unit, null);
 
-        /// <summary>A setting in words.</summary>
+        /// <summary>A setting that is a text.</summary>
         /// <param name="name">As in results.json.</param>
         /// <param name="text">Its value.</param>
         public RunSetting(string name, string text) =>
@@ -62,7 +62,7 @@ namespace Glint.Core
         /// <summary>As in results.json: "max_bounces".</summary>
         public string Name { get; }
 
-        /// <summary>The value in <see cref="Unit"/>, when <see cref="Unit"/> is given.</summary>
+        /// <summary>The value in <see cref="Unit"/>, if that is not null.</summary>
         public double Number { get; }
 
         /// <summary>Null for a text.</summary>

@@ -55,7 +55,7 @@ namespace Glint.Core
         /// <summary>Received rays by phase; null when the row has none.</summary>
         public IReadOnlyList<int> PhaseHistogram { get; }
 
-        /// <summary>"15 deg", "snapshot 3, 15 deg"; "the pose" where nothing was moved.</summary>
+        /// <summary>"15 deg", "snapshot 3, 15 deg"; "the pose" if nothing is swept.</summary>
         public string Name =>
             new SweepPose(SweepAxis.All.Select(axis => this[axis]).ToArray()).ToString() is var text && text.Length > 0
                 ? text

@@ -64,7 +64,7 @@ namespace Glint.Core
             return ReadFile(path);
         }
 
-        /// <summary>The rows of a results folder, of a sweep that is not finished too.</summary>
+        /// <summary>The rows of a results folder, also of an unfinished sweep.</summary>
         /// <exception cref="GlintException">There are none, or they cannot be read.</exception>
         public static IReadOnlyList<StoredRow> RowsOf(string folder)
         {

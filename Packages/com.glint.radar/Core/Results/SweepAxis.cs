@@ -14,7 +14,7 @@ namespace Glint.Core
         public static readonly SweepAxis Angle = new SweepAxis("angle", "angles", "angle_deg", "deg")
         {
             Title = "Angle", Text = "{0} {1}", NeedsTarget = true, OptionName = "angles", ValueName = "ANGLES",
-            // Unity turns objects by single-precision angles: another turn only costs digits.
+            // Unity has single-precision angles: more than one turn only costs digits.
             List = new NumberList("angle", Interval.Closed(-360, 360), "degrees", ("0:45:1", "0,10,45")),
             Help = "Turn angles in degrees, positive as Unity's rotation about Y: FROM:TO:STEP, all three, "
                 + "or a list with commas. FROM is included, and TO when whole steps reach it: 0:45:2 ends at 44."
@@ -29,7 +29,7 @@ namespace Glint.Core
                 + "or a list with commas."
         };
 
-        /// <summary>How far the radar looks down, degrees.</summary>
+        /// <summary>Angle by which the radar looks down, degrees.</summary>
         public static readonly SweepAxis Grazing = new SweepAxis("grazing", "grazing angles", "grazing_deg", "deg")
         {
             Title = "Grazing angle", Text = "grazing {0} {1}", NeedsTarget = true, OptionName = "grazing",
@@ -39,7 +39,7 @@ namespace Glint.Core
                 + "10 degrees without the option; in a scene the point of its view axis nearest to the target."
         };
 
-        /// <summary>From the radar to the point that it looks at, metres.</summary>
+        /// <summary>Distance from the radar to the point it looks at, metres.</summary>
         public static readonly SweepAxis Range = new SweepAxis("range", "distances", "range_m", "m")
         {
             Title = "Range", Text = "range {0} {1}", Width = 9, NeedsTarget = true, OptionName = "distance",
@@ -65,14 +65,14 @@ namespace Glint.Core
         SweepAxis(string name, string plural, string column, string unit) =>
             (Name, Plural, Column, Unit, ShownUnit) = (name, plural, column, unit, unit);
 
-        /// <summary>Every axis in the order of a plan: the first changes slowest, the last from pose to pose.</summary>
+        /// <summary>Every axis in the order of a plan: the first changes slowest, the last fastest.</summary>
         public static IReadOnlyList<SweepAxis> All { get; } = new[] { Snapshot, Frequency, Range, Grazing, Angle };
 
         /// <summary>Every axis in the order of the columns of result files; a new one comes last.</summary>
         internal static IReadOnlyList<SweepAxis> Columns { get; } =
             new[] { Angle, Snapshot, Grazing, Range, Frequency };
 
-        /// <summary>In one word.</summary>
+        /// <summary>Name of the axis, one word.</summary>
         public string Name { get; }
 
         /// <summary>Several values: "grazing angles".</summary>
@@ -117,7 +117,7 @@ namespace Glint.Core
         /// <summary>Reads the values.</summary>
         internal NumberList List { get; private set; }
 
-        /// <summary>Place in <see cref="All"/>.</summary>
+        /// <summary>Index in <see cref="All"/>.</summary>
         internal int Index => ((IList<SweepAxis>)All).IndexOf(this);
 
         /// <summary>For the field of its list: "Grazing angles, deg".</summary>

@@ -4,8 +4,7 @@ using System.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// What makes a sweep the one it is: its poses, scene and settings, the device and the versions,
-    /// each as a name and a text.
+    /// Identity of a sweep: its poses, scene and settings, the device and the versions, each as a name and a text.
     /// Rows of equal identities belong together.
     /// </summary>
     public sealed class SweepIdentity
@@ -30,9 +29,9 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// The first thing in which another sweep differs, as "frequency was 9 and is 10"; null when it is the same.
+        /// The first difference from another sweep, such as "frequency was 9 and is 10"; null if there is none.
         /// </summary>
-        /// <param name="earlier">The sweep that was.</param>
+        /// <param name="earlier">The earlier sweep.</param>
         public string DifferenceFrom(SweepIdentity earlier)
         {
             if (!Equals(Shard, earlier.Shard))

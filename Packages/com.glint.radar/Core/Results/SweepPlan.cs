@@ -7,23 +7,23 @@ namespace Glint.Core
 {
     /// <summary>
     /// The poses of a sweep, in order: every value of each axis with every value of the others.
-    /// The last of <see cref="SweepAxis.All"/> changes from pose to pose, the first slowest:
-    /// every angle for each grazing angle, all these for each range, and so on.
+    /// The last of <see cref="SweepAxis.All"/> changes fastest, the first slowest: every angle for each grazing angle,
+    /// all these for each range, and so on.
     /// </summary>
     public sealed class SweepPlan
     {
-        /// <summary>Most poses of a sweep.</summary>
+        /// <summary>Maximum number of poses of a sweep.</summary>
         public const int Limit = 10000000;
 
         /// <summary>One pose that moves nothing.</summary>
         public static readonly SweepPlan Single = new SweepPlan();
 
-        // In the order of SweepAxis.All; null for what is left alone.
+        // In the order of SweepAxis.All; null for an axis that is not swept.
         readonly IReadOnlyList<double>[] _values = new IReadOnlyList<double>[SweepAxis.All.Count];
 
         /// <summary>A plan over angles, snapshots, or both.</summary>
-        /// <param name="angles">Turns of the target in degrees; null when it is not turned.</param>
-        /// <param name="snapshots">Snapshots of the sea, from 1; null when it is left as it is.</param>
+        /// <param name="angles">Turns of the target in degrees; null: not swept.</param>
+        /// <param name="snapshots">Snapshots of the sea, from 1; null: not swept.</param>
         public SweepPlan(IReadOnlyList<double> angles, IReadOnlyList<int> snapshots = null)
             : this((SweepAxis.Angle, angles),
                 (SweepAxis.Snapshot, snapshots?.Select(number => (double)number).ToArray()))
@@ -32,7 +32,7 @@ namespace Glint.Core
 
         /// <summary>A plan over any of the axes.</summary>
         /// <param name="axes">
-        /// Each axis once, with its values in its unit; an axis without values (null) is left alone.
+        /// Each axis once, with its values in its unit; null: not swept.
         /// </param>
         /// <exception cref="UsageException">There are more than <see cref="Limit"/> poses.</exception>
         public SweepPlan(params (SweepAxis axis, IReadOnlyList<double> values)[] axes)
@@ -79,14 +79,14 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>The values on an axis, in its unit; null when it is left alone.</summary>
+        /// <summary>The values on an axis, in its unit; null if it is not swept.</summary>
         public IReadOnlyList<double> Values(SweepAxis axis) => _values[axis.Index];
 
         /// <summary>Whether an axis has values.</summary>
         public bool Has(SweepAxis axis) => Values(axis) != null;
 
         /// <summary>
-        /// The first pose with another value on an axis than the pose that a sweep begins with; 0 when there is none.
+        /// Index of the first pose whose value on an axis differs from that of the first pose; 0 if there is none.
         /// </summary>
         internal int FirstChange(SweepAxis axis)
         {

@@ -3,7 +3,7 @@ using System.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// Where a sweep stands: a value for each axis that it steps through, null for what it leaves alone.
+    /// A pose of a sweep: a value for each axis that is swept, null for the others.
     /// </summary>
     public readonly struct SweepPose
     {
@@ -13,7 +13,7 @@ namespace Glint.Core
         /// <param name="angleDegrees">
         /// Turn of the target about the world's vertical, positive as Unity's Y rotation.
         /// </param>
-        /// <param name="snapshot">Which snapshot of the sea, from 1.</param>
+        /// <param name="snapshot">Snapshot of the sea, from 1.</param>
         public SweepPose(double? angleDegrees, int? snapshot = null) : this(new double?[SweepAxis.All.Count])
         {
             _values[SweepAxis.Angle.Index] = angleDegrees;
@@ -29,7 +29,7 @@ namespace Glint.Core
         /// <summary>Turn of the target in degrees.</summary>
         public double? AngleDegrees => this[SweepAxis.Angle];
 
-        /// <summary>Which snapshot of the sea, from 1.</summary>
+        /// <summary>Snapshot of the sea, from 1.</summary>
         public int? Snapshot => (int?)this[SweepAxis.Snapshot];
 
         /// <summary>
@@ -43,19 +43,19 @@ namespace Glint.Core
         }
     }
 
-    /// <summary>One pose of a sweep and what the radar received in it.</summary>
+    /// <summary>A pose of a sweep and its result.</summary>
     public readonly struct SweepRow
     {
         /// <summary>A row.</summary>
-        /// <param name="pose">Where the sweep stood.</param>
-        /// <param name="result">What was received.</param>
+        /// <param name="pose">The pose.</param>
+        /// <param name="result">Its result.</param>
         public SweepRow(SweepPose pose, RadarResult result) =>
             (Pose, Result) = (pose, result);
 
-        /// <summary>Where the sweep stood.</summary>
+        /// <summary>The pose.</summary>
         public SweepPose Pose { get; }
 
-        /// <summary>What was received.</summary>
+        /// <summary>Its result.</summary>
         public RadarResult Result { get; }
     }
 }

@@ -3,10 +3,10 @@ using System.Globalization;
 
 namespace Glint.Core
 {
-    /// <summary>Part K of N of a sweep: poses that follow each other, as many in each part or one more.</summary>
+    /// <summary>Part K of N of a sweep: consecutive poses, in parts whose sizes differ by at most one.</summary>
     public readonly struct SweepShard
     {
-        /// <summary>Most parts of a sweep.</summary>
+        /// <summary>Maximum number of parts of a sweep.</summary>
         public const int Limit = 100000;
 
         /// <summary>A part.</summary>
@@ -14,10 +14,10 @@ namespace Glint.Core
         public SweepShard(int number, int count) =>
             (Number, Count) = (number, count);
 
-        /// <summary>Which part, from 1.</summary>
+        /// <summary>Number of the part, from 1.</summary>
         public int Number { get; }
 
-        /// <summary>Parts in all.</summary>
+        /// <summary>Number of parts.</summary>
         public int Count { get; }
 
         /// <summary>The first pose of the part.</summary>

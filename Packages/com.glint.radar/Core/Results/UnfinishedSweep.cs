@@ -9,14 +9,14 @@ namespace Glint.Core
     /// <summary>
     /// results.partial of a sweep that is not finished: its identity in the first line,
     /// a row in each line after it, as JSON.
-    /// It holds all that results.json will say of the rows, so that a killed sweep loses nothing.
+    /// It holds everything that results.json has of the rows, so that a killed sweep loses nothing.
     /// </summary>
     sealed class UnfinishedSweep
     {
         UnfinishedSweep(DateTime startedUtc, SweepIdentity identity) =>
             (StartedUtc, Identity) = (startedUtc, identity);
 
-        /// <summary>When the sweep was first begun.</summary>
+        /// <summary>First start of the sweep.</summary>
         public DateTime StartedUtc { get; }
 
         public SweepIdentity Identity { get; }
@@ -27,9 +27,9 @@ namespace Glint.Core
         public List<long> Ends { get; } = new List<long>();
 
         /// <summary>
-        /// Reads the file. A last line without its end, at which the program was ended, counts as not written.
+        /// Reads the file. An incomplete last line, left by an interrupted program, is ignored.
         /// </summary>
-        /// <returns>Null when not even the first line is whole.</returns>
+        /// <returns>Null if the first line is incomplete.</returns>
         /// <exception cref="GlintException">
         /// It cannot be read or is of a newer schema, or a whole line is damaged; the message names it.
         /// </exception>

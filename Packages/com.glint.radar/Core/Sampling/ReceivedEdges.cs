@@ -4,15 +4,14 @@ using System.Numerics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Where the received part of the picture ends.
-    /// An edge that lies a little farther out changes the sum by the phasors along it.
-    /// Along a row or a column of pixels that happens to all of them alike, along other edges by chance.
+    /// The edges of the received part of the picture. Moving an edge outwards changes the sum by the phasors along it.
+    /// Position errors are equal along a row or column of pixels, and random along other edges.
     /// </summary>
     sealed class ReceivedEdges
     {
         readonly ReceivedPicture _picture;
         readonly Complex[] _west, _east; // by column
-        Complex _south, _north; // of the row in hand
+        Complex _south, _north; // of the current row
         long _row = -1;
         double _squares;
 
@@ -24,8 +23,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Takes a ray, after those before it in the picture. One that is surrounded counts for itself:
-        /// a crease may run through its pixel.
+        /// Adds a ray; rays come in the order of their pixels. A surrounded ray is an edge of its own: a crease may run
+        /// through its pixel.
         /// </summary>
         public void Add(int ray, in ReceivedNeighbours near, Complex phasor)
         {
@@ -46,8 +45,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// By how much the sum changes, in rays, when edges lie a pixel farther out or in,
-        /// each line of pixels for itself. Nothing is added afterwards.
+        /// Change of the sum, in rays, if edges move by a pixel, independently for each line of pixels. Nothing may be
+        /// added afterwards.
         /// </summary>
         public double Strength()
         {

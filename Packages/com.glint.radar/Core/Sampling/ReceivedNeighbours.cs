@@ -1,17 +1,17 @@
 namespace Glint.Core
 {
     /// <summary>
-    /// The eight neighbours of received rays, one ray after another in the order of their pixels.
-    /// -1 where none was received.
+    /// The eight neighbours of a received ray, for one ray after another in the order of their pixels; -1 if not
+    /// received.
     /// </summary>
     struct ReceivedNeighbours
     {
         public int West, East, South, North, SouthWest, SouthEast, NorthWest, NorthEast;
 
         readonly ReceivedPicture _picture;
-        int _below, _above; // no ray before them lies in the row below, or above, next to the ray in hand
+        int _below, _above; // first rays in the row below and above that may be neighbours
 
-        /// <param name="first">The first ray that is asked for.</param>
+        /// <param name="first">The first ray.</param>
         public ReceivedNeighbours(ReceivedPicture picture, int first)
             : this()
         {
@@ -27,7 +27,7 @@ namespace Glint.Core
         public int Count => Has(West) + Has(East) + Has(South) + Has(North) + Has(SouthWest) + Has(SouthEast)
             + Has(NorthWest) + Has(NorthEast);
 
-        /// <summary>Finds the neighbours of a ray, the same as before or a later one.</summary>
+        /// <summary>Moves to the same or a later ray.</summary>
         public void MoveTo(int ray)
         {
             uint pixel = _picture[ray].Pixel;

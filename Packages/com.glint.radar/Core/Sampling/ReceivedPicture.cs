@@ -4,7 +4,7 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The received rays in the order of their pixels. Memory goes with the rays, not with the picture.
+    /// The received rays in the order of their pixels: a sparse picture.
     /// </summary>
     sealed class ReceivedPicture
     {
@@ -13,7 +13,7 @@ namespace Glint.Core
         readonly RadarSettings _settings;
         readonly ReceivedRay[] _rays;
 
-        /// <param name="received">Each pixel at most once, in any order, which is lost.</param>
+        /// <param name="received">Each pixel at most once, in any order; sorted in place.</param>
         public ReceivedPicture(in RadarSettings settings, ReceivedRay[] received, int count)
         {
             _settings = settings;
@@ -29,7 +29,7 @@ namespace Glint.Core
         /// <summary>Rays across the whole picture.</summary>
         public uint Across => (uint)_settings.RaysAcross;
 
-        /// <summary>First and last column and row in which rays are emitted.</summary>
+        /// <summary>Bounds of the emitted rays: first and last column and row.</summary>
         public long Left { get; }
         public long Right { get; }
         public long Bottom { get; }
@@ -40,7 +40,7 @@ namespace Glint.Core
         /// <summary>Column and row of a ray.</summary>
         public int2 PositionOf(int ray) => _settings.PositionOf(_rays[ray].Pixel);
 
-        /// <summary>The first ray whose pixel is not before this one; <see cref="Count"/> when there is none.</summary>
+        /// <summary>First ray at or after a pixel; <see cref="Count"/> if there is none.</summary>
         public int FirstFrom(long pixel)
         {
             int first = 0, end = Count;
@@ -55,7 +55,7 @@ namespace Glint.Core
             return first;
         }
 
-        // Digit by digit from the lowest: several times faster than comparing.
+        // Radix sort: several times faster than comparisons.
         static ReceivedRay[] Ordered(ReceivedRay[] rays, int count)
         {
             if (IsOrdered(rays, count))
@@ -84,7 +84,7 @@ namespace Glint.Core
         }
     }
 
-    /// <summary>What the estimate of the sampling error needs of a received ray: two 32-bit words.</summary>
+    /// <summary>A received ray for the estimate of the sampling error: two 32-bit words.</summary>
     [StructLayout(LayoutKind.Sequential)]
     public struct ReceivedRay
     {
@@ -95,7 +95,7 @@ namespace Glint.Core
         public uint Pixel;
 
         /// <summary>
-        /// Path length in metres less a length common to all rays of the pose, so that float32 holds it to micrometres.
+        /// Path length in metres less a length common to all rays of the pose, for which float32 has micrometres.
         /// </summary>
         public float Length;
     }

@@ -4,13 +4,13 @@ using System.Collections.Generic;
 namespace Glint.Core
 {
     /// <summary>
-    /// The pixels to look at more closely: received ones that are not smooth, and all that touch a received one,
-    /// inside the traced part of the picture.
+    /// The pixels that get sub-rays: received ones that are not smooth, and all neighbours of received ones, within the
+    /// traced part of the picture.
     /// </summary>
     static class RefinedPixels
     {
-        /// <param name="isSmooth">By ray: left out.</param>
-        /// <returns>In order.</returns>
+        /// <param name="isSmooth">By ray: smooth, without sub-rays.</param>
+        /// <returns>The pixels in ascending order.</returns>
         public static List<uint> Find(ReceivedPicture picture, bool[] isSmooth)
         {
             var pixels = new List<uint>();
@@ -28,7 +28,7 @@ namespace Glint.Core
             return pixels;
         }
 
-        // The columns of the received rays of three rows, merged, and those beside them.
+        // The columns of the received rays of three rows and their neighbours, merged.
         static void AddRow(ReceivedPicture picture, bool[] isSmooth, long row, Row below, Row here,
             Row above, List<uint> pixels)
         {
@@ -66,7 +66,7 @@ namespace Glint.Core
 
             public int End { get; private set; }
 
-            /// <summary>Of the ray in hand; the largest number when there is none left.</summary>
+            /// <summary>Column of the current ray; long.MaxValue at the end of the row.</summary>
             public long Column => _at < End ? _picture[_at].Pixel - _start : long.MaxValue;
 
             public void MoveTo(long row)

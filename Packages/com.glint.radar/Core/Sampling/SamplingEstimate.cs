@@ -6,10 +6,10 @@ using System.Numerics;
 namespace Glint.Core
 {
     /// <summary>
-    /// How far the amplitude of a pose is from that of endlessly many rays. It is made from the received rays;
-    /// the tracer then looks more closely at the pixels it names, with <see cref="SubRays"/> x
-    /// <see cref="SubRays"/> rays in each, and hands over their sums to <see cref="Finish"/>. An estimate of size,
-    /// not a bound; how it is made and how well it holds: Documentation~/accuracy.md.
+    /// Estimates the difference between the amplitude of a pose and that of infinitely many rays. It chooses pixels
+    /// from the received rays; the tracer traces <see cref="SubRays"/> x <see cref="SubRays"/> sub-rays in each and
+    /// passes their sums to <see cref="Finish"/>. The estimate is a magnitude, not a bound. Derivation and validation:
+    /// Documentation~/accuracy.md.
     /// </summary>
     public sealed class SamplingEstimate
     {
@@ -20,31 +20,33 @@ namespace Glint.Core
         public const int SubRays = 4;
 
         /// <summary>
-        /// Sub-rays a pixel. Those of one number, of all pixels, are a grid as dense as the picture's.
+        /// Sub-rays a pixel. Sub-rays of the same number form a grid of the picture's density.
         /// </summary>
         public const int SubGrids = SubRays * SubRays;
 
-        /// <summary>Fewer received rays say little about what lies between them.</summary>
+        /// <summary>Minimum received rays for a reliable estimate.</summary>
         internal const int FewestRays = 16;
 
         /// <summary>
-        /// Wavelengths by which the paths of neighbours differ that are too far apart to say what lies between them.
+        /// Path difference of neighbours, in wavelengths, from which on they say nothing about the rays between them.
         /// </summary>
         internal const double StepApart = 0.5;
 
         /// <summary>
-        /// Share of neighbours so far apart, and of rays without any, beyond which the sum is no integral any more.
+        /// Share of such neighbours, and of rays without neighbours, above which the sum no longer approximates the
+        /// integral.
         /// </summary>
         internal const double MaxApart = 0.5;
 
-        // Pixels that are refined in any case; beyond, as many as make the sub-rays as many as the rays of the pose.
+        // Pixels that are refined in any case. Above this number: as many as make as many sub-rays as the pose has
+        // rays.
         const int RefinedAlways = 1 << 16;
 
-        // How well sub-rays know where an edge lies, in pixels. They cannot be off by more than 1/8.
+        // Standard error of an edge's position from sub-rays, in pixels; the maximum error is 1/8.
         const double EdgePosition = 0.06;
 
-        // A ray alone stands for a return smaller than its pixel, of which rays miss others. As much of one ray,
-        // where the rays' phases are by chance.
+        // A ray without neighbours is a return smaller than its pixel; rays miss other such returns. Error of the sum
+        // for each such ray, in rays, when their phases are random.
         const double Missed = 1.0 / 3;
 
         readonly double _wavelength, _referenceTurns;
@@ -52,13 +54,13 @@ namespace Glint.Core
         readonly Tally _tally;
         readonly double _edges;
         readonly Complex _refined; // sum of the refined pixels' own rays
-        readonly double _share; // what the refined pixels stand for, when there are too many to refine all
+        readonly double _share; // weight of a refined pixel if not all are refined
 
-        /// <summary>Looks at the received rays of a pose, and chooses the pixels to refine.</summary>
+        /// <summary>Analyses the received rays of a pose and chooses the pixels to refine.</summary>
         /// <param name="settings">Of the pose.</param>
-        /// <param name="received">The received rays, each pixel once, in any order, which is lost.</param>
-        /// <param name="count">How many there are in the array.</param>
-        /// <param name="referenceLength">Metres that were taken off each <see cref="ReceivedRay.Length"/>.</param>
+        /// <param name="received">The received rays, each pixel once, in any order; sorted in place.</param>
+        /// <param name="count">Number of rays in the array.</param>
+        /// <param name="referenceLength">Metres to add to each <see cref="ReceivedRay.Length"/>.</param>
         public SamplingEstimate(in RadarSettings settings, ReceivedRay[] received, int count, double referenceLength)
         {
             _wavelength = settings.Wavelength;
@@ -73,8 +75,7 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Largest difference of path length between received rays that are among each other's eight
-        /// neighbours in the picture, wavelengths.
+        /// Maximum path difference between received rays of neighbouring pixels (eight neighbours), wavelengths.
         /// </summary>
         public double LargestPathStep => _tally.LargestStep / _wavelength;
 
@@ -101,7 +102,7 @@ namespace Glint.Core
             return new SamplingReport(error, LargestPathStep, undersampled);
         }
 
-        // In blocks that are added in their order: the same sum on any machine.
+        // In blocks that are added in a fixed order: the same sum on any machine.
         Tally LookAtAll(bool[] isSmooth)
         {
             var blocks = new SortedDictionary<int, Tally>();
@@ -165,15 +166,15 @@ namespace Glint.Core
             return edges.Strength();
         }
 
-        // All, or by chance as many as are affordable.
+        // All pixels, or a random selection within the limit.
         static uint[] Choose(List<uint> pixels, long raysEmitted, out double share)
         {
             long max = Math.Max(RefinedAlways, raysEmitted / SubGrids);
             uint every = (uint)Math.Max(1, (pixels.Count + max - 1) / max);
             if (every > 1)
                 pixels.RemoveAll(pixel => Scattered(pixel) % every != 0);
-            // The others' errors add to theirs if they are alike,
-            // their squares do if they are by chance: between the two.
+            // The errors of the other pixels add up if they are correlated, their squares if they are independent: the
+            // weight is between the two.
             share = Math.Sqrt(every);
             return pixels.ToArray();
         }
@@ -194,7 +195,7 @@ namespace Glint.Core
 
         Complex PhasorOf(int ray) => Phasors.OfTurns(_picture[ray].Length / _wavelength + _referenceTurns);
 
-        // A number by chance, the same for the same pixel.
+        // A random number that depends on the pixel alone.
         static uint Scattered(uint pixel)
         {
             pixel = (pixel ^ pixel >> 16) * 0x7feb352du;
@@ -206,7 +207,7 @@ namespace Glint.Core
         {
             public double LargestStep; // metres
             public long Pairs, Apart, Alone; // neighbours, those half a wavelength apart, rays without neighbours
-            public Complex Smooth; // mean phasors of the smooth pixels less their rays'
+            public Complex Smooth; // sum over smooth pixels of mean phasor less the ray's phasor
 
             public void Add(Tally other)
             {
@@ -221,22 +222,22 @@ namespace Glint.Core
 
     /// <summary>
     /// The phase over a pixel that received rays surround: a parabola through its own and its neighbours' path lengths.
-    /// Its mean phasor is then known without further rays, also where the phase turns by more than half a turn from
-    /// pixel to pixel, because lengths are known beyond the wavelength.
+    /// Its mean phasor then needs no further rays, even where the phase changes by more than half a turn from pixel to
+    /// pixel, because path lengths are not wrapped to the wavelength.
     /// </summary>
     struct PixelPhase
     {
-        // Most turns from one pixel to the next, and most by which that changes from pixel
-        // to pixel, for the mean to hold.
+        // Maximum turns from one pixel to the next, and maximum change of that from pixel to pixel, for which the
+        // mean holds.
         const double Steepest = 1, MaxBend = 1.0 / 16;
 
         double _slopeX, _slopeY, _bendX, _bendY, _twist; // turns a pixel, and turns a pixel squared
 
-        /// <summary>True if the phase is as smooth as the mean needs it.</summary>
+        /// <summary>True if the phase is smooth enough for the mean.</summary>
         public bool IsSmooth => Math.Abs(_slopeX) <= Steepest && Math.Abs(_slopeY) <= Steepest
             && Math.Abs(_bendX) <= MaxBend && Math.Abs(_bendY) <= MaxBend && Math.Abs(_twist) <= MaxBend;
 
-        /// <summary>Mean over the pixel of the phasor relative to that in its middle.</summary>
+        /// <summary>Mean phasor over the pixel relative to the phasor at its centre.</summary>
         public Complex Mean
         {
             get
@@ -247,7 +248,7 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>Of a ray all of whose neighbours were received.</summary>
+        /// <summary>The phase around a ray whose eight neighbours are all received.</summary>
         public static PixelPhase Of(ReceivedPicture picture, int ray, in ReceivedNeighbours near, double wavelength)
         {
             double centre = picture[ray].Length, west = picture[near.West].Length, east = picture[near.East].Length,
@@ -266,7 +267,7 @@ namespace Glint.Core
         // and its derivatives by the angle.
         readonly struct Slope
         {
-            const double MinTurns = 0.03; // below, the series is as good
+            const double MinTurns = 0.03; // below, the series is used
 
             public readonly double Mean, First, Second;
 
@@ -288,13 +289,13 @@ namespace Glint.Core
         }
     }
 
-    /// <summary>Phasors in great number, where six digits are enough.</summary>
+    /// <summary>Fast phasors with six digits.</summary>
     static class Phasors
     {
         /// <summary>cos and sin of 2 pi <paramref name="turns"/>, to 2e-6.</summary>
         public static Complex OfTurns(double turns)
         {
-            // A quarter of the angle by its series, doubled twice.
+            // The series at a quarter of the angle, doubled twice.
             double x = (turns - Math.Round(turns)) * (Math.PI / 2), square = x * x;
             double cos = 1 - square / 2 * (1 - square / 12 * (1 - square / 30 * (1 - square / 56)));
             double sin = x * (1 - square / 6 * (1 - square / 20 * (1 - square / 42)));

@@ -3,13 +3,12 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// How densely rays would return, before any is traced:
-    /// as a large mirror returns them that stands at a point and faces the radar.
-    /// Neighbours that a curved surface sends apart lie farther apart than these, and those that are focused nearer.
+    /// Predicts the density of returned rays before a trace, for a large mirror at a point that faces the radar.
+    /// A convex surface returns neighbours farther apart than this mirror, a concave one nearer.
     /// </summary>
     public struct SamplingForecast
     {
-        // Points of the receiver at which returns are looked at, across and down.
+        // Sample points on the receiver, across and down.
         const int Points = 16;
 
         static readonly double2[] s_neighbours =
@@ -20,11 +19,11 @@ namespace Glint.Core
         /// <summary>From ray to ray at the mirror, across and down, metres.</summary>
         public double RaySpacing;
 
-        /// <summary>Rays that the receiver takes.</summary>
+        /// <summary>Number of rays received.</summary>
         public double RaysReceived;
 
         /// <summary>
-        /// Largest difference of path length between received rays that are neighbours in the picture, wavelengths:
+        /// Maximum path difference between received rays of neighbouring pixels, wavelengths:
         /// <see cref="RadarResult.LargestPathStep"/>.
         /// </summary>
         public double LargestPathStep;
@@ -36,14 +35,14 @@ namespace Glint.Core
         public bool IsTooCoarse;
 
         /// <summary>
-        /// Whether fewer rays return than say anything: <see cref="RadarResult.Undersampled"/> for that reason.
+        /// Whether too few rays return: <see cref="RadarResult.Undersampled"/> for that reason.
         /// </summary>
         public bool IsTooFew => RaysReceived < SamplingEstimate.FewestRays;
 
         /// <summary>
-        /// The forecast; null where the point is not before the radar, or the receiver does not face it.
+        /// The forecast; null if the point is not in front of the radar, or the receiver does not face it.
         /// </summary>
-        /// <param name="centre">Where the mirror stands.</param>
+        /// <param name="centre">Position of the mirror.</param>
         public static SamplingForecast? Of(in RadarSettings settings, in RadarView view, double3 centre)
         {
             double depth = math.dot(centre - view.Position, view.Forward);
@@ -77,8 +76,8 @@ namespace Glint.Core
             return lit > 0 ? forecast : (SamplingForecast?)null;
         }
 
-        // Rays as they come back from the mirror. A ray is named by its place in the picture,
-        // as RadarView.HalfSize measures it.
+        // Rays returned by the mirror. A ray is given by its position in the picture, in the units of
+        // RadarView.HalfSize.
         readonly struct Mirror
         {
             readonly RadarView _view;
@@ -94,16 +93,16 @@ namespace Glint.Core
                 Step = 2 * _half.y / settings.RaysDown;
             }
 
-            /// <summary>From ray to ray in the picture.</summary>
+            /// <summary>Distance from ray to ray in the picture.</summary>
             public double Step { get; }
 
-            /// <summary>The ray that comes back to a point; false if it is not in the picture.</summary>
+            /// <summary>The ray that returns to a point; false if it is not in the picture.</summary>
             public bool Find(double3 point, out double2 ray)
             {
                 double3 seen = point - _view.Position;
                 if (!_view.IsParallel)
                 {
-                    // Where the mirror image of the point is seen.
+                    // Direction of the mirror image of the point.
                     seen = Mirrored(point - _centre) + _centre - _view.Position;
                     seen /= math.dot(seen, _view.Forward);
                 }
@@ -112,8 +111,8 @@ namespace Glint.Core
             }
 
             /// <summary>
-            /// Where a ray comes back to the plane of the receiver, and how long its way from the mirror image
-            /// of the radar is; false if it does not.
+            /// Point at which a ray returns to the receiver's plane, and its path length from the mirror image of the
+            /// radar; false if it does not return.
             /// </summary>
             public bool Meet(double2 ray, out double3 point, out double length)
             {
@@ -126,7 +125,7 @@ namespace Glint.Core
                 return against > 0 && way > 0;
             }
 
-            /// <summary>Whether a point of the receiver's plane lies on it.</summary>
+            /// <summary>Whether a point of the receiver's plane is on the receiver.</summary>
             public bool IsReceived(double3 point)
             {
                 double3 aside = point - _view.ReceiverCentre;

@@ -1,6 +1,6 @@
 namespace Glint.Core
 {
-    /// <summary>How well the rays of a pose sample what returns: Documentation~/accuracy.md.</summary>
+    /// <summary>Sampling quality of a pose: Documentation~/accuracy.md.</summary>
     public readonly struct SamplingReport
     {
         /// <summary>A report.</summary>
@@ -14,7 +14,7 @@ namespace Glint.Core
         public double Error { get; }
 
         /// <summary>
-        /// Largest difference of path length between received rays that are neighbours in the picture, wavelengths.
+        /// Maximum path difference between received rays of neighbouring pixels, wavelengths.
         /// </summary>
         public double LargestPathStep { get; }
 

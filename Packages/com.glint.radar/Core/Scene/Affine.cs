@@ -3,22 +3,25 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>A transform of points in double precision: turn, scale (also mirrored or uneven) and shift.</summary>
+    /// <summary>
+    /// An affine transform in double precision: rotation, scale (also mirrored or uneven), translation.
+    /// </summary>
     public struct Affine : IEquatable<Affine>
     {
-        /// <summary>Where the unit vectors go; the columns.</summary>
+        /// <summary>Images of the unit vectors: the columns.</summary>
         public double3 X, Y, Z;
 
-        /// <summary>Where the origin goes, metres.</summary>
+        /// <summary>Image of the origin, metres.</summary>
         public double3 Origin;
 
-        /// <summary>Leaves every point where it is.</summary>
+        /// <summary>The identity.</summary>
         public static Affine Identity =>
             new Affine { X = new double3(1, 0, 0), Y = new double3(0, 1, 0), Z = new double3(0, 0, 1) };
 
         /// <summary>
-        /// Scale first, then rotation, then shift, as a Transform has them from its parent. The rotation need not be
-        /// normalised; a zero one counts as none, and one that is not finite leaves nothing finite.
+        /// Scale, then rotation, then translation, as a Transform relative to its parent. The rotation need not be
+        /// normalised; a zero rotation is the identity, and one that is not finite gives a transform that is not
+        /// finite.
         /// </summary>
         public static Affine FromTransform(double3 position, double4 rotation, double3 scale)
         {
@@ -36,21 +39,21 @@ namespace Glint.Core
             };
         }
 
-        /// <summary>How much volumes grow; negative when it mirrors, 0 when it flattens.</summary>
+        /// <summary>Scale of volumes; negative for a mirroring transform, 0 for a singular one.</summary>
         public double Determinant => math.dot(X, math.cross(Y, Z));
 
-        /// <summary>Whether every number is the same.</summary>
+        /// <summary>Whether all components are equal.</summary>
         public bool Equals(Affine other) =>
             X.Equals(other.X) && Y.Equals(other.Y) && Z.Equals(other.Z) && Origin.Equals(other.Origin);
 
-        /// <summary>Where a point goes, metres.</summary>
+        /// <summary>Transforms a point, metres.</summary>
         public double3 Point(double3 p) => Vector(p) + Origin;
 
-        /// <summary>A direction or difference of points: not shifted.</summary>
+        /// <summary>Transforms a direction or difference of points, without translation.</summary>
         public double3 Vector(double3 v) => v.x * X + v.y * Y + v.z * Z;
 
         /// <summary>
-        /// First <paramref name="second"/>, then <paramref name="first"/>: as matrices are multiplied.
+        /// The product of the matrices: applies <paramref name="second"/>, then <paramref name="first"/>.
         /// </summary>
         public static Affine operator *(in Affine first, in Affine second) => new Affine
         {
@@ -58,7 +61,7 @@ namespace Glint.Core
             Z = first.Vector(second.Z), Origin = first.Point(second.Origin),
         };
 
-        /// <summary>The way back; not finite when the transform flattens.</summary>
+        /// <summary>The inverse; not finite for a singular transform.</summary>
         public Affine Inverse()
         {
             double d = Determinant;

@@ -6,12 +6,12 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// What the radar sees: meshes, each at one or more places.
-    /// BVHs over a mesh are kept as long as the same TriangleMesh comes again; a place may change at no cost.
+    /// The traced scene: instances of meshes.
+    /// The BVHs over a mesh are kept while the same TriangleMesh recurs; changing a transform costs nothing.
     /// </summary>
     public sealed class RadarScene
     {
-        /// <summary>A scene of meshes at places.</summary>
+        /// <summary>A scene of instances.</summary>
         /// <param name="instances">Kept, not copied.</param>
         public RadarScene(params MeshInstance[] instances) => Instances = instances;
 
@@ -21,7 +21,7 @@ namespace Glint.Core
         {
         }
 
-        /// <summary>The meshes, each at its place; in the order in which triangles are counted.</summary>
+        /// <summary>The instances, in the order in which triangles are counted.</summary>
         public MeshInstance[] Instances { get; }
 
         /// <summary>
@@ -30,8 +30,8 @@ namespace Glint.Core
         public IReadOnlyList<SurfaceMaterial> Surfaces { get; set; } = new[] { SurfaceMaterial.PerfectConductor };
 
         /// <summary>
-        /// Where in the world the origin of the places stands, metres: for what is written out,
-        /// as the axes are the world's. Tracing needs none.
+        /// Position of the scene's origin in the world, metres, for output; the axes are the world's. Tracing does not
+        /// use it.
         /// </summary>
         public double3 Origin { get; set; }
 

@@ -3,12 +3,12 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Triangles in a frame of their own, metres, Unity's axes (left-handed, y up). Both sides of a triangle reflect.
-    /// It does not change: a mesh that changed is a new one.
+    /// Triangles in the mesh's own frame, metres, Unity's axes (left-handed, y up). Both sides of a triangle reflect.
+    /// Immutable: a changed mesh is a new object.
     /// </summary>
     public sealed class TriangleMesh
     {
-        /// <summary>Metres. Beyond it float32 places are a metre apart, and lengths are no longer right.</summary>
+        /// <summary>Metres. Above it float32 coordinates are a metre apart, too coarse for path lengths.</summary>
         public const float LargestCoordinate = 1e7f;
 
         /// <summary>A mesh over the given arrays, which are kept, not copied.</summary>
@@ -30,7 +30,7 @@ namespace Glint.Core
         public int TriangleCount => Indices.Length / 3;
 
         /// <summary>
-        /// The box around all triangles; empty without any. A vertex without a triangle is nothing to see.
+        /// The box around all triangles; empty without triangles. Vertices without a triangle do not count.
         /// </summary>
         internal Box Bound()
         {

@@ -1,6 +1,6 @@
 namespace Glint.Core
 {
-    /// <summary>The same sum by the fast Fourier transform: cells a power of two, more than twice the reach.</summary>
+    /// <summary>The sum by a fast Fourier transform. Cells must be a power of two, above twice the reach.</summary>
     sealed class FourierSum : IWaveSum
     {
         readonly int _cells;
@@ -26,7 +26,7 @@ namespace Glint.Core
             double[] real = new double[_cells * _cells], imaginary = new double[real.Length];
             for (int row = 0; row <= waves.Reach; row++)
             {
-                // Both transforms want what they take in the order of reversed bits; rows above the reach stay 0.
+                // Both transforms take their input in bit-reversed order; rows above the reach stay 0.
                 int to = _reversed[row] * _cells;
                 for (int column = -waves.Reach; column <= waves.Reach; column++)
                 {
@@ -42,8 +42,7 @@ namespace Glint.Core
             return real;
         }
 
-        // Radix 2 in place, over elements that are stretches of so many numbers:
-        // single ones along x, whole rows along z.
+        // Radix 2, in place. An element has this width: one number along x, a whole row along z.
         void Transform(double[] real, double[] imaginary, int start, int stride, int width)
         {
             for (int half = 1; half < _cells; half *= 2)

@@ -3,19 +3,18 @@ using System;
 namespace Glint.Core
 {
     /// <summary>
-    /// Elementary functions of + - * / alone. Those of System.Math come from each platform's own library and differ in
-    /// the last bits from one to the next;
-    /// these give the same bits wherever double is IEEE 754.
+    /// Elementary functions from + - * / alone. System.Math uses the platform's library, whose last bits differ between
+    /// platforms; these functions give the same bits wherever double is IEEE 754.
     /// </summary>
     static class PortableMath
     {
         /// <summary>Relative error of <see cref="Exp"/>, and of <see cref="Log"/> away from 1.</summary>
         public const double RelativeError = 4e-16;
 
-        /// <summary>Error of <see cref="SinCos"/>, of a turn that is exact.</summary>
+        /// <summary>Error of <see cref="SinCos"/> for an exact argument.</summary>
         public const double SinCosError = 2e-16;
 
-        /// <summary>Arguments of <see cref="Exp"/> below it give 0, those above its negative are not for it.</summary>
+        /// <summary><see cref="Exp"/> gives 0 below this argument, and is not defined above its negative.</summary>
         public const double MinExponent = -708;
 
         // ln 2 in two parts: the first has 21 zero bits at its end,
@@ -29,7 +28,7 @@ namespace Glint.Core
                 return 0;
             double twos = Math.Floor(x / (Ln2High + Ln2Low) + 0.5);
             double rest = x - twos * Ln2High - twos * Ln2Low;
-            // Taylor's series from its small end, the rest being at most ln 2 / 2: what is left out is 4e-18.
+            // Taylor series from its smallest term. The argument is at most ln 2 / 2, the truncation error 4e-18.
             double sum = 1;
             for (int n = 13; n >= 1; n--)
                 sum = 1 + sum * rest / n;
@@ -47,7 +46,7 @@ namespace Glint.Core
                 part /= 2;
                 twos++;
             }
-            // ln p = 2 artanh q, q at most 0.172: what the series leaves out is 1e-19.
+            // ln p = 2 artanh q, q at most 0.172: the truncation error is 1e-19.
             double q = (part - 1) / (part + 1), square = q * q, sum = 0;
             for (int n = 23; n >= 3; n -= 2)
                 sum = (sum + 1.0 / n) * square;
@@ -58,15 +57,14 @@ namespace Glint.Core
         public static double Pow(double x, double y) => Exp(y * Log(x));
 
         /// <summary>
-        /// Sine and cosine of an angle in whole turns, which need no pi to be brought near 0:
-        /// multiples of 1/8 are exact in it.
+        /// Sine and cosine of an angle in turns. Range reduction needs no pi: multiples of 1/8 are exact.
         /// </summary>
         public static (double Sine, double Cosine) SinCos(double turns)
         {
             double eighths = 8 * (turns - Math.Floor(turns));
             int quarter = (int)(eighths + 1) / 2;
             double angle = (eighths - 2 * quarter) * (Math.PI / 4), square = angle * angle;
-            // Taylor's series, the angle being at most pi / 4: what is left out is 1e-19.
+            // Taylor series. The angle is at most pi / 4, the truncation error 1e-19.
             double sine = 1, cosine = 1;
             for (int n = 17; n >= 3; n -= 2)
                 sine = 1 - sine * square / (n * (n - 1));

@@ -3,13 +3,13 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>What the stored snapshots of a sea are made from.</summary>
+    /// <summary>Recipe of the stored snapshots of a sea.</summary>
     public sealed class SeaRecipe
     {
         /// <summary>A sea to be stored.</summary>
-        /// <param name="name">Of the sea, for files and messages.</param>
+        /// <param name="name">Name of the sea, for files and messages.</param>
         /// <param name="settings">
-        /// Its height factor is found here: the one that makes Hs of all snapshots together that asked for.
+        /// The recipe computes the height factor with which Hs of all snapshots together is the requested one.
         /// </param>
         /// <param name="times">Moments of the snapshots, seconds.</param>
         /// <param name="tiles">Tiles along X and Z of each snapshot.</param>
@@ -23,16 +23,16 @@ namespace Glint.Core
             Settings = settings;
         }
 
-        /// <summary>Of the sea, for files and messages.</summary>
+        /// <summary>Name of the sea, for files and messages.</summary>
         public string Name { get; }
 
-        /// <summary>What the tile is made from, the height factor included.</summary>
+        /// <summary>Settings of the tile, including the height factor.</summary>
         public SeaSettings Settings { get; }
 
-        /// <summary>Moments of the snapshots, seconds.</summary>
+        /// <summary>Times of the snapshots, seconds.</summary>
         public IReadOnlyList<double> Times { get; }
 
-        /// <summary>Tiles along X and Z of each snapshot, laid about the origin.</summary>
+        /// <summary>Tiles along X and Z of each snapshot, centred on the origin.</summary>
         public int2 Tiles { get; }
     }
 }

@@ -4,14 +4,14 @@ using System.Collections.Generic;
 namespace Glint.Core
 {
     /// <summary>
-    /// What sea there is: a tile that repeats without a seam. All of a surface follows from these numbers and the time,
+    /// Settings of a sea's tile, which repeats without a seam. The surface is a function of these numbers and the time,
     /// bit for bit on any machine.
     /// </summary>
     [Serializable]
     public struct SeaSettings
     {
         /// <summary>
-        /// Metres. Tile sizes are multiples of it, so that float32 holds the edges of neighbouring tiles alike.
+        /// Metres. Tile sizes are multiples of it, so that the edges of neighbouring tiles round to the same float32.
         /// </summary>
         public const double TileStep = 1.0 / 1024;
 
@@ -54,21 +54,21 @@ namespace Glint.Core
                 "Which of all seas with this spectrum. The same number gives the same sea.")
         };
 
-        /// <summary>How the variance is spread over wavelengths.</summary>
+        /// <summary>Distribution of the variance over wavelengths.</summary>
         public SeaSpectrumKind Kind;
 
         /// <summary>Hs in metres: four standard deviations of the height, on average over seeds.</summary>
         public double SignificantWaveHeight;
 
-        /// <summary>Metres a second, 10 m above the sea. It shapes the spectrum and leaves the height alone.</summary>
+        /// <summary>Metres a second, 10 m above the sea. It sets the shape of the spectrum, not the height.</summary>
         public double WindSpeed;
 
-        /// <summary>Where wind and waves run to, as Unity's rotation about Y: 0 to +Z, 90 to +X.</summary>
+        /// <summary>Direction in which wind and waves travel, as Unity's rotation about Y: 0 is +Z, 90 is +X.</summary>
         public double WindDirectionDegrees;
 
         /// <summary>
-        /// Horizontal displacement over that of waves in deep water (Gerstner's): 0 none, 1 theirs;
-        /// crests curl over where it is large.
+        /// Horizontal displacement as a multiple of that of deep-water waves (Gerstner's); crests curl over where it is
+        /// large.
         /// </summary>
         public double Choppiness;
 
@@ -76,7 +76,7 @@ namespace Glint.Core
         public double TileSize;
 
         /// <summary>
-        /// Grid points a side, a power of two from 4 to 1024: waves down to nearly 2 TileSize / GridSize are there.
+        /// Grid points a side, a power of two from 4 to 1024. The shortest wave is nearly 2 TileSize / GridSize.
         /// </summary>
         public int GridSize;
 
@@ -86,17 +86,17 @@ namespace Glint.Core
         /// </summary>
         public int Cells;
 
-        /// <summary>Metres. Shorter waves are left out; 0: none are.</summary>
+        /// <summary>Metres. Shorter waves are omitted; 0: all waves.</summary>
         public double ShortestWave;
 
-        /// <summary>Metres of water that the wind has blown over. JONSWAP only.</summary>
+        /// <summary>Fetch in metres. JONSWAP only.</summary>
         public double Fetch;
 
-        /// <summary>How much higher the peak is than that of a fully risen sea, 1 to 10. JONSWAP only.</summary>
+        /// <summary>Ratio of the peak to that of a fully developed sea, 1 to 10. JONSWAP only.</summary>
         public double PeakEnhancement;
 
         /// <summary>
-        /// Which of all seas with this spectrum. Finer grids of one seed, tile and wind have the same long waves.
+        /// Seed of the random numbers. Finer grids of one seed, tile and wind have the same long waves.
         /// </summary>
         public int Seed;
 
@@ -111,7 +111,7 @@ namespace Glint.Core
             Fetch = 100000, PeakEnhancement = 3.3, Seed = 1, HeightFactor = 1,
         };
 
-        /// <summary>Refuses values that make no sea.</summary>
+        /// <summary>Refuses values out of range.</summary>
         /// <param name="subject">Whose settings they are, for messages.</param>
         /// <exception cref="GlintException">A value is out of its range.</exception>
         public void Validate(string subject = "sea")
@@ -156,21 +156,21 @@ namespace Glint.Core
     }
 
     /// <summary>
-    /// How a sea's variance is spread over wavelengths. The height is asked for apart from it:
-    /// wind and fetch decide the shape only.
+    /// Distribution of a sea's variance over wavelengths. Wind and fetch set the shape only; the height is a separate
+    /// setting.
     /// </summary>
     public enum SeaSpectrumKind
     {
         /// <summary>
         /// Tessendorf's form of the Phillips spectrum (Simulating Ocean Water, 2001, eq. 40): 1/k^4,
-        /// cut off above the wave that runs as fast as the wind.
+        /// cut off above the wave whose speed is the wind's.
         /// </summary>
         Phillips,
 
-        /// <summary>Pierson and Moskowitz 1964: a fully risen sea.</summary>
+        /// <summary>Pierson and Moskowitz 1964: a fully developed sea.</summary>
         PiersonMoskowitz,
 
-        /// <summary>JONSWAP, Hasselmann et al. 1973: a sea still growing over its fetch, with a sharper peak.</summary>
+        /// <summary>JONSWAP, Hasselmann et al. 1973: a developing sea of limited fetch, with a sharper peak.</summary>
         Jonswap
     }
 
@@ -180,7 +180,7 @@ namespace Glint.Core
     /// </summary>
     public static class SeaState
     {
-        /// <summary>The codes with a range of heights: 0 is a calm, and 9 (above 14 m) has no upper end.</summary>
+        /// <summary>The codes with a range of heights: 0 is calm, and 9 (above 14 m) has no upper end.</summary>
         public const int Lowest = 1, Highest = 8;
 
         // Range of code c: from s_ends[c - 1] to s_ends[c].
@@ -194,7 +194,7 @@ namespace Glint.Core
             return (from + to) / 2;
         }
 
-        /// <summary>Least and greatest significant wave height of the code, metres.</summary>
+        /// <summary>Range of the significant wave height of the code, metres.</summary>
         /// <exception cref="GlintException">The code is not one of 1 to 8.</exception>
         public static (double From, double To) Range(int code)
         {

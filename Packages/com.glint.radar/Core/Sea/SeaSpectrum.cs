@@ -4,17 +4,17 @@ namespace Glint.Core
 {
     /// <summary>
     /// Variance of a sea's height over wave vectors, m4: its integral over them is m0.
-    /// Waves run with the wind and up to a right angle from it, spread as the squared cosine;
-    /// none run against it, as in a sea that has risen where it is seen. Sources: Documentation~/sea.md.
+    /// Directions have the squared cosine of the angle from the wind, up to a right angle; no wave travels against the
+    /// wind, as in a local wind sea. Sources: Documentation~/sea.md.
     /// </summary>
     static class SeaSpectrum
     {
-        /// <summary>Standard gravity as the sources of the spectra round it, m/s2.</summary>
+        /// <summary>Gravity, rounded as in the sources of the spectra, m/s2.</summary>
         public const double Gravity = 9.81;
 
         /// <summary>
-        /// Density at wave number k (rad/m), the cosine being that of the angle from the wind.
-        /// Phillips' has no scale of its own: its constant is 1.
+        /// Density at wave number k (rad/m) and the cosine of the angle from the wind.
+        /// The constant of the Phillips spectrum is 1.
         /// </summary>
         public static double Density(in SeaSettings settings, double waveNumber, double cosine)
         {
@@ -27,7 +27,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Radians a second of a wave in deep water, w^2 = g k, surface tension left out; the wave number in rad/m.
+        /// Angular frequency in rad/s of a deep-water wave without surface tension, w^2 = g k; the wave number in
+        /// rad/m.
         /// </summary>
         public static double AngularFrequency(double waveNumber) => Math.Sqrt(Gravity * waveNumber);
 
@@ -38,7 +39,7 @@ namespace Glint.Core
             return PortableMath.Exp(-1 / (kL * kL)) / (kk * kk);
         }
 
-        /// <summary>Variance a wave number over all directions, m3.</summary>
+        /// <summary>Variance per wave number, over all directions, m3.</summary>
         public static double Omnidirectional(in SeaSettings settings, double k) =>
             settings.Kind == SeaSpectrumKind.PiersonMoskowitz
                 ? PiersonMoskowitz(k, settings.WindSpeed)

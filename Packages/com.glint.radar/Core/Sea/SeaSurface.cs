@@ -6,16 +6,15 @@ namespace Glint.Core
 {
     /// <summary>
     /// A sea's tile at any time: waves of random amplitude and phase (Tessendorf, Simulating Ocean Water, 2001),
-    /// each running with the wind at the speed of deep water.
-    /// Since none runs against it, the variance over the tile is the same at all times; it differs from seed to seed,
-    /// the more so the fewer waves the tile holds.
+    /// each travelling with the wind at the speed of deep-water waves. No wave travels against the wind, so the
+    /// variance over the tile is constant in time. It differs between seeds, more so if the tile holds few waves.
     /// </summary>
     public sealed class SeaSurface
     {
-        // Metres: stored coordinates are multiples of it, or of a coarser step where float32 has none as fine.
+        // Metres: stored coordinates are multiples of it, or of a coarser step where float32 is coarser.
         const double FinestStep = 1.0 / 65536;
 
-        // Sines of later times would be off by more than their own error.
+        // At later times the rounding of the phase exceeds the error of the sine.
         const double LongestTime = 1e7;
 
         readonly SeaSettings _settings;
@@ -24,15 +23,15 @@ namespace Glint.Core
         readonly int _reach;
         readonly int[] _indices;
 
-        /// <summary>Draws the amplitudes, once.</summary>
+        /// <summary>Draws the amplitudes.</summary>
         /// <exception cref="GlintException">
-        /// A setting is out of its range, or the wind raises no wave that the tile's grid holds.
+        /// A setting is out of its range, or the spectrum has no wave that the tile's grid holds.
         /// </exception>
         public SeaSurface(SeaSettings settings)
         {
             settings.Validate();
             _settings = settings;
-            // The wave of two grid points has no direction: the grid's last row and column are left empty.
+            // A wave of two grid points has no direction: the grid's last row and column are empty.
             _reach = settings.GridSize / 2 - 1;
             _modes = Draw(settings, _reach, out double expected);
             SignificantWaveHeight = 4 * Math.Sqrt(expected);
@@ -41,26 +40,26 @@ namespace Glint.Core
             _indices = MakeIndices(settings.Cells);
         }
 
-        /// <summary>What the sea was made from.</summary>
+        /// <summary>Settings of the sea.</summary>
         public SeaSettings Settings => _settings;
 
         /// <summary>
-        /// Hs of the spectrum, metres, which this sea has on average over seeds: that asked for times the factor.
+        /// Hs of the spectrum, metres, the mean over seeds: the requested Hs times the height factor.
         /// </summary>
         public double SignificantWaveHeight { get; }
 
         internal IReadOnlyList<SeaMode> Modes => _modes;
 
         /// <summary>
-        /// Hs of this very sea, metres: four standard deviations of its waves' heights over the tile.
+        /// Hs of this sea, metres: four standard deviations of the height over the tile.
         /// </summary>
         public double MeasuredWaveHeight(double timeSeconds) => 4 * Math.Sqrt(Variance(timeSeconds));
 
         /// <summary>
-        /// The height factor that makes Hs of the sea at these times together
-        /// (four roots of the mean variance) that asked for.
+        /// The height factor with which Hs over all these times (four times the root of the mean variance) is the
+        /// requested one.
         /// </summary>
-        /// <exception cref="GlintException">As for the surface; or there are no times.</exception>
+        /// <exception cref="GlintException">A setting is out of its range, or there are no times.</exception>
         public static double FactorFor(SeaSettings settings, IReadOnlyCollection<double> times)
         {
             if (times.Count == 0)
@@ -75,10 +74,10 @@ namespace Glint.Core
 
         /// <summary>
         /// The tile at a time, centred on the origin: x and z from half its size below 0 to half above,
-        /// y up with mean 0, all displaced sideways by the choppiness.
-        /// Opposite edges are the same but for the tile's size.
+        /// y up with mean 0, displaced sideways by the choppiness.
+        /// Opposite edges differ by exactly the tile's size.
         /// </summary>
-        /// <exception cref="GlintException">The time is not a number, or too far from 0.</exception>
+        /// <exception cref="GlintException">The time is not finite, or too far from 0.</exception>
         public TriangleMesh Mesh(double timeSeconds)
         {
             var waves = At(timeSeconds);
@@ -95,7 +94,8 @@ namespace Glint.Core
             for (int z = 0; z < side; z++)
                 for (int x = 0; x < side; x++)
                 {
-                    // The last row and column are the first ones, a tile further on: to the bit, not only to rounding.
+                    // The last row and column are copies of the first, displaced by a tile, so that they agree bit for
+                    // bit.
                     int column = x % cells, row = z % cells, at = row * cells + column;
                     double positionX =
                         Rounded(tile * ((double)column / cells - 0.5) + (alongX == null ? 0 : alongX[at]), step);
@@ -150,8 +150,8 @@ namespace Glint.Core
             return drawn;
         }
 
-        // Real and imaginary part of normal distribution, variance 1 each, by Box and Muller.
-        // A wave's chance hangs on its own number: not on the grid, nor on the order.
+        // Normally distributed real and imaginary part of variance 1 each, by Box and Muller.
+        // The random number depends on the wave alone, not on grid or order.
         static SeaMode MakeMode(int column, int row, double length, double number, ulong seed)
         {
             var random = new SplitMix64(new SplitMix64(seed + ((ulong)(uint)column << 32 | (uint)row)).Next());
@@ -224,7 +224,7 @@ namespace Glint.Core
             return indices;
         }
 
-        // float32 has 24 bits, and no place is farther from the middle than the tile's size.
+        // float32 has 24 bits, and no coordinate exceeds the tile's size.
         static double Step(double tile)
         {
             double step = FinestStep;
@@ -233,7 +233,7 @@ namespace Glint.Core
             return step;
         }
 
-        // System.Math's own rounding is not the same in every runtime just below a half.
+        // System.Math rounds differently between runtimes just below a half.
         static double Rounded(double value, double step) => Math.Floor(value / step + 0.5) * step;
     }
 
@@ -252,7 +252,7 @@ namespace Glint.Core
         /// <summary>h, metres.</summary>
         public double Real, Imaginary;
 
-        /// <summary>w over 2 pi, turns a second: below 0 where the wave runs along -k.</summary>
+        /// <summary>w over 2 pi, turns a second: negative if the wave travels along -k.</summary>
         public double Frequency;
 
         /// <summary>k over its length.</summary>
@@ -260,7 +260,7 @@ namespace Glint.Core
     }
 
     /// <summary>
-    /// The SplitMix64 generator (Steele, Lea and Flood 2014): whole numbers only, so the same on every machine.
+    /// The SplitMix64 generator (Steele, Lea and Flood 2014): integers only, so the same on every machine.
     /// </summary>
     struct SplitMix64
     {
@@ -277,7 +277,7 @@ namespace Glint.Core
             return mixed ^ (mixed >> 31);
         }
 
-        /// <summary>Uniform above 0 up to and with 1, in steps of 2^-53.</summary>
+        /// <summary>Uniform in (0, 1], in steps of 2^-53.</summary>
         public double NextAboveZero() => ((Next() >> 11) + 1) * (1.0 / (1L << 53));
     }
 }

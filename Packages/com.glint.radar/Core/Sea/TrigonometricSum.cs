@@ -1,6 +1,6 @@
 namespace Glint.Core
 {
-    /// <summary>Sums waves at any number of cells a side: along x first, then along z.</summary>
+    /// <summary>The sum for any number of cells a side: along x, then along z.</summary>
     sealed class TrigonometricSum : IWaveSum
     {
         readonly int _cells;
@@ -36,7 +36,7 @@ namespace Glint.Core
             return field;
         }
 
-        // Columns n and -n together: their cosines are the same, their sines opposite.
+        // Columns n and -n together: their cosines are equal, their sines opposite.
         void SumAlongX(WaveCoefficients waves, int row, double[] real, double[] imaginary)
         {
             int to = row * _cells;
@@ -64,7 +64,7 @@ namespace Glint.Core
     /// </summary>
     sealed class WaveCoefficients
     {
-        /// <param name="reach">Greatest column and row; columns go down to its negative, rows to 0.</param>
+        /// <param name="reach">Largest column and row; the smallest are -reach and 0.</param>
         public WaveCoefficients(int reach)
         {
             Reach = reach;
@@ -84,7 +84,7 @@ namespace Glint.Core
         public int IndexOf(int column, int row) => row * Columns + column + Reach;
     }
 
-    /// <summary>Sums waves at the corners of square cells over a tile.</summary>
+    /// <summary>Sums waves at the corners of the square cells of a tile.</summary>
     interface IWaveSum
     {
         /// <summary>The field at x, z = i / cells of the tile: cells a row, rows along z.</summary>

@@ -8,14 +8,14 @@ namespace Glint.Core
     /// </summary>
     sealed class Bridge
     {
-        // Sill and head of the windows over the foot, of the storey's height;
-        // the wall between two windows, of a window's width.
+        // Sill and head of the windows above the foot, as fractions of the storey's height;
+        // the wall between two windows, as a fraction of a window's width.
         const double Sill = 0.42, Head = 0.78, Post = 0.25;
 
-        // At the corners the wall is wider than the windows of the other wall are deep, metres.
+        // Width of the wall at the corners, metres; larger than the depth of the other wall's windows.
         const double Corner = 0.15;
 
-        // The row of the walls' cells that has the windows.
+        // Row of the walls' cells that holds the windows.
         const int WindowRow = 1;
 
         readonly ShipSettings _settings;
@@ -50,7 +50,7 @@ namespace Glint.Core
             double[] xBack = Reversed(_x), zBack = Reversed(_z);
             double depth = _settings.WindowDepth;
             var part = new ShipPart();
-            // Once around, then the lids: all patches the same way round.
+            // The four walls, then the lids, all with the same orientation.
             AddWindowWall(part, Grid(_y, _x, (y, x) => new double3(x, y, Front)), new double3(0, 0, depth));
             AddWindowWall(part, Grid(_y, _z, (y, z) => new double3(HalfWidth, y, z)), new double3(-depth, 0, 0));
             part.AddPatch(Grid(_y, xBack, (y, x) => new double3(x, y, Aft)));
@@ -60,12 +60,12 @@ namespace Glint.Core
             return part;
         }
 
-        /// <summary>A slab that reaches out over the windows.</summary>
+        /// <summary>A slab that overhangs the windows.</summary>
         public ShipPart BuildRoof() => ShipPart.Box(
             new double3(-HalfWidth - 0.3, Roof - Deckhouse.Overlap, Front - 0.4),
             new double3(HalfWidth + 0.3, Roof + 0.15, Aft + 0.2));
 
-        // Each second cell of the window row is a recess: four reveals and a pane.
+        // Every second cell of the window row is a recess: four reveals and a pane.
         static void AddWindowWall(ShipPart part, double3[][] wall, double3 inward)
         {
             for (int row = 0; row + 1 < wall.Length; row++)
@@ -90,7 +90,7 @@ namespace Glint.Core
         static double3[][] Grid(double[] rows, double[] columns, Func<double, double, double3> position) =>
             Array.ConvertAll(rows, row => Array.ConvertAll(columns, column => position(row, column)));
 
-        // Where a wall's cells begin and end: wall, window, wall, ..., window, wall.
+        // Borders of a wall's cells: wall, window, wall, ..., window, wall.
         static double[] WindowEdges(double from, double to, int windows, double corner)
         {
             double width = (to - from - 2 * corner) / (windows + Post * (windows - 1));

@@ -4,18 +4,20 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The lower two storeys, the deckhouse and on it what carries bridge and funnel:
-    /// upright flat fronts and ends, sides that lean inwards.
+    /// The lower two storeys: the deckhouse, and on it the house below the bridge and the casing below the funnel.
+    /// Fronts and ends are vertical and flat, sides lean inwards.
     /// </summary>
     sealed class Deckhouse
     {
-        // Parts reach so far into each other, metres: no two faces lie in one plane.
+        // Overlap of parts, metres, so that no two faces are coplanar.
         public const double Overlap = 0.05;
 
-        /// <summary>Where the deckhouse is as wide as it gets, of the way from the middle to its front.</summary>
+        /// <summary>
+        /// Position of the deckhouse's full width, as a fraction of the way from its middle to its front.
+        /// </summary>
         public const double Shoulder = 0.62;
 
-        // How far the sides lean inwards, of their height.
+        // Inward lean of the sides, as a fraction of their height.
         const double Lean = 0.14;
 
         readonly ShipSettings _settings;
@@ -37,14 +39,14 @@ namespace Glint.Core
 
         public double CasingRoof => UpperRoof + 0.5;
 
-        /// <summary>Half their widths, that of the deckhouse amidships. Beside the casing stand life boats.</summary>
+        /// <summary>Half the widths of these; of the deckhouse amidships. Life boats are beside the casing.</summary>
         public double LowerHalfWidth => HalfWidth(0);
 
         public double UpperHalfWidth => HalfWidth(UpperFront) - Lean * _settings.StoreyHeight - 0.1;
 
         public double CasingHalfWidth => LowerHalfWidth - 2.4;
 
-        /// <summary>Where the upper house begins, where the casing takes over, and where that ends.</summary>
+        /// <summary>z of the upper house's front, of the casing's front, and of its end.</summary>
         public double UpperFront => Shoulder * _settings.HouseFrontZ;
 
         public double CasingFront => UpperFront + 2.7 * UpperHalfWidth;
@@ -57,7 +59,7 @@ namespace Glint.Core
             double quarterdeck = _settings.Freeboard - Overlap, foredeck = quarterdeck + _settings.Forecastle;
             return new[]
             {
-                // Its foot stays below the deck, which slopes from the shoulder to the end, and inside the hull.
+                // The foot is below the deck, which slopes from the shoulder to the end, and inside the hull.
                 Storey(LowerRoof, At(front, foredeck), At(UpperFront, foredeck),
                     At(0, quarterdeck), At(aft, quarterdeck)),
                 Storey(UpperRoof, new double3(UpperHalfWidth, onRoof, UpperFront),
@@ -87,7 +89,7 @@ namespace Glint.Core
                 Outline(at => new double3(at.x, roof, at.z)));
         }
 
-        // Leaves side decks to walk on.
+        // Narrower than the deck, which leaves side decks.
         double HalfWidth(double z) => 0.82 * _hull.DeckHalfWidth(z) - Lean * _settings.StoreyHeight;
     }
 }

@@ -3,31 +3,32 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// The hull: round sides that flare towards the bow, a raked stem, a flat transom,
-    /// and a deck that is level but for its sheer towards the bow.
+    /// The hull: round sides that flare towards the bow, a raked stem, a flat transom, and a level deck with sheer
+    /// towards the bow.
     /// </summary>
     sealed class Hull
     {
-        // Where the hull is widest, and where the keel begins to rise towards the stern, of the length from the stern.
+        // Positions of the full width and of the keel's rise towards the stern, as fractions of the length from the
+        // stern.
         const double Widest = 0.42, KeelRise = 0.45;
 
         // Steps across the flat deck and the flat transom.
         const int Across = 6;
 
-        // The deck begins to rise so far before the deckhouse, metres:
-        // a ray that grazes it by 10 degrees and returns by the house front meets a level deck.
+        // Length of level deck before the deckhouse, metres: a ray at a grazing angle of 10 degrees that returns by the
+        // house front hits level deck.
         const double LevelBeforeHouse = 4;
 
         readonly ShipSettings _settings;
 
         public Hull(in ShipSettings settings) => _settings = settings;
 
-        /// <summary>Height of the deck, z metres aft of the middle (before it: negative).</summary>
+        /// <summary>Height of the deck, z metres aft of the middle.</summary>
         public double DeckHeight(double z)
         {
             double start = _settings.HouseFrontZ - LevelBeforeHouse, bow = -_settings.Length / 2;
             double forward = math.max(0, (start - z) / (start - bow));
-            // Beside the deckhouse it rises from the quarterdeck to the foredeck.
+            // It rises from the quarterdeck to the foredeck alongside the deckhouse.
             double lower = _settings.HouseAftZ, upper = Deckhouse.Shoulder * _settings.HouseFrontZ;
             double rise = math.clamp((lower - z) / (lower - upper), 0, 1);
             return _settings.Freeboard + _settings.Forecastle * rise * rise * (3 - 2 * rise)
@@ -37,10 +38,10 @@ namespace Glint.Core
         /// <summary>Half the width of the deck there.</summary>
         public double DeckHalfWidth(double z) => _settings.Beam / 2 * DeckWidth(0.5 - z / _settings.Length);
 
-        /// <param name="triangles">As many as whole steps along the ship allow.</param>
+        /// <param name="triangles">Approximate number; the hull has whole steps along the ship.</param>
         public ShipPart Build(int triangles)
         {
-            // Cells of the sides as long as high: a side is some seven times as long as its girth.
+            // Square cells: a side is some seven times as long as its girth.
             int down = math.max(8, (int)math.round(math.sqrt(triangles / 34.0)));
             int along = math.max(8, (int)math.round((triangles - 2.0 * down * Across) / (4 * down + 2 * Across)));
             double3[][] starboard = new double3[along + 1][], port = new double3[along + 1][],
@@ -70,7 +71,7 @@ namespace Glint.Core
             return part;
         }
 
-        // From a point on the starboard side straight across to its mirror image.
+        // A straight line from a point on the starboard side to its mirror image.
         static double3[] Crossing(double3 starboard)
         {
             var points = new double3[Across + 1];
@@ -88,8 +89,8 @@ namespace Glint.Core
             double quarter = 1 + girth * girth, out2 = 2 * girth / quarter, up2 = 2 * girth * girth / quarter;
             double width = (out2 + math.sqrt(out2)) / 2, height = 1 - (1 - up2 + math.sqrt(1 - up2)) / 2;
 
-            // Towards the stem the frame becomes a V, its foot a little round:
-            // no two points of it fall together on the keel.
+            // Towards the stem the frame becomes a V with a slightly round foot, so that no two points coincide on the
+            // keel.
             double towardsBow = math.max(0, (along - Widest) / (1 - Widest)), vee = towardsBow * towardsBow;
             width += 0.9 * vee * (height - width);
 
@@ -101,7 +102,7 @@ namespace Glint.Core
             return new double3(x, bottom + (deckAtStation - bottom) * height, z);
         }
 
-        // From the tip of the bow back to the stem at a height, 0 keel to 1 deck.
+        // Distance from the tip of the bow to the stem at a height, 0 keel to 1 deck.
         double Overhang(double height)
         {
             double above = DeckHeight(-_settings.Length / 2);
@@ -115,7 +116,7 @@ namespace Glint.Core
             return -_settings.Draught * (1 - 0.92 * aft * aft - 0.35 * forward * forward * forward);
         }
 
-        // Of the beam.
+        // Width of the deck as a fraction of the beam.
         double DeckWidth(double along)
         {
             if (along < Widest)

@@ -5,24 +5,24 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// A procedural naval vessel of closed solids that reach into each other. Bow towards -Z, y up, the water at y = 0,
+    /// A procedural naval vessel of intersecting closed solids. Bow towards -Z, y up, the water at y = 0,
     /// x = z = 0 in the middle of its length.
     /// The same settings give the same bits on every machine: sums, products,
     /// quotients and square roots in double, rounded to 2^-16 m.
     /// A new part is a class that returns a ShipPart, and a line in Build;
-    /// the hull takes the triangles that the other parts leave.
+    /// the hull gets the triangles that the other parts do not use.
     /// </summary>
     public static class ShipModel
     {
         /// <summary>
-        /// Each patch of a surface has vertices of its own:
-        /// normals recalculated from the triangles are smooth on it and sharp at its edges.
+        /// Patches of a surface do not share vertices: normals computed from the triangles are smooth within a patch
+        /// and sharp at its edges.
         /// </summary>
         /// <exception cref="GlintException">A setting is out of its range.</exception>
         public static TriangleMesh Build(in ShipSettings settings)
         {
             settings.Validate();
-            // Round parts get steps as the hull does: both ways by the square root of the triangles.
+            // Steps of round parts grow, like the hull's, with the square root of the triangles.
             double fineness = math.sqrt(settings.Triangles / 44000.0);
             int Steps(int standard) => math.max(1, (int)math.round(standard * fineness));
             double2[] fine = Circle.Points(Steps(5)), coarse = Circle.Points(Steps(2));
@@ -61,10 +61,10 @@ namespace Glint.Core
     /// <summary>A funnel that leans aft, longer than wide, with a rim.</summary>
     static class Funnel
     {
-        // How far it leans aft, of its height; and its length, of its width.
+        // Lean aft as a fraction of the height; length as a multiple of the width.
         const double Lean = 0.35, Length = 2.2;
 
-        /// <param name="halfWidth">At its foot.</param>
+        /// <param name="halfWidth">Half the width at the foot.</param>
         /// <param name="rings">Steps up its side.</param>
         public static ShipPart[] Build(double3 foot, double height, double halfWidth, double2[] circle, int rings)
         {
@@ -85,8 +85,8 @@ namespace Glint.Core
     }
 
     /// <summary>
-    /// A gun in a turret with sloped faces, on the deckhouse before the bridge:
-    /// from there it does not stand between a radar ahead and the deckhouse's front.
+    /// A gun in a turret with sloped faces, on the deckhouse before the bridge, where it does not hide the deckhouse's
+    /// front from a radar ahead.
     /// </summary>
     static class Gun
     {
@@ -115,10 +115,10 @@ namespace Glint.Core
     {
         const double HalfLength = 3.2, HalfWidth = 1.0, Height = 1.9;
 
-        // Its keel over the deck that it stands on.
+        // Height of the keel above the deck, metres.
         const double KeelHeight = 0.35;
 
-        /// <param name="foot">Below its middle, on the deck.</param>
+        /// <param name="foot">Point of the deck below its centre.</param>
         public static ShipPart[] Build(double3 foot, double2[] circle)
         {
             double3 centre = foot + new double3(0, KeelHeight + Height / 2, 0);
@@ -127,7 +127,7 @@ namespace Glint.Core
             for (int i = 0; i < frames.Length; i++)
             {
                 double at = circle[i].x, size = circle[i].y;
-                // The ends rise, and frames are between circle and square.
+                // The ends rise; frames are between circle and square.
                 frames[i] = System.Array.ConvertAll(circle, p =>
                     centre + new double3(HalfWidth * size * Full(p.x),
                         Height / 2 * size * Full(p.y) + 0.25 * at * at, HalfLength * at));
@@ -145,7 +145,7 @@ namespace Glint.Core
     /// <summary>A pyramid with a pole on it, two yards, a radar drum on a platform.</summary>
     static class Mast
     {
-        /// <param name="foot">In the middle of the pyramid's foot.</param>
+        /// <param name="foot">Centre of the pyramid's base.</param>
         /// <param name="top">Height of the pole's top.</param>
         public static IEnumerable<ShipPart> Build(double3 foot, double top, double2[] circle)
         {
@@ -191,8 +191,8 @@ namespace Glint.Core
     static class Circle
     {
         /// <summary>
-        /// Once about, from (1, 0) over (0, 1) back to (1, 0), which comes twice;
-        /// eight times so many steps, equal within a sixth.
+        /// One turn from (1, 0) over (0, 1) back to (1, 0), which occurs twice; eight times this number of steps, equal
+        /// within a sixth.
         /// </summary>
         public static double2[] Points(int stepsPerEighth)
         {
@@ -229,7 +229,7 @@ namespace Glint.Core
                 System.Array.ConvertAll(profile, at => Level(circle, foot + new double3(0, at.y, 0), at.x, at.x)),
                 creases);
 
-        /// <summary>A round rod, tapering from one end to the other; not upright.</summary>
+        /// <summary>A tapered round rod; it must not be vertical.</summary>
         public static ShipPart Rod(double2[] circle, double3 from, double3 to, double radiusFrom, double radiusTo)
         {
             double3 side = math.normalize(math.cross(to - from, new double3(0, 1, 0))),

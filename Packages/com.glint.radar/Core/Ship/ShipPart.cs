@@ -7,13 +7,13 @@ namespace Glint.Core
     /// <summary>
     /// A closed solid made of patches: grids of points, each a surface without a crease.
     /// Patches that meet give the same points on their common edge.
-    /// Which way round a patch is given does not matter, as long as all patches of a part are given alike
-    /// (from outside: rows turn left into columns, or all of them right).
+    /// The orientation of patches is free, but must be the same for all patches of a part (seen from outside, rows turn
+    /// left into columns, or right).
     /// </summary>
     sealed class ShipPart
     {
-        // Finest step of a coordinate, a power of two: float32 holds it up to 128 m,
-        // and flat faces along the axes stay flat to the last bit.
+        // Resolution of coordinates, a power of two: float32 holds it up to 128 m, and axis-aligned faces stay exactly
+        // flat.
         const double StepsPerMetre = 65536;
 
         readonly List<float3> _vertices = new List<float3>();
@@ -23,7 +23,7 @@ namespace Glint.Core
 
         /// <summary>
         /// A surface through rows of points. Rows or columns may shrink to a point.
-        /// It has vertices of its own: its edges are creases.
+        /// It shares no vertices: its edges are creases.
         /// </summary>
         public void AddPatch(double3[][] rows)
         {
@@ -39,7 +39,7 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// The flat or ruled surface between two curves of equally many points, in so many steps from one to the other.
+        /// The ruled surface between two curves with the same number of points, in a number of steps.
         /// </summary>
         public void AddRuled(double3[] from, double3[] to, int steps = 1)
         {
@@ -50,7 +50,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// A solid through closed rings (the last point is the first again) of equally many points, with flat ends.
+        /// A solid through closed rings (the last point repeats the first) with the same number of points, with flat
+        /// ends.
         /// </summary>
         /// <param name="creases">True if each ring is an edge, false if the side is round from ring to ring.</param>
         public static ShipPart Loft(double3[][] rings, bool creases = false)
@@ -80,7 +81,7 @@ namespace Glint.Core
             return part;
         }
 
-        /// <summary>A box along the axes.</summary>
+        /// <summary>An axis-aligned box.</summary>
         public static ShipPart Box(double3 boxMin, double3 boxMax)
         {
             double3[] Outline(double y) => new[]
@@ -102,7 +103,7 @@ namespace Glint.Core
             return other;
         }
 
-        /// <summary>Adds the part to a mesh, its outer side outwards as Unity winds triangles.</summary>
+        /// <summary>Adds the part to a mesh, with Unity's winding: the outer side is the front.</summary>
         public void AddTo(List<float3> vertices, List<int> indices)
         {
             bool isInsideOut = Volume() < 0;
@@ -117,7 +118,7 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// The points a part of the way from one curve to another; at 0 and 1 those of the curves to the last bit.
+        /// Interpolates between two curves; at 0 and 1 the points are exactly those of the curves.
         /// </summary>
         public static double3[] Between(double3[] from, double3[] to, double part)
         {
@@ -135,7 +136,7 @@ namespace Glint.Core
             return ring;
         }
 
-        // A convex flat end: triangles about its middle.
+        // A convex flat end: a fan about its centre.
         void AddEnd(double3[] ring, bool isFirst)
         {
             double3 centre = 0;
@@ -147,7 +148,7 @@ namespace Glint.Core
             AddPatch(isFirst ? new[] { point, ring } : new[] { ring, point });
         }
 
-        // Cut along the shorter diagonal. Where an edge has shrunk to a point one triangle is left.
+        // Cut along the shorter diagonal. A cell with an edge of length 0 gives one triangle.
         void AddCell(int a, int b, int c, int d)
         {
             bool alongAc = math.distancesq(_vertices[a], _vertices[c]) <= math.distancesq(_vertices[b], _vertices[d]);
@@ -166,7 +167,7 @@ namespace Glint.Core
 
         int Vertex(double3 point, Dictionary<float3, int> known)
         {
-            // Adding 0 makes -0 a 0: equal places have equal bits.
+            // Adding 0 turns -0 into 0, so that equal positions have equal bits.
             var position = (float3)(math.round(StepsPerMetre * point) / StepsPerMetre + 0.0);
             if (!known.TryGetValue(position, out int vertex))
             {

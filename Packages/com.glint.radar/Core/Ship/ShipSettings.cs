@@ -4,8 +4,7 @@ using System.Collections.Generic;
 namespace Glint.Core
 {
     /// <summary>
-    /// The named parameters of the procedural ship. Lengths in metres;
-    /// heights are above the water, which lies at y = 0.
+    /// Parameters of the procedural ship. Lengths in metres; heights above the water, which is at y = 0.
     /// </summary>
     [Serializable]
     public struct ShipSettings
@@ -43,46 +42,46 @@ namespace Glint.Core
         /// <summary>From the stern to the tip of the bow, metres: 55 to 90.</summary>
         public double Length;
 
-        /// <summary>Greatest width of the deck, metres: 11 to 16.</summary>
+        /// <summary>Maximum width of the deck, metres: 11 to 16.</summary>
         public double Beam;
 
         /// <summary>Height of the deck aft of the deckhouse, metres: 1.5 to 6.</summary>
         public double Freeboard;
 
-        /// <summary>How much higher the deck lies before the deckhouse than aft of it, metres: 0 to 3.</summary>
+        /// <summary>Height of the foredeck above the quarterdeck, metres: 0 to 3.</summary>
         public double Forecastle;
 
-        /// <summary>How far the keel lies below the water, metres: 2 to 8.</summary>
+        /// <summary>Depth of the keel below the water, metres: 2 to 8.</summary>
         public double Draught;
 
-        /// <summary>How much the deck rises from before the deckhouse to the bow, metres: 0 to 3.</summary>
+        /// <summary>Rise of the deck from the deckhouse's front to the bow, metres: 0 to 3.</summary>
         public double Sheer;
 
-        /// <summary>How far the tip of the bow reaches out over the stem at the water, metres: 0 to 6.</summary>
+        /// <summary>Overhang of the tip of the bow over the stem at the water, metres: 0 to 6.</summary>
         public double Rake;
 
         /// <summary>
-        /// How much finer the bow is at the keel than at the deck: 0 (as upright as amidships) to 0.8.
+        /// Narrowing of the bow from the deck to the keel: 0 (as vertical as amidships) to 0.8.
         /// </summary>
         public double Flare;
 
-        /// <summary>Width of the flat transom at the deck, of the beam: 0.4 to 1.</summary>
+        /// <summary>Width of the flat transom at the deck, as a fraction of the beam: 0.4 to 1.</summary>
         public double Transom;
 
         /// <summary>
-        /// From the middle of the ship forward to the flat front of the deckhouse, of the length: 0.28 to 0.36.
-        /// With the deck before it it is a dihedral: the peak bow-on.
+        /// Distance from the middle of the ship forward to the flat front of the deckhouse, as a fraction of the
+        /// length: 0.28 to 0.36. Front and deck form a dihedral: the peak bow-on.
         /// </summary>
         public double HouseFront;
 
         /// <summary>
-        /// From the middle of the ship aft to the flat end of the deckhouse, of the length: 0.2 to 0.34.
-        /// With the deck behind it it is a dihedral: the peak stern-on.
+        /// Distance from the middle of the ship aft to the flat end of the deckhouse, as a fraction of the length: 0.2
+        /// to 0.34. End and deck form a dihedral: the peak stern-on.
         /// </summary>
         public double HouseAft;
 
         /// <summary>
-        /// Height of each of the three storeys over the one below (deckhouse, upper house, bridge), metres: 2 to 4.
+        /// Height of each of the three storeys (deckhouse, upper house, bridge), metres: 2 to 4.
         /// </summary>
         public double StoreyHeight;
 
@@ -90,8 +89,8 @@ namespace Glint.Core
         public int Windows;
 
         /// <summary>
-        /// How deep the windows are set into the bridge, metres: 0.02 to 0.5.
-        /// Sill, jambs and pane of each are small corner reflectors.
+        /// Depth of the windows in the bridge's walls, metres: 0.02 to 0.5. Sill, jambs and pane of each form small
+        /// corner reflectors.
         /// </summary>
         public double WindowDepth;
 
@@ -99,14 +98,14 @@ namespace Glint.Core
         public double MastHeight;
 
         /// <summary>
-        /// Triangles of the whole ship, 15,000 to 200,000, met within 2 %. Most are the hull's;
-        /// round parts are the rounder the more there are.
+        /// Triangles of the whole ship, 15,000 to 200,000, within 2 %. Most belong to the hull; more triangles make
+        /// round parts rounder.
         /// </summary>
         public int Triangles;
 
         /// <summary>
-        /// A patrol vessel that fills the radar's picture about as the published experiment's ship does,
-        /// from the bow, the sides and the stern.
+        /// A patrol vessel with about as many rays hit as the published experiment's ship, seen from the bow, the sides
+        /// and the stern.
         /// </summary>
         public static ShipSettings Default => new ShipSettings
         {
@@ -116,12 +115,12 @@ namespace Glint.Core
             WindowDepth = 0.15, MastHeight = 12, Triangles = 44000,
         };
 
-        // Where front and end of the deckhouse stand: z, metres.
+        // z of the deckhouse's front and end, metres.
         internal double HouseFrontZ => -HouseFront * Length;
 
         internal double HouseAftZ => HouseAft * Length;
 
-        /// <summary>Refuses ships that cannot be built.</summary>
+        /// <summary>Refuses values out of range.</summary>
         /// <exception cref="GlintException">A value is out of its range.</exception>
         public void Validate()
         {

@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace Glint.Core
 {
-    /// <summary>The range of a number, both ends included, and the words for it.</summary>
+    /// <summary>The range of a number, both ends included, and its text for messages.</summary>
     public readonly struct Interval
     {
         readonly double _from, _to;
@@ -14,7 +14,7 @@ namespace Glint.Core
             _to = to;
         }
 
-        /// <summary>Both ends allowed.</summary>
+        /// <summary>A closed interval.</summary>
         public static Interval Closed(double from, double to) => new Interval(from, to);
 
         /// <summary>False for NaN.</summary>

@@ -17,7 +17,7 @@ namespace Glint.Core
         LengthUnit(string name, double meters) =>
             (Name, Meters) = (name, meters);
 
-        /// <summary>Every unit there is.</summary>
+        /// <summary>All units.</summary>
         public static IReadOnlyList<LengthUnit> All => Units;
 
         /// <summary>Symbol: "mm".</summary>
@@ -27,7 +27,7 @@ namespace Glint.Core
         public double Meters { get; }
 
         /// <summary>The unit of a symbol.</summary>
-        /// <exception cref="FormatException">No such unit; the message lists those there are.</exception>
+        /// <exception cref="FormatException">No such unit; the message lists the units.</exception>
         public static LengthUnit Parse(string text) => Units.FirstOrDefault(unit => unit.Name == text)
             ?? throw new FormatException($"must be one of {string.Join(", ", Units.Select(unit => unit.Name))}");
 

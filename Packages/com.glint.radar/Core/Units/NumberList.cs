@@ -10,23 +10,23 @@ namespace Glint.Core
     /// </summary>
     public sealed class NumberList
     {
-        /// <summary>Most numbers of one list.</summary>
+        /// <summary>Maximum number of values of one list.</summary>
         public const int Limit = 1000000;
 
         const double SmallestStep = 1e-9;
 
-        // In steps: a STEP written as 0.333333333 still reaches TO.
+        // In steps, so that a STEP such as 0.333333333 reaches TO.
         const decimal EndTolerance = 1e-6m;
 
         readonly string _noun, _nouns, _unit;
         readonly (string range, string list) _examples;
 
         /// <summary>A list of such numbers.</summary>
-        /// <param name="noun">What a number is: "angle".</param>
+        /// <param name="noun">Noun of a number: "angle".</param>
         /// <param name="range">Of each number.</param>
         /// <param name="unit">"degrees".</param>
         /// <param name="examples">Of a range and of a list: "0:45:1", "0,10,45".</param>
-        /// <param name="nouns">Several of them, when that is not the noun with an s.</param>
+        /// <param name="nouns">Plural of the noun, if it is not the noun with an s.</param>
         public NumberList(string noun, Interval range, string unit,
             (string range, string list) examples, string nouns = null)
         {
@@ -47,7 +47,7 @@ namespace Glint.Core
             + $"or a list, such as {_examples.list}";
 
         /// <summary>
-        /// The numbers in the order written. FROM and TO are both included, TO when whole steps reach it.
+        /// The numbers in the order given. FROM is included, and TO if whole steps reach it.
         /// </summary>
         /// <exception cref="FormatException">
         /// Malformed, empty, out of range or more than <see cref="Limit"/>.
@@ -86,12 +86,12 @@ namespace Glint.Core
             if (step < SmallestStep)
                 throw new FormatException("STEP must be at least "
                     + SmallestStep.ToString(CultureInfo.InvariantCulture));
-            decimal from = Exact(parts[0]), to = Exact(parts[1]);
-            // A step beyond the range is as good as any other that is, and fits a decimal.
-            return Steps(from, to, step > 2 * (last - first) ? 2 * (to - from) : Exact(parts[2]));
+            decimal from = ToDecimal(parts[0]), to = ToDecimal(parts[1]);
+            // Any step larger than the range gives the same list; this one fits a decimal.
+            return Steps(from, to, step > 2 * (last - first) ? 2 * (to - from) : ToDecimal(parts[2]));
         }
 
-        // Decimal arithmetic: 0:1:0.1 has 0.3 in it, not 0.30000000000000004.
+        // Decimal arithmetic: 0:1:0.1 contains 0.3, not 0.30000000000000004.
         static double[] Steps(decimal from, decimal to, decimal step)
         {
             decimal steps = (to - from) / step, whole = decimal.Round(steps);
@@ -116,13 +116,13 @@ namespace Glint.Core
         {
             if (text.Trim().Length == 0)
                 throw new FormatException("a number is missing: " + Forms);
-            // + 0 makes -0 a plain 0.
+            // + 0 turns -0 into 0.
             return Values.TryReal(text, out double value)
                 ? value + 0.0
                 : throw new FormatException($"{Values.Shown(text)} is not a number: {Forms}");
         }
 
-        static decimal Exact(string text) =>
+        static decimal ToDecimal(string text) =>
             decimal.Parse(text.Trim(), NumberStyles.Float, CultureInfo.InvariantCulture);
 
         static double Nearest(decimal value) =>

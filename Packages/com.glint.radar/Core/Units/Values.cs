@@ -115,7 +115,7 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>What stands for the value of an option that has none.</summary>
+        /// <summary>Value of an option that takes none.</summary>
         public const string GivenText = "given";
 
         /// <summary>The value of an option that takes none.</summary>
@@ -131,7 +131,7 @@ namespace Glint.Core
             && !double.IsInfinity(value);
 
         /// <summary>
-        /// A given text as messages show it: in quotes where its ends could not be seen, cut where it is long.
+        /// A text for messages: in quotes if its ends would be invisible, shortened if it is long.
         /// </summary>
         public static string Shown(string text)
         {
@@ -141,7 +141,7 @@ namespace Glint.Core
                 + text.Replace('\r', ' ').Replace('\n', ' ') + "\"" : text;
         }
 
-        // As double: ranges are, and a number too long for an int is out of range, not malformed.
+        // As double: a number too long for an int is out of range, not malformed.
         static bool TryWhole(string text, out double value) =>
             double.TryParse(text.Trim(), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value);
 

@@ -39,11 +39,11 @@ namespace Glint.Editor
         /// <summary>Entry of Unity's -executeMethod: <c>glint reflector</c>.</summary>
         public static void Reflector() => ExecuteAndExit(Commands.Reflector, Environment.GetCommandLineArgs());
 
-        /// <summary>Does what a command line says, without leaving edit mode; the scene is not saved.</summary>
+        /// <summary>Executes a command line in edit mode; the scene is not saved.</summary>
         /// <returns>The exit code: 0 done, 130 cancelled.</returns>
-        /// <exception cref="GlintException">Something is wrong with a file, the scene or the device.</exception>
+        /// <exception cref="GlintException">A problem with a file, the scene or the device.</exception>
         /// <exception cref="OperationCanceledException">
-        /// Cancelled within a pose; the rows before it are kept.
+        /// Cancelled within a pose; earlier rows are kept.
         /// </exception>
         public static int Execute(CommandLine line, IProgressSink progress) =>
             line.Command.Handler(line, progress);
@@ -69,7 +69,7 @@ namespace Glint.Editor
             }
         }
 
-        /// <summary>What was traced: not where the files go, which part of it, or on what device.</summary>
+        /// <summary>The arguments that identify what is traced, without output folder, part and device.</summary>
         internal static string[] ArgumentsOf(CommandLine line) =>
             line.Arguments.Where(word => new Option[] { Options.Out, Options.Shard, Options.Resume, Options.Device }
                 .All(aside => word.Split('=')[0] != aside.Flag)).ToArray();
@@ -85,7 +85,7 @@ namespace Glint.Editor
             return Done;
         }
 
-        /// <summary>The poses of a sweep; of other commands the one.</summary>
+        /// <summary>The poses of a sweep; a single pose for other commands.</summary>
         internal static SweepPlan PlanOf(CommandLine line)
         {
             if (line.Command != Commands.Sweep)
@@ -150,7 +150,7 @@ namespace Glint.Editor
                     + $"the first row replaces it ({Options.Resume.Flag} would go on with it)");
         }
 
-        // Nothing in any pose is a valid result, and more often a wrong aim.
+        // No hit in any pose is a valid result, but more often a wrong aim.
         static void WarnOfSilence(string name, long hit, long received)
         {
             if (hit == 0)
@@ -172,7 +172,7 @@ namespace Glint.Editor
                 + $"narrower view ({Options.Fov.Flag}; in a scene the Camera's Field of View)");
         }
 
-        // A sweep always keeps its results; a single pose when told where.
+        // A sweep always writes results; a single pose only with --out.
         static ResultsFolder OpenFolder(CommandLine line, string name)
         {
             if (line.IsGiven(Options.Out))
@@ -205,9 +205,9 @@ namespace Glint.Editor
     {
         const string Name = "Ship";
 
-        /// <summary>Writes the ship that a command line asks for, or the stored one.</summary>
+        /// <summary>Writes the ship of a command line, or the stored ship.</summary>
         /// <returns>The exit code: 0 done.</returns>
-        /// <exception cref="GlintException">The measures make no ship, or a file cannot be written.</exception>
+        /// <exception cref="GlintException">A measure is out of range, or a file cannot be written.</exception>
         public static int Write(CommandLine line, IProgressSink progress)
         {
             var asked = ShipOptions.Read(line);
@@ -226,7 +226,7 @@ namespace Glint.Editor
         }
     }
 
-    /// <summary>The lines that a command prints, one a pose, in columns.</summary>
+    /// <summary>The table that a command prints, a line for each pose.</summary>
     public static class PoseTable
     {
         /// <summary>
@@ -237,8 +237,8 @@ namespace Glint.Editor
             + "    amplitude         dB   received        hit";
 
         /// <summary>The line of one pose.</summary>
-        /// <param name="plan">Whose pose it is.</param>
-        /// <param name="row">The pose and what the radar received in it.</param>
+        /// <param name="plan">The plan of the pose.</param>
+        /// <param name="row">The pose and its result.</param>
         public static string Row(SweepPlan plan, SweepRow row) =>
             string.Concat(Columns(plan).Select(axis => Cell(axis, row.Pose[axis]))) + Row(row.Result);
 
@@ -256,7 +256,7 @@ namespace Glint.Editor
             result.RaysHit);
 
         /// <summary>
-        /// What the line of a pose has no column for: how far its amplitude can be trusted, and what a ray stands for.
+        /// Details without a column: the sampling error, and the wavefront of a parallel ray.
         /// </summary>
         public static string Details(RadarResult result) => FormattableString.Invariant(
                 $"normalised amplitude {result.NormalisedAmplitude:0.000}, sampling error ")
@@ -266,7 +266,7 @@ namespace Glint.Editor
                 : ResultColumn.NotEstimated)
             + (result.RayArea is double area ? FormattableString.Invariant($"; {area:g6} m2 a ray") : "");
 
-        // + 0 makes the -0 of a hair below 0 dB a plain 0.
+        // + 0 turns -0, rounded from slightly below 0 dB, into 0.
         static string Decibels(double value) =>
             (Math.Round(value, 2) + 0.0).ToString("0.00", CultureInfo.InvariantCulture);
     }

@@ -68,11 +68,11 @@ namespace Glint.Editor
             .Where(word => word != null));
     }
 
-    /// <summary>What a command works on.</summary>
+    /// <summary>Kinds of input of a command.</summary>
     [Flags]
     public enum InputKind
     {
-        /// <summary>Nothing: the command takes no input.</summary>
+        /// <summary>No input.</summary>
         None = 0,
 
         /// <summary>A Unity scene: .unity.</summary>
@@ -81,10 +81,10 @@ namespace Glint.Editor
         /// <summary>A mesh file: .obj or .stl.</summary>
         MeshFile = 2,
 
-        /// <summary>Either.</summary>
+        /// <summary>A scene or a mesh file.</summary>
         File = Scene | MeshFile,
 
-        /// <summary>The generated scene of a command that may be called without an input.</summary>
+        /// <summary>The built-in scene of a command with optional input.</summary>
         BuiltIn = 4,
 
         /// <summary>Results folders, one or more.</summary>
@@ -96,7 +96,7 @@ namespace Glint.Editor
         /// <summary>The name of a shell.</summary>
         Shell = 32,
 
-        /// <summary>Whatever a command works on alone.</summary>
+        /// <summary>Any single input.</summary>
         Any = File | BuiltIn | Results
     }
 }

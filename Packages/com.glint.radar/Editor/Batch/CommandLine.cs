@@ -7,11 +7,11 @@ using Glint.Core;
 namespace Glint.Editor
 {
     /// <summary>
-    /// A checked command line: what is to be done, to what, with which options. Nothing of it has been opened yet.
+    /// A validated command line: command, input and options. No file has been opened yet.
     /// </summary>
     public sealed class CommandLine
     {
-        /// <summary>Marks, among Unity's own arguments, where those of the command begin.</summary>
+        /// <summary>Separates Unity's own arguments from those of the command.</summary>
         public const string UnityMarker = "--glint";
 
         readonly Dictionary<Option, object> _values = new Dictionary<Option, object>();
@@ -21,22 +21,22 @@ namespace Glint.Editor
         /// <summary>The command.</summary>
         public Command Command { get; }
 
-        /// <summary>The scene, mesh file, results folder or shell as given; null when there is none.</summary>
+        /// <summary>The scene, mesh file, results folder or shell as given; null if there is none.</summary>
         public string Input { get; private set; }
 
-        /// <summary>The folders as given, of a command that takes folders.</summary>
+        /// <summary>The folders as given, for a command that takes folders.</summary>
         public IReadOnlyList<string> Folders { get; private set; } = Array.Empty<string>();
 
-        /// <summary>What <see cref="Input"/> is: what the command takes, or by the end of its name.</summary>
+        /// <summary>Kind of <see cref="Input"/>, from the command or the file's extension.</summary>
         public InputKind InputKind { get; private set; }
 
         /// <summary>
-        /// The command's name, the input and the options as given: after the name,
-        /// what <see cref="Parse"/> makes the same line of.
+        /// The command's name, the input and the options as given. From the arguments after the name <see
+        /// cref="Parse"/> gives the same line.
         /// </summary>
         public IReadOnlyList<string> Arguments { get; private set; }
 
-        /// <summary>Value of an option: as given, else its default.</summary>
+        /// <summary>Value of an option, or its default.</summary>
         public T Get<T>(Option<T> option) => _values.TryGetValue(option, out var value) ? (T)value : option.Default;
 
         /// <summary>The same where the type is not known.</summary>
@@ -49,7 +49,7 @@ namespace Glint.Editor
         /// <summary>
         /// Reads the arguments of a command in Unity's batch mode: all after <see cref="UnityMarker"/>.
         /// </summary>
-        /// <exception cref="UsageException">The first thing that is wrong.</exception>
+        /// <exception cref="UsageException">The first error.</exception>
         public static CommandLine FromUnity(Command command, IReadOnlyList<string> processArguments)
         {
             var own = processArguments.SkipWhile(argument => argument != UnityMarker).ToArray();
@@ -68,7 +68,7 @@ namespace Glint.Editor
         /// <c>--name value</c> or <c>--name=value</c>, after <c>--</c> no options.
         /// A value may begin with '-', as negative numbers do, but not with "--".
         /// </summary>
-        /// <exception cref="UsageException">The first thing that is wrong.</exception>
+        /// <exception cref="UsageException">The first error.</exception>
         public static CommandLine Parse(Command command, IReadOnlyList<string> arguments)
         {
             var inputs = new List<string>();
@@ -98,13 +98,12 @@ namespace Glint.Editor
         }
 
         /// <summary>
-        /// Checks what a parser found. Both hosts' command lines end here,
-        /// so that both refuse the same things in the same words.
+        /// Validates the output of a parser. Both hosts use it, so that their error messages are the same.
         /// </summary>
         /// <param name="command">The command.</param>
-        /// <param name="inputs">The arguments that are no options.</param>
+        /// <param name="inputs">The arguments that are not options.</param>
         /// <param name="options">Options as written, with dashes, and their values; null for a missing value.</param>
-        /// <exception cref="UsageException">The first thing that is wrong.</exception>
+        /// <exception cref="UsageException">The first error.</exception>
         public static CommandLine Create(Command command, IReadOnlyList<string> inputs,
             IReadOnlyList<KeyValuePair<string, string>> options)
         {
@@ -121,7 +120,7 @@ namespace Glint.Editor
         }
 
         /// <summary>
-        /// Whether an argument is written as an option: a dash and a letter or dash after it. A negative number is not.
+        /// Whether an argument has the form of an option: a dash followed by a letter or dash. Negative numbers do not.
         /// </summary>
         public static bool LooksLikeOption(string argument) =>
             argument.Length > 1 && argument[0] == '-' && (argument[1] == '-' || char.IsLetter(argument[1]));
@@ -252,10 +251,10 @@ namespace Glint.Editor
             new KeyValuePair<string, string>(flag, text);
     }
 
-    /// <summary>Finds the name that was probably meant.</summary>
+    /// <summary>Suggests the intended name for a misspelt one.</summary>
     public static class Spelling
     {
-        /// <summary>The known name nearest to a word; null when none is near.</summary>
+        /// <summary>The known name nearest to a word; null if none is near.</summary>
         public static string Nearest(string word, IEnumerable<string> names)
         {
             var near = names.Select(name => (name, distance: name.StartsWith(word, StringComparison.Ordinal)
@@ -264,7 +263,7 @@ namespace Glint.Editor
             return near.name != null && near.distance <= Math.Max(1, word.Length / 3) ? near.name : null;
         }
 
-        // Edits of one letter (Levenshtein), one row of the table at a time.
+        // Levenshtein distance, one row of the table at a time.
         static int Distance(string from, string to)
         {
             var row = Enumerable.Range(0, to.Length + 1).ToArray();

@@ -7,18 +7,18 @@ namespace Glint.Editor
     /// <summary>The commands, for both hosts.</summary>
     public static class Commands
     {
-        /// <summary>What the commands are, in one line.</summary>
+        /// <summary>Summary of the commands, in one line.</summary>
         public const string Summary = "Glint, a radar for Unity: shoots rays from a radar, "
             + "bounces them through the scene on the GPU and sums what returns.";
 
-        /// <summary>What INPUT is.</summary>
+        /// <summary>Description of INPUT.</summary>
         public const string InputHelp =
             "A scene (.unity) or a mesh file (.obj, .stl). A scene is given by its path on disk or by its asset path: "
             + "Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity.";
 
         const string FoldersHelp = "The results folders of all parts, in any order.";
 
-        /// <summary>The shells that <see cref="Completion"/> knows.</summary>
+        /// <summary>The shells supported by <see cref="Completion"/>.</summary>
         public static readonly IReadOnlyList<string> Shells = new[] { "bash", "zsh", "fish" };
 
         const string ResultsHelp = "A folder that a sweep or run has written to: one with results.json.";
@@ -26,7 +26,7 @@ namespace Glint.Editor
         const string WithoutInputHelp =
             "Without it: a rough sea with a ship on it, before the camera of the published experiment.";
 
-        /// <summary>What the exit codes mean.</summary>
+        /// <summary>Description of the exit codes.</summary>
         public const string ExitCodes = "0 done; 1 something is wrong with a file, the scene or the device; "
             + "2 the command line is wrong; 130 stopped by Ctrl-C.";
 
@@ -109,7 +109,7 @@ namespace Glint.Editor
                 }
             };
 
-        /// <summary>Makes a page of results.</summary>
+        /// <summary>Makes an HTML report of results.</summary>
         public static readonly Command Report = new Command("report", "Write one HTML file of a sweep or run that "
             + "opens offline: charts, table, phase histograms, and the scene in 3-D with its received rays.")
         {
@@ -133,7 +133,7 @@ namespace Glint.Editor
                 }
         };
 
-        /// <summary>Times poses, and other programs beside them. Only the headless host has it.</summary>
+        /// <summary>Times poses and other programs. Only in the headless host.</summary>
         public static readonly Command Bench = new Command("bench", "Time what a pose costs, count what it does, "
             + "and compare its sums with a double-precision tracer and its times with other programs.")
         {
@@ -161,7 +161,7 @@ namespace Glint.Editor
         };
 
         /// <summary>
-        /// Compares rays one by one with those of the double-precision tracer. Only the headless host has it.
+        /// Compares rays one by one with those of the reference tracer. Only in the headless host.
         /// </summary>
         public static readonly Command Verify = new Command("verify",
             "Trace a scene and compare its rays one by one with those of a double-precision tracer.")
@@ -181,7 +181,7 @@ namespace Glint.Editor
                 }
         };
 
-        /// <summary>Repeats the published experiments. Only the headless host has it.</summary>
+        /// <summary>Repeats the published experiments. Only in the headless host.</summary>
         public static readonly Command Experiments = new Command("experiments",
             "Repeat the published experiments and write tables and plots of the results beside the published ones.")
         {
@@ -265,7 +265,7 @@ namespace Glint.Editor
                 }
             };
 
-        /// <summary>Prints a script for a shell. Only the headless host has it.</summary>
+        /// <summary>Prints a completion script for a shell. Only in the headless host.</summary>
         public static readonly Command Completion = new Command("completion",
             "Print a script with which a shell completes commands, options, choices and file names of glint.")
         {
@@ -287,7 +287,7 @@ namespace Glint.Editor
         public static IReadOnlyList<Command> All { get; } =
             new[] { Sweep, Merge, Run, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info, Completion };
 
-        /// <summary>What INPUT is for a command.</summary>
+        /// <summary>Description of INPUT for a command.</summary>
         public static string InputHelpOf(Command command) => command.Inputs == InputKind.Folders ? FoldersHelp
             : command.Inputs == InputKind.Results ? ResultsHelp
             : command.Inputs == InputKind.Shell ? string.Join(", ", Shells) + "."

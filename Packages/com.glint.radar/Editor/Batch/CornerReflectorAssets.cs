@@ -12,7 +12,7 @@ namespace Glint.Editor
     {
         const string Reflector = "Corner Reflector", Radar = "Corner Reflector Radar", MainCameraTag = "MainCamera";
 
-        const float CameraDepth = -1; // Unity's for a scene's main camera
+        const float CameraDepth = -1; // Unity's default for a scene's main camera
 
         /// <summary>Writes both prefabs.</summary>
         /// <returns>The exit code: 0 done.</returns>
@@ -50,7 +50,7 @@ namespace Glint.Editor
             return reflector;
         }
 
-        // Unity stores place and rotation of a prefab's root with each scene: so the camera is a child.
+        // The camera is a child, because Unity stores position and rotation of a prefab's root with each scene.
         static GameObject MakeRadar()
         {
             var root = new GameObject(Radar);

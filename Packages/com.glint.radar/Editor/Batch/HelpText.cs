@@ -83,7 +83,7 @@ namespace Glint.Editor
             Heading("Examples");
             foreach (var example in examples)
             {
-                // Unwrapped: it is there to be copied.
+                // Not wrapped, so that it can be copied.
                 _text.Append(' ', Margin).Append("glint ").Append(example.Key).Append('\n');
                 Paragraph(3 * Margin, example.Value);
             }
@@ -112,7 +112,7 @@ namespace Glint.Editor
             }
         }
 
-        // Words up to the width, later lines indented; the first begins at the column where the caller stopped.
+        // Wraps words at the width and indents later lines; the first line begins at the current column.
         void Paragraph(int indent, string text, int position = 0)
         {
             int end = Math.Max(_width - 1, indent + NarrowestText);

@@ -19,53 +19,53 @@ namespace Glint.Editor
         /// <summary>Name as written on a command line: "--target".</summary>
         public string Flag => "--" + Name;
 
-        /// <summary>What stands for the value in the help: "NAME".</summary>
+        /// <summary>Placeholder of the value in the help: "NAME".</summary>
         public string ValueName { get; }
 
         /// <summary>One or two sentences for the user, units included.</summary>
         public string Help { get; internal set; }
 
-        /// <summary>Range of the value in words; null when any will do.</summary>
+        /// <summary>Range of the value as text; null if unrestricted.</summary>
         public string Range { get; internal set; }
 
         /// <summary>
-        /// Values to offer while a command line is typed; empty when there are too many, or only names of files.
+        /// Values for completion; empty if there are too many, or only file names.
         /// </summary>
         public IReadOnlyList<string> Choices { get; internal set; } = Array.Empty<string>();
 
-        /// <summary>The value when the option is not given, as it would be written; null when there is none.</summary>
+        /// <summary>Text of the default value; null if there is none.</summary>
         public string DefaultText { get; internal set; }
 
         /// <summary>
-        /// The value when the option is given without one, as it would be written; null when it needs one.
+        /// Text of the value if the option is given without one; null if it needs a value.
         /// </summary>
         public string ImpliedText { get; internal set; }
 
-        /// <summary>Whether it stands alone, without a value.</summary>
+        /// <summary>Whether it takes no value.</summary>
         public bool IsSwitch { get; internal set; }
 
-        /// <summary>Heading of the help under which the option stands.</summary>
+        /// <summary>Heading of the option in the help.</summary>
         public string Group { get; internal set; }
 
-        /// <summary>The inputs that the option goes with.</summary>
+        /// <summary>The inputs to which the option applies.</summary>
         public InputKind Inputs { get; internal set; } = InputKind.Any;
 
-        /// <summary>Why the option is refused with the other inputs, and what to do instead.</summary>
+        /// <summary>Message if the option is given with another input.</summary>
         public string Refusal { get; internal set; }
 
         /// <summary>
-        /// Options without all of which this one means nothing: one of them must be given with it. Empty for none.
+        /// Options of which one must be given with this one; may be empty.
         /// </summary>
         public IReadOnlyList<Option> Needs { get; internal set; } = Array.Empty<Option>();
 
-        /// <summary>Options that cannot be given with this one, each with the reason.</summary>
+        /// <summary>Options that exclude this one, each with the reason.</summary>
         public IReadOnlyList<(Option option, string reason)> Excludes { get; internal set; } =
             Array.Empty<(Option, string)>();
 
-        /// <summary>What to use in Unity, which has a way of its own; null for options that both hosts take.</summary>
+        /// <summary>Unity's own means for the purpose; null for options of both hosts.</summary>
         public string UnityRemedy { get; internal set; }
 
-        /// <summary>The value of the option when it is not given.</summary>
+        /// <summary>The default value.</summary>
         public abstract object DefaultValue { get; }
 
         /// <summary>Whether it may be given more than once.</summary>
@@ -79,7 +79,7 @@ namespace Glint.Editor
 
         internal abstract object JoinValues(object before, object value);
 
-        /// <summary>The option as written.</summary>
+        /// <summary>The flag.</summary>
         public override string ToString() => Flag;
     }
 
@@ -94,11 +94,11 @@ namespace Glint.Editor
         internal Option(string name, string valueName, Func<string, T> read) : base(name, valueName) => _read = read;
 
         /// <summary>
-        /// Makes one value of those of an option that may be given more than once; null for other options.
+        /// Joins the values of a repeatable option; null for other options.
         /// </summary>
         internal Func<T, T, T> Join { get; set; }
 
-        /// <summary>The value when the option is not given; the type's default when the table has none.</summary>
+        /// <summary>The default value; that of the type if the table has none.</summary>
         public T Default => DefaultText == null ? default : Parse(DefaultText);
 
         /// <inheritdoc/>
@@ -113,8 +113,8 @@ namespace Glint.Editor
         /// </exception>
         public T Parse(string text) => Parse(text, Flag);
 
-        /// <summary>Reads a value that is written elsewhere than after the option.</summary>
-        /// <param name="where">Where, for the message.</param>
+        /// <summary>Reads a value from another place than the command line.</summary>
+        /// <param name="where">The place, for messages.</param>
         /// <exception cref="UsageException">
         /// Malformed or out of range; the message names the place and the text.
         /// </exception>

@@ -348,7 +348,7 @@ namespace Glint.Editor
             };
     }
 
-    /// <summary>A program that a benchmark times beside Glint.</summary>
+    /// <summary>A program that a benchmark times in alternation with Glint.</summary>
     public readonly struct PeerCommand
     {
         PeerCommand(string name, string command)
@@ -357,7 +357,7 @@ namespace Glint.Editor
             Command = command;
         }
 
-        /// <summary>What it is called in the tables.</summary>
+        /// <summary>Name in the tables.</summary>
         public string Name { get; }
 
         /// <summary>Its command line, for the shell.</summary>

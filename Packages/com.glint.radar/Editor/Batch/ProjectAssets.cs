@@ -6,24 +6,24 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// Meshes and prefabs written into the project. What is replaced keeps its guid, so that scenes still find it.
+    /// Writes meshes and prefabs into the project. A replaced asset keeps its guid, so that scenes still refer to it.
     /// </summary>
     static class ProjectAssets
     {
         const string KernelPath = "Packages/com.glint.radar/Shaders/Trace.compute";
         const string MeshesPackage = "Packages/com.glint.meshes";
 
-        /// <summary>The kernel that every radar needs; null where its import failed.</summary>
+        /// <summary>The kernel of every radar; null if its import failed.</summary>
         public static ComputeShader Kernel => AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath);
 
-        /// <summary>What Unity gives new objects to look like.</summary>
+        /// <summary>Unity's default material of new objects.</summary>
         public static Material StandardMaterial =>
             AssetDatabase.GetBuiltinExtraResource<Material>("Default-Material.mat");
 
         /// <summary>
-        /// The asset path of a folder as a user names it; made, with its parents, when it is not there.
+        /// The asset path of a folder given by a user; created, with its parents, if it does not exist.
         /// </summary>
-        /// <exception cref="GlintException">It is outside of the project, or cannot be made.</exception>
+        /// <exception cref="GlintException">It is outside the project, or cannot be created.</exception>
         public static string Folder(string given)
         {
             string path = new ProjectPaths(Path.GetDirectoryName(Application.dataPath))
@@ -32,7 +32,7 @@ namespace Glint.Editor
             return path;
         }
 
-        /// <summary>A folder for what the project stores itself.</summary>
+        /// <summary>A folder of the project's own assets.</summary>
         /// <exception cref="GlintException">The project has no package for it.</exception>
         public static string StoredFolder(string name)
         {
@@ -68,7 +68,7 @@ namespace Glint.Editor
                 throw new GlintException($"{path}: the prefab could not be written: Unity's log says why");
         }
 
-        /// <summary>An object that shows a mesh, below another.</summary>
+        /// <summary>Adds a child that shows a mesh.</summary>
         public static void AddMesh(GameObject parent, string name, Vector3 position, Mesh mesh)
         {
             var shown = new GameObject(name, typeof(MeshFilter), typeof(MeshRenderer));

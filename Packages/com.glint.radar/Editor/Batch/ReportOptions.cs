@@ -6,7 +6,7 @@ namespace Glint.Editor
     /// <summary>The options of <c>glint report</c>.</summary>
     public static class ReportOptions
     {
-        /// <summary>What <see cref="Pose"/> is for no pose at all.</summary>
+        /// <summary>Value of <see cref="Pose"/> for no pose.</summary>
         public const int NoPose = -1;
 
         const string Group = "Report";
@@ -18,8 +18,7 @@ namespace Glint.Editor
             "The file to write, in a folder that is there. Without it: report.html in the folder of the results.");
 
         /// <summary>
-        /// Number of the row, from 1, whose pose is shown; 0 when not given: the strongest.
-        /// <see cref="NoPose"/> for none.
+        /// Row of the pose shown, from 1; 0 when not given: the strongest; <see cref="NoPose"/>: none.
         /// </summary>
         public static readonly Option<int> Pose = new Option<int>("pose", "N|none", ReadPose)
         {

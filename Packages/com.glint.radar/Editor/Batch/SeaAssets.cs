@@ -7,11 +7,11 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// <c>glint sea</c>: snapshots of a sea, each a mesh and a prefab that lays its tiles and carries its recipe.
+    /// <c>glint sea</c>: snapshots of a sea, each a mesh and a prefab with its tiles and its recipe.
     /// </summary>
     static class SeaAssets
     {
-        /// <summary>Writes the sea that a command line asks for, or the stored ones.</summary>
+        /// <summary>Writes the sea of a command line, or the stored seas.</summary>
         /// <returns>The exit code: 0 done, 130 cancelled.</returns>
         /// <exception cref="GlintException">A setting is out of its range, or a file cannot be written.</exception>
         public static int Write(CommandLine line, IProgressSink progress)
@@ -70,20 +70,18 @@ namespace Glint.Editor
             ProjectAssets.SavePrefab(root, $"{folder}/{name}.prefab");
         }
 
-        // Two digits at least: in the order of their names the first ten are in their own.
+        // At least two digits, so that names sort by number.
         static string SnapshotName(int number) => "Snapshot " + number.ToString("00", CultureInfo.InvariantCulture);
     }
 
     /// <summary>
-    /// The two seas whose meshes are stored, each at ten times. One wind, choppiness, grid and seed:
-    /// only their height differs, so each is the other enlarged upwards.
-    /// A wind of 9 m/s puts the spectrum's peak, 7.7 v^2/g, on the longest wave that a tile of 64 m holds;
-    /// choppiness 1 is that of waves in deep water.
+    /// The two seas whose meshes are stored, each at ten times. They have the same wind, choppiness, grid and seed and
+    /// differ in height only. A wind of 9 m/s puts the spectrum's peak, 7.7 v^2/g, on the longest wave that a tile of
+    /// 64 m holds; choppiness 1 is that of deep-water waves.
     /// </summary>
     public static class StoredSeas
     {
-        // Seconds, 10 apart: after 8 the waves of so small a tile are as far from what they were
-        // as they come to be on average.
+        // Seconds, 10 apart: the waves of this small tile decorrelate after 8.
         static readonly double[] s_times = { 0, 10, 20, 30, 40, 50, 60, 70, 80, 90 };
 
         /// <summary>Significant wave height 2.5 m, the low end of the code's range.</summary>
@@ -92,10 +90,11 @@ namespace Glint.Editor
         /// <summary>Significant wave height 6 m, the high end of the code's range.</summary>
         public static readonly SeaRecipe SeaState6 = OfHeight("SeaState6", 6);
 
-        /// <summary>Both.</summary>
+        /// <summary>Both seas.</summary>
         public static readonly SeaRecipe[] All = { SeaState5, SeaState6 };
 
-        // Two tiles, one behind the other as the radar of the published experiment sees them; the waves run towards it.
+        // Two tiles, one behind the other as the radar of the published experiment sees them; the waves travel towards
+        // it.
         static SeaRecipe OfHeight(string name, double height) => new SeaRecipe(name, new SeaSettings
         {
             Kind = SeaSpectrumKind.Phillips, SignificantWaveHeight = height,

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Glint.Editor
 {
-    /// <summary>The options of <c>glint sea</c>: what sea is made, and where its files go.</summary>
+    /// <summary>The options of <c>glint sea</c>: settings of the sea, and its folder.</summary>
     public static class SeaOptions
     {
         const string Group = "Sea", SpectrumRange = "phillips, pierson-moskowitz or jonswap";
@@ -39,7 +39,7 @@ namespace Glint.Editor
                 Help = "How the waves' energy is spread over their lengths; how high they are is --wave-height's."
             };
 
-        /// <summary>Moments of the snapshots, seconds.</summary>
+        /// <summary>Times of the snapshots, seconds.</summary>
         public static readonly Option<double[]> Times = new Option<double[]>("times", "TIMES", s_times.Read)
         {
             Group = Group,
@@ -64,7 +64,7 @@ namespace Glint.Editor
             .Concat(s_measures.Skip(1)).Concat(new Option[] { Times, Tiles }).ToArray();
 
         /// <summary>
-        /// The sea that a command line asks for; null when it has no option, which means the stored ones.
+        /// The sea of a command line; null without options, which means the stored seas.
         /// </summary>
         /// <exception cref="UsageException">
         /// A value is out of its range, or there is no folder for the files.

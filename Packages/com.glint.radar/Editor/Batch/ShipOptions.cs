@@ -3,7 +3,7 @@ using Glint.Core;
 
 namespace Glint.Editor
 {
-    /// <summary>The options of <c>glint ship</c>: the ship's measures, and where its files go.</summary>
+    /// <summary>The options of <c>glint ship</c>: measures of the ship, and its folder.</summary>
     public static class ShipOptions
     {
         static readonly Option[] s_measures = ShipSettings.Measures
@@ -13,7 +13,7 @@ namespace Glint.Editor
         public static readonly Option[] All = s_measures.Prepend(Options.AssetFolder).ToArray();
 
         /// <summary>
-        /// The ship that a command line asks for; null when it has no option, which means the stored one.
+        /// The ship of a command line; null without options, which means the stored ship.
         /// </summary>
         /// <exception cref="UsageException">There is no folder for the files.</exception>
         public static ShipSettings? Read(CommandLine line)

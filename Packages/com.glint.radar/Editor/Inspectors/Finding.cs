@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Editor
 {
-    /// <summary>Something that a check has found.</summary>
+    /// <summary>A finding of a check.</summary>
     sealed class Finding
     {
         public Finding(Severity severity, string text, Fix fix = null, Object where = null) =>
@@ -12,13 +12,13 @@ namespace Glint.Editor
 
         public Severity Severity { get; }
 
-        /// <summary>One line: object, value, way out.</summary>
+        /// <summary>One line: object, value, remedy.</summary>
         public string Text { get; }
 
-        /// <summary>What a button mends; null where the user must.</summary>
+        /// <summary>The fix of a button; null if there is none.</summary>
         public Fix Fix { get; }
 
-        /// <summary>The object to look at, where it is not the one checked; else null.</summary>
+        /// <summary>The object of the finding, if it is not the one checked; else null.</summary>
         public Object Where { get; }
 
         /// <summary>What a check refuses; null when it finds nothing wrong.</summary>
@@ -40,13 +40,13 @@ namespace Glint.Editor
         public override string ToString() => $"{Severity}: {Text}";
     }
 
-    /// <summary>How bad a finding is.</summary>
+    /// <summary>Severity of a finding.</summary>
     enum Severity
     {
-        /// <summary>It can be traced, and the result may mislead.</summary>
+        /// <summary>A trace is possible, but the result may mislead.</summary>
         Warning,
 
-        /// <summary>It cannot be traced.</summary>
+        /// <summary>A trace is impossible.</summary>
         Error,
     }
 }

@@ -4,22 +4,22 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Editor
 {
-    /// <summary>What a button mends; one step of Undo.</summary>
+    /// <summary>A fix for a button; one step of Undo.</summary>
     sealed class Fix
     {
         readonly Action _mend;
 
-        /// <param name="label">What the button says, and Undo.</param>
-        /// <param name="mend">Makes its changes by <see cref="Change"/> and Undo.</param>
+        /// <param name="label">Label of the button and of Undo.</param>
+        /// <param name="mend">Makes the changes, by <see cref="Change"/> and Undo.</param>
         public Fix(string label, Action mend) =>
             (Label, _mend) = (label, mend);
 
         public string Label { get; }
 
-        /// <summary>Mends it. The scene counts as changed.</summary>
+        /// <summary>Applies the fix and marks the scene as changed.</summary>
         public void Apply() => AsOneStep(Label, _mend);
 
-        /// <summary>Does something that Undo takes back in one step.</summary>
+        /// <summary>Does work that Undo reverts in one step.</summary>
         public static void AsOneStep(string name, Action work)
         {
             Undo.IncrementCurrentGroup();
@@ -31,7 +31,7 @@ namespace Glint.Editor
         }
 
         /// <summary>
-        /// Changes serialized fields so that Undo takes it back, and an instance of a prefab keeps it as an override.
+        /// Changes serialized fields with Undo; in an instance of a prefab the change is an override.
         /// </summary>
         public static void Change<T>(T target, string name, Action<T> change) where T : Object
         {

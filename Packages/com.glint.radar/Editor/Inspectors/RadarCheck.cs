@@ -10,8 +10,8 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// Looks at a radar and the scene as they stand: what keeps it from tracing or would mislead, and its figures.
-    /// It has a gatherer of its own, so that the radar's knows nothing of it.
+    /// Checks a radar and the scene in their current state: problems that keep it from tracing or may mislead, and
+    /// figures. It has its own gatherer, so that the radar's is not affected.
     /// </summary>
     sealed class RadarCheck
     {
@@ -24,22 +24,23 @@ namespace Glint.Editor
         public RadarCheck(RadarController radar) => _radar = radar;
 
         /// <summary>
-        /// Whether there is a scene to look at: a prefab that is no scene's,
-        /// or one that is open by itself, traces nothing.
+        /// Whether there is a scene to check: a prefab asset, or one open in prefab mode, traces nothing.
         /// </summary>
         public static bool CanLook(Component component) =>
             !EditorUtility.IsPersistent(component) && !EditorSceneManager.IsPreviewSceneObject(component);
 
-        /// <summary>What was found last, errors first.</summary>
+        /// <summary>Findings of the last update, errors first.</summary>
         public IReadOnlyList<Finding> Findings => _findings;
 
-        /// <summary>The figures of then; null when it cannot be traced or nothing is.</summary>
+        /// <summary>Figures of the last update; null if nothing can be traced.</summary>
         public RadarFigures Figures { get; private set; }
 
-        /// <summary>How long the last look took: who looks often may wait as long in between.</summary>
+        /// <summary>Duration of the last update, by which callers may space theirs.</summary>
         public double Seconds { get; private set; }
 
-        /// <summary>Looks anew: at every mesh once, as <see cref="RadarController.Gather()"/> does.</summary>
+        /// <summary>
+        /// Updates the findings. It reads every mesh once, as <see cref="RadarController.Gather()"/>.
+        /// </summary>
         public void Update()
         {
             var watch = Stopwatch.StartNew();
@@ -122,7 +123,7 @@ namespace Glint.Editor
 
         static string More(int count) => count > 1 ? $" (and {count - 1} more)" : "";
 
-        // Whatever else the product refuses, in its own words, and what can be seen from a pose.
+        // All other refusals of a trace, with their messages, and checks that need a pose.
         void CheckPose()
         {
             RadarPose pose = default;
@@ -156,7 +157,7 @@ namespace Glint.Editor
                     RadarFixes.LookAt(_radar, Figures.Centre - pose.View.Position));
         }
 
-        // As SamplingEstimate judges a result, where that is plain before.
+        // The conditions by which SamplingEstimate flags a result, as far as the scene's bounds decide them.
         void CheckSampling()
         {
             string remedy = _radar.IsFitted ? "take a smaller Ray Spacing" : "give it more rays or a narrower view";
@@ -181,7 +182,7 @@ namespace Glint.Editor
         Fix Denser() => RadarFixes.TraceDenser(_radar, Figures.EnoughTimes(_radar.Subject));
     }
 
-    /// <summary>What the buttons beside findings of traced meshes do.</summary>
+    /// <summary>Fixes for findings about traced meshes.</summary>
     static class MeshFixes
     {
         public static bool IsBatchingStatic(Renderer renderer) =>

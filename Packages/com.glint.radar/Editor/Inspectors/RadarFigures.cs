@@ -6,19 +6,19 @@ using Unity.Mathematics;
 namespace Glint.Editor
 {
     /// <summary>
-    /// What follows from a radar and the scene as they stand, without tracing.
-    /// The target is the middle of the box around all that is traced.
+    /// Figures derived from a radar and the scene in their current state, without a trace.
+    /// The target is the centre of the box around everything traced.
     /// </summary>
     sealed class RadarFigures
     {
-        // Times as many rays across and down, at most, that would be enough.
+        // Maximum factor for the number of rays across and down.
         const int MaxFactor = 16;
 
         readonly RadarPose _pose;
         readonly RayReadback _readback;
 
-        /// <param name="pose">What would be traced.</param>
-        /// <param name="boxes">Of the pose's scene, which is not empty.</param>
+        /// <param name="pose">The pose.</param>
+        /// <param name="boxes">Boxes of the pose's scene, which is not empty.</param>
         /// <param name="objects">Objects with a mesh.</param>
         public RadarFigures(in RadarPose pose, SceneBoxes boxes, int objects, RayReadback readback)
         {
@@ -41,19 +41,19 @@ namespace Glint.Editor
         /// <summary>The target, in the scene's metres.</summary>
         public double3 Centre { get; }
 
-        /// <summary>Diagonal of the box around all that is traced, metres.</summary>
+        /// <summary>Diagonal of the box around everything traced, metres.</summary>
         public double TargetSize { get; }
 
         /// <summary>From the radar to the target, metres.</summary>
         public double Distance { get; }
 
         /// <summary>
-        /// Width and height of the view in the plane of the target, metres; of the aperture where rays are parallel.
-        /// Null when the target is behind the radar.
+        /// Width and height of the view in the plane of the target, metres; of the aperture for parallel rays.
+        /// Null if the target is behind the radar.
         /// </summary>
         public double2? Footprint { get; }
 
-        /// <summary>From ray to ray at the target, across the view axis, metres.</summary>
+        /// <summary>Distance from ray to ray at the target, across the view axis, metres.</summary>
         public double? RaySpacing => Footprint?.y / Settings.RaysDown;
 
         /// <summary>Objects with a mesh, and triangles.</summary>
@@ -61,22 +61,22 @@ namespace Glint.Editor
 
         public long Triangles => _pose.Scene.TriangleCount;
 
-        /// <summary>How densely a mirror at the target would return the rays; null where it returns none.</summary>
+        /// <summary>Density of the rays returned by a mirror at the target; null if it returns none.</summary>
         public SamplingForecast? Forecast { get; }
 
-        /// <summary>Bytes that a pose takes on the device, and here.</summary>
+        /// <summary>Bytes of a pose on the device and on this computer.</summary>
         public (double DeviceBytes, double HostBytes) Memory { get; }
 
-        /// <summary>More rays than this cannot hit: those through the ball around the target.</summary>
+        /// <summary>Maximum number of rays hit: those through the sphere around the target.</summary>
         public double MaxRaysHit => MaxRays(1);
 
         double MaxRays(int times) => RaySpacing is double spacing ? math.pow(times * TargetSize / spacing + 1, 2) : 0;
 
         /// <summary>
-        /// Times as many rays across and down, 2, 4, 8 or 16, that a mirror at the target would return densely enough;
-        /// null if none are, or there is no room for so many.
+        /// Smallest factor, 2, 4, 8 or 16, for the rays across and down with which a mirror at the target would be
+        /// sampled densely enough; null if none suffices or the memory does not.
         /// </summary>
-        /// <param name="radar">Named if there is no room.</param>
+        /// <param name="radar">Name for messages.</param>
         public int? EnoughTimes(string radar)
         {
             for (int times = 2; times <= MaxFactor; times *= 2)
@@ -92,7 +92,7 @@ namespace Glint.Editor
             return null;
         }
 
-        /// <summary>The same picture with so many times as many rays across and down.</summary>
+        /// <summary>The same picture with a multiple of the rays across and down.</summary>
         public static RadarSettings Denser(RadarSettings settings, int times)
         {
             settings.RaysAcross *= times;
@@ -119,7 +119,7 @@ namespace Glint.Editor
             }
         }
 
-        /// <summary>The figures as an inspector shows them: label, value, what it means.</summary>
+        /// <summary>The figures for an inspector: label, value, meaning.</summary>
         public IEnumerable<(string label, string value, string tooltip)> Rows()
         {
             yield return ("Wavelength", Length(Settings.Wavelength), "Speed of light over frequency.");
@@ -149,7 +149,7 @@ namespace Glint.Editor
                     + "and all rays if all are kept; each received ray takes some 130 bytes more.");
         }
 
-        // Three digits or more.
+        // At least three digits.
         static string Length(double metres) =>
             metres < 1 ? FormattableString.Invariant($"{1000 * metres:0.###} mm")
                 : metres < 10000 ? FormattableString.Invariant($"{metres:0.##} m")

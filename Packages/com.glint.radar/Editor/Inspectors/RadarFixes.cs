@@ -59,7 +59,7 @@ namespace Glint.Editor
                 it.Settings = settings;
             }));
 
-        /// <param name="times">As many rays across and down; null: no fix.</param>
+        /// <param name="times">Factor for the rays across and down; null: no fix.</param>
         public static Fix TraceDenser(RadarController radar, int? times)
         {
             if (!(times is int more))
@@ -72,16 +72,16 @@ namespace Glint.Editor
                 () => Fix.Change(radar, "Trace more rays", it => it.Settings = denser));
         }
 
-        /// <param name="way">Where to look, in the world's axes.</param>
-        public static Fix LookAt(RadarController radar, double3 way)
+        /// <param name="direction">View direction in the world's axes.</param>
+        public static Fix LookAt(RadarController radar, double3 direction)
         {
-            var forward = math.normalize(way);
+            var forward = math.normalize(direction);
             return new Fix("Turn the radar towards it", () =>
                 Fix.Change(radar.transform, "Turn the radar", it => it.rotation =
                     Quaternion.LookRotation(new Vector3((float)forward.x, (float)forward.y, (float)forward.z))));
         }
 
-        /// <summary>Null when the radar has the kernel already, or the project has none.</summary>
+        /// <summary>Null if the radar has the kernel, or the project has none.</summary>
         public static Fix AssignKernel(RadarController radar)
         {
             var kernel = ProjectAssets.Kernel;

@@ -4,13 +4,13 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// Where a radar receives, as its fields and transforms say: for the eye, without a look at the scene.
+    /// Outline of a radar's receiver, from its fields and transforms, without gathering the scene.
     /// </summary>
     static class RadarOutline
     {
         /// <summary>
-        /// Corners of the receiver in the world, around it; none without one,
-        /// or where it is as large as an aperture that each pose fits anew.
+        /// Corners of the receiver in the world, in order; empty without a receiver, or if its size is that of a fitted
+        /// aperture.
         /// </summary>
         public static Vector3[] Receiver(RadarController radar)
         {

@@ -8,9 +8,9 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// Poses of a radar at the press of a button, with a bar that can be cancelled. The device's buffers stay for
-    /// the next one until this is disposed of (or <see cref="ReleaseBuffers"/> comes first);
-    /// while the scene plays they are its own.
+    /// Traces poses of a radar at the press of a button, with a bar that cancels. The device's buffers are kept for the
+    /// next pose until this is disposed or <see cref="ReleaseBuffers"/> releases them; in play mode the scene owns
+    /// them.
     /// </summary>
     sealed class RadarTracing : IDisposable
     {
@@ -19,12 +19,12 @@ namespace Glint.Editor
 
         public RadarTracing(RadarController radar) => _radar = radar;
 
-        /// <summary>Why the last pose was not traced, for the user; null when it was.</summary>
+        /// <summary>Why the last pose was not traced, for the user; null if it was traced.</summary>
         public string Problem { get; private set; }
 
         /// <summary>
-        /// Traces one pose as everything stands; the result is the radar's.
-        /// A cancelled or refused one leaves the result before.
+        /// Traces one pose of the scene in its current state. A cancelled or refused pose leaves the radar's last
+        /// result.
         /// </summary>
         public void Trace()
         {
@@ -46,13 +46,13 @@ namespace Glint.Editor
 
         public void Dispose()
         {
-            // Unless somebody else, a sweep say, has traced with it since.
+            // Unless another caller, such as a sweep, has traced with it since.
             if (_result != null && _radar != null && _radar.Result == _result && !Application.isPlaying)
                 _radar.Release();
             _result = null;
         }
 
-        /// <summary>A result as an inspector shows it: label, value, what it means.</summary>
+        /// <summary>A result for an inspector: label, value, meaning.</summary>
         public static IEnumerable<(string label, string value, string tooltip)> Rows(RadarResult result)
         {
             yield return ("Amplitude", FormattableString.Invariant(
@@ -87,16 +87,16 @@ namespace Glint.Editor
             value is double number ? text(number) : missing;
     }
 
-    /// <summary>Unity's progress bar with a cancel button, there until disposed.</summary>
+    /// <summary>Unity's progress bar with a cancel button; shown until disposed.</summary>
     sealed class CancelBar : IProgressSink, IDisposable
     {
         readonly CancellationTokenSource _source = new CancellationTokenSource();
         string _what;
 
-        /// <param name="what">What is done, such as "Tracing 'Radar'".</param>
+        /// <param name="what">Name of the work, such as "Tracing 'Radar'".</param>
         public CancelBar(string what) => Start(what, 1);
 
-        /// <summary>Asked for by the button.</summary>
+        /// <summary>Cancelled by the button.</summary>
         public CancellationToken Cancel => _source.Token;
 
         public void Start(string what, int total)
@@ -105,7 +105,7 @@ namespace Glint.Editor
             Report(0);
         }
 
-        /// <summary>So much is done, 0 to 1; looks whether the button was pressed.</summary>
+        /// <summary>Shows the fraction done, 0 to 1, and polls the button.</summary>
         public void Report(double value)
         {
             if (EditorUtility.DisplayCancelableProgressBar("Glint", _what, (float)value))

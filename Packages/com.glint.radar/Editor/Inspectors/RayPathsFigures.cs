@@ -3,10 +3,10 @@ using System.Collections.Generic;
 
 namespace Glint.Editor
 {
-    /// <summary>What an inspector says of Ray Paths.</summary>
+    /// <summary>Figures of Ray Paths for an inspector.</summary>
     static class RayPathsFigures
     {
-        /// <summary>Why no rays are drawn, where that is plain; else null.</summary>
+        /// <summary>Why no rays are drawn, if known; else null.</summary>
         public static Finding Check(RayPaths paths)
         {
             if (paths.MinBounces > paths.MaxBounces)
@@ -21,7 +21,7 @@ namespace Glint.Editor
             return null;
         }
 
-        /// <summary>Label, value and meaning of what is drawn.</summary>
+        /// <summary>The figures: label, value, meaning.</summary>
         public static IEnumerable<(string label, string value, string tooltip)> Rows(RayPaths paths)
         {
             string followed = paths.LeftOut > 0 ? FormattableString.Invariant(

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Glint.Editor
 {
-    /// <summary>Boxes around what is traced. That of a mesh is found once.</summary>
+    /// <summary>Boxes around everything traced. The box of a mesh is cached.</summary>
     sealed class SceneBoxes
     {
         Dictionary<TriangleMesh, Box> _boxes = new Dictionary<TriangleMesh, Box>();
@@ -18,7 +18,7 @@ namespace Glint.Editor
 
         public double3 Centre => (Min + Max) / 2;
 
-        /// <summary>Looks at a scene.</summary>
+        /// <summary>Updates the boxes to a scene.</summary>
         public void Update(RadarScene scene)
         {
             var before = _boxes;
@@ -34,7 +34,7 @@ namespace Glint.Editor
             }
         }
 
-        /// <summary>Whether anything of the scene last looked at can lie in the picture, or in its region.</summary>
+        /// <summary>Whether any box can be in the picture, or in its region.</summary>
         public bool AreSeen(in RadarPose pose)
         {
             var tiles = new PictureTiles(pose.Settings, pose.View);

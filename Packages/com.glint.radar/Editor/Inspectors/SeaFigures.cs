@@ -5,20 +5,20 @@ using Glint.Core;
 
 namespace Glint.Editor
 {
-    /// <summary>What an inspector says of a Sea.</summary>
+    /// <summary>Figures of a Sea for an inspector.</summary>
     static class SeaFigures
     {
-        /// <summary>The fields of <see cref="SeaSettings"/> in their order, as an inspector names them.</summary>
+        /// <summary>Labels and tooltips of the fields of <see cref="SeaSettings"/>, in their order.</summary>
         public static readonly (string field, string label, string tooltip)[] Waves = SeaSettings.Measures
             .Select(measure => measure.Row)
             .Prepend(("Kind", "Spectrum", "How the variance is spread over wavelengths."))
             .Append(("HeightFactor", "Height Factor",
                 "Multiplies the height, 0.001 to 1000: 1, or what a stored sea was scaled by.")).ToArray();
 
-        /// <summary>Why the sea cannot be shown; null when it can.</summary>
+        /// <summary>Why the sea cannot be shown; null if it can.</summary>
         public static Finding Check(Sea sea) => Finding.Of(sea.Check);
 
-        /// <summary>Label, value and meaning of what is shown.</summary>
+        /// <summary>The figures: label, value, meaning.</summary>
         public static IEnumerable<(string label, string value, string tooltip)> Rows(Sea sea)
         {
             var shown = sea.CurrentSnapshot;
@@ -38,7 +38,7 @@ namespace Glint.Editor
                 "All are instances of one mesh and take little more memory than one.");
         }
 
-        /// <summary>Number, moment and wave height of a snapshot, from 1.</summary>
+        /// <summary>Number (from 1), time and wave height of a snapshot.</summary>
         public static string Name(Sea sea, int number)
         {
             var snapshot = sea.Snapshots.ElementAtOrDefault(number - 1);

@@ -6,10 +6,10 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>A ship's mesh and the measures that it is made from, as an inspector shows them.</summary>
+    /// <summary>A ship's mesh and its measures for an inspector.</summary>
     static class ShipFigures
     {
-        /// <summary>Why the measures make no ship; null when they do.</summary>
+        /// <summary>Which measure is out of range; null if none is.</summary>
         public static Finding Check(Ship ship) => Finding.Of(() => ship.Settings.Validate());
 
         /// <summary>Label, value and meaning.</summary>
@@ -25,8 +25,7 @@ namespace Glint.Editor
         }
 
         /// <summary>
-        /// Makes the mesh anew from measures that <see cref="Check"/> finds nothing wrong with.
-        /// It is stored with the scene.
+        /// Makes the mesh from measures that pass <see cref="Check"/>. It is stored with the scene.
         /// </summary>
         public static Fix Remake(Ship ship) => new Fix("Make the mesh anew", () =>
         {
@@ -35,7 +34,7 @@ namespace Glint.Editor
             Fix.Change(ship.GetComponent<MeshFilter>(), "Make the mesh anew", it => it.sharedMesh = mesh);
         });
 
-        /// <exception cref="GlintException">The measures make no ship.</exception>
+        /// <exception cref="GlintException">A measure is out of range.</exception>
         public static Mesh Make(in ShipSettings measures)
         {
             var made = ShipModel.Build(measures);

@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Editor
 {
-    /// <summary>Looks at a Sweep as it would begin when the scene is played.</summary>
+    /// <summary>Checks a Sweep as it would begin in play mode.</summary>
     sealed class SweepCheck
     {
         readonly Sweep _sweep;
@@ -17,10 +17,10 @@ namespace Glint.Editor
 
         public IReadOnlyList<Finding> Findings => _findings;
 
-        /// <summary>The poses; null when what is written makes none.</summary>
+        /// <summary>The poses; null if the lists are invalid.</summary>
         public SweepPlan Plan { get; private set; }
 
-        /// <summary>Looks anew.</summary>
+        /// <summary>Updates the findings.</summary>
         public void Update()
         {
             _findings.Clear();
@@ -32,7 +32,7 @@ namespace Glint.Editor
             Attempt(CheckPoses);
         }
 
-        /// <summary>The figures as an inspector shows them: label, value, what it means.</summary>
+        /// <summary>The figures for an inspector: label, value, meaning.</summary>
         public IEnumerable<(string label, string value, string tooltip)> Rows()
         {
             if (Plan != null)
@@ -55,7 +55,7 @@ namespace Glint.Editor
                 _findings.Add(finding);
         }
 
-        // Of several enabled radars the first; one is made where there is none at all.
+        // The first of several enabled radars; a new one if there is none.
         Fix FindRadar()
         {
             var all =

@@ -7,21 +7,21 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// New objects of the menu GameObject > Glint, made by code, with nothing stored beside the scene;
-    /// each is one step of Undo, and selected.
+    /// New objects of the menu GameObject > Glint, made by code without further assets. Each is one step of Undo and
+    /// gets selected.
     /// </summary>
     static class SceneObjects
     {
-        // Of a ball around the target: seen so from so far it fills two thirds of a view of 60 degrees.
+        // Distance in radii of the target's sphere, at which the sphere fills two thirds of a view of 60 degrees.
         const double RadiiAway = 3;
 
-        // The radar's camera is no window onto the scene: others draw over it.
+        // The radar's camera is not a view of the scene: other cameras draw over it.
         const float DrawnFirst = -10;
 
         /// <summary>
-        /// A radar with its receiver and its ray paths.
-        /// It looks down on an object as the radar of the published experiment does, from as far as takes it all in;
-        /// on none, at the world's origin from where that radar stands.
+        /// A radar with its receiver and its ray paths. It looks down on an object at the angle of the published
+        /// experiment, from a distance at which the whole object is visible. Without an object it has the pose of the
+        /// published experiment and looks at the world's origin.
         /// </summary>
         /// <param name="target">May be null.</param>
         public static RadarController MakeRadar(GameObject target)
@@ -50,7 +50,7 @@ namespace Glint.Editor
             return reflector;
         }
 
-        /// <summary>A sea of the standard waves, made from them: it needs no stored snapshots.</summary>
+        /// <summary>A sea of the standard waves, without stored snapshots.</summary>
         /// <param name="parent">May be null.</param>
         public static Sea MakeSea(GameObject parent)
         {
@@ -104,7 +104,7 @@ namespace Glint.Editor
     static class GlintMenu
     {
         const string Folder = "GameObject/Glint/";
-        const int Priority = 10; // among the objects that can be made
+        const int Priority = 10; // among the entries that make objects
 
         [MenuItem(Folder + "Radar", false, Priority)]
         static void MakeRadar(MenuCommand command)

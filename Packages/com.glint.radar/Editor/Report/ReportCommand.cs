@@ -11,7 +11,7 @@ namespace Glint.Editor
     {
         const string TemplatePath = "Packages/com.glint.radar/Editor/Report/Template.txt";
 
-        /// <summary>Writes the report that a command line asks for.</summary>
+        /// <summary>Writes the report of a command line.</summary>
         /// <returns>The exit code: 0 done.</returns>
         /// <exception cref="GlintException">There are no results, or the report cannot be written.</exception>
         public static int Write(CommandLine line, IProgressSink progress)
@@ -32,7 +32,7 @@ namespace Glint.Editor
         }
 
         /// <summary>Writes a report.</summary>
-        /// <param name="capture">Traces the pose that is shown in 3-D; null for none.</param>
+        /// <param name="capture">Traces the pose shown in 3-D; null: no 3-D view.</param>
         /// <exception cref="GlintException">The report cannot be written.</exception>
         public static void Write(StoredRun run, Func<ReportScene> capture, string path)
         {
@@ -43,7 +43,7 @@ namespace Glint.Editor
             ReportFile.Write(path, ReportFile.Fill(Template(), run, scene, problem));
         }
 
-        // The figures are worth a report without the scene too.
+        // A report without the scene is still useful.
         static (ReportScene, string) TryCapture(Func<ReportScene> capture)
         {
             try

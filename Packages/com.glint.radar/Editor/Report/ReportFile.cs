@@ -8,21 +8,21 @@ using Newtonsoft.Json.Linq;
 namespace Glint.Editor
 {
     /// <summary>
-    /// The report of a run: one HTML file that opens offline, made of a template and the run's figures.
+    /// The report of a run: one HTML file that opens offline, from a template and the run's figures.
     /// </summary>
     public static class ReportFile
     {
         /// <summary>Name of the file in a results folder.</summary>
         public const string Name = "report.html";
 
-        /// <summary>Where the template takes the figures.</summary>
+        /// <summary>Placeholder of the figures in the template.</summary>
         internal const string Placeholder = "@GLINT_REPORT_DATA@";
 
         /// <summary>The page.</summary>
         /// <param name="template">Editor/Report/Template.txt.</param>
-        /// <param name="scene">What is shown of one pose; null when there is nothing.</param>
-        /// <param name="noScene">Why there is no scene, as a sentence; null when there is one.</param>
-        /// <exception cref="GlintException">The template does not have exactly one place for the figures.</exception>
+        /// <param name="scene">The scene of one pose; null: not shown.</param>
+        /// <param name="noScene">Why there is no scene, as a sentence; null if there is one.</param>
+        /// <exception cref="GlintException">The template does not have exactly one placeholder.</exception>
         public static string Fill(string template, StoredRun run, ReportScene scene, string noScene)
         {
             int index = template.IndexOf(Placeholder, StringComparison.Ordinal);
@@ -36,14 +36,14 @@ namespace Glint.Editor
                 ["scene"] = scene?.ToJson(),
                 ["no_scene"] = noScene
             };
-            // Inside of a script element nothing but '<' can end it.
+            // Only '<' can end a script element.
             string json = data.ToString(Formatting.None).Replace("<", "\\u003c");
             return template.Substring(0, index) + json + template.Substring(index + Placeholder.Length);
         }
 
-        /// <summary>Writes a page, whole or not at all.</summary>
+        /// <summary>Writes a page atomically.</summary>
         /// <exception cref="GlintException">
-        /// The path is a folder, or is in none that is there, or the file cannot be written.
+        /// The path is a folder, its folder does not exist, or the file cannot be written.
         /// </exception>
         public static void Write(string path, string page)
         {

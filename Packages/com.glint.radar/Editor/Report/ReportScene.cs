@@ -8,38 +8,38 @@ using Unity.Mathematics;
 namespace Glint.Editor
 {
     /// <summary>
-    /// What a report shows of one pose: triangles, the ways of received rays, and the radar's picture.
+    /// The part of a report that shows one pose: triangles, the paths of received rays, and the radar's view.
     /// </summary>
     public sealed class ReportScene
     {
-        /// <summary>Triangles drawn at most; a scene with more is drawn coarser.</summary>
+        /// <summary>Maximum number of triangles drawn; larger scenes are simplified.</summary>
         public const int MaxTriangles = 60000;
 
-        /// <summary>Objects drawn at most.</summary>
+        /// <summary>Maximum number of objects drawn.</summary>
         public const int MaxInstances = 2000;
 
         /// <summary>Scene, settings and view of the pose.</summary>
         public RadarPose Pose;
 
-        /// <summary>Which pose of the run it is, counted from 0.</summary>
+        /// <summary>Index of the pose in the run, from 0.</summary>
         public int Number;
 
-        /// <summary>What was received when the pose was traced again.</summary>
+        /// <summary>Result of the repeated trace of the pose.</summary>
         public RadarResult Result;
 
         /// <summary>
-        /// Ways of received rays, evenly chosen: start, points of reflection, receiver; in the frame of the scene.
+        /// Paths of received rays, evenly chosen: start, points of reflection, receiver; in the frame of the scene.
         /// </summary>
         public IReadOnlyList<double3[]> Paths = Array.Empty<double3[]>();
 
-        /// <summary>The radar's picture; null for none.</summary>
+        /// <summary>The radar's view; null for none.</summary>
         public RadarPreviewImage Preview;
 
         /// <summary>Names of the picture's objects by their numbers.</summary>
         public Func<int, string> ObjectName = number => $"object {number}";
 
         /// <summary>
-        /// The scene in the form that the report's page reads. Lengths in metres about the middle of what is drawn,
+        /// The scene in the format of the report's page. Lengths in metres relative to the centre of the drawn scene,
         /// Unity's axes; arrays of numbers as base64, little-endian.
         /// </summary>
         internal JObject ToJson()
@@ -73,7 +73,7 @@ namespace Glint.Editor
             };
         }
 
-        // Small meshes keep all they have; the large ones share what is left.
+        // Small meshes keep all triangles; the large ones share the rest of the limit.
         static Dictionary<TriangleMesh, SimplifiedMesh> SimplifiedMeshes(MeshInstance[] instances)
         {
             const int min = 12;

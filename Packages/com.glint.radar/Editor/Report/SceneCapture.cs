@@ -6,16 +6,16 @@ using Glint.Core;
 namespace Glint.Editor
 {
     /// <summary>
-    /// Opens what a stored run was traced from, puts one of its poses up again, and traces what a report shows of it.
+    /// Opens the scene of a stored run, applies one of its poses again, and traces it for a report.
     /// </summary>
     static class SceneCapture
     {
-        /// <summary>Ways of rays at most.</summary>
+        /// <summary>Maximum number of paths.</summary>
         public const int MaxPaths = 2000;
 
-        /// <summary>What a report shows of a pose.</summary>
-        /// <param name="number">Of the pose, from 0.</param>
-        /// <param name="loaded">What the run was traced from.</param>
+        /// <summary>The scene of a report.</summary>
+        /// <param name="number">Index of the pose, from 0.</param>
+        /// <param name="loaded">The scene of the run.</param>
         /// <exception cref="GlintException">It cannot be traced.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public static ReportScene Of(StoredRun run, int number, LoadedScene loaded, IProgressSink progress)
@@ -49,25 +49,25 @@ namespace Glint.Editor
 
         static IReadOnlyList<double> Only(double? value) => value.HasValue ? new[] { value.Value } : null;
 
-        /// <summary>Opens what a run was traced from.</summary>
-        /// <exception cref="GlintException">The scene or mesh file is not there any more.</exception>
+        /// <summary>Opens the scene of a run.</summary>
+        /// <exception cref="GlintException">The scene or mesh file does not exist any more.</exception>
         public static LoadedScene Open(StoredRun run) => LoadedScene.Open(LineOf(run));
 
-        // Evenly over the picture.
+        // Evenly chosen over the picture.
         static uint[] Chosen(uint[] pixels)
         {
             int count = Math.Min(pixels.Length, MaxPaths);
             return Enumerable.Range(0, count).Select(i => pixels[(long)i * pixels.Length / count]).ToArray();
         }
 
-        // Now, as the objects may not outlive the scene.
+        // Immediately, because the scene may be closed later.
         static Func<int, string> NamesIn(RadarController radar, IReadOnlyList<int> objects)
         {
             var names = objects.ToDictionary(number => number, number => radar.ObjectAt(number).name);
             return number => names[number];
         }
 
-        // The command that was given; a Sweep component's run has none, and is of the scene as it stands.
+        // The stored command; the run of a Sweep component has none and uses the scene in its current state.
         static CommandLine LineOf(StoredRun run)
         {
             if (run.Info.Command != null)

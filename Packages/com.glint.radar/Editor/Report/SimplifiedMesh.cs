@@ -6,8 +6,8 @@ using Unity.Mathematics;
 namespace Glint.Editor
 {
     /// <summary>
-    /// A mesh for the eye: coordinates of 16 bits, and no more triangles than asked for. Where there are too many,
-    /// points of one cube are drawn as one.
+    /// A mesh for display, with 16-bit coordinates and a maximum number of triangles. Above that number, all points in
+    /// a cube of a grid are merged.
     /// </summary>
     public sealed class SimplifiedMesh
     {
@@ -33,8 +33,8 @@ namespace Glint.Editor
         /// <summary>Triangles drawn.</summary>
         public int TriangleCount => Indices.Count / 3;
 
-        /// <summary>A mesh in at most so many triangles.</summary>
-        /// <param name="max">Triangles at most; at least 12.</param>
+        /// <summary>Simplifies a mesh.</summary>
+        /// <param name="max">Maximum number of triangles; at least 12.</param>
         public static SimplifiedMesh Of(TriangleMesh mesh, int max)
         {
             double3 boxMin = double.PositiveInfinity, boxMax = double.NegativeInfinity;
@@ -50,7 +50,7 @@ namespace Glint.Editor
                 return new SimplifiedMesh(0, 0);
             if (mesh.TriangleCount <= max)
                 return Drawn(mesh, boxMin, boxMax - boxMin, 0);
-            // Two triangles for each square of the side on a flat surface; more or fewer on others.
+            // On a flat surface two triangles for each square of this side; more or fewer on others.
             double side = math.max(math.sqrt(2 * area / max), 1e-3 * math.cmax(boxMax - boxMin));
             while (true)
             {
@@ -61,14 +61,14 @@ namespace Glint.Editor
             }
         }
 
-        // Points in a cube of the side are one, the one nearest to the border of the mesh,
-        // so that tiles laid side by side still meet; with side 0 each is its own.
+        // Points in a cube of this side are merged into the one nearest to the border of the mesh, so that adjacent
+        // tiles still join; side 0 merges none.
         static SimplifiedMesh Drawn(TriangleMesh mesh, double3 boxMin, double3 size, double side)
         {
             var simplified = new SimplifiedMesh(boxMin, size);
             var numbers = new Dictionary<int3, int>();
             var outward = new List<double>();
-            var own = new int[mesh.Vertices.Length]; // number + 1 of a vertex seen before
+            var own = new int[mesh.Vertices.Length]; // number of the merged vertex + 1; 0: none yet
             var drawn = new HashSet<int3>();
             for (int i = 0; i < mesh.Indices.Length; i += 3)
             {

@@ -10,7 +10,7 @@ namespace Glint.Editor
     sealed class ChartChoice
     {
         /// <summary>
-        /// Name of the axis; one that the run does not step through stands for the one that changes from pose to pose.
+        /// Name of the axis; if the run does not sweep it, the fastest axis is shown.
         /// </summary>
         public string Axis = "";
 
@@ -46,7 +46,7 @@ namespace Glint.Editor
             return row < 0 ? null : rows[row];
         }
 
-        /// <summary>Its number, from 0; -1 without poses.</summary>
+        /// <summary>Index of the chosen pose, from 0; -1 without poses.</summary>
         public int Row(IReadOnlyList<StoredRow> rows) =>
             Pose >= 0 && Pose < rows.Count ? Pose : StoredRun.StrongestOf(rows);
     }

@@ -22,14 +22,14 @@ namespace Glint.Editor
 
         public double Max { get; }
 
-        /// <summary>Place and label.</summary>
+        /// <summary>Position and label.</summary>
         public IReadOnlyList<(double Position, string Label)> Ticks { get; }
 
-        /// <summary>Place of a value.</summary>
+        /// <summary>Position of a value.</summary>
         public double Of(double value) => (value - Min) / (Max - Min);
 
-        /// <summary>Just from the lowest to the highest value, with some ticks between.</summary>
-        /// <param name="limit">Ticks at most, about.</param>
+        /// <summary>From the lowest to the highest value, with ticks between.</summary>
+        /// <param name="limit">Approximate maximum number of ticks.</param>
         public static ChartScale Over(double min, double max, int limit = 8)
         {
             Widen(ref min, ref max);
@@ -38,7 +38,7 @@ namespace Glint.Editor
                 Multiples(Math.Ceiling(min / step - 1e-9), Math.Floor(max / step + 1e-9), step));
         }
 
-        /// <summary>Beyond both values, to the next ticks.</summary>
+        /// <summary>From the tick below the smaller value to the tick above the larger.</summary>
         public static ChartScale Around(double min, double max, int limit = 6)
         {
             Widen(ref min, ref max);
@@ -47,7 +47,7 @@ namespace Glint.Editor
             return new ChartScale(first * step, last * step, Multiples(first, last, step));
         }
 
-        /// <summary>A number as charts show it: few digits, thousands apart.</summary>
+        /// <summary>A number for charts: few digits, thousands separated.</summary>
         public static string Label(double value)
         {
             double size = Math.Abs(value);
@@ -56,7 +56,7 @@ namespace Glint.Editor
                 CultureInfo.InvariantCulture);
         }
 
-        // A single value, or values that differ by rounding only, stand in the middle.
+        // Centres a single value, or values that differ by rounding only.
         static void Widen(ref double min, ref double max)
         {
             if (max - min > 1e-9 * Math.Max(Math.Abs(min), Math.Abs(max)))
@@ -75,7 +75,7 @@ namespace Glint.Editor
         static IEnumerable<double> Multiples(double first, double last, double step)
         {
             for (double i = first; i <= last; i++)
-                yield return i * step + 0.0; // -0 is a plain 0
+                yield return i * step + 0.0; // -0 becomes 0
         }
     }
 }

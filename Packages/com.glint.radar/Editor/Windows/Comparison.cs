@@ -6,7 +6,7 @@ using Glint.Core;
 
 namespace Glint.Editor
 {
-    /// <summary>A second run to lay over a chart, and how far the first is from it where both have a pose.</summary>
+    /// <summary>A second run for comparison, and the differences at the poses of both.</summary>
     sealed class Comparison
     {
         Comparison(string title, IReadOnlyList<StoredRow> rows) =>
@@ -32,7 +32,7 @@ namespace Glint.Editor
         /// <summary>
         /// The differences, a line for each of amplitude, rays received and rays hit; or why there are none.
         /// </summary>
-        /// <param name="rows">The run that is compared with this one.</param>
+        /// <param name="rows">The run to compare with this one.</param>
         public string Text(IReadOnlyList<StoredRow> rows)
         {
             var pairs = Pairs(rows);
@@ -44,8 +44,8 @@ namespace Glint.Editor
         }
 
         /// <summary>
-        /// Poses that stand at the same place on every axis that both runs have values on.
-        /// One that only the other run steps through leaves it open which pose is meant: no pairs then.
+        /// Pairs of poses with equal values on every axis that both runs sweep. There are none if the other run sweeps
+        /// an axis that this one does not: the pose would be ambiguous.
         /// </summary>
         public IReadOnlyList<(StoredRow Ours, StoredRow Theirs)> Pairs(IReadOnlyList<StoredRow> rows)
         {

@@ -4,14 +4,14 @@ using Glint.Core;
 
 namespace Glint.Editor
 {
-    /// <summary>Puts what a sweep has written where a user wants it.</summary>
+    /// <summary>Exports the files of a sweep.</summary>
     static class Export
     {
         /// <summary>Copies results.csv or results.json.</summary>
-        /// <param name="folder">Of the results.</param>
-        /// <param name="name">Of the file in it.</param>
-        /// <param name="path">Where the copy goes; what is there is replaced.</param>
-        /// <exception cref="GlintException">It is not there, or the copy cannot be written.</exception>
+        /// <param name="folder">Results folder.</param>
+        /// <param name="name">Name of the file in it.</param>
+        /// <param name="path">Path of the copy; an existing file is replaced.</param>
+        /// <exception cref="GlintException">It does not exist, or the copy cannot be written.</exception>
         public static void Copy(string folder, string name, string path)
         {
             string file = Path.Combine(folder, name);
@@ -27,11 +27,11 @@ namespace Glint.Editor
         public static void Picture(byte[] png, string path) => Write(path, () => File.WriteAllBytes(path, png));
 
         /// <summary>
-        /// Writes the HTML report. The pose is shown in 3-D as the open scene has it,
-        /// if this is the scene of the results; nothing is opened or closed for it.
+        /// Writes the HTML report, with the pose in 3-D if the open scene is that of the results; no scene is opened or
+        /// closed.
         /// </summary>
         /// <param name="folder">Of the results.</param>
-        /// <param name="pose">Which is shown in 3-D, from 0.</param>
+        /// <param name="pose">Index of the pose shown in 3-D, from 0.</param>
         /// <param name="form">Radar and target of the open scene.</param>
         /// <exception cref="GlintException">There are no results, or the report cannot be written.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>

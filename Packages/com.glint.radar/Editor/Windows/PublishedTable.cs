@@ -12,13 +12,13 @@ namespace Glint.Editor
     /// </summary>
     sealed class PublishedTable
     {
-        /// <summary>Where they are.</summary>
+        /// <summary>Folder of the tables.</summary>
         public const string Folder = "Packages/com.glint.radar/Editor/Published";
 
         PublishedTable(string name, string title, SweepAxis axis) =>
             (Name, Title, Axis) = (name, title, axis);
 
-        /// <summary>Those that results can be compared with.</summary>
+        /// <summary>Tables for comparisons with results.</summary>
         public static IReadOnlyList<PublishedTable> All { get; } = new[]
         {
             new PublishedTable("table_a2_corner_reflector", "Corner reflector (Table A.2)", SweepAxis.Angle),
@@ -30,17 +30,17 @@ namespace Glint.Editor
             new PublishedTable("table_a5_ship_ss6", "Ship on sea state 6 (Table A.5)", SweepAxis.Angle)
         };
 
-        /// <summary>Of the file, without its extension.</summary>
+        /// <summary>Name of the file without extension.</summary>
         public string Name { get; }
 
-        /// <summary>What it is of, for a list.</summary>
+        /// <summary>Title for a list.</summary>
         public string Title { get; }
 
-        /// <summary>What its first column steps through.</summary>
+        /// <summary>Axis of the first column.</summary>
         public SweepAxis Axis { get; }
 
         /// <summary>The rows in the order of the table.</summary>
-        /// <exception cref="GlintException">It is not there, or malformed.</exception>
+        /// <exception cref="GlintException">It does not exist, or is malformed.</exception>
         public static IReadOnlyList<PublishedRow> Read(string name)
         {
             string path = $"{Folder}/{name}.csv";
@@ -59,7 +59,7 @@ namespace Glint.Editor
                 + "restore the package")).ToArray();
         }
 
-        // The ratio of the last two, a fifth column of most tables, is told by them.
+        // The fifth column of most tables is the ratio of the last two.
         static PublishedRow ReadRow(string[] cells, int columns) => cells.Length >= 4 && cells.Length == columns
             && cells.Skip(4).All(cell => TryReal(cell, out _))
             && TryReal(cells[0], out double step) && TryReal(cells[1], out double amplitude)

@@ -8,16 +8,16 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// The radar's view of a pose, in colours: how often each ray is reflected, or which object it meets first.
+    /// The radar's view of a pose in colours: number of reflections of each ray, or the first object hit.
     /// </summary>
     sealed class RadarPreview
     {
-        /// <summary>Objects that have a line in the legend; of more, those that take the most pixels.</summary>
+        /// <summary>Maximum number of objects in the legend: those with the most pixels.</summary>
         public const int MaxNames = 12;
 
         static readonly Color32 s_nothing = new Color32(16, 22, 28, 255), s_received = new Color32(255, 255, 255, 255);
 
-        // Those of the HTML report, which the colour-blind tell apart.
+        // Colours of the HTML report, which the colour-blind can distinguish.
         static readonly Color32[] s_bounces =
         {
             new Color32(238, 106, 36, 255), new Color32(0, 176, 131, 255),
@@ -33,7 +33,7 @@ namespace Glint.Editor
 
         readonly RadarPreviewImage _image;
         readonly Dictionary<int, string> _names;
-        readonly List<int> _objects; // the one with the most pixels first
+        readonly List<int> _objects; // by number of pixels, descending
         readonly Dictionary<int, int> _pixels;
 
         /// <param name="names">Names of the picture's objects by their numbers.</param>
@@ -52,8 +52,8 @@ namespace Glint.Editor
         /// <inheritdoc cref="Width"/>
         public int Height => _image.Part.Height;
 
-        /// <summary>Traces it, as everything stands.</summary>
-        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>
+        /// <summary>Traces the view of the scene in its current state.</summary>
+        /// <exception cref="GlintException">The radar or a mesh cannot be traced.</exception>
         public static RadarPreview Of(RadarController radar, CancellationToken cancel = default)
         {
             var image = radar.TracePreview(cancel);
@@ -63,11 +63,11 @@ namespace Glint.Editor
 
         /// <summary>
         /// Colours of all pixels, row by row from the bottom.
-        /// Brightness tells how squarely a ray meets the first surface; white stripes mark rays that are received.
+        /// Brightness is the cosine of incidence at the first surface; white stripes mark received rays.
         /// </summary>
         public Color32[] Colours(bool byObject) => All().Select(at => ColourAt(at.x, at.y, byObject)).ToArray();
 
-        /// <summary>What the colours mean.</summary>
+        /// <summary>Meaning of the colours.</summary>
         public IEnumerable<(Color32 colour, string text)> Legend(bool byObject)
         {
             int nothing = Width * Height - _pixels.Values.Sum();
@@ -88,7 +88,7 @@ namespace Glint.Editor
             yield return (s_received, $"received ({All().Count(at => _image.IsReceived(at.x, at.y))})");
         }
 
-        /// <summary>A pixel in words. x and y count from the lower left corner.</summary>
+        /// <summary>Description of a pixel; x and y from the lower left corner.</summary>
         public string Text(int x, int y)
         {
             int bounces = _image.Bounces(x, y);

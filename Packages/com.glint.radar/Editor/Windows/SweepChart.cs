@@ -11,10 +11,10 @@ namespace Glint.Editor
     /// </summary>
     sealed class SweepChart
     {
-        /// <summary>Lines at most.</summary>
+        /// <summary>Maximum number of lines.</summary>
         public const int MaxSeries = 12;
 
-        // What is farther below the strongest is drawn at the foot.
+        // Range of decibels below the maximum; lower values are drawn at the bottom.
         const double DeepestDb = 100;
 
         readonly SweepAxis _axis;
@@ -34,7 +34,7 @@ namespace Glint.Editor
             _inDecibels = inDecibels && column.IsAmplitude;
             var groups = Groups(rows, null)
                 .Concat(compared == null ? Enumerable.Empty<Group>() : Groups(compared.Rows, compared.Title)).ToArray();
-            // The run laid over comes last and is wanted most.
+            // The compared run comes last, but takes precedence.
             var shown = groups.Where(group => group.IsCompared).Take(MaxSeries / 2).ToArray();
             shown = groups.Where(group => !group.IsCompared).Take(MaxSeries - shown.Length).Concat(shown).ToArray();
             LeftOut = groups.Length - shown.Length;
@@ -45,10 +45,10 @@ namespace Glint.Editor
             Series = shown.Select(Line).ToArray();
         }
 
-        /// <summary>Lines: of the run first, then of that laid over.</summary>
+        /// <summary>Lines of the run, then of the compared run.</summary>
         public IReadOnlyList<ChartSeries> Series { get; }
 
-        /// <summary>Combinations that are not shown, there being too many.</summary>
+        /// <summary>Combinations above the maximum, which are not shown.</summary>
         public int LeftOut { get; }
 
         /// <summary>The axis.</summary>
@@ -65,15 +65,15 @@ namespace Glint.Editor
         public string YTitle => !HasValues && _column.Missing != null ? $"{_column.Title}: {_column.Missing}"
             : _inDecibels ? _column.Title + ", dB" : _column.Label;
 
-        /// <summary>The axes along which poses can be shown, the one that changes from pose to pose first.</summary>
+        /// <summary>The axes of the poses, the fastest first.</summary>
         public static IReadOnlyList<SweepAxis> AxesOf(IReadOnlyList<StoredRow> rows)
         {
             var axes = SweepAxis.All.Reverse().Where(axis => Varies(rows, axis)).ToArray();
             return axes.Length > 0 ? axes : new[] { SweepAxis.Angle };
         }
 
-        /// <summary>The pose nearest to a place; null without any.</summary>
-        /// <param name="aspect">Width over height of the chart, so that near is near to the eye.</param>
+        /// <summary>The pose nearest to a position; null without poses.</summary>
+        /// <param name="aspect">Width over height of the chart, to measure distances on the screen.</param>
         public (ChartSeries Series, ChartPoint Point)? Nearest(double x, double y, double aspect)
         {
             (ChartSeries, ChartPoint)? nearest = null;
@@ -101,8 +101,7 @@ namespace Glint.Editor
             public (StoredRow Pose, int Row)[] Poses;
         }
 
-        // In a sweep every combination has its first pose before the next one's second, or all before:
-        // in the order of the first either way.
+        // In the order of their first poses.
         IEnumerable<Group> Groups(IReadOnlyList<StoredRow> rows, string compared)
         {
             var others = SweepAxis.All.Where(axis => axis != _axis && Varies(rows, axis)).ToArray();
@@ -164,7 +163,7 @@ namespace Glint.Editor
 
         double At(StoredRow pose) => pose[_axis].Value / _axis.ShownScale;
 
-        // Null where there is nothing to show: no decibels.
+        // Null for a value without decibels.
         double? Height(double value)
         {
             double? level = Level(value);
@@ -174,12 +173,12 @@ namespace Glint.Editor
         double? Level(double value) => _inDecibels ? Signal.Decibels(value) : value;
     }
 
-    /// <summary>A pose in a chart, by chart coordinates: x and y from 0 at the left and the bottom to 1.</summary>
+    /// <summary>A pose in chart coordinates: x and y from 0 at the left and the bottom to 1.</summary>
     struct ChartPoint
     {
         public StoredRow Pose;
 
-        /// <summary>Number of the pose in its run, from 0.</summary>
+        /// <summary>Index of the pose in its run, from 0.</summary>
         public int Row;
 
         public double X, Y;
@@ -193,7 +192,7 @@ namespace Glint.Editor
     {
         public string Name;
 
-        /// <summary>Whether it is of the run that is laid over.</summary>
+        /// <summary>Whether it belongs to the compared run.</summary>
         public bool IsCompared;
 
         /// <summary>

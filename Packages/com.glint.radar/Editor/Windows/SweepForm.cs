@@ -8,30 +8,29 @@ using UnityEngine;
 namespace Glint.Editor
 {
     /// <summary>
-    /// What a user fills in for a sweep of the open scene: the options of <c>glint sweep</c>,
-    /// as text, read by the same parsers.
+    /// The form of a sweep of the open scene: the options of <c>glint sweep</c> as text, with the same parsers.
     /// </summary>
     [Serializable]
     sealed class SweepForm
     {
-        /// <summary>Traces. Null: the one radar of the scene.</summary>
+        /// <summary>The radar; null: the only one of the scene.</summary>
         public RadarController Radar;
 
-        /// <summary>What is turned, or what the radar is moved about.</summary>
+        /// <summary>The object that turns, or about which the radar moves.</summary>
         public Transform Target;
 
         // FROM:TO:STEP or a list with commas, in the order of SweepAxis.All; empty where the axis is left alone.
         [SerializeField] string[] _lists = StandardLists();
 
         /// <summary>
-        /// For the result files, relative to the project; empty: Results/&lt;scene&gt; beside Assets.
+        /// Results folder, relative to the project; empty: Results/&lt;scene&gt; beside Assets.
         /// </summary>
         public string Folder = "";
 
-        /// <summary>Go on with a sweep that was ended.</summary>
+        /// <summary>Resume an unfinished sweep.</summary>
         public bool Resume;
 
-        /// <summary>Takes the one radar of the scene where none is chosen or the chosen one is gone.</summary>
+        /// <summary>Chooses the only radar of the scene if none is chosen.</summary>
         public void FindRadar()
         {
             if (Radar != null)
@@ -50,7 +49,7 @@ namespace Glint.Editor
         static string[] StandardLists() =>
             SweepAxis.All.Select(axis => axis == SweepAxis.Angle ? "0:45:1" : "").ToArray();
 
-        /// <summary>What is wrong with the text for an axis, in the command's words; null when nothing is.</summary>
+        /// <summary>The command's error message for the text of an axis; null if it is valid.</summary>
         public string ProblemOf(SweepAxis axis)
         {
             if (!IsGiven(axis))
@@ -66,7 +65,7 @@ namespace Glint.Editor
             }
         }
 
-        /// <summary>What is wrong with all of it; null when a sweep can begin.</summary>
+        /// <summary>The first error of the form; null if a sweep can begin.</summary>
         public string Problem()
         {
             try
@@ -82,7 +81,7 @@ namespace Glint.Editor
             }
         }
 
-        /// <summary>Where the results go.</summary>
+        /// <summary>The results folder.</summary>
         /// <exception cref="GlintException">The text is no path.</exception>
         public string FolderPath
         {
@@ -102,8 +101,8 @@ namespace Glint.Editor
             }
         }
 
-        /// <summary>The folder, and whether a sweep that is not finished is in it; or what is wrong with it.</summary>
-        /// <param name="isRunning">Whether the sweep in it is this one, at work.</param>
+        /// <summary>The folder and whether it holds an unfinished sweep, or its error.</summary>
+        /// <param name="isRunning">Whether the current sweep writes into it.</param>
         public string FolderText(bool isRunning)
         {
             try
@@ -125,8 +124,8 @@ namespace Glint.Editor
 
         string ScenePath => Radar.gameObject.scene.path;
 
-        /// <summary>The sweep, ready to be run.</summary>
-        /// <exception cref="GlintException">Something is wrong with it; the message says what.</exception>
+        /// <summary>The setup of the sweep.</summary>
+        /// <exception cref="GlintException">The form is invalid; the message says why.</exception>
         public SweepSetup Setup()
         {
             RequireRadar();
@@ -151,7 +150,7 @@ namespace Glint.Editor
                 throw new GlintException($"RadarController of '{Radar.name}' is disabled or inactive: enable it");
         }
 
-        // The command that would do the same: it checks everything in its own words, and is stored with the results.
+        // The equivalent command: it validates the form, and is stored with the results.
         CommandLine Line()
         {
             var words = new List<string>();

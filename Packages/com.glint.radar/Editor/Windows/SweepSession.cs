@@ -12,9 +12,8 @@ using Debug = UnityEngine.Debug;
 namespace Glint.Editor
 {
     /// <summary>
-    /// A sweep, or a single pose, of the open scene, in edit mode or in play mode:
-    /// a pose a tick, the files those of the command.
-    /// However it ends, everything that was moved is put back, also before scripts are reloaded, play mode changes,
+    /// A sweep, or a single pose, of the open scene, in edit mode or play mode: a pose a tick, with the files of the
+    /// command. At its end everything that was moved is restored, also before scripts are reloaded, play mode changes,
     /// or the scene is saved or closed.
     /// </summary>
     sealed class SweepSession : IDisposable
@@ -36,8 +35,8 @@ namespace Glint.Editor
             try
             {
                 LoadedScene.RebuildSeas();
-                // How a scene is divided depends on what was seen to move.
-                // Nothing of what was traced before is to show in the rows, which are those of the command.
+                // The division into rigid groups depends on motion seen before. Without that history the rows are those
+                // of the command.
                 _radar.Release();
                 _folder = folder == null ? null : ResultsFolder.Open(folder);
                 _run = new SweepRun(setup, _folder, null, resume);
@@ -60,7 +59,7 @@ namespace Glint.Editor
         }
 
         /// <summary>Begins a sweep; the first tick traces its first pose.</summary>
-        /// <exception cref="GlintException">It cannot begin; the message says why. Everything is as it was.</exception>
+        /// <exception cref="GlintException">It cannot begin; the scene is unchanged.</exception>
         public static SweepSession Sweep(SweepForm form)
         {
             foreach (var other in UnityEngine.Object.FindObjectsByType<Glint.Sweep>(FindObjectsInactive.Exclude,
@@ -71,12 +70,12 @@ namespace Glint.Editor
             return new SweepSession(form.Setup(), form.FolderPath, form.Resume);
         }
 
-        /// <summary>The pose as it stands, without files.</summary>
+        /// <summary>One pose of the scene in its current state, without files.</summary>
         /// <exception cref="GlintException">It cannot be traced.</exception>
         public static SweepSession Pose(RadarController radar) =>
             new SweepSession(new SweepSetup(radar, SweepPlan.Single), null, false);
 
-        /// <summary>Poses in all, and those that are traced; those before a resumption count.</summary>
+        /// <summary>Number of poses, and of those done, including those before a resumption.</summary>
         public int Count { get; }
 
         /// <inheritdoc cref="Count"/>
@@ -85,26 +84,26 @@ namespace Glint.Editor
         /// <summary>The rows so far.</summary>
         public IReadOnlyList<StoredRow> Rows => _rows;
 
-        /// <summary>Whether the radar's view of each pose is traced as well.</summary>
+        /// <summary>Whether the radar's view is traced for each pose.</summary>
         public bool Looks { get; set; }
 
-        /// <summary>The radar's view of the last pose that it was traced of; null for none.</summary>
+        /// <summary>The last radar's view; null for none.</summary>
         public RadarPreview Preview { get; private set; }
 
-        /// <summary>Where the files are; null for a single pose.</summary>
+        /// <summary>The results folder; null for a single pose.</summary>
         public string FolderPath { get; }
 
-        /// <summary>Whether there is a pose left to trace.</summary>
+        /// <summary>Whether poses remain.</summary>
         public bool IsRunning => _run != null;
 
-        /// <summary>Why it ended before the last pose; null while it runs and when all are traced.</summary>
+        /// <summary>Why it ended early; null while it runs and if it is complete.</summary>
         public string Problem { get; private set; }
 
-        /// <summary>Seconds until the last pose is traced, by those so far; null before the first.</summary>
+        /// <summary>Estimated remaining seconds; null before the first pose.</summary>
         public double? SecondsLeft =>
             Done > _before ? _watch.Elapsed.TotalSeconds / (Done - _before) * (Count - Done) : (double?)null;
 
-        /// <summary>Where it stands, in a line.</summary>
+        /// <summary>A line about the progress.</summary>
         public string Status()
         {
             string count = FormattableString.Invariant($"{Done} of {Count} poses");
@@ -115,7 +114,7 @@ namespace Glint.Editor
 
         /// <summary>Traces the next pose.</summary>
         /// <param name="progress">
-        /// Told how much of the pose is done, 0 to 1; may be null. It may call <see cref="Cancel"/>.
+        /// Receives the fraction of the pose done, 0 to 1; may be null. It may call <see cref="Cancel"/>.
         /// </param>
         public void Tick(IProgress<double> progress = null)
         {
@@ -156,8 +155,8 @@ namespace Glint.Editor
         }
 
         /// <summary>
-        /// Ends the pose in hand at once, and the sweep; the rows stay.
-        /// Between two poses everything is put back when this returns.
+        /// Cancels the current pose and the sweep; the rows stay.
+        /// Between two poses everything is restored when this returns.
         /// </summary>
         public void Cancel() => Stop("cancelled");
 
@@ -187,7 +186,7 @@ namespace Glint.Editor
             _run?.Dispose();
             _folder?.Dispose();
             _run = null;
-            // In play mode the radar keeps its buffers for the next pose and lets them go with its object.
+            // In play mode the radar keeps its buffers for the next pose until it is destroyed.
             if (_radar != null && !Application.isPlaying)
                 _radar.Release();
         }
@@ -196,7 +195,7 @@ namespace Glint.Editor
 
         void EndBeforePlayMode(PlayModeStateChange change) => Stop("ended: play mode begins or ends");
 
-        // What is saved is the scene as it was.
+        // The scene is restored before it is saved.
         void EndBeforeSaving(Scene scene, string path) => Stop("ended: the scene is saved");
 
         void EndBeforeClosing(Scene scene, bool isRemoved) => Stop("ended: the scene is closed");

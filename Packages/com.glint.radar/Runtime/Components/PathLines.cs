@@ -6,13 +6,13 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Lines for the ways of rays: one mesh, however many there are. Its vertices are about the middle of all,
-    /// so that float32 holds them wherever the scene stands.
+    /// Lines for the paths of rays, as one mesh. Its vertices are relative to the centre of all lines, so that float32
+    /// holds them in scenes far from the world's origin.
     /// </summary>
     sealed class PathLines
     {
         /// <summary>
-        /// Colours of the segments in order, as in the published experiment; then again from the first.
+        /// Colours of the segments in order, as in the published experiment; they repeat.
         /// </summary>
         public static readonly Color32[] SegmentColours =
         {
@@ -23,7 +23,7 @@ namespace Glint
         /// <summary>Colour of the receiver and of the points of reflection.</summary>
         public static readonly Color32 White = new Color32(255, 255, 255, 255);
 
-        // Of the size of all points: what is drawn of a ray that leaves, and half a cross.
+        // Fractions of the size of all lines: length of the last segment of a ray that leaves the scene; half a cross.
         const double LeavingPart = 0.05, CrossPart = 0.003;
 
         readonly List<Vector3> _positions = new List<Vector3>();
@@ -31,7 +31,7 @@ namespace Glint
         readonly double3 _centre;
         readonly double _size;
 
-        /// <param name="view">The radar's, for the receiver's outline.</param>
+        /// <param name="view">The radar's view, for the receiver's outline.</param>
         /// <param name="hitPoints">Draw a cross at each point of reflection.</param>
         public PathLines(in RadarView view, IReadOnlyList<RayPath> paths, bool hitPoints)
         {
@@ -46,8 +46,8 @@ namespace Glint
                 Add(path, hitPoints);
         }
 
-        /// <summary>Puts the lines into a mesh.</summary>
-        /// <returns>Where the mesh's origin stands, metres from the scene's.</returns>
+        /// <summary>Writes the lines into a mesh.</summary>
+        /// <returns>Position of the mesh's origin in the scene, metres.</returns>
         public double3 WriteTo(Mesh mesh)
         {
             mesh.Clear();

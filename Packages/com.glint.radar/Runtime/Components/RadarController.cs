@@ -11,10 +11,9 @@ using Debug = UnityEngine.Debug;
 namespace Glint
 {
     /// <summary>
-    /// A radar at a camera: one ray a pixel, bounced through the scene on the GPU,
-    /// and what returns to the receiver summed coherently.
-    /// Position, rotation and vertical field of view are the Camera's; rays across and down set the aspect ratio.
-    /// An orthographic Camera makes parallel rays: they leave an aperture twice its Size high.
+    /// A radar at a camera: one ray a pixel is reflected through the scene on the GPU, and the received rays are summed
+    /// coherently. Position, rotation and vertical field of view are the Camera's; rays across and down set the aspect
+    /// ratio. An orthographic Camera emits parallel rays from an aperture of twice its Size in height.
     /// It traces one pose when the scene starts and whenever
     /// <see cref="Trace(IProgress{double}, CancellationToken)"/> is called.
     /// </summary>
@@ -108,20 +107,20 @@ namespace Glint
         }
 
         /// <summary>
-        /// With an orthographic Camera: the rays cover what is traced, <see cref="RaySpacing"/> apart.
-        /// The Camera's size and the rays across and down of <see cref="Settings"/> do not matter then.
+        /// With an orthographic Camera: the rays cover the traced objects, <see cref="RaySpacing"/> apart.
+        /// The Camera's size and the rays across and down of <see cref="Settings"/> are then ignored.
         /// </summary>
         public bool FitAperture { get => _fitAperture; set => _fitAperture = value; }
 
-        /// <summary>From ray to ray with <see cref="FitAperture"/>, metres.</summary>
+        /// <summary>Distance from ray to ray with <see cref="FitAperture"/>, metres.</summary>
         public double RaySpacing { get => _raySpacing; set => _raySpacing = value; }
 
-        /// <summary>Middle of the receiver; it faces along the transform's forward axis.</summary>
+        /// <summary>Centre of the receiver, which faces along the transform's forward axis.</summary>
         public Transform Receiver { get => _receiver; set => _receiver = value; }
 
         /// <summary>
-        /// Width and height of the receiver, metres. 0 x 0 with an orthographic Camera:
-        /// as large as the aperture, and on its axis.
+        /// Width and height of the receiver, metres. 0 x 0 with an orthographic Camera: those of the aperture, on its
+        /// axis.
         /// </summary>
         public Vector2 ReceiverSize { get => _receiverSize; set => _receiverSize = value; }
 
@@ -131,7 +130,7 @@ namespace Glint
         /// <summary>Objects to trace, with all below them; empty: everything in the loaded scenes.</summary>
         public List<Transform> Roots => _roots;
 
-        /// <summary>Which rays a result carries one by one.</summary>
+        /// <summary>Rays that a result carries.</summary>
         public RayReadback RayReadback { get => _keptRays; set => _keptRays = value; }
 
         /// <summary>Packages/com.glint.radar/Shaders/Trace.compute.</summary>
@@ -141,7 +140,7 @@ namespace Glint
             set
             {
                 _kernel = value;
-                Release(); // the tracer in use has the kernel before
+                Release(); // the current tracer has the old kernel
             }
         }
 
@@ -150,15 +149,15 @@ namespace Glint
         /// </summary>
         public bool CountVisits { get; set; }
 
-        /// <summary>After each pose traced.</summary>
+        /// <summary>Raised after each pose traced.</summary>
         public event Action<RadarController> Traced;
 
         /// <summary>The last pose traced; null before the first.</summary>
         public RadarResult Result { get; private set; }
 
         /// <summary>
-        /// Traces the scene as it stands now; returns when the sums are there.
-        /// The result carries the rays that <see cref="RayReadback"/> says.
+        /// Traces the scene in its current state; returns when the sums are complete.
+        /// The result carries the rays given by <see cref="RayReadback"/>.
         /// </summary>
         /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
         /// <param name="cancel">
@@ -171,9 +170,9 @@ namespace Glint
         public RadarResult Trace(IProgress<double> progress = null, CancellationToken cancel = default) =>
             Trace(_keptRays, progress, cancel);
 
-        /// <summary>Traces the scene as it stands now; returns when the sums are there.</summary>
-        /// <param name="readback">Which rays the result carries one by one; none is the fastest.</param>
-        /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
+        /// <summary>Traces the scene in its current state; returns when the sums are complete.</summary>
+        /// <param name="readback">Rays that the result carries; None is the fastest.</param>
+        /// <param name="progress">Receives the fraction done, 0 to 1; may be null.</param>
         /// <param name="cancel">
         /// Ends the pose while trees are built or between two dispatches; the result before stays.
         /// </param>
@@ -184,7 +183,7 @@ namespace Glint
         public RadarResult Trace(RayReadback readback, IProgress<double> progress = null,
             CancellationToken cancel = default)
         {
-            // Before the scene is gathered: that may take long.
+            // Before the scene is gathered, which may take long.
             var settings = Describe().Settings;
             _tracer ??= new RayTracer(_kernel, Subject);
             if (!IsFitted)
@@ -205,25 +204,25 @@ namespace Glint
         }
 
         /// <summary>
-        /// Pixels of the rays that were received in the pose last traced, in ascending order: x + y * rays across,
-        /// from the lower left corner. None after <see cref="Release"/>.
+        /// Pixels of the rays received in the last pose, in ascending order: x + y * rays across, from the lower left
+        /// corner. Empty after <see cref="Release"/>.
         /// </summary>
         public uint[] ReceivedPixels() => _tracer?.ReceivedPixels() ?? Array.Empty<uint>();
 
         /// <summary>
-        /// The ways of single rays through the scene as it stands now,
-        /// with the objects that they meet (<see cref="ObjectAt"/>).
+        /// Traces the paths of single rays through the scene in its current state, with the objects that they hit
+        /// (<see cref="ObjectAt"/>).
         /// </summary>
         /// <param name="pixels">
-        /// x + y * rays across, from the lower left corner; <see cref="ReceivedPixels"/>, say.
+        /// x + y * rays across, from the lower left corner; for example <see cref="ReceivedPixels"/>.
         /// </param>
-        /// <param name="progress">Told how much is done, 0 to 1; may be null.</param>
-        /// <param name="cancel">Ends the work between two dispatches.</param>
+        /// <param name="progress">Receives the fraction done, 0 to 1; may be null.</param>
+        /// <param name="cancel">Cancels between two dispatches.</param>
         /// <returns>
-        /// A way for each pixel, in their order. Places are in metres from the origin of the pose's scene.
+        /// A path for each pixel, in their order. Positions are in metres relative to the origin of the pose's scene.
         /// </returns>
         /// <exception cref="GlintException">
-        /// The radar or a mesh is not fit to be traced, or a pixel is outside the picture.
+        /// The radar or a mesh cannot be traced, or a pixel is outside the picture.
         /// </exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public RayPath[] TracePaths(uint[] pixels, IProgress<double> progress = null,
@@ -234,11 +233,11 @@ namespace Glint
         }
 
         /// <summary>
-        /// What the radar sees as everything stands now, for the eye:
-        /// about 130,000 rays over the part of the view that meets anything.
+        /// Traces the radar's view of the scene in its current state, for display: about 130,000 rays over the part of
+        /// the view that hits anything.
         /// </summary>
-        /// <param name="cancel">Ends the work between two dispatches.</param>
-        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>
+        /// <param name="cancel">Cancels between two dispatches.</param>
+        /// <exception cref="GlintException">The radar or a mesh cannot be traced.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public RadarPreviewImage TracePreview(CancellationToken cancel = default)
         {
@@ -246,26 +245,25 @@ namespace Glint
             return RadarPreviewTracer.Trace(_tracer, pose, cancel);
         }
 
-        /// <summary>An object of the scene last gathered, by the number that a <see cref="PathHit"/> has.</summary>
+        /// <summary>An object of the scene last gathered, by the number in a <see cref="PathHit"/>.</summary>
         /// <exception cref="ArgumentOutOfRangeException">
-        /// There is no such number: none was gathered, or it is <see cref="MeshRange.NoObject"/>.
+        /// There is no object of this number, or it is <see cref="MeshRange.NoObject"/>.
         /// </exception>
         public Transform ObjectAt(int number) => _gatherer.ObjectAt(number);
 
         /// <summary>
-        /// Says that a transform will move, so that the first motion costs no more than the next:
-        /// what moves as a whole is kept apart from the rest of the scene.
-        /// Motion that nobody announced is noticed, at the price of one rebuild.
+        /// Announces that a transform will move, so that its first motion causes no rebuild: what moves as a whole gets
+        /// a mesh of its own. Unannounced motion is detected and costs one rebuild.
         /// </summary>
         public void ExpectMotion(Transform transform) => _gatherer.ExpectMotion(transform);
 
         /// <summary>
-        /// What a pose would trace, how and from where, as everything stands now.
-        /// Scene and view are in the axes and metres of the world, about the place of the nearest transform that
-        /// the radar, its receiver and all traced objects have in common; without one, about the world's origin.
-        /// Meshes that have not changed are the same objects as the last time.
+        /// The pose of the scene in its current state: scene, settings and view.
+        /// Scene and view are in the axes and metres of the world, relative to the nearest common ancestor of the
+        /// radar, its receiver and all traced objects; without one, relative to the world's origin. Unchanged meshes
+        /// are the same objects as in the last call.
         /// </summary>
-        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>
+        /// <exception cref="GlintException">The radar or a mesh cannot be traced.</exception>
         public RadarPose Gather()
         {
             try
@@ -281,8 +279,8 @@ namespace Glint
         }
 
         /// <summary>
-        /// The same by a gatherer of the caller's, which warns of what is left out:
-        /// what this radar keeps and knows of motion is neither used nor changed.
+        /// The same by another gatherer, which warns of objects that are not traced. This radar's own gatherer is not
+        /// changed.
         /// </summary>
         internal RadarPose Gather(SceneGatherer gatherer)
         {
@@ -304,19 +302,19 @@ namespace Glint
         }
 
         /// <summary>
-        /// Whether the pose just gathered by <see cref="Gather()"/> is the one that <see cref="Result"/> is of:
-        /// the same meshes at the same places, radar and rays the same.
+        /// Whether the pose just gathered by <see cref="Gather()"/> is that of <see cref="Result"/>: the same meshes,
+        /// transforms, radar and rays.
         /// </summary>
         internal bool IsAsTraced(in RadarPose pose) => Result != null && pose.Settings.Equals(_traced.Settings)
             && pose.View.Equals(_traced.View) && _gatherer.Content() == _tracedContent;
 
-        /// <summary>What is known of the scene.</summary>
+        /// <summary>The scene's gatherer.</summary>
         internal SceneGatherer Gatherer => _gatherer;
 
-        /// <summary>Objects with a mesh that <see cref="Gather()"/> last found.</summary>
+        /// <summary>Objects with a mesh in the last <see cref="Gather()"/>.</summary>
         internal int ObjectCount => _gatherer.ObjectCount;
 
-        /// <summary>Lets go of the GPU's buffers and of what was gathered; the next pose makes them anew.</summary>
+        /// <summary>Releases the GPU's buffers and the gathered scene; the next pose recreates them.</summary>
         public void Release()
         {
             _gatherer.Forget();
@@ -324,7 +322,7 @@ namespace Glint
             _tracer = null;
         }
 
-        /// <summary>Who it is, in messages.</summary>
+        /// <summary>Name in messages.</summary>
         internal string Subject => $"RadarController of '{name}'";
 
         internal string HasNoReceiver =>
@@ -338,7 +336,7 @@ namespace Glint
 
         internal string HasEmptyRoot => $"{Subject}: an entry of Roots is empty: assign an object or remove the entry";
 
-        /// <summary>Whether each pose has an aperture of its own.</summary>
+        /// <summary>Whether the aperture is fitted for each pose.</summary>
         internal bool IsFitted => _fitAperture && GetComponent<Camera>().orthographic;
 
         RadarPose GatherForTracer()
@@ -357,7 +355,7 @@ namespace Glint
 
         bool MatchesAperture(in RadarView view) => view.IsParallel && _receiverSize.x == 0 && _receiverSize.y == 0;
 
-        // All that does not depend on where things stand, checked. A fitted aperture has some size or other.
+        // Everything that does not depend on transforms, validated. A fitted aperture has an arbitrary size here.
         RadarPose Describe()
         {
             if (_receiver == null)
@@ -377,7 +375,7 @@ namespace Glint
                 ApertureFit.MatchReceiver(ref pose);
             var settings = pose.Settings;
             if (IsFitted)
-                settings.Region = default; // of a picture that is not known yet
+                settings.Region = default; // the region refers to the fitted picture, which is not known yet
             settings.Validate(Subject);
             pose.View.Validate(Subject);
             return pose;
@@ -403,7 +401,7 @@ namespace Glint
 
         void OnDisable() => Release();
 
-        // A radar that was traced while disabled gets no OnDisable.
+        // A radar traced while disabled gets no OnDisable.
         void OnDestroy() => Release();
     }
 }

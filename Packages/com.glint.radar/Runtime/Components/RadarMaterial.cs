@@ -4,15 +4,15 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// The material of a surface, as an asset: so far a perfect conductor under the asset's name.
-    /// A <see cref="RadarSurface"/> gives it to objects.
+    /// The material of a surface, as an asset: at present a perfect conductor with the asset's name.
+    /// A <see cref="RadarSurface"/> assigns it to objects.
     /// </summary>
     [CreateAssetMenu(menuName = "Glint/Radar Material")]
     public sealed class RadarMaterial : ScriptableObject
     {
         SurfaceMaterial _material;
 
-        /// <summary>The material as scenes and results have it; the same object as long as the name stays.</summary>
+        /// <summary>The material in scenes and results; the same object while the name stays.</summary>
         internal SurfaceMaterial Material
         {
             get

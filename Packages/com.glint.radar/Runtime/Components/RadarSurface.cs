@@ -3,8 +3,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Gives a radar material to an object and to all below it that have none of their own, or to one submesh of
-    /// its mesh. Objects without one are perfect conductors.
+    /// Assigns a radar material to an object and to all objects below it without one of their own, or to one submesh of
+    /// its mesh. Objects without a material are perfect conductors.
     /// </summary>
     [AddComponentMenu("Glint/Radar Surface")]
     public sealed class RadarSurface : MonoBehaviour

@@ -7,10 +7,9 @@ using UnityEngine.Rendering;
 namespace Glint
 {
     /// <summary>
-    /// Draws the ways of the radar's rays in Scene and Game view: the segments red, green,
-    /// blue and yellow in this order, and the receiver white.
-    /// They are those of the pose last traced. As long as no camera shows them, as in batch mode, they are not traced;
-    /// nor are they once the scene is no longer that of the pose.
+    /// Draws the paths of the radar's rays in Scene and Game view: the segments red, green, blue and yellow in this
+    /// order, and the receiver white. The paths are those of the last pose. They are traced only when a camera shows
+    /// them, and not if the scene has changed since the pose.
     /// </summary>
     [AddComponentMenu("Glint/Ray Paths")]
     [RequireComponent(typeof(RadarController))]
@@ -18,7 +17,7 @@ namespace Glint
     [DisallowMultipleComponent]
     public sealed class RayPaths : MonoBehaviour
     {
-        /// <summary>Rays that are followed at most; of more, so many are taken evenly.</summary>
+        /// <summary>Maximum number of rays traced; of more, this number is evenly chosen.</summary>
         public const int MaxRays = 100000;
 
         [SerializeField, Tooltip("Only rays that reach the receiver. Otherwise rays from all over the picture.")]
@@ -41,7 +40,7 @@ namespace Glint
 
         RadarController _radar;
         RayPath[] _paths = Array.Empty<RayPath>();
-        uint[] _received; // null: not known
+        uint[] _received; // null: unknown
         RadarPose _pose;
         Mesh _lines;
         Material _material;
@@ -49,41 +48,41 @@ namespace Glint
         (bool, int, Transform) _tracedFor;
         bool _isTraced, _isBuilt, _isSeen;
 
-        /// <summary>Only rays that reach the receiver; otherwise rays from all over the picture.</summary>
+        /// <summary>Only received rays; otherwise rays from the whole picture.</summary>
         public bool ReceivedOnly { get => _receivedOnly; set => _receivedOnly = value; }
 
         /// <summary>Every n-th of these rays, from 1.</summary>
         public int Every { get => _every; set => _every = value; }
 
-        /// <summary>Only rays with as many bounces or more.</summary>
+        /// <summary>Minimum number of bounces of the rays drawn.</summary>
         public int MinBounces { get => _fewestBounces; set => (_fewestBounces, _isBuilt) = (value, false); }
 
-        /// <summary>Only rays with as many bounces or fewer.</summary>
+        /// <summary>Maximum number of bounces of the rays drawn.</summary>
         public int MaxBounces { get => _mostBounces; set => (_mostBounces, _isBuilt) = (value, false); }
 
-        /// <summary>Only rays that meet this object or one below it; null: any.</summary>
+        /// <summary>Only rays that hit this object or one below it; null: all rays.</summary>
         public Transform Meeting { get => _meeting; set => _meeting = value; }
 
-        /// <summary>A cross at each point of reflection.</summary>
+        /// <summary>Draws a cross at each point of reflection.</summary>
         public bool HitPoints { get => _hitPoints; set => (_hitPoints, _isBuilt) = (value, false); }
 
         /// <summary>Rays drawn.</summary>
         public int Count { get; private set; }
 
-        /// <summary>Rays asked for and not followed, as there are more than <see cref="MaxRays"/>.</summary>
+        /// <summary>Rays not traced because there are more than <see cref="MaxRays"/>.</summary>
         public int LeftOut { get; private set; }
 
         /// <summary>
-        /// Whether rays were to be followed when the scene, or the radar, was no longer as the pose found it,
-        /// or the radar had let go of the pose: none are drawn until the next.
+        /// Whether the scene or the radar has changed since the pose, or the radar was released: no rays are drawn
+        /// until the next pose.
         /// </summary>
         internal bool IsOutdated { get; private set; }
 
         /// <summary>
-        /// The lines that are drawn, two vertices each, about a point near their middle; null before the first pose.
-        /// Reading it brings them up to date.
+        /// The lines drawn, two vertices each, relative to a point near their centre; null before the first pose.
+        /// Updates them if necessary.
         /// </summary>
-        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced any more.</exception>
+        /// <exception cref="GlintException">The radar or a mesh cannot be traced any more.</exception>
         public Mesh Lines()
         {
             if (!_isTraced || _tracedFor != TracingFilters)
@@ -114,7 +113,7 @@ namespace Glint
 
         void OnValidate() => _isBuilt = false;
 
-        // At once, if the pose before was seen: the next pose of a sweep, or its end, moves the scene on.
+        // Immediately, if the last pose was shown: the next pose of a sweep, or its end, changes the scene.
         void Follow(RadarController radar)
         {
             (_isTraced, _received) = (false, null);
@@ -143,8 +142,8 @@ namespace Glint
             }, _lines, 0, Matrix4x4.Translate((float3)position));
         }
 
-        // The lines; null if there are none, and if the radar cannot be traced, which is said once:
-        // the next pose, or another setting, tries again.
+        // The lines; null if there are none or the radar cannot be traced. That is reported once; the next pose, or a
+        // changed setting, tries again.
         Mesh Prepare()
         {
             try
@@ -159,10 +158,10 @@ namespace Glint
             }
         }
 
-        // Filters that decide which rays are traced; the others choose among them.
+        // Filters that select the rays traced; the other filters select among these.
         (bool, int, Transform) TracingFilters => (_receivedOnly, _every, _meeting);
 
-        // Of a radar that has traced nothing there is nothing to show.
+        // Nothing to show before the first pose.
         void Trace()
         {
             (_isTraced, _isBuilt, _tracedFor) = (true, false, TracingFilters);
@@ -171,7 +170,7 @@ namespace Glint
                 return;
             _pose = _radar.Gather();
             var received = _radar.ReceivedPixels();
-            if (received.Length == _radar.Result.RaysReceived) // a radar that was released knows them no more
+            if (received.Length == _radar.Result.RaysReceived) // a released radar has lost them
                 _received = received;
             IsOutdated = !_radar.IsAsTraced(_pose) || _receivedOnly && _received == null;
             if (IsOutdated)
@@ -181,7 +180,7 @@ namespace Glint
                 _paths = Array.FindAll(_radar.TracePaths(pixels), IsMeant);
         }
 
-        // Every n-th, and evenly as many as are followed. Pixels: null for the whole picture's.
+        // Every n-th ray, evenly reduced to the maximum. Pixels: null for the whole picture.
         uint[] Chosen(uint[] pixels)
         {
             long all = (pixels?.Length ?? _pose.Settings.RayCount) / math.max(1, _every),
@@ -217,7 +216,7 @@ namespace Glint
 
         bool IsShown(RayPath path) => path.Bounces >= _fewestBounces && path.Bounces <= _mostBounces;
 
-        // Unity's own material for coloured lines: of every render pipeline but HDRP.
+        // Unity's own material for coloured lines, for every render pipeline except HDRP.
         Material Lit()
         {
             if (_material == null)

@@ -6,9 +6,9 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// A sea of any extent: one periodic tile, laid side by side. The tile is a stored snapshot or, without snapshots,
+    /// A sea of any extent, made of copies of one periodic tile. The tile is a stored snapshot or, without snapshots,
     /// made from the wave settings.
-    /// All tiles are instances of one mesh, so that a sea of a thousand costs little more memory than one.
+    /// All tiles are instances of one mesh, so that a thousand tiles take little more memory than one.
     /// They are children of this object, made when it is enabled, in edit mode too, and never saved.
     /// </summary>
     [AddComponentMenu("Glint/Sea")]
@@ -55,7 +55,7 @@ namespace Glint
         /// <summary>Stored moments, in order. Call <see cref="Rebuild"/> after a change.</summary>
         public List<SeaSnapshot> Snapshots => _snapshots;
 
-        /// <summary>Which snapshot is shown, from 1; setting it shows it at once.</summary>
+        /// <summary>The snapshot shown, from 1; setting it shows it immediately.</summary>
         /// <exception cref="GlintException">There is no such snapshot.</exception>
         public int Snapshot
         {
@@ -68,7 +68,7 @@ namespace Glint
             }
         }
 
-        /// <summary>What the tile is made from when there are no snapshots. Setting it shows it at once.</summary>
+        /// <summary>Settings of the tile if there are no snapshots; setting them shows it immediately.</summary>
         /// <exception cref="GlintException">A setting is out of its range.</exception>
         public SeaSettings Waves
         {
@@ -81,7 +81,7 @@ namespace Glint
             }
         }
 
-        /// <summary>Moment of the sea in seconds when there are no snapshots. Setting it shows it at once.</summary>
+        /// <summary>Time of the sea in seconds if there are no snapshots; setting it shows it immediately.</summary>
         public double TimeSeconds
         {
             get => _timeSeconds;
@@ -93,18 +93,18 @@ namespace Glint
         }
 
         /// <summary>
-        /// Metres along X and Z that are covered at least. Call <see cref="Rebuild"/> after a change.
+        /// Minimum extent along X and Z, metres. Call <see cref="Rebuild"/> after a change.
         /// </summary>
         public Vector2 Extent { get => _extent; set => _extent = value; }
 
-        /// <summary>What stays in the middle; null: this object. Call <see cref="Rebuild"/> after a change.</summary>
+        /// <summary>Centre of the extent; null: this object. Call <see cref="Rebuild"/> after a change.</summary>
         public Transform Centre { get => _centre; set => _centre = value; }
 
-        /// <summary>What happens while the scene plays.</summary>
+        /// <summary>Motion while the scene plays.</summary>
         public SeaMotion Motion { get => _motion; set => _motion = value; }
 
         /// <summary>
-        /// How long each snapshot is shown when the motion is <see cref="SeaMotion.Snapshots"/>, seconds.
+        /// Time of each snapshot with the motion <see cref="SeaMotion.Snapshots"/>, seconds.
         /// </summary>
         /// <exception cref="GlintException">It is not above 0.</exception>
         public float SecondsPerSnapshot
@@ -114,33 +114,33 @@ namespace Glint
                 FormattableString.Invariant($"{Subject}: {value} seconds a snapshot: must be above 0"));
         }
 
-        /// <summary>What it looks like. Call <see cref="Rebuild"/> after a change.</summary>
+        /// <summary>Material of the tiles. Call <see cref="Rebuild"/> after a change.</summary>
         internal Material Material { set => _material = value; }
 
-        /// <summary>The snapshot that is shown; null when there is none of that number.</summary>
+        /// <summary>The snapshot shown; null if there is none of that number.</summary>
         internal SeaSnapshot CurrentSnapshot =>
             _snapshot >= 1 && _snapshot <= _snapshots.Count ? _snapshots[_snapshot - 1] : null;
 
-        /// <summary>Tiles that are shown.</summary>
+        /// <summary>Number of visible tiles.</summary>
         internal int TileCount => _tiles.Shown;
 
         string Subject => $"Sea of '{name}'";
 
-        /// <summary>Lays the tiles as everything stands now.</summary>
+        /// <summary>Updates the tiles to the current settings.</summary>
         /// <exception cref="GlintException">A setting is out of its range, or a snapshot is missing.</exception>
         public void Rebuild()
         {
             _isStale = false;
-            // before what may be refused: it is said once, until the middle or a setting changes
+            // before anything is refused: an error is reported once, until the centre or a setting changes
             _localCentre = LocalCentre();
             Check();
             var tile = Tile(out double size);
             _tiles.Rebuild(transform, tile, _material, size, _extent, _localCentre, Subject);
         }
 
-        /// <summary>Refuses what cannot be shown.</summary>
+        /// <summary>Refuses invalid settings.</summary>
         /// <exception cref="GlintException">
-        /// A setting of the waves is out of its range, a snapshot is missing, or it is to move as it cannot.
+        /// A setting of the waves is out of its range, a snapshot is missing, or the motion does not fit.
         /// </exception>
         internal void Check()
         {
@@ -153,7 +153,7 @@ namespace Glint
                 _waves.Validate(Subject);
         }
 
-        /// <summary>Refuses a number that no snapshot has.</summary>
+        /// <summary>Refuses a number without snapshot.</summary>
         /// <exception cref="GlintException">There is no such snapshot.</exception>
         internal void CheckSnapshot(int number)
         {
@@ -193,7 +193,7 @@ namespace Glint
 
         void OnEnable() => Attempt();
 
-        // Tiles cannot be made while Unity validates.
+        // Objects cannot be created during OnValidate.
         void OnValidate() => (_isStale, _surface) = (true, null);
 
         void Update()
@@ -215,7 +215,7 @@ namespace Glint
                 (_snapshot, _isStale) = (shown, true);
         }
 
-        // A sea that cannot be shown says why and shows nothing.
+        // A sea that cannot be shown reports why and hides its tiles.
         void Attempt()
         {
             try
@@ -245,16 +245,16 @@ namespace Glint
         }
     }
 
-    /// <summary>What a <see cref="Sea"/> does while the scene plays.</summary>
+    /// <summary>Motion of a <see cref="Sea"/> while the scene plays.</summary>
     public enum SeaMotion
     {
-        /// <summary>Nothing.</summary>
+        /// <summary>No motion.</summary>
         Still,
 
-        /// <summary>It shows one snapshot after the other, and begins again.</summary>
+        /// <summary>Shows one snapshot after the other, repeatedly.</summary>
         Snapshots,
 
-        /// <summary>Its waves run: the tile is made anew each frame.</summary>
+        /// <summary>Travelling waves: the tile is recomputed each frame.</summary>
         Waves
     }
 }

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// One stored moment of a sea: the mesh of a tile and the recipe that it was made by.
-    /// It is on the root of a prefab that shows the sea; <c>glint sea</c> writes them.
+    /// A stored moment of a sea: the mesh of a tile and its recipe, on the root of a prefab that shows the sea.
+    /// <c>glint sea</c> writes such prefabs.
     /// </summary>
     [AddComponentMenu("")]
     [DisallowMultipleComponent]
@@ -27,10 +27,10 @@ namespace Glint
         /// <summary>The tile, periodic over its width.</summary>
         public Mesh Tile { get => _tile; internal set => _tile = value; }
 
-        /// <summary>What the tile was made from.</summary>
+        /// <summary>Settings of the tile.</summary>
         public SeaSettings Settings { get => _settings; internal set => _settings = value; }
 
-        /// <summary>Moment of the sea, seconds.</summary>
+        /// <summary>Time of the sea, seconds.</summary>
         public double TimeSeconds { get => _timeSeconds; internal set => _timeSeconds = value; }
 
         /// <summary>Significant wave height of this moment, metres.</summary>

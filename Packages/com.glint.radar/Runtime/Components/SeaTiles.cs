@@ -6,29 +6,29 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>The tiles of a sea: objects with one mesh, side by side.</summary>
+    /// <summary>The tiles of a sea: adjacent objects with one mesh.</summary>
     sealed class SeaTiles
     {
         const int MaxTiles = 100_000;
 
-        // Seen in the Hierarchy and traced, but not saved and not to be edited: the sea makes them anew.
+        // Visible in the Hierarchy and traced, but neither saved nor editable: the sea recreates them.
         const HideFlags Made = HideFlags.DontSaveInEditor | HideFlags.DontSaveInBuild | HideFlags.NotEditable;
 
         readonly List<MeshFilter> _tiles = new List<MeshFilter>();
 
-        /// <summary>Tiles last laid that are not hidden.</summary>
+        /// <summary>Number of visible tiles.</summary>
         public int Shown { get; private set; }
 
         /// <summary>
-        /// Shows a tile over an extent; objects that are there already are taken again, those left over are hidden.
+        /// Covers an extent with copies of a tile; existing objects are reused, surplus ones are hidden.
         /// </summary>
-        /// <param name="parent">Has the tiles as children.</param>
+        /// <param name="parent">Parent of the tiles.</param>
         /// <param name="size">Side of the tile in metres.</param>
-        /// <param name="extent">Metres along the parent's X and Z to cover at least.</param>
+        /// <param name="extent">Minimum extent along the parent's X and Z, metres.</param>
         /// <param name="centre">
-        /// Where the extent's middle should be, in the parent's coordinates; it is met within half a tile.
+        /// Centre of the extent in the parent's coordinates; it is rounded to whole tiles.
         /// </param>
-        /// <param name="subject">Whose sea it is, for messages.</param>
+        /// <param name="subject">Name of the sea, for messages.</param>
         /// <exception cref="GlintException">The extent takes too many tiles, or none.</exception>
         public void Rebuild(Transform parent, Mesh mesh, Material material, double size, Vector2 extent,
             Vector3 centre, string subject)
@@ -38,7 +38,7 @@ namespace Glint
                 throw new GlintException(FormattableString.Invariant(
                     $"{subject}: an extent of {extent.x} x {extent.y} m takes {(long)across * along} tiles of {size} m, and {MaxTiles} is the limit: take larger tiles or a smaller extent"));
             Find(parent);
-            // By whole tiles: the waves stay where they are.
+            // By whole tiles, so that the waves stay in place.
             var whole = new Vector3((float)(size * Math.Round(centre.x / size)), 0,
                 (float)(size * Math.Round(centre.z / size)));
             for (int i = 0; i < across * along; i++)
@@ -58,12 +58,12 @@ namespace Glint
             Hide(across * along);
         }
 
-        /// <summary>Where a tile stands when so many are laid about the origin.</summary>
+        /// <summary>Position of a tile in a grid of tiles centred on the origin.</summary>
         public static Vector3 PositionOf(int x, int z, int2 tiles, double size) =>
             new Vector3((float)(size * (x - (tiles.x - 1) / 2.0)), 0, (float)(size * (z - (tiles.y - 1) / 2.0)));
 
         /// <summary>
-        /// Hides all tiles. They stay: objects must not be destroyed while one above them is switched on or off.
+        /// Hides all tiles. They are not destroyed: Unity forbids that while a parent is activated or deactivated.
         /// </summary>
         public void Hide(Transform parent)
         {
@@ -78,7 +78,7 @@ namespace Glint
                 _tiles[i].GetComponent<MeshRenderer>().enabled = false;
         }
 
-        // Those of before a reload of the scripts, and those that came with a copy of the parent, are taken again.
+        // Reuses tiles from before a reload of the scripts, and those copied with the parent.
         void Find(Transform parent)
         {
             _tiles.Clear();
@@ -93,7 +93,7 @@ namespace Glint
             if (!(extent > 0) || float.IsInfinity(extent))
                 throw new GlintException(FormattableString.Invariant(
                     $"{subject}: its extent has a side of {extent} m: give both sides in metres, above 0"));
-            // An extent of whole tiles, but for rounding, takes no more.
+            // Tolerates the rounding of an extent of whole tiles.
             return (int)Math.Min(int.MaxValue / 2, Math.Ceiling(extent / size - 1e-6));
         }
 

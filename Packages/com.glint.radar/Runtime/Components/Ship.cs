@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>Says what a ship's mesh was made from. <c>glint ship</c> writes both into a prefab.</summary>
+    /// <summary>Holds the measures of a ship's mesh. <c>glint ship</c> writes both into a prefab.</summary>
     [AddComponentMenu("")]
     [DisallowMultipleComponent]
     public sealed class Ship : MonoBehaviour
@@ -12,7 +12,7 @@ namespace Glint
             + "Changed ones change the mesh when it is made anew, by the button below or by glint ship.")]
         ShipSettings _settings = ShipSettings.Default;
 
-        /// <summary>The measures that the mesh was made from.</summary>
+        /// <summary>The measures of the mesh.</summary>
         public ShipSettings Settings { get => _settings; internal set => _settings = value; }
     }
 }

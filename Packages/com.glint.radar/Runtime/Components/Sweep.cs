@@ -6,9 +6,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Sweeps when the scene is played: turns the target from angle to angle, moves the radar about it,
-    /// steps through frequencies or the sea's snapshots, one pose a frame, and writes the same files as the command.
-    /// When done it stops and puts everything back.
+    /// Sweeps when the scene is played: turns the target, moves the radar about it, steps through frequencies or the
+    /// sea's snapshots, one pose a frame, and writes the files of the command. At the end it restores everything.
     /// </summary>
     [AddComponentMenu("Glint/Sweep")]
     [DisallowMultipleComponent]
@@ -47,33 +46,33 @@ namespace Glint
         readonly LogProgress _progress = new LogProgress();
         SweepRun _run;
 
-        /// <summary>The radar that traces; null: the one of the scene.</summary>
+        /// <summary>The radar; null: the only one of the scene.</summary>
         public RadarController Radar { get => _radar; set => _radar = value; }
 
-        /// <summary>What is turned, and the radar moved about; null: nothing.</summary>
+        /// <summary>The object that turns, and about which the radar moves; may be null.</summary>
         public Transform Target { get => _target; set => _target = value; }
 
         /// <summary>
-        /// Degrees: FROM:TO:STEP or a list with commas; empty beside another list: the target is not turned.
+        /// Turns of the target, degrees: FROM:TO:STEP or a list with commas. Empty, with another list: not swept.
         /// </summary>
         public string Angles { get => _angles; set => _angles = value; }
 
         /// <summary>
-        /// How far the radar looks down, degrees: FROM:TO:STEP or a list with commas; empty: as it does.
+        /// Angles by which the radar looks down, degrees: FROM:TO:STEP or a list with commas; empty: not swept.
         /// </summary>
         public string GrazingAngles { get => _grazingAngles; set => _grazingAngles = value; }
 
         /// <summary>
-        /// From the radar to the point that it is moved about, metres:
-        /// FROM:TO:STEP or a list with commas; empty: as it is.
+        /// Distances from the radar to the point about which it moves, metres: FROM:TO:STEP or a list with commas;
+        /// empty: not swept.
         /// </summary>
         public string Distances { get => _distances; set => _distances = value; }
 
-        /// <summary>Carrier frequencies, hertz: FROM:TO:STEP or a list with commas; empty: the radar's.</summary>
+        /// <summary>Carrier frequencies, hertz: FROM:TO:STEP or a list with commas; empty: not swept.</summary>
         public string Frequencies { get => _frequencies; set => _frequencies = value; }
 
         /// <summary>
-        /// Snapshots of the scene's sea, from 1: FROM:TO, FROM:TO:STEP or a list with commas; empty: it stays as it is.
+        /// Snapshots of the scene's sea, from 1: FROM:TO, FROM:TO:STEP or a list with commas; empty: not swept.
         /// </summary>
         public string Snapshots { get => _snapshots; set => _snapshots = value; }
 
@@ -82,10 +81,10 @@ namespace Glint
         /// </summary>
         public string OutputFolder { get => _outputFolder; set => _outputFolder = value; }
 
-        /// <summary>True from the first pose until all are traced and written.</summary>
+        /// <summary>True from the first pose until all poses are written.</summary>
         public bool IsRunning => _run != null;
 
-        /// <summary>Who looks for a radar or a sea, in messages.</summary>
+        /// <summary>Name for messages of searches for a radar or a sea.</summary>
         internal string Searcher => $"scene of Sweep '{name}'";
 
         // In the order of SweepAxis.All.
@@ -113,7 +112,7 @@ namespace Glint
                 (axis == SweepAxis.Angle ? turns : IsGiven(axis)) ? axis.Parse(ListOf(axis)) : null);
         }
 
-        /// <summary>Whose snapshots are shown; null when none are.</summary>
+        /// <summary>The sea whose snapshots are swept; null if none are.</summary>
         /// <exception cref="GlintException">The scene has no sea, or several.</exception>
         internal Sea FindSea() => IsGiven(SweepAxis.Snapshot) ? SceneSearch.FindSea(Searcher) : null;
 
@@ -157,7 +156,7 @@ namespace Glint
             _run = null;
         }
 
-        // A sweep that cannot go on says why, once, and stops; the rows written are kept.
+        // A sweep that cannot continue reports why and stops; its rows are kept.
         void Attempt(Action step)
         {
             try

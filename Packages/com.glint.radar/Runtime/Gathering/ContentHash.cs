@@ -9,17 +9,17 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Sums up a mesh's content, in order, in 64 bits: Unity does not say when a mesh changes.
-    /// A change of one number always shows, others but for a chance of 1 in 10^19. Good within one run only.
+    /// A 64-bit hash of a mesh's content, because Unity does not say when a mesh changes. A change of one number always
+    /// changes the hash, other changes with a probability of 1 - 10^-19. Valid within one run only.
     /// </summary>
     struct ContentHash
     {
-        const ulong Factor = 0x9E3779B97F4A7C15; // odd, bits without a pattern: 2^64 over the golden ratio
+        const ulong Factor = 0x9E3779B97F4A7C15; // odd, without pattern: 2^64 over the golden ratio
 
-        // As many numbers or points are worth another core. Not to depend on how many cores there are.
+        // Numbers or points of a chunk for one core. It must not depend on the number of cores.
         public const int ChunkSize = 1 << 16;
 
-        // Independent, so that the processor need not wait for one product before it starts the next.
+        // Independent accumulators, so that products overlap in the pipeline.
         ulong _a, _b, _c, _d;
 
         public ulong Value => Mix(Mix(Mix(_a, _b), _c), _d);
@@ -61,7 +61,7 @@ namespace Glint
             Add(math.asulong(v.z));
         }
 
-        // Chunks are summed up on all cores, and their sums in order.
+        // Hashes chunks on all cores, and combines them in order.
         void AddChunks(int count, Func<int, int, ulong> sumOf)
         {
             var sums = new ulong[(count + ChunkSize - 1) / ChunkSize];
@@ -109,7 +109,7 @@ namespace Glint
 
         static ulong Pair(uint lower, uint upper) => lower | (ulong)upper << 32;
 
-        // One to one in each argument when the other is held: what differs once stays different.
+        // Bijective in each argument, so that a difference persists.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         static ulong Mix(ulong state, ulong word)
         {

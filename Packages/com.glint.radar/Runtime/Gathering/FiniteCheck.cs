@@ -6,13 +6,13 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Looks for numbers that are none in what a radar, receiver or target stands on:
-    /// Unity refuses them from scripts, and takes them from files.
+    /// Finds NaN and infinity in the transforms of radar, receiver and target: Unity refuses them from scripts, but not
+    /// from files.
     /// </summary>
     static class FiniteCheck
     {
-        /// <summary>Refuses a place that is not finite.</summary>
-        /// <param name="subject">What stands there, for the message.</param>
+        /// <summary>Refuses a transform that is not finite.</summary>
+        /// <param name="subject">Name of the object, for the message.</param>
         /// <exception cref="GlintException">
         /// A position, rotation or scale of the transform or of one above it is not finite; the message names it.
         /// </exception>

@@ -3,7 +3,7 @@ using System.Collections.Generic;
 namespace Glint
 {
     /// <summary>
-    /// What is kept of one gather for the next, by key. What a gather does not ask for is forgotten when it ends.
+    /// A cache from one gather to the next. Entries that a gather does not request are removed at its end.
     /// </summary>
     sealed class FrameCache<TKey, TValue> where TValue : class, new()
     {
@@ -16,8 +16,8 @@ namespace Glint
             _now.Clear();
         }
 
-        /// <summary>The value of the gather before, or a new one.</summary>
-        /// <param name="first">True the first time since <see cref="Begin"/>.</param>
+        /// <summary>The value of the last gather, or a new one.</summary>
+        /// <param name="first">True for the first request since <see cref="Begin"/>.</param>
         public TValue Get(TKey key, out bool first)
         {
             first = !_now.TryGetValue(key, out var value);

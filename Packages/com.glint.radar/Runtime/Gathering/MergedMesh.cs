@@ -6,7 +6,7 @@ namespace Glint
 {
     /// <summary>
     /// Objects of a <see cref="RigidGroup"/>, merged into one mesh in its frame.
-    /// It is built anew only when one of them changes.
+    /// It is rebuilt only if one of them changes.
     /// </summary>
     sealed class MergedMesh
     {
@@ -17,7 +17,7 @@ namespace Glint
         TriangleMesh _mesh;
         VertexFrame _vertexFrame;
 
-        /// <summary>Begins a gather with the object that the body is named after.</summary>
+        /// <summary>Begins a gather with the object that names the mesh.</summary>
         public void Begin(TransformNode first, RigidGroup group)
         {
             (_first, _group) = (first, group);
@@ -36,11 +36,10 @@ namespace Glint
         /// <summary>The objects, in the order of their triangles.</summary>
         public IReadOnlyList<TransformNode> Nodes => _nodes;
 
-        /// <summary>The mesh where the group's frame stands now.</summary>
+        /// <summary>The mesh at the current transform of the group's frame.</summary>
         public MeshInstance MakeInstance(MeshReader reader)
         {
-            // A lone object that is stretched has its scale put into vertices of its own:
-            // the BVH is better over shapes as they are.
+            // The scale of a lone stretched object is applied to its vertices: a BVH over undistorted shapes is better.
             if (_parts.Count == 1 && TransformMath.Conditioning(_first.ToScene) >= TransformMath.GoodConditioning)
             {
                 (_mesh, _merged) = (null, new List<Part>());
@@ -86,7 +85,7 @@ namespace Glint
             (_parts, _merged) = (_merged, _parts);
         }
 
-        // All that an object adds to the merged vertices.
+        // The contribution of an object to the merged vertices.
         struct Part
         {
             public MeshSource Source;

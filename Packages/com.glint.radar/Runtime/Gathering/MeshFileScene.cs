@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// The objects that stand for a mesh file in a scene: the mesh, a radar that looks at it, and the radar's receiver.
+    /// The objects of a mesh file in a scene: the mesh, a radar that looks at it, and the radar's receiver.
     /// </summary>
     public static class MeshFileScene
     {
@@ -14,9 +14,9 @@ namespace Glint
 
         /// <summary>Makes the objects in the active scene.</summary>
         /// <param name="file">Triangles in metres.</param>
-        /// <param name="placement">Where the radar stands, and what it sees and receives.</param>
+        /// <param name="placement">Pose, view and receiver of the radar.</param>
         /// <param name="settings">
-        /// Frequency, rays, bounces. With parallel rays their spacing decides how many there are.
+        /// Frequency, rays, bounces. With parallel rays their spacing decides the number of rays.
         /// </param>
         /// <param name="kernel">Shaders/Trace.compute.</param>
         /// <exception cref="GlintException">The spacing takes too many rays.</exception>
@@ -58,8 +58,7 @@ namespace Glint
         }
 
         /// <summary>
-        /// A receiver below a camera, where the published experiment has it;
-        /// that of parallel rays stands in the aperture.
+        /// A receiver below a camera, as in the published experiment; that of parallel rays is in the aperture.
         /// </summary>
         internal static Transform MakeReceiver(Transform camera, bool isParallel) =>
             MakeChild("Receiver", camera, isParallel ? 0 : -ReceiverBehindCamera);
@@ -73,8 +72,8 @@ namespace Glint
         }
 
         /// <summary>
-        /// The mesh as an object of the active scene, at the origin, with a <see cref="RadarSurface"/> for each material
-        /// that the file names.
+        /// The mesh as an object of the active scene, at the origin, with a <see cref="RadarSurface"/> for each
+        /// material that the file names.
         /// </summary>
         internal static Transform MakeObject(MeshFile file)
         {

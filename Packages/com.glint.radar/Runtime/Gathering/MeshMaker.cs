@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Glint
 {
-    /// <summary>Unity's meshes from triangles.</summary>
+    /// <summary>Makes Unity meshes from triangles.</summary>
     static class MeshMaker
     {
         const int Max16BitVertices = 65535;
@@ -32,7 +32,7 @@ namespace Glint
             return mesh;
         }
 
-        /// <summary>Gives a mesh other triangles, with normals and bounds.</summary>
+        /// <summary>Replaces a mesh's triangles, normals and bounds.</summary>
         public static void Fill(Mesh mesh, float3[] vertices, int[] indices)
         {
             mesh.Clear();

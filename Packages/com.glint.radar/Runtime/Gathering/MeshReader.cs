@@ -6,13 +6,13 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>Reads meshes through lists that it keeps: to look at an unchanged mesh leaves no garbage.</summary>
+    /// <summary>Reads meshes through reused lists, so that checking an unchanged mesh allocates nothing.</summary>
     sealed class MeshReader
     {
         readonly List<Vector3> _vertices = new List<Vector3>();
         readonly List<int> _indices = new List<int>();
 
-        /// <summary>Sums up all that decides a mesh's triangles.</summary>
+        /// <summary>Hash of everything that determines a mesh's triangles.</summary>
         public ulong Hash(Mesh mesh)
         {
             var hash = new ContentHash();
@@ -29,7 +29,7 @@ namespace Glint
             return hash.Value;
         }
 
-        /// <summary>The box around all vertices; not a number when one of them is none.</summary>
+        /// <summary>The box around all vertices; NaN if a vertex is NaN.</summary>
         public void Measure(Mesh mesh, out float3 boxMin, out float3 boxMax)
         {
             mesh.GetVertices(_vertices);
@@ -46,8 +46,8 @@ namespace Glint
         }
 
         /// <summary>Triangles of each submesh.</summary>
-        /// <param name="owner">Has the mesh, for messages.</param>
-        /// <exception cref="GlintException">A submesh has no faces, or indices that name no vertex.</exception>
+        /// <param name="owner">Renderer of the mesh, for messages.</param>
+        /// <exception cref="GlintException">A submesh has no faces, or invalid indices.</exception>
         public int[] CountTriangles(Mesh mesh, Renderer owner)
         {
             int vertices = mesh.vertexCount;
@@ -72,8 +72,10 @@ namespace Glint
             return triangles;
         }
 
-        /// <summary>Refuses a place where a vertex lies beyond what float32 can hold to a metre.</summary>
-        /// <exception cref="GlintException">There is one; the message names it.</exception>
+        /// <summary>
+        /// Refuses a transform that puts a vertex outside the range in which float32 resolves a metre.
+        /// </summary>
+        /// <exception cref="GlintException">A vertex is too far away; the message names it.</exception>
         public void CheckTransform(Mesh mesh, in Affine toScene, Renderer owner)
         {
             mesh.GetVertices(_vertices);
@@ -88,12 +90,12 @@ namespace Glint
             }
         }
 
-        /// <summary>Writes a mesh's triangles behind those that are there.</summary>
+        /// <summary>Appends a mesh's triangles.</summary>
         /// <param name="transform">
-        /// From the mesh's coordinates to those of the vertices written; computed in double, then rounded.
+        /// From the mesh's coordinates to those of the written vertices; applied in double, then rounded.
         /// </param>
-        /// <param name="vertexCount">Vertices there; moved on.</param>
-        /// <param name="indexCount">Indices there; moved on.</param>
+        /// <param name="vertexCount">Number of vertices; increased.</param>
+        /// <param name="indexCount">Number of indices; increased.</param>
         public void Append(Mesh mesh, in Affine transform, float3[] vertices, ref int vertexCount,
             int[] indices, ref int indexCount)
         {

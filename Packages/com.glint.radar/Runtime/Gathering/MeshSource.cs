@@ -6,11 +6,12 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// A Mesh as the last gather found it, and its triangles in its own coordinates once an instance asks for them.
+    /// The state of a Mesh in the last gather, and its triangles in its own coordinates if an instance needs them.
     /// </summary>
     sealed class MeshSource
     {
-        // All vertices are far from the mesh's origin when their middle lies beyond so many halves of their box.
+        // Distance of the vertices' centre from the mesh's origin, in half sizes of their box, above which the mesh is
+        // far from its origin.
         const double FarInHalves = 3;
 
         bool _isKnown, _hasFrame;
@@ -19,29 +20,29 @@ namespace Glint
 
         public Mesh Mesh { get; private set; }
 
-        /// <summary>Of the content: <see cref="ContentHash"/>.</summary>
+        /// <summary>Hash of the content: <see cref="ContentHash"/>.</summary>
         public ulong Hash { get; private set; }
 
-        /// <summary>How often the content was seen to change; from the first time on it is one that changes.</summary>
+        /// <summary>Number of changes seen; above 0 the mesh counts as changing.</summary>
         public int Version { get; private set; }
 
         public int VertexCount { get; private set; }
 
         public int TriangleCount { get; private set; }
 
-        /// <summary>Triangles of each submesh; those of one follow those of the one before.</summary>
+        /// <summary>Triangles of each submesh, in order.</summary>
         public int[] SubmeshTriangles { get; private set; }
 
-        /// <summary>Half the sides of the box around the vertices, and its middle, in the mesh's coordinates.</summary>
+        /// <summary>Half sizes and centre of the box around the vertices, in the mesh's coordinates.</summary>
         public double3 Half { get; private set; }
 
         public double3 Centre { get; private set; }
 
-        /// <summary>Objects of this gather that have the mesh.</summary>
+        /// <summary>Number of objects of this gather with the mesh.</summary>
         public int ObjectCount { get; private set; }
 
-        /// <summary>Looks whether the mesh has changed.</summary>
-        /// <param name="owner">Has the mesh, for messages.</param>
+        /// <summary>Checks whether the mesh has changed.</summary>
+        /// <param name="owner">Renderer of the mesh, for messages.</param>
         /// <exception cref="GlintException">The mesh cannot be traced.</exception>
         public void Update(Mesh mesh, MeshReader reader, Renderer owner)
         {
@@ -59,12 +60,12 @@ namespace Glint
             (Hash, _isKnown, _triangles) = (hash, true, null);
         }
 
-        /// <summary>Takes note of an object with the mesh.</summary>
+        /// <summary>Counts an object with the mesh.</summary>
         public void AddObject() => ObjectCount++;
 
-        /// <summary>Refuses a place where a vertex lies too far from the scene's origin.</summary>
-        /// <param name="owner">Has the mesh, for the message.</param>
-        /// <exception cref="GlintException">There is one; the message names it.</exception>
+        /// <summary>Refuses a transform that puts a vertex too far from the scene's origin.</summary>
+        /// <param name="owner">Renderer of the mesh, for the message.</param>
+        /// <exception cref="GlintException">A vertex is too far away; the message names it.</exception>
         public void CheckTransform(in Affine toScene, MeshReader reader, Renderer owner)
         {
             if (VertexCount == 0)
@@ -74,17 +75,17 @@ namespace Glint
                 reader.CheckTransform(Mesh, toScene, owner);
         }
 
-        /// <summary>A box that holds the vertices after a transform.</summary>
+        /// <summary>A box around the transformed vertices.</summary>
         public void Bound(in Affine transform, out double3 centre, out double3 half)
         {
             centre = transform.Point(Centre);
             half = math.abs(transform.X) * Half.x + math.abs(transform.Y) * Half.y + math.abs(transform.Z) * Half.z;
         }
 
-        /// <summary>The mesh at a place, with its own vertices.</summary>
+        /// <summary>An instance of the mesh with its own vertices.</summary>
         public MeshInstance MakeInstance(in Affine toScene, MeshReader reader)
         {
-            // The first place in a gather says how large a unit of the mesh is.
+            // The first transform of a gather sets the unit of the mesh.
             double unit = _hasFrame ? _frame.Unit : TransformMath.Unit(toScene);
             _hasFrame = true;
             if (_triangles == null || unit != _frame.Unit)
@@ -95,7 +96,7 @@ namespace Glint
         void Build(MeshReader reader, double unit)
         {
             _frame = new VertexFrame(Centre, Half, unit);
-            // To be subtracted from vertices as large as itself, or not at all: then float32 need not round.
+            // Subtracted only if it is as large as the vertices: then float32 does not round.
             _frame.Origin = math.select(0, _frame.Origin, math.abs(Centre) > FarInHalves * math.cmax(Half));
             var vertices = new float3[VertexCount];
             var indices = new int[3 * TriangleCount];

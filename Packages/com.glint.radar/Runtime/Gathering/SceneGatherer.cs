@@ -7,27 +7,21 @@ namespace Glint
 {
     /// <summary>
     /// Collects the triangles of active GameObjects with an enabled MeshRenderer and a MeshFilter.
-    /// Of a LODGroup, LOD 0 is taken. The order is that of the hierarchy.
-    /// From one gather to the next it keeps what stays as it was: of a scene where only known movers have moved,
-    /// every TriangleMesh is the same object as before.
+    /// A LODGroup contributes LOD 0. The order is that of the hierarchy. Unchanged data is kept from one gather to the
+    /// next: if only known movers have moved, every TriangleMesh is the same object as before.
     /// </summary>
     /// <remarks>
-    /// The scene has the world's axes and metres. Its origin stands where the nearest transform stands that the radar,
-    /// its receiver and all traced objects are, or are below:
-    /// what that transform's place is does not enter. Without such a transform it is the world's origin.
-    /// Objects that keep still relative to each other (a <see cref="RigidGroup"/>) are merged into one mesh,
-    /// a <see cref="MergedMesh"/>, in a frame of their own.
-    /// A transform moves when it does not stand as it did in the gather before,
-    /// or when <see cref="ExpectMotion"/> was told so.
-    /// Objects with a mesh of their own that changes, and those with one that is used many times,
-    /// are instances of their mesh.
-    /// Vertices are rounded to float32 relative to such a frame, never to the scene: its place is kept in double.
+    /// The scene has the world's axes and metres. Its origin is the nearest common transform of the radar, its receiver
+    /// and all traced objects, whose own position does not matter; without one it is the world's origin. Objects that
+    /// do not move relative to each other (a <see cref="RigidGroup"/>) are merged into one mesh, a <see
+    /// cref="MergedMesh"/>, in a frame of their own. A transform moves if it differs from that of the last gather, or
+    /// if <see cref="ExpectMotion"/> announced it. Objects whose mesh changes, or is used many times, are instances of
+    /// their mesh. Vertices are rounded to float32 relative to such a frame, never to the scene; frames are in double.
     /// </remarks>
     sealed class SceneGatherer
     {
         /// <summary>
-        /// A mesh that would make more triangles than this when merged once for each of its objects is not:
-        /// the objects are instances.
+        /// Maximum triangles of all copies of a mesh for merging; above it the objects are instances.
         /// </summary>
         public const long MaxMergedTriangles = 200_000;
 
@@ -44,29 +38,30 @@ namespace Glint
         MeshReader _reader = new MeshReader();
         RadarScene _scene;
 
-        /// <summary>Objects with a mesh of the scene last gathered.</summary>
+        /// <summary>Number of objects with a mesh in the last gather.</summary>
         public int ObjectCount => _objects.Count;
 
-        /// <summary>What was left out and why, a line each.</summary>
+        /// <summary>Objects that are not traced and why, a line each.</summary>
         public IReadOnlyList<string> Warnings => _warnings;
 
-        /// <summary>Counts a transform as moving before it has moved, so that its first motion costs nothing.</summary>
-        /// <returns>False when it was so already.</returns>
+        /// <summary>Announces that a transform will move, so that its first motion costs nothing.</summary>
+        /// <returns>False if it was announced already.</returns>
         public bool ExpectMotion(Transform transform) => _transforms.ExpectMotion(transform);
 
         /// <summary>
-        /// Takes <see cref="ExpectMotion"/> back. What has moved is known to move until <see cref="Forget"/>.
+        /// Withdraws <see cref="ExpectMotion"/>. A transform that has moved counts as moving until <see
+        /// cref="Forget"/>.
         /// </summary>
         public void ExpectNoMotion(Transform transform) => _transforms.ExpectNoMotion(transform);
 
-        /// <summary>The triangles of a scene.</summary>
+        /// <summary>Gathers a scene.</summary>
         /// <param name="layers">Layers to trace.</param>
         /// <param name="roots">Objects to trace with all below them; empty: every loaded scene.</param>
         /// <param name="receiver">
-        /// Never traced, with all below it: it is neither target nor obstacle. May be null.
+        /// Not traced, with all below it: it is neither target nor obstacle. May be null.
         /// </param>
-        /// <param name="radar">Where the radar stands; null: the scene's origin is the world's.</param>
-        /// <returns>The same scene as before when nothing has changed.</returns>
+        /// <param name="radar">Transform of the radar; null: the scene's origin is the world's.</param>
+        /// <returns>The scene; the same object as before if nothing has changed.</returns>
         /// <exception cref="GlintException">
         /// A mesh that cannot be traced; the message names it and the remedy.
         /// </exception>
@@ -93,8 +88,8 @@ namespace Glint
         }
 
         /// <summary>
-        /// Where the radar or the receiver of the last gather stands in its scene; the columns are its right,
-        /// up and forward, unit vectors.
+        /// Pose of the radar or the receiver in the scene of the last gather; the columns are its right, up and
+        /// forward, unit vectors.
         /// </summary>
         public Affine PoseOf(Transform radarOrReceiver) => _transforms.Visit(radarOrReceiver).Pose();
 
@@ -102,8 +97,8 @@ namespace Glint
         public Transform ObjectAt(int number) => _objects[number].renderer.transform;
 
         /// <summary>
-        /// Sums up the meshes of the last gather and where they stand, however they are divided into instances.
-        /// Good within one run only.
+        /// Hash of the meshes of the last gather and their transforms, independent of their division into instances.
+        /// Valid within one run only.
         /// </summary>
         public ulong Content()
         {
@@ -120,7 +115,7 @@ namespace Glint
             return content.Value;
         }
 
-        /// <summary>Lets go of everything kept but what was said of motion.</summary>
+        /// <summary>Releases everything except announcements of motion.</summary>
         public void Forget()
         {
             _transforms.Forget();
@@ -189,7 +184,7 @@ namespace Glint
         public static string NotReadable(Mesh mesh, Renderer renderer) =>
             $"mesh '{mesh.name}' of '{renderer.name}' is not readable: tick Read/Write in the mesh's import settings";
 
-        // The transform at which the scene's origin stands.
+        // The transform of the scene's origin.
         TransformNode FindCentre(Transform radar, Transform receiver)
         {
             if (radar == null)
@@ -268,7 +263,7 @@ namespace Glint
                 group.ChooseFrame();
         }
 
-        // An instance of its own, or a part of a body; a body stands where its first object stands.
+        // Adds an instance of its own, or a part of a merged mesh, which has the position of its first object.
         void AddPiece(TransformNode node)
         {
             var source = node.Source;

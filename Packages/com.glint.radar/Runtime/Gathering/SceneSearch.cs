@@ -5,22 +5,22 @@ using Object = UnityEngine.Object;
 
 namespace Glint
 {
-    /// <summary>Finds the one component of a kind that a scene is meant to have.</summary>
+    /// <summary>Finds the only component of a kind in the scene.</summary>
     static class SceneSearch
     {
-        /// <summary>The one enabled radar of the loaded scenes.</summary>
-        /// <param name="searcher">Who looks for it, for the message.</param>
+        /// <summary>The only enabled radar of the loaded scenes.</summary>
+        /// <param name="searcher">Name of the caller, for the message.</param>
         /// <exception cref="GlintException">There is none, or more than one.</exception>
         public static RadarController FindRadar(string searcher) => FindOnly<RadarController>(searcher, "radar",
             "RadarController (Glint > Radar Controller) to a camera of the scene");
 
-        /// <summary>The one enabled sea of the loaded scenes.</summary>
-        /// <param name="searcher">Who looks for it, for the message.</param>
+        /// <summary>The only enabled sea of the loaded scenes.</summary>
+        /// <param name="searcher">Name of the caller, for the message.</param>
         /// <exception cref="GlintException">There is none, or more than one.</exception>
         public static Sea FindSea(string searcher) =>
             FindOnly<Sea>(searcher, "sea", "Sea (Glint > Sea) with snapshots to an object of the scene");
 
-        /// <summary>Why a component is not found that is there.</summary>
+        /// <summary>Message for a component that is disabled.</summary>
         public static string IsDisabled(Behaviour component) =>
             $"{component.GetType().Name} of '{component.name}' is disabled or inactive; enable it";
 

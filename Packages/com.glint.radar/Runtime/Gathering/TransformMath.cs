@@ -4,22 +4,22 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>What a transform does to shapes and sizes.</summary>
+    /// <summary>Conditioning and scale of transforms.</summary>
     static class TransformMath
     {
-        /// <summary>Evenness of a transform that does not spoil the shapes of triangles and boxes.</summary>
+        /// <summary>Conditioning above which triangles and boxes keep a good shape.</summary>
         public const double GoodConditioning = 0.1;
 
         /// <summary>
-        /// Least evenness of a transform whose inverse the rays are taken through:
-        /// below it they would lose too many digits.
+        /// Minimum conditioning of a transform through whose inverse rays are transformed: below it they lose too many
+        /// digits.
         /// </summary>
         public const double MinConditioning = 1e-3;
 
         /// <summary>
-        /// 1 when shapes stay similar, also mirrored; towards 0 the more they are stretched, sheared or flattened;
-        /// no number when the transform has no inverse.
-        /// The ratio of the greatest stretch to the least is at most about 5 over it.
+        /// Conditioning of a transform: 1 for a similarity, also mirrored; towards 0 with stretching, shearing or
+        /// flattening; NaN for a singular transform. The ratio of maximum to minimum stretch is at most about 5 over
+        /// it.
         /// </summary>
         public static double Conditioning(in Affine transform)
         {
@@ -28,16 +28,16 @@ namespace Glint
         }
 
         /// <summary>
-        /// A power of two near the most that a length grows, so that multiplying by it rounds nothing.
+        /// A power of two near the maximum stretch; multiplying by it is exact.
         /// </summary>
         public static double Unit(in Affine transform)
         {
-            // Not at 1 itself, where most scales are: there rounding would choose now this, now that power.
+            // The thresholds are not at 1, where most scales are and rounding would decide.
             double unit = PowerOfTwoBelow(Math.Sqrt(2) * MaxStretch(transform));
             return unit > 0 && unit <= double.MaxValue ? unit : 1;
         }
 
-        /// <summary>The greatest power of two that is at most a positive number.</summary>
+        /// <summary>The largest power of two not above a positive number.</summary>
         public static double PowerOfTwoBelow(double value) =>
             BitConverter.Int64BitsToDouble(BitConverter.DoubleToInt64Bits(value) & 0x7FF0000000000000);
 

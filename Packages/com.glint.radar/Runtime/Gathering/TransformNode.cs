@@ -6,7 +6,7 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// A transform at or above a traced object, the radar or its receiver, as the gather found it.
+    /// A transform at or above a traced object, the radar or its receiver, in the state of the gather.
     /// Transforms are composed in double from local position, rotation and scale:
     /// Unity's float32 world matrices lose centimetres far from the origin.
     /// </summary>
@@ -21,38 +21,38 @@ namespace Glint
         /// <summary>Null for the world.</summary>
         public TransformNode Parent { get; private set; }
 
-        /// <summary>Known to move.</summary>
+        /// <summary>Whether it is known to move.</summary>
         public bool Moves { get; private set; }
 
-        /// <summary>The nearest at or above that is known to move; the world if none.</summary>
+        /// <summary>The nearest transform at or above it that is known to move; else the world.</summary>
         public TransformNode Mover { get; private set; }
 
-        /// <summary>Of a mover: the objects that it is the nearest mover of; null before they are looked for.</summary>
+        /// <summary>The objects whose nearest mover it is; null before they are collected.</summary>
         public RigidGroup Group { get; set; }
 
-        /// <summary>At or below the transform whose place is the scene's origin.</summary>
+        /// <summary>Whether it is at or below the transform of the scene's origin.</summary>
         public bool IsInScene { get; private set; }
 
-        /// <summary>From this transform's coordinates to the scene's; of one that is in the scene.</summary>
+        /// <summary>From this transform's coordinates to the scene's; only for one in the scene.</summary>
         public Affine ToScene { get; private set; }
 
-        /// <summary>The mesh that its object had in the gather before; null if none.</summary>
+        /// <summary>The mesh of its object in the last gather; null if none.</summary>
         public MeshSource Source { get; private set; }
 
-        /// <summary>True when the object has had another mesh before.</summary>
+        /// <summary>True if the object had another mesh before.</summary>
         public bool SwapsMesh { get; private set; }
 
-        /// <summary>True when its object is among those of this gather.</summary>
+        /// <summary>True if its object is in this gather.</summary>
         public bool IsTaken { get; set; }
 
-        /// <summary>Then its number among them.</summary>
+        /// <summary>Index of its object in this gather.</summary>
         public int ObjectNumber { get; set; }
 
         /// <summary>Its own <see cref="RadarSurface"/> components; null if it has none.</summary>
         RadarSurface[] _surfaces;
 
         /// <summary>
-        /// Of the whole object, from the nearest transform at or above it that has one; null if none has.
+        /// The surface of the whole object, from the nearest transform at or above it that has one; null if none has.
         /// </summary>
         RadarSurface _surface;
 
@@ -75,14 +75,14 @@ namespace Glint
         }
 
         /// <summary>
-        /// Takes the transform as it stands now. One that does not stand as it did moves from now on.
+        /// Updates the state. A transform that has changed counts as moving from now on.
         /// </summary>
-        /// <param name="moves">True to count it as moving already.</param>
+        /// <param name="moves">True if motion was announced.</param>
         public void Update(Transform transform, TransformNode parent, bool moves)
         {
             transform.GetLocalPositionAndRotation(out var position, out var rotation);
             var scale = transform.localScale;
-            // Compared bit by bit: == of Unity's vectors takes near values for equal.
+            // Compared exactly: == of Unity's vectors is approximate.
             bool isUnmoved = position.Equals(_position) && rotation.Equals(_rotation) && scale.Equals(_scale);
             Moves |= moves || Parent == parent && !isUnmoved;
             Mover = Moves ? this : parent.Mover;
@@ -102,17 +102,17 @@ namespace Glint
             Source = source;
         }
 
-        /// <summary>The nearest transform that is both, or above both; the world if there is no other.</summary>
-        public static TransformNode Common(TransformNode one, TransformNode other)
+        /// <summary>The nearest common ancestor, which may be one of them; else the world.</summary>
+        public static TransformNode Common(TransformNode first, TransformNode other)
         {
-            while (one != other)
+            while (first != other)
             {
-                if (one._depth > other._depth)
-                    one = one.Parent;
+                if (first._depth > other._depth)
+                    first = first.Parent;
                 else
                     other = other.Parent;
             }
-            return one;
+            return first;
         }
 
         /// <summary>From this transform's coordinates to the world's.</summary>
@@ -120,7 +120,7 @@ namespace Glint
 
         /// <summary>Composes <see cref="ToScene"/>. Parents come before their children.</summary>
         /// <param name="centre">
-        /// The transform whose place is the scene's origin: neither it nor what stands above it shifts anything.
+        /// The transform of the scene's origin: positions of it and of transforms above it do not count.
         /// </param>
         public void Compose(TransformNode centre)
         {
@@ -132,8 +132,8 @@ namespace Glint
         }
 
         /// <summary>
-        /// From this transform's coordinates to the scene's as if it had no scale of its own: of one that is a frame,
-        /// whose scale the vertices carry.
+        /// From this transform's coordinates to the scene's without its own scale, for a frame, whose vertices include
+        /// the scale.
         /// </summary>
         public Affine FrameToScene()
         {
@@ -142,7 +142,7 @@ namespace Glint
         }
 
         /// <summary>
-        /// From this transform's coordinates to those of a frame at or above it, which has no scale of its own.
+        /// From this transform's coordinates to those of a frame at or above it, without the frame's own scale.
         /// </summary>
         public Affine InFrame(TransformNode frame)
         {
@@ -152,8 +152,8 @@ namespace Glint
         }
 
         /// <summary>
-        /// Where it stands in the scene; the columns are its right, up and forward as Unity has them:
-        /// unit vectors, whatever scales are above, as rotations are multiplied.
+        /// Pose in the scene; the columns are right, up and forward as in Unity: unit vectors, since rotations are
+        /// multiplied without scales.
         /// </summary>
         public Affine Pose()
         {
@@ -169,7 +169,7 @@ namespace Glint
         Affine Local(double3 position, double3 scale) =>
             Affine.FromTransform(position, new double4(_rotation.x, _rotation.y, _rotation.z, _rotation.w), scale);
 
-        // Below a mirrored transform a rotation is mirrored too: of its scale the signs take part.
+        // Below a mirrored transform a rotation is mirrored too: the signs of the scale take part.
         static Affine Mirrored(in Affine rotation, Vector3 scale)
         {
             var signs = new double3(scale.x < 0 ? -1 : 1, scale.y < 0 ? -1 : 1, scale.z < 0 ? -1 : 1);

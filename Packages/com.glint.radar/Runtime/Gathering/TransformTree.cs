@@ -15,12 +15,13 @@ namespace Glint
         /// <summary>The parent of roots.</summary>
         public TransformNode World { get; } = TransformNode.World();
 
-        /// <summary>Counts a transform as moving before it has moved.</summary>
-        /// <returns>False when it was so already.</returns>
+        /// <summary>Announces that a transform will move.</summary>
+        /// <returns>False if it was announced already.</returns>
         public bool ExpectMotion(Transform transform) => _expected.Add(transform);
 
         /// <summary>
-        /// Takes <see cref="ExpectMotion"/> back. What has moved is known to move until <see cref="Forget"/>.
+        /// Withdraws <see cref="ExpectMotion"/>. A transform that has moved counts as moving until <see
+        /// cref="Forget"/>.
         /// </summary>
         public void ExpectNoMotion(Transform transform) => _expected.Remove(transform);
 
@@ -46,7 +47,7 @@ namespace Glint
         }
 
         /// <summary>
-        /// Composes the places of all that was visited in a scene whose origin stands at <paramref name="centre"/>.
+        /// Composes the transforms of all visited nodes in a scene with its origin at <paramref name="centre"/>.
         /// </summary>
         public void Compose(TransformNode centre)
         {
@@ -56,7 +57,7 @@ namespace Glint
 
         public void End() => _nodes.End();
 
-        /// <summary>Lets go of all but what is expected to move.</summary>
+        /// <summary>Releases everything except announcements of motion.</summary>
         public void Forget()
         {
             _nodes.Clear();

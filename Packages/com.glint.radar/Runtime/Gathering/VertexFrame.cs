@@ -4,31 +4,32 @@ using Unity.Mathematics;
 namespace Glint
 {
     /// <summary>
-    /// Where float32 vertices keep the most digits: in metres, about, and with the origin among them.
-    /// To go there and back rounds no double.
+    /// The frame in which float32 vertices keep the most digits: units of about a metre, origin among the vertices. The
+    /// transforms into it and back are exact in double.
     /// </summary>
     struct VertexFrame
     {
-        /// <summary>In the coordinates outside.</summary>
+        /// <summary>Origin of the frame in outer coordinates.</summary>
         public double3 Origin;
 
-        /// <summary>Metres, about, of a length of 1 outside; a power of two.</summary>
+        /// <summary>Approximate metres per outer unit; a power of two.</summary>
         public double Unit;
 
-        /// <param name="centre">Middle of the vertices' box.</param>
-        /// <param name="half">Half the sides of the box.</param>
+        /// <param name="centre">Centre of the vertices' box.</param>
+        /// <param name="half">Half sizes of the box.</param>
         public VertexFrame(double3 centre, double3 half, double unit)
         {
             Unit = unit;
-            // On a grid as coarse as the box: coordinates on a grid of a power of two, 1/16 m say, stay on it.
+            // On a grid as coarse as the box, so that coordinates on a finer grid of a power of two, such as 1/16 m,
+            // stay on it.
             double step = TransformMath.PowerOfTwoBelow(math.cmax(half));
             Origin = step > 0 ? step * math.round(centre / step) : centre;
         }
 
-        /// <summary>From the coordinates outside.</summary>
+        /// <summary>From outer coordinates to the frame.</summary>
         public Affine Into => Scaled(Unit, -Unit * Origin);
 
-        /// <summary>To the coordinates outside.</summary>
+        /// <summary>From the frame to outer coordinates.</summary>
         public Affine Back => Scaled(1 / Unit, Origin);
 
         static Affine Scaled(double scale, double3 origin) =>

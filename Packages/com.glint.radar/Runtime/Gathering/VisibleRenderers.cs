@@ -6,15 +6,15 @@ using UnityEngine.SceneManagement;
 namespace Glint
 {
     /// <summary>
-    /// The renderers that a radar sees: enabled, of active objects on its layers and below its roots,
-    /// of level 0 where there are levels of detail, and not below its receiver.
+    /// The renderers visible to a radar: enabled, of active objects on its layers and below its roots, of LOD 0, and
+    /// not below its receiver.
     /// </summary>
     sealed class VisibleRenderers
     {
         readonly HierarchyWalk _walk = new HierarchyWalk();
 
-        /// <summary>In the order of the hierarchy; below nested roots more than once.</summary>
-        /// <param name="roots">None of them null; none: every loaded scene.</param>
+        /// <summary>The renderers in the order of the hierarchy; those below nested roots repeat.</summary>
+        /// <param name="roots">Not null; empty: every loaded scene.</param>
         /// <param name="receiver">May be null.</param>
         public IEnumerable<Renderer> Find(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver)
         {
@@ -47,12 +47,12 @@ namespace Glint
     }
 
     /// <summary>
-    /// Lists the renderers of active objects as the Hierarchy window lists them: scene by scene,
-    /// parents before children, siblings in order.
+    /// Lists the renderers of active objects in the order of the Hierarchy window: scene by scene, parents before
+    /// children, siblings in order.
     /// </summary>
     sealed class HierarchyWalk
     {
-        readonly List<Renderer> _found = new List<Renderer>(), _below = new List<Renderer>();
+        readonly List<Renderer> _renderers = new List<Renderer>(), _below = new List<Renderer>();
         readonly List<GameObject> _sceneRoots = new List<GameObject>();
 
         /// <summary>
@@ -61,15 +61,15 @@ namespace Glint
         /// </summary>
         public IReadOnlyList<Renderer> Find(IReadOnlyList<Transform> roots)
         {
-            _found.Clear();
+            _renderers.Clear();
             if (roots.Count == 0)
                 AddLoadedScenes();
             foreach (var root in roots)
             {
                 root.GetComponentsInChildren(_below);
-                _found.AddRange(_below);
+                _renderers.AddRange(_below);
             }
-            return _found;
+            return _renderers;
         }
 
         void AddLoadedScenes()
@@ -77,7 +77,7 @@ namespace Glint
             for (int i = 0; i < SceneManager.sceneCount; i++)
             {
                 var scene = SceneManager.GetSceneAt(i);
-                // While it plays, a scene that is still loading has objects already, and scripts that run.
+                // In play mode a scene that is still loading already has objects with running scripts.
                 if (!scene.isLoaded && !Application.isPlaying)
                     continue;
                 scene.GetRootGameObjects(_sceneRoots);
@@ -88,7 +88,7 @@ namespace Glint
                 AddSurvivors();
         }
 
-        // Objects that survive loading are in a scene of their own, which is not among the others: they come last.
+        // Objects that survive loading are in a separate scene, which is not listed: they come last.
         void AddSurvivors()
         {
             var roots = new HashSet<Transform>();
@@ -108,13 +108,13 @@ namespace Glint
             return false;
         }
 
-        // What the editor keeps in a scene for itself, hidden, is no part of it.
+        // The editor's hidden objects are not part of the scene.
         void AddVisible(GameObject root)
         {
             root.GetComponentsInChildren(_below);
             foreach (var renderer in _below)
                 if ((renderer.gameObject.hideFlags & HideFlags.HideInHierarchy) == 0)
-                    _found.Add(renderer);
+                    _renderers.Add(renderer);
         }
     }
 }

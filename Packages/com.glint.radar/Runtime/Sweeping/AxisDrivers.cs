@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>Shows the poses of a sweep, each axis by its own motion. Disposing puts everything back.</summary>
+    /// <summary>Applies the poses of a sweep by a driver for each axis. Disposing restores the scene.</summary>
     sealed class AxisDrivers : IDisposable
     {
         // What moves an axis, or several together, in the order in which they are moved.
@@ -21,7 +21,7 @@ namespace Glint
 
         readonly List<AxisDriver> _motions = new List<AxisDriver>();
 
-        /// <exception cref="GlintException">An axis has nothing that it could move, or not so.</exception>
+        /// <exception cref="GlintException">An axis has no object to move, or cannot move it.</exception>
         public AxisDrivers(SweepSetup setup)
         {
             var plan = setup.Plan;
@@ -43,8 +43,8 @@ namespace Glint
             }
         }
 
-        /// <summary>Shows a pose.</summary>
-        /// <exception cref="GlintException">What was to be moved is gone.</exception>
+        /// <summary>Applies a pose.</summary>
+        /// <exception cref="GlintException">An object to move was destroyed.</exception>
         public void Show(SweepPose pose)
         {
             foreach (var motion in _motions)
@@ -59,22 +59,22 @@ namespace Glint
         }
     }
 
-    /// <summary>How a sweep moves what one of its axes stands for.</summary>
+    /// <summary>Applies the values of a sweep axis to the scene.</summary>
     public abstract class AxisDriver
     {
         private protected AxisDriver()
         {
         }
 
-        /// <summary>Shows a pose's value on the axis.</summary>
-        /// <exception cref="GlintException">What was to be moved is gone.</exception>
+        /// <summary>Applies a pose's value on the axis.</summary>
+        /// <exception cref="GlintException">The object to move was destroyed.</exception>
         internal abstract void Show(SweepPose pose);
 
-        /// <summary>Leaves everything as it was before the first pose.</summary>
+        /// <summary>Restores the state before the first pose.</summary>
         internal abstract void PutBack();
     }
 
-    /// <summary>Shows the snapshots of a sea.</summary>
+    /// <summary>Shows a snapshot of a sea.</summary>
     sealed class SnapshotDriver : AxisDriver
     {
         readonly Sea _sea;
@@ -133,7 +133,7 @@ namespace Glint
     }
 
     /// <summary>
-    /// Turns the target about the world's vertical through its own position, from its rotation at the beginning.
+    /// Turns the target about the world's vertical through its own position, relative to its initial rotation.
     /// </summary>
     sealed class TargetAzimuthDriver : AxisDriver
     {
@@ -162,7 +162,7 @@ namespace Glint
         {
             if (_target != null)
                 _target.localRotation = _localRotation;
-            // The next sweep's scene is not to be divided by this one's target.
+            // The target of this sweep must not affect the rigid groups of the next one.
             if (_isAnnounced && _radar != null)
                 _radar.Gatherer.ExpectNoMotion(_target);
         }

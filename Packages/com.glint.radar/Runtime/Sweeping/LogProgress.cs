@@ -7,8 +7,8 @@ using Debug = UnityEngine.Debug;
 namespace Glint
 {
     /// <summary>
-    /// Progress as lines of Unity's console: at the first step,
-    /// every two seconds (also within a step that takes so long), and at the last.
+    /// Progress as lines of Unity's console: at the first step, every two seconds (also within a long step), and at the
+    /// last.
     /// </summary>
     public sealed class LogProgress : IProgressSink
     {

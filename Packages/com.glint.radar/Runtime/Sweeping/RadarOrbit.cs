@@ -8,12 +8,12 @@ using Object = UnityEngine.Object;
 namespace Glint
 {
     /// <summary>
-    /// Holds a radar out from the point that it looks at: turned there by the grazing angle, and so far from it.
-    /// Single precision turns and holds out; it does not move the point.
+    /// Places a radar at a grazing angle and a distance from the point it looks at.
+    /// Angle and distance are in single precision; the point does not move.
     /// </summary>
     public sealed class RadarOrbit : AxisDriver
     {
-        // Of the view axis against the vertical, beyond which it has no compass direction: 0.8 degrees.
+        // Cosine of the angle to the vertical, 0.8 degrees, below which the view axis has no compass direction.
         const double SteepestForward = 0.9999;
         const float ScaleTolerance = 1e-5f;
 
@@ -34,7 +34,7 @@ namespace Glint
                 .Where(sea => sea.isActiveAndEnabled && sea.Centre != null && sea.Centre.IsChildOf(radar)).ToArray();
         }
 
-        /// <summary>A mount of a radar that looks at a mesh file; the radar is below the point aimed at.</summary>
+        /// <summary>An orbit of a radar that looks at a mesh file; the radar is a child of the aim.</summary>
         internal static RadarOrbit Of(Transform aim, Transform radar, in RadarPlacement placement)
         {
             var orbit = new RadarOrbit(aim, radar, placement.AzimuthDegrees, 0);
@@ -45,12 +45,12 @@ namespace Glint
         }
 
         /// <summary>
-        /// Puts a scene's radar on a mount about the point of its view axis that is nearest to the target.
-        /// The radar stays where it is, and is put back in the end.
+        /// An orbit of a scene's radar about the point of its view axis nearest to the target.
+        /// The radar keeps its pose at first, and is restored at the end.
         /// </summary>
-        /// <param name="changesGrazing">Whether the grazing angle is to change.</param>
+        /// <param name="changesGrazing">Whether the grazing angle changes.</param>
         /// <exception cref="GlintException">
-        /// There is no such point or no direction to look down from, or the receiver would stay behind.
+        /// There is no such point, the view axis has no compass direction, or the receiver is not below the radar.
         /// </exception>
         internal static RadarOrbit About(RadarController controller, Transform target, bool changesGrazing)
         {
@@ -88,7 +88,7 @@ namespace Glint
             radar.SetParent(aim, false);
             if (radar.parent != aim)
             {
-                // In edit mode Unity leaves what is part of a prefab instance where it is, and only says so in the log.
+                // In edit mode Unity does not move parts of a prefab instance, and only logs that.
                 Object.DestroyImmediate(aim.gameObject);
                 throw new GlintException($"RadarController of '{radar.name}' cannot be moved by a sweep: "
                     + "it is part of a prefab instance: unpack the prefab");
@@ -136,7 +136,7 @@ namespace Glint
 
         void SetDistance(double distance) => _radar.localPosition = new Vector3(0, 0, -(float)distance);
 
-        // A sea that keeps the radar in its middle.
+        // Seas centred on the radar.
         void RebuildFollowers()
         {
             foreach (var sea in _followers.Where(sea => sea != null))

@@ -10,13 +10,13 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>What results.json says about a run besides its rows, and where results go.</summary>
+    /// <summary>Describes a run for results.json, and chooses its folder.</summary>
     static class RunDescription
     {
         /// <summary>Results/<paramref name="name"/> beside the project's Assets.</summary>
         public static string DefaultFolder(string name) => InProject(Path.Combine("Results", name));
 
-        /// <summary>A path relative to the folder that holds Assets; an absolute path stays.</summary>
+        /// <summary>Resolves a path relative to the folder that holds Assets.</summary>
         public static string InProject(string path) => Path.Combine(Path.GetDirectoryName(Application.dataPath), path);
 
         public static RunInfo Of(SweepSetup setup)
@@ -48,7 +48,7 @@ namespace Glint
             return info;
         }
 
-        /// <summary>What makes a sweep the one it is, as it stands in its first pose.</summary>
+        /// <summary>Identity of a sweep; the scene must be in its first pose.</summary>
         public static SweepIdentity IdentityOf(SweepSetup setup)
         {
             var info = Of(setup);
@@ -69,7 +69,7 @@ namespace Glint
             return identity;
         }
 
-        // The scene of the first pose, and the snapshots that come after it.
+        // Hash of the scene in the first pose, and of the snapshots of later poses.
         static string ContentOf(SweepSetup setup)
         {
             using (var hash = new SceneHash())
@@ -79,7 +79,7 @@ namespace Glint
                     ?? Enumerable.Empty<double>())
                 {
                     var tile = setup.Sea.Snapshots[(int)snapshot - 1].Tile;
-                    if (!tile.isReadable) // refused, by name, when it is traced
+                    if (!tile.isReadable) // the trace refuses it by name
                         continue;
                     hash.Add(tile.vertices);
                     hash.Add(tile.triangles);
@@ -128,17 +128,17 @@ namespace Glint
     }
 
     /// <summary>
-    /// Tells the content of scenes apart, from run to run and machine to machine:
-    /// SHA-256 over numbers as they lie in memory, little-endian.
+    /// Identifies the content of a scene across runs and machines: SHA-256 over the bytes of its numbers,
+    /// little-endian.
     /// </summary>
     sealed class SceneHash : IDisposable
     {
-        // Of 64 digits: enough that two scenes never have the same.
+        // Of 64: 128 bits make collisions negligible.
         const int Digits = 32;
 
         readonly IncrementalHash _hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
 
-        /// <summary>Takes in meshes and places, each mesh once.</summary>
+        /// <summary>Adds meshes and transforms, each mesh once.</summary>
         public void Add(RadarScene scene)
         {
             var meshes = new Dictionary<TriangleMesh, int>();
@@ -162,14 +162,14 @@ namespace Glint
                 Add(surface.Name.ToCharArray());
         }
 
-        /// <summary>Takes in numbers or structs of numbers, and how many they are.</summary>
+        /// <summary>Adds numbers or structs of numbers, and their count.</summary>
         public void Add<T>(T[] values) where T : struct
         {
             _hash.AppendData(BitConverter.GetBytes(values.Length));
             _hash.AppendData(MemoryMarshal.AsBytes(new ReadOnlySpan<T>(values)));
         }
 
-        /// <summary>The hash of all that was added, in hexadecimal digits; then it is empty again.</summary>
+        /// <summary>The hash of everything added, in hexadecimal digits; resets the hash.</summary>
         public string Text() =>
             BitConverter.ToString(_hash.GetHashAndReset()).Replace("-", "").ToLowerInvariant().Substring(0, Digits);
 

@@ -6,9 +6,8 @@ using Glint.Core;
 namespace Glint
 {
     /// <summary>
-    /// A sweep pose by pose: shows the pose, traces, and writes the row.
-    /// Disposing puts everything back that was moved. Unity's play mode takes one step a frame,
-    /// the commands take them in a row.
+    /// A sweep: applies a pose, traces it and writes its row, step by step. Disposing restores the scene.
+    /// Play mode takes one step a frame; the commands loop.
     /// </summary>
     public sealed class SweepRun : IDisposable
     {
@@ -21,15 +20,15 @@ namespace Glint
         SweepIdentity _identity;
 
         /// <summary>
-        /// Begins a sweep, or goes on with one; nothing is traced before the first <see cref="Step"/>.
+        /// Begins or resumes a sweep; nothing is traced before the first <see cref="Step"/>.
         /// </summary>
-        /// <param name="setup">What the sweep is of; not to be changed while it runs.</param>
-        /// <param name="folder">Takes the rows; null to write nothing.</param>
-        /// <param name="shard">The part to do; null: all of it.</param>
-        /// <param name="resume">Goes on where the same sweep was ended in the folder.</param>
+        /// <param name="setup">Must not change while the sweep runs.</param>
+        /// <param name="folder">Receives the rows; null: nothing is written.</param>
+        /// <param name="shard">The part to trace; null: all of it.</param>
+        /// <param name="resume">Resumes the same sweep in the folder.</param>
         /// <exception cref="GlintException">
-        /// An axis has nothing that it could move, or not so: the sea has no such snapshot,
-        /// the radar cannot be moved about the target. Or another sweep is in the folder.
+        /// An axis cannot be applied: the sea has no such snapshot, the radar cannot move about the target. Or the
+        /// folder holds another sweep.
         /// </exception>
         public SweepRun(SweepSetup setup, ResultsFolder folder = null, SweepShard? shard = null, bool resume = false)
         {
@@ -54,24 +53,24 @@ namespace Glint
             }
         }
 
-        /// <summary>Poses to trace: those of the plan, or of the part.</summary>
+        /// <summary>Number of poses of the plan, or of the part.</summary>
         public int Count { get; }
 
-        /// <summary>Poses traced so far, those before a resumption included.</summary>
+        /// <summary>Number of poses done, including those before a resumption.</summary>
         public int Done { get; private set; }
 
-        /// <summary>True when every pose is traced.</summary>
+        /// <summary>True if all poses are done.</summary>
         public bool IsComplete => Done == Count;
 
-        /// <summary>Traces the next pose and writes its row; after the last one results.json.</summary>
-        /// <param name="progress">Told how much of the pose is done, 0 to 1; may be null.</param>
-        /// <param name="cancel">Ends the pose.</param>
-        /// <param name="readback">Which rays the row's result carries.</param>
+        /// <summary>Traces the next pose and writes its row; after the last pose it writes results.json.</summary>
+        /// <param name="progress">Receives the fraction of the pose done, 0 to 1; may be null.</param>
+        /// <param name="cancel">Cancels the pose.</param>
+        /// <param name="readback">Rays that the row's result carries.</param>
         /// <exception cref="GlintException">
-        /// The pose cannot be traced or its row not be written; the rows before are kept.
+        /// The pose cannot be traced, or its row cannot be written; earlier rows are kept.
         /// </exception>
         /// <exception cref="OperationCanceledException">
-        /// The pose was cancelled; the rows before are kept, and the next step traces it again.
+        /// The pose was cancelled; earlier rows are kept, and the next step traces it again.
         /// </exception>
         public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default,
             RayReadback readback = RayReadback.None)
@@ -86,7 +85,7 @@ namespace Glint
             return row;
         }
 
-        /// <summary>Closes results.csv and puts back what was moved.</summary>
+        /// <summary>Closes results.csv and restores the scene.</summary>
         public void Dispose()
         {
             _folder?.Dispose();
@@ -102,9 +101,8 @@ namespace Glint
                 Done = _folder.Resume(Count);
         }
 
-        // How a scene is divided depends on what was seen to change. So that no row depends on the rows before it,
-        // which a resumed sweep or a part of one has not, everything changes once before the first row.
-        // Ends at the first pose.
+        // The division into rigid groups depends on the motion seen so far. A resumed sweep or a part has not seen
+        // earlier poses, so each axis changes once before the first row. Ends at the first pose.
         void Rehearse()
         {
             Gather(0);

@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>A mesh's BVHs and where they stand on the device.</summary>
+    /// <summary>A mesh's BVHs and their positions on the device.</summary>
     sealed class BvhAllocation
     {
         readonly int[] _pages, _firstRows;
@@ -34,7 +34,9 @@ namespace Glint
 
         public int FirstRowOf(int part) => _firstRows[part];
 
-        /// <summary>Writes every part where there is room; false, and none written, if there is not enough.</summary>
+        /// <summary>
+        /// Writes all parts into pages with room; false, and writes none, if there is not enough room.
+        /// </summary>
         public bool Allocate(IReadOnlyList<BvhPage> pages)
         {
             for (int part = 0; part < Bvh.Parts.Length; part++)
@@ -69,7 +71,7 @@ namespace Glint
         }
     }
 
-    /// <summary>One of the device's buffers for BVHs, in rows of 16 bytes, and which of its rows are taken.</summary>
+    /// <summary>A device buffer for BVHs, in rows of 16 bytes, and its allocated rows.</summary>
     sealed class BvhPage : IDisposable
     {
         readonly DeviceBuffer<uint4> _rows = new DeviceBuffer<uint4>("rows of trees");
@@ -79,7 +81,7 @@ namespace Glint
 
         public DeviceBuffer<uint4> Rows => _rows;
 
-        /// <summary>Writes a BVH into the first gap that it fits; -1 if there is none.</summary>
+        /// <summary>Writes a BVH into the first gap that fits; -1 if there is none.</summary>
         public int Allocate(uint4[] rows)
         {
             int first = 0, at = 0;

@@ -3,26 +3,25 @@ using System;
 namespace Glint
 {
     /// <summary>
-    /// Work that may be skipped because it cannot change a result. The kernel has the same numbers:
-    /// SHORTCUT_ in Shaders/Bindings.hlsl.
+    /// Work that may be skipped without changing a result. The kernels have the same numbers: CULL_ in
+    /// Shaders/Constants.hlsl.
     /// </summary>
     [Flags]
     enum Culling
     {
         None = 0,
 
-        /// <summary>Nothing is searched for beyond the receiver.</summary>
+        /// <summary>Traversal ends at the receiver.</summary>
         Reach = 1,
 
-        /// <summary>The segment after the last bounce is searched only if it meets the receiver.</summary>
+        /// <summary>The segment after the last bounce is traversed only if it meets the receiver.</summary>
         LastSegment = 2,
 
-        /// <summary>Tiles in which nothing of the scene can be seen are not traced.</summary>
+        /// <summary>Tiles that cannot see the scene are not traced.</summary>
         Tiles = 4,
 
         /// <summary>
-        /// The first segments of a tile's rays begin their search where a beam around them parts:
-        /// in scenes of few instances.
+        /// First segments start at the entry points of their tile, in scenes with inline instances.
         /// </summary>
         EntryPoints = 8,
 

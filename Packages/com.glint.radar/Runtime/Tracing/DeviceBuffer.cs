@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>A structured buffer that grows when it must and refuses what the device cannot hold.</summary>
+    /// <summary>A structured buffer that grows on demand, and refuses more elements than the device can hold.</summary>
     sealed class DeviceBuffer<T> : IDisposable where T : struct
     {
         static readonly int s_stride = Marshal.SizeOf<T>();
@@ -13,13 +13,13 @@ namespace Glint
         readonly string _content;
         GraphicsBuffer _buffer;
 
-        /// <param name="content">What one element is, in the plural, for messages: "triangles".</param>
+        /// <param name="content">Plural noun of the elements, for messages: "triangles".</param>
         public DeviceBuffer(string content) => _content = content;
 
         /// <summary>The buffer; null before the first <see cref="Reserve"/>.</summary>
         public GraphicsBuffer Buffer => _buffer;
 
-        /// <summary>Bytes an element takes.</summary>
+        /// <summary>Bytes per element.</summary>
         public int Stride => s_stride;
 
         /// <summary>Bytes on the device.</summary>
@@ -27,11 +27,11 @@ namespace Glint
 
         public int Capacity => _buffer == null ? 0 : _buffer.count;
 
-        /// <summary>Most elements that the device holds in one buffer.</summary>
+        /// <summary>Maximum number of elements of one buffer on the device.</summary>
         public static long MaxCount => Math.Min(int.MaxValue, SystemInfo.maxGraphicsBufferSize / s_stride);
 
-        /// <summary>Makes room for a number of elements; what the buffer held is lost when it grows.</summary>
-        /// <exception cref="GlintException">The device holds fewer in one buffer.</exception>
+        /// <summary>Ensures a capacity; the content is lost if the buffer grows.</summary>
+        /// <exception cref="GlintException">The device cannot hold as many in one buffer.</exception>
         public void Reserve(long count)
         {
             if (count > MaxCount)
@@ -44,16 +44,16 @@ namespace Glint
             _buffer = new GraphicsBuffer(GraphicsBuffer.Target.Structured, (int)count, s_stride);
         }
 
-        /// <summary>Makes room for the elements and writes them.</summary>
+        /// <summary>Ensures the capacity and writes the elements.</summary>
         public void Upload(T[] elements)
         {
-            // A binding must not be empty, even when the kernel reads none of it.
+            // A binding must not be empty, even if the kernel does not read it.
             Reserve(Math.Max(1, elements.Length));
             if (elements.Length > 0)
                 _buffer.SetData(elements);
         }
 
-        /// <summary>Reads the first elements into an array, waiting for the work before.</summary>
+        /// <summary>Reads the first elements into an array, after all earlier work has completed.</summary>
         public void ReadBack(T[] elements, int count)
         {
             if (count > 0)

@@ -8,15 +8,14 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// The BVHs over meshes on the device. A mesh that comes again costs nothing;
-    /// those that do not come again are dropped.
+    /// The mesh BVHs on the device. A mesh that recurs costs nothing; the BVHs of other meshes are dropped.
     /// </summary>
     sealed class DeviceBvhs : IDisposable
     {
-        /// <summary>Buffers that the kernel can read BVHs from: _Bvh0 to _Bvh7.</summary>
+        /// <summary>Number of pages of the kernels: _Bvh0 to _Bvh7.</summary>
         public const int MaxPages = 8;
 
-        // Buffers larger than so many times what is in them are given back, beyond a few that nobody misses.
+        // Maximum ratio of a buffer's capacity to its content, above a few spare rows; larger buffers are released.
         const int MaxSlack = 4;
         const long SpareRows = 1 << 16;
 
@@ -27,7 +26,7 @@ namespace Glint
         readonly Dictionary<TriangleMesh, BvhAllocation> _bvhs = new Dictionary<TriangleMesh, BvhAllocation>();
         bool _hasChanged;
 
-        /// <param name="maxRowsPerPage">Rows that one buffer may hold; fewer if the device holds fewer.</param>
+        /// <param name="maxRowsPerPage">Maximum rows of one page; fewer if the device's limit is lower.</param>
         public DeviceBvhs(BvhLayout layout, string owner, long maxRowsPerPage)
         {
             _layout = layout;
@@ -42,12 +41,12 @@ namespace Glint
         /// <summary>Bytes of the device's buffers.</summary>
         public long Bytes => Capacity * 16;
 
-        /// <summary>Holds the BVHs of these meshes from now on, and no others: builds those that are new.</summary>
-        /// <returns>True if any was built.</returns>
+        /// <summary>Sets the meshes: builds new BVHs and drops those of other meshes.</summary>
+        /// <returns>True if a BVH was built.</returns>
         /// <exception cref="GlintException">
-        /// The device cannot hold them; the BVHs before are lost unless that was plain before any was built.
+        /// The device cannot hold them. The earlier BVHs are lost, unless this was known before any was built.
         /// </exception>
-        /// <exception cref="OperationCanceledException">Building was cancelled; the BVHs before are lost.</exception>
+        /// <exception cref="OperationCanceledException">Building was cancelled; the earlier BVHs are lost.</exception>
         public bool SetMeshes(ICollection<TriangleMesh> meshes, TraceStatistics statistics,
             Func<TriangleMesh, BvhLayout, MeshBvh> build)
         {
@@ -61,7 +60,7 @@ namespace Glint
             }
             catch
             {
-                Dispose(); // half of it would be worse than nothing
+                Dispose(); // drops an incomplete set
                 throw;
             }
         }
@@ -112,8 +111,7 @@ namespace Glint
             statistics.BytesUploaded += added.Sum(allocation => allocation.Rows) * 16;
         }
 
-        // New buffers for all BVHs. A scene that has changed once will do so again:
-        // then there is room for its next mesh.
+        // Makes new pages for all BVHs, with spare room if the scene has changed before: it is likely to change again.
         void MakePages()
         {
             foreach (var page in _pages)
@@ -136,7 +134,7 @@ namespace Glint
             }
             if (sizes.Count > MaxPages)
                 throw TooLarge(parts.Sum(), "");
-            // Where there are several buffers anyway, one more costs nothing.
+            // With several pages one more costs nothing.
             if (sizes.Count > 1 && sizes.Count < MaxPages && sizes[sizes.Count - 1] + spare > _maxRowsPerPage
                 && (parts.Sum() + spare) * 16 <= MaxBytes)
                 sizes.Add(0);
@@ -153,12 +151,12 @@ namespace Glint
         double MaxBytes =>
             Math.Min((double)MaxPages * _maxRowsPerPage * 16, SystemInfo.graphicsMemorySize * 1048576.0);
 
-        /// <summary>What the BVHs over some meshes take if every triangle reflects and all are in pairs.</summary>
+        /// <summary>Minimum bytes of the BVHs over some meshes: every triangle reflects and has a partner.</summary>
         public static double MinBytes(IEnumerable<TriangleMesh> meshes, BvhLayout layout) =>
             meshes.Sum(mesh => (double)mesh.TriangleCount) * MeshBvh.MinRowsPerTriangle(layout) * 16;
 
-        // By what the BVHs take at least, before they are built. Triangles that reflect nothing are not in them;
-        // they are counted only if it matters.
+        // Checks the minimum size before building. Triangles that reflect nothing are not part of it; they are counted
+        // only if that decides.
         void RefuseBefore(ICollection<TriangleMesh> meshes)
         {
             double min = MeshBvh.MinRowsPerTriangle(_layout);

@@ -7,18 +7,17 @@ using Unity.Mathematics;
 namespace Glint
 {
     /// <summary>
-    /// The scene on the device: BVHs over its meshes, the places of its instances, and a small BVH over these.
-    /// What a pose does not change stays.
+    /// The scene on the device: mesh BVHs, instance records and instance BVH. A pose uploads only changes.
     /// </summary>
     sealed class DeviceScene : IDisposable
     {
         /// <summary>
-        /// Instances that are searched one after the other, without a BVH:
-        /// MAX_INLINE_INSTANCES in Shaders/Bindings.hlsl.
+        /// Maximum number of instances that are traversed in a loop, without an instance BVH: MAX_INLINE_INSTANCES in
+        /// Shaders/Constants.hlsl.
         /// </summary>
         public const int MaxInlineInstances = 4;
 
-        /// <summary>The row of the root of the BVH over instances: ROOT in Shaders/BinaryBvh.hlsl.</summary>
+        /// <summary>Row of the root of the instance BVH: ROOT in Shaders/Constants.hlsl.</summary>
         public const int InstanceBvhRootRow = 1;
 
         readonly DeviceBvhs _bvhs;
@@ -45,13 +44,13 @@ namespace Glint
 
         public DeviceBuffer<uint4> InstanceBvhRows => _instanceBvh;
 
-        /// <summary>Where the kernel begins: the top BVH's first row, or the leaf of the only instance.</summary>
+        /// <summary>Start of the traversal: root of the instance BVH, or the leaf of the only instance.</summary>
         public uint InstanceBvhRoot { get; private set; }
 
         public bool IsEmpty { get; private set; }
 
         /// <summary>
-        /// The instances when they are few and their BVHs stand in one buffer: then no BVH over them is needed.
+        /// The instances, if their number is small and their BVHs are in one page; they need no instance BVH.
         /// </summary>
         public IReadOnlyList<InstanceRecord> InlineInstances { get; private set; }
 
@@ -62,25 +61,25 @@ namespace Glint
         public long Bytes => _bvhs.Bytes + _instances.Bytes + _instanceBvh.Bytes + _ranges.Bytes;
 
         /// <summary>
-        /// Corners of the box around everything, metres; the lower one above the other when there is nothing.
+        /// Corners of the box around the scene, metres; the lower one is above the upper one for an empty scene.
         /// </summary>
         public double3 Min { get; private set; }
 
         public double3 Max { get; private set; }
 
-        /// <summary>Middle of the box: the origin of all that the kernel is given.</summary>
+        /// <summary>Centre of the box: the origin of the kernel's coordinates.</summary>
         public double3 Centre { get; private set; }
 
-        /// <summary>Takes a scene; builds the BVHs of meshes that are new.</summary>
+        /// <summary>Sets the scene; builds the BVHs of new meshes.</summary>
         /// <returns>True if a BVH was built.</returns>
         public bool Set(RadarScene scene, TraceStatistics statistics, Func<TriangleMesh, BvhLayout, MeshBvh> build)
         {
             if (_scene != null && scene.IsSame(_scene))
             {
-                _scene = scene; // its origin may be another
+                _scene = scene; // its origin may differ
                 return false;
             }
-            _scene = null; // until all is there
+            _scene = null; // until everything is complete
             bool hasBuilt =
                 _bvhs.SetMeshes(new HashSet<TriangleMesh>(scene.Instances.Select(instance => instance.Mesh)),
                     statistics, build);
@@ -89,7 +88,7 @@ namespace Glint
             return hasBuilt;
         }
 
-        /// <summary>Marks where in the picture something of the scene can be seen.</summary>
+        /// <summary>Adds the tiles that may see the scene.</summary>
         public void AddTo(PictureTiles tiles)
         {
             foreach (var instance in _scene.Instances)
@@ -134,12 +133,12 @@ namespace Glint
             }
             InlineInstances =
                 records.Count <= MaxInlineInstances && _bvhs.Pages.Count == 1 ? records : new List<InstanceRecord>();
-            InstanceBvhRoot = uint.MaxValue; // DONE: nothing to search
+            InstanceBvhRoot = uint.MaxValue; // DONE: nothing to traverse
             if (IsEmpty)
                 return;
             var instanceBvh = InstanceBvh.Build(mins.Select(lower => Down(lower - Centre)).ToArray(),
                 maxes.Select(upper => -Down(Centre - upper)).ToArray(), BvhLayout.Binary);
-            // The root's first row ends with the reference to its first child: of one instance that is the leaf.
+            // The root's first row ends with the reference to its first child, which is the leaf of a single instance.
             InstanceBvhRoot = records.Count == 1 ? instanceBvh[InstanceBvhRootRow].w : InstanceBvhRootRow;
             _instances.Upload(records.ToArray());
             _instanceBvh.Upload(instanceBvh);
@@ -178,7 +177,7 @@ namespace Glint
             }
         }
 
-        // Float32 numbers not above the given ones, by some float32 steps: the kernel's transforms round as well.
+        // Float32 numbers below the given ones by some float32 steps, as the kernel's transforms round too.
         static float3 Down(double3 v) => (float3)(v - 1e-6 * math.abs(v) - 1e-30);
     }
 }

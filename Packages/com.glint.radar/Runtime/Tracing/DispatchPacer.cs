@@ -3,32 +3,32 @@ using System;
 namespace Glint
 {
     /// <summary>
-    /// Cuts long work into dispatches far below the two seconds after which an operating system takes a GPU away.
-    /// It starts small and goes by the time that the dispatches before took.
+    /// Cuts long work into dispatches far below the two seconds of the operating system's watchdog. It starts small and
+    /// follows the times of earlier dispatches.
     /// </summary>
     sealed class DispatchPacer
     {
-        // Tiles times bounces: how long a ray may be followed is all that is known at first.
+        // Tiles times bounces of the first dispatch: the maximum of bounces is the only known measure of cost.
         const int FirstTileBounces = 4096;
 
-        // Seconds. Half a second is the most a dispatch may take;
-        // the next tiles may be twice as costly, or the machine busy.
+        // Seconds. The limit is half a second; the next tiles may cost twice as much, or the machine may be busy.
         const double Target = 0.25;
 
-        // Of tiles, from one dispatch to the next: they may be of another part of the picture.
+        // Maximum growth of the number of tiles from one dispatch to the next, which may be in another part of the
+        // picture.
         const int MaxGrowth = 4;
 
-        // The costliest dispatch counts, a little less with every one after it.
+        // Decay of the maximum cost per dispatch.
         const double Memory = 0.8;
 
         int _bounces, _tiles, _dispatches;
         double _secondsPerTile;
 
-        /// <summary>Forgets the times: the work to come is of another kind.</summary>
+        /// <summary>Forgets the times, for another kind of work.</summary>
         public void Reset() => _dispatches = 0;
 
-        /// <summary>How many of the tiles left the next dispatch should take.</summary>
-        /// <param name="bounces">Most bounces a ray may make.</param>
+        /// <summary>Number of tiles of the next dispatch, out of those left.</summary>
+        /// <param name="bounces">Maximum number of bounces of a ray.</param>
         public int NextTiles(int left, int bounces)
         {
             if (bounces != _bounces)
@@ -37,16 +37,16 @@ namespace Glint
             double max = _dispatches == 0
                 ? FirstTileBounces / bounces
                 : Math.Min((double)MaxGrowth * _tiles, Target / _secondsPerTile);
-            // In even parts, so that the last one is no scrap.
+            // In equal parts, so that the last one is not tiny.
             double parts = Math.Ceiling(left / Math.Max(1, max));
             return (int)Math.Ceiling(left / parts);
         }
 
-        /// <summary>A dispatch of so many tiles took so long, its read-back included.</summary>
+        /// <summary>Records the time of a dispatch, including its read-back.</summary>
         public void Took(int tiles, double seconds)
         {
             double secondsPerTile = Math.Max(seconds / tiles, 1e-9);
-            // The first one also compiled the kernel.
+            // The first dispatch also compiles the kernel.
             _secondsPerTile = _dispatches < 2 ? secondsPerTile : Math.Max(secondsPerTile, Memory * _secondsPerTile);
             _tiles = tiles;
             _dispatches = Math.Min(_dispatches + 1, 2);

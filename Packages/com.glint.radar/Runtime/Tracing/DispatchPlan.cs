@@ -10,25 +10,27 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// The slices in which the tiles of a pose are traced. It owns every limit of a dispatch: what an operating
-    /// system's watchdog allows (<see cref="DispatchPacer"/>), what buffers hold, and thread groups along an axis.
-    /// It also says, before a pose is traced, what that takes of memory.
+    /// The slices in which the tiles of a pose are traced. It owns every limit of a dispatch: the operating system's
+    /// watchdog (<see cref="DispatchPacer"/>), buffer sizes, and thread groups along an axis. It also estimates the
+    /// memory of a pose before its trace.
     /// </summary>
     sealed class DispatchPlan
     {
         /// <summary>
-        /// Rays of a refine dispatch: a millisecond on a GPU, where a launch lasts as long as its longest ray;
+        /// Maximum rays of a refine dispatch: a millisecond on a GPU, where a launch lasts as long as its longest ray;
         /// one to six seconds on a software device.
         /// </summary>
         public const int MaxRefinedRays = 1 << 18;
 
-        /// <summary>Rays of a dispatch that records paths: some hundredths of a second on a software device.</summary>
+        /// <summary>
+        /// Maximum rays of a dispatch that records paths: some hundredths of a second on a software device.
+        /// </summary>
         const int MaxPathRays = 1 << 16;
 
-        // Rays of one slice: 96 MiB when all are kept.
+        // Maximum rays of one slice if all are read back: 96 MiB.
         const int MaxKeptRays = 1 << 21;
 
-        // Finding entry points pays when it fills the device: a GPU with fewer tiles spends on it what it saves.
+        // Minimum tiles on a GPU for entry points: with fewer, finding them costs what they save.
         const int TilesToFillAGpu = 100000;
 
         readonly DispatchPacer _pacer;
@@ -39,7 +41,7 @@ namespace Glint
 
         /// <param name="tiles">Tiles to trace.</param>
         /// <param name="usesEntryPoints">Whether the scene has few enough instances for entry points.</param>
-        /// <param name="tilesADispatch">Tiles of a slice in tests; 0: as the pacer says.</param>
+        /// <param name="tilesADispatch">Tiles of a slice in tests; 0: those of the pacer.</param>
         public DispatchPlan(in RadarSettings settings, RayReadback readback, int tiles, bool usesEntryPoints,
             DispatchPacer pacer, int tilesADispatch)
         {
@@ -51,7 +53,7 @@ namespace Glint
             UsesEntryPoints = usesEntryPoints;
         }
 
-        /// <summary>Whether a tile's rays begin at entry points found for the tile.</summary>
+        /// <summary>Whether rays start at the entry points of their tile.</summary>
         public bool UsesEntryPoints { get; }
 
         /// <summary>First tile of the slice, and its number of tiles.</summary>
@@ -60,10 +62,10 @@ namespace Glint
         /// <inheritdoc cref="First"/>
         public int Count { get; private set; }
 
-        /// <summary>Part of the tiles that is traced with this slice, 0 to 1.</summary>
+        /// <summary>Fraction of the tiles up to the end of this slice, 0 to 1.</summary>
         public double Done => (double)(First + Count) / _tiles;
 
-        /// <summary>Goes on to the next slice.</summary>
+        /// <summary>Moves to the next slice.</summary>
         /// <returns>False after the last one.</returns>
         public bool Next()
         {
@@ -79,19 +81,19 @@ namespace Glint
             return true;
         }
 
-        /// <summary>The slice's rays are traced: its time decides the size of the next one.</summary>
+        /// <summary>Records that the slice is traced; its time decides the size of the next one.</summary>
         public void Traced() => _pacer.Took(Count, _watch.Elapsed.TotalSeconds);
 
-        /// <summary>Rays whose paths one dispatch records.</summary>
+        /// <summary>Number of rays whose paths one dispatch records.</summary>
         public static int PathRays(in RadarSettings settings) =>
             (int)Math.Min(MaxPathRays, DeviceBuffer<HitData>.MaxCount / settings.MaxBounces);
 
         /// <summary>Whether finding entry points costs less than it saves.</summary>
         public static bool EntryPointsPay(long tiles, bool isSoftware) => isSoftware || tiles >= TilesToFillAGpu;
 
-        /// <summary>Refuses what does not fit, before a scene is gathered or built for it.</summary>
+        /// <summary>Refuses a pose that does not fit, before its scene is gathered or built.</summary>
         /// <exception cref="GlintException">
-        /// The device cannot hold as many tiles, or this computer as many rays as are to be kept.
+        /// The device cannot hold the tiles, or this computer the rays read back.
         /// </exception>
         public static void Check(in RadarSettings settings, RayReadback readback, string owner)
         {
@@ -104,10 +106,8 @@ namespace Glint
         }
 
         /// <summary>
-        /// What a pose takes, before it is traced: bytes of all buffers on the device, and bytes here.
-        /// BVHs count with what they take at least;
-        /// a slice as if it took all tiles of the picture, or as many as one may.
-        /// Received rays, whose number is not known, are not in it.
+        /// Estimated bytes of a pose: of all buffers on the device, and on this computer. BVHs have their minimum size,
+        /// and a slice its maximum. Received rays, whose number is unknown, are not included.
         /// </summary>
         public static (double DeviceBytes, double HostBytes) Memory(in RadarPose pose,
             RayReadback readback, bool isSoftware)
@@ -141,7 +141,8 @@ namespace Glint
                 + (usesEntryPoints ? tiles * (double)DeviceScene.MaxInlineInstances * Size<uint4>() : 0);
         }
 
-        // Tiles that the groups of one dispatch, the list of candidates, entry points and kept rays have room for.
+        // Maximum tiles of a slice, by the groups of one dispatch, the list of candidates, entry points and rays read
+        // back.
         static long MaxTiles(RayReadback readback)
         {
             long tiles = Math.Min(TraceKernel.MaxTiles, DeviceBuffer<ReceivedRay>.MaxCount / PictureTiles.Rays);

@@ -5,30 +5,30 @@ using Unity.Mathematics;
 namespace Glint
 {
     /// <summary>
-    /// A BVH at its place in the scene. GLINT_INSTANCE:
-    /// the same struct stands in Shaders/Types.hlsl; a test compares them.
+    /// An instance of a mesh BVH. GLINT_INSTANCE:
+    /// the same struct is in Shaders/Types.hlsl; a test compares them.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
     struct InstanceRecord
     {
-        // Of a place's coordinates: 4 float32 steps.
+        // Relative rounding of a position's coordinates: 4 float32 steps.
         const float PositionRounding = 2.4e-7f;
 
-        /// <summary>Rows of the matrix from the middle of the scene to the mesh's frame.</summary>
+        /// <summary>Rows of the matrix from the scene's centre to the mesh's frame.</summary>
         public float4 ToLocalX, ToLocalY, ToLocalZ; // 48 bytes
 
-        /// <summary>What float32 leaves out of them.</summary>
+        /// <summary>Their Lo parts.</summary>
         public float4 ToLocalXLo, ToLocalYLo, ToLocalZLo; // 96 bytes
 
-        /// <summary>Where the BVH starts in its page, in rows of 16 bytes.</summary>
+        /// <summary>First row of the BVH in its page, in rows of 16 bytes.</summary>
         public uint FirstRow;
 
         public uint Page;
 
-        /// <summary>How much longer lengths get on the way into the mesh's frame, at most.</summary>
+        /// <summary>Maximum scale of lengths into the mesh's frame.</summary>
         public float Stretch;
 
-        /// <summary>By how much float32 rounds places on that way, m there.</summary>
+        /// <summary>Rounding of positions transformed into that frame, m.</summary>
         public float Rounding; // 112 bytes
 
         /// <summary>Row of the record that the BVH's leaves are numbered from, after FirstRow.</summary>
@@ -42,7 +42,7 @@ namespace Glint
 
         public uint RangeCount; // 128 bytes
 
-        /// <summary>Place of the instance in the scene.</summary>
+        /// <summary>Index of the instance in the scene.</summary>
         public uint Instance;
 
         readonly uint3 _unused; // 144 bytes

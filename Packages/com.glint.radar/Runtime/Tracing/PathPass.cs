@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Glint
 {
-    /// <summary>Follows single rays once more, in double-float arithmetic, and notes where each is reflected.</summary>
+    /// <summary>Traces single rays in double-float arithmetic and records their reflections.</summary>
     sealed class PathPass : IDisposable
     {
         readonly TraceKernel _kernel;
@@ -19,7 +19,7 @@ namespace Glint
             _scene = scene;
         }
 
-        /// <summary>The ways of the rays of some pixels, in their order.</summary>
+        /// <summary>The paths of the rays of some pixels, in their order.</summary>
         public RayPath[] Follow(in RadarPose pose, RayGrid grid, uint[] pixels, IProgress<double> progress,
             CancellationToken cancel)
         {
@@ -53,7 +53,7 @@ namespace Glint
             _hits.Dispose();
         }
 
-        // End: bounces, with RAY_RECEIVED; then the bits of the length from the last one to the receiver.
+        // End: bounces, with RAY_RECEIVED; then the bits of the distance from the last hit to the receiver.
         static RayPath PathOf(in RadarSettings settings, in RadarView view, RayGrid grid, uint pixel, uint2 end,
             HitData[] hits, int firstHit)
         {

@@ -6,18 +6,17 @@ using Unity.Mathematics;
 namespace Glint
 {
     /// <summary>
-    /// Traces what a radar sees as a picture for the eye: the part of the view that meets anything,
-    /// with about as many rays as a screen shows of it.
+    /// Traces a radar's view for display: the part of the view that hits anything, at about the resolution of a screen.
     /// </summary>
     sealed class RadarPreviewTracer
     {
-        // Pixels of the picture, about: 480 x 270.
+        // Approximate number of pixels: 480 x 270.
         const double Pixels = 129600;
 
-        // Around what is met, as a part of its size.
+        // Margin around the visible part, as a fraction of its size.
         const double Margin = 0.04;
 
-        // No more rays than these for one of the radar's: what they show between them is not what it sums.
+        // Maximum rays per ray of the radar: more would show detail that the radar does not sample.
         const double MaxPerRay = 16;
 
         readonly RayTracer _tracer;
@@ -29,11 +28,11 @@ namespace Glint
             (_tracer, _pose, _cancel) = (tracer, pose, cancel);
         }
 
-        /// <summary>The picture of a pose whose scene the tracer holds.</summary>
+        /// <summary>The view of a pose whose scene the tracer holds.</summary>
         public static RadarPreviewImage Trace(RayTracer tracer, in RadarPose pose, CancellationToken cancel) =>
             new RadarPreviewTracer(tracer, pose, cancel).Trace();
 
-        // First the whole at its size, then, where only a part of it meets anything, that part larger.
+        // Traces the whole view, then, if only a part of it hits anything, that part at a higher resolution.
         RadarPreviewImage Trace()
         {
             var coarse = Sized(Pixels);
@@ -65,7 +64,7 @@ namespace Glint
             return preview;
         }
 
-        // The same picture of about so many rays; a region is for its own number of rays.
+        // The same picture with another number of rays, without the region, which refers to the original number.
         RadarSettings Sized(double rays)
         {
             var settings = _pose.Settings;

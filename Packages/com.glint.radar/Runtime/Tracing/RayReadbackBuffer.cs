@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>The rays that a pose keeps one by one, as they come back dispatch by dispatch.</summary>
+    /// <summary>The single rays read back from the dispatches of a pose.</summary>
     sealed class RayReadbackBuffer
     {
         static readonly int s_rayBytes = Marshal.SizeOf<RayData>();
@@ -20,7 +20,7 @@ namespace Glint
         RayData[] _slice = Array.Empty<RayData>();
         long _receivedCount;
 
-        /// <exception cref="GlintException">All rays are to be kept, and this computer has not the memory.</exception>
+        /// <exception cref="GlintException">This computer's memory does not suffice for all rays.</exception>
         public RayReadbackBuffer(RayReadback readback, in RadarSettings settings, string owner)
         {
             Mode = readback;
@@ -32,11 +32,11 @@ namespace Glint
 
         public RayReadback Mode { get; }
 
-        /// <summary>Time taken by reading back and by ordering what was read, milliseconds.</summary>
+        /// <summary>Time of reading back and sorting, milliseconds.</summary>
         public double ReadBackMs { get; private set; }
 
-        /// <summary>Refuses to keep more rays than this computer has memory for.</summary>
-        /// <exception cref="GlintException">It has not as much.</exception>
+        /// <summary>Refuses to read back more rays than this computer can hold.</summary>
+        /// <exception cref="GlintException">The memory does not suffice.</exception>
         public static void Refuse(RayReadback readback, in RadarSettings settings, string owner)
         {
             if (readback == RayReadback.All
@@ -44,11 +44,11 @@ namespace Glint
                 throw TooMany($"all of {settings.RaysEmitted} rays", settings.RaysEmitted * (double)s_rayBytes, owner);
         }
 
-        /// <summary>Makes room for the rays of some tiles if all are kept.</summary>
+        /// <summary>Ensures the capacity for the rays of some tiles if all are read back.</summary>
         public void Reserve(DeviceBuffer<RayData> rays, int tiles) =>
             rays.Reserve(Mode == RayReadback.All ? tiles * PictureTiles.Rays : 1); // a binding must not be empty
 
-        /// <summary>Reads back the rays of some tiles when all are kept.</summary>
+        /// <summary>Reads back the rays of some tiles if all are read back.</summary>
         public void AddTiles(DeviceBuffer<RayData> rays, int tiles, TraceStatistics statistics)
         {
             if (Mode != RayReadback.All)
@@ -60,14 +60,14 @@ namespace Glint
             Scatter(count);
         }
 
-        /// <summary>Reads back rays that were followed once more, when received ones are kept.</summary>
-        /// <exception cref="GlintException">More rays are received than this computer has memory for.</exception>
+        /// <summary>Reads back refined candidates if received rays are read back.</summary>
+        /// <exception cref="GlintException">This computer's memory does not suffice for the received rays.</exception>
         public void AddCandidates(DeviceBuffer<RayData> rays, int count, TraceStatistics statistics)
         {
             if (Mode != RayReadback.Received)
                 return;
             _receivedCount += count;
-            // Once as they come and once in order, with a number each to order them by.
+            // Two copies, unsorted and sorted, and a sort key each.
             int bytes = 2 * s_rayBytes + sizeof(uint);
             if (_receivedCount * (double)bytes > HostBytes)
                 throw TooMany(Received, _receivedCount * (double)bytes, _owner);
@@ -103,7 +103,7 @@ namespace Glint
             var pixels = new uint[rays.Length];
             for (int i = 0; i < rays.Length; i++)
                 pixels[i] = rays[i].Pixel;
-            // They come in the order in which the GPU was done with them.
+            // The GPU writes them in any order.
             Array.Sort(pixels, rays);
             ReadBackMs += watch.Elapsed.TotalMilliseconds;
             return rays;
@@ -136,7 +136,7 @@ namespace Glint
             {
                 uint pixel = _slice[i].Pixel;
                 if (pixel == ReceivedRay.NoPixel)
-                    continue; // beside the picture
+                    continue; // outside the picture
                 var at = _settings.PositionOf(pixel) - new int2(region.Left, region.Bottom);
                 _all[(long)at.y * region.Width + at.x] = _slice[i];
             }

@@ -9,8 +9,8 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Traces a radar's rays through a scene's triangles on the GPU. It owns the buffers and knows no GameObjects:
-    /// a test can make one from a kernel and an array of triangles.
+    /// Traces a radar's rays through a scene's triangles on the GPU. It owns the buffers and has no GameObjects: a test
+    /// can make one from a kernel and an array of triangles.
     /// </summary>
     public sealed class RayTracer : IDisposable
     {
@@ -31,7 +31,7 @@ namespace Glint
         readonly DispatchPacer _pacer = new DispatchPacer();
 
         /// <param name="shader">Shaders/Trace.compute.</param>
-        /// <param name="owner">Whose it is, for messages.</param>
+        /// <param name="owner">Name of the owner, for messages.</param>
         /// <exception cref="GlintException">There is no graphics device, or it cannot run the kernel.</exception>
         public RayTracer(ComputeShader shader, string owner = nameof(RayTracer))
             : this(shader, owner, SoftwareDevice.UsesWideKernels)
@@ -39,9 +39,9 @@ namespace Glint
         }
 
         /// <param name="asSoftware">
-        /// Trace as suits a software device: another BVH and kernel, the same results.
+        /// Use the BVH layout and kernels for software devices, with the same results.
         /// </param>
-        /// <param name="maxRowsPerPage">Rows of BVHs that one buffer may hold, as if the device took no more.</param>
+        /// <param name="maxRowsPerPage">Limit of rows of one page, in addition to the device's.</param>
         internal RayTracer(ComputeShader shader, string owner, bool asSoftware, long maxRowsPerPage = long.MaxValue)
         {
             _owner = owner;
@@ -55,26 +55,26 @@ namespace Glint
         }
 
         /// <summary>
-        /// Count the nodes visited and pairs tested: <see cref="TraceStatistics"/>.
-        /// Slower, as every segment is searched from the root of a BVH over all instances; for benchmarks.
+        /// Counts the nodes visited and pairs tested: <see cref="TraceStatistics"/>. Slower, as every segment starts at
+        /// the root of an instance BVH; for benchmarks.
         /// </summary>
         public bool CountVisits { get; set; }
 
-        /// <summary>Tiles of the next dispatches; 0, except in tests: as the time that they take suggests.</summary>
+        /// <summary>Tiles of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
         internal int TilesADispatch { get; set; }
 
-        /// <summary>Buffers that hold the scene's BVHs.</summary>
+        /// <summary>Number of pages of the scene's BVHs.</summary>
         internal int PageCount => _scene.Pages.Count;
 
-        /// <summary>What may be skipped without changing a result: all, except in tests that show it.</summary>
+        /// <summary>Enabled culling: all, except in tests.</summary>
         internal Culling Culling { get; set; } = Culling.All;
 
-        /// <summary>One pose: builds BVHs that are missing, traces slice by slice, and sums what is received.</summary>
-        /// <param name="readback">Which rays the result carries one by one.</param>
-        /// <param name="progress">Is told the part that is done, 0 to 1, after each slice.</param>
-        /// <param name="cancel">Ends the pose while BVHs are built, or after the slice in hand.</param>
+        /// <summary>Traces one pose: builds missing BVHs, traces slice by slice, and sums received rays.</summary>
+        /// <param name="readback">Rays that the result carries.</param>
+        /// <param name="progress">Receives the fraction done, 0 to 1, after each slice.</param>
+        /// <param name="cancel">Cancels while BVHs are built, or after the current slice.</param>
         /// <exception cref="GlintException">
-        /// A setting is out of its range, or the device cannot hold the scene or the rays that are to be kept.
+        /// A setting is out of its range, or the memory does not suffice for the scene or the rays read back.
         /// </exception>
         /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
         public RadarResult Trace(in RadarPose pose, RayReadback readback, IProgress<double> progress = null,
@@ -120,12 +120,11 @@ namespace Glint
         public uint[] ReceivedPixels() => _refine.ReceivedPixels();
 
         /// <summary>
-        /// The paths of single rays, in the order of their pixels in the list.
-        /// Every ray is followed in double-float arithmetic.
+        /// Traces the paths of single rays in double-float arithmetic, in the order of the given pixels.
         /// </summary>
         /// <param name="pixels">x + y * rays across; x from the left, y from the bottom of the whole picture.</param>
-        /// <param name="progress">Is told the part that is done, 0 to 1; may be null.</param>
-        /// <param name="cancel">Ends the work after the dispatch in hand.</param>
+        /// <param name="progress">Receives the fraction done, 0 to 1; may be null.</param>
+        /// <param name="cancel">Cancels after the current dispatch.</param>
         /// <exception cref="GlintException">A setting is out of its range, or a pixel outside the picture.</exception>
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public RayPath[] TracePaths(in RadarPose pose, uint[] pixels, IProgress<double> progress = null,
@@ -165,7 +164,7 @@ namespace Glint
             pose.View.Validate(_owner);
         }
 
-        // BVHs are built for meshes that are new; a mesh that stays, moved or not, costs nothing.
+        // Builds BVHs for new meshes; an unchanged mesh, moved or not, costs nothing.
         void SetScene(RadarScene scene, TraceStatistics statistics, CancellationToken cancel)
         {
             var watch = Stopwatch.StartNew();
@@ -186,16 +185,16 @@ namespace Glint
                 new Timings { BuildMs = buildMs, UploadMs = watch.Elapsed.TotalMilliseconds - buildMs };
         }
 
-        // Brings the tiles to trace to the device.
+        // Uploads the list of tiles to trace.
         DispatchPlan UploadTiles(in RadarPose pose, RayReadback readback, TraceStatistics statistics)
         {
             var picture = new PictureTiles(pose.Settings, pose.View);
-            // All rays include those that hit nothing.
+            // Reading back all rays includes misses.
             if (readback == RayReadback.All || (Culling & Culling.Tiles) == 0)
                 picture.AddAll();
             else
                 _scene.AddTo(picture);
-            // A kernel that finds nothing at all takes a software device long to compile, and for nothing.
+            // An empty scene needs no kernel, whose compilation is slow on a software device.
             var tiles =
                 _scene.IsEmpty && readback != RayReadback.All ? Array.Empty<uint>() : picture.ToArray(_isSoftware);
             statistics.TilesTraced = tiles.Length;
@@ -226,7 +225,7 @@ namespace Glint
             statistics.Dispatches++;
         }
 
-        // Returns how many of the slice's rays may be received.
+        // Returns the number of candidates.
         int TraceSlice(DispatchPlan plan, ChannelSums sums, RayReadbackBuffer readback, TraceStatistics statistics)
         {
             _refine.Reserve(plan.Count);

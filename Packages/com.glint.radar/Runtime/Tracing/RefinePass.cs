@@ -5,8 +5,8 @@ using Glint.Core;
 namespace Glint
 {
     /// <summary>
-    /// The rays that may be received: listed by the kernel that follows every ray in float32,
-    /// followed once more in double-float arithmetic.
+    /// The refine pass: the float32 kernel lists candidates, and the refine kernel traces them again in double-float
+    /// arithmetic.
     /// </summary>
     sealed class RefinePass : IDisposable
     {
@@ -23,24 +23,24 @@ namespace Glint
             _rays = rays;
         }
 
-        /// <summary>Filled by the kernel with the rays that may be received.</summary>
+        /// <summary>The candidates, written by the kernel.</summary>
         public DeviceBuffer<ReceivedRay> Candidates => _candidates;
 
         public long Bytes => _candidates.Bytes;
 
-        /// <summary>The received rays of the pose; any order, from the array's start.</summary>
+        /// <summary>The received rays of the pose, unordered, from the array's start.</summary>
         public ReceivedRay[] Received => _received;
 
-        /// <summary>Their number.</summary>
+        /// <summary>Number of received rays.</summary>
         public int ReceivedCount { get; private set; }
 
         /// <summary>Begins a pose.</summary>
         public void Begin() => ReceivedCount = 0;
 
-        /// <summary>Makes room for all rays of some tiles.</summary>
+        /// <summary>Ensures the capacity for all rays of some tiles.</summary>
         public void Reserve(int tiles) => _candidates.Reserve((long)tiles * PictureTiles.Rays);
 
-        /// <summary>Follows the listed rays once more.</summary>
+        /// <summary>Traces the candidates again.</summary>
         public void Follow(int count, ChannelSums sums, RayReadbackBuffer readbackBuffer, TraceStatistics statistics,
             CancellationToken cancel)
         {

@@ -5,10 +5,10 @@ using Glint.Core;
 
 namespace Glint
 {
-    /// <summary>Estimates the sampling error of a pose: traces smaller rays around received ones.</summary>
+    /// <summary>Estimates the sampling error of a pose by sub-rays around received rays.</summary>
     sealed class SamplingPass : IDisposable
     {
-        // Pixels of a dispatch.
+        // Maximum pixels of a dispatch.
         const int MaxPixels = DispatchPlan.MaxRefinedRays / SamplingEstimate.SubGrids;
 
         readonly TraceKernel _kernel;
@@ -25,9 +25,9 @@ namespace Glint
 
         public long Bytes => _pixels.Bytes;
 
-        /// <summary>The estimate of a pose whose rays are traced.</summary>
-        /// <param name="received">Its received rays, in the first <paramref name="count"/> places.</param>
-        /// <param name="referenceLength">Metres taken off the length of each of them.</param>
+        /// <summary>Estimates the error of a traced pose.</summary>
+        /// <param name="received">Received rays in the first <paramref name="count"/> elements.</param>
+        /// <param name="referenceLength">Metres to add to each of their lengths.</param>
         /// <param name="sums">The pose's sums.</param>
         public SamplingReport Estimate(in RadarSettings settings, ReceivedRay[] received, int count,
             double referenceLength, RadarSums sums, TraceStatistics statistics, CancellationToken cancel)

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Glint
 {
-    /// <summary>Graphics devices that are programs: wide trees suit them better than binary ones.</summary>
+    /// <summary>Software graphics devices, for which wide BVHs are faster than binary ones.</summary>
     static class SoftwareDevice
     {
         static readonly string[] s_names = { "llvmpipe", "SwiftShader", "Microsoft Basic Render" };
@@ -12,13 +12,13 @@ namespace Glint
             name => SystemInfo.graphicsDeviceName.Contains(name, StringComparison.OrdinalIgnoreCase));
 
         /// <summary>
-        /// Loads Shaders/Wide~/TraceWide.compute; set by the headless host. Null in Unity, which ignores that folder,
-        /// so that an import need not compile its kernels: a software device runs those for GPUs there, which take
-        /// about twice as long and give the same results.
+        /// Loads Shaders/Wide~/TraceWide.compute; set by the headless host. Null in Unity, which ignores that folder
+        /// and thus compiles no wide kernels on import: a software device runs the kernels for GPUs there, in about
+        /// twice the time, with the same results.
         /// </summary>
         public static Func<ComputeShader> LoadWideShader { get; set; }
 
-        /// <summary>The shader with the wide kernels; null where there is none.</summary>
+        /// <summary>The shader with the wide kernels; null if there is none.</summary>
         public static ComputeShader WideShader => LoadWideShader?.Invoke();
 
         /// <summary>Whether rays are traced by the wide kernels.</summary>

@@ -11,7 +11,7 @@ namespace Glint
         readonly uint[] _zeros = new uint[Channel.Slots * Channel.WordsPerSlot];
         readonly uint[] _words = new uint[Channel.Slots * Channel.WordsPerSlot];
 
-        /// <param name="owner">Who traces, for messages.</param>
+        /// <param name="owner">Name of the owner, for messages.</param>
         public SumBuffer(string owner)
         {
             _owner = owner;
@@ -26,8 +26,8 @@ namespace Glint
             statistics.BytesUploaded += _buffer.Bytes;
         }
 
-        /// <summary>The words of a dispatch, valid until the next call.</summary>
-        /// <exception cref="GlintException">A ray's part was too large for its channel.</exception>
+        /// <summary>Reads back the words of a dispatch; valid until the next call.</summary>
+        /// <exception cref="GlintException">A ray's part exceeds its channel's maximum.</exception>
         public uint[] ReadBack(TraceStatistics statistics)
         {
             _buffer.ReadBack(_words, _words.Length);

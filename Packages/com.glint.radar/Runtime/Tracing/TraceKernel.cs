@@ -7,13 +7,13 @@ using UnityEngine.Rendering;
 
 namespace Glint
 {
-    /// <summary>The kernels of Shaders/Trace.compute, or of TraceWide.compute, and what they are given.</summary>
+    /// <summary>The kernels of Shaders/Trace.compute, or of TraceWide.compute, and their inputs.</summary>
     sealed class TraceKernel
     {
         // GROUPS_A_ROW in Shaders/Constants.hlsl.
         internal const int GroupsARow = 64;
 
-        /// <summary>Tiles that one dispatch takes at most: those of so many groups of 64 threads.</summary>
+        /// <summary>Maximum tiles of one dispatch, by the limit of thread groups.</summary>
         public const int MaxTiles = 65535 * GroupsARow;
 
         readonly ComputeShader _shader;
@@ -59,10 +59,10 @@ namespace Glint
                         + $"{SystemInfo.graphicsDeviceName}: see the shader's import messages");
         }
 
-        /// <summary>Takes the kernels for a scene; the other calls set and run those.</summary>
+        /// <summary>Chooses the kernels for a scene; the other methods set and run these.</summary>
         public void Choose(DeviceScene scene, bool countsVisits)
         {
-            // The loop over instances costs a software device a tenth of its time, even for a single one.
+            // The loop over instances costs a software device a tenth of its time, even for one instance.
             string kind = countsVisits ? "Count"
                 : !scene.HasInlineInstances ? scene.Pages.Count > 1 ? "Paged" : ""
                 : _isWide && scene.InlineInstances.Count == 1 ? "SingleInstance" : "InlineInstances";
@@ -134,7 +134,7 @@ namespace Glint
         public void SetEntryPoints(DeviceBuffer<uint4> entryPoints) =>
             _shader.SetBuffer(_kernel, ShaderIDs._EntryPoints, entryPoints.Buffer);
 
-        /// <summary>Finds where the rays of some tiles begin their search.</summary>
+        /// <summary>Finds the entry points of some tiles.</summary>
         public void FindEntryPoints(DeviceScene scene, DeviceBuffer<uint> tiles, int firstTile, int count,
             DeviceBuffer<uint4> entryPoints)
         {
@@ -146,8 +146,8 @@ namespace Glint
             DispatchThreads(_entryPointsKernel, (long)count * scene.InlineInstances.Count);
         }
 
-        /// <summary>Follows the rays of some of the tiles; lists those that may be received.</summary>
-        /// <param name="rays">Takes the others when all are to be kept.</param>
+        /// <summary>Traces the rays of some tiles and lists candidates.</summary>
+        /// <param name="rays">Receives the other rays if all are read back.</param>
         public void Dispatch(int firstTile, int count, RayReadback readback, DeviceBuffer<ReceivedRay> candidates,
             DeviceBuffer<RayData> rays)
         {
@@ -157,8 +157,8 @@ namespace Glint
             DispatchThreads(_kernel, (long)count * PictureTiles.Rays);
         }
 
-        /// <summary>Follows listed rays once more, in double-float arithmetic.</summary>
-        /// <param name="subRays">Along the side of a ray's place: 1, or 2 to 8 to divide it.</param>
+        /// <summary>Traces listed rays again in double-float arithmetic.</summary>
+        /// <param name="subRays">Sub-rays along the side of a pixel: 1 for the ray itself, or 2 to 8.</param>
         public void DispatchRefine(int first, int count, int subRays, RayReadback readback,
             DeviceBuffer<ReceivedRay> candidates,
             DeviceBuffer<RayData> rays)
@@ -170,12 +170,12 @@ namespace Glint
             DispatchThreads(_refineKernel, (long)count * subRays * subRays);
         }
 
-        /// <summary>Follows listed rays, in double-float arithmetic, and notes their reflections.</summary>
+        /// <summary>Traces listed rays in double-float arithmetic and records their reflections.</summary>
         /// <param name="listed">
-        /// Pixel, 0; then bounces, with RAY_RECEIVED, and the bits of the length from the last one
-        /// to the receiver's plane.
+        /// In: pixel, 0. Out: bounces, with RAY_RECEIVED, and the bits of the distance from the last hit to the
+        /// receiver's plane.
         /// </param>
-        /// <param name="hits">Takes <see cref="RadarSettings.MaxBounces"/> places a ray.</param>
+        /// <param name="hits"><see cref="RadarSettings.MaxBounces"/> elements a ray.</param>
         public void DispatchPaths(DeviceScene scene, int count, DeviceBuffer<uint2> listed, DeviceBuffer<HitData> hits)
         {
             SetBvhs(_pathsKernel, scene);
@@ -191,7 +191,7 @@ namespace Glint
             _shader.SetInt(ShaderIDs._InstanceBvhRoot, (int)scene.InstanceBvhRoot);
             _shader.SetBuffer(kernel, ShaderIDs._InstanceBvh, scene.InstanceBvhRows.Buffer);
             _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
-            // Every page that a kernel declares wants a buffer, read or not.
+            // Every page that a kernel declares needs a buffer, even if it is not read.
             for (int page = 0; page < DeviceBvhs.MaxPages; page++)
                 _shader.SetBuffer(kernel, ShaderIDs._Bvh[page],
                     scene.Pages[page < scene.Pages.Count ? page : 0].Rows.Buffer);

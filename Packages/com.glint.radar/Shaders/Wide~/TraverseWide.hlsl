@@ -4,10 +4,10 @@
 #include "../Leaf.hlsl"
 #include "../BinaryBvh.hlsl"
 
-// The stack: one word for each node with children that wait, so for 14 inner levels (WideCollapse.MaxLevels in C#) and
-// three starts that wait at most 16. Upper 20 bits: record of the node's first child;
-// below, 4 bits for each that waits, the next one lowest: 8 | 4 for a leaf | which child.
-// A software device keeps 16 named words in registers; an array would double the kernel's time.
+// The stack has one word for each node with pending children: at most 16, for 14 inner levels (WideCollapse.MaxLevels
+// in C#) and three further entry points. The upper 20 bits are the record of the node's first child. Below are 4 bits
+// for each pending child, the next one lowest: 8 | 4 for a leaf | index of the child. A software device keeps 16 named
+// words in registers; an array would double the kernel's time.
 struct WideStack
 {
     uint4 A, B, C, D;     // the top is A.x
@@ -15,7 +15,7 @@ struct WideStack
 
 static const uint CHILDREN = 0xfff;
 
-// The child that a stack word has next: its record, with LEAF if it is one. DONE when no child waits.
+// The next child of a stack word: its record, with LEAF for a leaf; DONE if no child is pending.
 uint NextOf(uint word)
 {
     return (word & 8) == 0 ? DONE : ((word >> 12) + (word & 3)) | ((word & 4) << 29);
@@ -46,25 +46,25 @@ WideStack Popped(WideStack s)
     return r;
 }
 
-// One of three, without a branch.
-WideStack Choose(bool pushes, WideStack pushed, bool pops, WideStack popped, WideStack kept)
+// Selects one of three, without a branch.
+WideStack Choose(bool pushes, WideStack pushed, bool pops, WideStack popped, WideStack unchanged)
 {
     WideStack r;
-    r.A = pushes ? pushed.A : pops ? popped.A : kept.A;
-    r.B = pushes ? pushed.B : pops ? popped.B : kept.B;
-    r.C = pushes ? pushed.C : pops ? popped.C : kept.C;
-    r.D = pushes ? pushed.D : pops ? popped.D : kept.D;
+    r.A = pushes ? pushed.A : pops ? popped.A : unchanged.A;
+    r.B = pushes ? pushed.B : pops ? popped.B : unchanged.B;
+    r.C = pushes ? pushed.C : pops ? popped.C : unchanged.C;
+    r.D = pushes ? pushed.D : pops ? popped.D : unchanged.D;
     return r;
 }
 
-// Four planes of the children of a node: one byte each.
+// One plane of each of the four children of a node, one byte each.
 float4 Planes(uint bytes, float step, float at)
 {
     return float4(int4(uint4(bytes, bytes >> 8, bytes >> 16, bytes >> 24) & 0xff)) * step + at;
 }
 
-// Distances are compared by their bits: whole numbers order as the positive floats do,
-// and a negative one needs only its sign.
+// Distances are compared by their bits: integers have the order of positive floats, and for negative ones the sign
+// suffices.
 uint4 ChildKeys(uint4 a, uint4 b, uint4 c, TraversalRay ray, float reach)
 {
     uint3 exponents = uint3(a.w << 23, a.w << 15, a.w << 7) & 0x7f800000;
@@ -103,11 +103,11 @@ uint4 Sorted(uint4 k)
     return uint4(first, min(e, f), max(e, f), last);
 }
 
-// The root as the only child of a stack's word.
+// The root as the only child of a stack word.
 static const uint4 ROOT_ENTRY_POINTS = uint4(8, DONE, DONE, DONE);
 
-// Searches the BVH of one mesh from up to four places in order: four children a node, nearest first.
-// The fastest on software devices, which pay for each fetch. AnyHit: any triangle will do.
+// Traverses the BVH of one mesh from up to four entry points in order, the nearest of the four children of a node
+// first. The fastest on software devices, where fetches cost most. AnyHit: ends at the first hit.
 void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uint4 entryPoints, bool anyHit,
     inout TraversalState state)
 {
@@ -115,7 +115,7 @@ void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uin
     stack.A = uint4(entryPoints.yzw == DONE ? 0 : entryPoints.yzw, 0);
     uint current = entryPoints.x == DONE ? DONE : NextOf(entryPoints.x);
     [loop]
-    while (current != DONE || HasPending(state)) // only refine kernels ever wait
+    while (current != DONE || HasPending(state)) // only refine kernels have pending tests
     {
         [loop]
         while (current != DONE && !HasPending(state))
@@ -130,7 +130,7 @@ void TraverseMesh(TraversalRay ray, uint instance, uint page, uint firstRow, uin
                 uint pending = (keys.y & 15) | (keys.z & 15) << 4 | (keys.w & 15) << 8;
                 bool enters = (keys.x & 8) != 0;
 
-                // Down to the nearest child, or on to the next that waits.
+                // Descends to the nearest child, or advances to the next pending one.
                 current = NextOf(enters ? c.z << 12 | (keys.x & 15) : stack.A.x);
                 bool pushes = pending != 0;
                 WideStack taken = stack;

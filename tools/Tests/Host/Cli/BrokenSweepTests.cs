@@ -178,11 +178,11 @@ public sealed class BrokenSweepTests
 
     string At(string name) => Path.Combine(_folder, name);
 
-    static (int code, string error) Run(string command, string[] words)
+    static (int code, string error) Run(string command, string[] arguments)
     {
         var error = new StringWriter();
         int code = new Shell(new Terminal { Out = TextWriter.Null, Error = error, Live = null, Width = 100 })
-            .Run([command, .. words]);
+            .Run([command, .. arguments]);
         return (code, error.ToString());
     }
 }

@@ -57,10 +57,10 @@ public sealed class CommandTreeTests
     [TestCase("info --size 3x3")]
     public void Tree_OfAWrongLine_RefusesItInTheWordsOfTheTable(string line)
     {
-        var words = line.Split(' ');
-        var expected = Assert.Throws<UsageException>(() => CommandLine.Parse(Find(words[0]), words[1..]));
+        var arguments = line.Split(' ');
+        var expected = Assert.Throws<UsageException>(() => CommandLine.Parse(Find(arguments[0]), arguments[1..]));
 
-        Assert.That(Assert.Throws<UsageException>(() => ParseByTree(words)).Message, Is.EqualTo(expected.Message));
+        Assert.That(Assert.Throws<UsageException>(() => ParseByTree(arguments)).Message, Is.EqualTo(expected.Message));
     }
 
     [Test]
@@ -71,15 +71,15 @@ public sealed class CommandTreeTests
             from name in Gen.Elements("sweep", "run", "bench", "info")
             from input in Gen.Elements(Vocabulary[..3])
             from count in Gen.Choose(0, 5)
-            from words in Gen.Elements(Vocabulary).ArrayOf(count)
+            from arguments in Gen.Elements(Vocabulary).ArrayOf(count)
             from position in Gen.Choose(0, count)
-            select words[..position].Append(input).Concat(words[position..]).Prepend(name).ToArray();
+            select arguments[..position].Append(input).Concat(arguments[position..]).Prepend(name).ToArray();
         int accepted = 0;
-        Prop.ForAll(lines.ToArbitrary(), words =>
+        Prop.ForAll(lines.ToArbitrary(), arguments =>
         {
-            string expected = Describe(() => CommandLine.Parse(Find(words[0]), words[1..]));
+            string expected = Describe(() => CommandLine.Parse(Find(arguments[0]), arguments[1..]));
             accepted += expected == Refused ? 0 : 1;
-            return Describe(() => ParseByTree(words)) == expected;
+            return Describe(() => ParseByTree(arguments)) == expected;
         }).Check(Config.QuickThrowOnFailure.WithMaxTest(5000));
         Assert.That(accepted, Is.GreaterThan(200));
     }
@@ -135,14 +135,14 @@ public sealed class CommandTreeTests
         }
     }
 
-    static CommandLine ParseByTree(string[] words)
+    static CommandLine ParseByTree(string[] arguments)
     {
         CommandLine parsed = null;
         new CommandTree(Quiet(TextWriter.Null), line =>
         {
             parsed = line;
             return 0;
-        }).Invoke(words, _ => { });
+        }).Invoke(arguments, _ => { });
         return parsed;
     }
 

@@ -62,8 +62,8 @@ public sealed class CompletionTests
     [TestCase("", "info", "")]
     [TestCase("bash|zsh|fish", "completion", "")]
     [TestCase("--frequency", "run", "--freq")]
-    public void Word_IsCompletedByWhatFits(string expected, params string[] words) =>
-        Assert.That(Complete(words), Is.EquivalentTo(expected.Split('|', StringSplitOptions.RemoveEmptyEntries)));
+    public void Word_IsCompletedByWhatFits(string expected, params string[] arguments) =>
+        Assert.That(Complete(arguments), Is.EquivalentTo(expected.Split('|', StringSplitOptions.RemoveEmptyEntries)));
 
     [Test]
     public void Choices_OfEveryOption_AreTaken()
@@ -90,10 +90,10 @@ public sealed class CompletionTests
         }
     }
 
-    // The last of the words is the one that is being typed.
-    string[] Complete(params string[] words)
+    // The last of the arguments is the one that is being typed.
+    string[] Complete(params string[] arguments)
     {
-        string[] line = ["glint", .. words];
+        string[] line = ["glint", .. arguments];
         const string Ask = "cd \"$1\" && source ./script && rm script && shift && COMP_WORDS=(\"$@\") && "
             + "COMP_CWORD=$(($# - 1)) && { _glint; printf '%s\\n' \"${COMPREPLY[@]}\"; }";
         using var bash = Process.Start(new ProcessStartInfo("bash", ["--norc", "-c", Ask, "bash", _folder, .. line])

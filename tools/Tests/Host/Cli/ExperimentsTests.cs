@@ -283,7 +283,7 @@ public sealed class ExperimentsTests
     [Test]
     public void Study_OfTheStoredSeed_IsTheStoredSea()
     {
-        var sea = Few(Experiment.Seas[1].Sea);
+        var sea = WithSmallPicture(Experiment.Seas[1].Sea);
         var runs = new ExperimentRuns(new LogProgress());
         var stored = runs.Sweep(sea).Rows.Select(row => row.Result).ToArray();
         var families = runs.Study(sea, StoredSeas.All.Single(recipe => recipe.Name == "SeaState6"), 1);
@@ -306,7 +306,7 @@ public sealed class ExperimentsTests
     {
         var (sea, ship) = (Experiment.Seas[1].Sea, Experiment.Seas[1].Ship);
         var runs = new ExperimentRuns(new LogProgress());
-        ship = Few(ship with { Options = ["--target", "Ship", "--angles", "60"] });
+        ship = WithSmallPicture(ship with { Options = ["--target", "Ship", "--angles", "60"] });
         var all = runs.SweepAllSnapshots(sea, ship).Rows;
         var alone = runs.Sweep(ship).Rows;
 
@@ -345,7 +345,7 @@ public sealed class ExperimentsTests
         }
     }
 
-    static Experiment Few(Experiment experiment) =>
+    static Experiment WithSmallPicture(Experiment experiment) =>
         experiment with { Options = [.. experiment.Options, "--size", "192x108"] };
 
     static string Between(string page, string name)

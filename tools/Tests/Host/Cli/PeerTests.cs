@@ -47,7 +47,7 @@ public sealed class PeerTests
             peer.Run(file, true, default);
             peer.Run(file, true, default);
 
-            var starts = peer.Starts("frame");
+            var starts = peer.SeriesOf("frame");
             Assert.That((starts.Count, starts.Median, starts.Lowest), Is.EqualTo((3, 30.0, 20.0)));
         }
         finally

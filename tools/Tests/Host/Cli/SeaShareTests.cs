@@ -17,7 +17,7 @@ public sealed class SeaShareTests
 
         var share = SeaShare.Of(freeSpace, onSea).Single();
 
-        Assert.That((share.Kept, share.Lost), Is.EqualTo((1, 2)));
+        Assert.That((share.Unchanged, share.Lost), Is.EqualTo((1, 2)));
         Assert.That(share.ShipAlone, Is.EqualTo(3));
         Assert.That(share.Added, Is.EqualTo(new[] { 1, 0, 1, 0 }));
         Assert.That((share.Step, share.FreeSpace, share.OnSea), Is.EqualTo((30.0, 5.0, 5.0)));

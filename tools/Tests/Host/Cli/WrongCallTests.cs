@@ -11,11 +11,11 @@ namespace Glint.Host.Tests;
 
 /// <summary>
 /// Every command called wrongly: one line that names the command, the option or the file.
-/// Exit code 2 is for what the words alone show, 1 for what is found on opening files.
+/// Exit code 2 is for what the command line alone show, 1 for what is found on opening files.
 /// </summary>
 public sealed class WrongCallTests
 {
-    // For each command words with which it would run, DIR and MESH standing for files that are there.
+    // For each command, arguments with which it runs, DIR and MESH standing for files that are there.
     static readonly Dictionary<string, string[]> s_right = new()
     {
         ["sweep"] = ["MESH", "--angles", "0", "--size", "4x4", "--out", "DIR/out"],
@@ -148,15 +148,15 @@ public sealed class WrongCallTests
     [TestCase(2, "nothing to step through", "sweep", "MESH")]
     [TestCase(2, "--out is missing", "merge", "DIR")]
     [TestCase(2, "\"surplus\": no such command", "surplus", "run", "MESH")]
-    public void Call_OfWhatIsNotThereOrNotEnough_IsRefused(int code, string named, params string[] words) =>
-        AssertRefused(code, named, words);
+    public void Call_OfWhatIsNotThereOrNotEnough_IsRefused(int code, string named, params string[] arguments) =>
+        AssertRefused(code, named, arguments);
 
-    void AssertRefused(int code, string named, string[] words)
+    void AssertRefused(int code, string named, string[] arguments)
     {
-        words = Array.ConvertAll(words, Put);
+        arguments = Array.ConvertAll(arguments, Put);
         var (output, error) = (new StringWriter(), new StringWriter());
-        int actual = new Shell(new Terminal { Out = output, Error = error, Live = null, Width = 100 }).Run(words);
-        string line = $"glint {string.Join(' ', words)}: {error}";
+        int actual = new Shell(new Terminal { Out = output, Error = error, Live = null, Width = 100 }).Run(arguments);
+        string line = $"glint {string.Join(' ', arguments)}: {error}";
         Assert.That(actual, Is.EqualTo(code), line);
         Assert.That(error.ToString().Split('\n', StringSplitOptions.RemoveEmptyEntries), Has.Length.EqualTo(1), line);
         Assert.That(error.ToString(),
@@ -169,7 +169,7 @@ public sealed class WrongCallTests
     static Option Find(string command, string name) =>
         Commands.All.Single(known => known.Name == command).Options.Single(option => option.Name == name);
 
-    // The right words without an option and its value.
+    // The right arguments without an option and its value.
     static string[] Without(string command, Option option)
     {
         int at = Array.IndexOf(s_right[command], option.Flag);

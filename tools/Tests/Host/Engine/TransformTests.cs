@@ -8,23 +8,23 @@ public sealed class TransformTests : EngineFixture
 {
     const double Tolerance = 2e-5;
 
-    Transform _top, _middle, _bottom;
+    Transform _top, _centre, _bottom;
 
     [SetUp]
     public void BuildChain()
     {
         _top =
             Make("top", null, new Vector3(3f, -2f, 5f), Quaternion.Euler(20f, 70f, -35f), new Vector3(2f, 0.5f, -1.5f));
-        _middle = Make("middle", _top, new Vector3(-1f, 4f, 0.5f), Quaternion.Euler(-50f, 10f, 120f),
+        _centre = Make("middle", _top, new Vector3(-1f, 4f, 0.5f), Quaternion.Euler(-50f, 10f, 120f),
             new Vector3(0.7f, 3f, 1.2f));
-        _bottom = Make("bottom", _middle, new Vector3(0.3f, 0.2f, -2f), Quaternion.Euler(5f, -80f, 60f),
+        _bottom = Make("bottom", _centre, new Vector3(0.3f, 0.2f, -2f), Quaternion.Euler(5f, -80f, 60f),
             new Vector3(1f, -2f, 1f));
     }
 
     [Test]
     public void LocalToWorldMatrix_WithShearAndMirror_IsTheProductOfTheChain()
     {
-        double[,] expected = Product(Product(Local(_top), Local(_middle)), Local(_bottom));
+        double[,] expected = Product(Product(Local(_top), Local(_centre)), Local(_bottom));
         AssertClose(_bottom.localToWorldMatrix, expected);
         AssertClose(_bottom.worldToLocalMatrix * _bottom.localToWorldMatrix, Identity());
     }
@@ -183,7 +183,7 @@ public sealed class TransformTests : EngineFixture
         Assert.That(_bottom.IsChildOf(_top) && !_top.IsChildOf(_bottom) && _top.IsChildOf(_top));
         _top.DetachChildren();
         Assert.That(_top.childCount, Is.Zero);
-        Assert.That(_middle.parent, Is.Null);
+        Assert.That(_centre.parent, Is.Null);
     }
 
     [Test]

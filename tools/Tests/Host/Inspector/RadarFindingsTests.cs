@@ -43,7 +43,7 @@ public sealed class RadarFindingsTests
     public void Update_WithoutGraphicsDevice_SaysToLeaveOutNographics()
     {
         GraphicsDevice.IsNull = true;
-        Assert.That(Found(), Has.Some.StartsWith("Error: there is no graphics device"));
+        Assert.That(Findings(), Has.Some.StartsWith("Error: there is no graphics device"));
     }
 
     [Test]
@@ -57,11 +57,11 @@ public sealed class RadarFindingsTests
         radar.Roots.Add(_plate.transform);
         _check = new RadarCheck(radar);
 
-        Assert.That(Found(), Is.EqualTo(new[] { "Error: " + radar.HasNoCamera }));
+        Assert.That(Findings(), Is.EqualTo(new[] { "Error: " + radar.HasNoCamera }));
         _check.Findings[0].Fix.Apply();
-        Assert.That(Found(), Has.None.Contains("Camera"));
+        Assert.That(Findings(), Has.None.Contains("Camera"));
         Undo.PerformUndo();
-        Assert.That(Found(), Has.Exactly(1).Contains("Camera"));
+        Assert.That(Findings(), Has.Exactly(1).Contains("Camera"));
         Object.DestroyImmediate(bare);
     }
 
@@ -69,7 +69,7 @@ public sealed class RadarFindingsTests
     public void Update_StaticBatch_IsRefusedInTheGatherersWords()
     {
         _plate.GetComponent<MeshRenderer>().StaticBatched = true;
-        Assert.That(Found().Single(), Is.EqualTo("Error: 'Plate' is part of a static batch, "
+        Assert.That(Findings().Single(), Is.EqualTo("Error: 'Plate' is part of a static batch, "
             + "whose meshes Unity has merged: clear Batching Static among the static flags of 'Plate'"));
     }
 
@@ -78,12 +78,12 @@ public sealed class RadarFindingsTests
     {
         var other = Object.Instantiate(_plate, _plate.transform);
         _plate.isStatic = other.isStatic = true;
-        Assert.That(Found().Single(),
+        Assert.That(Findings().Single(),
             Does.StartWith("Warning: 'Plate' is marked Batching Static").And.EndWith("(and 1 more)"));
         _check.Findings[0].Fix.Apply();
-        Assert.That(Found(), Is.Empty);
+        Assert.That(Findings(), Is.Empty);
         Undo.PerformUndo();
-        Assert.That(Found(), Has.Exactly(1).Items);
+        Assert.That(Findings(), Has.Exactly(1).Items);
     }
 
     [TestCase(null)]
@@ -92,12 +92,12 @@ public sealed class RadarFindingsTests
     {
         MakeModel(path);
         AssetImporter.Known.Clear();
-        Assert.That(Found().Single(),
+        Assert.That(Findings().Single(),
             Is.EqualTo("Error: mesh 'Hull' of 'Plate' is not readable: tick Read/Write in the mesh's import settings"));
         _check.Findings[0].Fix.Apply();
-        Assert.That(Found(), Is.Empty);
+        Assert.That(Findings(), Is.Empty);
         Undo.PerformUndo();
-        Assert.That(Found(), Has.Exactly(1).Items);
+        Assert.That(Findings(), Has.Exactly(1).Items);
     }
 
     [Test]
@@ -107,7 +107,7 @@ public sealed class RadarFindingsTests
         _check.Update();
         _check.Findings.Single().Fix.Apply();
         Assert.That(importer.isReadable);
-        Assert.That(Found(), Is.Empty);
+        Assert.That(Findings(), Is.Empty);
     }
 
     [Test]
@@ -119,7 +119,7 @@ public sealed class RadarFindingsTests
         Assert.That(_check.Findings.Single().Fix, Is.Null);
     }
 
-    string[] Found()
+    string[] Findings()
     {
         _check.Update();
         return _check.Findings.Select(finding => finding.ToString()).ToArray();

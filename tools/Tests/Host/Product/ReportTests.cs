@@ -273,8 +273,8 @@ public sealed class ReportTests
         Assert.That(Paths(scene), Is.Not.Empty);
     }
 
-    void Execute(Command command, params string[] words) => Batch.Execute(
-        CommandLine.Parse(command, words.Concat(new[] { "--out", _folder }).ToArray()), new LogProgress());
+    void Execute(Command command, params string[] arguments) => Batch.Execute(
+        CommandLine.Parse(command, arguments.Concat(new[] { "--out", _folder }).ToArray()), new LogProgress());
 
     void Sweep(string angles) => Batch.Execute(
         CommandLine.Parse(Commands.Sweep, Corner.Concat(new[] { "--angles", angles, "--out", _folder }).ToArray()),

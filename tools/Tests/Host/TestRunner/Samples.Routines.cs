@@ -32,7 +32,7 @@ internal static partial class Samples<T>
         }
     }
 
-    public sealed class Waits : Sample
+    public sealed class HalfASecondLater : Sample
     {
         [UnityTest]
         public IEnumerator HalfASecond()

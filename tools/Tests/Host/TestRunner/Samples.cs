@@ -11,11 +11,11 @@ internal static partial class Samples<T>
 {
     internal static readonly List<string> Trace = new();
 
-    static IEnumerator Says(params string[] words)
+    static IEnumerator Says(params string[] texts)
     {
-        foreach (var word in words)
+        foreach (var text in texts)
         {
-            Trace.Add(word);
+            Trace.Add(text);
             yield return null;
         }
     }

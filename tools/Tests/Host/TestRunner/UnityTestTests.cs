@@ -61,7 +61,7 @@ public sealed class UnityTestTests
     public void WaitForSeconds_Yielded_WaitsInGameTime()
     {
         Time.captureDeltaTime = 0.25f; // two frames make the half second
-        Passes(FixtureRun.OfOne(typeof(Samples<int>.Waits)));
+        Passes(FixtureRun.OfOne(typeof(Samples<int>.HalfASecondLater)));
     }
 
     [Test]

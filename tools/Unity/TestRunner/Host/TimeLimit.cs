@@ -9,9 +9,9 @@ internal static class TimeLimit
     internal static readonly TimeSpan Default = TimeSpan.FromSeconds(180);
 
     /// <summary>
-    /// The limit that [Timeout] sets on the test, its fixture or its assembly. NUnit keeps such a limit by leaving
-    /// the test behind on another thread, where it would go on stepping frames into the next test;
-    /// so it is taken away here, and kept between the frames.
+    /// The limit that [Timeout] sets on the test, its fixture or its assembly. NUnit enforces such a limit by
+    /// abandoning the test on another thread, where it would step frames into the next test.
+    /// This class removes the attribute's limit and checks it between frames.
     /// </summary>
     internal static TimeSpan TakeFrom(Test test)
     {

@@ -1,6 +1,6 @@
 namespace Glint.Host;
 
-/// <summary>Where in the frame a waiting coroutine goes on.</summary>
+/// <summary>The point of the frame at which a suspended coroutine resumes.</summary>
 internal enum ResumePoint
 {
     FixedUpdate,

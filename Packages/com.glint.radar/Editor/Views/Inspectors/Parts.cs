@@ -7,10 +7,10 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>What the inspectors are put together from.</summary>
+    /// <summary>Building blocks of the inspectors.</summary>
     static class Parts
     {
-        /// <summary>A group that folds, open or closed as the user left it.</summary>
+        /// <summary>A foldout that keeps its state.</summary>
         public static Foldout Group(string title, params VisualElement[] parts)
         {
             var group = new Foldout { text = title, viewDataKey = "Glint." + title };
@@ -31,7 +31,7 @@ namespace Glint.Editor.Views
                 bindingPath = name + "." + it.field, label = it.label, tooltip = it.tooltip
             }).ToArray());
 
-        /// <summary>Shows figures, in the columns of the fields, to be selected and copied.</summary>
+        /// <summary>Shows figures in the columns of the fields, as selectable text.</summary>
         public static void ShowRows(VisualElement parent,
             IEnumerable<(string label, string value, string tooltip)> rows)
         {
@@ -44,8 +44,8 @@ namespace Glint.Editor.Views
             }
         }
 
-        /// <summary>Shows findings, each with the button that mends it.</summary>
-        /// <param name="mended">Called after a button was pressed.</param>
+        /// <summary>Shows findings, each with the button of its fix.</summary>
+        /// <param name="mended">Called after a fix.</param>
         public static void ShowFindings(VisualElement parent, IEnumerable<Finding> findings, Action mended)
         {
             parent.Clear();

@@ -116,7 +116,7 @@ namespace Glint.Editor.Views
             Look();
         }
 
-        // The scene that plays, a sweep or the window may have traced as well.
+        // Play mode, a sweep or the window may have traced as well.
         void ShowResult()
         {
             _problem.text = _tracing.Problem ?? "";

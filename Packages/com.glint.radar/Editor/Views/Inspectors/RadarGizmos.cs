@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Glint.Editor.Views
 {
     /// <summary>
-    /// The receiver's outline in Scene view while the radar or its receiver is selected, and a line the way it faces:
-    /// seen before anything is traced. Of the view, Unity draws the camera's.
+    /// Draws the receiver's outline and normal in Scene view while the radar or its receiver is selected. Unity draws
+    /// the camera's frustum.
     /// </summary>
     static class RadarGizmos
     {

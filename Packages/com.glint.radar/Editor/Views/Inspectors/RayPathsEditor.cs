@@ -5,7 +5,7 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The inspector of Ray Paths: its filters, how many rays are drawn, and why none are.</summary>
+    /// <summary>The inspector of Ray Paths: filters, number of rays drawn, or why there are none.</summary>
     [CustomEditor(typeof(RayPaths)), CanEditMultipleObjects]
     sealed class RayPathsEditor : FiguresEditor
     {
@@ -29,7 +29,7 @@ namespace Glint.Editor.Views
         protected override (IEnumerable<Finding>, IEnumerable<(string, string, string)>) Shown() =>
             (new[] { RayPathsFigures.Check(Paths) }, RayPathsFigures.Rows(Paths));
 
-        // The rays are followed when a view shows them: nothing tells of it.
+        // Polls: rays are traced when a view shows them, and no event is raised.
         protected override void StartLooking(VisualElement inspector) =>
             inspector.schedule.Execute(LookForChange).Every(LookEveryMs);
 

@@ -5,7 +5,7 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The inspector of a Sea: its snapshots by name, what is shown, and why nothing is.</summary>
+    /// <summary>The inspector of a Sea: snapshots by name, figures, or why nothing is shown.</summary>
     [CustomEditor(typeof(Sea)), CanEditMultipleObjects]
     sealed class SeaEditor : FiguresEditor
     {
@@ -37,7 +37,7 @@ namespace Glint.Editor.Views
             return (new[] { SeaFigures.Check(Sea) }, SeaFigures.Rows(Sea));
         }
 
-        // As a serialized field: Undo and overrides of prefabs know of it, and the sea lays itself anew.
+        // Through the serialized field, for Undo, prefab overrides and the sea's OnValidate.
         void Choose()
         {
             if (_snapshot.index < 0)

@@ -6,7 +6,7 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The inspector of a Ship: its measures, and a button that makes its mesh from them.</summary>
+    /// <summary>The inspector of a Ship: measures, and a button that makes the mesh from them.</summary>
     [CustomEditor(typeof(Ship)), CanEditMultipleObjects]
     sealed class ShipEditor : FiguresEditor
     {

@@ -7,7 +7,7 @@ using UnityEngine.UIElements;
 namespace Glint.Editor.Views
 {
     /// <summary>
-    /// The inspector of a Sweep: what is wrong with what is written, as it is typed, and how many poses it makes.
+    /// The inspector of a Sweep: findings about its lists as they are typed, and the number of poses.
     /// </summary>
     [CustomEditor(typeof(Sweep)), CanEditMultipleObjects]
     sealed class SweepEditor : FiguresEditor

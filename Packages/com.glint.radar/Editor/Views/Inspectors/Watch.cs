@@ -6,22 +6,22 @@ using UnityEngine.UIElements;
 namespace Glint.Editor.Views
 {
     /// <summary>
-    /// Calls when something in the open scenes or in the object inspected has changed and then has been still for
-    /// a moment; at once when an inspector is shown.
+    /// Calls back when the open scenes or the inspected object have changed and then been still for a moment, and
+    /// immediately when an inspector is shown.
     /// </summary>
     sealed class Watch
     {
         const long StillForMs = 300;
 
-        // Of the time that a look takes: so much is left for everything else.
+        // Pause between updates, in durations of an update.
         const double PauseInLooks = 5;
 
         readonly IVisualElementScheduledItem _look;
         readonly Func<double> _seconds;
 
-        /// <param name="inspector">Watches as long as it is shown.</param>
-        /// <param name="look">Called.</param>
-        /// <param name="seconds">How long it took the last time; null if that is nothing.</param>
+        /// <param name="inspector">Watches while this is shown.</param>
+        /// <param name="look">The callback.</param>
+        /// <param name="seconds">Duration of the last callback; null: negligible.</param>
         public Watch(VisualElement inspector, SerializedObject inspected, Action look, Func<double> seconds = null)
         {
             _seconds = seconds;
@@ -30,12 +30,12 @@ namespace Glint.Editor.Views
             inspector.RegisterCallback<AttachToPanelEvent>(_ =>
             {
                 ObjectChangeEvents.changesPublished += Hear;
-                _look.ExecuteLater(0); // what has changed while another tab was shown
+                _look.ExecuteLater(0); // for changes made while another tab was shown
             });
             inspector.RegisterCallback<DetachFromPanelEvent>(_ => ObjectChangeEvents.changesPublished -= Hear);
         }
 
-        /// <summary>Looks anew soon; a change before then puts it off.</summary>
+        /// <summary>Schedules an update; a further change postpones it.</summary>
         public void LookSoon() =>
             _look.ExecuteLater(Math.Max(StillForMs, (long)(1000 * PauseInLooks * (_seconds?.Invoke() ?? 0))));
 

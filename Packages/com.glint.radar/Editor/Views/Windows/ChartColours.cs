@@ -4,7 +4,7 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The colours that RadarWindow.uss gives a chart.</summary>
+    /// <summary>Colours of a chart, from RadarWindow.uss.</summary>
     sealed class ChartColours
     {
         static readonly CustomStyleProperty<Color> s_grid = new CustomStyleProperty<Color>("--glint-grid");
@@ -17,7 +17,7 @@ namespace Glint.Editor.Views
         readonly Color[] _lines = s_lines.Select(line => Color.gray).ToArray();
         Color _grid = Color.gray, _frame = Color.gray, _mark = Color.gray, _uncertainty = Color.gray;
 
-        /// <summary>Follows an element's style and has it drawn again.</summary>
+        /// <summary>Follows an element's style and repaints it on changes.</summary>
         public ChartColours(VisualElement element) => element.RegisterCallback<CustomStyleResolvedEvent>(resolved =>
         {
             Read(resolved.customStyle, s_grid, ref _grid);
@@ -33,13 +33,13 @@ namespace Glint.Editor.Views
 
         public Color Frame => _frame;
 
-        /// <summary>Of the chosen pose.</summary>
+        /// <summary>Colour of the chosen pose.</summary>
         public Color Mark => _mark;
 
-        /// <summary>Of poses that are undersampled.</summary>
+        /// <summary>Colour of undersampled poses.</summary>
         public Color Uncertainty => _uncertainty;
 
-        /// <summary>Of a line, counted from 0.</summary>
+        /// <summary>Colour of a line, from 0.</summary>
         public Color Line(int series) => _lines[series % _lines.Length];
 
         static void Read(ICustomStyle style, CustomStyleProperty<Color> property, ref Color colour)

@@ -8,13 +8,13 @@ using UnityEngine.UIElements;
 namespace Glint.Editor.Views
 {
     /// <summary>
-    /// Draws a <see cref="SweepChart"/>. The pointer over it asks for the nearest pose, a click chooses it.
+    /// Draws a <see cref="SweepChart"/>. The pointer reads the nearest pose, a click chooses it.
     /// </summary>
     sealed class ChartView : VisualElement
     {
         const float TickGap = 5;
 
-        // With more poses the markers would hide the lines.
+        // Above this number of poses the markers would hide the lines.
         const int MaxMarkers = 400;
 
         readonly ChartColours _colours;
@@ -37,13 +37,13 @@ namespace Glint.Editor.Views
             }));
         }
 
-        /// <summary>The pose nearest to the pointer.</summary>
+        /// <summary>Raised with the pose nearest to the pointer.</summary>
         public event Action<ChartSeries, ChartPoint> Hovered;
 
-        /// <summary>The pointer is elsewhere now.</summary>
+        /// <summary>Raised when the pointer leaves.</summary>
         public event Action Left;
 
-        /// <summary>Number of the pose that was clicked, from 0.</summary>
+        /// <summary>Raised with the index of the clicked pose, from 0.</summary>
         public event Action<int> Chosen;
 
         /// <param name="marked">The chosen pose; may be null.</param>
@@ -58,12 +58,12 @@ namespace Glint.Editor.Views
         Vector2 At(double x, double y) => new Vector2(contentRect.x + contentRect.width * (float)x,
             contentRect.yMax - contentRect.height * (float)y);
 
-        void Find(Vector2 position, Action<ChartSeries, ChartPoint> found)
+        void Find(Vector2 position, Action<ChartSeries, ChartPoint> act)
         {
             var area = contentRect;
             if (_chart?.Nearest((position.x - area.x) / area.width, (area.yMax - position.y) / area.height,
                 area.width / area.height) is var nearest && nearest.HasValue)
-                found(nearest.Value.Series, nearest.Value.Point);
+                act(nearest.Value.Series, nearest.Value.Point);
         }
 
         void Draw(MeshGenerationContext context)
@@ -88,7 +88,7 @@ namespace Glint.Editor.Views
                     painter.strokeColor = _colours.Line(i);
                     painter.lineWidth = 1.5f;
                     DrawLine(painter, run.Select(point => At(point.X, point.Y)).ToArray());
-                    // A pose alone is no line.
+                    // A single pose has no line.
                     if (hasMarkers || run.Count == 1)
                         foreach (var point in run)
                             Markers.Draw(painter, At(point.X, point.Y), i, 3, _colours.Line(i),
@@ -139,7 +139,7 @@ namespace Glint.Editor.Views
             Put(_chart.XTitle, "glint-axis-title", At(0.5, 0) + 4 * TickGap * Vector2.up, -50, 0);
         }
 
-        // The part of its own size, in percent, by which a label is moved: -50 is its middle.
+        // Right and down: shift of the label in percent of its size; -50 centres it.
         void Put(string text, string kind, Vector2 at, float right, float down)
         {
             var label = new Label(text) { pickingMode = PickingMode.Ignore };

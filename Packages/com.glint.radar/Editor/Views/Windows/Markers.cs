@@ -3,14 +3,14 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>Small shapes by which lines are told apart without colour.</summary>
+    /// <summary>Marker shapes that distinguish lines without colour.</summary>
     static class Markers
     {
-        // Corners on a circle, and where the first one is, in degrees from the right.
+        // Number of corners on a circle, and angle of the first one, in degrees from the right.
         static readonly (int corners, float first)[] s_shapes = { (16, 0), (4, 45), (3, -90), (4, 0), (3, 90), (6, 0) };
 
-        /// <param name="kind">From 0; after some they begin anew.</param>
-        /// <param name="isHollow">Outlined, for what is laid over.</param>
+        /// <param name="kind">Index from 0; the shapes repeat.</param>
+        /// <param name="isHollow">Outlined, for the compared run.</param>
         public static void Draw(Painter2D painter, Vector2 at, int kind, float radius, Color colour, bool isHollow)
         {
             var (corners, first) = s_shapes[kind % s_shapes.Length];

@@ -6,7 +6,7 @@ using UnityEngine.UIElements;
 namespace Glint.Editor.Views
 {
     /// <summary>
-    /// The radar's view, unfolded when somebody wants it: traced with each pose then, or at the press of a button.
+    /// The radar's view in a foldout. While open it is traced with each pose, or at the press of a button.
     /// </summary>
     sealed class RadarPreviewView : Foldout
     {
@@ -23,7 +23,7 @@ namespace Glint.Editor.Views
         Texture2D _texture;
         RadarPreview _preview;
 
-        /// <param name="look">Called to trace the view as everything stands.</param>
+        /// <param name="look">Traces the view of the scene in its current state.</param>
         public RadarPreviewView(Action look)
         {
             text = "Radar's view";
@@ -44,7 +44,7 @@ namespace Glint.Editor.Views
             Add(_readout);
             _colours.RegisterValueChangedCallback(change => Draw());
             _image.RegisterCallback<PointerMoveEvent>(move => ReportPixel(move.localPosition));
-            // A window is taken apart and put together again when its tab is left and comes back.
+            // A window's panel is detached and attached again when its tab changes.
             RegisterCallback<AttachToPanelEvent>(attach => Draw());
             RegisterCallback<DetachFromPanelEvent>(detach => UnityEngine.Object.DestroyImmediate(_texture));
         }
@@ -58,7 +58,7 @@ namespace Glint.Editor.Views
             Draw();
         }
 
-        /// <summary>The picture, a pixel a ray; null when nothing is shown.</summary>
+        /// <summary>The picture, a pixel a ray; null if nothing is shown.</summary>
         public byte[] Png() => _texture == null ? null : _texture.EncodeToPNG();
 
         void Draw()
@@ -86,7 +86,7 @@ namespace Glint.Editor.Views
             }
         }
 
-        // The picture is fitted into its element, whole and in the middle.
+        // The picture is scaled to fit its element and centred.
         void ReportPixel(Vector2 pointer)
         {
             if (_preview == null)

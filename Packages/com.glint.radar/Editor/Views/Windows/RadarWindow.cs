@@ -12,20 +12,20 @@ namespace Glint.Editor.Views
 {
     /// <summary>
     /// Window > Glint > Radar: traces and sweeps the open scene, in edit mode and in play mode,
-    /// and shows the results as they come.
+    /// and shows the results live.
     /// </summary>
     sealed class RadarWindow : EditorWindow
     {
         const string StylePath = "Packages/com.glint.radar/Editor/Views/Windows/RadarWindow.uss";
 
-        // Charts of many poses take longer to draw than a pose to trace.
+        // Drawing charts of many poses takes longer than tracing a pose.
         const double SecondsBetweenDrawings = 0.2;
 
         [SerializeField] SweepForm _form = new SweepForm();
         [SerializeField] ChartChoice _choice = new ChartChoice();
-        // Folder of the results shown, for after a reload of the scripts; empty for none.
+        // Folder of the results shown, kept across a reload of the scripts; empty for none.
         [SerializeField] string _shown = "";
-        // Folder or name of the published table that is laid over; empty for none.
+        // Folder or name of the published table of the compared run; empty for none.
         [SerializeField] string _compared = "";
 
         IReadOnlyList<StoredRow> _rows = Array.Empty<StoredRow>();
@@ -81,7 +81,7 @@ namespace Glint.Editor.Views
             Recall();
         }
 
-        // What was shown before the scripts were reloaded.
+        // Restores what was shown before a reload of the scripts.
         void Recall()
         {
             if (_session == null && _shown.Length > 0 && Directory.Exists(_shown))
@@ -125,7 +125,7 @@ namespace Glint.Editor.Views
                 _session.Tick(progress);
             _panel.Show(_session);
             _results.Preview.Show(_session.Preview);
-            InternalEditorUtility.RepaintAllViews(); // the target's turn and the ray paths
+            InternalEditorUtility.RepaintAllViews(); // for the target's rotation and the ray paths
             if (!_session.IsRunning)
                 Refresh();
             else if (EditorApplication.timeSinceStartup - _drawn > SecondsBetweenDrawings)
@@ -185,14 +185,14 @@ namespace Glint.Editor.Views
                 write(path);
         });
 
-        // When the menu is closed again, and is no part of the picture.
+        // After the menu has closed, so that it is not in the picture.
         void SavePicture() => rootVisualElement.schedule.Execute(() =>
         {
             var png = WindowPicture.Png(this, _results.Charts);
             Save("", "chart.png", path => Export.Picture(png, path));
         }).StartingIn(300);
 
-        // What goes wrong is said in the window.
+        // Shows errors in the window.
         void Attempt(Action act)
         {
             try
@@ -209,10 +209,10 @@ namespace Glint.Editor.Views
         }
     }
 
-    /// <summary>A part of a window as it is on the screen.</summary>
+    /// <summary>Picture of a part of a window.</summary>
     static class WindowPicture
     {
-        /// <summary>PNG of an element, as large as it is shown.</summary>
+        /// <summary>PNG of an element in its size on the screen.</summary>
         public static byte[] Png(EditorWindow window, VisualElement element)
         {
             var (rect, bound, scale) = (window.position, element.worldBound, EditorGUIUtility.pixelsPerPoint);
@@ -233,8 +233,8 @@ namespace Glint.Editor.Views
     }
 
     /// <summary>
-    /// Shows how much of a long pose is done, with a button that ends it. A pose holds the editor,
-    /// so that the window's own Cancel cannot be pressed within one.
+    /// Progress of a long pose, with a cancel button. A pose blocks the editor, so that the window's own Cancel cannot
+    /// be pressed.
     /// </summary>
     sealed class PoseProgress : IProgress<double>, IDisposable
     {

@@ -21,9 +21,9 @@ namespace Glint.Editor.Views
         readonly Label _readout = new Label(), _differences = new Label();
         StoredRow _chosen;
 
-        /// <param name="redraw">Called when the choice has changed.</param>
+        /// <param name="redraw">Called when the options have changed.</param>
         /// <param name="compare">
-        /// Called with the folder or the published table's name to lay over; empty for none.
+        /// Called with the folder or the published table of the compared run; empty for none.
         /// </param>
         /// <param name="saveFile">Called with the name of the results file to export.</param>
         /// <param name="saveReport">Called to export the HTML report.</param>
@@ -94,7 +94,7 @@ namespace Glint.Editor.Views
         /// <summary>What is below the toolbar, for a picture of it.</summary>
         public ScrollView Charts { get; }
 
-        /// <param name="comparison">Laid over; may be null.</param>
+        /// <param name="comparison">The compared run; may be null.</param>
         public void Show(IReadOnlyList<StoredRow> rows, Comparison comparison)
         {
             var axes = SweepChart.AxesOf(rows);
@@ -118,7 +118,7 @@ namespace Glint.Editor.Views
         }
     }
 
-    /// <summary>Says which line of a chart is what.</summary>
+    /// <summary>The legend of a chart.</summary>
     sealed class ChartLegend : VisualElement
     {
         public ChartLegend() => AddToClassList("glint-legend");

@@ -8,7 +8,7 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The window's left side: what is swept, and the buttons.</summary>
+    /// <summary>The window's left side: the form of the sweep, and the buttons.</summary>
     sealed class SweepPanel : ScrollView
     {
         readonly SweepForm _form;
@@ -21,7 +21,7 @@ namespace Glint.Editor.Views
             _status = MakeLabel("glint-problem");
         bool _isRunning;
 
-        /// <param name="form">Filled in here.</param>
+        /// <param name="form">Edited by the panel.</param>
         public SweepPanel(SweepForm form, Action trace, Action sweep, Action cancel)
         {
             AddToClassList("glint-controls");
@@ -55,7 +55,7 @@ namespace Glint.Editor.Views
             Add(_status);
         }
 
-        /// <summary>Shows what the form holds now, when something else has changed it.</summary>
+        /// <summary>Updates the fields to the form.</summary>
         public void Reload()
         {
             _radar.SetValueWithoutNotify(_form.Radar);
@@ -63,11 +63,11 @@ namespace Glint.Editor.Views
             Check();
         }
 
-        /// <summary>Says what has gone wrong.</summary>
-        /// <param name="mishap">Null for nothing.</param>
+        /// <summary>Shows an error.</summary>
+        /// <param name="mishap">Null for none.</param>
         public void Report(string mishap) => SetText(_status, mishap);
 
-        // What is wrong with the form, and which buttons it leaves.
+        // Shows the errors of the form and enables the buttons.
         void Check()
         {
             foreach (var entry in _axisProblems)
@@ -80,7 +80,7 @@ namespace Glint.Editor.Views
             _cancel.SetEnabled(_isRunning);
         }
 
-        /// <summary>Shows where a session stands.</summary>
+        /// <summary>Shows the state of a session.</summary>
         /// <param name="session">Null for none.</param>
         public void Show(SweepSession session)
         {

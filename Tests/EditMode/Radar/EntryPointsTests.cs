@@ -11,7 +11,7 @@ namespace Glint.Tests
     /// The entry points of tiles. That they change no result, <see cref="TracerTests"/> shows; here is what they save:
     /// the nodes above an entry point are opened once for its tile, not by each of the 64 rays.
     /// </summary>
-    public sealed class StartsTests
+    public sealed class EntryPointsTests
     {
         // DONE in Shaders/BinaryBvh.hlsl.
         const uint None = uint.MaxValue;
