@@ -117,8 +117,8 @@ sealed class CommandTree
 
     // With groups and examples, which the library's own help has not.
     string Help(ParseResult parsed) => _commands.TryGetValue(parsed.CommandResult.Command, out var command)
-        ? Editor.HelpText.Of(command, _terminal.Width)
-        : Editor.HelpText.Overview(_terminal.Width);
+        ? HelpText.Of(command, _terminal.Width)
+        : HelpText.Overview(_terminal.Width);
 
     /// <summary>Writes a text, whatever else is on the command line.</summary>
     sealed class Print(Func<ParseResult, string> text) : SynchronousCommandLineAction
