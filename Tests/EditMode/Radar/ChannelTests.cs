@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>Channels hold the sums of the most rays at their largest parts, and refuse larger parts by name.</summary>
+    /// <summary>
+    /// Channels hold the sums of the most rays at their largest parts, and refuse larger parts by name.
+    /// </summary>
     public sealed class ChannelTests
     {
         const int Threads = 1024, FirstWideWord = Channel.WordsPerSlot - 3;
@@ -21,13 +23,14 @@ namespace Glint.Tests
             // As if all rays but the last 1,024 had been added; and from 0, across the limits of the words.
             foreach (long before in new[] { Channel.MaxRays - Threads, 0, -Threads / 2 })
             {
-                var words = new uint[Channel.Slots * Channel.WordsPerSlot];
-                Put(words, Channel.InPhase.Word, 2, sign * before * s_units);
-                Put(words, FirstWideWord, 3, sign * before * s_wideUnits);
-                Add(words, sign * (float)Channel.InPhase.MaxPart, sign * WidePart);
-                Assert.That(Channel.InPhase.SumOf(words, 0), Is.EqualTo(sign * (before + Threads) * s_units));
-                Assert.That(Channel.SumOf(words, FirstWideWord, 3), Is.EqualTo(sign * (before + Threads) * s_wideUnits));
-                Assert.DoesNotThrow(() => Channel.CheckOverflow(words, "test"));
+                var slots = new uint[Channel.Slots * Channel.WordsPerSlot];
+                Put(slots, Channel.InPhase.Word, 2, sign * before * s_units);
+                Put(slots, FirstWideWord, 3, sign * before * s_wideUnits);
+                Add(slots, sign * (float)Channel.InPhase.MaxPart, sign * WidePart);
+                Assert.That(Channel.InPhase.SumOf(slots, 0), Is.EqualTo(sign * (before + Threads) * s_units));
+                Assert.That(Channel.SumOf(slots, FirstWideWord, 3),
+                    Is.EqualTo(sign * (before + Threads) * s_wideUnits));
+                Assert.DoesNotThrow(() => Channel.CheckOverflow(slots, "test"));
             }
         }
 
@@ -38,36 +41,36 @@ namespace Glint.Tests
         [TestCase(float.NaN)]
         public void Add_LargerPart_IsRefusedByName(float part)
         {
-            var words = new uint[Channel.Slots * Channel.WordsPerSlot];
-            Add(words, part, part * 2 * WidePart);
-            Assert.That(Channel.InPhase.SumOf(words, 0), Is.Zero, "not wrapped");
-            Assert.That(Channel.SumOf(words, FirstWideWord, 3), Is.Zero, "not wrapped");
-            Assert.That(words[Channel.Overflow.Word] >> 31, Is.EqualTo(1), "the wide channel's bit");
-            var problem = Assert.Throws<GlintException>(() => Channel.CheckOverflow(words, "Radar"));
+            var slots = new uint[Channel.Slots * Channel.WordsPerSlot];
+            Add(slots, part, part * 2 * WidePart);
+            Assert.That(Channel.InPhase.SumOf(slots, 0), Is.Zero, "not wrapped");
+            Assert.That(Channel.SumOf(slots, FirstWideWord, 3), Is.Zero, "not wrapped");
+            Assert.That(slots[Channel.Overflow.Word] >> 31, Is.EqualTo(1), "the wide channel's bit");
+            var problem = Assert.Throws<GlintException>(() => Channel.CheckOverflow(slots, "Radar"));
             Assert.That(problem.Message, Does.StartWith("Radar: ").And.Contain("'in_phase'"));
         }
 
         // In two's complement.
-        static void Put(uint[] words, int first, int count, decimal units)
+        static void Put(uint[] slots, int first, int count, decimal units)
         {
             var number = new BigInteger(units);
             for (int word = 0; word < count; word++)
-                words[first + word] = (uint)(number >> (32 * word) & uint.MaxValue);
+                slots[first + word] = (uint)(number >> (32 * word) & uint.MaxValue);
         }
 
-        static void Add(uint[] words, float part, float widePart)
+        static void Add(uint[] slots, float part, float widePart)
         {
             var shader = TestKernels.Channels;
             int kernel = shader.FindKernel("AddParts");
-            var sums = new ComputeBuffer(words.Length, 4);
+            var sums = new ComputeBuffer(slots.Length, 4);
             try
             {
-                sums.SetData(words);
+                sums.SetData(slots);
                 shader.SetBuffer(kernel, "_Sums", sums);
                 shader.SetFloat("_Part", part);
                 shader.SetFloat("_WidePart", widePart);
                 shader.Dispatch(kernel, Threads / 64, 1, 1);
-                sums.GetData(words);
+                sums.GetData(slots);
             }
             finally
             {

@@ -136,7 +136,8 @@ namespace Glint.Tests
             Assert.That((double)json["timings"]["trace_ms"], Is.EqualTo(17), "the sum of two rows");
             Assert.That((int)json["schema"], Is.EqualTo(1));
             var columns = (JObject)json["columns"];
-            Assert.That(columns.Properties().Select(column => column.Name), Is.EqualTo(Header.TrimEnd('\n').Split(',')));
+            Assert.That(columns.Properties().Select(column => column.Name),
+                Is.EqualTo(Header.TrimEnd('\n').Split(',')));
             Assert.That((string)columns["path_length_m"]["unit"], Is.EqualTo("m"));
             Assert.That((string)columns["ray_area_m2"]["unit"], Is.EqualTo("m2"));
             Assert.That((string)columns["amplitude_normalised"]["error"], Is.EqualTo("sampling_error"));

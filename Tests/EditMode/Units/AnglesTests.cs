@@ -36,7 +36,8 @@ namespace Glint.Tests
         [Test]
         public void Range_OfTenths_PrintsAsTenths()
         {
-            var printed = SweepAxis.Angle.Parse("-1:1:0.1").Select(angle => angle.ToString("R", CultureInfo.InvariantCulture));
+            var printed = SweepAxis.Angle.Parse("-1:1:0.1")
+                .Select(angle => angle.ToString("R", CultureInfo.InvariantCulture));
 
             var expected = Enumerable.Range(-10, 21).Select(tenth => (tenth < 0 ? "-" : "")
                 + System.Math.Abs(tenth) / 10 + (tenth % 10 == 0 ? "" : "." + System.Math.Abs(tenth) % 10));
@@ -90,7 +91,8 @@ namespace Glint.Tests
         {
             var list = string.Join(",", Enumerable.Repeat("1", 1000)) + ",x";
 
-            Assert.That(Assert.Throws<UsageException>(() => SweepAxis.Angle.Parse(list)).Message.Length, Is.LessThan(200));
+            Assert.That(Assert.Throws<UsageException>(() => SweepAxis.Angle.Parse(list)).Message.Length,
+                Is.LessThan(200));
         }
     }
 }

@@ -24,6 +24,7 @@ namespace Glint.Tests
         [TestCase("1:2:3:4", "two or three parts")]
         [TestCase("1:9999999999", "each snapshot must be a whole number from 1")]
         public void Parse_Malformed_IsRefusedWithTheWayOut(string text, string part) =>
-            Assert.That(Assert.Throws<UsageException>(() => SweepAxis.Snapshot.Parse(text)).Message, Does.Contain(part));
+            Assert.That(Assert.Throws<UsageException>(() => SweepAxis.Snapshot.Parse(text)).Message,
+                Does.Contain(part));
     }
 }

@@ -15,7 +15,8 @@ namespace Glint
         [SerializeField, Tooltip("Material of the surface. Empty: a perfect conductor.")]
         RadarMaterial _material;
 
-        [SerializeField, Min(AllSubmeshes), Tooltip("Submesh of this object's mesh, from 0. -1: the whole object and those below it.")]
+        [SerializeField, Min(AllSubmeshes),
+            Tooltip("Submesh of this object's mesh, from 0. -1: the whole object and those below it.")]
         int _submesh = AllSubmeshes;
 
         /// <summary>Material of the surface; null: a perfect conductor.</summary>

@@ -95,7 +95,8 @@ public sealed class SweepSessionTests
         Assert.That((session.Count, session.Done, session.IsRunning, session.SecondsLeft),
             Is.EqualTo((4, 0, true, (double?)null)));
         session.Tick();
-        Assert.That((session.Done, session.Rows.Count, session.Rows[0][ResultColumn.RaysHit] > 0), Is.EqualTo((1, 1, true)));
+        Assert.That((session.Done, session.Rows.Count, session.Rows[0][ResultColumn.RaysHit] > 0),
+            Is.EqualTo((1, 1, true)));
         Assert.That(session.Status(), Does.StartWith("1 of 4 poses, "));
         session.Tick();
         Assert.That(Quaternion.Angle(_form.Target.localRotation, _rotation), Is.EqualTo(10).Within(0.01),
@@ -130,7 +131,8 @@ public sealed class SweepSessionTests
         Assert.That(File.ReadAllLines(Path.Combine(_form.FolderPath, "results.csv")).Length, Is.EqualTo(3));
         Assert.That(session.Status(), Does.Contain("2 of 4 poses").And.Contain("Resume"));
         Assert.That(StoredRun.RowsOf(_form.FolderPath).Select(row => row[ResultColumn.Amplitude]),
-            Is.EqualTo(session.Rows.Select(row => row[ResultColumn.Amplitude])), "as a window finds them after a reload");
+            Is.EqualTo(session.Rows.Select(row => row[ResultColumn.Amplitude])),
+            "as a window finds them after a reload");
     }
 
     [Test]
@@ -242,7 +244,8 @@ public sealed class SweepSessionTests
             foreach (var sweep in Object.FindObjectsByType<Sweep>(FindObjectsInactive.Include,
                 FindObjectsSortMode.None))
                 Object.DestroyImmediate(sweep);
-            Assert.That(Run(_form).Select(row => row[ResultColumn.Amplitude]), Is.EqualTo(rows.Select(row => row[ResultColumn.Amplitude])));
+            Assert.That(Run(_form).Select(row => row[ResultColumn.Amplitude]),
+                Is.EqualTo(rows.Select(row => row[ResultColumn.Amplitude])));
         }
         finally
         {
