@@ -1,7 +1,6 @@
 using System.Collections;
 using System.Collections.Generic;
 using System.Linq;
-using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -9,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Glint.Tests
 {
-    /// <summary>Scenes/CornerReflector.unity against the published table and the double-precision references.</summary>
+    /// <summary>Scenes/CornerReflector.unity against the published table and the recovered one.</summary>
     [Category("Slow")]
     public sealed class CornerReflectorTests
     {
@@ -120,29 +119,6 @@ namespace Glint.Tests
             _target.SetParent(null, true);
             Object.Destroy(root.gameObject);
             Assert.That(_radar.Trace().Amplitude, Is.EqualTo(before.Amplitude).Within(0.02 * before.Amplitude + 0.5));
-        }
-
-        [TestCase(0)]
-        [TestCase(23)]
-        [TestCase(28)]
-        public void Trace_AtAnAngle_EqualsTheReferenceWithTheSameTriangles(float angle)
-        {
-            _target.rotation = Quaternion.AngleAxis(angle, Vector3.up);
-            var result = _radar.Trace();
-            var referenceTracer = new ReferenceTracer(_radar.Gather());
-            var expected = referenceTracer.Sum(referenceTracer.TraceAll());
-            Assert.That(result.RaysHit, Is.EqualTo(expected.RaysHit).Within(0.01).Percent);
-            Assert.That(result.RaysReceived, Is.EqualTo(expected.RaysReceived).Within(2));
-            Assert.That(result.Bounces, Is.EqualTo(expected.Bounces).Within(0.01).Percent);
-            Assert.That(result.PathLengthMeters, Is.EqualTo(expected.PathLengthMeters).Within(0.01).Percent);
-            // Each phase is off by some 0.005 rad at most: float32 lengths of 100 m have steps of 8 micrometres.
-            double tolerance =
-                0.005 * expected.RaysReceived + System.Math.Abs(result.RaysReceived - expected.RaysReceived);
-            Assert.That(result.InPhase, Is.EqualTo(expected.InPhase).Within(tolerance));
-            int inOtherBins = result.PhaseHistogram.Zip(expected.PhaseHistogram,
-                (ours, theirs) => System.Math.Abs(ours - theirs)).Sum() / 2;
-            Assert.That(inOtherBins, Is.LessThanOrEqualTo(expected.RaysReceived / 50), "rays in another bin of 10 deg");
-            Assert.That(result.Quadrature, Is.EqualTo(expected.Quadrature).Within(tolerance));
         }
 
         [Test]

@@ -9,7 +9,7 @@ using System.Linq;
 namespace Glint.Cli;
 
 /// <summary>
-/// The parser: a System.CommandLine tree made from the tables of Glint.Core, which also validate the values.
+/// The parser: a System.CommandLine tree made from the tables of Glint.Editor, which also validate the values.
 /// </summary>
 sealed class CommandTree
 {
@@ -17,15 +17,15 @@ sealed class CommandTree
     static readonly ArgumentArity Any = ArgumentArity.ZeroOrMore;
 
     readonly Terminal _terminal;
-    readonly Func<Core.CommandLine, int> _execute;
-    readonly RootCommand _root = new(Core.Commands.Summary);
-    readonly Dictionary<Command, Core.Command> _commands = [];
+    readonly Func<Editor.CommandLine, int> _execute;
+    readonly RootCommand _root = new(Editor.Commands.Summary);
+    readonly Dictionary<Command, Editor.Command> _commands = [];
 
-    public CommandTree(Terminal terminal, Func<Core.CommandLine, int> execute)
+    public CommandTree(Terminal terminal, Func<Editor.CommandLine, int> execute)
     {
         _terminal = terminal;
         _execute = execute;
-        foreach (var command in Core.Commands.All)
+        foreach (var command in Editor.Commands.All)
             _root.Add(Build(command));
         _root.Options.OfType<HelpOption>().Single().Action = new Print(Help);
         _root.Options.OfType<VersionOption>().Single().Action = new Print(_ => Core.GlintVersion.Text + "\n");
@@ -36,11 +36,11 @@ sealed class CommandTree
     /// <param name="onCommand">Told which command it is before anything of it is checked.</param>
     /// <returns>The exit code.</returns>
     /// <exception cref="Core.UsageException">The first thing that is wrong.</exception>
-    public int Invoke(string[] arguments, Action<Core.Command> onCommand)
+    public int Invoke(string[] arguments, Action<Editor.Command> onCommand)
     {
         // A command comes first: the library would find one behind a word that it does not know.
         if (arguments.Length > 0 && !arguments[0].StartsWith('-')
-            && Core.Commands.All.All(command => command.Name != arguments[0]))
+            && Editor.Commands.All.All(command => command.Name != arguments[0]))
             throw NoCommand(arguments[0]);
         var parsed = _root.Parse(arguments,
             new ParserConfiguration { EnablePosixBundling = false, ResponseFileTokenReplacer = null });
@@ -55,13 +55,13 @@ sealed class CommandTree
         return _execute(Read(command, parsed, arguments));
     }
 
-    Command Build(Core.Command command)
+    Command Build(Editor.Command command)
     {
         var built = new Command(command.Name, command.Summary);
-        if (command.Inputs != Core.InputKind.None)
+        if (command.Inputs != Editor.InputKind.None)
             built.Add(new Argument<string[]>(
                 command.InputName)
-            { Description = Core.Commands.InputHelpOf(command), Arity = Any });
+            { Description = Editor.Commands.InputHelpOf(command), Arity = Any });
         foreach (var option in command.Options)
             built.Add(new Option<string[]>(option.Flag)
             {
@@ -72,7 +72,7 @@ sealed class CommandTree
         return built;
     }
 
-    static Core.CommandLine Read(Core.Command command, ParseResult parsed, string[] raw)
+    static Editor.CommandLine Read(Editor.Command command, ParseResult parsed, string[] raw)
     {
         var options = new List<KeyValuePair<string, string>>();
         foreach (var result in parsed.CommandResult.Children.OfType<OptionResult>().Where(result => !result.Implicit))
@@ -97,28 +97,28 @@ sealed class CommandTree
             .Concat(parsed.UnmatchedTokens).ToArray();
         int literal = raw.Reverse().TakeWhile(word => word != "--").Count();
         var free = words.SkipLast(literal < raw.Length ? literal : 0).ToArray();
-        options.AddRange(free.Where(Core.CommandLine.LooksLikeOption).Select(word => Pair(word.Split('=')[0], null)));
-        return Core.CommandLine.Create(command,
-            [.. free.Where(word => !Core.CommandLine.LooksLikeOption(word)), .. words.Skip(free.Length)], options);
+        options.AddRange(free.Where(Editor.CommandLine.LooksLikeOption).Select(word => Pair(word.Split('=')[0], null)));
+        return Editor.CommandLine.Create(command,
+            [.. free.Where(word => !Editor.CommandLine.LooksLikeOption(word)), .. words.Skip(free.Length)], options);
     }
 
     static KeyValuePair<string, string> Pair(string flag, string value) => KeyValuePair.Create(flag, value);
 
     static Core.UsageException NoCommand(string word)
     {
-        var names = Core.Commands.All.Select(command => command.Name).ToArray();
+        var names = Editor.Commands.All.Select(command => command.Name).ToArray();
         string list = string.Join(", ", names);
         if (word == null)
             return new Core.UsageException($"a command is missing: {list}");
-        string nearest = Core.Spelling.Nearest(word, names);
+        string nearest = Editor.Spelling.Nearest(word, names);
         return new Core.UsageException($"\"{word}\": no such command: "
             + $"{(nearest == null ? "the commands are " + list : $"did you mean {nearest}?")}");
     }
 
     // With groups and examples, which the library's own help has not.
     string Help(ParseResult parsed) => _commands.TryGetValue(parsed.CommandResult.Command, out var command)
-        ? Core.HelpText.Of(command, _terminal.Width)
-        : Core.HelpText.Overview(_terminal.Width);
+        ? Editor.HelpText.Of(command, _terminal.Width)
+        : Editor.HelpText.Overview(_terminal.Width);
 
     /// <summary>Writes a text, whatever else is on the command line.</summary>
     sealed class Print(Func<ParseResult, string> text) : SynchronousCommandLineAction

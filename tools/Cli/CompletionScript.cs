@@ -1,7 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using System.Text;
-using Glint.Core;
+using Glint.Editor;
 
 namespace Glint.Cli;
 

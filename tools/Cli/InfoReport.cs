@@ -4,6 +4,7 @@ using System.Globalization;
 using System.Linq;
 using System.Runtime.InteropServices;
 using Glint.Core;
+using Glint.Editor;
 using Glint.Vulkan;
 
 namespace Glint.Cli;

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Glint.Core;
 using Glint.Editor;
 using Glint.Host;
@@ -6,42 +7,56 @@ using UnityEngine;
 
 namespace Glint.Cli;
 
-/// <summary>Opens the Unity project in the headless host and runs a command of the product in it.</summary>
-static class Product
+/// <summary>Runs the commands: those of the product, and those that only the headless host has.</summary>
+sealed class Product
 {
-    public static int Execute(CommandLine line, Terminal terminal)
+    readonly Terminal _terminal;
+    readonly List<string> _report = [];
+
+    public Product(Terminal terminal)
     {
-        LogSink.Writer = (type, message) => terminal.Report(Labelled(type, message));
-        using var cancellation = new Cancellation(terminal);
+        _terminal = terminal;
+        Commands.Info.Handler = (line, _) => new InfoReport(terminal).Write(line);
+        Commands.Completion.Handler = (line, _) =>
+        {
+            terminal.Out.Write(new CompletionScript(line.Input).Write());
+            return 0;
+        };
+        Commands.Bench.Handler = (line, progress) => Report(new BenchCommand(terminal).Execute(line, progress));
+        Commands.Experiments.Handler =
+            (line, progress) => Report(new ExperimentsCommand(terminal).Execute(line, progress));
+        Commands.Verify.Handler = (line, progress) =>
+        {
+            var (report, exitCode) = new VerifyCommand(terminal).Execute(line, progress);
+            return Report(report, exitCode);
+        };
+    }
+
+    /// <summary>Does what a command line says, in its Unity project where the command works in one.</summary>
+    /// <returns>The exit code.</returns>
+    public int Execute(CommandLine line)
+    {
+        if (!line.Command.NeedsProject)
+            return Batch.Execute(line, null);
+        LogSink.Writer = (type, message) => _terminal.Report(Labelled(type, message));
+        using var cancellation = new Cancellation(_terminal);
         Project.Open(ProjectFolder.For(line.Input));
         Engine.DeviceSelector = line.Get(Options.Device);
-        string[] report = [];
-        int Work(IProgressSink progress)
-        {
-            if (line.Command == Commands.Verify)
-            {
-                (report, int code) = new VerifyCommand(terminal).Execute(line, progress);
-                return code;
-            }
-            if (line.Command == Commands.Experiments)
-            {
-                report = new ExperimentsCommand(terminal).Execute(line, progress);
-                return 0;
-            }
-            if (line.Command != Commands.Bench)
-                return Batch.Execute(line, progress);
-            report = new BenchCommand(terminal).Execute(line, progress);
-            return 0;
-        }
-
-        int exitCode = terminal.Live == null
-            ? Work(new ProgressLines(terminal.Out, terminal.Error, cancellation, TimeProvider.System))
-            : ProgressBar.During(terminal, cancellation, Work);
+        int Work(IProgressSink progress) => Batch.Execute(line, progress);
+        int exitCode = _terminal.Live == null
+            ? Work(new ProgressLines(_terminal.Out, _terminal.Error, cancellation, TimeProvider.System))
+            : ProgressBar.During(_terminal, cancellation, Work);
         if (cancellation.IsRequested)
             throw new OperationCanceledException();
         // In one piece when the bars are gone: they would be drawn anew below every line.
-        foreach (string text in report)
-            terminal.Out.WriteLine(text);
+        foreach (string text in _report)
+            _terminal.Out.WriteLine(text);
+        return exitCode;
+    }
+
+    int Report(string[] lines, int exitCode = 0)
+    {
+        _report.AddRange(lines);
         return exitCode;
     }
 

@@ -12,7 +12,7 @@ sealed class Shell(Terminal terminal)
 
     public int Run(string[] arguments)
     {
-        var tree = new CommandTree(terminal, Execute);
+        var tree = new CommandTree(terminal, new Product(terminal).Execute);
         string help = "glint --help";
         try
         {
@@ -39,16 +39,6 @@ sealed class Shell(Terminal terminal)
             string trace = IsTracing ? "" : $" (set {TraceVariable}=1 to see where)";
             return Fail($"internal error: {error.GetType().Name}: {error.Message}{trace}", error, Failure);
         }
-    }
-
-    int Execute(CommandLine line)
-    {
-        if (line.Command == Commands.Info)
-            return new InfoReport(terminal).Write(line);
-        if (line.Command != Commands.Completion)
-            return Product.Execute(line, terminal);
-        terminal.Out.Write(new CompletionScript(line.Input).Write());
-        return 0;
     }
 
     int Fail(string message, Exception error, int exitCode)

@@ -1,6 +1,7 @@
 using System.IO;
 using System.Linq;
 using Glint.Core;
+using Glint.Reference;
 using UnityEditor.SceneManagement;
 using UnityEngine;
 
@@ -11,33 +12,22 @@ namespace Glint.Editor
     /// </summary>
     sealed class LoadedScene
     {
-        LoadedScene(string name, string scene, RadarController radar, Transform target,
-            Sea sea = null, RadarOrbit orbit = null)
-        {
-            Name = name;
-            Scene = scene;
-            Radar = radar;
-            Target = target;
-            Sea = sea;
-            Orbit = orbit;
-        }
-
         /// <summary>Name of the scene or mesh file without folder and extension.</summary>
-        public string Name { get; }
+        public string Name { get; private set; }
 
         /// <summary>Asset path of the scene, or path of the mesh file as given; null for the built-in scene.</summary>
-        public string Scene { get; }
+        public string Scene { get; private set; }
 
-        public RadarController Radar { get; }
+        public RadarController Radar { get; private set; }
 
         /// <summary>The object that a sweep turns, or about which it moves the radar; null if none is given.</summary>
-        public Transform Target { get; }
+        public Transform Target { get; private set; }
 
         /// <summary>The sea whose snapshots a sweep shows; null if none are swept.</summary>
-        public Sea Sea { get; }
+        public Sea Sea { get; private set; }
 
         /// <summary>Orbit of the radar of a mesh file; null with a scene.</summary>
-        public RadarOrbit Orbit { get; }
+        public RadarOrbit Orbit { get; private set; }
 
         /// <summary>Opens the input of a command line.</summary>
         /// <exception cref="GlintException">It does not exist, or has no radar or no such target.</exception>
@@ -59,12 +49,14 @@ namespace Glint.Editor
         public static LoadedScene InOpenScene(RadarController radar, Transform target, Sea sea)
         {
             string scene = radar.gameObject.scene.path;
-            return new LoadedScene(Path.GetFileNameWithoutExtension(scene), scene, radar, target, sea);
+            return new LoadedScene
+            {
+                Name = Path.GetFileNameWithoutExtension(scene), Scene = scene, Radar = radar, Target = target, Sea = sea
+            };
         }
 
         /// <summary>
-        /// Updates the seas of the open scenes. A sea that cannot be shown is only logged in the editor; here it is an
-        /// error.
+        /// Updates the seas of the open scenes. A sea that cannot be shown is only logged in the editor; here it is an error.
         /// </summary>
         /// <exception cref="GlintException">A sea cannot be shown.</exception>
         public static void RebuildSeas()
@@ -98,7 +90,7 @@ namespace Glint.Editor
             }
             var target = line.IsGiven(Options.Target) ? FindTarget(line.Input, line.Get(Options.Target)) : null;
             var sea = line.IsGiven(Options.Snapshots) ? SceneSearch.FindSea(line.Input) : null;
-            return new LoadedScene(Path.GetFileNameWithoutExtension(scene), scene, radar, target, sea);
+            return InOpenScene(radar, target, sea);
         }
 
         static LoadedScene OpenMeshFile(CommandLine line)
@@ -118,7 +110,7 @@ namespace Glint.Editor
                 new SeaAndShip(line.Get(Options.Seed), line.Get(Options.SeaTriangles), line.Get(Options.ShipTriangles));
             var loaded = Show(new MeshFile("Ship", made.Ship.Vertices, made.Ship.Indices), line);
             MeshFileScene.MakeObject(new MeshFile("Sea", made.Sea.Vertices, made.Sea.Indices));
-            return new LoadedScene("sea and ship", null, loaded.Radar, loaded.Target);
+            return new LoadedScene { Name = "sea and ship", Radar = loaded.Radar, Target = loaded.Target };
         }
 
         // A new scene with only the mesh and a radar before it.
@@ -140,7 +132,10 @@ namespace Glint.Editor
                 placement.ReceiverSize = line.Get(Options.Receiver);
             var scene =
                 MeshFileScene.Create(file, placement, Override(RadarSettings.Default, line), ProjectAssets.Kernel);
-            return new LoadedScene(file.Name, line.Input, scene.Radar, scene.Target, null, scene.Orbit);
+            return new LoadedScene
+            {
+                Name = file.Name, Scene = line.Input, Radar = scene.Radar, Target = scene.Target, Orbit = scene.Orbit
+            };
         }
 
         // Options that are not given keep the scene's settings, or the defaults, which are also those of the options.
@@ -154,6 +149,7 @@ namespace Glint.Editor
                 settings.FrequencyHz = line.Get(Options.Frequency);
             if (line.IsGiven(Options.Bounces))
                 settings.MaxBounces = line.Get(Options.Bounces);
+            settings.SkipSamplingError |= line.Get(Options.NoSamplingError);
             return settings;
         }
 

@@ -55,7 +55,7 @@ void MoveTo(inout Path path, Hit hit)
     path.Bounces++;
     path.Ray.ExcludedTriangle = NumberOf(hit.Instance, hit.Row, hit.Second);
 #ifndef GLINT_REFINE
-    path.Ray.PositionError += ERROR_PER_SEGMENT * (MaxComponent(abs(path.Ray.Start)) + hit.SearchDistance);
+    path.Ray.PositionError += ERROR_PER_SEGMENT * (MaxComponent(abs(path.Ray.Start)) + hit.TraversalDistance);
     path.Ray.DirectionError = ERROR_PER_SEGMENT * (1 + path.Bounces);
     path.Ray.Start = hit.NextStart;
 #endif

@@ -44,7 +44,7 @@ float Reach(Path path)
 // False if the path ends: it is received, leaves the scene or has made its last bounce.
 bool Observe(inout Path path, Hit hit)
 {
-    if (path.MeetsReceiver && Rounded(Sub(path.WayBack, hit.SearchDistance)) <= 0.0)
+    if (path.MeetsReceiver && Rounded(Sub(path.WayBack, hit.TraversalDistance)) <= 0.0)
         path.IsCandidate = true;
     else if (!IsLast(path))
         path.IsCandidate = hit.IsAmbiguous;

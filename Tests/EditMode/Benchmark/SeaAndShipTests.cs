@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Glint.Core;
+using Glint.Reference;
 using NUnit.Framework;
 using Unity.Mathematics;
 

@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using System.Threading;
 using Glint.Core;
+using Glint.Reference;
 using NUnit.Framework;
 using static Unity.Mathematics.math;
 

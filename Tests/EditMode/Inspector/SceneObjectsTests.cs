@@ -2,6 +2,7 @@ using System.Linq;
 using System.Reflection;
 using Glint.Core;
 using Glint.Editor;
+using Glint.Reference;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEditor;

@@ -28,8 +28,9 @@ namespace Glint.Tests
         {
             var fields = typeof(ShipSettings).GetFields(BindingFlags.Public | BindingFlags.Instance)
                 .Select(field => field.Name);
-            Assert.That(ShipFigures.Measures.Select(it => it.field), Is.EqualTo(fields));
-            Assert.That(ShipFigures.Measures, Has.All.Matches<(string field, string label, string tooltip)>(
+            Assert.That(ShipSettings.Measures.Select(it => it.Row.field), Is.EqualTo(fields));
+            Assert.That(ShipSettings.Measures.Select(it => it.Row),
+                Has.All.Matches<(string field, string label, string tooltip)>(
                 it => it.label.Length > 0 && it.tooltip.EndsWith(".")));
         }
 

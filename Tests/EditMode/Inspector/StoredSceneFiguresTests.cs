@@ -1,6 +1,7 @@
 using System.Linq;
 using Glint.Core;
 using Glint.Editor;
+using Glint.Reference;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEditor.SceneManagement;

@@ -41,7 +41,7 @@ namespace Glint.Tests
         {
             AddRadar("Radar");
             _sweep.Angles = angles;
-            var refused = Assert.Throws<UsageException>(() => Angles.Parse(angles));
+            var refused = Assert.Throws<UsageException>(() => SweepAxis.Angle.Parse(angles));
             Assert.That(Findings().Single(), Is.EqualTo("Error: " + refused.Message));
             Assert.That(_check.Plan, Is.Null);
         }

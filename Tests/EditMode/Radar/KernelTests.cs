@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Glint.Core;
+using Glint.Reference;
 using NUnit.Framework;
 using Unity.Mathematics;
 using static Unity.Mathematics.math;

@@ -1,5 +1,6 @@
 using System.Linq;
 using Glint.Core;
+using Glint.Reference;
 using NUnit.Framework;
 using Unity.Mathematics;
 using static Unity.Mathematics.math;

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Numerics;
 using System.Threading.Tasks;
 using Glint.Core;
+using Glint.Reference;
 using Unity.Mathematics;
 using static Unity.Mathematics.math;
 

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
+using Glint.Reference;
 using NUnit.Framework;
 
 namespace Glint.Tests

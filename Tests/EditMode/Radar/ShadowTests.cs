@@ -1,4 +1,5 @@
 using Glint.Core;
+using Glint.Reference;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;

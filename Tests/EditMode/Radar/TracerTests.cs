@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 using Glint.Core;
+using Glint.Reference;
 using NUnit.Framework;
 using static Unity.Mathematics.math;
 

@@ -2,6 +2,7 @@ using System;
 using System.IO;
 using System.Linq;
 using Glint.Core;
+using Glint.Editor;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 

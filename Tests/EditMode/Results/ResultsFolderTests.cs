@@ -134,8 +134,13 @@ namespace Glint.Tests
             Assert.That((string)json["versions"]["unity"], Is.EqualTo("6000.0.78f1"));
             Assert.That(json["versions"]["operating_system"].Type, Is.EqualTo(JTokenType.Null), "not known");
             Assert.That((double)json["timings"]["trace_ms"], Is.EqualTo(17), "the sum of two rows");
-            Assert.That((string)json["units"]["path_length_m"], Is.EqualTo("m"));
-            Assert.That((string)json["units"]["ray_area_m2"], Is.EqualTo("m2"));
+            Assert.That((int)json["schema"], Is.EqualTo(1));
+            var columns = (JObject)json["columns"];
+            Assert.That(columns.Properties().Select(column => column.Name), Is.EqualTo(Header.TrimEnd('\n').Split(',')));
+            Assert.That((string)columns["path_length_m"]["unit"], Is.EqualTo("m"));
+            Assert.That((string)columns["ray_area_m2"]["unit"], Is.EqualTo("m2"));
+            Assert.That((string)columns["amplitude_normalised"]["error"], Is.EqualTo("sampling_error"));
+            Assert.That((string)columns["frequency_hz"]["axis"]["shown_unit"], Is.EqualTo("GHz"));
             Assert.That(File.ReadAllText(Path.Combine(_path, "results.json")),
                 Does.Contain("\"2025-03-04T15:06:07Z\"").And.Not.Contain("\r").And.EndsWith("}\n"));
         }

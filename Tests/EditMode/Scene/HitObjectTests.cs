@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using Glint.Core;
+using Glint.Reference;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;

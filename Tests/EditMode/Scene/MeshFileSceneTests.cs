@@ -10,7 +10,7 @@ namespace Glint.Tests
     /// <summary>Where radar and receiver stand before a mesh file: as asked for, however far away.</summary>
     public sealed class MeshFileSceneTests
     {
-        MeshFileScene _made;
+        SweepSetup _made;
 
         [TearDown]
         public void RemoveScene()

@@ -1,6 +1,7 @@
 using System;
 using System.Linq;
 using Glint.Core;
+using Glint.Editor;
 using NUnit.Framework;
 
 namespace Glint.Tests

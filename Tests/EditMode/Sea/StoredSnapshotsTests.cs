@@ -1,5 +1,6 @@
 using System.Linq;
 using Glint.Core;
+using Glint.Editor;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEditor;

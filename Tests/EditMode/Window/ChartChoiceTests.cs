@@ -18,7 +18,7 @@ namespace Glint.Tests
             };
             Assert.That(new ChartChoice { Axis = "angle" }.AxisOf(rows), Is.EqualTo(SweepAxis.Range));
             Assert.That(new ChartChoice { Axis = "range" }.AxisOf(rows), Is.EqualTo(SweepAxis.Range));
-            Assert.That(new ChartChoice().AxisOf(Array.Empty<PoseFigures>()), Is.EqualTo(SweepAxis.Angle));
+            Assert.That(new ChartChoice().AxisOf(Array.Empty<StoredRow>()), Is.EqualTo(SweepAxis.Angle));
         }
 
         // A choice outlives the run that it was made in.
@@ -30,19 +30,22 @@ namespace Glint.Tests
             var rows = new[] { SamplePoses.At(0, 1), SamplePoses.At(1, 3) };
             var choice = new ChartChoice { Pose = chosen };
             Assert.That(choice.Chosen(rows), Is.SameAs(rows[shown]));
-            Assert.That(choice.Chosen(Array.Empty<PoseFigures>()), Is.Null);
+            Assert.That(choice.Chosen(Array.Empty<StoredRow>()), Is.Null);
         }
 
         [Test]
-        public void Charts_OfRays_AreNeverInDecibels()
+        public void Column_ThatIsNoAmplitude_IsNeverInDecibels()
         {
             var rows = Enumerable.Range(0, 3).Select(i => SamplePoses.At(new SweepPose(i), i, 0, 7, 100)).ToArray();
             var choice = new ChartChoice { InDecibels = true };
-            Assert.That(choice.Amplitude(rows, null).YTitle, Does.EndWith("dB"));
-            Assert.That((choice.Received(rows, null).YTitle, choice.Hit(rows, null).Y.Max),
-                Is.EqualTo(("Rays received", 100.0)));
-            choice.IsRaw = true;
-            Assert.That(choice.Amplitude(rows, null).YTitle, Is.EqualTo("Amplitude, dB"));
+            Assert.That(choice.Chart(rows, null).YTitle, Is.EqualTo("Amplitude, normalised, dB"));
+            choice.Column = "Rays hit";
+            Assert.That((choice.Chart(rows, null).YTitle, choice.Chart(rows, null).Y.Max),
+                Is.EqualTo(("Rays hit", 100.0)));
+            choice.Column = "Path length";
+            Assert.That(choice.Chart(rows, null).YTitle, Is.EqualTo("Path length, m"));
+            choice.Column = "of another version";
+            Assert.That(choice.Chart(rows, null).YTitle, Does.StartWith("Amplitude, normalised"));
         }
     }
 }

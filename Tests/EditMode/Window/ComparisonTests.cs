@@ -29,7 +29,7 @@ namespace Glint.Tests
             var rows = new[]
             {
                 SamplePoses.At(new SweepPose(0), 46.66582 - 3, 0, 676, 217470),
-                SamplePoses.At(new SweepPose(45), 1, 0, 4, comparison.Rows[45].RaysHit is var hit ? (long)hit : 0),
+                SamplePoses.At(new SweepPose(45), 1, 0, 4, (long)comparison.Rows[45][ResultColumn.RaysHit]),
                 SamplePoses.At(new SweepPose(0.5), 1)
             };
             var lines = comparison.Text(rows).Split('\n');
@@ -79,8 +79,9 @@ namespace Glint.Tests
                 Assert.That(comparison.Title, Is.EqualTo("run"));
                 // 3 - 4i of twice the rays; then nothing.
                 Assert.That(comparison.Rows.Select(
-                        row => (row[SweepAxis.Angle], row.Amplitude, row.Normalised, row.RaysReceived)),
-                    Is.EqualTo(new (double?, double, double, double)[] { (1, 5, 2.5, 300), (2, 0, 0, 0) }));
+                        row => (row[SweepAxis.Angle], row[ResultColumn.Amplitude], row[ResultColumn.Normalised],
+                            row[ResultColumn.RaysReceived])),
+                    Is.EqualTo(new (double?, double?, double?, double?)[] { (1, 5, 2.5, 300), (2, 0, 0, 0) }));
                 Assert.Throws<GlintException>(() => Comparison.With(temporary.PathOf("nothing")));
             }
         }
@@ -90,7 +91,7 @@ namespace Glint.Tests
         {
             var comparison = Comparison.With(Corner);
             var chart = new SweepChart(new[] { SamplePoses.At(0, 5), SamplePoses.At(90, 10) }, SweepAxis.Angle,
-                Quantity.Normalised, false, false, comparison);
+                ResultColumn.Normalised, false, comparison);
             Assert.That(chart.Series.Select(series => (series.Name, series.IsCompared)),
                 Is.EqualTo(new[] { ("", false), (comparison.Title, true) }));
             Assert.That((chart.X.Max, chart.Y.Max), Is.EqualTo((90.0, 50.0)));

@@ -1,5 +1,4 @@
 using Glint.Core;
-using Glint.Editor;
 
 namespace Glint.Tests
 {
@@ -7,18 +6,22 @@ namespace Glint.Tests
     static class SamplePoses
     {
         /// <param name="amplitude">Of a picture of 2,073,600 rays, so that the normalised one is the same.</param>
-        public static PoseFigures At(SweepPose pose, double amplitude, double error = 0, long received = 1,
-            long hit = 1) => new PoseFigures(new StoredRow(new SweepRow(pose, new RadarResult(new RadarSums
+        public static StoredRow At(SweepPose pose, double amplitude, double error = 0, long received = 1,
+            long hit = 1) => new StoredRow(new SweepRow(pose, new RadarResult(new RadarSums
             {
                 InPhase = amplitude, RaysOfPicture = 2073600, RaysEmitted = 2073600, RaysHit = hit,
                 RaysReceived = received
-            }, new SamplingReport(error, 0, false)))));
+            }, new SamplingReport(error, 0, false))));
 
-        public static PoseFigures At(double angle, double amplitude, double error = 0) =>
+        public static StoredRow At(double angle, double amplitude, double error = 0) =>
             At(new SweepPose(angle), amplitude, error);
 
+        /// <summary>Without a sampling error.</summary>
+        public static StoredRow NotEstimated(double angle, double amplitude) => new StoredRow(new SweepRow(
+            new SweepPose(angle), new RadarResult(new RadarSums { InPhase = amplitude, RaysOfPicture = 2073600 })));
+
         /// <summary>At a place on two axes.</summary>
-        public static PoseFigures At(SweepAxis first, double a, SweepAxis second, double b, double amplitude = 1) =>
+        public static StoredRow At(SweepAxis first, double a, SweepAxis second, double b, double amplitude = 1) =>
             At(new SweepPlan((first, new[] { a }), (second, new[] { b }))[0], amplitude);
     }
 }

@@ -10,7 +10,7 @@ namespace Glint.Tests
     public sealed class SweepChartTests
     {
         // 26, 20 and 6 dB about.
-        static readonly PoseFigures[] Turn =
+        static readonly StoredRow[] Turn =
         {
             SamplePoses.At(0, 20), SamplePoses.At(10, 10, 2), SamplePoses.At(20, 0), SamplePoses.At(40, 2)
         };
@@ -22,14 +22,14 @@ namespace Glint.Tests
             Assert.That(Points(chart).Select(point => point.X), Is.EqualTo(new[] { 0, 0.25, 0.5, 1 }));
             Assert.That(Points(chart).Select(point => point.Y), Is.EqualTo(new[] { 1, 0.5, 0, 0.1 }).Within(1e-12));
             Assert.That(chart.Y.Ticks.Select(tick => tick.Label), Is.EqualTo(new[] { "0", "5", "10", "15", "20" }));
-            Assert.That((Points(chart)[1].Lower.Y, Points(chart)[1].Upper.Y), Is.EqualTo((0.4, 0.6)), "8 to 12");
+            Assert.That((Points(chart)[1].Lower, Points(chart)[1].Upper), Is.EqualTo((0.4, 0.6)), "8 to 12");
             Assert.That(chart.Series.Single().Runs.Count, Is.EqualTo(1));
         }
 
         [Test]
         public void Decibels_OfNothing_AreAGap()
         {
-            var chart = new SweepChart(Turn, SweepAxis.Angle, Quantity.Normalised, true, false);
+            var chart = new SweepChart(Turn, SweepAxis.Angle, ResultColumn.Normalised, true);
             var runs = chart.Series.Single().Runs;
             Assert.That(runs.Select(run => string.Join(",", run.Select(point => point.Row))),
                 Is.EqualTo(new[] { "0,1", "3" }));
@@ -37,15 +37,15 @@ namespace Glint.Tests
             // 6.02 to 26.02 dB: from 5 to 30.
             Assert.That((chart.Y.Min, chart.Y.Max), Is.EqualTo((5.0, 30.0)));
             Assert.That(runs[0][1].Y, Is.EqualTo((20 - 5) / 25.0).Within(1e-12));
-            Assert.That(runs[0][1].Upper.Y, Is.EqualTo((20 * Math.Log10(12) - 5) / 25).Within(1e-12));
+            Assert.That(runs[0][1].Upper, Is.EqualTo((20 * Math.Log10(12) - 5) / 25).Within(1e-12));
         }
 
         [Test]
         public void Decibels_OfAnErrorAsLargeAsTheAmplitude_ReachTheFoot()
         {
             var chart = new SweepChart(new[] { SamplePoses.At(0, 10, 15), SamplePoses.At(1, 1e-30) }, SweepAxis.Angle,
-                Quantity.Normalised, true, false);
-            Assert.That(Points(chart)[0].Lower.Y, Is.Zero);
+                ResultColumn.Normalised, true);
+            Assert.That(Points(chart)[0].Lower, Is.Zero);
             Assert.That(Points(chart)[1].Y, Is.Zero, "600 dB below the other");
             Assert.That(chart.Y.Min, Is.GreaterThanOrEqualTo(-100));
         }
@@ -54,36 +54,16 @@ namespace Glint.Tests
         public void Decibels_OfNothingAnywhere_AreAnEmptyChart()
         {
             var chart =
-                new SweepChart(new[] { SamplePoses.At(0, 0) }, SweepAxis.Angle, Quantity.Normalised, true, true);
+                new SweepChart(new[] { SamplePoses.At(0, 0) }, SweepAxis.Angle, ResultColumn.Normalised, true);
             Assert.That(Points(chart), Is.Empty);
             Assert.That(chart.Y.Ticks, Is.Not.Empty);
             Assert.That(chart.Nearest(0.5, 0.5, 2), Is.Null);
         }
 
-        // A target is seen from above: north is up, and east, 90 degrees of Unity's rotation, to the right.
-        [TestCase(0, 0.5, 1)]
-        [TestCase(90, 1, 0.5)]
-        [TestCase(180, 0.5, 0)]
-        [TestCase(-90, 0, 0.5)]
-        [TestCase(30, 0.75, 0.9330127)]
-        public void Polar_Angles_GrowClockwiseFromTheTop(double angle, double x, double y)
-        {
-            var chart = new SweepChart(new[] { SamplePoses.At(angle, 10), SamplePoses.At(7, 0) }, SweepAxis.Angle,
-                Quantity.Normalised, false, true);
-            var point = Points(chart).Single(found => found.Row == 0);
-            Assert.That((point.X - x, point.Y - y), Is.EqualTo((0.0, 0.0)).Using<(double, double)>(
-                (a, b) => Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-7 ? 0 : 1));
-            Assert.That(chart.IsPolar);
-        }
-
-        [Test]
-        public void Polar_OverRanges_IsCartesian() =>
-            Assert.That(new SweepChart(Turn, SweepAxis.Range, Quantity.Normalised, false, true).IsPolar, Is.False);
-
         [Test]
         public void Series_OfSeveralAxes_AreOneForEachCombinationOfTheOthers()
         {
-            var rows = new List<PoseFigures>();
+            var rows = new List<StoredRow>();
             var plan = new SweepPlan((SweepAxis.Angle, new double[] { 0, 90, 180 }),
                 (SweepAxis.Grazing, new double[] { 2, 5 }), (SweepAxis.Frequency, new[] { 9e9, 10e9 }));
             for (int i = 0; i < plan.Count; i++)
@@ -132,43 +112,39 @@ namespace Glint.Tests
         [Test]
         public void Chart_OfNoPoses_IsEmptyAndFinite()
         {
-            foreach (var quantity in Quantity.All)
-                foreach (bool isPolar in new[] { false, true })
-                {
-                    var chart = new SweepChart(Array.Empty<PoseFigures>(), SweepAxis.Angle, quantity, true, isPolar);
-                    Assert.That(chart.Series, Is.Empty);
-                    Assert.That(chart.X.Ticks.Concat(chart.Y.Ticks).Select(tick => tick.Position),
-                        Is.All.InRange(-1e-9, 1 + 1e-9));
-                }
+            foreach (var column in ResultColumn.All)
+            {
+                var chart = new SweepChart(Array.Empty<StoredRow>(), SweepAxis.Angle, column, true);
+                Assert.That(chart.Series, Is.Empty);
+                Assert.That(chart.X.Ticks.Concat(chart.Y.Ticks).Select(tick => tick.Position),
+                    Is.All.InRange(-1e-9, 1 + 1e-9));
+            }
         }
 
         [Test]
-        public void Amplitude_Raw_HasABandOfItsOwnScale()
+        public void Chart_OfWhatWasNotEstimated_SaysSoAndHasNoLine()
         {
-            // A quarter of the rays: the raw amplitude is a quarter of the normalised, and so is its error.
-            var row = new SweepRow(new SweepPose(0),
-                new RadarResult(new RadarSums { InPhase = 5, RaysOfPicture = 518400 },
-                    new SamplingReport(4, 0, false)));
-            var pose = new PoseFigures(new StoredRow(row));
-            Assert.That((Quantity.Normalised.Of(pose), Quantity.Normalised.ErrorOf(pose)), Is.EqualTo((20.0, 4.0)));
-            Assert.That((Quantity.Amplitude.Of(pose), Quantity.Amplitude.ErrorOf(pose)), Is.EqualTo((5.0, 1.0)));
+            var rows = new[] { SamplePoses.NotEstimated(0, 5), SamplePoses.NotEstimated(10, 6) };
+            var errors = new SweepChart(rows, SweepAxis.Angle, ResultColumn.SamplingError, false);
+            Assert.That(errors.YTitle, Is.EqualTo("Sampling error: not estimated"));
+            Assert.That(Points(errors), Is.Empty);
+            var amplitudes = Chart(rows, SweepAxis.Angle);
+            Assert.That(Points(amplitudes).All(point => point.Lower == point.Upper), "no band");
+            Assert.That(rows[0].Text(), Does.Contain("sampling error not estimated").And.Not.Contain("undersampled"));
         }
 
         [Test]
-        public void Phases_OfAPose_AreBarsOfItsRays()
+        public void Chart_OfValuesBelowZero_HasThemAll()
         {
-            var sums = new RadarSums { RaysReceived = 50, RaysHit = 60 };
-            (sums.PhaseHistogram[0], sums.PhaseHistogram[35]) = (10, 40);
-            var result = new RadarResult(sums);
-            var chart = new PhaseChart(new PoseFigures(new StoredRow(new SweepRow(new SweepPose(3), result))));
-            Assert.That(chart.Heights.Count, Is.EqualTo(36));
-            Assert.That((chart.Heights[0], chart.Heights[1], chart.Heights[35]), Is.EqualTo((0.25, 0.0, 1.0)));
-            Assert.That(chart.Text, Does.StartWith("3 deg: 50 rays in bins of 10 degrees"));
-            Assert.That(new PhaseChart(null).Heights, Is.Empty);
+            var rows = new[] { SamplePoses.At(0, -5), SamplePoses.At(10, -3) };
+            var inPhase = ResultColumn.All.Single(column => column.Name == "in_phase");
+            var chart = new SweepChart(rows, SweepAxis.Angle, inPhase, true);
+            Assert.That((chart.Y.Max, Points(chart).Min(point => point.Y) >= 0), Is.EqualTo((0.0, true)));
+            Assert.That(Points(chart)[1].Y, Is.GreaterThan(Points(chart)[0].Y));
         }
 
-        static SweepChart Chart(IReadOnlyList<PoseFigures> rows, SweepAxis axis) =>
-            new SweepChart(rows, axis, Quantity.Normalised, false, false);
+        static SweepChart Chart(IReadOnlyList<StoredRow> rows, SweepAxis axis) =>
+            new SweepChart(rows, axis, ResultColumn.Normalised, false);
 
         static List<ChartPoint> Points(SweepChart chart) =>
             chart.Series.SelectMany(series => series.Runs).SelectMany(run => run).ToList();

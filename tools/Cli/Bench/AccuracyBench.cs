@@ -4,6 +4,7 @@ using System.Diagnostics;
 using System.Linq;
 using Glint.Core;
 using Glint.Host;
+using Glint.Reference;
 using UnityEngine;
 
 namespace Glint.Cli;

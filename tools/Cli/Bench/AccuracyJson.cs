@@ -1,6 +1,7 @@
 using System.IO;
 using System.Linq;
 using Glint.Core;
+using Glint.Reference;
 using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;

@@ -4,6 +4,7 @@ using System.Numerics;
 using System.Threading;
 using System.Threading.Tasks;
 using Glint.Core;
+using Glint.Reference;
 
 namespace Glint.Cli;
 

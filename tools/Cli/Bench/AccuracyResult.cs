@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using Glint.Core;
+using Glint.Reference;
 using Glint.Vulkan;
 
 namespace Glint.Cli;

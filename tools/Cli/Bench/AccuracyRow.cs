@@ -1,5 +1,6 @@
 using System.Numerics;
 using Glint.Core;
+using Glint.Reference;
 
 namespace Glint.Cli;
 

@@ -4,6 +4,7 @@ using System.Linq;
 using Glint.Core;
 using Glint.Editor;
 using Glint.Host;
+using Glint.Reference;
 using UnityEngine;
 
 namespace Glint.Cli;

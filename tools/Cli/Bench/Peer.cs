@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Text;
 using System.Threading;
 using Glint.Core;
+using Glint.Editor;
 
 namespace Glint.Cli;
 

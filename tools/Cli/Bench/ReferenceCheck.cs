@@ -1,6 +1,7 @@
 using System;
 using System.Threading;
 using Glint.Core;
+using Glint.Reference;
 
 namespace Glint.Cli;
 

@@ -1,5 +1,5 @@
 using System.Collections.Generic;
-using Glint.Core;
+using Glint.Editor;
 
 namespace Glint.Cli;
 
@@ -12,12 +12,12 @@ namespace Glint.Cli;
 /// <param name="Options">Of glint sweep.</param>
 sealed record Experiment(string Name, string Title, string Published, string Scene, params string[] Options)
 {
-    static readonly string[] s_snapshots = [Core.Options.Snapshots.Flag, "1:10"],
-        s_ship = [Core.Options.Target.Flag, "Ship", Core.Options.Angles.Flag, "0:360:15"];
+    static readonly string[] s_snapshots = [Editor.Options.Snapshots.Flag, "1:10"],
+        s_ship = [Editor.Options.Target.Flag, "Ship", Editor.Options.Angles.Flag, "0:360:15"];
 
     public static readonly Experiment CornerReflector = new("corner-reflector", "Corner reflector",
         "table_a2_corner_reflector", "Scenes/CornerReflector.unity",
-        Core.Options.Target.Flag, "Corner Reflector", Core.Options.Angles.Flag, "0:45:1");
+        Editor.Options.Target.Flag, "Corner Reflector", Editor.Options.Angles.Flag, "0:45:1");
 
     public static readonly Experiment ShipInFreeSpace =
         new("ship-free-space", "Ship in free space", "table_a3_ship_free_space", "Scenes/ShipFreeSpace.unity", s_ship);

@@ -24,7 +24,7 @@ sealed class ExperimentRuns(IProgressSink progress)
         var published = Published(experiment);
         var line = experiment.Line;
         return InScene(line, loaded => new SweepResult(experiment, published,
-            Trace(experiment.Title, loaded, new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots)),
+            Trace(experiment.Title, loaded, new SweepPlan(axis => line.Get(Options.Of(axis))),
                 loaded.Sea, RayReadback.Received)));
     }
 

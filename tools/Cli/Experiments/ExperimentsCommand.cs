@@ -4,6 +4,7 @@ using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using Glint.Core;
+using Glint.Editor;
 using Glint.Host;
 using Spectre.Console;
 using static Glint.Cli.TableText;

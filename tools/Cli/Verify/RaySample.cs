@@ -16,7 +16,7 @@ sealed class RaySample
         _everyReceived = Every(received, count);
         _every = Every(settings.RaysEmitted, count);
         // No step that would take the same columns from every row.
-        int width = settings.Region.IsWhole ? settings.RaysAcross : settings.Region.Width;
+        int width = settings.TracedRegion.Width;
         while (Divisor(_every, width) > 1)
             _every++;
     }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using Glint.Core;
 using Glint.Editor;
 using Glint.Host;
+using Glint.Reference;
 
 namespace Glint.Cli;
 
@@ -70,9 +71,7 @@ sealed class VerifyCommand(Terminal terminal)
     // The rows of the region, as many at a time as are held.
     static List<RayRegion> Bands(RadarSettings settings)
     {
-        var region = settings.Region.IsWhole
-            ? new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown }
-            : settings.Region;
+        var region = settings.TracedRegion;
         int rows = Math.Max(PictureTiles.Side, RaysAtOnce / region.Width);
         var bands = new List<RayRegion>();
         for (int row = 0; row < region.Height; row += rows)

@@ -38,10 +38,10 @@ sealed class VerifyReport(Terminal terminal)
         foreach (string line in tables.Lines(table))
             yield return line;
         yield return "";
-        uint across = (uint)result.LoadedScene.Radar.Settings.RaysAcross;
+        var settings = result.LoadedScene.Radar.Settings;
         foreach (var (ray, other) in comparison.WrongRays.Take(MaxShown))
             yield return Text(
-                $"wrong: pixel {ray.Pixel % across}, {ray.Pixel / across}: kernel {PathText(ray.Bounces, ray.IsReceived, ray.RefinedPathLength)}; reference {PathText(other.Bounces, other.Received, other.LengthToEnd)}");
+                $"wrong: pixel {settings.PositionOf(ray.Pixel).x}, {settings.PositionOf(ray.Pixel).y}: kernel {PathText(ray.Bounces, ray.IsReceived, ray.RefinedPathLength)}; reference {PathText(other.Bounces, other.Received, other.LengthToEnd)}");
         string allowed = Text(
             $"{1e6 * VerifyCommand.LengthTolerance:0} um and the rounding of two float32 numbers, 2^-44 of the length");
         yield return comparison.Wrong == 0

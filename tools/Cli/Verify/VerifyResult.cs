@@ -2,6 +2,7 @@ using System.IO;
 using System.Linq;
 using Glint.Core;
 using Glint.Editor;
+using Glint.Reference;
 using Glint.Vulkan;
 using Newtonsoft.Json.Linq;
 

@@ -229,25 +229,21 @@ def real_functions(t, v, n):
 
 def matrix(t, n):
     m, v, suffix = f"{t}{n}x{n}", f"{t}{n}", SUFFIX[t]
-    other = "double" if t == "float" else "float"
     columns = [f"c{i}" for i in range(n)]
     cells = [f"m{row}{column}" for row in range(n) for column in range(n)]
     def column(i): return f"new {v}({', '.join(f'm{row}{i}' for row in range(n))})"
     unit = ", ".join("1" if row == col else "0" for row in range(n) for col in range(n))
     assign = lambda values: "; ".join(f"this.{c} = {value}" for c, value in zip(columns, values)) + ";"
     per = lambda pattern: ", ".join(pattern.replace("@", c) for c in columns)
-    mode = "implicit" if t == "double" else "explicit"
     lines = [f"public {v} {c};" for c in columns]
     lines += [f"public static readonly {m} identity = new({unit});", f"public static readonly {m} zero;", "",
               f"public {m}({', '.join(f'{v} {c}' for c in columns)}) {{ {assign(columns)} }}",
               f"public {m}({', '.join(f'{t} {c}' for c in cells)}) {{ {assign([column(i) for i in range(n)])} }}",
-              f"public {m}({t} v) {{ {assign(['v'] * n)} }}",
-              f"public {m}({other}{n}x{n} v) {{ {assign([cast_vector(v, mode, 'v.' + c) for c in columns])} }}", "",
+              f"public {m}({t} v) {{ {assign(['v'] * n)} }}", "",
               f"public unsafe ref {v} this[int index]", "{", "    get", "    {", f"        if ((uint)index >= {n})",
               f'            throw new ArgumentException("index must be between[0...{n - 1}]");',
               f"        fixed ({m}* p = &this) return ref (({v}*)p)[index];", "    }", "}", "",
-              f"public static implicit operator {m}({t} v) => new(v);",
-              f"public static {mode} operator {m}({other}{n}x{n} v) => new(v);"]
+              f"public static implicit operator {m}({t} v) => new(v);"]
     for op in "+-*/":
         lines += [f"public static {m} operator {op}({m} lhs, {m} rhs) => new({per(f'lhs.@ {op} rhs.@')});",
                   f"public static {m} operator {op}({m} lhs, {t} rhs) => new({per(f'lhs.@ {op} rhs')});",
@@ -263,7 +259,7 @@ def matrix(t, n):
 
     row = lambda i: f"new {v}({', '.join(f'v.c{j}.{AXES[i]}' for j in range(n))})"
     lines = [f"public static {m} {m}({', '.join(f'{v} {c}' for c in columns)}) => new {m}({', '.join(columns)});",
-             f"public static {m} {m}({t} v) => new {m}(v);", f"public static {m} {m}({other}{n}x{n} v) => new {m}(v);", "",
+             f"public static {m} {m}({t} v) => new {m}(v);", "",
              f"public static {m} {m}({', '.join(f'{t} {c}' for c in cells)})", "{", f"    return new {m}({', '.join(cells)});", "}", "",
              f"public static {v} mul({m} a, {v} b) => {' + '.join(f'a.c{i} * b.{AXES[i]}' for i in range(n))};",
              f"public static {v} mul({v} a, {m} b) => new {v}({', '.join(f'dot(a, b.{c})' for c in columns)});",
@@ -271,10 +267,6 @@ def matrix(t, n):
              f"public static {m} transpose({m} v) => new {m}({', '.join(row(i) for i in range(n))});", ""]
     lines += inverse3(t, m, v) if n == 3 else inverse4(t, m, v)
     write(f"math.{m}", "public static partial class math", lines)
-
-
-def cast_vector(v, mode, value):
-    return value if mode == "implicit" else f"({v}){value}"
 
 
 def inverse3(t, m, v):
@@ -335,6 +327,5 @@ for element in ("bool", "int", "uint", "float", "double"):
         vector(element, count)
         swizzles(element, count)
         functions(element, count)
-for element in ("float", "double"):
-    for count in (3, 4):
-        matrix(element, count)
+for count in (3, 4):
+    matrix("float", count)

@@ -9,16 +9,16 @@ import { drawPhases } from './phase.js';
 
 const data = JSON.parse(byId('data').textContent);
 const { run, scene } = data;
-const units = run.units ?? {};
-const poses = new Poses(run.rows);
+const { columns } = run;
+const poses = new Poses(run.rows, columns);
 const settings = Object.entries(run.settings);
 const name = (run.scene?.path ?? 'Built-in scene').split(/[\\/]/).pop().replace(/\.(unity|obj|stl)$/i, '');
 const strongest = poses.rows.length === 0 ? -1 : poses.rows.reduce((best, row, i) => row.amplitude > poses.rows[best].amplitude ? i : best, 0);
 poses.chosen = Math.max(0, scene?.pose ?? strongest);
 
 head();
-const charts = new SweepCharts(poses, units);
-new PoseTable(poses, units);
+const charts = new SweepCharts(poses, columns);
+new PoseTable(poses, columns);
 tables();
 errors();
 choosePose();
@@ -41,7 +41,7 @@ function head() {
   const facts = [
     ...poses.rows.length === 1 ? [
       ['Amplitude', `${number(best.amplitude)}${typeof best.amplitude_db === 'number' ? ` (${number(best.amplitude_db, 4)} dB)` : ''}`],
-      ['As if 2,073,600 rays', `${number(best.amplitude_normalised)} ± ${number(best.sampling_error, 3)}`],
+      ['As if 2,073,600 rays', `${number(best.amplitude_normalised)}${isEstimated(best) ? ` ± ${number(best.sampling_error, 3)}` : `, error ${columns.sampling_error.missing}`}`],
       ['Rays received', number(best.rays_received)], ['Rays hit', number(best.rays_hit)], ['Rays', number(best.rays_emitted)]
     ] : [
       ['Poses', number(poses.rows.length)],
@@ -144,9 +144,18 @@ function errors() {
     byId('error-text').textContent = 'Nothing was received, so there is nothing to estimate the error of.';
     return;
   }
-  const worst = rows.reduce((a, b) => b.sampling_error > a.sampling_error ? b : a), step = rows.reduce((a, b) => b.largest_path_step_wavelengths > a.largest_path_step_wavelengths ? b : a);
+  const estimated = rows.filter(isEstimated);
+  if (estimated.length === 0) {
+    byId('error-text').textContent = `The sampling error was ${columns.sampling_error.missing}: the run left it out.`;
+    return;
+  }
+  const worst = estimated.reduce((a, b) => b.sampling_error > a.sampling_error ? b : a), step = estimated.reduce((a, b) => b.largest_path_step_wavelengths > a.largest_path_step_wavelengths ? b : a);
   byId('error-text').textContent = `The sampling error, by which the amplitude differs from that of endlessly many rays, is estimated to be ${number(worst.sampling_error, 3)} at most (${poses.name(worst)}, amplitude ${number(worst.amplitude_normalised)}). `
     + `Neighbouring received rays differ in length by ${number(step.largest_path_step_wavelengths, 3)} wavelengths at most (${poses.name(step)}). The estimate is of the rays' spacing alone: surfaces are perfect mirrors, and diffraction is not in it.`;
+}
+
+function isEstimated(row) {
+  return typeof row.sampling_error === 'number';
 }
 
 function capital(text) {

@@ -2,25 +2,23 @@
 import { number } from './text.js';
 
 // The axes of a sweep, that which changes from pose to pose first; a chart's scale counts in units of so much.
-const axes = [
-  { name: 'angle_deg', label: 'angle in degrees', unit: 1, nouns: ['angle', 'angles'], words: value => `${number(value)} deg` },
-  { name: 'grazing_deg', label: 'grazing angle in degrees', unit: 1, nouns: ['grazing angle', 'grazing angles'], words: value => `grazing ${number(value)} deg` },
-  { name: 'range_m', label: 'range in metres', unit: 1, nouns: ['range', 'ranges'], words: value => `range ${number(value)} m` },
-  { name: 'frequency_hz', label: 'frequency in GHz', unit: 1e9, nouns: ['frequency', 'frequencies'], words: value => `${number(value / 1e9, 9)} GHz` },
-  { name: 'snapshot', label: 'snapshot', unit: 1, isWhole: true, nouns: ['snapshot', 'snapshots'], words: value => `snapshot ${value}` }
-];
+const axesOf = columns => Object.entries(columns).filter(([, { axis }]) => axis).sort(([, a], [, b]) => b.axis.order - a.axis.order).map(([name, { title, axis }]) => ({
+  name, label: axis.shown_unit === '1' ? title : `${title}, ${axis.shown_unit}`, unit: axis.shown_scale, isWhole: axis.is_whole, plural: axis.plural,
+  words: value => axis.text.replace('{0}', number(value / axis.shown_scale, 9)).replace('{1}', axis.shown_unit)
+}));
 
 const mostGroups = 8;
 
 export class Poses {
-  constructor(rows) {
+  constructor(rows, columns) {
     this.rows = rows;
+    this.axes = axesOf(columns);
     this.chosen = 0;
     this.listeners = [];
     const distinct = name => [...new Set(rows.map(row => row[name]).filter(value => value !== null && value !== undefined))];
-    this.varying = axes.filter(axis => distinct(axis.name).length > 1);
+    this.varying = this.axes.filter(axis => distinct(axis.name).length > 1);
     this.counts = this.varying.map(axis => [distinct(axis.name).length, axis]);
-    const [first] = this.varying.length > 0 ? this.varying : axes;
+    const [first] = this.varying.length > 0 ? this.varying : this.axes;
     // The axis that changes fastest, or one with which the charts can hold all poses.
     const lines = axis => this.counts.reduce((product, [count, other]) => other === axis ? product : product * count, 1);
     const along = lines(first) <= mostGroups ? first : this.varying.find(axis => lines(axis) <= mostGroups) ?? first;
@@ -44,7 +42,7 @@ export class Poses {
 
   /** "12 angles, 2 frequencies" of a sweep over more than one axis. */
   get plan() {
-    return this.counts.length < 2 ? '' : this.counts.map(([count, axis]) => `${number(count)} ${axis.nouns[1]}`).join(', ');
+    return this.counts.length < 2 ? '' : this.counts.map(([count, axis]) => `${number(count)} ${axis.plural}`).join(', ');
   }
 
   /** Of an axis that the sweep steps through, "9 GHz to 10 GHz"; null of another. */
@@ -67,8 +65,8 @@ export class Poses {
 
   /** "15 deg", "snapshot 3, 15 deg". */
   name(row) {
-    const shown = this.varying.length > 0 ? this.varying : axes.filter(axis => axis.name !== 'angle_deg' && typeof row[axis.name] === 'number');
-    return shown.length === 0 ? row.angle_deg !== 0 ? axes[0].words(row.angle_deg) : 'the pose' : shown.map(axis => axis.words(row[axis.name])).reverse().join(', ');
+    const shown = this.varying.length > 0 ? this.varying : this.axes.filter(axis => axis.name !== 'angle_deg' && typeof row[axis.name] === 'number');
+    return shown.length === 0 ? row.angle_deg !== 0 ? this.axes[0].words(row.angle_deg) : 'the pose' : shown.map(axis => axis.words(row[axis.name])).reverse().join(', ');
   }
 
   xOf(pose) {

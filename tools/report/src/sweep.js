@@ -1,19 +1,20 @@
 // The charts over the poses of a sweep.
-import { byId, make, number, title } from './text.js';
+import { byId, make, number } from './text.js';
 import { dash, draw, stroke } from './charts.js';
 import { theme } from './palette.js';
 
-const quantities = ['rays_received', 'ratio', 'rays_hit', 'in_phase', 'quadrature', 'largest_path_step_wavelengths', 'sampling_error', 'bounces', 'path_length_m', 'trace_ms'];
-
 export class SweepCharts {
-  /** @param {object} poses Poses. @param {object} units by column. */
-  constructor(poses, units) {
+  /** @param {object} poses Poses. @param {object} columns by name. */
+  constructor(poses, columns) {
     this.poses = poses;
-    this.units = units;
+    this.columns = columns;
     this.plots = [];
     const select = byId('quantity');
-    for (const name of quantities.filter(name => poses.rows.some(row => typeof row[name] === 'number')))
-      select.append(make('option', title(name), { value: name }));
+    // Amplitudes are in the first chart.
+    const others = Object.keys(columns).filter(name => !columns[name].axis && !columns[name].is_amplitude && !columns[name].is_flag);
+    for (const name of others.filter(name => poses.rows.some(row => typeof row[name] === 'number')))
+      select.append(make('option', columns[name].title, { value: name }));
+    select.value = 'rays_received';
     select.addEventListener('change', () => this.draw());
     byId('decibels').addEventListener('change', () => this.draw());
   }
@@ -35,8 +36,9 @@ export class SweepCharts {
     const level = value => !inDecibels ? value : value > 0 ? 20 * Math.log10(value) : null;
     const series = [], bands = [];
     const { groups, x } = this.poses;
-    if (groups.length === 1) {
-      const edge = sign => groups[0][1].map(row => row ? level(Math.max(0, row.amplitude_normalised + sign * row.sampling_error)) ?? level(row.amplitude_normalised) : null);
+    const { error } = this.columns.amplitude_normalised;
+    if (groups.length === 1 && this.poses.rows.some(row => typeof row[error] === 'number')) {
+      const edge = sign => groups[0][1].map(row => row ? level(Math.max(0, row.amplitude_normalised + sign * row[error])) ?? level(row.amplitude_normalised) : null);
       series.push({ label: ' ', values: edge(1), width: 0.5, stroke: theme('--accent'), points: { show: false } });
       series.push({ label: ' ', values: edge(-1), width: 0.5, stroke: theme('--accent'), points: { show: false } });
       bands.push({ series: [1, 2], fill: theme('--band') });
@@ -56,13 +58,13 @@ export class SweepCharts {
   }
 
   drawOther(name) {
+    const { title, unit } = this.columns[name];
     const series = this.poses.groups.map(([group, rows], i) => ({
-      label: group || title(name), values: rows.map(row => row?.[name] ?? null), stroke: stroke(i), dash: dash(i), points: { show: this.poses.x.values.length <= 120, size: 5, fill: stroke(i) }
+      label: group || title, values: rows.map(row => row?.[name] ?? null), stroke: stroke(i), dash: dash(i), points: { show: this.poses.x.values.length <= 120, size: 5, fill: stroke(i) }
     }));
-    const unit = this.units[name];
     const values = this.poses.rows.map(row => row[name]).filter(value => typeof value === 'number');
-    return this.chart('other', series, title(name) + (unit && unit !== '1' && unit !== 'wavelengths' ? `, ${unit}` : ''), [],
-      `${title(name)} over ${this.poses.x.label}, from ${number(Math.min(...values))} to ${number(Math.max(...values))}. The table below has the figures.`, values.every(value => value >= 0));
+    return this.chart('other', series, title + (unit === '1' ? '' : `, ${unit}`), [],
+      `${title} over ${this.poses.x.label}, from ${number(Math.min(...values))} to ${number(Math.max(...values))}. The table below has the figures.`, values.every(value => value >= 0));
   }
 
   chart(id, series, yLabel, bands, description, fromZero) {

@@ -1,21 +1,22 @@
 // The rows, or the first of a great many, to be sorted by any column.
-import { byId, make, number, title } from './text.js';
+import { byId, make, number } from './text.js';
 
 const most = 5000;
 
 export class PoseTable {
-  constructor(poses, units) {
+  constructor(poses, columns) {
     this.poses = poses;
+    this.described = columns;
     // The angle is 0 in every row where nothing was turned.
-    const says = name => poses.rows.some(row => row[name] !== null && row[name] !== undefined && (name !== 'angle_deg' || row[name] !== 0));
-    this.columns = Object.keys(units).filter(says);
+    const says = name => poses.rows.some(row => row[name] !== null && row[name] !== undefined && (name !== 'angle_deg' || row[name] !== 0) || columns[name].missing);
+    this.columns = Object.keys(columns).filter(says);
     this.sorted = null;
     const head = make('tr');
     head.append(make('th', 'Pose', { scope: 'col' }));
     for (const name of this.columns) {
       const cell = make('th', null, { scope: 'col' });
-      const button = make('button', title(name), { type: 'button' });
-      button.append(make('span', units[name] === '1' ? '' : units[name], { class: 'unit' }));
+      const button = make('button', columns[name].title, { type: 'button' });
+      button.append(make('span', columns[name].unit === '1' ? '' : columns[name].unit, { class: 'unit' }));
       button.addEventListener('click', () => this.sort(name, cell));
       cell.append(button);
       head.append(cell);
@@ -37,8 +38,14 @@ export class PoseTable {
     first.append(button);
     line.append(first);
     for (const name of this.columns)
-      line.append(make('td', name === 'undersampled' ? (row[name] ? 'yes' : 'no') : number(row[name], 7), { title: row[name] ?? '' }));
+      line.append(make('td', this.cell(name, row[name]), { title: row[name] ?? '' }));
     return line;
+  }
+
+  cell(name, value) {
+    const { is_flag: isFlag, missing } = this.described[name];
+    if (value === null || value === undefined) return missing ?? '-';
+    return isFlag ? (value ? 'yes' : 'no') : number(value, 7);
   }
 
   sort(name, cell) {

@@ -53,4 +53,27 @@ namespace Glint.Core
 
         public int LeafCount(int child) => child < 0 ? 1 : Nodes[child].Count;
     }
+
+    /// <summary>An inner node of a <see cref="BinaryBvh"/>.</summary>
+    struct BinaryNode
+    {
+        public Box Box;
+
+        /// <summary>Index of its first leaf.</summary>
+        public int First;
+
+        /// <summary>Number of its leaves, at least 2.</summary>
+        public int Count;
+
+        /// <summary>Number of leaves of the left child, which come first.</summary>
+        public int LeftCount;
+    }
+
+    /// <summary>An item of a BVH: its box and its number.</summary>
+    struct BvhLeaf
+    {
+        public Box Box;
+
+        public int Item;
+    }
 }

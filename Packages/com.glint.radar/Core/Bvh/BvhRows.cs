@@ -41,4 +41,31 @@ namespace Glint.Core
             return rows;
         }
     }
+
+    /// <summary>Format of BVH nodes on the device.</summary>
+    public enum BvhLayout
+    {
+        /// <summary>Two children a node, float boxes, 48 bytes: for GPUs.</summary>
+        Binary,
+
+        /// <summary>
+        /// Up to four children a node, 8-bit boxes, 48 bytes: for software devices, where fetches cost most.
+        /// </summary>
+        Wide,
+    }
+
+    /// <summary>Writes the leaves of a BVH as the kernel reads them.</summary>
+    interface ILeafWriter
+    {
+        /// <summary>Rows behind the BVH that name what is in its leaves.</summary>
+        /// <param name="records">Records that leaves are numbered among.</param>
+        int IdentityRows(int records);
+
+        /// <summary>
+        /// Writes item <paramref name="item"/> into three rows from <paramref name="row"/> on; they are 0 before.
+        /// </summary>
+        /// <param name="record">The leaf's number.</param>
+        /// <param name="firstIdentityRow">First of the identity rows.</param>
+        void Write(int item, uint4[] rows, int row, int record, int firstIdentityRow);
+    }
 }

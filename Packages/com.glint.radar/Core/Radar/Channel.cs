@@ -96,6 +96,8 @@ namespace Glint.Core
         /// <summary>The number of several words, the lowest first, in two's complement.</summary>
         internal static decimal SumOf(uint[] words, int first, int count)
         {
+            if (count == 2)
+                return (long)((ulong)words[first + 1] << 32 | words[first]);
             decimal sum = (int)words[first + count - 1]; // the highest word is signed
             for (int word = count - 2; word >= 0; word--)
                 sum = sum * (1L << 32) + words[first + word];

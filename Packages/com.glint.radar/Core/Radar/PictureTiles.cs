@@ -89,9 +89,7 @@ namespace Glint.Core
 
         static void Range(in RadarSettings settings, out int2 first, out int2 end)
         {
-            var region = settings.Region;
-            if (region.IsWhole)
-                region = new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown };
+            var region = settings.TracedRegion;
             first = new int2(region.Left, region.Bottom) / Side;
             end = (new int2(region.Left + region.Width, region.Bottom + region.Height) + Side - 1) / Side;
         }

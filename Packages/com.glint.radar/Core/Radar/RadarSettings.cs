@@ -1,3 +1,5 @@
+using Unity.Mathematics;
+
 namespace Glint.Core
 {
     /// <summary>The radar's settings, except its pose.</summary>
@@ -45,7 +47,18 @@ namespace Glint.Core
         public long RayCount => (long)RaysAcross * RaysDown;
 
         /// <summary>Rays emitted in a pose: those of the region.</summary>
-        public long RaysEmitted => Region.IsWhole ? RayCount : (long)Region.Width * Region.Height;
+        public long RaysEmitted => (long)TracedRegion.Width * TracedRegion.Height;
+
+        /// <summary><see cref="Region"/>, or all of the picture as one.</summary>
+        public readonly RayRegion TracedRegion =>
+            Region.IsWhole ? new RayRegion { Width = RaysAcross, Height = RaysDown } : Region;
+
+        /// <summary>Column and row of a pixel (<see cref="RayData.Pixel"/>) in the whole picture.</summary>
+        public readonly int2 PositionOf(uint pixel) =>
+            new int2((int)(pixel % (uint)RaysAcross), (int)(pixel / (uint)RaysAcross));
+
+        /// <summary>The pixel at a column and row of the whole picture.</summary>
+        public readonly uint PixelAt(int x, int y) => (uint)(x + (long)y * RaysAcross);
 
         /// <summary>Width of the view over its height.</summary>
         public double Aspect => (double)RaysAcross / RaysDown;
@@ -82,5 +95,18 @@ namespace Glint.Core
         }
 
         internal static string Text(double value) => value.ToString(System.Globalization.CultureInfo.InvariantCulture);
+    }
+
+    /// <summary>
+    /// A rectangle of the picture, in rays from its left and bottom edge; the rays outside are not emitted.
+    /// Without area: the whole picture.
+    /// </summary>
+    public struct RayRegion
+    {
+        /// <summary>Left and bottom edge, width and height, all in rays of the whole picture.</summary>
+        public int Left, Bottom, Width, Height;
+
+        /// <summary>True for the whole picture.</summary>
+        public readonly bool IsWhole => Width == 0 && Height == 0;
     }
 }

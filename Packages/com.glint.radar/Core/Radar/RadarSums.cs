@@ -31,7 +31,7 @@ namespace Glint.Core
         public int[] PhaseHistogram = new int[Signal.PhaseBins];
 
         /// <summary>Adds one received ray to the coherent sum and to the histogram.</summary>
-        internal void AddReceived(double phase, double inPhase, double quadrature)
+        public void AddReceived(double phase, double inPhase, double quadrature)
         {
             InPhase += inPhase;
             Quadrature += quadrature;

@@ -59,7 +59,7 @@ namespace Glint.Core
             if (!IsParallel)
                 return Position;
             double2 rays = new double2(settings.RaysAcross, settings.RaysDown),
-                position = new double2(pixel % (uint)settings.RaysAcross, pixel / (uint)settings.RaysAcross) + 0.5;
+                position = (double2)settings.PositionOf(pixel) + 0.5;
             double2 from = (2 * position / rays - 1) * HalfSize(settings);
             return Position + from.x * Right + from.y * Up;
         }

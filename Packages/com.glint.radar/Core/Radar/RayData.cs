@@ -62,4 +62,17 @@ namespace Glint.Core
         /// <summary>2 pi mod(R, lambda) / lambda, radians, 0 to 2 pi; 0 if not received.</summary>
         public double Phase => IsReceived ? Signal.Turned(Math.Atan2(Quadrature, InPhase)) : 0;
     }
+
+    /// <summary>Rays that a result carries.</summary>
+    public enum RayReadback
+    {
+        /// <summary>Rays that reached the receiver.</summary>
+        Received,
+
+        /// <summary>Every ray emitted: 48 bytes each.</summary>
+        All,
+
+        /// <summary>None: only sums are read back.</summary>
+        None,
+    }
 }

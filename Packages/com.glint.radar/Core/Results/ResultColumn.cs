@@ -1,55 +1,83 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Glint.Core
 {
     /// <summary>
-    /// One column of result files. CSV and JSON follow the table <see cref="All"/>.
+    /// One column of result files. The table <see cref="All"/> is the only place that knows them:
+    /// CSV, JSON, the window's charts and the HTML report follow it.
     /// </summary>
     public sealed class ResultColumn
     {
-        static readonly ResultColumn[] Table =
+        /// <summary>In place of a value that was left out by <see cref="RadarSettings.SkipSamplingError"/>.</summary>
+        public const string NotEstimated = "not estimated";
+
+        /// <summary>Estimated error of <see cref="Normalised"/>, in its unit.</summary>
+        public static readonly ResultColumn SamplingError =
+            new ResultColumn("sampling_error", "Sampling error", "1", row => row.Result.SamplingError)
+            {
+                MayBeMissing = true, Missing = NotEstimated
+            };
+
+        /// <summary>Amplitude of the rays traced.</summary>
+        public static readonly ResultColumn Amplitude =
+            new ResultColumn("amplitude", "Amplitude", "1", row => row.Result.Amplitude) { IsAmplitude = true };
+
+        /// <summary>Amplitude as if the picture had 2,073,600 rays.</summary>
+        public static readonly ResultColumn Normalised = new ResultColumn("amplitude_normalised",
+            "Amplitude, normalised", "1", row => row.Result.NormalisedAmplitude)
+        { IsAmplitude = true, Error = SamplingError };
+
+        /// <summary>Rays that hit anything.</summary>
+        public static readonly ResultColumn RaysHit =
+            new ResultColumn("rays_hit", "Rays hit", "1", row => row.Result.RaysHit);
+
+        /// <summary>Rays that reached the receiver.</summary>
+        public static readonly ResultColumn RaysReceived =
+            new ResultColumn("rays_received", "Rays received", "1", row => row.Result.RaysReceived);
+
+        /// <summary>1 where amplitude and error are not to be trusted, else 0.</summary>
+        public static readonly ResultColumn Undersampled = new ResultColumn("undersampled", "Undersampled", "1",
+            row => row.Result.Sampling is SamplingReport sampling ? sampling.Undersampled ? 1 : 0 : (double?)null)
+        { MayBeMissing = true, Missing = NotEstimated, IsFlag = true };
+
+        static readonly ResultColumn[] Table = new[]
         {
-            new ResultColumn(SweepAxis.Angle.Column, SweepAxis.Angle.Unit, row => row.Pose.AngleDegrees ?? 0),
-            new ResultColumn("amplitude", "1", row => row.Result.Amplitude),
-            new ResultColumn("amplitude_db", "dB", row => row.Result.AmplitudeDb, true),
-            new ResultColumn("in_phase", "1", row => row.Result.InPhase),
-            new ResultColumn("quadrature", "1", row => row.Result.Quadrature),
-            new ResultColumn("rays_emitted", "1", row => row.Result.RaysEmitted),
-            new ResultColumn("rays_hit", "1", row => row.Result.RaysHit),
-            new ResultColumn("rays_received", "1", row => row.Result.RaysReceived),
-            new ResultColumn("ratio", "1", row => row.Result.Ratio),
-            new ResultColumn("bounces", "1", row => row.Result.Bounces),
-            new ResultColumn("segments", "1", row => row.Result.Segments),
-            new ResultColumn("path_length_m", "m", row => row.Result.PathLengthMeters),
-            new ResultColumn("trace_ms", "ms", row => row.Result.Statistics.Timings.TraceMs),
-            new ResultColumn("amplitude_normalised", "1", row => row.Result.NormalisedAmplitude),
-            new ResultColumn("sampling_error", "1", row => row.Result.SamplingError, true),
-            new ResultColumn("largest_path_step_wavelengths", "wavelengths", row => row.Result.LargestPathStep,
-                true),
-            new ResultColumn("undersampled", "1",
-                row => row.Result.Sampling?.Undersampled == true ? 1 : row.Result.Sampling.HasValue ? 0 : (double?)null,
-                true),
-            new ResultColumn("ray_area_m2", "m2", row => row.Result.RayArea, true),
-            new ResultColumn(SweepAxis.Snapshot),
-            new ResultColumn(SweepAxis.Grazing),
-            new ResultColumn(SweepAxis.Range),
-            new ResultColumn(SweepAxis.Frequency)
-        };
+            new ResultColumn(SweepAxis.Angle),
+            Amplitude,
+            new ResultColumn("amplitude_db", "Amplitude in decibels", "dB", row => row.Result.AmplitudeDb)
+            {
+                MayBeMissing = true
+            },
+            new ResultColumn("in_phase", "In phase", "1", row => row.Result.InPhase),
+            new ResultColumn("quadrature", "Quadrature", "1", row => row.Result.Quadrature),
+            new ResultColumn("rays_emitted", "Rays emitted", "1", row => row.Result.RaysEmitted),
+            RaysHit,
+            RaysReceived,
+            new ResultColumn("ratio", "Received over hit", "1", row => row.Result.Ratio),
+            new ResultColumn("bounces", "Bounces", "1", row => row.Result.Bounces),
+            new ResultColumn("segments", "Segments", "1", row => row.Result.Segments),
+            new ResultColumn("path_length_m", "Path length", "m", row => row.Result.PathLengthMeters),
+            new ResultColumn("trace_ms", "Trace time", "ms", row => row.Result.Statistics.Timings.TraceMs),
+            Normalised,
+            SamplingError,
+            new ResultColumn("largest_path_step_wavelengths", "Largest path step", "wavelengths",
+                row => row.Result.LargestPathStep)
+            { MayBeMissing = true, Missing = NotEstimated },
+            Undersampled,
+            new ResultColumn("ray_area_m2", "Ray area", "m2", row => row.Result.RayArea) { MayBeMissing = true }
+        }.Concat(SweepAxis.Columns.Skip(1).Select(axis => new ResultColumn(axis))).ToArray();
 
         readonly Func<SweepRow, double?> _value;
 
-        ResultColumn(string name, string unit, Func<SweepRow, double?> value, bool mayBeEmpty = false)
-        {
-            Name = name;
-            Unit = unit;
-            _value = value;
-            MayBeEmpty = mayBeEmpty;
-        }
+        ResultColumn(string name, string title, string unit, Func<SweepRow, double?> value) =>
+            (Name, Title, Unit, _value) = (name, title, unit, value);
 
-        ResultColumn(SweepAxis axis) : this(axis.Column, axis.Unit, row => row.Pose[axis], true)
-        {
-        }
+        // The angle is 0 where nothing is turned; another axis that is left alone has no value.
+        ResultColumn(SweepAxis axis) : this(axis.Column, axis.Title, axis.Unit,
+            row => row.Pose[axis] ?? (axis == SweepAxis.Angle ? 0 : (double?)null)) =>
+            (Axis, MayBeMissing) = (axis, axis != SweepAxis.Angle);
 
         /// <summary>Every column, in the order of the files.</summary>
         public static IReadOnlyList<ResultColumn> All => Table;
@@ -57,11 +85,35 @@ namespace Glint.Core
         /// <summary>Name in the CSV's first line and in the JSON's rows.</summary>
         public string Name { get; }
 
+        /// <summary>For headings and charts, without the unit.</summary>
+        public string Title { get; }
+
         /// <summary>Unit; "1" for a plain number.</summary>
         public string Unit { get; }
 
-        /// <summary>Whether a row may have no value.</summary>
-        internal bool MayBeEmpty { get; }
+        /// <summary>Whether a row, or a whole file, may lack the value.</summary>
+        public bool MayBeMissing { get; private set; }
+
+        /// <summary>What stands in place of a missing value; null for nothing in particular.</summary>
+        public string Missing { get; private set; }
+
+        /// <summary>Whether it is an amplitude, never below 0, that can be shown in decibels.</summary>
+        public bool IsAmplitude { get; private set; }
+
+        /// <summary>Whether it is 1 for yes and 0 for no.</summary>
+        public bool IsFlag { get; private set; }
+
+        /// <summary>Column of the error to either side, in the same unit; null for none.</summary>
+        public ResultColumn Error { get; private set; }
+
+        /// <summary>The axis whose values it has; null for what is measured.</summary>
+        public SweepAxis Axis { get; private set; }
+
+        /// <summary>Place in <see cref="All"/>.</summary>
+        internal int Index => Array.IndexOf(Table, this);
+
+        /// <summary>Title and unit.</summary>
+        public string Label => Unit == "1" ? Title : $"{Title}, {Unit}";
 
         /// <summary>The value; null if the row has none, such as the decibels of amplitude 0.</summary>
         /// <exception cref="GlintException">The value is NaN or infinite.</exception>
@@ -73,6 +125,9 @@ namespace Glint.Core
                     + "and report it if there are none");
             return value;
         }
+
+        /// <summary>The column of an axis.</summary>
+        public static ResultColumn Of(SweepAxis axis) => Table.First(column => column.Axis == axis);
 
         static string At(SweepPose pose)
         {

@@ -57,9 +57,7 @@ namespace Glint.Core
         public DateTime? StartedUtc { get; private set; }
 
         /// <summary>The rows so far, including those before a resumption.</summary>
-        internal IReadOnlyList<StoredRow> Rows => _rows;
-
-        static string Header => string.Join(",", ResultColumn.All.Select(column => column.Name)) + "\n";
+        public IReadOnlyList<StoredRow> Rows => _rows;
 
         string TemporaryJsonPath => JsonPath + ".tmp";
 
@@ -106,8 +104,7 @@ namespace Glint.Core
         /// <param name="poses">Poses of the sweep, or of its part.</param>
         /// <returns>Number of poses done: all of them if results.json exists.</returns>
         /// <exception cref="GlintException">
-        /// The folder holds results of another sweep, or damaged ones; the message says what differs. Nothing is
-        /// changed.
+        /// The folder holds results of another sweep, or damaged ones; the message says what differs. Nothing is changed.
         /// </exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public int Resume(int poses)
@@ -146,7 +143,8 @@ namespace Glint.Core
             RequireUnfinished();
             if (_csv == null)
                 Create();
-            Write(_sweep == null ? "" : ResultsJson.Line(row) + "\n", (_rows.Count == 0 ? Header : "") + row.ToCsv());
+            Write(_sweep == null ? "" : ResultsJson.Line(row) + "\n",
+                (_rows.Count == 0 ? Csv(ResultColumn.All) : "") + row.ToCsv(ResultColumn.All));
             _rows.Add(row);
         }
 
@@ -159,7 +157,7 @@ namespace Glint.Core
             if (_csv == null)
             {
                 Create();
-                Write("", Header);
+                Write("", Csv(ResultColumn.All));
             }
             Close();
             try
@@ -223,31 +221,45 @@ namespace Glint.Core
             int kept = Math.Min(earlier.Rows.Count, poses - 1);
             if (kept == 0)
                 return 0;
-            var csv = Utf8.GetBytes(Header + string.Concat(earlier.Rows.Select(row => row.ToCsv())));
-            int length = Utf8.GetByteCount(Header + string.Concat(earlier.Rows.Take(kept).Select(row => row.ToCsv())));
+            var csv = Utf8.GetBytes(Csv(ResultColumn.All, earlier.Rows.Take(kept)));
             Try($"{CsvPath}: cannot be written", () =>
             {
-                var there = File.Exists(CsvPath) ? File.ReadAllBytes(CsvPath) : Array.Empty<byte>();
-                int same = 0;
-                while (same < there.Length && same < csv.Length && there[same] == csv[same])
-                    same++;
-                if (same < there.Length)
-                    throw new GlintException($"{CsvPath}, line {1 + there.Take(same).Count(letter => letter == '\n')}: "
-                        + $"differs from what {PartialName} holds: restore it, or delete it to have it written anew");
+                int same = CheckCsv(earlier.Rows, csv);
                 _partial = Open(PartialPath, FileMode.Open);
                 _partial.SetLength(_partialLength = earlier.Ends[kept]);
                 _partial.Seek(0, SeekOrigin.End);
                 _csv = Open(CsvPath, FileMode.OpenOrCreate);
-                _csv.SetLength(_csvLength = Math.Min(same, length));
+                _csv.SetLength(_csvLength = same);
                 _csv.Seek(0, SeekOrigin.End);
-                _csv.Write(csv, (int)_csvLength, length - (int)_csvLength);
+                _csv.Write(csv, same, csv.Length - same);
                 _csv.Flush();
-                _csvLength = length;
+                _csvLength = csv.Length;
             }, Dispose);
             _rows.AddRange(earlier.Rows.Take(kept));
             StartedUtc = earlier.StartedUtc;
             return kept;
         }
+
+        // Refuses rows that were changed. Returns how many bytes stay: none where an older Glint wrote fewer columns.
+        int CheckCsv(IReadOnlyList<StoredRow> rows, byte[] csv)
+        {
+            var there = File.Exists(CsvPath) ? File.ReadAllBytes(CsvPath) : Array.Empty<byte>();
+            var names = Utf8.GetString(there.TakeWhile(letter => letter != '\n').ToArray()).Split(',');
+            var columns = ResultColumn.All.Where(column => names.Contains(column.Name)).ToArray();
+            bool isOlder = columns.Length == names.Length && columns.Length < ResultColumn.All.Count;
+            var expected = Utf8.GetBytes(Csv(isOlder ? columns : ResultColumn.All, rows));
+            int same = 0;
+            while (same < there.Length && same < expected.Length && there[same] == expected[same])
+                same++;
+            if (same < there.Length)
+                throw new GlintException($"{CsvPath}, line {1 + there.Take(same).Count(letter => letter == '\n')}: "
+                    + $"differs from what {PartialName} holds: restore it, or delete it to have it written anew");
+            return isOlder ? 0 : Math.Min(same, csv.Length);
+        }
+
+        static string Csv(IReadOnlyList<ResultColumn> columns, IEnumerable<StoredRow> rows = null) =>
+            string.Join(",", columns.Select(column => column.Name)) + "\n"
+            + string.Concat((rows ?? Enumerable.Empty<StoredRow>()).Select(row => row.ToCsv(columns)));
 
         void Require(SweepIdentity earlier, string path)
         {

@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
+using System.Linq;
 using Newtonsoft.Json;
 
 namespace Glint.Core
@@ -9,7 +10,10 @@ namespace Glint.Core
     /// <summary>Writes results.json. Numbers have the same digits as in results.csv.</summary>
     sealed class ResultsJson
     {
-        public const string TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'", ShardName = "shard";
+        /// <summary>Version of the form of results.json and results.partial; files that name none have 0.</summary>
+        public const int Schema = 1;
+
+        public const string SchemaName = "schema", TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'", ShardName = "shard";
 
         readonly JsonTextWriter _json;
 
@@ -28,8 +32,7 @@ namespace Glint.Core
         /// <summary>The first line of an unfinished sweep, without its end.</summary>
         public static string Line(DateTime startedUtc, SweepIdentity sweep) => Line(json =>
         {
-            json._json.WriteStartObject();
-            json.Time(startedUtc);
+            json.Start(startedUtc);
             json.WriteSweep(sweep);
             json._json.WriteEndObject();
         });
@@ -47,8 +50,7 @@ namespace Glint.Core
 
         void Write(RunInfo info, IReadOnlyList<StoredRow> rows)
         {
-            _json.WriteStartObject();
-            Time(info.StartedUtc);
+            Start(info.StartedUtc);
             Number("elapsed_ms", info.ElapsedMs);
             WriteCommand(info.Command);
             WriteScene(info);
@@ -56,8 +58,8 @@ namespace Glint.Core
             if (info.Sweep != null)
                 WriteSweep(info.Sweep);
             WriteMachine(info);
-            WriteTimings(Sum(rows));
-            WriteUnits();
+            WriteTimings(rows);
+            WriteColumns();
             Open("rows", array: true);
             foreach (var row in rows)
                 WriteRow(row);
@@ -130,61 +132,85 @@ namespace Glint.Core
             _json.WriteEndObject();
         }
 
-        void WriteUnits()
+        // What readers need to show a column; what does not hold for it is left out.
+        void WriteColumns()
         {
-            Open("units");
+            Open("columns");
             foreach (var column in ResultColumn.All)
-                Text(column.Name, column.Unit);
+            {
+                Open(column.Name);
+                OnOneLine(() => WriteColumn(column));
+            }
+            _json.WriteEndObject();
+        }
+
+        void WriteColumn(ResultColumn column)
+        {
+            Text("title", column.Title);
+            Text("unit", column.Unit);
+            if (column.IsAmplitude)
+                Raw("is_amplitude", "true");
+            if (column.IsFlag)
+                Raw("is_flag", "true");
+            if (column.Error != null)
+                Text("error", column.Error.Name);
+            if (column.Missing != null)
+                Text("missing", column.Missing);
+            if (column.Axis is SweepAxis axis)
+            {
+                Open("axis");
+                Number("order", axis.Index);
+                Text("plural", axis.Plural);
+                Text("text", axis.Text);
+                Text("shown_unit", axis.ShownUnit);
+                Number("shown_scale", axis.ShownScale);
+                Raw("is_whole", axis.List.IsWhole ? "true" : "false");
+                _json.WriteEndObject();
+            }
             _json.WriteEndObject();
         }
 
         void WriteRow(StoredRow row)
         {
             _json.WriteStartObject();
-            int column = 0;
-            foreach (string cell in row.Cells)
-                Raw(ResultColumn.All[column++].Name, cell);
-            WriteTimings(row.Timings);
+            foreach (var column in ResultColumn.All)
+                Raw(column.Name, row.Cell(column));
+            WriteTimings(new[] { row });
             if (row.PhaseHistogram != null)
                 WriteHistogram(row.PhaseHistogram);
             _json.WriteEndObject();
         }
 
-        // On one line, for readability.
-        void WriteHistogram(int[] bins)
+        // A bin a line would bury the rows.
+        void WriteHistogram(IReadOnlyList<int> bins)
         {
             Open("phase_histogram", array: true);
+            OnOneLine(() =>
+            {
+                foreach (int bin in bins)
+                    _json.WriteValue(bin);
+                _json.WriteEndArray();
+            });
+        }
+
+        void OnOneLine(Action write)
+        {
             var formatting = _json.Formatting;
             _json.Formatting = Formatting.None;
-            foreach (int bin in bins)
-                _json.WriteValue(bin);
-            _json.WriteEndArray();
+            write();
             _json.Formatting = formatting;
         }
 
-        void WriteTimings(Timings timings)
+        // Of all rows together.
+        void WriteTimings(IReadOnlyList<StoredRow> rows)
         {
             Open("timings");
-            Number("gather_ms", timings.GatherMs);
-            Number("build_ms", timings.BuildMs);
-            Number("upload_ms", timings.UploadMs);
-            Number("trace_ms", timings.TraceMs);
-            Number("read_back_ms", timings.ReadBackMs);
+            Number("gather_ms", rows.Sum(row => row.Timings.GatherMs));
+            Number("build_ms", rows.Sum(row => row.Timings.BuildMs));
+            Number("upload_ms", rows.Sum(row => row.Timings.UploadMs));
+            Number("trace_ms", rows.Sum(row => row.Timings.TraceMs));
+            Number("read_back_ms", rows.Sum(row => row.Timings.ReadBackMs));
             _json.WriteEndObject();
-        }
-
-        static Timings Sum(IReadOnlyList<StoredRow> rows)
-        {
-            var sum = new Timings();
-            foreach (var row in rows)
-            {
-                sum.GatherMs += row.Timings.GatherMs;
-                sum.BuildMs += row.Timings.BuildMs;
-                sum.UploadMs += row.Timings.UploadMs;
-                sum.TraceMs += row.Timings.TraceMs;
-                sum.ReadBackMs += row.Timings.ReadBackMs;
-            }
-            return sum;
         }
 
         void Open(string name, bool array = false)
@@ -196,8 +222,12 @@ namespace Glint.Core
                 _json.WriteStartObject();
         }
 
-        void Time(DateTime startedUtc) =>
+        void Start(DateTime startedUtc)
+        {
+            _json.WriteStartObject();
+            Number(SchemaName, Schema);
             Text("started_utc", startedUtc.ToString(TimeFormat, CultureInfo.InvariantCulture));
+        }
 
         void Text(string name, string text)
         {

@@ -12,8 +12,8 @@ namespace Glint.Core
         public string ScenePath;
 
         /// <summary>
-        /// The command line, as <see cref="CommandLine.Arguments"/>, without its output folder; null for a run that was
-        /// not started by a command.
+        /// The arguments of the command that asked for it, without where its files go;
+        /// null for a run that no command began.
         /// </summary>
         public IReadOnlyList<string> Command;
 
@@ -43,5 +43,32 @@ namespace Glint.Core
 
         /// <summary>Radar, receiver and sweep settings, in the order of the file; each name once.</summary>
         public readonly List<RunSetting> Settings = new List<RunSetting>();
+    }
+
+    /// <summary>One setting of a run: a number with its unit, or a text.</summary>
+    public readonly struct RunSetting
+    {
+        /// <summary>A setting that is a number.</summary>
+        /// <param name="unit">Unit such as "Hz"; "1" for a plain number.</param>
+        public RunSetting(string name, double number, string unit) =>
+            (Name, Number, Unit, Text) = (name, number, unit, null);
+
+        /// <summary>A setting in words.</summary>
+        /// <param name="name">As in results.json.</param>
+        /// <param name="text">Its value.</param>
+        public RunSetting(string name, string text) =>
+            (Name, Number, Unit, Text) = (name, 0, null, text);
+
+        /// <summary>As in results.json: "max_bounces".</summary>
+        public string Name { get; }
+
+        /// <summary>The value in <see cref="Unit"/>, if that is not null.</summary>
+        public double Number { get; }
+
+        /// <summary>Null for a text.</summary>
+        public string Unit { get; }
+
+        /// <summary>Null for a number.</summary>
+        public string Text { get; }
     }
 }

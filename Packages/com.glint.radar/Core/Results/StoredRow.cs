@@ -6,28 +6,28 @@ using Newtonsoft.Json.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// The part of a row that results.json needs: without the rays, which may be millions.
+    /// A pose in numbers, as files, charts and comparisons take it: traced just now, stored, or published.
+    /// It does not hold the rays, which may be millions.
     /// </summary>
-    sealed class StoredRow
+    public sealed class StoredRow
     {
-        static readonly Dictionary<string, int> s_indices = Enumerable.Range(0, ResultColumn.All.Count)
-            .ToDictionary(i => ResultColumn.All[i].Name);
-
-        readonly double?[] _values;
+        readonly double?[] _values = new double?[ResultColumn.All.Count];
 
         /// <exception cref="GlintException">A value is NaN or infinite.</exception>
-        public StoredRow(SweepRow row)
+        internal StoredRow(SweepRow row)
         {
-            _values = ResultColumn.All.Select(column => column.Value(row)).ToArray();
+            for (int i = 0; i < _values.Length; i++)
+                _values[i] = ResultColumn.All[i].Value(row);
             Timings = row.Result.Statistics.Timings;
             PhaseHistogram = row.Result.PhaseHistogram?.ToArray();
         }
 
         /// <summary>A row that was written as JSON.</summary>
         /// <exception cref="FormatException">It lacks a value.</exception>
-        public StoredRow(JObject row)
+        internal StoredRow(JObject row)
         {
-            _values = ResultColumn.All.Select(column => Value(row, column)).ToArray();
+            for (int i = 0; i < _values.Length; i++)
+                _values[i] = Value(row, ResultColumn.All[i]);
             Timings = new Timings
             {
                 GatherMs = Time(row, "gather_ms"), BuildMs = Time(row, "build_ms"), UploadMs = Time(row, "upload_ms"),
@@ -36,29 +36,65 @@ namespace Glint.Core
             PhaseHistogram = row["phase_histogram"]?.ToObject<int[]>();
         }
 
-        /// <summary>The value of a column, by its name; null if empty.</summary>
-        public double? this[string column] => _values[s_indices[column]];
+        /// <summary>A row of which only some columns are known.</summary>
+        internal StoredRow(params (ResultColumn column, double value)[] known)
+        {
+            foreach (var (column, value) in known)
+                _values[column.Index] = value;
+        }
 
-        /// <summary>
-        /// Texts in the order of <see cref="ResultColumn.All"/>; null for an empty value. Numbers have their shortest
-        /// text, which is the one that was read.
-        /// </summary>
-        public IEnumerable<string> Cells =>
-            _values.Select(value => value.HasValue ? Numbers.Format(value.Value) : null);
+        /// <summary>The value of a column; null where there is none.</summary>
+        public double? this[ResultColumn column] => _values[column.Index];
 
+        /// <summary>The value on an axis; null where the axis was left alone, for the angle 0.</summary>
+        public double? this[SweepAxis axis] => this[ResultColumn.Of(axis)];
+
+        /// <summary>What the pose took.</summary>
         public Timings Timings { get; }
 
-        /// <summary>Null when the row has none.</summary>
-        public int[] PhaseHistogram { get; }
+        /// <summary>Received rays by phase; null when the row has none.</summary>
+        public IReadOnlyList<int> PhaseHistogram { get; }
 
-        public string ToCsv() => string.Join(",", Cells) + "\n";
+        /// <summary>"15 deg", "snapshot 3, 15 deg"; "the pose" if nothing is swept.</summary>
+        public string Name =>
+            new SweepPose(SweepAxis.All.Select(axis => this[axis]).ToArray()).ToString() is var text && text.Length > 0
+                ? text
+                : "the pose";
+
+        /// <summary>Whether the amplitude is not to be trusted; false also when that was not estimated.</summary>
+        public bool IsUndersampled => this[ResultColumn.Undersampled] == 1;
+
+        /// <summary>The pose and its figures, in a line.</summary>
+        public string Text()
+        {
+            double normalised = this[ResultColumn.Normalised].Value;
+            string level = Signal.Decibels(normalised) is double decibels
+                ? FormattableString.Invariant($" ({decibels:0.##} dB)")
+                : "";
+            string error = this[ResultColumn.SamplingError] is double estimate
+                ? estimate > 0 ? FormattableString.Invariant($" +- {estimate:g2}") : ""
+                : $", sampling error {ResultColumn.NotEstimated}";
+            return FormattableString.Invariant(
+                $"{Name}: normalised amplitude {normalised:g5}{level}{error}{(IsUndersampled ? ", undersampled" : "")}, {this[ResultColumn.RaysReceived]:#,0} of {this[ResultColumn.RaysHit]:#,0} rays that hit were received");
+        }
+
+        /// <summary>
+        /// The line of results.csv with some columns. The shortest text of a number is the one that was read.
+        /// </summary>
+        internal string ToCsv(IEnumerable<ResultColumn> columns) =>
+            string.Join(",", columns.Select(column => Cell(column))) + "\n";
+
+        /// <summary>The value as a text; null where there is none.</summary>
+        internal string Cell(ResultColumn column) => this[column] is double value ? Numbers.Format(value) : null;
 
         static double? Value(JObject row, ResultColumn column)
         {
-            var value = row[column.Name] ?? throw new FormatException($"a row has no {column.Name}");
-            switch (value.Type)
+            var value = row[column.Name];
+            switch (value?.Type)
             {
-                case JTokenType.Null when column.MayBeEmpty: return null;
+                case null when !column.MayBeMissing: throw new FormatException($"a row has no {column.Name}");
+                case null:
+                case JTokenType.Null when column.MayBeMissing: return null;
                 case JTokenType.Integer:
                 case JTokenType.Float: return value.Value<double>();
                 default: throw new FormatException($"{column.Name} of a row is no number");

@@ -39,7 +39,8 @@ namespace Glint.Core
         /// <summary>What the file says of the run besides the rows.</summary>
         public RunInfo Info { get; }
 
-        internal IReadOnlyList<StoredRow> Rows { get; }
+        /// <summary>A row a pose, in the order of the sweep.</summary>
+        public IReadOnlyList<StoredRow> Rows { get; }
 
         /// <summary>Poses traced.</summary>
         public int Count => Rows.Count;
@@ -63,15 +64,27 @@ namespace Glint.Core
             return ReadFile(path);
         }
 
+        /// <summary>The rows of a results folder, also of an unfinished sweep.</summary>
+        /// <exception cref="GlintException">There are none, or they cannot be read.</exception>
+        public static IReadOnlyList<StoredRow> RowsOf(string folder)
+        {
+            string partial = Path.Combine(folder, ResultsFolder.PartialName);
+            return !File.Exists(partial)
+                ? Read(folder).Rows
+                : UnfinishedSweep.Read(partial)?.Rows ?? (IReadOnlyList<StoredRow>)Array.Empty<StoredRow>();
+        }
+
         /// <summary>Reads a results.json.</summary>
         /// <exception cref="GlintException">
-        /// It cannot be read or is damaged; the message names it and the way out.
+        /// It cannot be read, is damaged or of a newer schema; the message names it and the way out.
         /// </exception>
         internal static StoredRun ReadFile(string path)
         {
             try
             {
-                return new StoredRun(Parse(File.ReadAllText(path)));
+                var json = Parse(File.ReadAllText(path));
+                CheckSchema(json, path);
+                return new StoredRun(json);
             }
             catch (Exception error) when (IsUnreadable(error))
             {
@@ -82,19 +95,21 @@ namespace Glint.Core
         /// <summary>
         /// Where a pose, counted from 0, stands on an axis; null where the axis was left alone. The angle is 0 then.
         /// </summary>
-        public double? Value(int pose, SweepAxis axis) => Rows[pose][axis.Column];
+        public double? Value(int pose, SweepAxis axis) => Rows[pose][axis];
 
         /// <summary>Amplitude of a pose, counted from 0.</summary>
-        public double Amplitude(int pose) => Rows[pose]["amplitude"].Value;
+        public double Amplitude(int pose) => Rows[pose][ResultColumn.Amplitude].Value;
 
         /// <summary>
         /// The pose with the largest amplitude, counted from 0; of equals the first; -1 without poses.
         /// </summary>
-        public int Strongest()
+        public int Strongest() => StrongestOf(Rows);
+
+        internal static int StrongestOf(IReadOnlyList<StoredRow> rows)
         {
             int strongest = -1;
-            for (int i = 0; i < Count; i++)
-                if (strongest < 0 || Amplitude(i) > Amplitude(strongest))
+            for (int i = 0; i < rows.Count; i++)
+                if (strongest < 0 || rows[i][ResultColumn.Amplitude] > rows[strongest][ResultColumn.Amplitude])
                     strongest = i;
             return strongest;
         }
@@ -112,6 +127,16 @@ namespace Glint.Core
                         throw new FormatException("there is something behind its end");
                 return json;
             }
+        }
+
+        /// <summary>Refuses what a newer Glint wrote in a form that this one does not know.</summary>
+        internal static void CheckSchema(JObject json, string path)
+        {
+            int schema = (int?)json[ResultsJson.SchemaName] ?? 0;
+            if (schema > ResultsJson.Schema)
+                throw new GlintException($"{path}: has schema {schema}, written by a newer Glint; "
+                    + $"version {GlintVersion.Text} reads schema {ResultsJson.Schema} at most: update Glint, "
+                    + "or choose another results folder");
         }
 
         internal static DateTime Time(JObject json) =>

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Globalization;
 using System.Linq;
@@ -47,6 +48,14 @@ namespace Glint.Core
                         + $"{Limit.ToString("N0", CultureInfo.InvariantCulture)} poses: shorten a list");
             }
             Count = (int)count;
+        }
+
+        /// <summary>A plan over the axes that a source of lists has values for.</summary>
+        /// <param name="values">The values of an axis in its unit; null where it is left alone.</param>
+        /// <exception cref="UsageException">There are more than <see cref="Limit"/> poses.</exception>
+        public SweepPlan(Func<SweepAxis, IReadOnlyList<double>> values)
+            : this(SweepAxis.All.Select(axis => (axis, values(axis))).ToArray())
+        {
         }
 
         /// <summary>Poses in all.</summary>

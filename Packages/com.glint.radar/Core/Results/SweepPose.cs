@@ -42,4 +42,20 @@ namespace Glint.Core
                 SweepAxis.All.Where(axis => pose[axis].HasValue).Select(axis => axis.Describe(pose[axis].Value)));
         }
     }
+
+    /// <summary>A pose of a sweep and its result.</summary>
+    public readonly struct SweepRow
+    {
+        /// <summary>A row.</summary>
+        /// <param name="pose">The pose.</param>
+        /// <param name="result">Its result.</param>
+        public SweepRow(SweepPose pose, RadarResult result) =>
+            (Pose, Result) = (pose, result);
+
+        /// <summary>Where the sweep stood.</summary>
+        public SweepPose Pose { get; }
+
+        /// <summary>What was received.</summary>
+        public RadarResult Result { get; }
+    }
 }

@@ -4,18 +4,15 @@ using System.Globalization;
 namespace Glint.Core
 {
     /// <summary>Part K of N of a sweep: consecutive poses, in parts whose sizes differ by at most one.</summary>
-    public readonly struct SweepShard : IEquatable<SweepShard>
+    public readonly struct SweepShard
     {
         /// <summary>Maximum number of parts of a sweep.</summary>
         public const int Limit = 100000;
 
         /// <summary>A part.</summary>
         /// <param name="number">From 1 to <paramref name="count"/>.</param>
-        public SweepShard(int number, int count)
-        {
-            Number = number;
-            Count = count;
-        }
+        public SweepShard(int number, int count) =>
+            (Number, Count) = (number, count);
 
         /// <summary>Number of the part, from 1.</summary>
         public int Number { get; }
@@ -33,7 +30,7 @@ namespace Glint.Core
 
         /// <summary>Reads K/N.</summary>
         /// <exception cref="FormatException">Malformed or out of range.</exception>
-        internal static SweepShard Parse(string text)
+        public static SweepShard Parse(string text)
         {
             var parts = text.Split('/');
             if (parts.Length != 2 || !TryRead(parts[0], out int number) || !TryRead(parts[1], out int count)
@@ -42,15 +39,6 @@ namespace Glint.Core
                     $"must be K/N, part K of N, such as 2/8, with K from 1 to N and N at most {Limit}"));
             return new SweepShard(number, count);
         }
-
-        /// <summary>Whether number and count are equal.</summary>
-        public bool Equals(SweepShard other) => Number == other.Number && Count == other.Count;
-
-        /// <inheritdoc/>
-        public override bool Equals(object other) => other is SweepShard shard && Equals(shard);
-
-        /// <inheritdoc/>
-        public override int GetHashCode() => Number * 397 ^ Count;
 
         /// <summary>"2/8".</summary>
         public override string ToString() => FormattableString.Invariant($"{Number}/{Count}");

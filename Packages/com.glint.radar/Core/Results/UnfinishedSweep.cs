@@ -13,11 +13,8 @@ namespace Glint.Core
     /// </summary>
     sealed class UnfinishedSweep
     {
-        UnfinishedSweep(DateTime startedUtc, SweepIdentity identity)
-        {
-            StartedUtc = startedUtc;
-            Identity = identity;
-        }
+        UnfinishedSweep(DateTime startedUtc, SweepIdentity identity) =>
+            (StartedUtc, Identity) = (startedUtc, identity);
 
         /// <summary>First start of the sweep.</summary>
         public DateTime StartedUtc { get; }
@@ -34,7 +31,7 @@ namespace Glint.Core
         /// </summary>
         /// <returns>Null if the first line is incomplete.</returns>
         /// <exception cref="GlintException">
-        /// It cannot be read, or a complete line is damaged; the message names it.
+        /// It cannot be read or is of a newer schema, or a whole line is damaged; the message names it.
         /// </exception>
         public static UnfinishedSweep Read(string path)
         {
@@ -48,8 +45,11 @@ namespace Glint.Core
                     line++;
                     var json = StoredRun.Parse(Encoding.UTF8.GetString(bytes, from, end - from));
                     if (sweep == null)
+                    {
+                        StoredRun.CheckSchema(json, path);
                         sweep = new UnfinishedSweep(StoredRun.Time(json), StoredRun.Identity(json["sweep"] as JObject
                             ?? throw new FormatException("it names no sweep")));
+                    }
                     else
                         sweep.Rows.Add(new StoredRow(json));
                     sweep.Ends.Add(end + 1);

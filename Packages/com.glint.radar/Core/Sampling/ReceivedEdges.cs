@@ -28,7 +28,8 @@ namespace Glint.Core
         /// </summary>
         public void Add(int ray, in ReceivedNeighbours near, Complex phasor)
         {
-            long column = _picture[ray].Pixel % _picture.Across, row = _picture[ray].Pixel / _picture.Across;
+            var at = _picture.PositionOf(ray);
+            int column = at.x, row = at.y;
             if (row != _row)
                 EndRow(row);
             if (near.South < 0 && row > _picture.Bottom)

@@ -30,7 +30,8 @@ namespace Glint.Core
         /// <summary>Moves to the same or a later ray.</summary>
         public void MoveTo(int ray)
         {
-            uint pixel = _picture[ray].Pixel, column = pixel % _picture.Across;
+            uint pixel = _picture[ray].Pixel;
+            int column = _picture.PositionOf(ray).x;
             bool hasWest = column > 0, hasEast = column + 1 < _picture.Across;
             West = hasWest && ray > 0 && _picture[ray - 1].Pixel == pixel - 1 ? ray - 1 : -1;
             East = hasEast && ray + 1 < _picture.Count && _picture[ray + 1].Pixel == pixel + 1 ? ray + 1 : -1;

@@ -1,3 +1,6 @@
+using System.Runtime.InteropServices;
+using Unity.Mathematics;
+
 namespace Glint.Core
 {
     /// <summary>
@@ -7,15 +10,14 @@ namespace Glint.Core
     {
         const int DigitBits = 11, Digits = 1 << DigitBits;
 
+        readonly RadarSettings _settings;
         readonly ReceivedRay[] _rays;
 
         /// <param name="received">Each pixel at most once, in any order; sorted in place.</param>
         public ReceivedPicture(in RadarSettings settings, ReceivedRay[] received, int count)
         {
-            var region = settings.Region.IsWhole
-                ? new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown }
-                : settings.Region;
-            Across = (uint)settings.RaysAcross;
+            _settings = settings;
+            var region = settings.TracedRegion;
             (Left, Right) = (region.Left, region.Left + region.Width - 1);
             (Bottom, Top) = (region.Bottom, region.Bottom + region.Height - 1);
             Count = count;
@@ -25,7 +27,7 @@ namespace Glint.Core
         public int Count { get; }
 
         /// <summary>Rays across the whole picture.</summary>
-        public uint Across { get; }
+        public uint Across => (uint)_settings.RaysAcross;
 
         /// <summary>Bounds of the emitted rays: first and last column and row.</summary>
         public long Left { get; }
@@ -34,6 +36,9 @@ namespace Glint.Core
         public long Top { get; }
 
         public ReceivedRay this[int ray] => _rays[ray];
+
+        /// <summary>Column and row of a ray.</summary>
+        public int2 PositionOf(int ray) => _settings.PositionOf(_rays[ray].Pixel);
 
         /// <summary>First ray at or after a pixel; <see cref="Count"/> if there is none.</summary>
         public int FirstFrom(long pixel)
@@ -77,5 +82,21 @@ namespace Glint.Core
                     return false;
             return true;
         }
+    }
+
+    /// <summary>A received ray for the estimate of the sampling error: two 32-bit words.</summary>
+    [StructLayout(LayoutKind.Sequential)]
+    public struct ReceivedRay
+    {
+        // NO_PIXEL in Shaders/Constants.hlsl.
+        internal const uint NoPixel = uint.MaxValue;
+
+        /// <summary>x + y * rays across; x from the left, y from the bottom of the whole picture.</summary>
+        public uint Pixel;
+
+        /// <summary>
+        /// Path length in metres less a length common to all rays of the pose, for which float32 has micrometres.
+        /// </summary>
+        public float Length;
     }
 }

@@ -16,8 +16,7 @@ namespace Glint.Core
             var pixels = new List<uint>();
             if (picture.Count == 0)
                 return pixels;
-            long firstRow = picture[0].Pixel / picture.Across,
-                lastRow = picture[picture.Count - 1].Pixel / picture.Across;
+            int firstRow = picture.PositionOf(0).y, lastRow = picture.PositionOf(picture.Count - 1).y;
             var (below, here, above) = (new Row(picture), new Row(picture), new Row(picture));
             for (long row = Math.Max(firstRow - 1, picture.Bottom); row <= Math.Min(lastRow + 1, picture.Top); row++)
             {

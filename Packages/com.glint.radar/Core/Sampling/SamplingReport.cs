@@ -4,12 +4,8 @@ namespace Glint.Core
     public readonly struct SamplingReport
     {
         /// <summary>A report.</summary>
-        public SamplingReport(double error, double largestPathStep, bool undersampled)
-        {
-            Error = error;
-            LargestPathStep = largestPathStep;
-            Undersampled = undersampled;
-        }
+        public SamplingReport(double error, double largestPathStep, bool undersampled) =>
+            (Error, LargestPathStep, Undersampled) = (error, largestPathStep, undersampled);
 
         /// <summary>
         /// Estimated distance of <see cref="RadarResult.NormalisedAmplitude"/> from its limit for infinitely many rays,

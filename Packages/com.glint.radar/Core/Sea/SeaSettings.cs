@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Glint.Core
 {
@@ -20,7 +21,38 @@ namespace Glint.Core
             Grids = Interval.Closed(4, 1024), CellCounts = Interval.Closed(1, 2048),
             Fetches = Interval.Closed(100, 1e7), PeakEnhancements = Interval.Closed(1, 10);
 
-        static readonly Interval s_factors = Interval.Closed(0.001, 1000);
+        static readonly Interval s_factors = Interval.Closed(0.001, 1000), s_shortest = Interval.Closed(0, 4096),
+            s_seeds = Interval.Closed(0, int.MaxValue);
+
+        /// <summary>The numbers of a sea, in the order of the declaration; not what a stored one was scaled by.</summary>
+        public static readonly IReadOnlyList<Measure> Measures = new[]
+        {
+            Of(nameof(SignificantWaveHeight), "Wave Height", "m", Heights,
+                "Significant wave height: four standard deviations of the height, of all snapshots together."),
+            Of(nameof(WindSpeed), "Wind", "m/s", Winds,
+                "Wind speed 10 m above the sea. It shapes the spectrum and leaves the height alone: more wind, "
+                + "longer waves."),
+            Of(nameof(WindDirectionDegrees), "Wind Direction", "deg", Directions,
+                "Where wind and waves run to, as a rotation about Y: 0 to +Z, 90 to +X."),
+            Of(nameof(Choppiness), "Choppiness", "", Choppinesses,
+                "Horizontal displacement over that of waves in deep water: 0 none, 1 theirs. Crests of steep waves "
+                + "curl over from there on."),
+            Of(nameof(TileSize), "Tile", "m", Tiles,
+                "Side of the tile that repeats: a multiple of 1/1024 m. No wave is longer."),
+            Of(nameof(GridSize), "Grid", "", Grids,
+                "Points of the wave grid along a side, a power of two: waves down to nearly twice the tile over "
+                + "them are there."),
+            Of(nameof(Cells), "Cells", "", CellCounts,
+                "Cells of the mesh along a side of the tile, of two triangles each. They sample the sea and do not "
+                + "change it."),
+            Of(nameof(ShortestWave), "Shortest Wave", "m", s_shortest,
+                "Shorter waves are left out; at most half the tile. 0: none are."),
+            Of(nameof(Fetch), "Fetch", "m", Fetches, "Water that the wind has blown over. JONSWAP only."),
+            Of(nameof(PeakEnhancement), "Peak Enhancement", "", PeakEnhancements,
+                "How much higher the peak is than that of a fully risen sea. JONSWAP only."),
+            Of(nameof(Seed), "Seed", "", s_seeds,
+                "Which of all seas with this spectrum. The same number gives the same sea.")
+        };
 
         /// <summary>Distribution of the variance over wavelengths.</summary>
         public SeaSpectrumKind Kind;
@@ -111,6 +143,9 @@ namespace Glint.Core
             Check(subject, "height factor", HeightFactor, s_factors, "", "1 leaves the height as asked for");
         }
 
+        static Measure Of(string field, string title, string unit, Interval range, string help) =>
+            new Measure(typeof(SeaSettings), field, title, unit, range, help);
+
         static void Check(string subject, string name, double value, Interval range, string unit, string wayOut)
         {
             if (!range.Contains(value))
@@ -118,5 +153,55 @@ namespace Glint.Core
         }
 
         static string Text(double value) => RadarSettings.Text(value);
+    }
+
+    /// <summary>
+    /// Distribution of a sea's variance over wavelengths. Wind and fetch set the shape only; the height is a separate
+    /// setting.
+    /// </summary>
+    public enum SeaSpectrumKind
+    {
+        /// <summary>
+        /// Tessendorf's form of the Phillips spectrum (Simulating Ocean Water, 2001, eq. 40): 1/k^4,
+        /// cut off above the wave whose speed is the wind's.
+        /// </summary>
+        Phillips,
+
+        /// <summary>Pierson and Moskowitz 1964: a fully risen sea.</summary>
+        PiersonMoskowitz,
+
+        /// <summary>JONSWAP, Hasselmann et al. 1973: a developing sea of limited fetch, with a sharper peak.</summary>
+        Jonswap
+    }
+
+    /// <summary>
+    /// The sea states of the World Meteorological Organization (code table 3700, the Douglas scale) as
+    /// significant wave heights in metres.
+    /// </summary>
+    public static class SeaState
+    {
+        /// <summary>The codes with a range of heights: 0 is calm, and 9 (above 14 m) has no upper end.</summary>
+        public const int Lowest = 1, Highest = 8;
+
+        // Range of code c: from s_ends[c - 1] to s_ends[c].
+        static readonly double[] s_ends = { 0, 0.1, 0.5, 1.25, 2.5, 4, 6, 9, 14 };
+
+        /// <summary>The middle of the code's range, metres: 3.25 m for sea state 5, 5 m for sea state 6.</summary>
+        /// <exception cref="GlintException">The code is not one of 1 to 8.</exception>
+        public static double WaveHeight(int code)
+        {
+            var (from, to) = Range(code);
+            return (from + to) / 2;
+        }
+
+        /// <summary>Range of the significant wave height of the code, metres.</summary>
+        /// <exception cref="GlintException">The code is not one of 1 to 8.</exception>
+        public static (double From, double To) Range(int code)
+        {
+            if (code < Lowest || code > Highest)
+                throw new GlintException($"sea state {code} must be from {Lowest} to {Highest}: "
+                    + "0 has no waves and 9 no greatest height; ask for the significant wave height in metres instead");
+            return (s_ends[code - 1], s_ends[code]);
+        }
     }
 }

@@ -236,4 +236,48 @@ namespace Glint.Core
         // System.Math rounds differently between runtimes just below a half.
         static double Rounded(double value, double step) => Math.Floor(value / step + 0.5) * step;
     }
+
+    /// <summary>
+    /// One wave of a sea's tile. Its height is 2 Re(h e^(i(2 pi (Column x + Row z) / tile - w t))),
+    /// x and z from the tile's corner.
+    /// </summary>
+    struct SeaMode
+    {
+        /// <summary>
+        /// Waves a tile along x and z; of each pair k and -k, which are the same wave,
+        /// the one with z above 0, or z 0 and x above 0.
+        /// </summary>
+        public int Column, Row;
+
+        /// <summary>h, metres.</summary>
+        public double Real, Imaginary;
+
+        /// <summary>w over 2 pi, turns a second: negative if the wave travels along -k.</summary>
+        public double Frequency;
+
+        /// <summary>k over its length.</summary>
+        public double AlongX, AlongZ;
+    }
+
+    /// <summary>
+    /// The SplitMix64 generator (Steele, Lea and Flood 2014): integers only, so the same on every machine.
+    /// </summary>
+    struct SplitMix64
+    {
+        ulong _state;
+
+        public SplitMix64(ulong seed) => _state = seed;
+
+        public ulong Next()
+        {
+            _state += 0x9E3779B97F4A7C15;
+            ulong mixed = _state;
+            mixed = (mixed ^ (mixed >> 30)) * 0xBF58476D1CE4E5B9;
+            mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB;
+            return mixed ^ (mixed >> 31);
+        }
+
+        /// <summary>Uniform in (0, 1], in steps of 2^-53.</summary>
+        public double NextAboveZero() => ((Next() >> 11) + 1) * (1.0 / (1L << 53));
+    }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Glint.Core
 {
@@ -8,15 +9,35 @@ namespace Glint.Core
     [Serializable]
     public struct ShipSettings
     {
-        internal static readonly Interval Lengths = Interval.Closed(55, 90), Beams = Interval.Closed(11, 16),
-            Freeboards = Interval.Closed(1.5, 6),
-            Forecastles = Interval.Closed(0, 3), Draughts = Interval.Closed(2, 8),
-            Sheers = Interval.Closed(0, 3), Rakes = Interval.Closed(0, 6),
-            Flares = Interval.Closed(0, 0.8), Transoms = Interval.Closed(0.4, 1), Storeys = Interval.Closed(2, 4),
-            WindowCounts = Interval.Closed(1, 15),
-            WindowDepths = Interval.Closed(0.02, 0.5), MastHeights = Interval.Closed(5, 20),
-            HouseFronts = Interval.Closed(0.28, 0.36), HouseAfts = Interval.Closed(0.2, 0.34),
-            TriangleCounts = Interval.Closed(15000, 200000);
+        /// <summary>Every field, in the order of the declaration.</summary>
+        public static readonly IReadOnlyList<Measure> Measures = new[]
+        {
+            Of(nameof(Length), "Length", "m", 55, 90, "From the stern to the tip of the bow."),
+            Of(nameof(Beam), "Beam", "m", 11, 16, "Greatest width of the deck."),
+            Of(nameof(Freeboard), "Freeboard", "m", 1.5, 6, "Height above the water of the deck aft of the deckhouse."),
+            Of(nameof(Forecastle), "Forecastle", "m", 0, 3,
+                "How much higher the deck lies before the deckhouse than aft of it."),
+            Of(nameof(Draught), "Draught", "m", 2, 8, "How far the keel lies below the water."),
+            Of(nameof(Sheer), "Sheer", "m", 0, 3, "How much the deck rises from before the deckhouse to the bow."),
+            Of(nameof(Rake), "Rake", "m", 0, 6, "How far the tip of the bow reaches out over the stem at the water."),
+            Of(nameof(Flare), "Flare", "", 0, 0.8,
+                "How much finer the bow is at the keel than at the deck: 0 is as upright as amidships."),
+            Of(nameof(Transom), "Transom", "of the beam", 0.4, 1, "Width of the flat transom at the deck."),
+            Of(nameof(HouseFront), "House Front", "of the length", 0.28, 0.36,
+                "From the middle of the ship forward to the flat front of the deckhouse. With the deck before it "
+                + "it is a dihedral: the peak bow-on."),
+            Of(nameof(HouseAft), "House Aft", "of the length", 0.2, 0.34,
+                "From the middle of the ship aft to the flat end of the deckhouse. With the deck behind it it is a "
+                + "dihedral: the peak stern-on."),
+            Of(nameof(StoreyHeight), "Storey Height", "m", 2, 4,
+                "Height of each of the three storeys: deckhouse, upper house and bridge."),
+            Of(nameof(Windows), "Windows", "", 1, 15,
+                "Windows across the bridge's front; each side has two thirds as many."),
+            Of(nameof(WindowDepth), "Window Depth", "m", 0.02, 0.5,
+                "How deep the windows are set into the bridge. Sill, jambs and pane are small corner reflectors."),
+            Of(nameof(MastHeight), "Mast Height", "m", 5, 20, "Height of the mast's top over the bridge's roof."),
+            Of(nameof(Triangles), "Triangles", "", 15000, 200000, "Triangles of the whole ship, met within 2 %.")
+        };
 
         /// <summary>From the stern to the tip of the bow, metres: 55 to 90.</summary>
         public double Length;
@@ -103,28 +124,16 @@ namespace Glint.Core
         /// <exception cref="GlintException">A value is out of its range.</exception>
         public void Validate()
         {
-            Check("length", Length, Lengths, " m");
-            Check("beam", Beam, Beams, " m");
-            Check("freeboard", Freeboard, Freeboards, " m");
-            Check("forecastle", Forecastle, Forecastles, " m");
-            Check("draught", Draught, Draughts, " m");
-            Check("sheer", Sheer, Sheers, " m");
-            Check("rake", Rake, Rakes, " m");
-            Check("flare", Flare, Flares);
-            Check("transom", Transom, Transoms, " of the beam");
-            Check("house front", HouseFront, HouseFronts, " of the length");
-            Check("house aft", HouseAft, HouseAfts, " of the length");
-            Check("storey height", StoreyHeight, Storeys, " m");
-            Check("windows", Windows, WindowCounts);
-            Check("window depth", WindowDepth, WindowDepths, " m");
-            Check("mast height", MastHeight, MastHeights, " m");
-            Check("triangles", Triangles, TriangleCounts);
+            foreach (var measure in Measures)
+                if (!measure.Range.Contains(measure.Of(this)))
+                {
+                    string unit = measure.Unit.Length == 0 ? "" : " " + measure.Unit;
+                    throw new GlintException($"ship: {measure.Title.ToLowerInvariant()} "
+                        + $"{RadarSettings.Text(measure.Of(this))}{unit} must be {measure.Range}{unit}");
+                }
         }
 
-        static void Check(string name, double value, Interval range, string unit = "")
-        {
-            if (!range.Contains(value))
-                throw new GlintException($"ship: {name} {RadarSettings.Text(value)}{unit} must be {range}{unit}");
-        }
+        static Measure Of(string field, string title, string unit, double from, double to, string help) =>
+            new Measure(typeof(ShipSettings), field, title, unit, Interval.Closed(from, to), help);
     }
 }

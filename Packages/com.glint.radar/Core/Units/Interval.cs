@@ -4,7 +4,7 @@ using System.Globalization;
 namespace Glint.Core
 {
     /// <summary>The range of a number, both ends included, and its text for messages.</summary>
-    readonly struct Interval
+    public readonly struct Interval
     {
         readonly double _from, _to;
 

@@ -14,11 +14,8 @@ namespace Glint.Core
             new LengthUnit("km", 1000), new LengthUnit("in", 0.0254), new LengthUnit("ft", 0.3048)
         };
 
-        LengthUnit(string name, double meters)
-        {
-            Name = name;
-            Meters = meters;
-        }
+        LengthUnit(string name, double meters) =>
+            (Name, Meters) = (name, meters);
 
         /// <summary>All units.</summary>
         public static IReadOnlyList<LengthUnit> All => Units;

@@ -8,7 +8,7 @@ namespace Glint.Core
     /// Reads the numbers of an option, written FROM:TO:STEP or as a list with commas.
     /// A <see cref="FormatException"/> says what they must be.
     /// </summary>
-    sealed class NumberList
+    public sealed class NumberList
     {
         /// <summary>Maximum number of values of one list.</summary>
         public const int Limit = 1000000;
@@ -18,9 +18,10 @@ namespace Glint.Core
         // In steps, so that a STEP such as 0.333333333 reaches TO.
         const decimal EndTolerance = 1e-6m;
 
-        readonly string _noun, _nouns, _unit, _forms;
-        readonly Interval _range;
+        readonly string _noun, _nouns, _unit;
+        readonly (string range, string list) _examples;
 
+        /// <summary>A list of such numbers.</summary>
         /// <param name="noun">Noun of a number: "angle".</param>
         /// <param name="range">Of each number.</param>
         /// <param name="unit">"degrees".</param>
@@ -31,10 +32,19 @@ namespace Glint.Core
         {
             _noun = noun;
             _nouns = nouns ?? noun + "s";
-            _range = range;
+            Range = range;
             _unit = unit;
-            _forms = $"give FROM:TO:STEP, such as {examples.range}, or a list, such as {examples.list}";
+            _examples = examples;
         }
+
+        /// <summary>Of each number.</summary>
+        public Interval Range { get; }
+
+        /// <summary>Whether the numbers are whole; a range needs no STEP then.</summary>
+        public bool IsWhole { get; set; }
+
+        string Forms => $"give FROM:TO{(IsWhole ? "" : ":STEP")}, such as {_examples.range}, "
+            + $"or a list, such as {_examples.list}";
 
         /// <summary>
         /// The numbers in the order given. FROM is included, and TO if whole steps reach it.
@@ -45,20 +55,28 @@ namespace Glint.Core
         public double[] Read(string text)
         {
             if (string.IsNullOrWhiteSpace(text))
-                throw new FormatException($"no {_nouns}: {_forms}");
-            return text.Contains(':') ? Range(text.Split(':')) : List(text.Split(','));
+                throw new FormatException($"no {_nouns}: {Forms}");
+            return text.Contains(':') ? Steps(text.Split(':')) : List(text.Split(','));
         }
+
+        /// <summary>As <see cref="Read"/>, with a message that names the text and where it is written.</summary>
+        /// <exception cref="UsageException">
+        /// Malformed, empty, out of range or more than <see cref="Limit"/>.
+        /// </exception>
+        public double[] Parse(string text, string where) => Values.Parse(Read, text, where);
 
         double[] List(string[] parts) =>
             parts.Length <= Limit ? parts.Select(Value).ToArray() : throw TooMany("give fewer");
 
-        double[] Range(string[] parts)
+        double[] Steps(string[] parts)
         {
+            if (IsWhole && parts.Length == 2)
+                parts = new[] { parts[0], parts[1], "1" };
             if (parts.Length != 3)
-                throw new FormatException("a range has three parts: " + _forms);
+                throw new FormatException($"a range has {(IsWhole ? "two or " : "")}three parts: {Forms}");
             double first = Value(parts[0]), last = Value(parts[1]), step = Number(parts[2]);
-            if (step <= 0)
-                throw new FormatException("STEP must be above 0");
+            if (step <= 0 || IsWhole && step % 1 != 0)
+                throw new FormatException($"STEP must be {(IsWhole ? "a whole number " : "")}above 0");
             if (first > last)
                 throw new FormatException("FROM must not be above TO");
             if (first == last)
@@ -88,17 +106,20 @@ namespace Glint.Core
         double Value(string text)
         {
             double value = Number(text);
-            return _range.Contains(value) ? value : throw new FormatException($"each {_noun} must be {_range} {_unit}");
+            return Range.Contains(value) && !(IsWhole && value % 1 != 0)
+                ? value
+                : throw new FormatException(
+                    $"each {_noun} must be {(IsWhole ? "a whole number " : "")}{Range} {_unit}".TrimEnd());
         }
 
         double Number(string text)
         {
             if (text.Trim().Length == 0)
-                throw new FormatException("a number is missing: " + _forms);
+                throw new FormatException("a number is missing: " + Forms);
             // + 0 turns -0 into 0.
             return Values.TryReal(text, out double value)
                 ? value + 0.0
-                : throw new FormatException($"{Values.Shown(text)} is not a number: {_forms}");
+                : throw new FormatException($"{Values.Shown(text)} is not a number: {Forms}");
         }
 
         static decimal ToDecimal(string text) =>

@@ -10,17 +10,34 @@ namespace Glint.Core
     /// A <see cref="FormatException"/> says what the value must be;
     /// the caller puts the option's name and the text before it.
     /// </summary>
-    static class Values
+    public static class Values
     {
         const NumberStyles RealStyle =
             NumberStyles.AllowLeadingSign | NumberStyles.AllowDecimalPoint | NumberStyles.AllowExponent;
         const int LongestShown = 60;
 
+        /// <summary>Reads a text, and names it and where it is written when it cannot be read.</summary>
+        /// <param name="where">Null: the message begins with the text.</param>
+        /// <exception cref="UsageException">Malformed or out of range.</exception>
+        public static T Parse<T>(Func<string, T> read, string text, string where = null)
+        {
+            try
+            {
+                return read(text);
+            }
+            catch (FormatException error)
+            {
+                throw new UsageException($"{(where == null ? "" : where + " ")}{Shown(text)}: {error.Message}");
+            }
+        }
+
+        /// <summary>A finite number.</summary>
         public static double Real(string text, Interval range) =>
             Checked(TryReal(text, out double value)
                 ? value
                 : throw new FormatException("must be a number, such as 0.5 or 10e9"), range, "must be ");
 
+        /// <summary>A whole number.</summary>
         public static int Whole(string text, Interval range) =>
             (int)Checked(
                 TryWhole(text, out double value) ? value : throw new FormatException($"must be a whole number {range}"),
@@ -87,6 +104,7 @@ namespace Glint.Core
             }
         }
 
+        /// <summary>y or z.</summary>
         public static UpAxis Up(string text)
         {
             switch (text)
@@ -100,8 +118,10 @@ namespace Glint.Core
         /// <summary>Value of an option that takes none.</summary>
         public const string GivenText = "given";
 
+        /// <summary>The value of an option that takes none.</summary>
         public static bool Given(string text) => text == GivenText ? true : throw new FormatException("takes no value");
 
+        /// <summary>Any text with more in it than blanks.</summary>
         public static string NotEmpty(string text) =>
             string.IsNullOrWhiteSpace(text) ? throw new FormatException("must not be empty") : text;
 

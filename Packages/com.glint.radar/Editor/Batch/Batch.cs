@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using Glint.Core;
@@ -44,18 +45,11 @@ namespace Glint.Editor
         /// <exception cref="OperationCanceledException">
         /// Cancelled within a pose; earlier rows are kept.
         /// </exception>
-        public static int Execute(CommandLine line, IProgressSink progress)
+        public static int Execute(CommandLine line, IProgressSink progress) =>
+            line.Command.Handler(line, progress);
+
+        internal static int TracePoses(CommandLine line, IProgressSink progress)
         {
-            if (line.Command == Commands.Sea)
-                return SeaAssets.Write(line, progress);
-            if (line.Command == Commands.Ship)
-                return ShipAssets.Write(line, progress);
-            if (line.Command == Commands.Reflector)
-                return CornerReflectorAssets.Write(progress);
-            if (line.Command == Commands.Merge)
-                return MergeParts(line, progress);
-            if (line.Command == Commands.Report)
-                return ReportCommand.Write(line, progress);
             var plan = PlanOf(line);
             var loaded = LoadedScene.Open(line);
             try
@@ -80,7 +74,7 @@ namespace Glint.Editor
             line.Arguments.Where(word => new Option[] { Options.Out, Options.Shard, Options.Resume, Options.Device }
                 .All(aside => word.Split('=')[0] != aside.Flag)).ToArray();
 
-        static int MergeParts(CommandLine line, IProgressSink progress)
+        internal static int MergeParts(CommandLine line, IProgressSink progress)
         {
             string output = line.Get(Options.Out);
             if (ResultsMerge.IsOneOf(line.Folders, output))
@@ -96,13 +90,7 @@ namespace Glint.Editor
         {
             if (line.Command != Commands.Sweep)
                 return SweepPlan.Single;
-            var snapshots = line.Get(Options.Snapshots);
-            var plan = new SweepPlan(
-                (SweepAxis.Angle, line.Get(Options.Angles)),
-                (SweepAxis.Grazing, line.Get(Options.GrazingAngles)),
-                (SweepAxis.Range, line.Get(Options.Distances)),
-                (SweepAxis.Frequency, line.Get(Options.Frequencies)),
-                (SweepAxis.Snapshot, snapshots == null ? null : Array.ConvertAll(snapshots, number => (double)number)));
+            var plan = new SweepPlan(axis => line.Get(Options.Of(axis)));
             if (line.Get(Options.Shard) is SweepShard shard && shard.Count > plan.Count)
                 throw new UsageException($"{Options.Shard.Flag} {shard}: the sweep has {plan.Count} poses: "
                     + "divide it into so many parts at most");
@@ -210,5 +198,76 @@ namespace Glint.Editor
             }
             EditorApplication.Exit(code);
         }
+    }
+
+    /// <summary><c>glint ship</c>: a ship as a mesh and a prefab that carries its measures.</summary>
+    static class ShipAssets
+    {
+        const string Name = "Ship";
+
+        /// <summary>Writes the ship of a command line, or the stored ship.</summary>
+        /// <returns>The exit code: 0 done.</returns>
+        /// <exception cref="GlintException">A measure is out of range, or a file cannot be written.</exception>
+        public static int Write(CommandLine line, IProgressSink progress)
+        {
+            var asked = ShipOptions.Read(line);
+            string folder =
+                asked.HasValue ? ProjectAssets.Folder(line.Get(Options.AssetFolder)) : ProjectAssets.StoredFolder(Name);
+            var settings = asked ?? ShipSettings.Default;
+            var made = ShipModel.Build(settings);
+            var mesh = ProjectAssets.Save(MeshMaker.Make(Name, made.Vertices, made.Indices), $"{folder}/{Name}.asset");
+            var root = new GameObject(Name, typeof(MeshFilter), typeof(MeshRenderer), typeof(Ship));
+            ProjectAssets.Show(root, mesh);
+            root.GetComponent<Ship>().Settings = settings;
+            ProjectAssets.SavePrefab(root, $"{folder}/{Name}.prefab");
+            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}/{1}.prefab: {2} triangles, {3} m long",
+                folder, Name, made.TriangleCount, settings.Length));
+            return Batch.Done;
+        }
+    }
+
+    /// <summary>The table that a command prints, a line for each pose.</summary>
+    public static class PoseTable
+    {
+        /// <summary>
+        /// Heading of the columns for the poses of a plan: the axes that have more than one value, the angle always.
+        /// </summary>
+        public static string Header(SweepPlan plan) =>
+            string.Concat(Columns(plan).Select(axis => axis.Name.PadLeft(axis.Width) + "  "))
+            + "    amplitude         dB   received        hit";
+
+        /// <summary>The line of one pose.</summary>
+        /// <param name="plan">The plan of the pose.</param>
+        /// <param name="row">The pose and its result.</param>
+        public static string Row(SweepPlan plan, SweepRow row) =>
+            string.Concat(Columns(plan).Select(axis => Cell(axis, row.Pose[axis]))) + Row(row.Result);
+
+        static IEnumerable<SweepAxis> Columns(SweepPlan plan) =>
+            SweepAxis.All.Where(axis => axis == SweepAxis.Angle || plan.Varies(axis));
+
+        static string Cell(SweepAxis axis, double? value) =>
+            (value?.ToString("0.###", CultureInfo.InvariantCulture) ?? "-").PadLeft(axis.Width) + "  ";
+
+        static string Row(RadarResult result) => string.Format(CultureInfo.InvariantCulture,
+            "{0,13:0.000}  {1,9}  {2,9}  {3,9}",
+            result.Amplitude,
+            result.AmplitudeDb.HasValue ? Decibels(result.AmplitudeDb.Value) : "-",
+            result.RaysReceived,
+            result.RaysHit);
+
+        /// <summary>
+        /// Details without a column: the sampling error, and the wavefront of a parallel ray.
+        /// </summary>
+        public static string Details(RadarResult result) => FormattableString.Invariant(
+                $"normalised amplitude {result.NormalisedAmplitude:0.000}, sampling error ")
+            + (result.Sampling is SamplingReport sampling
+                ? FormattableString.Invariant($"{sampling.Error:g3}; largest step between neighbouring paths ")
+                    + FormattableString.Invariant($"{sampling.LargestPathStep:g3} wavelengths")
+                : ResultColumn.NotEstimated)
+            + (result.RayArea is double area ? FormattableString.Invariant($"; {area:g6} m2 a ray") : "");
+
+        // + 0 turns -0, rounded from slightly below 0 dB, into 0.
+        static string Decibels(double value) =>
+            (Math.Round(value, 2) + 0.0).ToString("0.00", CultureInfo.InvariantCulture);
     }
 }

@@ -1,4 +1,5 @@
 using Glint.Core;
+using Glint.Reference;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -16,7 +17,7 @@ namespace Glint.Editor
         /// <summary>Writes both prefabs.</summary>
         /// <returns>The exit code: 0 done.</returns>
         /// <exception cref="GlintException">A file cannot be written, or the kernel is missing.</exception>
-        public static int Write(IProgressSink progress)
+        public static int Write(CommandLine line, IProgressSink progress)
         {
             string folder = ProjectAssets.StoredFolder("CornerReflector");
             foreach (var root in new[] { MakeReflector(), MakeRadar() })

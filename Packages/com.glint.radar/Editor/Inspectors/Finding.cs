@@ -1,3 +1,5 @@
+using System;
+using Glint.Core;
 using Object = UnityEngine.Object;
 
 namespace Glint.Editor
@@ -5,13 +7,8 @@ namespace Glint.Editor
     /// <summary>A finding of a check.</summary>
     sealed class Finding
     {
-        public Finding(Severity severity, string text, Fix fix = null, Object where = null)
-        {
-            Severity = severity;
-            Text = text;
-            Fix = fix;
-            Where = where;
-        }
+        public Finding(Severity severity, string text, Fix fix = null, Object where = null) =>
+            (Severity, Text, Fix, Where) = (severity, text, fix, where);
 
         public Severity Severity { get; }
 
@@ -24,6 +21,32 @@ namespace Glint.Editor
         /// <summary>The object of the finding, if it is not the one checked; else null.</summary>
         public Object Where { get; }
 
+        /// <summary>What a check refuses; null when it finds nothing wrong.</summary>
+        /// <param name="check">Throws a GlintException.</param>
+        /// <param name="fix">Mends what is refused; null for none.</param>
+        public static Finding Of(Action check, Func<Fix> fix = null)
+        {
+            try
+            {
+                check();
+                return null;
+            }
+            catch (GlintException problem)
+            {
+                return new Finding(Severity.Error, problem.Message, fix?.Invoke());
+            }
+        }
+
         public override string ToString() => $"{Severity}: {Text}";
+    }
+
+    /// <summary>How bad a finding is.</summary>
+    enum Severity
+    {
+        /// <summary>A trace is possible, but the result may mislead.</summary>
+        Warning,
+
+        /// <summary>It cannot be traced.</summary>
+        Error,
     }
 }

@@ -11,11 +11,8 @@ namespace Glint.Editor
 
         /// <param name="label">Label of the button and of Undo.</param>
         /// <param name="mend">Makes the changes, by <see cref="Change"/> and Undo.</param>
-        public Fix(string label, Action mend)
-        {
-            Label = label;
-            _mend = mend;
-        }
+        public Fix(string label, Action mend) =>
+            (Label, _mend) = (label, mend);
 
         public string Label { get; }
 

@@ -47,7 +47,8 @@ namespace Glint.Editor
             _findings.Clear();
             Figures = null;
             CheckRadar();
-            CheckKernel();
+            Attempt(() => _ = new TraceKernel(_radar.Kernel, SoftwareDevice.UsesWideKernels, _radar.Subject),
+                () => RadarFixes.AssignKernel(_radar));
             CheckMeshes();
             if (_findings.All(finding => finding.Severity != Severity.Error))
                 CheckPose();
@@ -74,16 +75,12 @@ namespace Glint.Editor
                 Add(Severity.Error, _radar.HasEmptyRoot, RadarFixes.RemoveEmptyRoots(_radar));
         }
 
-        void CheckKernel()
+        bool Attempt(Action look, Func<Fix> fix = null)
         {
-            try
-            {
-                _ = new TraceKernel(_radar.Kernel, SoftwareDevice.UsesWideKernels, _radar.Subject);
-            }
-            catch (GlintException problem)
-            {
-                Add(Severity.Error, problem.Message, RadarFixes.AssignKernel(_radar));
-            }
+            var finding = Finding.Of(look, fix);
+            if (finding != null)
+                _findings.Add(finding);
+            return finding == null;
         }
 
         void CheckMeshes()
@@ -96,19 +93,19 @@ namespace Glint.Editor
             var batched = seen.FindAll(pair => pair.renderer.isPartOfStaticBatch).ConvertAll(pair => pair.renderer);
             if (batched.Count > 0)
                 Add(Severity.Error, SceneGatherer.InStaticBatch(batched[0]) + More(batched.Count),
-                    Application.isPlaying ? null : MeshFixes.ClearBatching(batched), batched[0]);
+                    Application.isPlaying ? null : RadarFixes.ClearBatching(batched), batched[0]);
             var marked = seen.FindAll(pair => !pair.renderer.isPartOfStaticBatch
-                && MeshFixes.IsBatchingStatic(pair.renderer)).ConvertAll(pair => pair.renderer);
+                && RadarFixes.IsBatchingStatic(pair.renderer)).ConvertAll(pair => pair.renderer);
             if (marked.Count > 0)
                 Add(Severity.Warning, $"'{marked[0].name}' is marked Batching Static, and cannot be traced once Unity "
                     + "has merged it with others when the scene is played: clear Batching Static among its static "
-                    + $"flags{More(marked.Count)}", MeshFixes.ClearBatching(marked), marked[0]);
+                    + $"flags{More(marked.Count)}", RadarFixes.ClearBatching(marked), marked[0]);
             var unreadable = seen.FindAll(pair => !pair.renderer.isPartOfStaticBatch && !pair.mesh.isReadable)
                 .GroupBy(pair => pair.mesh).Select(group => group.First()).ToList();
             if (unreadable.Count > 0)
                 Add(Severity.Error,
                     SceneGatherer.NotReadable(unreadable[0].mesh, unreadable[0].renderer) + More(unreadable.Count),
-                    MeshFixes.MakeReadable(unreadable.ConvertAll(pair => pair.mesh)), unreadable[0].renderer);
+                    RadarFixes.MakeReadable(unreadable.ConvertAll(pair => pair.mesh)), unreadable[0].renderer);
             if (seen.Count == 0)
                 CheckLayers(roots);
         }
@@ -129,17 +126,13 @@ namespace Glint.Editor
         // All other refusals of a trace, with their messages, and checks that need a pose.
         void CheckPose()
         {
-            RadarPose pose;
-            try
+            RadarPose pose = default;
+            if (!Attempt(() =>
             {
                 pose = _radar.Gather(_gatherer);
                 DispatchPlan.Check(pose.Settings, _radar.RayReadback, _radar.Subject);
-            }
-            catch (GlintException problem)
-            {
-                Add(Severity.Error, problem.Message);
+            }))
                 return;
-            }
             foreach (string warning in _gatherer.Warnings)
                 Add(Severity.Warning, $"{_radar.Subject}: {warning}");
             _boxes.Update(pose.Scene);
@@ -187,5 +180,57 @@ namespace Glint.Editor
         }
 
         Fix Denser() => RadarFixes.TraceDenser(_radar, Figures.EnoughTimes(_radar.Subject));
+    }
+
+    /// <summary>Fixes for findings about traced meshes.</summary>
+    static class MeshFixes
+    {
+        public static bool IsBatchingStatic(Renderer renderer) =>
+            GameObjectUtility.AreStaticEditorFlagsSet(renderer.gameObject, StaticEditorFlags.BatchingStatic);
+
+        public static Fix ClearBatching(IReadOnlyList<MeshRenderer> renderers) => new Fix("Clear Batching Static", () =>
+        {
+            foreach (var renderer in renderers)
+                Fix.Change(renderer.gameObject, "Clear Batching Static", it => GameObjectUtility.SetStaticEditorFlags(
+                    it, GameObjectUtility.GetStaticEditorFlags(it) & ~StaticEditorFlags.BatchingStatic));
+        });
+
+        /// <summary>
+        /// Null if none of the meshes belongs to a model, is an asset of its own, or is only in the scene.
+        /// A model is reimported, which Undo does not revert.
+        /// </summary>
+        public static Fix MakeReadable(IReadOnlyList<Mesh> meshes)
+        {
+            var own = meshes.Where(IsOwn).ToList();
+            var models = meshes.Select(Importer).Where(importer => importer != null).Distinct().ToList();
+            return own.Count + models.Count == 0 ? null : new Fix("Make readable", () =>
+            {
+                own.ForEach(SetReadable);
+                foreach (var model in models)
+                {
+                    model.isReadable = true;
+                    model.SaveAndReimport();
+                }
+            });
+        }
+
+        // A mesh asset of its own, or a mesh without a file.
+        static bool IsOwn(Mesh mesh)
+        {
+            string path = AssetDatabase.GetAssetPath(mesh);
+            return path.Length == 0 || path.EndsWith(".asset") || path.EndsWith(".mesh");
+        }
+
+        static ModelImporter Importer(Mesh mesh) =>
+            AssetImporter.GetAtPath(AssetDatabase.GetAssetPath(mesh)) as ModelImporter;
+
+        static void SetReadable(Mesh mesh)
+        {
+            using (var fields = new SerializedObject(mesh))
+            {
+                fields.FindProperty("m_IsReadable").boolValue = true;
+                fields.ApplyModifiedProperties();
+            }
+        }
     }
 }

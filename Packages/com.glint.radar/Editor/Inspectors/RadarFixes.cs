@@ -1,4 +1,6 @@
 using System;
+using System.Collections.Generic;
+using System.Linq;
 using Unity.Mathematics;
 using UnityEditor;
 using UnityEngine;
@@ -6,7 +8,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Editor
 {
-    /// <summary>The fixes of a radar's inspector.</summary>
+    /// <summary>What the buttons of a radar's inspector do, those beside findings of the radar and of meshes among them.</summary>
     static class RadarFixes
     {
         public static Fix Enable(RadarController radar) => new Fix("Enable", () =>
@@ -70,7 +72,7 @@ namespace Glint.Editor
                 () => Fix.Change(radar, "Trace more rays", it => it.Settings = denser));
         }
 
-        /// <param name="direction">View direction in the world's axes.</param>
+        /// <param name="direction">Where to look, in the world's axes.</param>
         public static Fix LookAt(RadarController radar, double3 direction)
         {
             var forward = math.normalize(direction);
@@ -85,6 +87,54 @@ namespace Glint.Editor
             var kernel = ProjectAssets.Kernel;
             return kernel == null || radar.Kernel == kernel ? null : new Fix("Assign Trace.compute",
                 () => Fix.Change(radar, "Assign Trace.compute", it => it.Kernel = kernel));
+        }
+
+        public static bool IsBatchingStatic(Renderer renderer) =>
+            GameObjectUtility.AreStaticEditorFlagsSet(renderer.gameObject, StaticEditorFlags.BatchingStatic);
+
+        public static Fix ClearBatching(IReadOnlyList<MeshRenderer> renderers) => new Fix("Clear Batching Static", () =>
+        {
+            foreach (var renderer in renderers)
+                Fix.Change(renderer.gameObject, "Clear Batching Static", it => GameObjectUtility.SetStaticEditorFlags(
+                    it, GameObjectUtility.GetStaticEditorFlags(it) & ~StaticEditorFlags.BatchingStatic));
+        });
+
+        /// <summary>
+        /// Null if none of the meshes belongs to a model, is an asset of its own, or is only in the scene.
+        /// A model is reimported, which Undo does not revert.
+        /// </summary>
+        public static Fix MakeReadable(IReadOnlyList<Mesh> meshes)
+        {
+            var own = meshes.Where(IsOwn).ToList();
+            var models = meshes.Select(Importer).Where(importer => importer != null).Distinct().ToList();
+            return own.Count + models.Count == 0 ? null : new Fix("Make readable", () =>
+            {
+                own.ForEach(SetReadable);
+                foreach (var model in models)
+                {
+                    model.isReadable = true;
+                    model.SaveAndReimport();
+                }
+            });
+        }
+
+        // A mesh asset of its own, or a mesh without a file.
+        static bool IsOwn(Mesh mesh)
+        {
+            string path = AssetDatabase.GetAssetPath(mesh);
+            return path.Length == 0 || path.EndsWith(".asset") || path.EndsWith(".mesh");
+        }
+
+        static ModelImporter Importer(Mesh mesh) =>
+            AssetImporter.GetAtPath(AssetDatabase.GetAssetPath(mesh)) as ModelImporter;
+
+        static void SetReadable(Mesh mesh)
+        {
+            using (var fields = new SerializedObject(mesh))
+            {
+                fields.FindProperty("m_IsReadable").boolValue = true;
+                fields.ApplyModifiedProperties();
+            }
         }
     }
 }

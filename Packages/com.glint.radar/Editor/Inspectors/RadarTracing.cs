@@ -1,6 +1,8 @@
 using System;
 using System.Collections.Generic;
+using System.Threading;
 using Glint.Core;
+using UnityEditor;
 using UnityEngine;
 
 namespace Glint.Editor
@@ -57,16 +59,20 @@ namespace Glint.Editor
                 $"{result.Amplitude:g6}{(result.AmplitudeDb is double db ? FormattableString.Invariant($" ({db:0.00} dB)") : "")}"),
                 "Length of the summed phasor: 1 for one ray.");
             yield return ("Normalised",
-                FormattableString.Invariant($"{result.NormalisedAmplitude:g6} ± {result.SamplingError:g3}"),
+                FormattableString.Invariant($"{result.NormalisedAmplitude:g6} ")
+                    + Or(result.SamplingError, error => FormattableString.Invariant($"± {error:g3}"),
+                        $"(error {ResultColumn.NotEstimated})"),
                 "As if the same field of view had 1920 x 1080 rays, "
                     + "and about how far that is from endlessly many rays.");
             yield return ("Rays hit", FormattableString.Invariant($"{result.RaysHit:N0} of {result.RaysEmitted:N0}"),
                 "Rays whose first segment hits anything, of those emitted.");
             yield return ("Rays received", FormattableString.Invariant($"{result.RaysReceived:N0}"),
                 "Rays that reached the receiver.");
-            yield return ("Path step", FormattableString.Invariant($"{result.LargestPathStep:0.###} wavelengths"),
+            yield return ("Path step", Or(result.LargestPathStep,
+                    step => FormattableString.Invariant($"{step:0.###} wavelengths"), ResultColumn.NotEstimated),
                 "Largest difference of path length between received rays that are neighbours in the picture.");
-            yield return ("Undersampled", result.Undersampled ? "yes: give it more rays or a narrower view" : "no",
+            yield return ("Undersampled", result.Sampling == null ? ResultColumn.NotEstimated
+                    : result.Undersampled ? "yes: give it more rays or a narrower view" : "no",
                 "Whether the rays are too far apart, or too few return, "
                     + "for the amplitude and its error to be trusted.");
             var times = result.Statistics.Timings;
@@ -75,6 +81,47 @@ namespace Glint.Editor
                 "What the last pose took; what stays as it was is not built or uploaded again.");
             yield return ("On the device", Text.Mebibytes(result.Statistics.BytesOnDevice),
                 "Bytes of all the radar's buffers.");
+        }
+
+        static string Or(double? value, Func<double, string> text, string missing) =>
+            value is double number ? text(number) : missing;
+    }
+
+    /// <summary>Unity's progress bar with a cancel button; shown until disposed.</summary>
+    sealed class CancelBar : IProgressSink, IDisposable
+    {
+        readonly CancellationTokenSource _source = new CancellationTokenSource();
+        string _what;
+
+        /// <param name="what">Name of the work, such as "Tracing 'Radar'".</param>
+        public CancelBar(string what) => Start(what, 1);
+
+        /// <summary>Cancelled by the button.</summary>
+        public CancellationToken Cancel => _source.Token;
+
+        public void Start(string what, int total)
+        {
+            _what = what;
+            Report(0);
+        }
+
+        /// <summary>Shows the fraction done, 0 to 1, and polls the button.</summary>
+        public void Report(double value)
+        {
+            if (EditorUtility.DisplayCancelableProgressBar("Glint", _what, (float)value))
+                _source.Cancel();
+        }
+
+        public void Advance(int done, string note) { }
+
+        public void Finish() => EditorUtility.ClearProgressBar();
+
+        public void Print(string line) => Debug.Log(line);
+
+        public void Dispose()
+        {
+            Finish();
+            _source.Dispose();
         }
     }
 }

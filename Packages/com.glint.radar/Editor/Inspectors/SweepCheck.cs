@@ -28,7 +28,7 @@ namespace Glint.Editor
             if (!_sweep.isActiveAndEnabled)
                 _findings.Add(new Finding(Severity.Warning, SceneSearch.IsDisabled(_sweep)));
             if (_sweep.Radar == null)
-                Attempt(() => SceneSearch.FindRadar(_sweep.Searcher), FindRadar());
+                Attempt(() => SceneSearch.FindRadar(_sweep.Searcher), FindRadar);
             Attempt(CheckPoses);
         }
 
@@ -45,20 +45,14 @@ namespace Glint.Editor
             Plan = _sweep.Plan();
             if (!(_sweep.FindSea() is Sea sea))
                 return;
-            foreach (int number in Snapshots.Parse(_sweep.Snapshots))
-                sea.CheckSnapshot(number);
+            foreach (double number in Plan.Values(SweepAxis.Snapshot))
+                sea.CheckSnapshot((int)number);
         }
 
-        void Attempt(Action look, Fix fix = null)
+        void Attempt(Action look, Func<Fix> fix = null)
         {
-            try
-            {
-                look();
-            }
-            catch (GlintException problem)
-            {
-                _findings.Add(new Finding(Severity.Error, problem.Message, fix));
-            }
+            if (Finding.Of(look, fix) is Finding finding)
+                _findings.Add(finding);
         }
 
         // The first of several enabled radars; a new one if there is none.

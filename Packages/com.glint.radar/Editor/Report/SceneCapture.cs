@@ -20,8 +20,8 @@ namespace Glint.Editor
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public static ReportScene Of(StoredRun run, int number, LoadedScene loaded, IProgressSink progress)
         {
-            var plan = new SweepPlan(SweepAxis.All.Select(axis => (axis,
-                Only(axis == SweepAxis.Angle && loaded.Target == null ? null : run.Value(number, axis)))).ToArray());
+            var plan = new SweepPlan(axis =>
+                Only(axis == SweepAxis.Angle && loaded.Target == null ? null : run.Value(number, axis)));
             var radar = loaded.Radar;
             progress.Start(loaded.Name, 1);
             try

@@ -5,7 +5,7 @@ using Glint.Core;
 
 namespace Glint.Editor
 {
-    /// <summary>Display options of the window's charts.</summary>
+    /// <summary>What the window's chart shows of a run.</summary>
     [Serializable]
     sealed class ChartChoice
     {
@@ -14,46 +14,40 @@ namespace Glint.Editor
         /// </summary>
         public string Axis = "";
 
-        /// <summary>Amplitudes in decibels; polar chart; raw instead of normalised amplitudes.</summary>
-        public bool InDecibels, IsPolar, IsRaw;
+        /// <summary>Title of the column; one that there is not stands for the normalised amplitude.</summary>
+        public string Column = ResultColumn.Normalised.Title;
 
-        /// <summary>Index of the pose whose phases are shown, from 0; -1: the strongest.</summary>
+        /// <summary>Amplitudes in decibels.</summary>
+        public bool InDecibels;
+
+        /// <summary>The pose that is marked, from 0; -1 for the strongest.</summary>
         public int Pose = -1;
 
+        /// <summary>What can be chosen.</summary>
+        public static IEnumerable<ResultColumn> Columns =>
+            ResultColumn.All.Where(column => column.Axis == null && !column.IsFlag);
+
         /// <summary>The axis for these poses.</summary>
-        public SweepAxis AxisOf(IReadOnlyList<PoseFigures> rows)
+        public SweepAxis AxisOf(IReadOnlyList<StoredRow> rows)
         {
             var axes = SweepChart.AxesOf(rows);
             return axes.FirstOrDefault(axis => axis.Name == Axis) ?? axes[0];
         }
 
-        public SweepChart Amplitude(IReadOnlyList<PoseFigures> rows, Comparison compared) =>
-            new SweepChart(rows, AxisOf(rows), IsRaw ? Quantity.Amplitude : Quantity.Normalised,
-                InDecibels, IsPolar, compared);
-
-        public SweepChart Received(IReadOnlyList<PoseFigures> rows, Comparison compared) =>
-            new SweepChart(rows, AxisOf(rows), Quantity.RaysReceived, false, IsPolar, compared);
-
-        public SweepChart Hit(IReadOnlyList<PoseFigures> rows, Comparison compared) =>
-            new SweepChart(rows, AxisOf(rows), Quantity.RaysHit, false, IsPolar, compared);
+        public SweepChart Chart(IReadOnlyList<StoredRow> rows, Comparison compared) =>
+            new SweepChart(rows, AxisOf(rows),
+                Columns.FirstOrDefault(column => column.Title == Column) ?? ResultColumn.Normalised,
+                InDecibels, compared);
 
         /// <summary>The chosen pose, or the strongest; null without poses.</summary>
-        public PoseFigures Chosen(IReadOnlyList<PoseFigures> rows)
+        public StoredRow Chosen(IReadOnlyList<StoredRow> rows)
         {
             int row = Row(rows);
             return row < 0 ? null : rows[row];
         }
 
         /// <summary>Index of the chosen pose, from 0; -1 without poses.</summary>
-        public int Row(IReadOnlyList<PoseFigures> rows)
-        {
-            if (Pose >= 0 && Pose < rows.Count)
-                return Pose;
-            int strongest = -1;
-            for (int i = 0; i < rows.Count; i++)
-                if (strongest < 0 || rows[i].Amplitude > rows[strongest].Amplitude)
-                    strongest = i;
-            return strongest;
-        }
+        public int Row(IReadOnlyList<StoredRow> rows) =>
+            Pose >= 0 && Pose < rows.Count ? Pose : StoredRun.StrongestOf(rows);
     }
 }

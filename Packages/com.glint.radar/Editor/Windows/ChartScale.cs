@@ -47,9 +47,6 @@ namespace Glint.Editor
             return new ChartScale(first * step, last * step, Multiples(first, last, step));
         }
 
-        /// <summary>From 0 to 360, with a tick every 30 degrees.</summary>
-        public static ChartScale Turn() => new ChartScale(0, 360, Multiples(0, 11, 30));
-
         /// <summary>A number for charts: few digits, thousands separated.</summary>
         public static string Label(double value)
         {

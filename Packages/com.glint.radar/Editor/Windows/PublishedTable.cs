@@ -15,12 +15,8 @@ namespace Glint.Editor
         /// <summary>Folder of the tables.</summary>
         public const string Folder = "Packages/com.glint.radar/Editor/Published";
 
-        PublishedTable(string name, string title, SweepAxis axis)
-        {
-            Name = name;
-            Title = title;
-            Axis = axis;
-        }
+        PublishedTable(string name, string title, SweepAxis axis) =>
+            (Name, Title, Axis) = (name, title, axis);
 
         /// <summary>Tables for comparisons with results.</summary>
         public static IReadOnlyList<PublishedTable> All { get; } = new[]
@@ -77,5 +73,24 @@ namespace Glint.Editor
 
         static bool TryCount(string cell, out long value) =>
             long.TryParse(cell, NumberStyles.None, CultureInfo.InvariantCulture, out value);
+    }
+
+    /// <summary>A row of a published table.</summary>
+    sealed class PublishedRow
+    {
+        public PublishedRow(double step, double amplitude, long raysReceived, long raysHit) =>
+            (Step, Amplitude, RaysReceived, RaysHit) = (step, amplitude, raysReceived, raysHit);
+
+        /// <summary>Turn of the target in degrees, or number of the snapshot.</summary>
+        public double Step { get; }
+
+        /// <summary>Linear, of 2,073,600 rays.</summary>
+        public double Amplitude { get; }
+
+        public long RaysReceived { get; }
+
+        public long RaysHit { get; }
+
+        public double Ratio => RaysHit > 0 ? (double)RaysReceived / RaysHit : 0;
     }
 }

@@ -6,9 +6,8 @@ using Glint.Core;
 namespace Glint.Editor
 {
     /// <summary>
-    /// A quantity of the poses of a sweep over one of its axes, ready to be drawn: a line for each combination of the
-    /// other axes, and the lines of a compared run. In a polar chart the angle grows clockwise from the top, like a
-    /// turning target seen from above; values grow from the centre, (0.5, 0.5), to the radius 0.5.
+    /// A figure of the poses of a sweep over one of its axes, ready to be drawn:
+    /// a line for each combination of the other axes, and those of a run laid over.
     /// </summary>
     sealed class SweepChart
     {
@@ -19,21 +18,20 @@ namespace Glint.Editor
         const double DeepestDb = 100;
 
         readonly SweepAxis _axis;
-        readonly Quantity _quantity;
+        readonly ResultColumn _column;
         readonly bool _inDecibels;
 
         /// <param name="rows">The run's poses so far.</param>
-        /// <param name="axis">Axis of x, or of the polar angle.</param>
+        /// <param name="axis">Along x.</param>
+        /// <param name="column">Along y.</param>
         /// <param name="inDecibels">20 log10 of amplitudes; ignored for other quantities.</param>
-        /// <param name="isPolar">Polar chart; ignored if the axis is not an angle.</param>
         /// <param name="compared">The compared run; may be null.</param>
-        public SweepChart(IReadOnlyList<PoseFigures> rows, SweepAxis axis, Quantity quantity, bool inDecibels,
-            bool isPolar, Comparison compared = null)
+        public SweepChart(IReadOnlyList<StoredRow> rows, SweepAxis axis, ResultColumn column, bool inDecibels,
+            Comparison compared = null)
         {
             _axis = axis;
-            _quantity = quantity;
-            _inDecibels = inDecibels && quantity.IsAmplitude;
-            IsPolar = isPolar && CanBePolar(axis);
+            _column = column;
+            _inDecibels = inDecibels && column.IsAmplitude;
             var groups = Groups(rows, null)
                 .Concat(compared == null ? Enumerable.Empty<Group>() : Groups(compared.Rows, compared.Title)).ToArray();
             // The compared run comes last, but takes precedence.
@@ -41,10 +39,9 @@ namespace Glint.Editor
             shown = groups.Where(group => !group.IsCompared).Take(MaxSeries - shown.Length).Concat(shown).ToArray();
             LeftOut = groups.Length - shown.Length;
             var poses = shown.SelectMany(group => group.Poses.Select(pose => pose.Pose)).ToArray();
-            X = IsPolar ? ChartScale.Turn()
-                : poses.Length == 0 ? ChartScale.Over(0, 1)
-                : ChartScale.Over(poses.Min(At), poses.Max(At));
+            X = poses.Length == 0 ? ChartScale.Over(0, 1) : ChartScale.Over(poses.Min(At), poses.Max(At));
             Y = Values(poses);
+            HasValues = poses.Length == 0 || poses.Any(pose => pose[column].HasValue);
             Series = shown.Select(Line).ToArray();
         }
 
@@ -54,25 +51,22 @@ namespace Glint.Editor
         /// <summary>Combinations above the maximum, which are not shown.</summary>
         public int LeftOut { get; }
 
-        /// <summary>The axis; in a polar chart one turn.</summary>
+        /// <summary>The axis.</summary>
         public ChartScale X { get; }
 
-        /// <summary>The values; in a polar chart from the centre outwards.</summary>
+        /// <summary>The values.</summary>
         public ChartScale Y { get; }
 
-        public bool IsPolar { get; }
+        /// <summary>False when no pose has a value in the column.</summary>
+        public bool HasValues { get; }
 
-        public string XTitle =>
-            _axis == SweepAxis.Frequency ? "Frequency, GHz" : _axis == SweepAxis.Angle ? "Angle, deg" : _axis
-                == SweepAxis.Grazing ? "Grazing angle, deg" : _axis == SweepAxis.Range ? "Range, m" : "Snapshot";
+        public string XTitle => _axis.ShownUnit == "1" ? _axis.Title : $"{_axis.Title}, {_axis.ShownUnit}";
 
-        public string YTitle => _inDecibels ? _quantity.Title + ", dB" : _quantity.Title;
-
-        /// <summary>Whether an axis can be polar.</summary>
-        public static bool CanBePolar(SweepAxis axis) => axis.Unit == "deg";
+        public string YTitle => !HasValues && _column.Missing != null ? $"{_column.Title}: {_column.Missing}"
+            : _inDecibels ? _column.Title + ", dB" : _column.Label;
 
         /// <summary>The axes of the poses, the fastest first.</summary>
-        public static IReadOnlyList<SweepAxis> AxesOf(IReadOnlyList<PoseFigures> rows)
+        public static IReadOnlyList<SweepAxis> AxesOf(IReadOnlyList<StoredRow> rows)
         {
             var axes = SweepAxis.All.Reverse().Where(axis => Varies(rows, axis)).ToArray();
             return axes.Length > 0 ? axes : new[] { SweepAxis.Angle };
@@ -96,7 +90,7 @@ namespace Glint.Editor
             return nearest;
         }
 
-        internal static bool Varies(IReadOnlyList<PoseFigures> rows, SweepAxis axis) =>
+        internal static bool Varies(IReadOnlyList<StoredRow> rows, SweepAxis axis) =>
             rows.Count > 0 && rows.Any(row => row[axis] != rows[0][axis]);
 
         // The poses of one combination of the other axes.
@@ -104,11 +98,11 @@ namespace Glint.Editor
         {
             public string Name;
             public bool IsCompared;
-            public (PoseFigures Pose, int Row)[] Poses;
+            public (StoredRow Pose, int Row)[] Poses;
         }
 
         // In the order of their first poses.
-        IEnumerable<Group> Groups(IReadOnlyList<PoseFigures> rows, string compared)
+        IEnumerable<Group> Groups(IReadOnlyList<StoredRow> rows, string compared)
         {
             var others = SweepAxis.All.Where(axis => axis != _axis && Varies(rows, axis)).ToArray();
             return rows.Select((pose, row) => (pose, row)).Where(item => item.pose[_axis].HasValue)
@@ -122,12 +116,16 @@ namespace Glint.Editor
                 });
         }
 
-        ChartScale Values(PoseFigures[] poses)
+        ChartScale Values(StoredRow[] poses)
         {
             if (!_inDecibels)
-                return ChartScale.Around(0, poses.Select(pose => _quantity.Of(pose) + _quantity.ErrorOf(pose)).Append(0)
-                    .Max() is var max && max > 0 ? max : 1);
-            var levels = poses.Select(pose => Level(_quantity.Of(pose))).Where(level => level.HasValue)
+            {
+                var ends = poses.Where(pose => pose[_column].HasValue)
+                    .SelectMany(pose => new[] { pose[_column].Value, pose[_column].Value + ErrorOf(pose) }).Append(0)
+                    .ToArray();
+                return ChartScale.Around(ends.Min(), ends.Any(end => end != 0) ? ends.Max() : 1);
+            }
+            var levels = poses.Select(pose => Level(pose[_column] ?? 0)).Where(level => level.HasValue)
                 .Select(level => level.Value).ToArray();
             if (levels.Length == 0)
                 return ChartScale.Around(-20, 0);
@@ -141,8 +139,7 @@ namespace Glint.Editor
             bool isBroken = true;
             foreach (var (pose, row) in group.Poses)
             {
-                double value = _quantity.Of(pose), error = _quantity.ErrorOf(pose);
-                if (!(Height(value) is double height))
+                if (!(pose[_column] is double value && Height(value) is double height))
                 {
                     isBroken = true;
                     continue;
@@ -150,21 +147,21 @@ namespace Glint.Editor
                 if (isBroken)
                     runs.Add(new List<ChartPoint>());
                 isBroken = false;
-                runs[runs.Count - 1].Add(new ChartPoint(pose, row, PositionOf(pose, height),
-                    PositionOf(pose, Height(value - error) ?? 0), PositionOf(pose, Height(value + error) ?? height)));
+                double error = ErrorOf(pose);
+                runs[runs.Count - 1].Add(new ChartPoint
+                {
+                    Pose = pose, Row = row, X = X.Of(At(pose)), Y = height, Lower = Height(value - error) ?? 0,
+                    Upper = Height(value + error) ?? height
+                });
             }
-            return new ChartSeries(group.Name, group.IsCompared, runs);
+            return new ChartSeries { Name = group.Name, IsCompared = group.IsCompared, Runs = runs };
         }
 
-        (double, double) PositionOf(PoseFigures pose, double height)
-        {
-            if (!IsPolar)
-                return (X.Of(At(pose)), height);
-            double angle = pose[_axis].Value * Math.PI / 180;
-            return (0.5 + 0.5 * height * Math.Sin(angle), 0.5 + 0.5 * height * Math.Cos(angle));
-        }
+        // Half the width of the error's band; 0 where there is no estimate.
+        double ErrorOf(StoredRow pose) =>
+            _column.Error == null ? 0 : pose[_column.Error] ?? 0;
 
-        double At(PoseFigures pose) => pose[_axis].Value * (_axis == SweepAxis.Frequency ? 1e-9 : 1);
+        double At(StoredRow pose) => pose[_axis].Value / _axis.ShownScale;
 
         // Null for a value without decibels.
         double? Height(double value)
@@ -174,5 +171,33 @@ namespace Glint.Editor
         }
 
         double? Level(double value) => _inDecibels ? Signal.Decibels(value) : value;
+    }
+
+    /// <summary>A pose in chart coordinates: x and y from 0 at the left and the bottom to 1.</summary>
+    struct ChartPoint
+    {
+        public StoredRow Pose;
+
+        /// <summary>Index of the pose in its run, from 0.</summary>
+        public int Row;
+
+        public double X, Y;
+
+        /// <summary>Ends of the band of the error; the point itself where there is none.</summary>
+        public double Lower, Upper;
+    }
+
+    /// <summary>A line of a chart.</summary>
+    sealed class ChartSeries
+    {
+        public string Name;
+
+        /// <summary>Whether it belongs to the compared run.</summary>
+        public bool IsCompared;
+
+        /// <summary>
+        /// The pieces of the line, along the axis. Between two of them is a pose without a value.
+        /// </summary>
+        public IReadOnlyList<IReadOnlyList<ChartPoint>> Runs;
     }
 }

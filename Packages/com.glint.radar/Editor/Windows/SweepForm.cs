@@ -19,8 +19,8 @@ namespace Glint.Editor
         /// <summary>The object that turns, or about which the radar moves.</summary>
         public Transform Target;
 
-        /// <summary>FROM:TO:STEP or a list with commas; empty: not swept.</summary>
-        public string Angles = "0:45:1", GrazingAngles = "", Distances = "", Frequencies = "", Snapshots = "";
+        // FROM:TO:STEP or a list with commas, in the order of SweepAxis.All; empty where the axis is left alone.
+        [SerializeField] string[] _lists = StandardLists();
 
         /// <summary>
         /// Results folder, relative to the project; empty: Results/&lt;scene&gt; beside Assets.
@@ -41,32 +41,13 @@ namespace Glint.Editor
         }
 
         /// <summary>The text for an axis.</summary>
-        public string this[SweepAxis axis]
-        {
-            get => axis == SweepAxis.Angle ? Angles : axis == SweepAxis.Grazing ? GrazingAngles : axis
-                == SweepAxis.Range ? Distances : axis == SweepAxis.Frequency ? Frequencies : Snapshots;
-            set
-            {
-                if (axis == SweepAxis.Angle)
-                    Angles = value;
-                else if (axis == SweepAxis.Grazing)
-                    GrazingAngles = value;
-                else if (axis == SweepAxis.Range)
-                    Distances = value;
-                else if (axis == SweepAxis.Frequency)
-                    Frequencies = value;
-                else
-                    Snapshots = value;
-            }
-        }
+        public string this[SweepAxis axis] { get => Lists[axis.Index]; set => Lists[axis.Index] = value; }
 
-        /// <summary>The option of an axis.</summary>
-        public static Option OptionOf(SweepAxis axis) =>
-            axis == SweepAxis.Angle ? Options.Angles
-                : axis == SweepAxis.Grazing ? Options.GrazingAngles
-                : axis == SweepAxis.Range ? Options.Distances
-                : axis == SweepAxis.Frequency ? Options.Frequencies
-                : (Option)Options.Snapshots;
+        // A window may have been stored by a version with other axes.
+        string[] Lists => _lists.Length == SweepAxis.All.Count ? _lists : _lists = StandardLists();
+
+        static string[] StandardLists() =>
+            SweepAxis.All.Select(axis => axis == SweepAxis.Angle ? "0:45:1" : "").ToArray();
 
         /// <summary>The command's error message for the text of an axis; null if it is valid.</summary>
         public string ProblemOf(SweepAxis axis)
@@ -75,7 +56,7 @@ namespace Glint.Editor
                 return null;
             try
             {
-                OptionOf(axis).ParseValue(this[axis]);
+                Options.Of(axis).ParseValue(this[axis]);
                 return null;
             }
             catch (UsageException problem)
@@ -174,7 +155,7 @@ namespace Glint.Editor
         {
             var words = new List<string>();
             foreach (var axis in SweepAxis.All.Reverse().Where(IsGiven))
-                words.Add($"{OptionOf(axis).Flag}={this[axis].Trim()}");
+                words.Add($"{Options.Of(axis).Flag}={this[axis].Trim()}");
             if (Target != null && Options.Target.Needs.Any(
                 option => words.Any(word => word.StartsWith(option.Flag + "=", StringComparison.Ordinal))))
                 words.Add($"{Options.Target.Flag}={LoadedScene.PathOf(Target)}");

@@ -1,7 +1,6 @@
 using System;
 using System.Collections.Generic;
 using System.Diagnostics;
-using System.Linq;
 using System.Threading;
 using Glint.Core;
 using UnityEditor;
@@ -19,7 +18,7 @@ namespace Glint.Editor
     /// </summary>
     sealed class SweepSession : IDisposable
     {
-        readonly List<PoseFigures> _rows = new List<PoseFigures>();
+        readonly List<StoredRow> _rows = new List<StoredRow>();
         readonly CancellationTokenSource _cancel = new CancellationTokenSource();
         readonly Stopwatch _watch = Stopwatch.StartNew();
         readonly RadarController _radar;
@@ -50,7 +49,7 @@ namespace Glint.Editor
             Count = _run.Count;
             Done = _before = _run.Done;
             if (_folder != null)
-                _rows.AddRange(_folder.Rows.Select(row => new PoseFigures(row)));
+                _rows.AddRange(_folder.Rows);
             AssemblyReloadEvents.beforeAssemblyReload += EndBeforeReload;
             EditorApplication.playModeStateChanged += EndBeforePlayMode;
             EditorSceneManager.sceneSaving += EndBeforeSaving;
@@ -83,7 +82,7 @@ namespace Glint.Editor
         public int Done { get; private set; }
 
         /// <summary>The rows so far.</summary>
-        public IReadOnlyList<PoseFigures> Rows => _rows;
+        public IReadOnlyList<StoredRow> Rows => _rows;
 
         /// <summary>Whether the radar's view is traced for each pose.</summary>
         public bool Looks { get; set; }
@@ -128,7 +127,7 @@ namespace Glint.Editor
                     throw new GlintException("the radar of the sweep was destroyed: it must stay until the last pose");
                 var row = _run.Step(progress, _cancel.Token);
                 Done = _run.Done;
-                _rows.Add(new PoseFigures(new StoredRow(row)));
+                _rows.Add(new StoredRow(row));
                 if (Looks)
                     Preview = RadarPreview.Of(_radar, _cancel.Token);
                 if (_run.IsComplete)

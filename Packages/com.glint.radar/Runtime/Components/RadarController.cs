@@ -43,6 +43,10 @@ namespace Glint
         [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Most specular reflections a ray may make.")]
         int _maxBounces = 4;
 
+        [SerializeField, Tooltip("Leaves out the estimate of the sampling error, which traces smaller rays around "
+            + "received ones. A pose is faster, and whether it is undersampled is not known.")]
+        bool _skipSamplingError;
+
         [SerializeField, Tooltip("Middle of the receiver, which faces along this transform's forward axis. "
             + "It is neither target nor obstacle.")]
         Transform _receiver;
@@ -78,12 +82,16 @@ namespace Glint
         RadarPose _traced;
         ulong _tracedContent;
 
-        /// <summary>Frequency, rays, bounces and region. Checked when a pose is traced.</summary>
+        /// <summary>
+        /// Frequency, rays, bounces, the part of the picture, and whether the sampling error is estimated.
+        /// Checked when a pose is traced.
+        /// </summary>
         public RadarSettings Settings
         {
             get => new RadarSettings
             {
                 FrequencyHz = _frequencyHz, RaysAcross = _raysAcross, RaysDown = _raysDown, MaxBounces = _maxBounces,
+                SkipSamplingError = _skipSamplingError,
                 Region = new RayRegion
                 {
                     Left = _regionCorner.x, Bottom = _regionCorner.y, Width = _regionSize.x, Height = _regionSize.y
@@ -91,8 +99,8 @@ namespace Glint
             };
             set
             {
-                (_frequencyHz, _raysAcross, _raysDown, _maxBounces) =
-                    (value.FrequencyHz, value.RaysAcross, value.RaysDown, value.MaxBounces);
+                (_frequencyHz, _raysAcross, _raysDown, _maxBounces, _skipSamplingError) = (value.FrequencyHz,
+                    value.RaysAcross, value.RaysDown, value.MaxBounces, value.SkipSamplingError);
                 _regionCorner = new Vector2Int(value.Region.Left, value.Region.Bottom);
                 _regionSize = new Vector2Int(value.Region.Width, value.Region.Height);
             }
@@ -111,8 +119,7 @@ namespace Glint
         public Transform Receiver { get => _receiver; set => _receiver = value; }
 
         /// <summary>
-        /// Width and height of the receiver, metres. 0 x 0 with an orthographic Camera: those of the aperture, on its
-        /// axis.
+        /// Width and height of the receiver, metres. 0 x 0 with an orthographic Camera: those of the aperture, on its axis.
         /// </summary>
         public Vector2 ReceiverSize { get => _receiverSize; set => _receiverSize = value; }
 
@@ -225,8 +232,8 @@ namespace Glint
         }
 
         /// <summary>
-        /// Traces the radar's view of the scene in its current state, for display: about 130,000 rays over the part of
-        /// the view that hits anything.
+        /// Traces the radar's view of the scene in its current state, for display: about 130,000 rays over the part of the
+        /// view that hits anything.
         /// </summary>
         /// <param name="cancel">Cancels between two dispatches.</param>
         /// <exception cref="GlintException">The radar or a mesh cannot be traced.</exception>
@@ -244,16 +251,16 @@ namespace Glint
         public Transform ObjectAt(int number) => _gatherer.ObjectAt(number);
 
         /// <summary>
-        /// Announces that a transform will move, so that its first motion causes no rebuild: what moves as a whole gets
-        /// a mesh of its own. Unannounced motion is detected and costs one rebuild.
+        /// Announces that a transform will move, so that its first motion causes no rebuild: what moves as a whole gets a
+        /// mesh of its own. Unannounced motion is detected and costs one rebuild.
         /// </summary>
         public void ExpectMotion(Transform transform) => _gatherer.ExpectMotion(transform);
 
         /// <summary>
         /// The pose of the scene in its current state: scene, settings and view.
-        /// Scene and view are in the axes and metres of the world, relative to the nearest common ancestor of the
-        /// radar, its receiver and all traced objects; without one, relative to the world's origin. Unchanged meshes
-        /// are the same objects as in the last call.
+        /// Scene and view are in the axes and metres of the world, relative to the nearest common ancestor of the radar,
+        /// its receiver and all traced objects; without one, relative to the world's origin.
+        /// Unchanged meshes are the same objects as in the last call.
         /// </summary>
         /// <exception cref="GlintException">The radar or a mesh cannot be traced.</exception>
         public RadarPose Gather()

@@ -244,4 +244,17 @@ namespace Glint
                 DestroyImmediate(_made);
         }
     }
+
+    /// <summary>Motion of a <see cref="Sea"/> while the scene plays.</summary>
+    public enum SeaMotion
+    {
+        /// <summary>Nothing.</summary>
+        Still,
+
+        /// <summary>Shows one snapshot after the other, repeatedly.</summary>
+        Snapshots,
+
+        /// <summary>Travelling waves: the tile is recomputed each frame.</summary>
+        Waves
+    }
 }

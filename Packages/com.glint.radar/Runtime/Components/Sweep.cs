@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Glint.Core;
 using UnityEngine;
 
@@ -62,8 +63,8 @@ namespace Glint
         public string GrazingAngles { get => _grazingAngles; set => _grazingAngles = value; }
 
         /// <summary>
-        /// Distances from the radar to the point about which it moves, metres: FROM:TO:STEP or a list with commas;
-        /// empty: not swept.
+        /// Distances from the radar to the point about which it moves, metres: FROM:TO:STEP or a list with commas; empty: not
+        /// swept.
         /// </summary>
         public string Distances { get => _distances; set => _distances = value; }
 
@@ -86,9 +87,11 @@ namespace Glint
         /// <summary>Name for messages of searches for a radar or a sea.</summary>
         internal string Searcher => $"scene of Sweep '{name}'";
 
-        bool HasSnapshots => IsGiven(_snapshots);
+        // In the order of SweepAxis.All.
+        string ListOf(SweepAxis axis) =>
+            new[] { _snapshots, _frequencies, _distances, _grazingAngles, _angles }[axis.Index];
 
-        bool MovesRadar => IsGiven(_grazingAngles) || IsGiven(_distances);
+        bool IsGiven(SweepAxis axis) => !string.IsNullOrWhiteSpace(ListOf(axis));
 
         /// <summary>The poses.</summary>
         /// <exception cref="GlintException">
@@ -96,32 +99,22 @@ namespace Glint
         /// </exception>
         internal SweepPlan Plan()
         {
-            bool hasOthers = HasSnapshots || IsGiven(_frequencies) || MovesRadar;
-            if (_target == null && MovesRadar)
+            bool hasOthers = SweepAxis.All.Any(axis => axis != SweepAxis.Angle && IsGiven(axis));
+            if (_target == null && (IsGiven(SweepAxis.Grazing) || IsGiven(SweepAxis.Range)))
                 throw new GlintException($"Sweep of '{name}' has grazing angles or distances and no target: "
                     + "assign the object that the radar is to be moved about to its field Target");
             if (_target == null && !hasOthers)
                 throw new GlintException($"Sweep of '{name}' has no target and no snapshots: "
                     + "assign the object to turn to its field Target, or write the snapshots of the scene's Sea, "
                     + "such as 1:10, into its field Snapshots");
-            return new SweepPlan(
-                (SweepAxis.Angle,
-                    _target != null && (IsGiven(_angles) || !hasOthers) ? Glint.Core.Angles.Parse(_angles) : null),
-                (SweepAxis.Grazing, Values(Options.GrazingAngles, _grazingAngles, "grazing angles")),
-                (SweepAxis.Range, Values(Options.Distances, _distances, "distances")),
-                (SweepAxis.Frequency, Values(Options.Frequencies, _frequencies, "frequencies")),
-                (SweepAxis.Snapshot, HasSnapshots ? Array.ConvertAll(Glint.Core.Snapshots.Parse(_snapshots),
-                    number => (double)number) : null));
+            bool turns = _target != null && (IsGiven(SweepAxis.Angle) || !hasOthers);
+            return new SweepPlan(axis =>
+                (axis == SweepAxis.Angle ? turns : IsGiven(axis)) ? axis.Parse(ListOf(axis)) : null);
         }
-
-        static bool IsGiven(string list) => !string.IsNullOrWhiteSpace(list);
-
-        static double[] Values(Option<double[]> option, string list, string where) =>
-            IsGiven(list) ? option.Parse(list, where) : null;
 
         /// <summary>The sea whose snapshots are swept; null if none are.</summary>
         /// <exception cref="GlintException">The scene has no sea, or several.</exception>
-        internal Sea FindSea() => HasSnapshots ? SceneSearch.FindSea(Searcher) : null;
+        internal Sea FindSea() => IsGiven(SweepAxis.Snapshot) ? SceneSearch.FindSea(Searcher) : null;
 
         void Start() => Attempt(Begin);
 

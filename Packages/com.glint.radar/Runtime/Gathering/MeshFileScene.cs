@@ -7,26 +7,10 @@ namespace Glint
     /// <summary>
     /// The objects of a mesh file in a scene: the mesh, a radar that looks at it, and the radar's receiver.
     /// </summary>
-    public sealed class MeshFileScene
+    public static class MeshFileScene
     {
         // As in the published experiment.
         const float ReceiverBehindCamera = 0.2f;
-
-        MeshFileScene(Transform target, RadarController radar, RadarOrbit orbit)
-        {
-            Target = target;
-            Radar = radar;
-            Orbit = orbit;
-        }
-
-        /// <summary>The mesh; its origin is the file's.</summary>
-        public Transform Target { get; }
-
-        /// <summary>The radar that looks at it; its receiver is below it in the hierarchy.</summary>
-        public RadarController Radar { get; }
-
-        /// <summary>Orbit of the radar about its aim.</summary>
-        public RadarOrbit Orbit { get; }
 
         /// <summary>Makes the objects in the active scene.</summary>
         /// <param name="file">Triangles in metres.</param>
@@ -36,7 +20,7 @@ namespace Glint
         /// </param>
         /// <param name="kernel">Shaders/Trace.compute.</param>
         /// <exception cref="GlintException">The spacing takes too many rays.</exception>
-        public static MeshFileScene Create(MeshFile file, in RadarPlacement placement,
+        public static SweepSetup Create(MeshFile file, in RadarPlacement placement,
             in RadarSettings settings, ComputeShader kernel)
         {
             var target = MakeObject(file);
@@ -54,7 +38,10 @@ namespace Glint
                 MakeParallel(radar, camera, placement);
             else
                 camera.fieldOfView = (float)placement.VerticalFovDegrees;
-            return new MeshFileScene(target, radar, RadarOrbit.Of(aim, camera.transform, placement));
+            return new SweepSetup(radar, SweepPlan.Single)
+            {
+                Target = target, Orbit = RadarOrbit.Of(aim, camera.transform, placement)
+            };
         }
 
         static void MakeParallel(RadarController radar, Camera camera, in RadarPlacement placement)
@@ -85,8 +72,8 @@ namespace Glint
         }
 
         /// <summary>
-        /// The mesh as an object of the active scene, at the origin, with a <see cref="RadarSurface"/> for each
-        /// material that the file names.
+        /// The mesh as an object of the active scene, at the origin, with a <see cref="RadarSurface"/> for each material
+        /// that the file names.
         /// </summary>
         internal static Transform MakeObject(MeshFile file)
         {

@@ -1,12 +1,24 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Glint.Core;
+using UnityEngine;
 
 namespace Glint
 {
     /// <summary>Applies the poses of a sweep by a driver for each axis. Disposing restores the scene.</summary>
     sealed class AxisDrivers : IDisposable
     {
+        // What moves an axis, or several together, in the order in which they are moved.
+        static readonly (SweepAxis[] axes, Func<SweepSetup, AxisDriver> make)[] s_makers =
+        {
+            (new[] { SweepAxis.Snapshot }, setup => new SnapshotDriver(setup)),
+            (new[] { SweepAxis.Frequency }, setup => new FrequencyDriver(setup.Radar)),
+            (new[] { SweepAxis.Range, SweepAxis.Grazing }, setup => setup.Orbit
+                ?? RadarOrbit.About(setup.Radar, setup.Target, setup.Plan.Has(SweepAxis.Grazing))),
+            (new[] { SweepAxis.Angle }, setup => new TargetAzimuthDriver(setup.Target, setup.Radar))
+        };
+
         readonly List<AxisDriver> _motions = new List<AxisDriver>();
 
         /// <exception cref="GlintException">An axis has no object to move, or cannot move it.</exception>
@@ -20,15 +32,9 @@ namespace Glint
                 FiniteCheck.RefuseNotFinite(setup.Target, $"the target '{setup.Target.name}' of the sweep");
             try
             {
-                if (plan.Has(SweepAxis.Snapshot))
-                    _motions.Add(new SnapshotDriver(setup.Sea, plan.Values(SweepAxis.Snapshot)));
-                if (plan.Has(SweepAxis.Frequency))
-                    _motions.Add(new FrequencyDriver(setup.Radar));
-                if (plan.Has(SweepAxis.Range) || plan.Has(SweepAxis.Grazing))
-                    _motions.Add(setup.Orbit
-                        ?? RadarOrbit.About(setup.Radar, setup.Target, plan.Has(SweepAxis.Grazing)));
-                if (plan.Has(SweepAxis.Angle))
-                    _motions.Add(new TargetAzimuthDriver(setup.Target, setup.Radar));
+                foreach (var (axes, make) in s_makers)
+                    if (axes.Any(plan.Has))
+                        _motions.Add(make(setup));
             }
             catch
             {
@@ -50,6 +56,115 @@ namespace Glint
             for (int i = _motions.Count - 1; i >= 0; i--)
                 _motions[i].PutBack();
             _motions.Clear();
+        }
+    }
+
+    /// <summary>Applies the values of a sweep axis to the scene.</summary>
+    public abstract class AxisDriver
+    {
+        private protected AxisDriver()
+        {
+        }
+
+        /// <summary>Applies a pose's value on the axis.</summary>
+        /// <exception cref="GlintException">The object to move was destroyed.</exception>
+        internal abstract void Show(SweepPose pose);
+
+        /// <summary>Restores the state before the first pose.</summary>
+        internal abstract void PutBack();
+    }
+
+    /// <summary>Shows a snapshot of a sea.</summary>
+    sealed class SnapshotDriver : AxisDriver
+    {
+        readonly Sea _sea;
+        readonly int _snapshot;
+
+        /// <exception cref="GlintException">The sea has no such snapshot.</exception>
+        public SnapshotDriver(SweepSetup setup)
+        {
+            _sea = setup.Sea;
+            _snapshot = _sea.Snapshot;
+            foreach (double snapshot in setup.Plan.Values(SweepAxis.Snapshot))
+                _sea.CheckSnapshot((int)snapshot);
+        }
+
+        internal override void Show(SweepPose pose)
+        {
+            if (_sea == null)
+                throw new GlintException($"the Sea of the sweep was destroyed before {pose}: "
+                    + "it must stay until the last pose");
+            _sea.Snapshot = pose.Snapshot.Value;
+        }
+
+        internal override void PutBack()
+        {
+            if (_sea != null)
+                _sea.Snapshot = _snapshot;
+        }
+    }
+
+    /// <summary>Sets the radar's carrier frequency.</summary>
+    sealed class FrequencyDriver : AxisDriver
+    {
+        readonly RadarController _radar;
+        readonly double _frequencyHz;
+
+        public FrequencyDriver(RadarController radar)
+        {
+            _radar = radar;
+            _frequencyHz = radar.Settings.FrequencyHz;
+        }
+
+        internal override void Show(SweepPose pose) => Set(pose[SweepAxis.Frequency].Value);
+
+        internal override void PutBack()
+        {
+            if (_radar != null)
+                Set(_frequencyHz);
+        }
+
+        void Set(double frequencyHz)
+        {
+            var settings = _radar.Settings;
+            settings.FrequencyHz = frequencyHz;
+            _radar.Settings = settings;
+        }
+    }
+
+    /// <summary>
+    /// Turns the target about the world's vertical through its own position, relative to its initial rotation.
+    /// </summary>
+    sealed class TargetAzimuthDriver : AxisDriver
+    {
+        readonly Transform _target;
+        readonly Quaternion _rotation, _localRotation;
+        readonly RadarController _radar;
+        readonly bool _isAnnounced;
+
+        public TargetAzimuthDriver(Transform target, RadarController radar)
+        {
+            _target = target;
+            (_rotation, _localRotation) = (target.rotation, target.localRotation);
+            _radar = radar;
+            _isAnnounced = radar.Gatherer.ExpectMotion(target);
+        }
+
+        internal override void Show(SweepPose pose)
+        {
+            if (_target == null)
+                throw new GlintException($"the target of the sweep was destroyed before {pose}: "
+                    + "it must stay until the last pose");
+            _target.rotation = Quaternion.AngleAxis((float)pose.AngleDegrees.Value, Vector3.up) * _rotation;
+        }
+
+        internal override void PutBack()
+        {
+            if (_target != null)
+                _target.localRotation = _localRotation;
+            // The target of this sweep must not affect the rigid groups of the next one.
+            if (_isAnnounced && _radar != null)
+                _radar.Gatherer.ExpectNoMotion(_target);
         }
     }
 }

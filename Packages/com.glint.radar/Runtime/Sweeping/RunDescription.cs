@@ -1,6 +1,9 @@
+using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Runtime.InteropServices;
+using System.Security.Cryptography;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -94,6 +97,8 @@ namespace Glint
             if (!settings.Region.IsWhole)
                 AddRegion(info, settings.Region);
             info.Settings.Add(new RunSetting("max_bounces", settings.MaxBounces, "1"));
+            if (settings.SkipSamplingError)
+                info.Settings.Add(new RunSetting(ResultColumn.SamplingError.Name, ResultColumn.NotEstimated));
             info.Settings.Add(new RunSetting("projection", view.IsParallel ? "parallel" : "perspective"));
             if (!view.IsParallel)
             {
@@ -120,5 +125,54 @@ namespace Glint
             info.Settings.Add(new RunSetting($"{what}_y", vector.y, unit));
             info.Settings.Add(new RunSetting($"{what}_z", vector.z, unit));
         }
+    }
+
+    /// <summary>
+    /// Identifies the content of a scene across runs and machines: SHA-256 over the bytes of its numbers,
+    /// little-endian.
+    /// </summary>
+    sealed class SceneHash : IDisposable
+    {
+        // Of 64: 128 bits make collisions negligible.
+        const int Digits = 32;
+
+        readonly IncrementalHash _hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
+
+        /// <summary>Adds meshes and transforms, each mesh once.</summary>
+        public void Add(RadarScene scene)
+        {
+            var meshes = new Dictionary<TriangleMesh, int>();
+            foreach (var instance in scene.Instances)
+            {
+                if (!meshes.TryGetValue(instance.Mesh, out int number))
+                {
+                    meshes.Add(instance.Mesh, number = meshes.Count);
+                    Add(instance.Mesh.Vertices);
+                    Add(instance.Mesh.Indices);
+                }
+                Add(new[] { number });
+                Add(new[] { instance.ToWorld });
+            }
+            // Scenes of perfect conductors alone keep the hash that they had before there were surfaces.
+            if (scene.Surfaces.Count == 1)
+                return;
+            foreach (var instance in scene.Instances)
+                Add(instance.Ranges.SelectMany(range => new[] { range.FirstTriangle, range.Surface }).ToArray());
+            foreach (var surface in scene.Surfaces)
+                Add(surface.Name.ToCharArray());
+        }
+
+        /// <summary>Adds numbers or structs of numbers, and their count.</summary>
+        public void Add<T>(T[] values) where T : struct
+        {
+            _hash.AppendData(BitConverter.GetBytes(values.Length));
+            _hash.AppendData(MemoryMarshal.AsBytes(new ReadOnlySpan<T>(values)));
+        }
+
+        /// <summary>The hash of everything added, in hexadecimal digits; resets the hash.</summary>
+        public string Text() =>
+            BitConverter.ToString(_hash.GetHashAndReset()).Replace("-", "").ToLowerInvariant().Substring(0, Digits);
+
+        public void Dispose() => _hash.Dispose();
     }
 }

@@ -9,11 +9,8 @@ namespace Glint
     {
         /// <param name="radar">The radar.</param>
         /// <param name="plan">The poses.</param>
-        public SweepSetup(RadarController radar, SweepPlan plan)
-        {
-            Radar = radar;
-            Plan = plan;
-        }
+        public SweepSetup(RadarController radar, SweepPlan plan) =>
+            (Radar, Plan) = (radar, plan);
 
         /// <summary>The radar.</summary>
         public RadarController Radar { get; }

@@ -36,7 +36,7 @@ namespace Glint
         RadarPreviewImage Trace()
         {
             var coarse = Sized(Pixels);
-            var whole = new RayRegion { Width = coarse.RaysAcross, Height = coarse.RaysDown };
+            var whole = coarse.TracedRegion;
             var paths = Trace(coarse, whole);
             var hits = paths.Where(path => path.Bounces > 0).Select(path => path.Pixel).ToArray();
             if (hits.Length == 0)
@@ -52,8 +52,7 @@ namespace Glint
         {
             var pixels = new uint[part.Width * part.Height];
             for (int i = 0; i < pixels.Length; i++)
-                pixels[i] =
-                    (uint)(part.Left + i % part.Width + (long)(part.Bottom + i / part.Width) * settings.RaysAcross);
+                pixels[i] = settings.PixelAt(part.Left + i % part.Width, part.Bottom + i / part.Width);
             return _tracer.TracePaths(new RadarPose(_pose.Scene, settings, _pose.View), pixels, null, _cancel);
         }
 
@@ -80,15 +79,18 @@ namespace Glint
 
         static RayRegion Around(uint[] pixels, in RadarSettings settings)
         {
-            uint across = (uint)settings.RaysAcross;
-            int left = (int)pixels.Min(pixel => pixel % across), right = (int)pixels.Max(pixel => pixel % across),
-                bottom = (int)pixels.Min(pixel => pixel / across), top = (int)pixels.Max(pixel => pixel / across);
-            int edge = 1 + (int)(Margin * math.max(right - left, top - bottom));
-            (left, bottom) = (math.max(0, left - edge), math.max(0, bottom - edge));
+            int2 first = int.MaxValue, last = 0;
+            foreach (uint pixel in pixels)
+            {
+                var at = settings.PositionOf(pixel);
+                (first, last) = (math.min(first, at), math.max(last, at));
+            }
+            int edge = 1 + (int)(Margin * math.cmax(last - first));
+            first = math.max(0, first - edge);
+            last = math.min(new int2(settings.RaysAcross, settings.RaysDown), last + 1 + edge);
             return new RayRegion
             {
-                Left = left, Bottom = bottom, Width = math.min(settings.RaysAcross, right + 1 + edge) - left,
-                Height = math.min(settings.RaysDown, top + 1 + edge) - bottom
+                Left = first.x, Bottom = first.y, Width = last.x - first.x, Height = last.y - first.y
             };
         }
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.Runtime.InteropServices;
 using Glint.Core;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint
@@ -130,16 +131,14 @@ namespace Glint
 
         void Scatter(int count)
         {
-            var region = _settings.Region;
-            int width = region.IsWhole ? _settings.RaysAcross : region.Width;
+            var region = _settings.TracedRegion;
             for (int i = 0; i < count; i++)
             {
                 uint pixel = _slice[i].Pixel;
                 if (pixel == ReceivedRay.NoPixel)
                     continue; // outside the picture
-                int x = (int)(pixel % (uint)_settings.RaysAcross) - region.Left,
-                    y = (int)(pixel / (uint)_settings.RaysAcross) - region.Bottom;
-                _all[(long)y * width + x] = _slice[i];
+                var at = _settings.PositionOf(pixel) - new int2(region.Left, region.Bottom);
+                _all[(long)at.y * region.Width + at.x] = _slice[i];
             }
         }
     }

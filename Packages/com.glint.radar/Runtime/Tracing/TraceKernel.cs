@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -93,10 +94,9 @@ namespace Glint
             _shader.SetVector(ShaderIDs._SceneCentreExtent,
                 new Vector4((float)centre.x, (float)centre.y, (float)centre.z, (float)grid.SceneExtent));
             _shader.SetInt(ShaderIDs._RaysAcross, settings.RaysAcross);
-            var region = settings.Region;
-            _shader.SetInts(ShaderIDs._Region, region.IsWhole
-                ? new[] { 0, settings.RaysAcross, 0, settings.RaysDown }
-                : new[] { region.Left, region.Left + region.Width, region.Bottom, region.Bottom + region.Height });
+            var region = settings.TracedRegion;
+            _shader.SetInts(ShaderIDs._Region,
+                region.Left, region.Left + region.Width, region.Bottom, region.Bottom + region.Height);
             _shader.SetInt(ShaderIDs._MaxBounces, settings.MaxBounces);
             _shader.SetFloat(ShaderIDs._LengthUnits, lengthUnits);
             _shader.SetInt(ShaderIDs._Culling, (int)culling);
@@ -220,5 +220,57 @@ namespace Glint
 
         void SetNumber(int id, double value) =>
             _shader.SetVector(id, new Vector4((float)value, DoubleFloat.Lo(value), 0, 0));
+    }
+
+    // Names as in Shaders/Bindings.hlsl.
+    static class ShaderIDs
+    {
+        public static readonly int[] _Bvh = Enumerable.Range(0, DeviceBvhs.MaxPages)
+            .Select(page => Shader.PropertyToID("_Bvh" + page)).ToArray();
+        public static readonly int _InstanceBvh = Shader.PropertyToID("_InstanceBvh");
+        public static readonly int _Instances = Shader.PropertyToID("_Instances");
+        public static readonly int _Ranges = Shader.PropertyToID("_Ranges");
+        public static readonly int _InlineToLocal = Shader.PropertyToID("_InlineToLocal");
+        public static readonly int _InlineFirstRow = Shader.PropertyToID("_InlineFirstRow");
+        public static readonly int _InstanceCount = Shader.PropertyToID("_InstanceCount");
+        public static readonly int _InstanceBvhRoot = Shader.PropertyToID("_InstanceBvhRoot");
+
+        public static readonly (int value, int lo) _Origin = WithLo(nameof(_Origin));
+        public static readonly (int value, int lo) _OriginDx = WithLo(nameof(_OriginDx));
+        public static readonly (int value, int lo) _OriginDy = WithLo(nameof(_OriginDy));
+        public static readonly (int value, int lo) _Direction = WithLo(nameof(_Direction));
+        public static readonly (int value, int lo) _DirectionDx = WithLo(nameof(_DirectionDx));
+        public static readonly (int value, int lo) _DirectionDy = WithLo(nameof(_DirectionDy));
+        public static readonly (int value, int lo) _ReceiverCentre = WithLo(nameof(_ReceiverCentre));
+        public static readonly (int value, int lo) _ReceiverRight = WithLo(nameof(_ReceiverRight));
+        public static readonly (int value, int lo) _ReceiverUp = WithLo(nameof(_ReceiverUp));
+        public static readonly (int value, int lo) _ReceiverForward = WithLo(nameof(_ReceiverForward));
+        public static readonly int _ReceiverHalfSize = Shader.PropertyToID("_ReceiverHalfSize");
+        public static readonly int _OriginDepth = Shader.PropertyToID("_OriginDepth");
+        public static readonly int _ReferencePixel = Shader.PropertyToID("_ReferencePixel");
+        public static readonly int _SceneCentreExtent = Shader.PropertyToID("_SceneCentreExtent");
+        public static readonly int _RaysAcross = Shader.PropertyToID("_RaysAcross");
+        public static readonly int _Region = Shader.PropertyToID("_Region");
+        public static readonly int _MaxBounces = Shader.PropertyToID("_MaxBounces");
+        public static readonly int _WaveNumberTurns = Shader.PropertyToID("_WaveNumberTurns");
+
+        public static readonly int _Tiles = Shader.PropertyToID("_Tiles");
+        public static readonly int _EntryPoints = Shader.PropertyToID("_EntryPoints");
+        public static readonly int _FoundEntryPoints = Shader.PropertyToID("_FoundEntryPoints");
+        public static readonly int _Hits = Shader.PropertyToID("_Hits");
+        public static readonly int _FirstTile = Shader.PropertyToID("_FirstTile");
+        public static readonly int _TileCount = Shader.PropertyToID("_TileCount");
+        public static readonly int _Culling = Shader.PropertyToID("_Culling");
+        public static readonly int _Readback = Shader.PropertyToID("_Readback");
+        public static readonly int _FirstCandidate = Shader.PropertyToID("_FirstCandidate");
+        public static readonly int _CandidateCount = Shader.PropertyToID("_CandidateCount");
+        public static readonly int _SubRays = Shader.PropertyToID("_SubRays");
+        public static readonly int _LengthUnits = Shader.PropertyToID("_LengthUnits");
+
+        public static readonly int _Candidates = Shader.PropertyToID("_Candidates");
+        public static readonly int _Rays = Shader.PropertyToID("_Rays");
+        public static readonly int _Sums = Shader.PropertyToID("_Sums");
+
+        static (int, int) WithLo(string name) => (Shader.PropertyToID(name), Shader.PropertyToID(name + "Lo"));
     }
 }

@@ -81,7 +81,7 @@ namespace Glint.Samples
         public static void Sweep(RadarController radar, Transform target, string folder)
         {
             var setup = new SweepSetup(radar,
-                new SweepPlan(Angles.Parse("-2:2:0.5")))
+                new SweepPlan(SweepAxis.Angle.Parse("-2:2:0.5")))
             { Target = target, Scene = target.gameObject.scene.path };
             using (var results = ResultsFolder.Open(folder))
             using (var run = new SweepRun(setup, results))

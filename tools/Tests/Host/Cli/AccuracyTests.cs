@@ -6,6 +6,8 @@ using System.Threading;
 using System.Xml.Linq;
 using Glint.Cli;
 using Glint.Core;
+using Glint.Editor;
+using Glint.Reference;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;

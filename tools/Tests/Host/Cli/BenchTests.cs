@@ -4,6 +4,8 @@ using System.Linq;
 using System.Threading;
 using Glint.Cli;
 using Glint.Core;
+using Glint.Editor;
+using Glint.Reference;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 

@@ -4,6 +4,7 @@ using FsCheck;
 using FsCheck.Fluent;
 using Glint.Cli;
 using Glint.Core;
+using Glint.Editor;
 using NUnit.Framework;
 
 namespace Glint.Host.Tests;

@@ -4,7 +4,7 @@ using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using Glint.Cli;
-using Glint.Core;
+using Glint.Editor;
 using NUnit.Framework;
 
 namespace Glint.Host.Tests;

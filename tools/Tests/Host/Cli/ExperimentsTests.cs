@@ -36,7 +36,7 @@ public sealed class ExperimentsTests
     {
         var rows = PublishedTable.Read(((Experiment)experiment).Published);
         var line = ((Experiment)experiment).Line;
-        var plan = new SweepPlan(line.Get(Options.Angles), line.Get(Options.Snapshots));
+        var plan = new SweepPlan(axis => line.Get(Options.Of(axis)));
         Assert.That(rows.Select(row => row.Step),
             Is.EqualTo(Enumerable.Range(0, plan.Count).Select(pose => SweepResult.StepOf(plan[pose]))));
         // The publication's own ratio, to its last digit.

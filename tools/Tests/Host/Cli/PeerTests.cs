@@ -3,6 +3,7 @@ using System.Diagnostics;
 using System.Threading;
 using Glint.Cli;
 using Glint.Core;
+using Glint.Editor;
 using NUnit.Framework;
 
 namespace Glint.Host.Tests;

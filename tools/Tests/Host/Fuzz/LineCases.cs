@@ -3,7 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Glint.Cli;
-using Glint.Core;
+using Glint.Editor;
 
 namespace Glint.Host.Tests;
 

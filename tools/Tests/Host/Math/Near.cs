@@ -1,5 +1,4 @@
 using NUnit.Framework;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint.Host.Tests;
@@ -21,16 +20,6 @@ internal static class Near
         {
             for (int column = 0; column < 4; column++)
                 Assert.That(actual[row, column], Is.EqualTo(expected[row, column]).Within(tolerance),
-                    $"row {row}, column {column}");
-        }
-    }
-
-    internal static void Matrix(double4x4 actual, double[,] expected, double tolerance)
-    {
-        for (int row = 0; row < 4; row++)
-        {
-            for (int column = 0; column < 4; column++)
-                Assert.That(actual[column][row], Is.EqualTo(expected[row, column]).Within(tolerance),
                     $"row {row}, column {column}");
         }
     }

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Threading;
 using Glint.Core;
 using Glint.Editor;
+using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -64,6 +65,27 @@ public sealed class BatchTests
         Assert.That(File.ReadAllLines(Path.Combine(results, "results.csv")).Skip(1).Select(row => row.Split(',')[0]),
             Is.EqualTo(new[] { "0" }));
         Assert.That(File.Exists(Path.Combine(results, "results.json")), Is.False);
+    }
+
+    [Test]
+    public void Sweep_WithoutSamplingError_LeavesItEmptyAndIsNotMixedWithAnother()
+    {
+        string[] sweep = { "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0,10",
+            "--size", "192x108", "--out", _folder };
+        Call(Commands.Sweep, sweep.Append("--no-sampling-error").ToArray());
+        Assert.That(_exitCode, Is.EqualTo(0), string.Join("\n", _log));
+        var lines = File.ReadAllLines(Path.Combine(_folder, "results.csv")).Select(line => line.Split(',')).ToArray();
+        var json = JObject.Parse(File.ReadAllText(Path.Combine(_folder, "results.json")));
+        foreach (string column in new[] { "sampling_error", "largest_path_step_wavelengths", "undersampled" })
+        {
+            Assert.That(lines[1][System.Array.IndexOf(lines[0], column)], Is.Empty);
+            Assert.That(json["rows"][0][column].Type, Is.EqualTo(JTokenType.Null));
+        }
+        Assert.That((string)json["settings"]["sampling_error"], Is.EqualTo("not estimated"));
+        Assert.That(_log.Where(line => line.type == LogType.Warning), Is.Empty, "nothing is known to be undersampled");
+
+        Call(Commands.Sweep, sweep.Append("--resume").ToArray());
+        Assert.That(Errors.Single(), Does.Contain("sampling_error was \"not estimated\" and is not given"));
     }
 
     [Test]

@@ -29,7 +29,7 @@ public sealed class SweepSessionTests
         EditorSceneManager.OpenScene(Corner, OpenSceneMode.Single);
         _form = new SweepForm
         {
-            Target = GameObject.Find("Corner Reflector").transform, Angles = "0:30:10",
+            Target = GameObject.Find("Corner Reflector").transform, [SweepAxis.Angle] = "0:30:10",
             Folder = Path.Combine(_folder, "session")
         };
         _form.FindRadar();
@@ -48,7 +48,7 @@ public sealed class SweepSessionTests
     [Test]
     public void Session_OfAScene_WritesTheFilesOfTheCommand()
     {
-        (_form.GrazingAngles, _form.Frequencies) = ("5,10", "9e9:10e9:1e9");
+        (_form[SweepAxis.Grazing], _form[SweepAxis.Frequency]) = ("5,10", "9e9:10e9:1e9");
         MoveAPart();
         var rows = Run(_form);
         Assert.That(rows.Count, Is.EqualTo(16));
@@ -70,7 +70,7 @@ public sealed class SweepSessionTests
         var part = GameObject.Find("Plate X").transform;
         Run(new SweepForm
         {
-            Radar = _form.Radar, Target = part, Angles = "0,5", Folder = Path.Combine(_folder, "part")
+            Radar = _form.Radar, Target = part, [SweepAxis.Angle] = "0,5", Folder = Path.Combine(_folder, "part")
         });
         var position = part.localPosition;
         _form.Radar.Trace();
@@ -95,7 +95,7 @@ public sealed class SweepSessionTests
         Assert.That((session.Count, session.Done, session.IsRunning, session.SecondsLeft),
             Is.EqualTo((4, 0, true, (double?)null)));
         session.Tick();
-        Assert.That((session.Done, session.Rows.Count, session.Rows[0].RaysHit > 0), Is.EqualTo((1, 1, true)));
+        Assert.That((session.Done, session.Rows.Count, session.Rows[0][ResultColumn.RaysHit] > 0), Is.EqualTo((1, 1, true)));
         Assert.That(session.Status(), Does.StartWith("1 of 4 poses, "));
         session.Tick();
         Assert.That(Quaternion.Angle(_form.Target.localRotation, _rotation), Is.EqualTo(10).Within(0.01),
@@ -129,8 +129,8 @@ public sealed class SweepSessionTests
         AssertAsBefore();
         Assert.That(File.ReadAllLines(Path.Combine(_form.FolderPath, "results.csv")).Length, Is.EqualTo(3));
         Assert.That(session.Status(), Does.Contain("2 of 4 poses").And.Contain("Resume"));
-        Assert.That(PoseFigures.OfFolder(_form.FolderPath).Select(row => row.Amplitude),
-            Is.EqualTo(session.Rows.Select(row => row.Amplitude)), "as a window finds them after a reload");
+        Assert.That(StoredRun.RowsOf(_form.FolderPath).Select(row => row[ResultColumn.Amplitude]),
+            Is.EqualTo(session.Rows.Select(row => row[ResultColumn.Amplitude])), "as a window finds them after a reload");
     }
 
     [Test]
@@ -227,8 +227,8 @@ public sealed class SweepSessionTests
         using var session = SweepSession.Pose(_form.Radar);
         session.Tick();
         Assert.That((session.IsRunning, session.Problem, session.Rows.Count), Is.EqualTo((false, (string)null, 1)));
-        Assert.That(session.Rows[0].Amplitude, Is.EqualTo(_form.Radar.Trace().Amplitude));
-        Assert.That(session.Rows[0].PhaseHistogram.Sum(), Is.EqualTo(session.Rows[0].RaysReceived));
+        Assert.That(session.Rows[0][ResultColumn.Amplitude], Is.EqualTo(_form.Radar.Trace().Amplitude));
+        Assert.That(session.Rows[0].PhaseHistogram.Sum(), Is.EqualTo(session.Rows[0][ResultColumn.RaysReceived]));
     }
 
     [Test]
@@ -242,7 +242,7 @@ public sealed class SweepSessionTests
             foreach (var sweep in Object.FindObjectsByType<Sweep>(FindObjectsInactive.Include,
                 FindObjectsSortMode.None))
                 Object.DestroyImmediate(sweep);
-            Assert.That(Run(_form).Select(row => row.Amplitude), Is.EqualTo(rows.Select(row => row.Amplitude)));
+            Assert.That(Run(_form).Select(row => row[ResultColumn.Amplitude]), Is.EqualTo(rows.Select(row => row[ResultColumn.Amplitude])));
         }
         finally
         {
@@ -290,7 +290,7 @@ public sealed class SweepSessionTests
     [TestCase("0:45:1", null)]
     public void Form_SaysWhatTheCommandWouldSay(string angles, string problem)
     {
-        _form.Angles = angles;
+        _form[SweepAxis.Angle] = angles;
         string said = _form.ProblemOf(SweepAxis.Angle);
         if (problem == null)
             Assert.That(said, Is.Null);
@@ -304,11 +304,11 @@ public sealed class SweepSessionTests
         Assert.That(_form.Problem(), Is.Null);
         _form.Target = null;
         Assert.That(_form.Problem(), Does.Contain("--target is missing"));
-        _form.Angles = " ";
+        _form[SweepAxis.Angle] = " ";
         Assert.That(_form.Problem(), Does.Contain("nothing to step through"));
-        _form.Frequencies = "9e9,10e9";
+        _form[SweepAxis.Frequency] = "9e9,10e9";
         Assert.That(_form.Problem(), Is.Null, "nothing is turned");
-        _form.Snapshots = "1:3";
+        _form[SweepAxis.Snapshot] = "1:3";
         Assert.That(() => SweepSession.Sweep(_form),
             Throws.TypeOf<GlintException>().With.Message.Contains("has no sea"));
         _form.Radar.enabled = false;
@@ -333,7 +333,7 @@ public sealed class SweepSessionTests
         Assert.That(SceneManager.GetActiveScene().isDirty, Is.False);
     }
 
-    static IReadOnlyList<PoseFigures> Run(SweepForm form)
+    static IReadOnlyList<StoredRow> Run(SweepForm form)
     {
         using var session = SweepSession.Sweep(form);
         while (session.IsRunning)

@@ -24,7 +24,7 @@ public sealed class WindowExportTests
         EditorSceneManager.OpenScene("Packages/com.glint.scenes/CornerReflector.unity", OpenSceneMode.Single);
         _form = new SweepForm
         {
-            Target = GameObject.Find("Corner Reflector").transform, Angles = "0,20",
+            Target = GameObject.Find("Corner Reflector").transform, [SweepAxis.Angle] = "0,20",
             Folder = Path.Combine(_folder, "results")
         };
         _form.FindRadar();

@@ -3,6 +3,7 @@ using System.Linq;
 using FsCheck;
 using FsCheck.Fluent;
 using Glint.Core;
+using Glint.Reference;
 using Glint.Tests;
 using NUnit.Framework;
 

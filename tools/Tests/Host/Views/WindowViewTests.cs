@@ -81,18 +81,25 @@ public sealed class WindowViewTests
         Assert.That(readout.text, Does.Contain("rays that hit were received"));
     }
 
-    [TestCase("Polar")]
-    [TestCase("Decibels")]
-    [TestCase("Raw")]
-    public void Sweep_DrawnAnotherWay_HasLinesOfFiniteCorners(string option)
+    [Test]
+    public void Sweep_OfEveryColumn_HasLinesOfFiniteCorners()
     {
         Sweep();
-        _tree.Find<ToolbarToggle>(toggle => toggle.text == option).value = true;
-        foreach (VisualElement plot in Plots())
+        var show = _tree.Find<DropdownField>(field => field.label == "Show");
+        Assert.That(show.value, Is.EqualTo("Amplitude, normalised"));
+        foreach (bool inDecibels in new[] { false, true })
         {
-            plot.Size = new Rect(0, 0, 400, 200);
-            plot.Raise(new GeometryChangedEvent());
-            Assert.That(plot.Paint().BadCorners, Is.Zero);
+            _tree.Find<ToolbarToggle>(toggle => toggle.text == "Decibels").value = inDecibels;
+            foreach (string column in show.choices)
+            {
+                show.value = column;
+                VisualElement plot = Plots().Single();
+                plot.Size = new Rect(0, 0, 400, 200);
+                plot.Raise(new GeometryChangedEvent());
+                Assert.That(plot.Paint().BadCorners, Is.Zero, column);
+                Assert.That(plot.Children().OfType<Label>().Select(label => label.text),
+                    Has.Some.StartsWith(column));
+            }
         }
     }
 

@@ -15,7 +15,6 @@ public partial struct float3x3 : IEquatable<float3x3>, IFormattable
     public float3x3(float3 c0, float3 c1, float3 c2) { this.c0 = c0; this.c1 = c1; this.c2 = c2; }
     public float3x3(float m00, float m01, float m02, float m10, float m11, float m12, float m20, float m21, float m22) { this.c0 = new float3(m00, m10, m20); this.c1 = new float3(m01, m11, m21); this.c2 = new float3(m02, m12, m22); }
     public float3x3(float v) { this.c0 = v; this.c1 = v; this.c2 = v; }
-    public float3x3(double3x3 v) { this.c0 = (float3)v.c0; this.c1 = (float3)v.c1; this.c2 = (float3)v.c2; }
 
     public unsafe ref float3 this[int index]
     {
@@ -28,7 +27,6 @@ public partial struct float3x3 : IEquatable<float3x3>, IFormattable
     }
 
     public static implicit operator float3x3(float v) => new(v);
-    public static explicit operator float3x3(double3x3 v) => new(v);
     public static float3x3 operator +(float3x3 lhs, float3x3 rhs) => new(lhs.c0 + rhs.c0, lhs.c1 + rhs.c1, lhs.c2 + rhs.c2);
     public static float3x3 operator +(float3x3 lhs, float rhs) => new(lhs.c0 + rhs, lhs.c1 + rhs, lhs.c2 + rhs);
     public static float3x3 operator +(float lhs, float3x3 rhs) => new(lhs + rhs.c0, lhs + rhs.c1, lhs + rhs.c2);

@@ -16,7 +16,6 @@ public partial struct float4x4 : IEquatable<float4x4>, IFormattable
     public float4x4(float4 c0, float4 c1, float4 c2, float4 c3) { this.c0 = c0; this.c1 = c1; this.c2 = c2; this.c3 = c3; }
     public float4x4(float m00, float m01, float m02, float m03, float m10, float m11, float m12, float m13, float m20, float m21, float m22, float m23, float m30, float m31, float m32, float m33) { this.c0 = new float4(m00, m10, m20, m30); this.c1 = new float4(m01, m11, m21, m31); this.c2 = new float4(m02, m12, m22, m32); this.c3 = new float4(m03, m13, m23, m33); }
     public float4x4(float v) { this.c0 = v; this.c1 = v; this.c2 = v; this.c3 = v; }
-    public float4x4(double4x4 v) { this.c0 = (float4)v.c0; this.c1 = (float4)v.c1; this.c2 = (float4)v.c2; this.c3 = (float4)v.c3; }
 
     public unsafe ref float4 this[int index]
     {
@@ -29,7 +28,6 @@ public partial struct float4x4 : IEquatable<float4x4>, IFormattable
     }
 
     public static implicit operator float4x4(float v) => new(v);
-    public static explicit operator float4x4(double4x4 v) => new(v);
     public static float4x4 operator +(float4x4 lhs, float4x4 rhs) => new(lhs.c0 + rhs.c0, lhs.c1 + rhs.c1, lhs.c2 + rhs.c2, lhs.c3 + rhs.c3);
     public static float4x4 operator +(float4x4 lhs, float rhs) => new(lhs.c0 + rhs, lhs.c1 + rhs, lhs.c2 + rhs, lhs.c3 + rhs);
     public static float4x4 operator +(float lhs, float4x4 rhs) => new(lhs + rhs.c0, lhs + rhs.c1, lhs + rhs.c2, lhs + rhs.c3);

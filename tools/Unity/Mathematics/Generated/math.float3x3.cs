@@ -5,7 +5,6 @@ public static partial class math
 {
     public static float3x3 float3x3(float3 c0, float3 c1, float3 c2) => new float3x3(c0, c1, c2);
     public static float3x3 float3x3(float v) => new float3x3(v);
-    public static float3x3 float3x3(double3x3 v) => new float3x3(v);
 
     public static float3x3 float3x3(float m00, float m01, float m02, float m10, float m11, float m12, float m20, float m21, float m22)
     {

@@ -5,7 +5,6 @@ public static partial class math
 {
     public static float4x4 float4x4(float4 c0, float4 c1, float4 c2, float4 c3) => new float4x4(c0, c1, c2, c3);
     public static float4x4 float4x4(float v) => new float4x4(v);
-    public static float4x4 float4x4(double4x4 v) => new float4x4(v);
 
     public static float4x4 float4x4(float m00, float m01, float m02, float m03, float m10, float m11, float m12, float m13, float m20, float m21, float m22, float m23, float m30, float m31, float m32, float m33)
     {

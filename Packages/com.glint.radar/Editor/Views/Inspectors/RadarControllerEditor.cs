@@ -57,6 +57,7 @@ namespace Glint.Editor.Views
                 Parts.Field("_layers", "Layers"),
                 Parts.Field("_roots", "Roots")));
             inspector.Add(Parts.Group("Results",
+                Parts.Field("_skipSamplingError", "Skip Sampling Error"),
                 Parts.Field("_keptRays", "Kept Rays"),
                 Parts.Field("_kernel", "Kernel")));
         }

@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using UnityEditor;
 using UnityEngine.UIElements;
@@ -6,47 +7,42 @@ namespace Glint.Editor.Views
 {
     /// <summary>The inspector of Ray Paths: filters, number of rays drawn, or why there are none.</summary>
     [CustomEditor(typeof(RayPaths)), CanEditMultipleObjects]
-    sealed class RayPathsEditor : UnityEditor.Editor
+    sealed class RayPathsEditor : FiguresEditor
     {
         const long LookEveryMs = 500;
 
-        VisualElement _findings, _figures;
         string _shown;
 
         RayPaths Paths => (RayPaths)target;
 
-        public override VisualElement CreateInspectorGUI()
+        protected override void AddFields(VisualElement inspector)
         {
-            var inspector = new VisualElement();
-            _findings = new VisualElement();
-            _figures = new VisualElement();
             _shown = null;
-            inspector.Add(_findings);
             inspector.Add(Parts.Field("_receivedOnly", "Received Only"));
             inspector.Add(Parts.Field("_every", "Every"));
             inspector.Add(Parts.Field("_fewestBounces", "Fewest Bounces"));
             inspector.Add(Parts.Field("_mostBounces", "Most Bounces"));
             inspector.Add(Parts.Field("_meeting", "Meeting"));
             inspector.Add(Parts.Field("_hitPoints", "Hit Points"));
-            inspector.Add(_figures);
-            if (targets.Length == 1)
-                inspector.schedule.Execute(Look).Every(LookEveryMs);
-            return inspector;
         }
 
+        protected override (IEnumerable<Finding>, IEnumerable<(string, string, string)>) Shown() =>
+            (new[] { RayPathsFigures.Check(Paths) }, RayPathsFigures.Rows(Paths));
+
         // Polls: rays are traced when a view shows them, and no event is raised.
-        void Look()
+        protected override void StartLooking(VisualElement inspector) =>
+            inspector.schedule.Execute(LookForChange).Every(LookEveryMs);
+
+        // The same text is not drawn again: a user may be selecting it.
+        void LookForChange()
         {
             if (target == null)
                 return;
-            var finding = RayPathsFigures.Check(Paths);
-            var rows = RayPathsFigures.Rows(Paths).ToArray();
-            string said = finding + rows[0].value;
-            if (said == _shown)
+            string shown = RayPathsFigures.Check(Paths) + RayPathsFigures.Rows(Paths).Single().value;
+            if (shown == _shown)
                 return;
-            _shown = said;
-            Parts.ShowFindings(_findings, finding == null ? Enumerable.Empty<Finding>() : new[] { finding }, () => { });
-            Parts.ShowRows(_figures, rows);
+            _shown = shown;
+            Look();
         }
     }
 }

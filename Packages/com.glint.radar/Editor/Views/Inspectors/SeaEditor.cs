@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.Linq;
 using UnityEditor;
 using UnityEngine.UIElements;
@@ -6,22 +7,17 @@ namespace Glint.Editor.Views
 {
     /// <summary>The inspector of a Sea: snapshots by name, figures, or why nothing is shown.</summary>
     [CustomEditor(typeof(Sea)), CanEditMultipleObjects]
-    sealed class SeaEditor : UnityEditor.Editor
+    sealed class SeaEditor : FiguresEditor
     {
-        VisualElement _findings, _figures;
         DropdownField _snapshot;
 
         Sea Sea => (Sea)target;
 
-        public override VisualElement CreateInspectorGUI()
+        protected override void AddFields(VisualElement inspector)
         {
-            var inspector = new VisualElement();
-            _findings = new VisualElement();
-            _figures = new VisualElement();
             _snapshot = new DropdownField("Snapshot") { tooltip = "Which snapshot is shown." };
             _snapshot.AddToClassList(DropdownField.alignedFieldUssClassName);
             _snapshot.RegisterValueChangedCallback(_ => Choose());
-            inspector.Add(_findings);
             inspector.Add(Parts.Group("Snapshots", Parts.Field("_snapshots", "Snapshots"),
                 targets.Length == 1 ? (VisualElement)_snapshot : Parts.Field("_snapshot", "Snapshot")));
             inspector.Add(Parts.Group("Without snapshots", Parts.Struct("_waves", "Waves", SeaFigures.Waves),
@@ -30,23 +26,15 @@ namespace Glint.Editor.Views
                 Parts.Field("_centre", "Centre"), Parts.Field("_material", "Material")));
             inspector.Add(Parts.Group("While the scene plays", Parts.Field("_motion", "Motion"),
                 Parts.Field("_secondsPerSnapshot", "Seconds a Snapshot")));
-            inspector.Add(_figures);
-            if (targets.Length == 1)
-                new Watch(inspector, serializedObject, Look);
-            return inspector;
         }
 
-        void Look()
+        protected override (IEnumerable<Finding>, IEnumerable<(string, string, string)>) Shown()
         {
-            if (target == null)
-                return;
-            var finding = SeaFigures.Check(Sea);
-            Parts.ShowFindings(_findings, finding == null ? Enumerable.Empty<Finding>() : new[] { finding }, () => { });
             _snapshot.SetEnabled(Sea.Snapshots.Count > 0);
             _snapshot.choices = Enumerable.Range(1, Sea.Snapshots.Count)
                 .Select(number => SeaFigures.Name(Sea, number)).ToList();
             _snapshot.SetValueWithoutNotify(Sea.Snapshots.Count > 0 ? SeaFigures.Name(Sea, Sea.Snapshot) : "none");
-            Parts.ShowRows(_figures, SeaFigures.Rows(Sea));
+            return (new[] { SeaFigures.Check(Sea) }, SeaFigures.Rows(Sea));
         }
 
         // Through the serialized field, for Undo, prefab overrides and the sea's OnValidate.

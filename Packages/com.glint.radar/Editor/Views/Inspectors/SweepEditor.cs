@@ -1,3 +1,6 @@
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
 using UnityEditor;
 using UnityEngine.UIElements;
 
@@ -7,41 +10,35 @@ namespace Glint.Editor.Views
     /// The inspector of a Sweep: findings about its lists as they are typed, and the number of poses.
     /// </summary>
     [CustomEditor(typeof(Sweep)), CanEditMultipleObjects]
-    sealed class SweepEditor : UnityEditor.Editor
+    sealed class SweepEditor : FiguresEditor
     {
         SweepCheck _check;
-        VisualElement _findings, _figures;
-        Watch _watch;
 
-        public override VisualElement CreateInspectorGUI()
+        protected override void AddFields(VisualElement inspector)
         {
-            var inspector = new VisualElement();
-            _findings = new VisualElement();
-            _figures = new VisualElement();
-            inspector.Add(_findings);
             inspector.Add(Parts.Field("_radar", "Radar"));
             inspector.Add(Parts.Field("_target", "Target"));
-            inspector.Add(Parts.Field("_angles", "Angles (deg)"));
-            inspector.Add(Parts.Field("_grazingAngles", "Grazing Angles (deg)"));
-            inspector.Add(Parts.Field("_distances", "Distances (m)"));
-            inspector.Add(Parts.Field("_frequencies", "Frequencies (Hz)"));
-            inspector.Add(Parts.Field("_snapshots", "Snapshots"));
+            foreach (var axis in SweepAxis.All.Reverse())
+                inspector.Add(Parts.Field(FieldOf(axis), axis.ListLabel));
             inspector.Add(Parts.Field("_outputFolder", "Output Folder"));
-            inspector.Add(_figures);
-            if (targets.Length != 1 || !RadarCheck.CanLook((Sweep)target))
-                return inspector;
-            _check = new SweepCheck((Sweep)target);
-            _watch = new Watch(inspector, serializedObject, Look);
-            return inspector;
         }
 
-        void Look()
+        protected override void StartLooking(VisualElement inspector)
         {
-            if (target == null)
+            if (!RadarCheck.CanLook((Sweep)target))
                 return;
-            _check.Update();
-            Parts.ShowFindings(_findings, _check.Findings, _watch.LookSoon);
-            Parts.ShowRows(_figures, _check.Rows());
+            _check = new SweepCheck((Sweep)target);
+            base.StartLooking(inspector);
         }
+
+        protected override (IEnumerable<Finding>, IEnumerable<(string, string, string)>) Shown()
+        {
+            _check.Update();
+            return (_check.Findings, _check.Rows());
+        }
+
+        // "grazing angles" are in the field _grazingAngles.
+        static string FieldOf(SweepAxis axis) => "_" + string.Concat(axis.Plural.Split(' ')
+            .Select((word, i) => i == 0 ? word : char.ToUpperInvariant(word[0]) + word.Substring(1)));
     }
 }

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Glint.Core;
 using UnityEngine;
 using UnityEngine.UIElements;
 
@@ -9,16 +10,23 @@ namespace Glint.Editor.Views
     /// <summary>
     /// Draws a <see cref="SweepChart"/>. The pointer reads the nearest pose, a click chooses it.
     /// </summary>
-    sealed class ChartView : PlotArea
+    sealed class ChartView : VisualElement
     {
+        const float TickGap = 5;
+
         // Above this number of poses the markers would hide the lines.
         const int MaxMarkers = 400;
 
+        readonly ChartColours _colours;
         SweepChart _chart;
-        PoseFigures _marked;
+        StoredRow _marked;
 
         public ChartView()
         {
+            AddToClassList("glint-plot");
+            _colours = new ChartColours(this);
+            generateVisualContent = Draw;
+            RegisterCallback<GeometryChangedEvent>(changed => Write());
             RegisterCallback<PointerMoveEvent>(
                 move => Find(move.localPosition, (series, point) => Hovered?.Invoke(series, point)));
             RegisterCallback<PointerLeaveEvent>(leave => Left?.Invoke());
@@ -39,36 +47,56 @@ namespace Glint.Editor.Views
         public event Action<int> Chosen;
 
         /// <param name="marked">The chosen pose; may be null.</param>
-        public void Show(SweepChart chart, PoseFigures marked)
+        public void Show(SweepChart chart, StoredRow marked)
         {
             (_chart, _marked) = (chart, marked);
-            SetAxes(chart.X, chart.Y, chart.XTitle, chart.YTitle, chart.IsPolar);
+            Write();
+            MarkDirtyRepaint();
         }
+
+        // From chart coordinates, 0 to 1 with y up, to the element's.
+        Vector2 At(double x, double y) => new Vector2(contentRect.x + contentRect.width * (float)x,
+            contentRect.yMax - contentRect.height * (float)y);
 
         void Find(Vector2 position, Action<ChartSeries, ChartPoint> act)
         {
-            var (x, y) = From(position);
-            if (_chart?.Nearest(x, y, Aspect) is var nearest && nearest.HasValue)
+            var area = contentRect;
+            if (_chart?.Nearest((position.x - area.x) / area.width, (area.yMax - position.y) / area.height,
+                area.width / area.height) is var nearest && nearest.HasValue)
                 act(nearest.Value.Series, nearest.Value.Point);
         }
 
-        protected override void DrawContent(Painter2D painter)
+        void Draw(MeshGenerationContext context)
         {
+            if (_chart == null || !(contentRect.width > 1 && contentRect.height > 1))
+                return;
+            var painter = context.painter2D;
+            painter.lineWidth = 1;
+            painter.strokeColor = _colours.Grid;
+            foreach (var (position, _) in _chart.Y.Ticks)
+                DrawLine(painter, At(0, position), At(1, position));
+            foreach (var (position, _) in _chart.X.Ticks)
+                DrawLine(painter, At(position, 0), At(position, 1));
+            painter.strokeColor = _colours.Frame;
+            DrawLine(painter, At(0, 0), At(1, 0));
+            DrawLine(painter, At(0, 0), At(0, 1));
             bool hasMarkers = _chart.Series.Sum(series => series.Runs.Sum(run => run.Count)) <= MaxMarkers;
             for (int i = 0; i < _chart.Series.Count; i++)
                 foreach (var run in _chart.Series[i].Runs)
                 {
-                    DrawBand(painter, run, Colours.Line(i));
-                    DrawLine(painter, run, Colours.Line(i));
+                    DrawBand(painter, run, _colours.Line(i));
+                    painter.strokeColor = _colours.Line(i);
+                    painter.lineWidth = 1.5f;
+                    DrawLine(painter, run.Select(point => At(point.X, point.Y)).ToArray());
                     // A single pose has no line.
                     if (hasMarkers || run.Count == 1)
                         foreach (var point in run)
-                            Markers.Draw(painter, At(point.X, point.Y), i, 3, Colours.Line(i),
+                            Markers.Draw(painter, At(point.X, point.Y), i, 3, _colours.Line(i),
                                 _chart.Series[i].IsCompared);
                     foreach (var point in run.Where(point => point.Pose.IsUndersampled))
-                        Markers.Draw(painter, At(point.X, point.Y), 1, 7, Colours.Uncertainty, true);
+                        Markers.Draw(painter, At(point.X, point.Y), 1, 7, _colours.Uncertainty, true);
                     foreach (var point in run.Where(point => point.Pose == _marked))
-                        Markers.Draw(painter, At(point.X, point.Y), 0, 6, Colours.Mark, true);
+                        Markers.Draw(painter, At(point.X, point.Y), 0, 6, _colours.Mark, true);
                 }
         }
 
@@ -78,25 +106,47 @@ namespace Glint.Editor.Views
                 return;
             colour.a = 0.2f;
             painter.fillColor = colour;
-            painter.BeginPath();
-            painter.MoveTo(At(run[0].Upper.X, run[0].Upper.Y));
-            foreach (var point in run.Skip(1))
-                painter.LineTo(At(point.Upper.X, point.Upper.Y));
-            foreach (var point in run.Reverse())
-                painter.LineTo(At(point.Lower.X, point.Lower.Y));
+            Trace(painter, run.Select(point => At(point.X, point.Upper))
+                .Concat(run.Reverse().Select(point => At(point.X, point.Lower))).ToArray());
             painter.ClosePath();
             painter.Fill();
         }
 
-        void DrawLine(Painter2D painter, IReadOnlyList<ChartPoint> run, Color colour)
+        static void DrawLine(Painter2D painter, params Vector2[] corners)
         {
-            painter.strokeColor = colour;
-            painter.lineWidth = 1.5f;
-            painter.BeginPath();
-            painter.MoveTo(At(run[0].X, run[0].Y));
-            foreach (var point in run.Skip(1))
-                painter.LineTo(At(point.X, point.Y));
+            Trace(painter, corners);
             painter.Stroke();
+        }
+
+        static void Trace(Painter2D painter, Vector2[] corners)
+        {
+            painter.BeginPath();
+            painter.MoveTo(corners[0]);
+            foreach (var corner in corners.Skip(1))
+                painter.LineTo(corner);
+        }
+
+        void Write()
+        {
+            Clear();
+            if (_chart == null || !(contentRect.width > 1))
+                return;
+            foreach (var (position, label) in _chart.Y.Ticks)
+                Put(label, "glint-tick", At(0, position) + TickGap * Vector2.left, -100, -50);
+            foreach (var (position, label) in _chart.X.Ticks)
+                Put(label, "glint-tick", At(position, 0) + TickGap * Vector2.up, -50, 0);
+            Put(_chart.YTitle, "glint-axis-title", At(0, 1) + 2 * TickGap * Vector2.down, 0, -60);
+            Put(_chart.XTitle, "glint-axis-title", At(0.5, 0) + 4 * TickGap * Vector2.up, -50, 0);
+        }
+
+        // Right and down: shift of the label in percent of its size; -50 centres it.
+        void Put(string text, string kind, Vector2 at, float right, float down)
+        {
+            var label = new Label(text) { pickingMode = PickingMode.Ignore };
+            label.AddToClassList(kind);
+            (label.style.left, label.style.top) = (at.x, at.y);
+            label.style.translate = new Translate(Length.Percent(right), Length.Percent(down));
+            Add(label);
         }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.IO;
 using Glint.Core;
 using UnityEditor;
@@ -27,7 +28,7 @@ namespace Glint.Editor.Views
         // Folder or name of the published table of the compared run; empty for none.
         [SerializeField] string _compared = "";
 
-        IReadOnlyList<PoseFigures> _rows = Array.Empty<PoseFigures>();
+        IReadOnlyList<StoredRow> _rows = Array.Empty<StoredRow>();
         Comparison _comparison;
         SweepSession _session;
         SweepPanel _panel;
@@ -84,7 +85,7 @@ namespace Glint.Editor.Views
         void Recall()
         {
             if (_session == null && _shown.Length > 0 && Directory.Exists(_shown))
-                Attempt(() => _rows = PoseFigures.OfFolder(_shown));
+                Attempt(() => _rows = StoredRun.RowsOf(_shown));
             Compare(_compared);
         }
 
@@ -159,36 +160,36 @@ namespace Glint.Editor.Views
                 _panel.Report("there is no radar's view yet: unfold it and press Look now");
                 return;
             }
-            string path = EditorUtility.SaveFilePanel("Export", "", "view.png", "png");
-            if (path.Length > 0)
-                Attempt(() => Export.Picture(png, path));
+            Save("", "view.png", path => Export.Picture(png, path));
         }
 
-        void SaveFile(string name)
-        {
-            string path = EditorUtility.SaveFilePanel("Export", "", name, Path.GetExtension(name).TrimStart('.'));
-            if (path.Length > 0)
-                Attempt(() => Export.Copy(_shown, name, path));
-        }
+        void SaveFile(string name) => Save("", name, path => Export.Copy(_shown, name, path));
 
         void SaveReport() => Attempt(() =>
         {
             if (_session?.IsRunning == true)
                 throw new GlintException("the sweep is at work: export its report when it is done, or cancel it");
-            string path = EditorUtility.SaveFilePanel("Export", _shown, ReportFile.Name, "html");
-            if (path.Length == 0)
-                return;
-            using (var progress = new DialogProgress())
-                Export.Report(_shown, _choice.Row(_rows), _form, path, progress);
+            Save(_shown, ReportFile.Name, path =>
+            {
+                using (var progress = new CancelBar("Report"))
+                    Export.Report(_shown, _choice.Row(_rows), _form, path, progress);
+            });
+        });
+
+        // To where the user says, if anywhere.
+        void Save(string folder, string name, Action<string> write) => Attempt(() =>
+        {
+            string path =
+                EditorUtility.SaveFilePanel("Export", folder, name, Path.GetExtension(name).TrimStart('.'));
+            if (path.Length > 0)
+                write(path);
         });
 
         // After the menu has closed, so that it is not in the picture.
         void SavePicture() => rootVisualElement.schedule.Execute(() =>
         {
             var png = WindowPicture.Png(this, _results.Charts);
-            string path = EditorUtility.SaveFilePanel("Export", "", "chart.png", "png");
-            if (path.Length > 0)
-                Attempt(() => Export.Picture(png, path));
+            Save("", "chart.png", path => Export.Picture(png, path));
         }).StartingIn(300);
 
         // Shows errors in the window.
@@ -205,6 +206,60 @@ namespace Glint.Editor.Views
             catch (OperationCanceledException)
             {
             }
+        }
+    }
+
+    /// <summary>Picture of a part of a window.</summary>
+    static class WindowPicture
+    {
+        /// <summary>PNG of an element in its size on the screen.</summary>
+        public static byte[] Png(EditorWindow window, VisualElement element)
+        {
+            var (rect, bound, scale) = (window.position, element.worldBound, EditorGUIUtility.pixelsPerPoint);
+            int width = Mathf.RoundToInt(bound.width * scale), height = Mathf.RoundToInt(bound.height * scale);
+            var picture = new Texture2D(width, height, TextureFormat.RGB24, false);
+            try
+            {
+                picture.SetPixels(InternalEditorUtility.ReadScreenPixel(
+                    (rect.position + bound.position - window.rootVisualElement.worldBound.position) * scale,
+                    width, height));
+                return picture.EncodeToPNG();
+            }
+            finally
+            {
+                UnityEngine.Object.DestroyImmediate(picture);
+            }
+        }
+    }
+
+    /// <summary>
+    /// Progress of a long pose, with a cancel button. A pose blocks the editor, so that the window's own Cancel cannot be
+    /// pressed.
+    /// </summary>
+    sealed class PoseProgress : IProgress<double>, IDisposable
+    {
+        const double SecondsUntilShown = 1;
+
+        readonly Stopwatch _watch = Stopwatch.StartNew();
+        readonly SweepSession _session;
+        bool _isShown;
+
+        public PoseProgress(SweepSession session) => _session = session;
+
+        public void Report(double value)
+        {
+            if (_watch.Elapsed.TotalSeconds < SecondsUntilShown)
+                return;
+            _isShown = true;
+            if (EditorUtility.DisplayCancelableProgressBar("Glint",
+                $"{_session.Status()}; the next {100 * value:0} % done", (float)value))
+                _session.Cancel();
+        }
+
+        public void Dispose()
+        {
+            if (_isShown)
+                EditorUtility.ClearProgressBar();
         }
     }
 }

@@ -4,22 +4,22 @@ using System.Linq;
 using Glint.Core;
 using UnityEditor;
 using UnityEditor.UIElements;
+using UnityEngine;
 using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The window's right side: display options and charts.</summary>
+    /// <summary>The window's right side: what is shown of the rows, and the chart.</summary>
     sealed class ResultsPanel : VisualElement
     {
         readonly ChartChoice _choice;
         readonly Action _redraw;
         readonly DropdownField _axis = new DropdownField("Over", new List<string> { SweepAxis.Angle.Name }, 0);
         readonly ToolbarMenu _compare = new ToolbarMenu { text = "Compare" };
-        readonly ChartView _amplitude = new ChartView(), _received = new ChartView(), _hit = new ChartView();
+        readonly ChartView _chart = new ChartView();
         readonly ChartLegend _legend = new ChartLegend();
-        readonly PhaseView _phases = new PhaseView();
-        readonly Label _readout = new Label(), _differences = new Label(), _phaseText = new Label();
-        PoseFigures _chosen;
+        readonly Label _readout = new Label(), _differences = new Label();
+        StoredRow _chosen;
 
         /// <param name="redraw">Called when the options have changed.</param>
         /// <param name="compare">
@@ -27,7 +27,7 @@ namespace Glint.Editor.Views
         /// </param>
         /// <param name="saveFile">Called with the name of the results file to export.</param>
         /// <param name="saveReport">Called to export the HTML report.</param>
-        /// <param name="savePicture">Called to export the charts.</param>
+        /// <param name="savePicture">Called to export the chart.</param>
         /// <param name="look">Called to trace the radar's view.</param>
         /// <param name="savePreview">Called to export it.</param>
         public ResultsPanel(ChartChoice choice, Action redraw, Action<string> compare, Action<string> saveFile,
@@ -37,14 +37,23 @@ namespace Glint.Editor.Views
             var bar = new Toolbar();
             _axis.RegisterValueChangedCallback(change => Choose(() => choice.Axis = change.newValue));
             _axis.labelElement.style.minWidth = 0;
-            _axis.tooltip = "The axis that the charts go over.";
+            _axis.tooltip = "The axis that the chart goes over.";
+            var column = new DropdownField("Show", ChartChoice.Columns.Select(shown => shown.Title).ToList(), 0)
+            {
+                tooltip = "The column of the results that the chart shows. A normalised amplitude is as if there were "
+                    + "2,073,600 rays over the same view."
+            };
+            column.SetValueWithoutNotify(choice.Column);
+            column.RegisterValueChangedCallback(change => Choose(() => choice.Column = change.newValue));
+            column.labelElement.style.minWidth = 0;
+            bar.Add(column);
             bar.Add(_axis);
-            bar.Add(Switch("Decibels", "20 log10 of the amplitude.", choice.InDecibels,
-                value => choice.InDecibels = value));
-            bar.Add(Switch("Polar", "Angles around a circle: 0 degrees at the top, clockwise.", choice.IsPolar,
-                value => choice.IsPolar = value));
-            bar.Add(Switch("Raw", "The amplitude as it is summed. Otherwise as if there were 2,073,600 rays over "
-                + "the same view.", choice.IsRaw, value => choice.IsRaw = value));
+            var decibels = new ToolbarToggle
+            {
+                text = "Decibels", tooltip = "20 log10 of the amplitude.", value = choice.InDecibels
+            };
+            decibels.RegisterValueChangedCallback(change => Choose(() => choice.InDecibels = change.newValue));
+            bar.Add(decibels);
             _compare.menu.AppendAction("Nothing", action => compare(""));
             foreach (var table in PublishedTable.All)
                 _compare.menu.AppendAction(table.Title, action => compare(table.Name));
@@ -59,60 +68,47 @@ namespace Glint.Editor.Views
             foreach (string name in new[] { ResultsFolder.CsvName, ResultsFolder.JsonName })
                 export.menu.AppendAction(name, action => saveFile(name));
             export.menu.AppendAction("HTML report", action => saveReport());
-            export.menu.AppendAction("Charts as PNG", action => savePicture());
+            export.menu.AppendAction("Chart as PNG", action => savePicture());
             export.menu.AppendAction("Radar's view as PNG", action => savePreview());
             bar.Add(export);
             Add(bar);
             _readout.AddToClassList("glint-readout");
             _differences.AddToClassList("glint-words");
-            _phaseText.AddToClassList("glint-words");
             Add(_readout);
             Charts = new ScrollView { style = { flexGrow = 1 } };
-            Charts.Add(_amplitude);
+            Charts.Add(_chart);
             Charts.Add(_legend);
             Charts.Add(_differences);
-            Charts.Add(_phases);
-            Charts.Add(_phaseText);
-            Charts.Add(_received);
-            Charts.Add(_hit);
             Preview = new RadarPreviewView(look);
             Charts.Add(Preview);
             Add(Charts);
-            foreach (var chart in new[] { _amplitude, _received, _hit })
-            {
-                chart.Hovered += (series, point) => _readout.text =
-                    series.Name.Length > 0 ? $"{series.Name}: {point.Pose.Text()}" : point.Pose.Text();
-                chart.Left += () => _readout.text = _chosen?.Text() ?? "";
-                chart.Chosen += row => Choose(() => choice.Pose = row);
-            }
+            _chart.Hovered += (series, point) => _readout.text =
+                series.Name.Length > 0 ? $"{series.Name}: {point.Pose.Text()}" : point.Pose.Text();
+            _chart.Left += () => _readout.text = _chosen?.Text() ?? "";
+            _chart.Chosen += row => Choose(() => choice.Pose = row);
         }
 
         /// <summary>The radar's view.</summary>
         public RadarPreviewView Preview { get; }
 
-        /// <summary>All charts, for a picture of them.</summary>
+        /// <summary>What is below the toolbar, for a picture of it.</summary>
         public ScrollView Charts { get; }
 
         /// <param name="comparison">The compared run; may be null.</param>
-        public void Show(IReadOnlyList<PoseFigures> rows, Comparison comparison)
+        public void Show(IReadOnlyList<StoredRow> rows, Comparison comparison)
         {
             var axes = SweepChart.AxesOf(rows);
             _axis.choices = axes.Select(axis => axis.Name).ToList();
             _axis.SetValueWithoutNotify(_choice.AxisOf(rows).Name);
             _compare.tooltip = comparison == null
-                ? "Lays a results folder or a published table over the charts."
+                ? "Lays a results folder or a published table over the chart."
                 : "Laid over: " + comparison.Title;
             _chosen = _choice.Chosen(rows);
             _readout.text = _chosen?.Text() ?? "";
-            var amplitude = _choice.Amplitude(rows, comparison);
-            _amplitude.Show(amplitude, _chosen);
-            _legend.Show(amplitude);
-            _received.Show(_choice.Received(rows, comparison), _chosen);
-            _hit.Show(_choice.Hit(rows, comparison), _chosen);
+            var chart = _choice.Chart(rows, comparison);
+            _chart.Show(chart, _chosen);
+            _legend.Show(chart);
             _differences.text = comparison?.Text(rows) ?? "";
-            var phases = new PhaseChart(_chosen);
-            _phases.Show(phases);
-            _phaseText.text = phases.Text;
         }
 
         void Choose(Action choose)
@@ -120,12 +116,35 @@ namespace Glint.Editor.Views
             choose();
             _redraw();
         }
+    }
 
-        ToolbarToggle Switch(string text, string help, bool value, Action<bool> set)
+    /// <summary>The legend of a chart.</summary>
+    sealed class ChartLegend : VisualElement
+    {
+        public ChartLegend() => AddToClassList("glint-legend");
+
+        public void Show(SweepChart chart)
         {
-            var toggle = new ToolbarToggle { text = text, tooltip = help, value = value };
-            toggle.RegisterValueChangedCallback(change => Choose(() => set(change.newValue)));
-            return toggle;
+            Clear();
+            if (chart.Series.Count > 1)
+                for (int i = 0; i < chart.Series.Count; i++)
+                    Add(Entry(chart.Series[i], i));
+            if (chart.LeftOut > 0)
+                Add(new Label($"{chart.LeftOut} more are not shown"));
+        }
+
+        static VisualElement Entry(ChartSeries series, int number)
+        {
+            var key = new VisualElement();
+            key.AddToClassList("glint-legend-key");
+            var colours = new ChartColours(key);
+            key.generateVisualContent = context =>
+                Markers.Draw(context.painter2D, new Vector2(8, 8), number, 5, colours.Line(number), series.IsCompared);
+            var entry = new VisualElement();
+            entry.AddToClassList("glint-legend-entry");
+            entry.Add(key);
+            entry.Add(new Label(series.Name.Length > 0 ? series.Name : "this run"));
+            return entry;
         }
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Glint.Core;
 using UnityEditor.UIElements;
 using UnityEngine;
@@ -10,13 +11,6 @@ namespace Glint.Editor.Views
     /// <summary>The window's left side: the form of the sweep, and the buttons.</summary>
     sealed class SweepPanel : ScrollView
     {
-        static readonly (SweepAxis axis, string label)[] s_lists =
-        {
-            (SweepAxis.Angle, "Angles, deg"), (SweepAxis.Grazing, "Grazing angles, deg"),
-            (SweepAxis.Range, "Distances, m"),
-            (SweepAxis.Frequency, "Frequencies, Hz"), (SweepAxis.Snapshot, "Snapshots")
-        };
-
         readonly SweepForm _form;
         readonly Dictionary<SweepAxis, Label> _axisProblems = new Dictionary<SweepAxis, Label>();
         readonly ObjectField _radar, _target;
@@ -35,9 +29,9 @@ namespace Glint.Editor.Views
             _radar = AddObject<RadarController>("Radar", form.Radar, "The radar that traces.",
                 chosen => form.Radar = chosen);
             _target = AddObject<Transform>("Target", form.Target, Options.Target.Help, chosen => form.Target = chosen);
-            foreach (var (axis, label) in s_lists)
+            foreach (var axis in SweepAxis.All.Reverse())
             {
-                AddText(label, form[axis], SweepForm.OptionOf(axis).Help, text => form[axis] = text);
+                AddText(axis.ListLabel, form[axis], axis.Help, text => form[axis] = text);
                 Add(_axisProblems[axis] = MakeLabel("glint-problem"));
             }
             AddText("Results folder", form.Folder, "For results.csv and results.json, relative to the project. Empty: "

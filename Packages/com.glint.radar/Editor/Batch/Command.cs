@@ -1,0 +1,101 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+
+namespace Glint.Editor
+{
+    /// <summary>
+    /// One command: its texts, its options, and the required ones.
+    /// </summary>
+    public sealed class Command
+    {
+        internal Command(string name, string summary)
+        {
+            Name = name;
+            Summary = summary;
+        }
+
+        /// <summary>Name on the command line: "sweep".</summary>
+        public string Name { get; }
+
+        /// <summary>One sentence.</summary>
+        public string Summary { get; }
+
+        /// <summary>Further sentences for the help, one paragraph each.</summary>
+        public IReadOnlyList<string> Notes { get; internal set; } = new string[0];
+
+        /// <summary>Kind of input; none for a command without an argument.</summary>
+        public InputKind Inputs { get; internal set; } = InputKind.File;
+
+        /// <summary>Whether it has a built-in scene if no input is given.</summary>
+        public bool HasBuiltIn => (Inputs & InputKind.BuiltIn) != 0;
+
+        /// <summary>The options, in the order of the help.</summary>
+        public IReadOnlyList<Option> Options { get; internal set; }
+
+        /// <summary>
+        /// Required options, each for the inputs it applies to; an option that needs others, only with one of these.
+        /// </summary>
+        public IReadOnlyList<Option> Required { get; internal set; } = new Option[0];
+
+        /// <summary>Options of which at least one must be given; may be empty.</summary>
+        public IReadOnlyList<Option> OneOf { get; internal set; } = new Option[0];
+
+        /// <summary>Name of the method for Unity's -executeMethod; null if the command does not exist in Unity.</summary>
+        public string UnityMethod { get; internal set; }
+
+        /// <summary>Whether it works in a Unity project, on a graphics device.</summary>
+        internal bool NeedsProject { get; set; } = true;
+
+        /// <summary>
+        /// Does what a command line of it says; returns the exit code. Null where the host does not have the command.
+        /// </summary>
+        internal Func<CommandLine, IProgressSink, int> Handler { get; set; }
+
+        /// <summary>Examples: the arguments after "glint", and their effect.</summary>
+        public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }
+
+        /// <summary>Name of its arguments: INPUT, [INPUT], DIR... or SHELL; null without arguments.</summary>
+        public string InputName => Inputs == InputKind.None ? null : Inputs == InputKind.Shell ? "SHELL" : Inputs
+            == InputKind.Folders ? "DIR..." : HasBuiltIn ? "[INPUT]" : "INPUT";
+
+        /// <summary>Usage, in one line.</summary>
+        public string Usage => string.Join(" ", new[] { "glint", Name, InputName }
+            .Concat(OneOf.Take(1).Concat(Required.Where(option => option.Needs.Count == 0))
+                .Select(option => $"{option.Flag} {option.ValueName}")).Append("[options]")
+            .Where(word => word != null));
+    }
+
+    /// <summary>Kinds of input of a command.</summary>
+    [Flags]
+    public enum InputKind
+    {
+        /// <summary>No input.</summary>
+        None = 0,
+
+        /// <summary>A Unity scene: .unity.</summary>
+        Scene = 1,
+
+        /// <summary>A mesh file: .obj or .stl.</summary>
+        MeshFile = 2,
+
+        /// <summary>Either.</summary>
+        File = Scene | MeshFile,
+
+        /// <summary>The built-in scene of a command with optional input.</summary>
+        BuiltIn = 4,
+
+        /// <summary>Results folders, one or more.</summary>
+        Folders = 8,
+
+        /// <summary>A folder with results of a run or sweep.</summary>
+        Results = 16,
+
+        /// <summary>The name of a shell.</summary>
+        Shell = 32,
+
+        /// <summary>Any single input.</summary>
+        Any = File | BuiltIn | Results
+    }
+}

@@ -1,0 +1,316 @@
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+
+namespace Glint.Editor
+{
+    /// <summary>The commands, for both hosts.</summary>
+    public static class Commands
+    {
+        /// <summary>Summary of the commands, in one line.</summary>
+        public const string Summary = "Glint, a radar for Unity: shoots rays from a radar, "
+            + "bounces them through the scene on the GPU and sums what returns.";
+
+        /// <summary>Description of INPUT.</summary>
+        public const string InputHelp =
+            "A scene (.unity) or a mesh file (.obj, .stl). A scene is given by its path on disk or by its asset path: "
+            + "Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity.";
+
+        const string FoldersHelp = "The results folders of all parts, in any order.";
+
+        /// <summary>The shells supported by <see cref="Completion"/>.</summary>
+        public static readonly IReadOnlyList<string> Shells = new[] { "bash", "zsh", "fish" };
+
+        const string ResultsHelp = "A folder that a sweep or run has written to: one with results.json.";
+
+        const string WithoutInputHelp =
+            "Without it: a rough sea with a ship on it, before the camera of the published experiment.";
+
+        /// <summary>Description of the exit codes.</summary>
+        public const string ExitCodes = "0 done; 1 something is wrong with a file, the scene or the device; "
+            + "2 the command line is wrong; 130 stopped by Ctrl-C.";
+
+        /// <summary>Traces every pose of a plan.</summary>
+        public static readonly Command Sweep = new Command("sweep", "Step through angles, grazing angles, distances, "
+            + "frequencies or snapshots of a sea, trace every pose and write results.csv and results.json.")
+        {
+            Options = Options.Axes.Concat(new Option[]
+                {
+                    Options.Target, Options.Shard, Options.Out, Options.Resume, Options.Size,
+                    Options.Region, Options.Bounces, Options.NoSamplingError, Options.Receiver,
+                    Options.Unit, Options.Up, Options.Azimuth, Options.Fov,
+                    Options.Spacing, Options.Aperture, Options.Aim, Options.Device
+                }).ToArray(),
+            Required = new Option[] { Options.Target },
+            OneOf = Options.Axes,
+            Notes = new[]
+                {
+                    "The target turns about the vertical through its own position and is put back afterwards. The mesh "
+                        + "of a file is turned as a whole, about the vertical through the origin of its coordinates.",
+                    "Of several lists every value is traced with every value of the others: "
+                        + "the angle changes from pose to pose, then the grazing angle, the distance, the frequency, "
+                        + "and the snapshot slowest.",
+                    "Without --out the files go to Results/<name of the input> beside the project's Assets."
+                },
+            Handler = Batch.TracePoses,
+            UnityMethod = "Glint.Editor.Batch.Sweep",
+            Examples = new[]
+                {
+                    Example("sweep Scenes/CornerReflector.unity --target \"Corner Reflector\" --angles 0:45:1",
+                        "The published experiment, 46 poses."),
+                    Example("sweep Scenes/SeaState6.unity --snapshots 1:10", "The ten stored snapshots of a sea."),
+                    Example("sweep ship.stl --unit mm --up z --angles 0:345:15 --distance 500 --fov 20 --out ship",
+                        "A mesh in millimetres with z up, all round from 500 m."),
+                    Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:345:15 --grazing 1,2,5 "
+                            + "--distance 500:2000:500",
+                        "A ship all round, at three grazing angles and four ranges: 288 poses."),
+                    Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:359:1 --shard 2/4 --device 1 "
+                            + "--out ship/2",
+                        "The second quarter, on the second GPU; with --resume on from where it was killed."),
+                    Example("sweep plate.obj --angles -10,-5,0,5,10 --grazing 0 --fov 5 --size 640x360",
+                        "Five angles of an upright plate seen head-on, fewer rays.")
+                }
+        };
+
+        /// <summary>Joins the parts of a sweep.</summary>
+        public static readonly Command Merge =
+            new Command("merge", "Join the parts of a sweep (sweep --shard) to the files of the whole.")
+            {
+                Inputs = InputKind.Folders,
+                Options = new Option[] { Options.Out },
+                Required = new Option[] { Options.Out },
+                Notes = new[]
+                {
+                    "The files are those that the sweep would have written in one piece, timings aside. "
+                        + "All parts must be there, each once, finished, and traced with the same options, scene, "
+                        + "kind of device and version."
+                },
+                Handler = Batch.MergeParts,
+                UnityMethod = "Glint.Editor.Batch.Merge",
+                Examples =
+                    new[] { Example("merge ship/1 ship/2 ship/3 ship/4 --out ship/all", "Four parts, in any order.") }
+            };
+
+        /// <summary>Traces one pose.</summary>
+        public static readonly Command Run =
+            new Command("run", "Trace one pose: the scene as it stands, or a mesh file.")
+            {
+                Options = Options.Radar.Prepend(Options.Out).Append(Options.Device).ToArray(),
+                Notes = new[] { "Without --out the result is printed and no file is written." },
+                Handler = Batch.TracePoses,
+                UnityMethod = "Glint.Editor.Batch.Run",
+                Examples = new[]
+                {
+                    Example("run Scenes/CornerReflector.unity", "Print what the radar of the scene receives."),
+                    Example("run boat.obj --distance 200 --grazing 5 --azimuth 90 --frequency 9.4e9 --out boat",
+                        "A boat seen from -X at 9.4 GHz; write the files to boat."),
+                    Example("run boat.obj --distance 10000 --grazing 5 --spacing 0.005",
+                        "The boat in a plane wave from 10 km, a ray every 5 mm.")
+                }
+            };
+
+        /// <summary>Makes an HTML report of results.</summary>
+        public static readonly Command Report = new Command("report", "Write one HTML file of a sweep or run that "
+            + "opens offline: charts, table, phase histograms, and the scene in 3-D with its received rays.")
+        {
+            Inputs = InputKind.Results,
+            Options = new Option[] { ReportOptions.Out, ReportOptions.Pose, Options.Device },
+            Notes = new[]
+                {
+                    "One pose is traced again for the 3-D view and the radar's picture. "
+                        + "When its scene or mesh file cannot be opened the report says so and has the rest; "
+                        + "a mesh file named by a relative path is looked for from the current folder."
+                },
+            Handler = ReportCommand.Write,
+            UnityMethod = "Glint.Editor.Batch.Report",
+            Examples = new[]
+                {
+                    Example("report Results/corner", "Results/corner/report.html, with the strongest pose in 3-D."),
+                    Example("report Results/corner --pose 10 --out corner.html",
+                        "The tenth pose in 3-D, into a file of another name."),
+                    Example("report Results/corner --pose none",
+                        "Without the scene, when there is no GPU or it takes too long.")
+                }
+        };
+
+        /// <summary>Times poses and other programs. Only in the headless host.</summary>
+        public static readonly Command Bench = new Command("bench", "Time what a pose costs, count what it does, "
+            + "and compare its sums with a double-precision tracer and its times with other programs.")
+        {
+            Inputs = InputKind.File | InputKind.BuiltIn,
+            Options = new Option[]
+                {
+                    Options.Rounds, Options.Peers, Options.Reference, Options.Json, Options.WriteScene,
+                    Options.Seed, Options.SeaTriangles, Options.ShipTriangles
+                }.Concat(Options.Radar).Concat(new Option[] { Options.Accuracy, Options.Device }).ToArray(),
+            Notes = new[]
+                {
+                    "A pose is timed as a sweep pays for it: the target (the ship, the mesh of a file) is turned by a "
+                        + "thousandth of a degree, what changed is brought to the device, rays are traced and summed. "
+                        + "Sums and errors are those of the scene as it stands."
+                },
+            Examples = new[]
+                {
+                    Example("bench", "The built-in scene, 1920 x 1080 rays."),
+                    Example("bench --size 7680x4320 --reference none --json 8k.json",
+                        "33 million rays; the figures go into a file."),
+                    Example("bench --accuracy --json accuracy.json",
+                        "Run time against error: the plot, tables and figures."),
+                    Example("bench --peer \"Embree=./embree {scene}\"", "With another program, in turns.")
+                }
+        };
+
+        /// <summary>
+        /// Compares rays one by one with those of the reference tracer. Only in the headless host.
+        /// </summary>
+        public static readonly Command Verify = new Command("verify",
+            "Trace a scene and compare its rays one by one with those of a double-precision tracer.")
+        {
+            Options = Options.Radar.Prepend(Options.Json).Prepend(Options.Rays).Append(Options.Device).ToArray(),
+            Notes = new[]
+                {
+                    "A ray is right when it goes the same way and, if it is received, "
+                        + "its path is as long within 10 micrometres; or when it passes the edge of a triangle so near "
+                        + "that float32 cannot tell on which side. The exit code is 1 when a ray is not."
+                },
+            Examples = new[]
+                {
+                    Example("verify Scenes/CornerReflector.unity", "Its 676 received rays, and some 100,000 of all."),
+                    Example("verify ship.stl --unit mm --up z --distance 10000 --fov 0.3 --json ship.json",
+                        "A mesh from 10 km; the figures go into a file.")
+                }
+        };
+
+        /// <summary>Repeats the published experiments. Only in the headless host.</summary>
+        public static readonly Command Experiments = new Command("experiments",
+            "Repeat the published experiments and write tables and plots of the results beside the published ones.")
+        {
+            Inputs = InputKind.None,
+            Options = new Option[] { ExperimentOptions.Out, ExperimentOptions.Seeds, Options.Device },
+            Notes = new[]
+                {
+                    "It sweeps the scenes that this project stores: the corner reflector, both seas, the ship alone "
+                        + "and on each sea. Then it turns the ship on every stored snapshot, and makes other seas with "
+                        + "other seeds, winds and choppinesses, to tell how often a sea returns anything.",
+                    "Without --out the files go to Results/experiments beside the project's Assets. An experiments.md "
+                        + "that is there already keeps its words: only what stands between its markers is replaced."
+                },
+            Examples = new[]
+                {
+                    Example("experiments", "All of it."),
+                    Example("experiments --seeds 1 --out figures", "One seed: the stored seas and their neighbours in "
+                        + "wind and choppiness; the files go to figures.")
+                }
+        };
+
+        /// <summary>Makes snapshots of a sea.</summary>
+        public static readonly Command Sea =
+            new Command("sea", "Make snapshots of a sea from a wave spectrum, as meshes and prefabs of the project.")
+            {
+                Inputs = InputKind.None,
+                Options = SeaOptions.All,
+                Notes = new[] { "Without options it makes the seas that this project stores in Meshes anew: "
+                    + "the same numbers give the same files, on any machine." },
+                Handler = SeaAssets.Write,
+                UnityMethod = "Glint.Editor.Batch.Sea",
+                Examples = new[]
+                {
+                    Example("sea", "The stored seas, sea states 5 and 6."),
+                    Example("sea --sea-state 4 --wind 9 --tile 256 --grid 256 --cells 256 --times 0:27:3 --out "
+                        + "Assets/Seas/State4", "Ten snapshots of a larger, longer sea.")
+                }
+            };
+
+        /// <summary>Makes the ship.</summary>
+        public static readonly Command Ship =
+            new Command("ship", "Make a naval vessel from its measures, as a mesh and a prefab of the project.")
+            {
+                Inputs = InputKind.None,
+                Options = ShipOptions.All,
+                Notes = new[] { "Without options it makes the ship that this project stores in Meshes anew: "
+                    + "the same numbers give the same files, on any machine." },
+                Handler = ShipAssets.Write,
+                UnityMethod = "Glint.Editor.Batch.Ship",
+                Examples = new[]
+                {
+                    Example("ship", "The stored ship."),
+                    Example("ship --length 70 --out Assets/Ships/Longer", "A longer one.")
+                }
+            };
+
+        /// <summary>Makes the corner reflector.</summary>
+        public static readonly Command Reflector = new Command("reflector",
+            "Make the corner reflector of the published experiment and its radar, as prefabs of the project.")
+        {
+            Inputs = InputKind.None,
+            Options = new Option[0],
+            Notes = new[] { "It writes the two prefabs that Scenes/CornerReflector.unity shows to "
+                    + "Meshes/CornerReflector. Their geometry is that of Reference/CornerReflector.cs." },
+            Handler = CornerReflectorAssets.Write,
+            UnityMethod = "Glint.Editor.Batch.Reflector",
+            Examples = new[] { Example("reflector", "The stored prefabs.") }
+        };
+
+        /// <summary>Lists devices, limits and versions.</summary>
+        public static readonly Command Info =
+            new Command("info", "List the GPUs, the limits of the one in use, and the versions.")
+            {
+                NeedsProject = false,
+                Inputs = InputKind.None,
+                Options = new Option[] { Options.Device },
+                Examples = new[]
+                {
+                    Example("info", "What Glint would use."),
+                    Example("info --device llvmpipe", "The limits of Mesa's software device.")
+                }
+            };
+
+        /// <summary>Prints a completion script for a shell. Only in the headless host.</summary>
+        public static readonly Command Completion = new Command("completion",
+            "Print a script with which a shell completes commands, options, choices and file names of glint.")
+        {
+            NeedsProject = false,
+            Inputs = InputKind.Shell,
+            Options = new Option[0],
+            Examples = new[]
+                {
+                    Example("completion bash",
+                        "To have it in every bash: put  source <(glint completion bash)  into ~/.bashrc."),
+                    Example("completion zsh",
+                        "For zsh: put  source <(glint completion zsh)  into ~/.zshrc, after compinit."),
+                    Example("completion fish",
+                        "For fish: glint completion fish > ~/.config/fish/completions/glint.fish")
+                }
+        };
+
+        /// <summary>Every command.</summary>
+        public static IReadOnlyList<Command> All { get; } =
+            new[] { Sweep, Merge, Run, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info, Completion };
+
+        /// <summary>Description of INPUT for a command.</summary>
+        public static string InputHelpOf(Command command) => command.Inputs == InputKind.Folders ? FoldersHelp
+            : command.Inputs == InputKind.Results ? ResultsHelp
+            : command.Inputs == InputKind.Shell ? string.Join(", ", Shells) + "."
+            : command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}"
+            : InputHelp;
+
+        static KeyValuePair<string, string> Example(string line, string meaning) =>
+            new KeyValuePair<string, string>(line, meaning);
+    }
+
+    /// <summary>The options of <c>glint experiments</c>.</summary>
+    public static class ExperimentOptions
+    {
+        const string Group = "Experiments";
+
+        /// <summary>Folder for tables, plots and figures; null when not given.</summary>
+        public static readonly Option<string> Out = Options.Text("out", "DIR", Group,
+            "Folder for experiments.md, experiments.json and the plots in images/, "
+                + "made with its parents when it is not there.");
+
+        /// <summary>Seas with the same wind and choppiness.</summary>
+        public static readonly Option<int> Seeds = Options.Whole("seeds", "N", "20", Interval.Closed(1, 1000), Group,
+            "Seas of each wind and choppiness: the stored one, "
+                + "and others that differ from it in nothing but the seed.");
+    }
+}

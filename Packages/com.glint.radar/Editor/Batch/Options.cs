@@ -1,0 +1,377 @@
+using System;
+using System.Linq;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint.Editor
+{
+    /// <summary>
+    /// The options of all commands. Both hosts parse, validate and print help by this table.
+    /// </summary>
+    public static class Options
+    {
+        const string SweepGroup = "Sweep";
+        const string ResultGroup = "Results";
+        const string RadarGroup =
+            "Radar (a scene has its own settings, which these replace; the defaults hold without a scene)";
+        const string MeshGroup = "Mesh files (refused with a scene, which has its own camera and objects)";
+        const string BuiltInGroup = "Built-in scene (refused with an INPUT)";
+        const string BenchGroup = "Benchmark";
+        const string VerifyGroup = "Verification";
+        const string DeviceGroup = "Device";
+
+        const string InSceneInstead = "only for mesh files: a scene has its own camera and objects, change it there";
+        const string WithoutInput = "only for the built-in scene: leave INPUT out";
+
+        // Coordinates go into single precision, which holds both ends.
+        static readonly Interval Length = SweepAxis.Range.List.Range;
+        static readonly Interval Coordinate = Interval.Closed(-1e6, 1e6);
+        static readonly Interval GrazingAngle = SweepAxis.Grazing.List.Range;
+        static readonly Interval CarrierFrequency = SweepAxis.Frequency.List.Range;
+        static readonly Interval RaysOfAxis = Interval.Closed(1, RadarSettings.RaysPerAxisLimit);
+        static readonly Interval RaysFromEdge = Interval.Closed(0, RadarSettings.RaysPerAxisLimit);
+        static readonly Interval Triangles = Interval.Closed(1000, 50000000);
+
+        // The lists of a sweep, in the order of SweepAxis.All.
+        static readonly Option<double[]>[] s_axes = SweepAxis.All.Select(axis =>
+            new Option<double[]>(axis.OptionName, axis.ValueName, axis.List.Read)
+            {
+                Group = SweepGroup,
+                Inputs = axis.NeedsSea ? InputKind.Scene : InputKind.Any,
+                Refusal = axis.NeedsSea ? "only for scenes, which may have a Sea with snapshots" : null,
+                Help = axis.Help
+            }).ToArray();
+
+        /// <summary>Angles of a sweep, degrees; null when not given, as those of the other axes.</summary>
+        public static readonly Option<double[]> Angles = Of(SweepAxis.Angle),
+            GrazingAngles = Of(SweepAxis.Grazing), Distances = Of(SweepAxis.Range),
+            Frequencies = Of(SweepAxis.Frequency), Snapshots = Of(SweepAxis.Snapshot);
+
+        /// <summary>The lists of a sweep, in the order of the help.</summary>
+        internal static readonly Option[] Axes = s_axes.Reverse().ToArray();
+
+        /// <summary>Name of the object that a sweep turns, or about which it moves the radar.</summary>
+        public static readonly Option<string> Target = new Option<string>("target", "NAME", Values.NotEmpty)
+        {
+            Group = SweepGroup,
+            Inputs = InputKind.Scene,
+            Refusal = "only for scenes: the mesh of a file is turned as a whole",
+            Needs = SweepAxis.All.Reverse().Where(axis => axis.NeedsTarget).Select(axis => (Option)Of(axis)).ToArray(),
+            Help = "The object of the scene that --angles turn, and that --grazing and --distance move the radar "
+                + "about, by its name or its path from the root (Fleet/Ship). With a scene these need it."
+        };
+
+        /// <summary>The values of an axis of a sweep; null when not given.</summary>
+        public static Option<double[]> Of(SweepAxis axis) => s_axes[axis.Index];
+
+        /// <summary>Folder for the result files; null when not given.</summary>
+        public static readonly Option<string> Out = Text("out", "DIR", ResultGroup,
+            "Folder for results.csv and results.json, made with its parents when it is not there.");
+
+        /// <summary>Folder of the project for meshes and prefabs; null when not given.</summary>
+        public static readonly Option<string> AssetFolder = Text("out", "DIR", ResultGroup,
+            "Folder of the project for mesh and prefab, such as Assets/Mine; "
+                + "made with its parents when it is not there. Required with any other option.");
+
+        /// <summary>Whether to resume an unfinished sweep.</summary>
+        public static readonly Option<bool> Resume = Switch("resume", ResultGroup,
+            "Go on with the same sweep where it was ended, killed or not: poses that are done stay. "
+                + "Refused when the folder holds another sweep; where nothing was begun the sweep begins.");
+
+        /// <summary>The part of a sweep to trace; null when not given.</summary>
+        public static readonly Option<SweepShard?> Shard =
+            new Option<SweepShard?>("shard", "K/N", text => SweepShard.Parse(text))
+            {
+                Group = SweepGroup,
+                Help = "Only part K of N, poses that follow each other, K from 1: for N processes, "
+                    + "each with an --out and perhaps a --device of its own. glint merge joins the parts."
+            };
+
+        /// <summary>Rays across and down.</summary>
+        public static readonly Option<int2> Size =
+            new Option<int2>("size", "WxH", text => Values.Size(text, RaysOfAxis))
+            {
+                Group = RadarGroup,
+                Range = "each " + RaysOfAxis,
+                DefaultText = "1920x1080",
+                Help = "Rays across and down, one through the centre of each pixel."
+            };
+
+        /// <summary>The part of the picture to trace; all of it when not given.</summary>
+        public static readonly Option<RayRegion> Region =
+            new Option<RayRegion>("region", "L,B,W,H", text => Values.Region(text, RaysFromEdge))
+            {
+                Group = RadarGroup,
+                Range = "within the picture",
+                Help = "The part of the picture to trace, in rays: left, bottom, width, height, counted from the left "
+                    + "and the bottom edge. The rays outside are not emitted. Without it: the whole picture."
+            };
+
+        /// <summary>Carrier frequency, hertz.</summary>
+        public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", CarrierFrequency,
+            RadarGroup, InputKind.Any, "Carrier frequency in hertz.");
+
+        /// <summary>Maximum number of reflections of a ray.</summary>
+        public static readonly Option<int> Bounces = Whole("bounces", "N", "4",
+            Interval.Closed(1, RadarSettings.BounceLimit), RadarGroup, "Most reflections a ray may make.");
+
+        /// <summary>Whether the sampling error is left out.</summary>
+        public static readonly Option<bool> NoSamplingError = Switch("no-sampling-error", RadarGroup,
+            "Leave out the estimate of the sampling error, which traces smaller rays around received ones: "
+                + "faster, and the columns sampling_error, largest_path_step_wavelengths and undersampled are empty.");
+
+        /// <summary>Width and height of the receiver, metres.</summary>
+        public static readonly Option<double2> Receiver =
+            new Option<double2>("receiver", "M|WxH", text => Values.Area(text, Length))
+            {
+                Group = RadarGroup,
+                Range = "each " + Length,
+                DefaultText = "3",
+                Help = "Side of the square receiver in metres, or its width and height. With a mesh file it stands 0.2 "
+                    + "m behind the radar; for parallel rays it stands where they start, "
+                    + "and without the option it is as large as their rectangle."
+            };
+
+        /// <summary>Unit of the mesh file's coordinates.</summary>
+        public static readonly Option<LengthUnit> Unit = OfMesh(new Option<LengthUnit>("unit", "UNIT", LengthUnit.Parse)
+        {
+            Range = "one of " + string.Join(", ", LengthUnit.All.Select(unit => unit.Name)),
+            Choices = LengthUnit.All.Select(unit => unit.Name).ToArray(),
+            DefaultText = "m",
+            Help = "Unit of the file's coordinates."
+        });
+
+        /// <summary>Which axis of the mesh file points up.</summary>
+        public static readonly Option<UpAxis> Up = OfMesh(new Option<UpAxis>("up", "AXIS", Values.Up)
+        {
+            Range = "y or z",
+            Choices = new[] { "y", "z" },
+            DefaultText = "y",
+            Help = "Axis of the file that points up. y takes the coordinates as Unity's (x right, y up, z forward); "
+                + "z maps (x, y, z) to (x, z, y)."
+        });
+
+        /// <summary>Distance from the radar to the point it is aimed at, metres.</summary>
+        public static readonly Option<double> Distance = Number("distance", "M", "50", Length, MeshGroup,
+            InputKind.MeshFile, "From the radar to the point it is aimed at, in metres.");
+
+        /// <summary>Elevation of the radar above the horizontal through the point it is aimed at, degrees.</summary>
+        public static readonly Option<double> Grazing = Number("grazing", "DEG", "10", GrazingAngle,
+            MeshGroup, InputKind.MeshFile,
+            "Grazing angle in degrees: how far the radar looks down. Below 0 it looks up.");
+
+        /// <summary>Compass direction of the radar, degrees.</summary>
+        public static readonly Option<double> Azimuth = Number("azimuth", "DEG", "0", Interval.Closed(-360, 360),
+            MeshGroup, InputKind.MeshFile,
+            "Where the radar stands, in degrees about the vertical, positive as Unity's rotation about Y. "
+                + "At 0 it stands on the -Z side and looks along +Z.");
+
+        /// <summary>Vertical field of view, degrees.</summary>
+        public static readonly Option<double> Fov = Number("fov", "DEG", "60", Interval.Closed(1e-5, 179),
+            MeshGroup, InputKind.MeshFile,
+            "Vertical field of view in degrees, within the limits of Unity's cameras.");
+
+        /// <summary>Spacing of parallel rays, metres; 0 when not given.</summary>
+        public static readonly Option<double> Spacing =
+            OfMesh(new Option<double>("spacing", "M", text => Values.Real(text, Length))
+            {
+                Range = Length.ToString(),
+                Excludes = new (Option, string)[]
+                {
+                    (Size, "the spacing decides how many rays there are"), (Fov, "parallel rays have no field of view")
+                },
+                Help = "Parallel rays, a plane wave, so many metres apart, in place of a field of view. "
+                    + "They start at --distance across the line of sight, from a rectangle that just covers the mesh "
+                    + "as it is seen from there (in a sweep: at each angle), or from that of --aperture."
+            });
+
+        /// <summary>
+        /// Width and height of the aperture of parallel rays; 0 when not given: fitted to the mesh.
+        /// </summary>
+        public static readonly Option<double2> Aperture =
+            OfMesh(new Option<double2>("aperture", "M|WxH", text => Values.Area(text, Length))
+            {
+                Needs = new Option[] { Spacing },
+                Range = "each " + Length,
+                Help = "With --spacing: side of the square that parallel rays start from, or its width and height, "
+                    + "in metres, enlarged to whole spacings. Its middle is the radar's place."
+            });
+
+        /// <summary>The point that the radar is aimed at, metres, Unity's axes.</summary>
+        public static readonly Option<double3> Aim =
+            OfMesh(new Option<double3>("aim", "X,Y,Z", text => Values.Point(text, Coordinate))
+            {
+                Range = "each " + Coordinate,
+                DefaultText = "0,0,0",
+                Help = "The point that the radar is aimed at, in metres, Unity's axes (after --unit and --up)."
+            });
+
+        /// <summary>Seed of the built-in scene.</summary>
+        public static readonly Option<int> Seed = Whole("seed", "N", "1", Interval.Closed(0, int.MaxValue),
+            BuiltInGroup, "Which sea it is: the same number, the same waves.", InputKind.BuiltIn);
+
+        /// <summary>Approximate number of triangles of the built-in scene's sea.</summary>
+        public static readonly Option<int> SeaTriangles = Whole("sea-triangles", "N", "35000", Triangles, BuiltInGroup,
+            "About as many triangles has the sea.", InputKind.BuiltIn);
+
+        /// <summary>Approximate number of triangles of the built-in scene's ship.</summary>
+        public static readonly Option<int> ShipTriangles = Whole("ship-triangles", "N", "44000", Triangles,
+            BuiltInGroup, "About as many triangles has the ship.", InputKind.BuiltIn);
+
+        /// <summary>Rounds of poses and peers.</summary>
+        public static readonly Option<int> Rounds = Whole("rounds", "N", "11", Interval.Closed(1, 1000), BenchGroup,
+            "Rounds, after one to warm up: in each a few poses are timed, then each peer is run once. "
+                + "The poses of a round give their median.");
+
+        /// <summary>Other programs to time in the same run.</summary>
+        public static readonly Option<PeerCommand[]> Peers =
+            new Option<PeerCommand[]>("peer", "NAME=COMMAND", text => new[] { PeerCommand.Parse(text) })
+            {
+                Group = BenchGroup,
+                Join = (before, more) => before.Concat(more).ToArray(),
+                Help = "A program to time in the same run, by the shell; {scene} in COMMAND is the path of the scene "
+                    + "in the form of --write-scene. Every line it prints with a number before \" ms\" is a time, "
+                    + "named by the words before the first number of the line; a start counts by its medians. "
+                    + "May be given more than once."
+            };
+
+        /// <summary>Rays that the reference tracer traces too: 0 none, 1 all, N every N-th.</summary>
+        public static readonly Option<int> Reference =
+            new Option<int>("reference", "all|none|N", text => Values.Share(text, Interval.Closed(1, 1000000)))
+            {
+                Choices = new[] { "all", "none" },
+                Group = BenchGroup,
+                Help = "Which rays are traced in double precision too, for the errors: all, none, or every N-th. "
+                    + "Without it: all, when rays and triangles are at most 4 million each."
+            };
+
+        /// <summary>Approximate number of rays compared with the reference tracer's.</summary>
+        public static readonly Option<int> Rays = Whole("rays", "N", "100000",
+            Interval.Closed(1, 1000000000), VerifyGroup,
+            "About as many rays are compared, spread evenly over the picture, and as many of those received; "
+                + "all when there are fewer.");
+
+        /// <summary>File for the figures; null when not given.</summary>
+        public static readonly Option<string> Json = Text("json", "FILE", ResultGroup,
+            "File for the figures, as JSON.");
+
+        /// <summary>File for the triangles; null when not given.</summary>
+        public static readonly Option<string> WriteScene = Text("write-scene", "FILE", BenchGroup,
+            "File for the triangles: number of vertices and of triangles (int32), x, y, z of each vertex "
+                + "(float32, metres, the world's axes), three vertex numbers of each triangle (int32), little-endian.");
+
+        /// <summary>The device: index or part of its name; null when not given.</summary>
+        public static readonly Option<string> Device = new Option<string>("device", "DEVICE", Values.NotEmpty)
+        {
+            Group = DeviceGroup,
+            UnityRemedy = "in Unity use Unity's own -force-device-index",
+            Help = "The GPU to work on: its index or part of its name, as glint info lists them. "
+                + "Without it a discrete GPU, then an integrated or virtual one, then the CPU."
+        };
+
+        /// <summary>File for the plot of error against time; null when not given.</summary>
+        public static readonly Option<string> Accuracy = new Option<string>("accuracy", "[FILE]", Values.NotEmpty)
+        {
+            Group = BenchGroup,
+            Inputs = InputKind.BuiltIn,
+            Refusal = "it has scenes of its own: leave INPUT out",
+            ImpliedText = "accuracy.svg",
+            Excludes = new Option[]
+            {
+                Reference, Peers, WriteScene, Seed, SeaTriangles,
+                ShipTriangles, Size, Region, Frequency, Bounces, NoSamplingError, Receiver
+            }
+                .Select(option => (option, "it has scenes and radars of its own")).ToArray(),
+            Help = "Instead: run time against error, in scenes of its own, "
+                + "each traced with more and more rays and compared with what endlessly many would give. "
+                + "FILE is for the plot, as SVG; without it: accuracy.svg."
+        };
+
+        /// <summary>What a radar traces with: the options of all commands that trace one pose.</summary>
+        internal static readonly Option[] Radar =
+        {
+            Size, Region, Frequency, Bounces, NoSamplingError, Receiver, Unit, Up, Distance, Grazing, Azimuth, Fov,
+            Spacing, Aperture, Aim
+        };
+
+        /// <summary>The option for a measure, which is a plain double or int.</summary>
+        /// <param name="standard">Settings with its value when it is not given.</param>
+        internal static Option Of(Measure measure, object standard, string group)
+        {
+            string name = measure.Title.ToLowerInvariant().Replace(' ', '-');
+            string text = Numbers.Format(measure.Of(standard)),
+                help = measure.Unit.Length == 0 ? measure.Help : $"{measure.Help} Unit: {measure.Unit}.";
+            if (measure.IsWhole)
+                return Whole(name, "N", text, measure.Range, group, help);
+            return Number(name, measure.Unit.Length == 0 || measure.Unit.Contains(' ') ? "X"
+                : measure.Unit.ToUpperInvariant(), text, measure.Range, group, InputKind.Any, help);
+        }
+
+        static Option<bool> Switch(string name, string group, string help) =>
+            new Option<bool>(name, "", Values.Given)
+            {
+                Group = group, IsSwitch = true, ImpliedText = Values.GivenText, Help = help
+            };
+
+        internal static Option<string> Text(string name, string valueName, string group, string help) =>
+            new Option<string>(name, valueName, Values.NotEmpty) { Group = group, Help = help };
+
+        static Option<T> OfMesh<T>(Option<T> option)
+        {
+            (option.Group, option.Inputs, option.Refusal) = (MeshGroup, InputKind.MeshFile, InSceneInstead);
+            return option;
+        }
+
+        internal static Option<double> Number(string name, string valueName, string standard, Interval range,
+            string group, InputKind inputs, string help) =>
+            new Option<double>(name, valueName, text => Values.Real(text, range))
+            {
+                Group = group,
+                Inputs = inputs,
+                Refusal = inputs == InputKind.MeshFile ? InSceneInstead : null,
+                Range = range.ToString(),
+                DefaultText = standard,
+                Help = help
+            };
+
+        internal static Option<int> Whole(string name, string valueName, string standard, Interval range, string group,
+            string help, InputKind inputs = InputKind.Any) =>
+            new Option<int>(name, valueName, text => Values.Whole(text, range))
+            {
+                Group = group,
+                Inputs = inputs,
+                Refusal = inputs == InputKind.BuiltIn ? WithoutInput : null,
+                Range = range.ToString(),
+                DefaultText = standard,
+                Help = help
+            };
+    }
+
+    /// <summary>A program that a benchmark times in alternation with Glint.</summary>
+    public readonly struct PeerCommand
+    {
+        PeerCommand(string name, string command)
+        {
+            Name = name;
+            Command = command;
+        }
+
+        /// <summary>Name in the tables.</summary>
+        public string Name { get; }
+
+        /// <summary>Its command line, for the shell.</summary>
+        public string Command { get; }
+
+        /// <summary>Reads NAME=COMMAND.</summary>
+        /// <exception cref="FormatException">Name or command is missing.</exception>
+        public static PeerCommand Parse(string text)
+        {
+            int equals = text.IndexOf('=');
+            string name = equals < 0 ? "" : text.Substring(0, equals).Trim(),
+                command = text.Substring(equals + 1).Trim();
+            return name.Length > 0 && command.Length > 0
+                ? new PeerCommand(name, command)
+                : throw new FormatException("must be NAME=COMMAND, such as \"Embree=./embree {scene}\"");
+        }
+    }
+}

@@ -1,0 +1,80 @@
+using System;
+using System.IO;
+using System.Text;
+using Glint.Core;
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+
+namespace Glint.Editor
+{
+    /// <summary>
+    /// The report of a run: one HTML file that opens offline, from a template and the run's figures.
+    /// </summary>
+    public static class ReportFile
+    {
+        /// <summary>Name of the file in a results folder.</summary>
+        public const string Name = "report.html";
+
+        /// <summary>Placeholder of the figures in the template.</summary>
+        internal const string Placeholder = "@GLINT_REPORT_DATA@";
+
+        /// <summary>The page.</summary>
+        /// <param name="template">Editor/Report/Template.txt.</param>
+        /// <param name="scene">The scene of one pose; null: not shown.</param>
+        /// <param name="noScene">Why there is no scene, as a sentence; null if there is one.</param>
+        /// <exception cref="GlintException">The template does not have exactly one placeholder.</exception>
+        public static string Fill(string template, StoredRun run, ReportScene scene, string noScene)
+        {
+            int index = template.IndexOf(Placeholder, StringComparison.Ordinal);
+            if (index < 0 || template.IndexOf(Placeholder, index + 1, StringComparison.Ordinal) >= 0)
+                throw new GlintException("the report's template is damaged: "
+                    + "restore Editor/Report/Template.txt of the package");
+            var data = new JObject
+            {
+                ["glint"] = GlintVersion.Text,
+                ["run"] = new JRaw(ResultsJson.Line(run.Info, run.Rows)),
+                ["scene"] = scene?.ToJson(),
+                ["no_scene"] = noScene
+            };
+            // Only '<' can end a script element.
+            string json = data.ToString(Formatting.None).Replace("<", "\\u003c");
+            return template.Substring(0, index) + json + template.Substring(index + Placeholder.Length);
+        }
+
+        /// <summary>Writes a page atomically.</summary>
+        /// <exception cref="GlintException">
+        /// The path is a folder, its folder does not exist, or the file cannot be written.
+        /// </exception>
+        public static void Write(string path, string page)
+        {
+            if (Directory.Exists(path))
+                throw new GlintException($"{path}: is a folder: name a file in it with {ReportOptions.Out.Flag}");
+            string draft = path + ".tmp";
+            try
+            {
+                string folder = Path.GetDirectoryName(Path.GetFullPath(path));
+                if (!Directory.Exists(folder))
+                    throw new GlintException($"{path}: the folder {folder} is not there: make it, "
+                        + $"or name another file with {ReportOptions.Out.Flag}");
+                try
+                {
+                    File.WriteAllText(draft, page, new UTF8Encoding(false));
+                    if (File.Exists(path))
+                        File.Replace(draft, path, null);
+                    else
+                        File.Move(draft, path);
+                }
+                finally
+                {
+                    File.Delete(draft);
+                }
+            }
+            catch (Exception error) when (error is IOException || error is UnauthorizedAccessException
+                || error is ArgumentException || error is NotSupportedException)
+            {
+                throw new GlintException($"{path}: the report cannot be written: {error.Message.TrimEnd('.')}; "
+                    + $"name another file with {ReportOptions.Out.Flag}", error);
+            }
+        }
+    }
+}

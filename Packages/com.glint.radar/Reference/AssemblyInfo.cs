@@ -1,0 +1,4 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("Glint.Tests.EditMode")]
+[assembly: InternalsVisibleTo("Glint.Host.Tests")]
