@@ -56,7 +56,8 @@ namespace Glint.Editor
         }
 
         /// <summary>
-        /// Updates the seas of the open scenes. A sea that cannot be shown is only logged in the editor; here it is an error.
+        /// Updates the seas of the open scenes. A sea that cannot be shown is only logged in the editor; here it is an
+        /// error.
         /// </summary>
         /// <exception cref="GlintException">A sea cannot be shown.</exception>
         public static void RebuildSeas()

@@ -5,7 +5,9 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>Channels hold the sums of the most rays at their largest parts, and refuse larger parts by name.</summary>
+    /// <summary>
+    /// Channels hold the sums of the most rays at their largest parts, and refuse larger parts by name.
+    /// </summary>
     public sealed class ChannelTests
     {
         const int Threads = 1024, FirstWideWord = Channel.WordsPerSlot - 3;

@@ -104,7 +104,8 @@ namespace Glint.Core
         /// <param name="poses">Poses of the sweep, or of its part.</param>
         /// <returns>Number of poses done: all of them if results.json exists.</returns>
         /// <exception cref="GlintException">
-        /// The folder holds results of another sweep, or damaged ones; the message says what differs. Nothing is changed.
+        /// The folder holds results of another sweep, or damaged ones; the message says what differs. Nothing is
+        /// changed.
         /// </exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public int Resume(int poses)

@@ -24,7 +24,9 @@ namespace Glint.Core
         static readonly Interval s_factors = Interval.Closed(0.001, 1000), s_shortest = Interval.Closed(0, 4096),
             s_seeds = Interval.Closed(0, int.MaxValue);
 
-        /// <summary>The numbers of a sea, in the order of the declaration; not what a stored one was scaled by.</summary>
+        /// <summary>
+        /// The numbers of a sea, in the order of the declaration; not what a stored one was scaled by.
+        /// </summary>
         public static readonly IReadOnlyList<Measure> Measures = new[]
         {
             Of(nameof(SignificantWaveHeight), "Wave Height", "m", Heights,

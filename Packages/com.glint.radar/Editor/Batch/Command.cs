@@ -42,7 +42,9 @@ namespace Glint.Editor
         /// <summary>Options of which at least one must be given; may be empty.</summary>
         public IReadOnlyList<Option> OneOf { get; internal set; } = new Option[0];
 
-        /// <summary>Name of the method for Unity's -executeMethod; null if the command does not exist in Unity.</summary>
+        /// <summary>
+        /// Name of the method for Unity's -executeMethod; null if the command does not exist in Unity.
+        /// </summary>
         public string UnityMethod { get; internal set; }
 
         /// <summary>Whether it works in a Unity project, on a graphics device.</summary>

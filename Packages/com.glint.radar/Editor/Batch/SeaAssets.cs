@@ -76,8 +76,8 @@ namespace Glint.Editor
 
     /// <summary>
     /// The two seas whose meshes are stored, each at ten times. They have the same wind, choppiness, grid and seed and
-    /// differ in height only. A wind of 9 m/s puts the spectrum's peak, 7.7 v^2/g, on the longest wave that a tile of 64 m
-    /// holds; choppiness 1 is that of deep-water waves.
+    /// differ in height only. A wind of 9 m/s puts the spectrum's peak, 7.7 v^2/g, on the longest wave that a tile of
+    /// 64 m holds; choppiness 1 is that of deep-water waves.
     /// </summary>
     public static class StoredSeas
     {
@@ -93,7 +93,8 @@ namespace Glint.Editor
         /// <summary>Both.</summary>
         public static readonly SeaRecipe[] All = { SeaState5, SeaState6 };
 
-        // Two tiles, one behind the other as the radar of the published experiment sees them; the waves travel towards it.
+        // Two tiles, one behind the other as the radar of the published experiment sees them; the waves travel towards
+        // it.
         static SeaRecipe OfHeight(string name, double height) => new SeaRecipe(name, new SeaSettings
         {
             Kind = SeaSpectrumKind.Phillips, SignificantWaveHeight = height,

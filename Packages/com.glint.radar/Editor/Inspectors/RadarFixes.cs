@@ -8,7 +8,9 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Editor
 {
-    /// <summary>What the buttons of a radar's inspector do, those beside findings of the radar and of meshes among them.</summary>
+    /// <summary>
+    /// What the buttons of a radar's inspector do, those beside findings of the radar and of meshes among them.
+    /// </summary>
     static class RadarFixes
     {
         public static Fix Enable(RadarController radar) => new Fix("Enable", () =>

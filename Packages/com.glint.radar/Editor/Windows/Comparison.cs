@@ -44,8 +44,8 @@ namespace Glint.Editor
         }
 
         /// <summary>
-        /// Pairs of poses with equal values on every axis that both runs sweep. There are none if the other run sweeps an
-        /// axis that this one does not: the pose would be ambiguous.
+        /// Pairs of poses with equal values on every axis that both runs sweep. There are none if the other run sweeps
+        /// an axis that this one does not: the pose would be ambiguous.
         /// </summary>
         public IReadOnlyList<(StoredRow Ours, StoredRow Theirs)> Pairs(IReadOnlyList<StoredRow> rows)
         {

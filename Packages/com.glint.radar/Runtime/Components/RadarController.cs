@@ -119,7 +119,8 @@ namespace Glint
         public Transform Receiver { get => _receiver; set => _receiver = value; }
 
         /// <summary>
-        /// Width and height of the receiver, metres. 0 x 0 with an orthographic Camera: those of the aperture, on its axis.
+        /// Width and height of the receiver, metres. 0 x 0 with an orthographic Camera: those of the aperture, on its
+        /// axis.
         /// </summary>
         public Vector2 ReceiverSize { get => _receiverSize; set => _receiverSize = value; }
 
@@ -232,8 +233,8 @@ namespace Glint
         }
 
         /// <summary>
-        /// Traces the radar's view of the scene in its current state, for display: about 130,000 rays over the part of the
-        /// view that hits anything.
+        /// Traces the radar's view of the scene in its current state, for display: about 130,000 rays over the part of
+        /// the view that hits anything.
         /// </summary>
         /// <param name="cancel">Cancels between two dispatches.</param>
         /// <exception cref="GlintException">The radar or a mesh cannot be traced.</exception>
@@ -251,16 +252,16 @@ namespace Glint
         public Transform ObjectAt(int number) => _gatherer.ObjectAt(number);
 
         /// <summary>
-        /// Announces that a transform will move, so that its first motion causes no rebuild: what moves as a whole gets a
-        /// mesh of its own. Unannounced motion is detected and costs one rebuild.
+        /// Announces that a transform will move, so that its first motion causes no rebuild: what moves as a whole gets
+        /// a mesh of its own. Unannounced motion is detected and costs one rebuild.
         /// </summary>
         public void ExpectMotion(Transform transform) => _gatherer.ExpectMotion(transform);
 
         /// <summary>
         /// The pose of the scene in its current state: scene, settings and view.
-        /// Scene and view are in the axes and metres of the world, relative to the nearest common ancestor of the radar,
-        /// its receiver and all traced objects; without one, relative to the world's origin.
-        /// Unchanged meshes are the same objects as in the last call.
+        /// Scene and view are in the axes and metres of the world, relative to the nearest common ancestor of the
+        /// radar, its receiver and all traced objects; without one, relative to the world's origin. Unchanged meshes
+        /// are the same objects as in the last call.
         /// </summary>
         /// <exception cref="GlintException">The radar or a mesh cannot be traced.</exception>
         public RadarPose Gather()

@@ -63,8 +63,8 @@ namespace Glint
         public string GrazingAngles { get => _grazingAngles; set => _grazingAngles = value; }
 
         /// <summary>
-        /// Distances from the radar to the point about which it moves, metres: FROM:TO:STEP or a list with commas; empty: not
-        /// swept.
+        /// Distances from the radar to the point about which it moves, metres: FROM:TO:STEP or a list with commas;
+        /// empty: not swept.
         /// </summary>
         public string Distances { get => _distances; set => _distances = value; }
 

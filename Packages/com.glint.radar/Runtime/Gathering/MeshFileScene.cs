@@ -72,8 +72,8 @@ namespace Glint
         }
 
         /// <summary>
-        /// The mesh as an object of the active scene, at the origin, with a <see cref="RadarSurface"/> for each material
-        /// that the file names.
+        /// The mesh as an object of the active scene, at the origin, with a <see cref="RadarSurface"/> for each
+        /// material that the file names.
         /// </summary>
         internal static Transform MakeObject(MeshFile file)
         {

@@ -47,8 +47,8 @@ namespace Glint
     }
 
     /// <summary>
-    /// Lists the renderers of active objects in the order of the Hierarchy window: scene by scene, parents before children,
-    /// siblings in order.
+    /// Lists the renderers of active objects in the order of the Hierarchy window: scene by scene, parents before
+    /// children, siblings in order.
     /// </summary>
     sealed class HierarchyWalk
     {

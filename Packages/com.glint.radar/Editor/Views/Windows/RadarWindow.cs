@@ -233,8 +233,8 @@ namespace Glint.Editor.Views
     }
 
     /// <summary>
-    /// Progress of a long pose, with a cancel button. A pose blocks the editor, so that the window's own Cancel cannot be
-    /// pressed.
+    /// Progress of a long pose, with a cancel button. A pose blocks the editor, so that the window's own Cancel cannot
+    /// be pressed.
     /// </summary>
     sealed class PoseProgress : IProgress<double>, IDisposable
     {
