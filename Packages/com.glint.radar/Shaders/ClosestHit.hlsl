@@ -9,7 +9,7 @@ struct Hit
     uint Instance;          // index into _Instances; NO_INSTANCE: no hit within reach
     uint Row;               // of the leaf's pair of triangles in its BVH
     bool Second;            // the second triangle of the pair
-    Real TraversalDistance;    // m, found by the traversal; at least the reach if there is no hit
+    Real TraversalDistance;  // m, found by the traversal; at least the reach if there is no hit
     Real Distance;          // m, from the ray's origin along the ray to the triangle's plane
     Real3 Normal;           // unit vector in the scene, towards the ray
     bool IsAmbiguous;       // float32 cannot decide whether this is the closest hit

@@ -9,7 +9,7 @@ struct Identity
     uint Instance;        // index in the scene
     uint Triangle;        // index in the instance's mesh
     int Object;           // -1: unknown
-    uint Surface;         // place in the scene
+    uint Surface;         // index in the scene
 };
 
 // Binary search: the last range that begins at or before the triangle.

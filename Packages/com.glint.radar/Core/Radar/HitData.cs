@@ -13,7 +13,7 @@ namespace Glint.Core
         /// <summary>Point of reflection, metres, about the scene's centre.</summary>
         public float3 Position;
 
-        /// <summary>Place of the instance in the scene.</summary>
+        /// <summary>Index of the instance in the scene.</summary>
         public uint Instance; // 16 bytes
 
         /// <summary>Unit direction after the reflection.</summary>

@@ -63,7 +63,7 @@ namespace Glint.Core
         public double Phase => IsReceived ? Signal.Turned(Math.Atan2(Quadrature, InPhase)) : 0;
     }
 
-    /// <summary>Which rays a result carries one by one.</summary>
+    /// <summary>Rays that a result carries.</summary>
     public enum RayReadback
     {
         /// <summary>Rays that reached the receiver.</summary>

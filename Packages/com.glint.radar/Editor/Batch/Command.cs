@@ -54,7 +54,7 @@ namespace Glint.Editor
         /// </summary>
         internal Func<CommandLine, IProgressSink, int> Handler { get; set; }
 
-        /// <summary>Examples: what follows "glint", and what it does.</summary>
+        /// <summary>Examples: the arguments after "glint", and their effect.</summary>
         public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }
 
         /// <summary>What its arguments are called: INPUT, [INPUT], DIR... or SHELL; null when it takes none.</summary>

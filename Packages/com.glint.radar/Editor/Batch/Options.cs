@@ -74,7 +74,7 @@ namespace Glint.Editor
             "Folder of the project for mesh and prefab, such as Assets/Mine; "
                 + "made with its parents when it is not there. Required with any other option.");
 
-        /// <summary>Whether a sweep goes on where it was ended.</summary>
+        /// <summary>Whether to resume an unfinished sweep.</summary>
         public static readonly Option<bool> Resume = Switch("resume", ResultGroup,
             "Go on with the same sweep where it was ended, killed or not: poses that are done stay. "
                 + "Refused when the folder holds another sweep; where nothing was begun the sweep begins.");

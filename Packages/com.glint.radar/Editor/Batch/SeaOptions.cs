@@ -59,7 +59,7 @@ namespace Glint.Editor
                 Help = "Tiles along X and along Z of each prefab, about its origin. All show one mesh."
             };
 
-        /// <summary>All of them, in the order of the help.</summary>
+        /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All = new[] { Options.AssetFolder, s_measures[0], State, Spectrum }
             .Concat(s_measures.Skip(1)).Concat(new Option[] { Times, Tiles }).ToArray();
 

@@ -9,7 +9,7 @@ namespace Glint.Editor
         static readonly Option[] s_measures = ShipSettings.Measures
             .Select(measure => Options.Of(measure, ShipSettings.Default, "Ship")).ToArray();
 
-        /// <summary>All of them, in the order of the help.</summary>
+        /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All = s_measures.Prepend(Options.AssetFolder).ToArray();
 
         /// <summary>

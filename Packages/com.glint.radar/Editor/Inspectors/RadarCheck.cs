@@ -196,8 +196,8 @@ namespace Glint.Editor
         });
 
         /// <summary>
-        /// Null when none of the meshes is a model's, an asset of its own, or only in the scene.
-        /// A model is imported anew, which Undo does not take back.
+        /// Null if none of the meshes belongs to a model, is an asset of its own, or is only in the scene.
+        /// A model is reimported, which Undo does not revert.
         /// </summary>
         public static Fix MakeReadable(IReadOnlyList<Mesh> meshes)
         {
@@ -214,7 +214,7 @@ namespace Glint.Editor
             });
         }
 
-        // Its file is the mesh itself, or it has none.
+        // A mesh asset of its own, or a mesh without a file.
         static bool IsOwn(Mesh mesh)
         {
             string path = AssetDatabase.GetAssetPath(mesh);

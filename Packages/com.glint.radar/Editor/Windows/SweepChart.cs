@@ -24,8 +24,8 @@ namespace Glint.Editor
         /// <param name="rows">The run's poses so far.</param>
         /// <param name="axis">Along x.</param>
         /// <param name="column">Along y.</param>
-        /// <param name="inDecibels">20 log10 of amplitudes; does not matter to others.</param>
-        /// <param name="compared">A run to lay over; may be null.</param>
+        /// <param name="inDecibels">20 log10 of amplitudes; ignored for other quantities.</param>
+        /// <param name="compared">The compared run; may be null.</param>
         public SweepChart(IReadOnlyList<StoredRow> rows, SweepAxis axis, ResultColumn column, bool inDecibels,
             Comparison compared = null)
         {
