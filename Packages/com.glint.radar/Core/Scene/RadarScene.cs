@@ -44,7 +44,7 @@ namespace Glint.Core
     }
 
     /// <summary>What a surface does to a wave. Perfect conductors only, so far: a name to tell them apart.</summary>
-    public sealed class SurfaceMaterial
+    public sealed class SurfaceMaterial : IEquatable<SurfaceMaterial>
     {
         /// <summary>The material of triangles that are given none.</summary>
         public static readonly SurfaceMaterial PerfectConductor = new SurfaceMaterial("perfect conductor");
@@ -54,5 +54,17 @@ namespace Glint.Core
 
         /// <summary>For messages and results.</summary>
         public string Name { get; }
+
+        /// <summary>Everything of the material in one line: equal materials have equal lines.</summary>
+        public override string ToString() => Name;
+
+        /// <inheritdoc/>
+        public bool Equals(SurfaceMaterial other) => other?.ToString() == ToString();
+
+        /// <inheritdoc/>
+        public override bool Equals(object other) => Equals(other as SurfaceMaterial);
+
+        /// <inheritdoc/>
+        public override int GetHashCode() => ToString().GetHashCode();
     }
 }

@@ -10,17 +10,7 @@ namespace Glint
     [CreateAssetMenu(menuName = "Glint/Radar Material")]
     public sealed class RadarMaterial : ScriptableObject
     {
-        SurfaceMaterial _material;
-
-        /// <summary>The material in scenes and results; the same object while the name stays.</summary>
-        internal SurfaceMaterial Material
-        {
-            get
-            {
-                if (_material?.Name != name)
-                    _material = new SurfaceMaterial(name);
-                return _material;
-            }
-        }
+        /// <summary>The material in scenes and results.</summary>
+        internal SurfaceMaterial Material => new SurfaceMaterial(name);
     }
 }

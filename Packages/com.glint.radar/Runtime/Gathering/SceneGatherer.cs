@@ -109,8 +109,7 @@ namespace Glint
                 content.Add(node.Source.Hash);
                 content.Add(node.ToScene);
                 for (int submesh = 0; submesh < node.Source.SubmeshTriangles.Length; submesh++)
-                    if (node.MaterialOf(submesh) is RadarMaterial material)
-                        content.Add(material.name.GetHashCode());
+                    content.Add(node.MaterialOf(submesh).GetHashCode());
             }
             return content.Value;
         }
@@ -239,15 +238,15 @@ namespace Glint
             return ranges.ToArray();
         }
 
-        int SurfaceOf(RadarMaterial material)
+        int SurfaceOf(SurfaceMaterial material)
         {
-            if (material == null)
-                return 0;
-            int surface = _surfaces.IndexOf(material.Material);
-            if (surface >= 0)
-                return surface;
-            _surfaces.Add(material.Material);
-            return _surfaces.Count - 1;
+            int surface = _surfaces.IndexOf(material);
+            if (surface < 0)
+            {
+                surface = _surfaces.Count;
+                _surfaces.Add(material);
+            }
+            return surface;
         }
 
         void FindGroups()

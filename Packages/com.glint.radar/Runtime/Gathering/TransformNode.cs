@@ -48,7 +48,7 @@ namespace Glint
         /// <summary>Index of its object in this gather.</summary>
         public int ObjectNumber { get; set; }
 
-        /// <summary>Its own <see cref="RadarSurface"/> components; null if it has none.</summary>
+        // Its own components.
         RadarSurface[] _surfaces;
 
         /// <summary>
@@ -56,14 +56,13 @@ namespace Glint
         /// </summary>
         RadarSurface _surface;
 
-        /// <summary>The material of a submesh of its object; null: a perfect conductor.</summary>
-        public RadarMaterial MaterialOf(int submesh)
+        /// <summary>The material of a submesh of its object.</summary>
+        public SurfaceMaterial MaterialOf(int submesh)
         {
-            if (_surfaces != null)
-                foreach (var surface in _surfaces)
-                    if (surface.Submesh == submesh)
-                        return surface.Material;
-            return _surface == null ? null : _surface.Material;
+            var surface = Array.Find(_surfaces, own => own.Submesh == submesh) ?? _surface;
+            return surface == null || surface.Material == null
+                ? SurfaceMaterial.PerfectConductor
+                : surface.Material.Material;
         }
 
         /// <summary>The parent of roots.</summary>
@@ -90,10 +89,10 @@ namespace Glint
             _depth = parent._depth + 1;
             _local = Local((float3)position, (float3)scale);
             (_frame, Group, IsTaken) = (null, null, false);
-            _surfaces = transform.TryGetComponent<RadarSurface>(out _) ? transform.GetComponents<RadarSurface>() : null;
-            _surface = _surfaces == null
-                ? parent._surface
-                : Array.Find(_surfaces, surface => surface.Submesh < 0) ?? parent._surface;
+            _surfaces = transform.TryGetComponent<RadarSurface>(out _)
+                ? transform.GetComponents<RadarSurface>()
+                : Array.Empty<RadarSurface>();
+            _surface = Array.Find(_surfaces, own => own.Submesh == RadarSurface.AllSubmeshes) ?? parent._surface;
         }
 
         public void SetSource(MeshSource source)

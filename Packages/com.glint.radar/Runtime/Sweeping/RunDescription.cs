@@ -159,7 +159,7 @@ namespace Glint
             foreach (var instance in scene.Instances)
                 Add(instance.Ranges.SelectMany(range => new[] { range.FirstTriangle, range.Surface }).ToArray());
             foreach (var surface in scene.Surfaces)
-                Add(surface.Name.ToCharArray());
+                Add(surface.ToString().ToCharArray());
         }
 
         /// <summary>Adds numbers or structs of numbers, and their count.</summary>

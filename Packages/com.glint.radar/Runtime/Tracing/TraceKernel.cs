@@ -179,7 +179,6 @@ namespace Glint
         public void DispatchPaths(DeviceScene scene, int count, DeviceBuffer<uint2> listed, DeviceBuffer<HitData> hits)
         {
             SetBvhs(_pathsKernel, scene);
-            _shader.SetBuffer(_pathsKernel, ShaderIDs._Ranges, scene.Ranges.Buffer);
             _shader.SetInt(ShaderIDs._CandidateCount, count);
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Candidates, listed.Buffer);
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Hits, hits.Buffer);
@@ -191,6 +190,7 @@ namespace Glint
             _shader.SetInt(ShaderIDs._InstanceBvhRoot, (int)scene.InstanceBvhRoot);
             _shader.SetBuffer(kernel, ShaderIDs._InstanceBvh, scene.InstanceBvhRows.Buffer);
             _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
+            _shader.SetBuffer(kernel, ShaderIDs._Ranges, scene.Ranges.Buffer);
             // Every page that a kernel declares needs a buffer, even if it is not read.
             for (int page = 0; page < DeviceBvhs.MaxPages; page++)
                 _shader.SetBuffer(kernel, ShaderIDs._Bvh[page],
