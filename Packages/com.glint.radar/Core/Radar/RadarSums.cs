@@ -1,3 +1,5 @@
+using System;
+
 namespace Glint.Core
 {
     /// <summary>Sums over the rays of one pose; mutable until the result is made.</summary>
@@ -38,5 +40,67 @@ namespace Glint.Core
             PhaseHistogram[Signal.PhaseBin(phase)]++;
             RaysReceived++;
         }
+    }
+
+    /// <summary>The channels of a pose, summed over its dispatches.</summary>
+    public sealed class ChannelSums
+    {
+        readonly decimal[] _totals = new decimal[Channel.All.Count];
+        readonly int[] _histogram = new int[Signal.PhaseBins];
+        readonly double _startDepth;
+
+        /// <summary>Sums of 0.</summary>
+        /// <param name="grid">Gives the maximum path length.</param>
+        public ChannelSums(RayGrid grid)
+        {
+            LengthUnits = (float)(Channel.Length.Scale / Math.Max(grid.MaxRelativeLength, 1e-30));
+            _startDepth = grid.OriginDepth;
+        }
+
+        /// <summary>Units of length per metre.</summary>
+        public float LengthUnits { get; }
+
+        /// <summary>Number of candidates of a dispatch.</summary>
+        public static int CandidatesOf(uint[] words) => (int)words[Channel.Candidates.Word];
+
+        /// <summary>Adds the sums of cos and sin of a dispatch's first slots, slot by slot.</summary>
+        public static void AddPhasors(uint[] words, double[] inPhase, double[] quadrature)
+        {
+            for (int slot = 0; slot < inPhase.Length; slot++)
+            {
+                inPhase[slot] += (double)Channel.InPhase.SumOf(words, slot) / Channel.InPhase.Scale;
+                quadrature[slot] += (double)Channel.Quadrature.SumOf(words, slot) / Channel.Quadrature.Scale;
+            }
+        }
+
+        /// <summary>Adds the sums of a dispatch.</summary>
+        public void Add(uint[] words)
+        {
+            for (int slot = 0; slot < Channel.Slots; slot++)
+            {
+                foreach (var channel in Channel.All)
+                    _totals[channel.Number] += channel.SumOf(words, slot);
+                for (int bin = 0; bin < Signal.PhaseBins; bin++)
+                    _histogram[bin] += (int)words[slot * Channel.WordsPerSlot + Channel.Histogram.Word + bin];
+            }
+        }
+
+        /// <summary>A channel's sum in units.</summary>
+        public long Units(Channel channel) => (long)_totals[channel.Number];
+
+        /// <summary>The sums of a pose.</summary>
+        public RadarSums ToSums(in RadarSettings settings, in RadarView view) => new RadarSums
+        {
+            RaysOfPicture = settings.RayCount,
+            RaysEmitted = settings.RaysEmitted,
+            RayArea = view.RayArea(settings),
+            RaysHit = Units(Channel.Hits),
+            Bounces = Units(Channel.Bounces),
+            RaysReceived = Units(Channel.Received),
+            PathLengthMeters = Units(Channel.Hits) * _startDepth + Units(Channel.Length) / (double)LengthUnits,
+            InPhase = Units(Channel.InPhase) / Channel.InPhase.Scale,
+            Quadrature = Units(Channel.Quadrature) / Channel.Quadrature.Scale,
+            PhaseHistogram = _histogram
+        };
     }
 }
