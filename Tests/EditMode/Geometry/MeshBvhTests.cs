@@ -110,6 +110,17 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void MaxLeaves_WithNodesAndNumbers_FitInAPart()
+        {
+            // Nodes and leaves of 3 rows; behind them a row for the triangles' numbers of two leaves, or of two records.
+            long leaves = BvhRows.MaxLeaves(_layout), nodes = leaves - 1;
+            long rows = _layout == BvhLayout.Binary
+                ? 1 + 3 * nodes + 3 * leaves + (leaves + 1) / 2
+                : 3 * (nodes + leaves) + (nodes + leaves + 1) / 2;
+            Assert.That(16 * rows, Is.LessThanOrEqualTo(96 << 20));
+        }
+
+        [Test]
         public void Build_PairsOrNoPairs_TakesAtMost120BytesATriangle([Values] bool paired)
         {
             var mesh = paired ? TestMeshes.Sea(200, 100) : TestMeshes.Apart(200, 200, step: 1);

@@ -39,17 +39,23 @@ namespace Glint.Core
             var box = bvh.BoxOf(root);
             _centre = (float3)(0.5 * ((double3)box.Min + box.Max));
             _margin = bvh.Margin;
-            _rows = new uint4[LeafRow(_leafCount) + writer.IdentityRows(_leafCount)];
+            _rows = new uint4[FirstIdentityRow + writer.IdentityRows(_leafCount)];
         }
 
-        /// <summary>Leaves of a BVH of at most this many rows.</summary>
-        public static int MaxLeaves(int rows) => (rows - HeadRows + NodeRows) / (NodeRows + LeafRows);
+        /// <summary>Leaves of a BVH of at most this many rows, with half an identity row each.</summary>
+        public static int MaxLeaves(int rows) => 2 * (rows - HeadRows + NodeRows - 1) / (2 * (NodeRows + LeafRows) + 1);
+
+        int FirstIdentityRow => LeafRow(_leafCount);
 
         /// <summary>The rows of a subtree.</summary>
-        public static uint4[] Encode(BinaryBvh bvh, int root, ILeafWriter writer)
+        /// <param name="firstLeafRow">Row of the first leaf.</param>
+        /// <param name="firstIdentityRow">First of the identity rows, behind the leaves.</param>
+        public static uint4[] Encode(BinaryBvh bvh, int root, ILeafWriter writer, out int firstLeafRow,
+            out int firstIdentityRow)
         {
             var encoder = new BinaryEncoder(bvh, root, writer);
             encoder.Write();
+            (firstLeafRow, firstIdentityRow) = (encoder.LeafRow(0), encoder.FirstIdentityRow);
             return encoder._rows;
         }
 
@@ -67,12 +73,9 @@ namespace Glint.Core
             Blocks.For(_leafCount, (from, to) =>
             {
                 for (int leaf = from; leaf < to; leaf++)
-                    _writer.Write(_bvh.Leaves[_firstLeaf + leaf].Item, _rows, LeafRow(leaf), leaf, LeafRow(_leafCount));
+                    _writer.Write(_bvh.Leaves[_firstLeaf + leaf].Item, _rows, LeafRow(leaf), leaf, FirstIdentityRow);
             });
         }
-
-        /// <summary>Row of the first leaf.</summary>
-        public static int FirstLeafRow(int leafCount) => NodeRow(Math.Max(1, leafCount - 1));
 
         static int NodeRow(int node) => HeadRows + NodeRows * node;
 

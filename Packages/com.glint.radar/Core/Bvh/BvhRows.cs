@@ -30,15 +30,10 @@ namespace Glint.Core
         public static uint4[] Encode(BinaryBvh bvh, int root, BvhLayout layout, ILeafWriter writer,
             out int firstRecordRow, out int firstIdentityRow)
         {
-            var rows =
-                layout == BvhLayout.Wide
-                    ? WideEncoder.Encode(bvh, root, writer)
-                    : BinaryEncoder.Encode(bvh, root, writer);
-            int leaves = bvh.LeafCount(root);
-            firstRecordRow = layout == BvhLayout.Wide ? 0 : BinaryEncoder.FirstLeafRow(leaves);
-            int records = layout == BvhLayout.Wide ? WideEncoder.Records(rows.Length, writer) : leaves;
-            firstIdentityRow = rows.Length - writer.IdentityRows(records);
-            return rows;
+            firstRecordRow = 0;
+            return layout == BvhLayout.Wide
+                ? WideEncoder.Encode(bvh, root, writer, out firstIdentityRow)
+                : BinaryEncoder.Encode(bvh, root, writer, out firstRecordRow, out firstIdentityRow);
         }
     }
 

@@ -41,22 +41,17 @@ namespace Glint.Core
             _nodes = nodes;
             _writer = writer;
             _margin = bvh.Margin;
-            _rows = new uint4[RecordRows * nodes.Count + writer.IdentityRows(nodes.Count)];
+            _rows = new uint4[FirstIdentityRow + writer.IdentityRows(nodes.Count)];
         }
+
+        int FirstIdentityRow => RecordRows * _nodes.Count;
 
         /// <summary>Leaves that always fit into this many records, even if nodes have only two children.</summary>
         public static int MaxLeaves(int records) => records / 2;
 
-        /// <summary>Records of a BVH of this many rows, identity rows included.</summary>
-        public static int Records(int rows, ILeafWriter writer)
-        {
-            // A record has half an identity row or none: the first guess is off by one at most.
-            int records = writer.IdentityRows(2) > 0 ? (int)(2L * rows / (2 * RecordRows + 1)) : rows / RecordRows;
-            return RecordRows * records + writer.IdentityRows(records) > rows ? records - 1 : records;
-        }
-
         /// <summary>The rows of a subtree.</summary>
-        public static uint4[] Encode(BinaryBvh bvh, int root, ILeafWriter writer)
+        /// <param name="firstIdentityRow">First of the identity rows, behind the records.</param>
+        public static uint4[] Encode(BinaryBvh bvh, int root, ILeafWriter writer, out int firstIdentityRow)
         {
             var encoder = new WideEncoder(bvh, WideCollapse.Collapse(bvh, root), writer);
             Blocks.For(encoder._nodes.Count, (from, to) =>
@@ -64,6 +59,7 @@ namespace Glint.Core
                 for (int record = from; record < to; record++)
                     encoder.WriteRecord(record);
             });
+            firstIdentityRow = encoder.FirstIdentityRow;
             return encoder._rows;
         }
 
@@ -72,7 +68,7 @@ namespace Glint.Core
             var node = _nodes.Array[record];
             if (node.ChildCount == 0)
                 _writer.Write(_bvh.Leaves[~node.Binary].Item, _rows, RecordRows * record, record,
-                    RecordRows * _nodes.Count);
+                    FirstIdentityRow);
             else
                 WriteNode(record, node);
         }

@@ -30,21 +30,6 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>The range that a triangle of the mesh is in.</summary>
-        public MeshRange RangeOf(int triangle)
-        {
-            int first = 0, end = Ranges.Length;
-            while (end - first > 1)
-            {
-                int middle = (first + end) / 2;
-                if (Ranges[middle].FirstTriangle <= triangle)
-                    first = middle;
-                else
-                    end = middle;
-            }
-            return Ranges[first];
-        }
-
         /// <summary>Whether both are the same mesh at the same place, with equal ranges.</summary>
         public bool Equals(MeshInstance other) => Mesh == other.Mesh && ToWorld.Equals(other.ToWorld)
             && Ranges.AsSpan().SequenceEqual(other.Ranges);
