@@ -19,7 +19,10 @@ public sealed class StoredResultsTests
 {
     string _folder;
 
-    static string Stored => Path.Combine(Path.GetDirectoryName(ThisFile()), "Version0");
+    /// <summary>Files of before there was a schema version.</summary>
+    internal static string Version0(string folder) => Path.Combine(Path.GetDirectoryName(ThisFile()), "Version0", folder);
+
+    static string Stored => Version0("");
 
     [SetUp]
     public void MakeFolder() => _folder = Directory.CreateTempSubdirectory("glint-stored-").FullName;
