@@ -1,8 +1,5 @@
 using System.Runtime.CompilerServices;
 
-[assembly: InternalsVisibleTo("Glint")]
-[assembly: InternalsVisibleTo("Glint.Editor")]
 [assembly: InternalsVisibleTo("Glint.Tests.EditMode")]
 [assembly: InternalsVisibleTo("Glint.Tests.PlayMode")]
 [assembly: InternalsVisibleTo("Glint.Host.Tests")]
-[assembly: InternalsVisibleTo("glint-cli")]

@@ -10,7 +10,7 @@ namespace Glint.Editor
     /// <summary>
     /// The radar and target of a command, from a scene of the project, a mesh file, or the built-in scene.
     /// </summary>
-    sealed class LoadedScene
+    public sealed class LoadedScene
     {
         /// <summary>Name of the scene or mesh file without folder and extension.</summary>
         public string Name { get; private set; }
@@ -18,6 +18,7 @@ namespace Glint.Editor
         /// <summary>Asset path of the scene, or path of the mesh file as given; null for the built-in scene.</summary>
         public string Scene { get; private set; }
 
+        /// <summary>The radar to trace.</summary>
         public RadarController Radar { get; private set; }
 
         /// <summary>The object that a sweep turns, or about which it moves the radar; null if none is given.</summary>

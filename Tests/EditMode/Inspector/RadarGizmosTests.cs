@@ -1,5 +1,5 @@
 using System.Linq;
-using Glint.Editor;
+using Glint.Editor.Views;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -7,7 +7,7 @@ using UnityEngine;
 namespace Glint.Tests
 {
     /// <summary>The receiver that Scene view outlines is the one that a pose receives with.</summary>
-    public sealed class RadarOutlineTests : InspectorFixture
+    public sealed class RadarGizmosTests : InspectorFixture
     {
         [Test]
         public void Receiver_Turned_IsThatOfThePose()
@@ -27,7 +27,7 @@ namespace Glint.Tests
             _radar.ReceiverSize = Vector2.zero;
             _radar.Receiver.localPosition = new Vector3(1, 1, -0.5f);
             AssertIsThatOfThePose();
-            Assert.That(Vector3.Distance(RadarOutline.Receiver(_radar)[0], RadarOutline.Receiver(_radar)[3]),
+            Assert.That(Vector3.Distance(RadarGizmos.ReceiverOutline(_radar)[0], RadarGizmos.ReceiverOutline(_radar)[3]),
                 Is.EqualTo(6).Within(1e-5));
         }
 
@@ -36,11 +36,11 @@ namespace Glint.Tests
         {
             _radar.GetComponent<Camera>().orthographic = _radar.FitAperture = true;
             _radar.ReceiverSize = Vector2.zero;
-            Assert.That(RadarOutline.Receiver(_radar), Is.Empty);
+            Assert.That(RadarGizmos.ReceiverOutline(_radar), Is.Empty);
             _radar.ReceiverSize = Vector2.one;
-            Assert.That(RadarOutline.Receiver(_radar).Length, Is.EqualTo(4));
+            Assert.That(RadarGizmos.ReceiverOutline(_radar).Length, Is.EqualTo(4));
             Object.DestroyImmediate(_radar.Receiver.gameObject);
-            Assert.That(RadarOutline.Receiver(_radar), Is.Empty);
+            Assert.That(RadarGizmos.ReceiverOutline(_radar), Is.Empty);
         }
 
         void AssertIsThatOfThePose()
@@ -50,7 +50,7 @@ namespace Glint.Tests
             double3 right = view.ReceiverSize.x / 2 * view.ReceiverRight,
                 up = view.ReceiverSize.y / 2 * view.ReceiverUp, centre = pose.Scene.Origin + view.ReceiverCentre;
             var expected = new[] { centre - right - up, centre + right - up, centre + right + up, centre - right + up };
-            var corners = RadarOutline.Receiver(_radar);
+            var corners = RadarGizmos.ReceiverOutline(_radar);
             Assert.That(corners.Length, Is.EqualTo(4));
             Assert.That(corners.Zip(expected, (corner, position) => math.distance((double3)(float3)corner, position))
                 .Max(),

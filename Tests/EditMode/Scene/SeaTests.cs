@@ -184,8 +184,7 @@ namespace Glint.Tests
                 var snapshot = new GameObject("Snapshot").AddComponent<SeaSnapshot>();
                 snapshot.transform.SetParent(_scene.Root);
                 var tile = new SeaSurface(Settings(seed)).Mesh(0);
-                (snapshot.Tile, snapshot.Settings) =
-                    (MeshMaker.Make("Tile", tile.Vertices, tile.Indices), Settings(seed));
+                snapshot.Set(MeshMaker.Make("Tile", tile.Vertices, tile.Indices), Settings(seed), 0, 0);
                 _sea.Snapshots.Add(snapshot);
             }
         }

@@ -178,7 +178,7 @@ namespace Glint.Tests
                 {
                     var snapshot = new GameObject("Snapshot").AddComponent<SeaSnapshot>();
                     snapshot.transform.SetParent(sea.transform);
-                    (snapshot.Settings, snapshot.Tile) = (SeaSettings.Default, SceneBuilder.Mesh(triangles, triangles));
+                    snapshot.Set(SceneBuilder.Mesh(triangles, triangles), SeaSettings.Default, 0, 0);
                     sea.Snapshots.Add(snapshot);
                 }
                 sea.Snapshot = 2;

@@ -3,10 +3,15 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>An axis-aligned box.</summary>
-    struct Box
+    public struct Box
     {
-        public float3 Min, Max;
+        /// <summary>Lowest coordinates, metres.</summary>
+        public float3 Min;
 
+        /// <summary>Highest coordinates, metres.</summary>
+        public float3 Max;
+
+        /// <summary>A box by its lowest and highest coordinates.</summary>
         public Box(float3 boxMin, float3 boxMax)
         {
             Min = boxMin;
@@ -33,6 +38,7 @@ namespace Glint.Core
             }
         }
 
+        /// <summary>Grows to hold another box.</summary>
         // Comparisons, because boxes seldom grow: a predicted branch costs less than a minimum and a store.
         public void Add(in Box other)
         {
@@ -44,6 +50,7 @@ namespace Glint.Core
             if (other.Max.z > Max.z) Max.z = other.Max.z;
         }
 
+        /// <summary>Grows to hold a point.</summary>
         public void Add(float3 point)
         {
             if (point.x < Min.x) Min.x = point.x;

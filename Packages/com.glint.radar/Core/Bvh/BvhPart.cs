@@ -18,12 +18,12 @@ namespace Glint.Core
         public float3 Max { get; internal set; }
 
         /// <summary>Row of the record that leaves are numbered from, three rows each.</summary>
-        internal int FirstRecordRow { get; set; }
+        public int FirstRecordRow { get; set; }
 
         /// <summary>
         /// First of the rows behind the leaves that hold the numbers of their triangles in the mesh:
         /// two for each record.
         /// </summary>
-        internal int FirstIdentityRow { get; set; }
+        public int FirstIdentityRow { get; set; }
     }
 }

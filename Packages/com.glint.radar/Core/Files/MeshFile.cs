@@ -6,7 +6,11 @@ namespace Glint.Core
     /// <summary>The triangles of a mesh file in Unity's axes and metres.</summary>
     public sealed class MeshFile
     {
-        internal MeshFile(string name, float3[] vertices, int[] indices, MeshFileSurface[] surfaces = null)
+        /// <param name="name">Name without folder and extension.</param>
+        /// <param name="vertices">Positions in metres, all finite.</param>
+        /// <param name="indices">Vertex numbers, three a triangle.</param>
+        /// <param name="surfaces">Surfaces in the order of the triangles; null for one without a name.</param>
+        public MeshFile(string name, float3[] vertices, int[] indices, MeshFileSurface[] surfaces = null)
         {
             Surfaces = surfaces ?? new[] { new MeshFileSurface(0, null) };
             Name = name;

@@ -107,7 +107,7 @@ namespace Glint.Core
         /// <summary>Refuses sums with a part above its channel's maximum.</summary>
         /// <param name="owner">Who traced, for the message.</param>
         /// <exception cref="GlintException">A part exceeds the maximum.</exception>
-        internal static void CheckOverflow(uint[] words, string owner)
+        public static void CheckOverflow(uint[] words, string owner)
         {
             for (int slot = 0; slot < Slots; slot++)
                 foreach (var channel in s_all)

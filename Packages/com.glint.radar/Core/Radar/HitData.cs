@@ -8,7 +8,7 @@ namespace Glint.Core
     /// a test compares them.
     /// </summary>
     [StructLayout(LayoutKind.Sequential)]
-    struct HitData
+    public struct HitData
     {
         /// <summary>Point of reflection, metres, about the scene's centre.</summary>
         public float3 Position;

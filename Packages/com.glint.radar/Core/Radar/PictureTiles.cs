@@ -55,7 +55,7 @@ namespace Glint.Core
 
         /// <summary>Whether the outline of a box covers any tile; takes none.</summary>
         /// <param name="toWorld">From the box's axes to the world.</param>
-        internal bool CanSee(in Box box, in Affine toWorld) =>
+        public bool CanSee(in Box box, in Affine toWorld) =>
             FindOutline(box.Min, box.Max, toWorld, out var from, out var to) && math.all(from < _end & to >= _first);
 
         /// <summary>Takes every tile.</summary>

@@ -78,9 +78,12 @@ namespace Glint.Core
         static double Facing(in RayPath path) =>
             math.length(path.Hits[0].Direction - math.normalize(path.Hits[0].Position - path.Start)) / 2;
 
-        // Rows from the bottom. The highest bit of a byte of bounces means received; objects are indices into the list
-        // of names, from 1.
-        internal JObject ToJson(Func<int, string> nameOf)
+        /// <summary>
+        /// The pixels for the report, rows from the bottom. The highest bit of a byte of bounces means received; objects
+        /// are indices into the list of names, from 1.
+        /// </summary>
+        /// <param name="nameOf">Name of an object by its number.</param>
+        public JObject ToJson(Func<int, string> nameOf)
         {
             var seen = Objects();
             var positions = new Dictionary<int, byte> { [MeshRange.NoObject] = 0 };

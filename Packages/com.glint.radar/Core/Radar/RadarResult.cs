@@ -15,7 +15,7 @@ namespace Glint.Core
         /// <param name="sums">Complete; the result takes a copy.</param>
         /// <param name="sampling">Null: not estimated.</param>
         /// <param name="rays">In order of their pixel; null: none.</param>
-        /// <param name="statistics">Null: not counted.</param>
+        /// <param name="statistics">Complete; null: not counted.</param>
         public RadarResult(RadarSums sums, SamplingReport? sampling = null, RayData[] rays = null,
             TraceStatistics statistics = null)
         {

@@ -11,8 +11,8 @@ namespace Glint.Core
     [StructLayout(LayoutKind.Sequential)]
     public struct RayData
     {
-        // RAY_RECEIVED in Shaders/Constants.hlsl.
-        internal const uint Received = 0x80000000;
+        /// <summary>Flag of a received ray: RAY_RECEIVED in Shaders/Constants.hlsl.</summary>
+        public const uint Received = 0x80000000;
 
         /// <summary>Last point of reflection, metres; the camera for a ray that hit nothing.</summary>
         public float3 LastHit;

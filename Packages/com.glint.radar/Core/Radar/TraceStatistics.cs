@@ -1,61 +1,54 @@
 namespace Glint.Core
 {
-    /// <summary>Work counts of one pose, which do not depend on the machine, and wall times.</summary>
+    /// <summary>
+    /// Work counts of one pose, which do not depend on the machine, and wall times. Gathering and tracing add to it.
+    /// </summary>
     public sealed class TraceStatistics
     {
         /// <summary>Traced objects with a mesh, and triangles.</summary>
-        public long Objects { get; internal set; }
+        public long Objects { get; set; }
 
         /// <inheritdoc cref="Objects"/>
-        public long Triangles { get; internal set; }
+        public long Triangles { get; set; }
 
         /// <summary>BVHs built because a mesh was new or had changed.</summary>
-        public long BvhsBuilt { get; internal set; }
+        public long BvhsBuilt { get; set; }
 
         /// <summary>Triangles in the BVHs built.</summary>
-        public long TrianglesBuilt { get; internal set; }
+        public long TrianglesBuilt { get; set; }
 
         /// <summary>Bytes written to the device.</summary>
-        public long BytesUploaded { get; internal set; }
+        public long BytesUploaded { get; set; }
 
         /// <summary>Bytes read back from the device.</summary>
-        public long BytesReadBack { get; internal set; }
+        public long BytesReadBack { get; set; }
 
         /// <summary>Bytes of all the radar's buffers on the device.</summary>
-        public long BytesOnDevice { get; internal set; }
+        public long BytesOnDevice { get; set; }
 
         /// <summary>Kernel launches.</summary>
-        public int Dispatches { get; internal set; }
+        public int Dispatches { get; set; }
 
         /// <summary>Tiles of 8 x 8 rays traced.</summary>
-        public long TilesTraced { get; internal set; }
+        public long TilesTraced { get; set; }
 
         /// <summary>Tiles skipped because they cannot see the scene.</summary>
-        public long TilesSkipped { get; internal set; }
+        public long TilesSkipped { get; set; }
 
         /// <summary>Candidates traced again in double-float arithmetic.</summary>
-        public long RaysRefined { get; internal set; }
+        public long RaysRefined { get; set; }
 
         /// <summary>Sub-rays around received rays, for the sampling error.</summary>
-        public long SubRays { get; internal set; }
+        public long SubRays { get; set; }
 
         /// <summary>BVH nodes read; 0 unless the tracer was asked to count.</summary>
-        public long NodesVisited { get; internal set; }
+        public long NodesVisited { get; set; }
 
         /// <summary>Pairs of triangles tested; 0 unless the tracer was asked to count.</summary>
-        public long PairsTested { get; internal set; }
+        public long PairsTested { get; set; }
 
         /// <summary>Wall times.</summary>
-        public Timings Timings { get; internal set; }
-
-        /// <summary>Adds the figures of the gathering.</summary>
-        internal void SetGathered(long objects, double milliseconds)
-        {
-            Objects = objects;
-            var timings = Timings;
-            timings.GatherMs = milliseconds;
-            Timings = timings;
-        }
+        public Timings Timings { get; set; }
     }
 
     /// <summary>Wall time of the phases of one pose, milliseconds.</summary>

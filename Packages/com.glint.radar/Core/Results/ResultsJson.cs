@@ -8,17 +8,25 @@ using Newtonsoft.Json;
 namespace Glint.Core
 {
     /// <summary>Writes results.json. Numbers have the same digits as in results.csv.</summary>
-    sealed class ResultsJson
+    public sealed class ResultsJson
     {
         /// <summary>Version of the form of results.json and results.partial; files that name none have 0.</summary>
         public const int Schema = 1;
 
-        public const string SchemaName = "schema", TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'", ShardName = "shard";
+        /// <summary>Name of the version in the file.</summary>
+        public const string SchemaName = "schema";
+
+        /// <summary>Form of times, in UTC.</summary>
+        public const string TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'";
+
+        /// <summary>Name of the part of a sweep in the file.</summary>
+        public const string ShardName = "shard";
 
         readonly JsonTextWriter _json;
 
         ResultsJson(JsonTextWriter json) => _json = json;
 
+        /// <summary>Writes the file of a run.</summary>
         public static void Write(TextWriter output, RunInfo info, IReadOnlyList<StoredRow> rows)
         {
             using (var json = new JsonTextWriter(output) { Formatting = Formatting.Indented, CloseOutput = false })

@@ -46,11 +46,11 @@ namespace Glint.Core
         }
 
         /// <summary>Whether the output is one of the parts.</summary>
-        internal static bool IsOneOf(IReadOnlyList<string> folders, string output) =>
+        public static bool IsOneOf(IReadOnlyList<string> folders, string output) =>
             folders.Any(folder => FullPathOf(folder) == FullPathOf(output));
 
         /// <summary>Normalised path of a folder; links are not resolved.</summary>
-        internal static string FullPathOf(string folder) => Path.GetFullPath(folder).TrimEnd('/', '\\');
+        public static string FullPathOf(string folder) => Path.GetFullPath(folder).TrimEnd('/', '\\');
 
         static StoredRun Read(string folder)
         {

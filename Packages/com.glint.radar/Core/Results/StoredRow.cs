@@ -14,7 +14,7 @@ namespace Glint.Core
         readonly double?[] _values = new double?[ResultColumn.All.Count];
 
         /// <exception cref="GlintException">A value is NaN or infinite.</exception>
-        internal StoredRow(SweepRow row)
+        public StoredRow(SweepRow row)
         {
             for (int i = 0; i < _values.Length; i++)
                 _values[i] = ResultColumn.All[i].Value(row);
@@ -37,7 +37,7 @@ namespace Glint.Core
         }
 
         /// <summary>A row of which only some columns are known.</summary>
-        internal StoredRow(params (ResultColumn column, double value)[] known)
+        public StoredRow(params (ResultColumn column, double value)[] known)
         {
             foreach (var (column, value) in known)
                 _values[column.Index] = value;

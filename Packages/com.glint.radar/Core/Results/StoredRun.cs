@@ -105,7 +105,8 @@ namespace Glint.Core
         /// </summary>
         public int Strongest() => StrongestOf(Rows);
 
-        internal static int StrongestOf(IReadOnlyList<StoredRow> rows)
+        /// <summary>The row with the largest amplitude, counted from 0; of equals the first; -1 without rows.</summary>
+        public static int StrongestOf(IReadOnlyList<StoredRow> rows)
         {
             int strongest = -1;
             for (int i = 0; i < rows.Count; i++)

@@ -115,10 +115,10 @@ namespace Glint.Core
         public bool NeedsSea { get; private set; }
 
         /// <summary>Reads the values.</summary>
-        internal NumberList List { get; private set; }
+        public NumberList List { get; private set; }
 
         /// <summary>Index in <see cref="All"/>.</summary>
-        internal int Index => ((IList<SweepAxis>)All).IndexOf(this);
+        public int Index => ((IList<SweepAxis>)All).IndexOf(this);
 
         /// <summary>For the field of its list: "Grazing angles, deg".</summary>
         public string ListLabel =>

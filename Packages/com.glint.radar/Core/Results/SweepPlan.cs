@@ -88,7 +88,7 @@ namespace Glint.Core
         /// <summary>
         /// Index of the first pose whose value on an axis differs from that of the first pose; 0 if there is none.
         /// </summary>
-        internal int FirstChange(SweepAxis axis)
+        public int FirstChange(SweepAxis axis)
         {
             if (!Has(axis))
                 return 0;
@@ -101,6 +101,6 @@ namespace Glint.Core
         }
 
         /// <summary>Whether an axis has more than one value.</summary>
-        internal bool Varies(SweepAxis axis) => Has(axis) && Values(axis).Count > 1;
+        public bool Varies(SweepAxis axis) => Has(axis) && Values(axis).Count > 1;
     }
 }

@@ -88,8 +88,8 @@ namespace Glint.Core
     [StructLayout(LayoutKind.Sequential)]
     public struct ReceivedRay
     {
-        // NO_PIXEL in Shaders/Constants.hlsl.
-        internal const uint NoPixel = uint.MaxValue;
+        /// <summary>Pixel of a row without a ray: NO_PIXEL in Shaders/Constants.hlsl.</summary>
+        public const uint NoPixel = uint.MaxValue;
 
         /// <summary>x + y * rays across; x from the left, y from the bottom of the whole picture.</summary>
         public uint Pixel;

@@ -25,12 +25,12 @@ namespace Glint.Core
         public const int SubGrids = SubRays * SubRays;
 
         /// <summary>Minimum received rays for a reliable estimate.</summary>
-        internal const int FewestRays = 16;
+        public const int FewestRays = 16;
 
         /// <summary>
         /// Path difference of neighbours, in wavelengths, from which on they say nothing about the rays between them.
         /// </summary>
-        internal const double StepApart = 0.5;
+        public const double StepApart = 0.5;
 
         /// <summary>
         /// Share of such neighbours, and of rays without neighbours, above which the sum no longer approximates the

@@ -36,7 +36,7 @@ namespace Glint.Core
         public double3 Origin { get; set; }
 
         /// <summary>Whether both have the same meshes at the same places, with the same ranges and surfaces.</summary>
-        internal bool IsSame(RadarScene other) =>
+        public bool IsSame(RadarScene other) =>
             Instances.AsSpan().SequenceEqual(other.Instances) && Surfaces.SequenceEqual(other.Surfaces);
 
         /// <summary>Triangles of all instances.</summary>

@@ -32,7 +32,7 @@ namespace Glint.Core
         /// <summary>
         /// The box around all triangles; empty without triangles. Vertices without a triangle do not count.
         /// </summary>
-        internal Box Bound()
+        public Box Bound()
         {
             var box = Box.Empty;
             foreach (int index in Indices)

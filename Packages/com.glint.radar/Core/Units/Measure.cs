@@ -32,21 +32,21 @@ namespace Glint.Core
         public string Help { get; }
 
         /// <summary>What is allowed.</summary>
-        internal Interval Range { get; }
+        public Interval Range { get; }
 
         /// <summary>Whether it is a whole number.</summary>
-        internal bool IsWhole => _field.FieldType == typeof(int);
+        public bool IsWhole => _field.FieldType == typeof(int);
 
         /// <summary>Name of the field, label and tooltip, as an inspector shows them.</summary>
         public (string field, string label, string tooltip) Row =>
             (_field.Name, Unit.Length == 0 ? Title : $"{Title} ({Unit})", $"{Help} Allowed: {Range}.");
 
         /// <summary>The value among settings.</summary>
-        internal double Of(object settings) =>
+        public double Of(object settings) =>
             Convert.ToDouble(_field.GetValue(settings), CultureInfo.InvariantCulture);
 
         /// <summary>Sets it.</summary>
         /// <param name="value">A double, of a whole number an int.</param>
-        internal void Set(object settings, object value) => _field.SetValue(settings, value);
+        public void Set(object settings, object value) => _field.SetValue(settings, value);
     }
 }

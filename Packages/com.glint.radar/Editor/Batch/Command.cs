@@ -47,12 +47,12 @@ namespace Glint.Editor
         public string UnityMethod { get; internal set; }
 
         /// <summary>Whether it works in a Unity project, on a graphics device.</summary>
-        internal bool NeedsProject { get; set; } = true;
+        public bool NeedsProject { get; set; } = true;
 
         /// <summary>
         /// Does what a command line of it says; returns the exit code. Null where the host does not have the command.
         /// </summary>
-        internal Func<CommandLine, IProgressSink, int> Handler { get; set; }
+        public Func<CommandLine, IProgressSink, int> Handler { get; set; }
 
         /// <summary>Examples: the arguments after "glint", and their effect.</summary>
         public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }

@@ -211,7 +211,7 @@ namespace Glint.Editor
                 Options = SeaOptions.All,
                 Notes = new[] { "Without options it makes the seas that this project stores in Meshes anew: "
                     + "the same numbers give the same files, on any machine." },
-                Handler = SeaAssets.Write,
+                Handler = GeneratedAssets.WriteSea,
                 UnityMethod = "Glint.Editor.Batch.Sea",
                 Examples = new[]
                 {
@@ -229,7 +229,7 @@ namespace Glint.Editor
                 Options = ShipOptions.All,
                 Notes = new[] { "Without options it makes the ship that this project stores in Meshes anew: "
                     + "the same numbers give the same files, on any machine." },
-                Handler = ShipAssets.Write,
+                Handler = GeneratedAssets.WriteShip,
                 UnityMethod = "Glint.Editor.Batch.Ship",
                 Examples = new[]
                 {

@@ -6,15 +6,18 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary>
-    /// <c>glint sea</c>: snapshots of a sea, each a mesh and a prefab with its tiles and its recipe.
-    /// </summary>
-    static class SeaAssets
+    /// <summary>The meshes and prefabs of <c>glint sea</c> and <c>glint ship</c>.</summary>
+    static class GeneratedAssets
     {
-        /// <summary>Writes the sea of a command line, or the stored seas.</summary>
+        const string ShipName = "Ship";
+
+        /// <summary>
+        /// Writes the sea of a command line, or the stored seas: snapshots, each a mesh and a prefab with its tiles and
+        /// its recipe.
+        /// </summary>
         /// <returns>The exit code: 0 done, 130 cancelled.</returns>
         /// <exception cref="GlintException">A setting is out of its range, or a file cannot be written.</exception>
-        public static int Write(CommandLine line, IProgressSink progress)
+        public static int WriteSea(CommandLine line, IProgressSink progress)
         {
             var asked = SeaOptions.Read(line);
             var seas = asked == null
@@ -33,6 +36,30 @@ namespace Glint.Editor
             {
                 progress.Finish();
             }
+            return Batch.Done;
+        }
+
+        /// <summary>
+        /// Writes the ship of a command line, or the stored ship: a mesh and a prefab with its measures.
+        /// </summary>
+        /// <returns>The exit code: 0 done.</returns>
+        /// <exception cref="GlintException">A measure is out of range, or a file cannot be written.</exception>
+        public static int WriteShip(CommandLine line, IProgressSink progress)
+        {
+            var asked = ShipOptions.Read(line);
+            string folder = asked.HasValue
+                ? ProjectAssets.Folder(line.Get(Options.AssetFolder))
+                : ProjectAssets.StoredFolder(ShipName);
+            var settings = asked ?? ShipSettings.Default;
+            var made = ShipModel.Build(settings);
+            var mesh = ProjectAssets.Save(MeshMaker.Make(ShipName, made.Vertices, made.Indices),
+                $"{folder}/{ShipName}.asset");
+            var root = new GameObject(ShipName, typeof(MeshFilter), typeof(MeshRenderer), typeof(Ship));
+            ProjectAssets.Show(root, mesh);
+            root.GetComponent<Ship>().Settings = settings;
+            ProjectAssets.SavePrefab(root, $"{folder}/{ShipName}.prefab");
+            progress.Print(string.Format(CultureInfo.InvariantCulture, "{0}/{1}.prefab: {2} triangles, {3} m long",
+                folder, ShipName, made.TriangleCount, settings.Length));
             return Batch.Done;
         }
 
@@ -60,9 +87,7 @@ namespace Glint.Editor
             var tile = surface.Mesh(time);
             var mesh = ProjectAssets.Save(MeshMaker.Make(name, tile.Vertices, tile.Indices), $"{folder}/{name}.asset");
             var root = new GameObject(name);
-            var snapshot = root.AddComponent<SeaSnapshot>();
-            (snapshot.Tile, snapshot.Settings, snapshot.TimeSeconds, snapshot.WaveHeight) =
-                (mesh, recipe.Settings, time, height);
+            root.AddComponent<SeaSnapshot>().Set(mesh, recipe.Settings, time, height);
             for (int z = 0; z < recipe.Tiles.y; z++)
                 for (int x = 0; x < recipe.Tiles.x; x++)
                     ProjectAssets.AddMesh(root, "Tile",

@@ -47,7 +47,7 @@ namespace Glint.Editor
             _findings.Clear();
             Figures = null;
             CheckRadar();
-            Attempt(() => _ = new TraceKernel(_radar.Kernel, SoftwareDevice.UsesWideKernels, _radar.Subject),
+            Attempt(() => RayTracer.Check(_radar.Kernel, _radar.Subject),
                 () => RadarFixes.AssignKernel(_radar));
             CheckMeshes();
             if (_findings.All(finding => finding.Severity != Severity.Error))

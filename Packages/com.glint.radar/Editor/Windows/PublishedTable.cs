@@ -10,7 +10,7 @@ namespace Glint.Editor
     /// <summary>
     /// The tables of the published experiment, which the package carries as text (Editor/Published/README.md).
     /// </summary>
-    sealed class PublishedTable
+    public sealed class PublishedTable
     {
         /// <summary>Folder of the tables.</summary>
         public const string Folder = "Packages/com.glint.radar/Editor/Published";
@@ -76,8 +76,9 @@ namespace Glint.Editor
     }
 
     /// <summary>A row of a published table.</summary>
-    sealed class PublishedRow
+    public sealed class PublishedRow
     {
+        /// <summary>A row by its values.</summary>
         public PublishedRow(double step, double amplitude, long raysReceived, long raysHit) =>
             (Step, Amplitude, RaysReceived, RaysHit) = (step, amplitude, raysReceived, raysHit);
 
@@ -87,10 +88,13 @@ namespace Glint.Editor
         /// <summary>Linear, of 2,073,600 rays.</summary>
         public double Amplitude { get; }
 
+        /// <summary>Rays received.</summary>
         public long RaysReceived { get; }
 
+        /// <summary>Rays whose first segment hits anything.</summary>
         public long RaysHit { get; }
 
+        /// <summary>Rays received over rays hit; 0 when nothing is hit.</summary>
         public double Ratio => RaysHit > 0 ? (double)RaysReceived / RaysHit : 0;
     }
 }

@@ -193,10 +193,13 @@ namespace Glint
             RadarPose pose;
             using (s_gather.Auto())
                 pose = Gather();
-            double gatherMs = watch.Elapsed.TotalMilliseconds;
+            var statistics = new TraceStatistics
+            {
+                Objects = _gatherer.ObjectCount,
+                Timings = new Timings { GatherMs = watch.Elapsed.TotalMilliseconds }
+            };
             _tracer.CountVisits = CountVisits;
-            var result = _tracer.Trace(pose, readback, progress, cancel);
-            result.Statistics.SetGathered(_gatherer.ObjectCount, gatherMs);
+            var result = _tracer.Trace(pose, readback, progress, cancel, statistics);
             (_traced.Settings, _traced.View, _tracedContent) = (pose.Settings, pose.View, _gatherer.Content());
             Result = result;
             Traced?.Invoke(this);
@@ -282,7 +285,7 @@ namespace Glint
         /// The same by another gatherer, which warns of objects that are not traced. This radar's own gatherer is not
         /// changed.
         /// </summary>
-        internal RadarPose Gather(SceneGatherer gatherer)
+        public RadarPose Gather(SceneGatherer gatherer)
         {
             var pose = Describe();
             if (_roots.Exists(root => root == null))
@@ -323,21 +326,25 @@ namespace Glint
         }
 
         /// <summary>Name in messages.</summary>
-        internal string Subject => $"RadarController of '{name}'";
+        public string Subject => $"RadarController of '{name}'";
 
-        internal string HasNoReceiver =>
+        /// <summary>Message about a radar without receiver.</summary>
+        public string HasNoReceiver =>
             $"{Subject} has no receiver: assign a Transform behind the camera to its field Receiver";
 
-        internal string HasNoCamera => $"'{name}' has a RadarController and no Camera: add one, its position, "
+        /// <summary>Message about a radar without camera.</summary>
+        public string HasNoCamera => $"'{name}' has a RadarController and no Camera: add one, its position, "
             + "rotation and field of view are the radar's";
 
-        internal string HasNoHeight => FormattableString.Invariant(
+        /// <summary>Message about an orthographic camera whose size is not positive.</summary>
+        public string HasNoHeight => FormattableString.Invariant(
             $"the Camera of '{name}' is orthographic and its Size is {GetComponent<Camera>().orthographicSize}: give it half the aperture's height in metres, above 0");
 
-        internal string HasEmptyRoot => $"{Subject}: an entry of Roots is empty: assign an object or remove the entry";
+        /// <summary>Message about an empty entry of Roots.</summary>
+        public string HasEmptyRoot => $"{Subject}: an entry of Roots is empty: assign an object or remove the entry";
 
         /// <summary>Whether the aperture is fitted for each pose.</summary>
-        internal bool IsFitted => _fitAperture && GetComponent<Camera>().orthographic;
+        public bool IsFitted => _fitAperture && GetComponent<Camera>().orthographic;
 
         RadarPose GatherForTracer()
         {

@@ -76,7 +76,7 @@ namespace Glint
         /// Whether the scene or the radar has changed since the pose, or the radar was released: no rays are drawn
         /// until the next pose.
         /// </summary>
-        internal bool IsOutdated { get; private set; }
+        public bool IsOutdated { get; private set; }
 
         /// <summary>
         /// The lines drawn, two vertices each, relative to a point near their centre; null before the first pose.

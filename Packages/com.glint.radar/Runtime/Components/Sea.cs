@@ -115,14 +115,14 @@ namespace Glint
         }
 
         /// <summary>Material of the tiles. Call <see cref="Rebuild"/> after a change.</summary>
-        internal Material Material { set => _material = value; }
+        public Material Material { set => _material = value; }
 
         /// <summary>The snapshot shown; null if there is none of that number.</summary>
-        internal SeaSnapshot CurrentSnapshot =>
+        public SeaSnapshot CurrentSnapshot =>
             _snapshot >= 1 && _snapshot <= _snapshots.Count ? _snapshots[_snapshot - 1] : null;
 
         /// <summary>Number of visible tiles.</summary>
-        internal int TileCount => _tiles.Shown;
+        public int TileCount => _tiles.Shown;
 
         string Subject => $"Sea of '{name}'";
 
@@ -142,7 +142,7 @@ namespace Glint
         /// <exception cref="GlintException">
         /// A setting of the waves is out of its range, a snapshot is missing, or the motion does not fit.
         /// </exception>
-        internal void Check()
+        public void Check()
         {
             if (_motion == SeaMotion.Waves && _snapshots.Count > 0)
                 throw new GlintException($"{Subject}: its motion is Waves and it has snapshots, which stand still: "
@@ -155,7 +155,7 @@ namespace Glint
 
         /// <summary>Refuses a number without snapshot.</summary>
         /// <exception cref="GlintException">There is no such snapshot.</exception>
-        internal void CheckSnapshot(int number)
+        public void CheckSnapshot(int number)
         {
             if (_snapshots.Count == 0)
                 throw new GlintException($"{Subject} has no snapshots: "

@@ -25,15 +25,21 @@ namespace Glint
         double _waveHeight;
 
         /// <summary>The tile, periodic over its width.</summary>
-        public Mesh Tile { get => _tile; internal set => _tile = value; }
+        public Mesh Tile => _tile;
 
         /// <summary>Settings of the tile.</summary>
-        public SeaSettings Settings { get => _settings; internal set => _settings = value; }
+        public SeaSettings Settings => _settings;
 
         /// <summary>Time of the sea, seconds.</summary>
-        public double TimeSeconds { get => _timeSeconds; internal set => _timeSeconds = value; }
+        public double TimeSeconds => _timeSeconds;
 
         /// <summary>Significant wave height of this moment, metres.</summary>
-        public double WaveHeight { get => _waveHeight; internal set => _waveHeight = value; }
+        public double WaveHeight => _waveHeight;
+
+        /// <summary>Describes the mesh of a tile.</summary>
+        /// <param name="timeSeconds">Time of the sea, seconds.</param>
+        /// <param name="waveHeight">Significant wave height of this moment, metres.</param>
+        public void Set(Mesh tile, SeaSettings settings, double timeSeconds, double waveHeight) =>
+            (_tile, _settings, _timeSeconds, _waveHeight) = (tile, settings, timeSeconds, waveHeight);
     }
 }

@@ -7,7 +7,7 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>The tiles of a sea: adjacent objects with one mesh.</summary>
-    sealed class SeaTiles
+    public sealed class SeaTiles
     {
         const int MaxTiles = 100_000;
 

@@ -13,6 +13,6 @@ namespace Glint
         ShipSettings _settings = ShipSettings.Default;
 
         /// <summary>The measures of the mesh.</summary>
-        public ShipSettings Settings { get => _settings; internal set => _settings = value; }
+        public ShipSettings Settings { get => _settings; set => _settings = value; }
     }
 }

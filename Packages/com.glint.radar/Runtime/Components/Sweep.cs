@@ -85,7 +85,7 @@ namespace Glint
         public bool IsRunning => _run != null;
 
         /// <summary>Name for messages of searches for a radar or a sea.</summary>
-        internal string Searcher => $"scene of Sweep '{name}'";
+        public string Searcher => $"scene of Sweep '{name}'";
 
         // In the order of SweepAxis.All.
         string ListOf(SweepAxis axis) =>
@@ -97,7 +97,7 @@ namespace Glint
         /// <exception cref="GlintException">
         /// There is nothing to sweep, a list is malformed, or there are too many poses.
         /// </exception>
-        internal SweepPlan Plan()
+        public SweepPlan Plan()
         {
             bool hasOthers = SweepAxis.All.Any(axis => axis != SweepAxis.Angle && IsGiven(axis));
             if (_target == null && (IsGiven(SweepAxis.Grazing) || IsGiven(SweepAxis.Range)))
@@ -114,7 +114,7 @@ namespace Glint
 
         /// <summary>The sea whose snapshots are swept; null if none are.</summary>
         /// <exception cref="GlintException">The scene has no sea, or several.</exception>
-        internal Sea FindSea() => IsGiven(SweepAxis.Snapshot) ? SceneSearch.FindSea(Searcher) : null;
+        public Sea FindSea() => IsGiven(SweepAxis.Snapshot) ? SceneSearch.FindSea(Searcher) : null;
 
         void Start() => Attempt(Begin);
 

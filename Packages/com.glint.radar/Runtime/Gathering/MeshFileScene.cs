@@ -60,7 +60,7 @@ namespace Glint
         /// <summary>
         /// A receiver below a camera, as in the published experiment; that of parallel rays is in the aperture.
         /// </summary>
-        internal static Transform MakeReceiver(Transform camera, bool isParallel) =>
+        public static Transform MakeReceiver(Transform camera, bool isParallel) =>
             MakeChild("Receiver", camera, isParallel ? 0 : -ReceiverBehindCamera);
 
         static Transform MakeChild(string name, Transform parent, float z)
@@ -75,7 +75,7 @@ namespace Glint
         /// The mesh as an object of the active scene, at the origin, with a <see cref="RadarSurface"/> for each
         /// material that the file names.
         /// </summary>
-        internal static Transform MakeObject(MeshFile file)
+        public static Transform MakeObject(MeshFile file)
         {
             var made = new GameObject(file.Name);
             made.AddComponent<MeshFilter>().sharedMesh = MeshMaker.Make(file);

@@ -6,7 +6,7 @@ using UnityEngine.Rendering;
 namespace Glint
 {
     /// <summary>Makes Unity meshes from triangles.</summary>
-    static class MeshMaker
+    public static class MeshMaker
     {
         const int Max16BitVertices = 65535;
 

@@ -18,7 +18,7 @@ namespace Glint
     /// if <see cref="ExpectMotion"/> announced it. Objects whose mesh changes, or is used many times, are instances of
     /// their mesh. Vertices are rounded to float32 relative to such a frame, never to the scene; frames are in double.
     /// </remarks>
-    sealed class SceneGatherer
+    public sealed class SceneGatherer
     {
         /// <summary>
         /// Maximum triangles of all copies of a mesh for merging; above it the objects are instances.

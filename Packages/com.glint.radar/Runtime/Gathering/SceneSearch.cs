@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 namespace Glint
 {
     /// <summary>Finds the only component of a kind in the scene.</summary>
-    static class SceneSearch
+    public static class SceneSearch
     {
         /// <summary>The only enabled radar of the loaded scenes.</summary>
         /// <param name="searcher">Name of the caller, for the message.</param>

@@ -9,7 +9,7 @@ namespace Glint
     /// The renderers visible to a radar: enabled, of active objects on its layers and below its roots, of LOD 0, and
     /// not below its receiver.
     /// </summary>
-    sealed class VisibleRenderers
+    public sealed class VisibleRenderers
     {
         readonly HierarchyWalk _walk = new HierarchyWalk();
 

@@ -11,7 +11,7 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>Describes a run for results.json, and chooses its folder.</summary>
-    static class RunDescription
+    public static class RunDescription
     {
         /// <summary>Results/<paramref name="name"/> beside the project's Assets.</summary>
         public static string DefaultFolder(string name) => InProject(Path.Combine("Results", name));
@@ -19,6 +19,8 @@ namespace Glint
         /// <summary>Resolves a path relative to the folder that holds Assets.</summary>
         public static string InProject(string path) => Path.Combine(Path.GetDirectoryName(Application.dataPath), path);
 
+        /// <summary>The description of a run; its scene is gathered.</summary>
+        /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>
         public static RunInfo Of(SweepSetup setup)
         {
             var pose = setup.Radar.Gather();

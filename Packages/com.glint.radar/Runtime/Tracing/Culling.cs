@@ -7,8 +7,9 @@ namespace Glint
     /// Shaders/Constants.hlsl.
     /// </summary>
     [Flags]
-    enum Culling
+    public enum Culling
     {
+        /// <summary>All work is done.</summary>
         None = 0,
 
         /// <summary>Traversal ends at the receiver.</summary>
@@ -25,6 +26,7 @@ namespace Glint
         /// </summary>
         EntryPoints = 8,
 
+        /// <summary>All that is skipped in a pose.</summary>
         All = Reach | LastSegment | Tiles | EntryPoints,
     }
 }

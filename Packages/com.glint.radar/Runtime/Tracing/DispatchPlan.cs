@@ -14,7 +14,7 @@ namespace Glint
     /// watchdog (<see cref="DispatchPacer"/>), buffer sizes, and thread groups along an axis. It also estimates the
     /// memory of a pose before its trace.
     /// </summary>
-    sealed class DispatchPlan
+    public sealed class DispatchPlan
     {
         /// <summary>
         /// Maximum rays of a refine dispatch: a millisecond on a GPU, where a launch lasts as long as its longest ray;
@@ -42,7 +42,7 @@ namespace Glint
         /// <param name="tiles">Tiles to trace.</param>
         /// <param name="usesEntryPoints">Whether the scene has few enough instances for entry points.</param>
         /// <param name="tilesADispatch">Tiles of a slice in tests; 0: those of the pacer.</param>
-        public DispatchPlan(in RadarSettings settings, RayReadback readback, int tiles, bool usesEntryPoints,
+        internal DispatchPlan(in RadarSettings settings, RayReadback readback, int tiles, bool usesEntryPoints,
             DispatchPacer pacer, int tilesADispatch)
         {
             _settings = settings;

@@ -54,6 +54,11 @@ namespace Glint
             _paths = new PathPass(_kernel, _scene);
         }
 
+        /// <summary>Refuses a shader or device that cannot trace.</summary>
+        /// <inheritdoc cref="RayTracer(ComputeShader, string)"/>
+        public static void Check(ComputeShader shader, string owner) =>
+            _ = new TraceKernel(shader, SoftwareDevice.UsesWideKernels, owner);
+
         /// <summary>
         /// Counts the nodes visited and pairs tested: <see cref="TraceStatistics"/>. Slower, as every segment starts at
         /// the root of an instance BVH; for benchmarks.
@@ -67,22 +72,24 @@ namespace Glint
         internal int PageCount => _scene.Pages.Count;
 
         /// <summary>Enabled culling: all, except in tests.</summary>
-        internal Culling Culling { get; set; } = Culling.All;
+        public Culling Culling { get; set; } = Culling.All;
 
         /// <summary>Traces one pose: builds missing BVHs, traces slice by slice, and sums received rays.</summary>
         /// <param name="readback">Rays that the result carries.</param>
         /// <param name="progress">Receives the fraction done, 0 to 1, after each slice.</param>
         /// <param name="cancel">Cancels while BVHs are built, or after the current slice.</param>
+        /// <param name="statistics">Figures of the gathering, to which those of the trace are added.</param>
         /// <exception cref="GlintException">
         /// A setting is out of its range, or the memory does not suffice for the scene or the rays read back.
         /// </exception>
         /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
         public RadarResult Trace(in RadarPose pose, RayReadback readback, IProgress<double> progress = null,
-            CancellationToken cancel = default)
+            CancellationToken cancel = default, TraceStatistics statistics = null)
         {
             Validate(pose);
             DispatchPlan.Check(pose.Settings, readback, _owner);
-            var statistics = new TraceStatistics { Triangles = pose.Scene.TriangleCount };
+            statistics ??= new TraceStatistics();
+            statistics.Triangles = pose.Scene.TriangleCount;
             SetScene(pose.Scene, statistics, cancel);
 
             var watch = Stopwatch.StartNew();
@@ -181,8 +188,9 @@ namespace Glint
             }
             if (_scene.Set(scene, statistics, Build))
                 _pacer.Reset();
-            statistics.Timings =
-                new Timings { BuildMs = buildMs, UploadMs = watch.Elapsed.TotalMilliseconds - buildMs };
+            var timings = statistics.Timings;
+            (timings.BuildMs, timings.UploadMs) = (buildMs, watch.Elapsed.TotalMilliseconds - buildMs);
+            statistics.Timings = timings;
         }
 
         // Uploads the list of tiles to trace.

@@ -4,10 +4,11 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>Software graphics devices, for which wide BVHs are faster than binary ones.</summary>
-    static class SoftwareDevice
+    public static class SoftwareDevice
     {
         static readonly string[] s_names = { "llvmpipe", "SwiftShader", "Microsoft Basic Render" };
 
+        /// <summary>Whether Unity renders on a software device.</summary>
         public static bool IsInUse => Array.Exists(s_names,
             name => SystemInfo.graphicsDeviceName.Contains(name, StringComparison.OrdinalIgnoreCase));
 

@@ -2,7 +2,8 @@ using System;
 
 namespace Glint
 {
-    static class Text
+    /// <summary>Figures in messages.</summary>
+    public static class Text
     {
         /// <summary>"1234 MiB", for messages.</summary>
         public static string Mebibytes(double bytes) => FormattableString.Invariant($"{bytes / 1048576:0.#} MiB");

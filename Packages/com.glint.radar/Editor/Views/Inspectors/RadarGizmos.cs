@@ -1,3 +1,4 @@
+using System;
 using UnityEditor;
 using UnityEngine;
 
@@ -12,7 +13,7 @@ namespace Glint.Editor.Views
         [DrawGizmo(GizmoType.Selected | GizmoType.NonSelected)]
         static void Draw(RadarController radar, GizmoType type)
         {
-            var corners = RadarOutline.Receiver(radar);
+            var corners = ReceiverOutline(radar);
             if (corners.Length == 0
                 || !Selection.Contains(radar.gameObject) && !Selection.Contains(radar.Receiver.gameObject))
                 return;
@@ -20,6 +21,28 @@ namespace Glint.Editor.Views
             Gizmos.DrawLineStrip(corners, true);
             Gizmos.DrawRay((corners[0] + corners[2]) / 2,
                 Vector3.Distance(corners[0], corners[3]) / 2 * radar.Receiver.forward);
+        }
+
+        /// <summary>
+        /// Corners of the receiver in the world, in order, without gathering the scene; empty without a receiver, or if
+        /// its size is that of a fitted aperture.
+        /// </summary>
+        internal static Vector3[] ReceiverOutline(RadarController radar)
+        {
+            if (radar.Receiver == null || !radar.TryGetComponent<Camera>(out var camera))
+                return Array.Empty<Vector3>();
+            var centre = radar.Receiver.position;
+            var size = radar.ReceiverSize;
+            if (camera.orthographic && size == Vector2.zero)
+            {
+                if (radar.FitAperture)
+                    return Array.Empty<Vector3>();
+                size = 2 * camera.orthographicSize * new Vector2((float)radar.Settings.Aspect, 1);
+                centre = camera.transform.position
+                    + Vector3.Project(centre - camera.transform.position, camera.transform.forward);
+            }
+            Vector3 right = size.x / 2 * radar.Receiver.right, up = size.y / 2 * radar.Receiver.up;
+            return new[] { centre - right - up, centre + right - up, centre + right + up, centre - right + up };
         }
     }
 }
