@@ -37,7 +37,11 @@ void CountWork(uint slot)
 #endif
 }
 
-#if defined(GLINT_FIND_ENTRY_POINTS)
+#if defined(GLINT_ARITHMETIC)
+
+#include "Arithmetic.hlsl"
+
+#elif defined(GLINT_FIND_ENTRY_POINTS)
 
 // One thread for each tile and instance.
 [numthreads(GLINT_GROUP, 1, 1)]

@@ -26,6 +26,8 @@ namespace Glint.Tests
 
         public static ComputeShader Channels => Load("Packages/com.glint.tests/EditMode/Shaders/Channels.compute");
 
+        public static ComputeShader FastMath => Load("Packages/com.glint.tests/EditMode/Shaders/FastMath.compute");
+
         public static ComputeShader Shadow => Load("Packages/com.glint.tests/EditMode/Shaders/Shadow.compute");
 
         /// <summary>The tracer's kernels in groups of other sizes.</summary>

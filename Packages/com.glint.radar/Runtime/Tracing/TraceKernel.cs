@@ -35,7 +35,10 @@ namespace Glint
                     + "start Unity without -nographics");
             if (!SystemInfo.supportsComputeShaders)
                 throw new GlintException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) runs no "
-                    + "compute shaders: use Direct3D 11 or 12, Vulkan or Metal");
+                    + "compute shaders: use Vulkan or Direct3D 11 or 12");
+            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3)
+                throw new GlintException($"{SystemInfo.graphicsDeviceName} (OpenGLES3) does not guarantee the rounding "
+                    + "that path lengths need, as OpenGL ES has no 'precise': use Vulkan");
             if (shader == null)
                 throw new GlintException($"{owner} has no kernel: "
                     + "assign Packages/com.glint.radar/Shaders/Trace.compute");
@@ -57,6 +60,7 @@ namespace Glint
                 if (!_shader.IsSupported(kernel))
                     throw new GlintException($"a kernel of compute shader '{_shader.name}' does not run on "
                         + $"{SystemInfo.graphicsDeviceName}: see the shader's import messages");
+            DeviceArithmetic.Check(shader);
         }
 
         /// <summary>Chooses the kernels for a scene; the other methods set and run these.</summary>

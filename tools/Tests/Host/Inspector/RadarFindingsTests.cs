@@ -4,6 +4,7 @@ using Glint.Tests;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Glint.Host.Tests;
 
@@ -34,7 +35,7 @@ public sealed class RadarFindingsTests
     public void RemoveScene()
     {
         AssetImporter.Known.Clear();
-        GraphicsDevice.IsNull = false;
+        GraphicsDevice.Type = GraphicsDeviceType.Vulkan;
         Object.DestroyImmediate(_radar.gameObject);
         Object.DestroyImmediate(_plate);
     }
@@ -42,8 +43,15 @@ public sealed class RadarFindingsTests
     [Test]
     public void Update_WithoutGraphicsDevice_SaysToLeaveOutNographics()
     {
-        GraphicsDevice.IsNull = true;
+        GraphicsDevice.Type = GraphicsDeviceType.Null;
         Assert.That(Findings(), Has.Some.StartsWith("Error: there is no graphics device"));
+    }
+
+    [Test]
+    public void Update_OnOpenGLES_SaysToUseVulkan()
+    {
+        GraphicsDevice.Type = GraphicsDeviceType.OpenGLES3;
+        Assert.That(Findings(), Has.Some.Contains("has no 'precise': use Vulkan"));
     }
 
     [Test]

@@ -7,6 +7,7 @@ using Glint.Editor;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Glint.Host.Tests;
 
@@ -34,7 +35,7 @@ public sealed class BatchTests
     {
         Application.logMessageReceived -= Hear;
         EditorHooks.Exit = System.Environment.Exit;
-        GraphicsDevice.IsNull = false;
+        GraphicsDevice.Type = GraphicsDeviceType.Vulkan;
         Directory.Delete(_folder, true);
     }
 
@@ -98,7 +99,7 @@ public sealed class BatchTests
     [Test]
     public void Sweep_WithoutGraphicsDevice_SaysToLeaveOutNographicsAndWritesNothing()
     {
-        GraphicsDevice.IsNull = true;
+        GraphicsDevice.Type = GraphicsDeviceType.Null;
         string results = Path.Combine(_folder, "results");
         Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector",
             "--angles", "0,45", "--out", results);

@@ -3,6 +3,7 @@ using System.Linq;
 using Glint.Vulkan;
 using NUnit.Framework;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Glint.Host.Tests.Vulkan;
 
@@ -186,7 +187,7 @@ public sealed class ComputeShaderTests
     [Test]
     public void NullDevice_SaysSoAndMakesNothing()
     {
-        GraphicsDevice.IsNull = true;
+        GraphicsDevice.Type = GraphicsDeviceType.Null;
         try
         {
             Assert.That(SystemInfo.graphicsDeviceType, Is.EqualTo(UnityEngine.Rendering.GraphicsDeviceType.Null));
@@ -196,7 +197,7 @@ public sealed class ComputeShaderTests
         }
         finally
         {
-            GraphicsDevice.IsNull = false;
+            GraphicsDevice.Type = GraphicsDeviceType.Vulkan;
         }
     }
 

@@ -1,6 +1,7 @@
 using System.Collections.Concurrent;
 using Glint.Vulkan;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Glint.Host;
 
@@ -12,9 +13,11 @@ public static class GraphicsDevice
     static string _selector;
 
     /// <summary>
-    /// As with Unity's -nographics: there is no device, SystemInfo says so, and nothing can be created.
+    /// What SystemInfo says. Null, as with Unity's -nographics: nothing can be created; all others run on Vulkan.
     /// </summary>
-    public static bool IsNull { get; set; }
+    public static GraphicsDeviceType Type { get; set; } = GraphicsDeviceType.Vulkan;
+
+    public static bool IsNull => Type == GraphicsDeviceType.Null;
 
     /// <summary>
     /// The device that <see cref="Engine.DeviceSelector"/> names; another selector closes it and opens another.

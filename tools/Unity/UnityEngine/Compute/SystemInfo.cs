@@ -23,8 +23,7 @@ public sealed class SystemInfo
 
     public static string deviceName => Environment.MachineName;
 
-    public static GraphicsDeviceType graphicsDeviceType =>
-        GraphicsDevice.IsNull ? GraphicsDeviceType.Null : GraphicsDeviceType.Vulkan;
+    public static GraphicsDeviceType graphicsDeviceType => GraphicsDevice.Type;
 
     public static string graphicsDeviceName => GraphicsDevice.IsNull ? "Null Device" : Device.Name;
 

@@ -1,0 +1,20 @@
+using NUnit.Framework;
+
+namespace Glint.Tests
+{
+    /// <summary>The self-test of the device's arithmetic: it passes here, and finds fast math.</summary>
+    public sealed class DeviceArithmeticTests
+    {
+        [Test]
+        public void Check_OnThisDevice_Passes() =>
+            Assert.That(DeviceArithmetic.FirstWrong(TestKernels.Trace, "Arithmetic"), Is.Null);
+
+        [TestCase("NotPrecise", "TwoSum")]
+        [TestCase("FoldedSums", "TwoSum")]
+        [TestCase("FusedProducts", "TwoProd")]
+        [TestCase("FusedSides", "SideOf")]
+        public void FirstWrong_WithFastMath_NamesTheOperation(string kernel, string operation) =>
+            Assert.That(DeviceArithmetic.FirstWrong(TestKernels.FastMath, kernel),
+                Does.StartWith(operation + " gives "));
+    }
+}

@@ -1,0 +1,69 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Text.RegularExpressions;
+using NUnit.Framework;
+
+namespace Glint.Host.Tests;
+
+/// <summary>What Unity reads of the shaders' sources, and what no compiler here checks.</summary>
+public sealed partial class ShaderSourceTests
+{
+    static readonly string s_root = Project.FindRoot(TestContext.CurrentContext.TestDirectory);
+
+    static IEnumerable<string> Compute => Sources("*.compute");
+
+    static IEnumerable<string> Includes => Sources("*.hlsl");
+
+    /// <summary>Unity compiles every kernel on import.</summary>
+    [Test]
+    public void Package_HasAtMostTenKernelsThatUnityCompiles()
+    {
+        var kernels = Compute.Where(path => path.StartsWith("Packages/") && !path.Contains("~/"))
+            .SelectMany(path => Kernel().Matches(Text(path)));
+        Assert.That(kernels.Count(), Is.InRange(1, 10));
+    }
+
+    /// <summary>Metal ignores "precise" without it. Unity reads it in a .compute file only.</summary>
+    [TestCaseSource(nameof(Compute))]
+    public void Compute_ThatNeedsPreciseArithmetic_DisablesFastMath(string path)
+    {
+        bool isPrecise = WithIncludes(path, new HashSet<string>()).Any(part => Precise().IsMatch(Text(part)));
+        bool wantsFastMath = path.EndsWith("/FastMath.compute");
+        Assert.That(FastMath().IsMatch(Text(path)), Is.EqualTo(isPrecise && !wantsFastMath));
+    }
+
+    /// <summary>Unity ignores its own pragmas in an included file.</summary>
+    [TestCaseSource(nameof(Includes))]
+    public void Include_HasNoPragma(string path) => Assert.That(Text(path), Does.Not.Match(@"(?m)^\s*#\s*pragma\b"));
+
+    static IEnumerable<string> Sources(string pattern) => new[] { "Packages/com.glint.radar/Shaders", "Tests/EditMode" }
+        .SelectMany(folder => Directory.GetFiles(Path.Combine(s_root, folder), pattern, SearchOption.AllDirectories))
+        .Select(path => Path.GetRelativePath(s_root, path)).Order();
+
+    static string Text(string path) => File.ReadAllText(Path.Combine(s_root, path));
+
+    static IEnumerable<string> WithIncludes(string path, HashSet<string> seen)
+    {
+        if (!seen.Add(path))
+            return [];
+        return Include().Matches(Text(path)).Select(match => match.Groups[1].Value)
+            .Select(name => name.StartsWith("Packages/") ? name : Relative(Path.GetDirectoryName(path), name))
+            .SelectMany(name => WithIncludes(name, seen)).Append(path);
+    }
+
+    static string Relative(string folder, string name) =>
+        Path.GetRelativePath(s_root, Path.GetFullPath(Path.Combine(s_root, folder, name)));
+
+    [GeneratedRegex(@"(?m)^#pragma kernel ")]
+    private static partial Regex Kernel();
+
+    [GeneratedRegex(@"(?m)^#pragma disable_fastmath$")]
+    private static partial Regex FastMath();
+
+    [GeneratedRegex(@"(?m)^\s*precise\s")]
+    private static partial Regex Precise();
+
+    [GeneratedRegex("(?m)^#include \"([^\"]+)\"")]
+    private static partial Regex Include();
+}
