@@ -31,10 +31,10 @@ public sealed class HelpPageTests
         Assert.That(Uri.IsWellFormedUriString(url, UriKind.Absolute), url);
         string page = Path.Combine(Project.FindRoot(AppContext.BaseDirectory), "Packages/com.glint.radar/Documentation~",
             Path.GetFileName(new Uri(url).LocalPath));
-        Assert.That(File.ReadAllText(page), Does.Match($@"\b({script.Name}|{Words(script.Name)})\b"));
+        Assert.That(File.ReadAllText(page), Does.Match($@"\b({script.Name}|{Heading(script.Name)})\b"));
     }
 
     // As the inspector's heading has it: RayPaths is Ray Paths.
-    static string Words(string name) => string.Concat(name.Select((letter, index) =>
+    static string Heading(string name) => string.Concat(name.Select((letter, index) =>
         index > 0 && char.IsUpper(letter) ? " " + letter : letter.ToString()));
 }
