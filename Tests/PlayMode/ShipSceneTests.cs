@@ -19,15 +19,15 @@ namespace Glint.Tests
 
         static readonly double[] s_angles = Enumerable.Range(0, 24).Select(step => 15.0 * step).ToArray();
 
-        // The same for every test, traced once.
-        static List<RadarResult> s_freeSpace;
+        // The same for every test of a run, traced once. Not static, which would outlive the run.
+        List<RadarResult> _freeSpace;
 
         [UnityTest]
         public IEnumerator FreeSpace_Hits_AreThePublishedShipsWithin15Percent()
         {
             yield return TraceFreeSpace();
             foreach (var (step, published) in new[] { (BowOn, 125508), (Broadside, 331864), (SternOn, 161522) })
-                Assert.That(s_freeSpace[step].RaysHit, Is.EqualTo(published).Within(15).Percent,
+                Assert.That(_freeSpace[step].RaysHit, Is.EqualTo(published).Within(15).Percent,
                     $"{s_angles[step]} deg");
         }
 
@@ -35,10 +35,10 @@ namespace Glint.Tests
         public IEnumerator FreeSpace_BowAndStern_AreFiveTimesTheMedian()
         {
             yield return TraceFreeSpace();
-            double median = s_freeSpace.Select(result => result.Amplitude).OrderBy(amplitude => amplitude)
+            double median = _freeSpace.Select(result => result.Amplitude).OrderBy(amplitude => amplitude)
                 .Skip(11).Take(2).Average();
-            Assert.That(s_freeSpace[BowOn].Amplitude, Is.GreaterThan(5 * median));
-            Assert.That(s_freeSpace[SternOn].Amplitude, Is.GreaterThan(5 * median));
+            Assert.That(_freeSpace[BowOn].Amplitude, Is.GreaterThan(5 * median));
+            Assert.That(_freeSpace[SternOn].Amplitude, Is.GreaterThan(5 * median));
         }
 
         // The published ship hardly changed on sea state 5. Ours does, and all of it is rays that met the sea:
@@ -51,7 +51,7 @@ namespace Glint.Tests
             var onSea = Trace();
             for (int step = 0; step < onSea.Count; step++)
             {
-                var before = s_freeSpace[step].Rays.ToDictionary(ray => ray.Pixel);
+                var before = _freeSpace[step].Rays.ToDictionary(ray => ray.Pixel);
                 var same = onSea[step].Rays.Where(ray => before.TryGetValue(ray.Pixel, out var other)
                     && System.Math.Abs(ray.RefinedPathLength - other.RefinedPathLength) < 1e-4).ToArray();
                 Assert.That(same.Length, Is.GreaterThanOrEqualTo(0.99 * before.Count),
@@ -59,7 +59,7 @@ namespace Glint.Tests
                 double inPhase = same.Sum(ray => (double)ray.InPhase),
                     quadrature = same.Sum(ray => (double)ray.Quadrature);
                 Assert.That(System.Math.Sqrt(inPhase * inPhase + quadrature * quadrature),
-                    Is.EqualTo(s_freeSpace[step].Amplitude).Within(0.01 * s_freeSpace[step].Amplitude + 0.5),
+                    Is.EqualTo(_freeSpace[step].Amplitude).Within(0.01 * _freeSpace[step].Amplitude + 0.5),
                     $"{s_angles[step]} deg");
                 var added = onSea[step].Rays.Where(ray => !before.ContainsKey(ray.Pixel));
                 Assert.That(added.Count(ray => ray.Bounces == 1), Is.Zero,
@@ -74,16 +74,16 @@ namespace Glint.Tests
             yield return PlayScene.Load("ShipSeaState6");
             var onSea = Trace();
             int more = Enumerable.Range(0, onSea.Count)
-                .Count(step => onSea[step].RaysReceived > s_freeSpace[step].RaysReceived);
+                .Count(step => onSea[step].RaysReceived > _freeSpace[step].RaysReceived);
             Assert.That(more, Is.GreaterThanOrEqualTo(2 * onSea.Count / 3));
         }
 
-        static IEnumerator TraceFreeSpace()
+        IEnumerator TraceFreeSpace()
         {
-            if (s_freeSpace != null)
+            if (_freeSpace != null)
                 yield break;
             yield return PlayScene.Load("ShipFreeSpace");
-            s_freeSpace = Trace();
+            _freeSpace = Trace();
         }
 
         static List<RadarResult> Trace()

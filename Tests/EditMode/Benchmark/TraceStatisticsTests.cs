@@ -29,12 +29,12 @@ namespace Glint.Tests
         static readonly RadarView s_view =
             TestRadar.LookAt(50 * double3(0, sin(radians(10.0)), -cos(radians(10.0))), 0);
 
-        static SeaAndShip s_made;
+        SeaAndShip _made;
 
-        static SeaAndShip Made => s_made ??= new SeaAndShip(1, 35000, 44000);
+        SeaAndShip Made => _made ??= new SeaAndShip(1, 35000, 44000);
 
         [OneTimeTearDown]
-        public void LetGo() => s_made = null;
+        public void LetGo() => _made = null;
 
         static RadarScene Scene(SeaAndShip made, double shipDegrees = 0)
         {

@@ -13,7 +13,7 @@ internal static class ScalarText
 
     /// <summary>The shortest digits that give the same number again.</summary>
     internal static string Of(float value) =>
-        Special(value) ?? value.ToString("R", CultureInfo.InvariantCulture).Replace('E', 'e');
+        Special(value) ?? Digits(value.ToString("R", CultureInfo.InvariantCulture), value);
 
     internal static string Of(double value) =>
         Special(value) ?? value.ToString("R", CultureInfo.InvariantCulture).Replace('E', 'e');
@@ -29,6 +29,12 @@ internal static class ScalarText
             && !text.Contains(": ", StringComparison.Ordinal) && !text.Contains(" #", StringComparison.Ordinal);
         return isPlain ? text : $"'{text.Replace("'", "''", StringComparison.Ordinal)}'";
     }
+
+    // .NET writes a float from 1e9 with an exponent, a double from 1e17: here both begin at 1e17.
+    static string Digits(string shortest, float value) => shortest.Contains("E+") && Math.Abs(value) < 1e17
+        ? decimal.Parse(shortest, NumberStyles.Float, CultureInfo.InvariantCulture)
+            .ToString(CultureInfo.InvariantCulture)
+        : shortest.Replace('E', 'e');
 
     static string Special(double value) =>
         double.IsNaN(value) ? "NaN"

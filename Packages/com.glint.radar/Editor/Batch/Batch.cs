@@ -182,6 +182,8 @@ namespace Glint.Editor
 
         internal static void ExecuteAndExit(Command command, IReadOnlyList<string> processArguments)
         {
+            // Unity would write ten lines of stack trace below each line of progress.
+            Application.SetStackTraceLogType(LogType.Log, StackTraceLogType.None);
             int code = Failed;
             try
             {

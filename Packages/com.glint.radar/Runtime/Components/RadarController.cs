@@ -18,6 +18,7 @@ namespace Glint
     /// <see cref="Trace(IProgress{double}, CancellationToken)"/> is called.
     /// </summary>
     [AddComponentMenu("Glint/Radar Controller")]
+    [HelpPage("editor.md")]
     [RequireComponent(typeof(Camera))]
     [DisallowMultipleComponent]
     public sealed class RadarController : MonoBehaviour
@@ -387,6 +388,10 @@ namespace Glint
             pose.View.Validate(Subject);
             return pose;
         }
+
+        // In the editor, when the component is added or reset. RequireComponent adds the Camera; the kernel is among the
+        // default references of this script.
+        void Reset() => _receiver = transform.Find(MeshFileScene.ReceiverName);
 
         void Start()
         {

@@ -8,6 +8,7 @@ namespace Glint
     /// A <see cref="RadarSurface"/> assigns it to objects.
     /// </summary>
     [CreateAssetMenu(menuName = "Glint/Radar Material")]
+    [HelpPage("editor.md")]
     public sealed class RadarMaterial : ScriptableObject
     {
         /// <summary>The material in scenes and results.</summary>

@@ -7,6 +7,7 @@ namespace Glint
     /// its mesh. Objects without a material are perfect conductors.
     /// </summary>
     [AddComponentMenu("Glint/Radar Surface")]
+    [HelpPage("editor.md")]
     public sealed class RadarSurface : MonoBehaviour
     {
         /// <summary>Value of <see cref="Submesh"/>: the whole object, and those below it.</summary>

@@ -12,6 +12,7 @@ namespace Glint
     /// them, and not if the scene has changed since the pose.
     /// </summary>
     [AddComponentMenu("Glint/Ray Paths")]
+    [HelpPage("editor.md")]
     [RequireComponent(typeof(RadarController))]
     [ExecuteAlways]
     [DisallowMultipleComponent]

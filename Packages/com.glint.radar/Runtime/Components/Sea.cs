@@ -12,6 +12,7 @@ namespace Glint
     /// They are children of this object, made when it is enabled, in edit mode too, and never saved.
     /// </summary>
     [AddComponentMenu("Glint/Sea")]
+    [HelpPage("sea.md")]
     [ExecuteAlways]
     [DisallowMultipleComponent]
     public sealed class Sea : MonoBehaviour

@@ -8,6 +8,7 @@ namespace Glint
     /// <c>glint sea</c> writes such prefabs.
     /// </summary>
     [AddComponentMenu("")]
+    [HelpPage("sea.md")]
     [DisallowMultipleComponent]
     public sealed class SeaSnapshot : MonoBehaviour
     {

@@ -5,6 +5,7 @@ namespace Glint
 {
     /// <summary>Holds the measures of a ship's mesh. <c>glint ship</c> writes both into a prefab.</summary>
     [AddComponentMenu("")]
+    [HelpPage("sea.md")]
     [DisallowMultipleComponent]
     public sealed class Ship : MonoBehaviour
     {

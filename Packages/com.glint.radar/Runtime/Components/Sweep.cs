@@ -10,6 +10,7 @@ namespace Glint
     /// sea's snapshots, one pose a frame, and writes the files of the command. At the end it restores everything.
     /// </summary>
     [AddComponentMenu("Glint/Sweep")]
+    [HelpPage("editor.md")]
     [DisallowMultipleComponent]
     public sealed class Sweep : MonoBehaviour
     {
@@ -115,6 +116,16 @@ namespace Glint
         /// <summary>The sea whose snapshots are swept; null if none are.</summary>
         /// <exception cref="GlintException">The scene has no sea, or several.</exception>
         public Sea FindSea() => IsGiven(SweepAxis.Snapshot) ? SceneSearch.FindSea(Searcher) : null;
+
+        // In the editor, when the component is added or reset. What is not clear stays empty.
+        void Reset()
+        {
+            var radars = Array.FindAll(
+                FindObjectsByType<RadarController>(FindObjectsInactive.Include, FindObjectsSortMode.None),
+                radar => radar.gameObject.scene == gameObject.scene);
+            _radar = radars.Length == 1 ? radars[0] : null;
+            _target = _radar != null && _radar.Roots.Count == 1 ? _radar.Roots[0] : null;
+        }
 
         void Start() => Attempt(Begin);
 

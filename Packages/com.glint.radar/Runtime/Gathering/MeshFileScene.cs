@@ -12,6 +12,8 @@ namespace Glint
         // As in the published experiment.
         const float ReceiverBehindCamera = 0.2f;
 
+        internal const string ReceiverName = "Receiver";
+
         /// <summary>Makes the objects in the active scene.</summary>
         /// <param name="file">Triangles in metres.</param>
         /// <param name="placement">Pose, view and receiver of the radar.</param>
@@ -61,7 +63,7 @@ namespace Glint
         /// A receiver below a camera, as in the published experiment; that of parallel rays is in the aperture.
         /// </summary>
         public static Transform MakeReceiver(Transform camera, bool isParallel) =>
-            MakeChild("Receiver", camera, isParallel ? 0 : -ReceiverBehindCamera);
+            MakeChild(ReceiverName, camera, isParallel ? 0 : -ReceiverBehindCamera);
 
         static Transform MakeChild(string name, Transform parent, float z)
         {

@@ -110,6 +110,16 @@ public sealed class BatchTests
     }
 
     [Test]
+    public void Log_OfACommand_HasStackTracesOfErrorsOnly()
+    {
+        Application.SetStackTraceLogType(LogType.Log, StackTraceLogType.ScriptOnly);
+        Call(Commands.Sweep);
+        Assert.That(Application.GetStackTraceLogType(LogType.Log), Is.EqualTo(StackTraceLogType.None));
+        Assert.That(Application.GetStackTraceLogType(LogType.Error), Is.EqualTo(StackTraceLogType.ScriptOnly));
+        Assert.That(Application.GetStackTraceLogType(LogType.Exception), Is.EqualTo(StackTraceLogType.ScriptOnly));
+    }
+
+    [Test]
     public void Sweep_WithABadOption_EndsUnityWithTwo()
     {
         Call(Commands.Sweep, "Scenes/CornerReflector.unity", "--target", "Corner Reflector", "--angles", "0:45");

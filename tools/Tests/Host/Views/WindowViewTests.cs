@@ -54,6 +54,14 @@ public sealed class WindowViewTests
         _exceptions.Clear();
     }
 
+    // Of 1280 points the inspector takes 320; half of the rest is for the Scene view.
+    [Test]
+    public void Window_OnALaptop_CanBeDockedBesideTheInspector()
+    {
+        Assert.That(_window.minSize.x, Is.LessThanOrEqualTo((1280 - 320) / 2));
+        Assert.That(_window.minSize.y, Is.LessThanOrEqualTo(300));
+    }
+
     [Test]
     public void Window_OfASceneWithOneRadar_HasItAndCanTrace()
     {

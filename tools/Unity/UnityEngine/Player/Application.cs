@@ -10,6 +10,9 @@ namespace UnityEngine;
 /// </summary>
 public class Application
 {
+    static readonly StackTraceLogType[] _stackTraces =
+        Enumerable.Repeat(StackTraceLogType.ScriptOnly, Enum.GetValues<LogType>().Length).ToArray();
+
     public delegate void LogCallback(string condition, string stackTrace, LogType type);
 
     public static event LogCallback logMessageReceived;
@@ -53,6 +56,12 @@ public class Application
         OperatingSystem.IsWindows() ? RuntimePlatform.WindowsEditor
         : OperatingSystem.IsMacOS() ? RuntimePlatform.OSXEditor
         : RuntimePlatform.LinuxEditor;
+
+    public static StackTraceLogType GetStackTraceLogType(LogType logType) => _stackTraces[(int)logType];
+
+    /// <summary>Of no effect on the host's log, which has no stack traces but those of exceptions.</summary>
+    public static void SetStackTraceLogType(LogType logType, StackTraceLogType stackTraceType) =>
+        _stackTraces[(int)logType] = stackTraceType;
 
     public static void Quit() => Quit(0);
 

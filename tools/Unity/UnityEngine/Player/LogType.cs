@@ -9,6 +9,13 @@ public enum LogType
     Exception,
 }
 
+public enum StackTraceLogType
+{
+    None,
+    ScriptOnly,
+    Full,
+}
+
 public enum LogOption
 {
     None,

@@ -52,7 +52,7 @@ namespace Glint.Editor.Views
         void OnEnable()
         {
             titleContent = new GUIContent("Radar");
-            minSize = new Vector2(800, 400);
+            minSize = new Vector2(480, 300); // fits between the inspector and the scene on a laptop
             EditorApplication.update += Tick;
         }
 
