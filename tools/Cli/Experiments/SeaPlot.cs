@@ -7,8 +7,8 @@ using static Glint.Cli.TableText;
 namespace Glint.Cli;
 
 /// <summary>
-/// How many snapshots of each sea return anything, as an SVG picture: a column for each wind and choppiness,
-/// a disc for all seas with as many, its area their number.
+/// Numbers of returning snapshots as an SVG picture. Each wind and choppiness has a column. A disc's area is the
+/// number of seas with the same number of returning snapshots.
 /// </summary>
 sealed class SeaPlot
 {
@@ -24,7 +24,7 @@ sealed class SeaPlot
         _max = max;
     }
 
-    /// <param name="published">Returning snapshots of a sea as published, and of how many.</param>
+    /// <param name="published">Published number of returning snapshots of a sea, and the number of snapshots.</param>
     public static void Write(Stream stream, IReadOnlyList<SeaFamily> families,
         Func<string, (int ReturningSnapshots, int Snapshots)> published)
     {

@@ -6,7 +6,7 @@ using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>What glint verify found out, for people.</summary>
+/// <summary>The text report of glint verify.</summary>
 sealed class VerifyReport(Terminal terminal)
 {
     const int MaxShown = 5;
