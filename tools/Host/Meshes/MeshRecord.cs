@@ -7,7 +7,8 @@ using Glint.Core;
 namespace Glint.Host;
 
 /// <summary>
-/// What a Mesh asset holds, decoded: an array of numbers for each vertex channel, one of indices, and the submeshes.
+/// The decoded content of a Mesh asset: an array of numbers for each vertex channel, one of indices, and the
+/// submeshes.
 /// </summary>
 internal sealed class MeshRecord
 {
@@ -19,7 +20,7 @@ internal sealed class MeshRecord
     readonly float[][] _channels = new float[ChannelCount][];
     readonly int[] _dimensions = new int[ChannelCount];
 
-    /// <exception cref="GlintException">The data do not fit what the file says of them.</exception>
+    /// <exception cref="GlintException">The data contradict the file's own description.</exception>
     internal MeshRecord(ObjectRecord record)
     {
         _record = record;
@@ -46,18 +47,18 @@ internal sealed class MeshRecord
 
     internal IReadOnlyList<SubMeshRecord> SubMeshes { get; }
 
-    /// <summary>m_Center and m_Extent of the mesh, which Unity takes from the file too.</summary>
+    /// <summary>The mesh's m_Center and m_Extent; Unity too reads them from the file.</summary>
     internal FieldMap Box { get; }
 
     int IndexBytes => HasWideIndices ? sizeof(uint) : sizeof(ushort);
 
     /// <summary>
-    /// Components a vertex of a channel: 0 position, 1 normal, 2 tangent, 3 colour,
-    /// 4 to 11 texture coordinates; 0 where absent.
+    /// Number of components of a channel (0 position, 1 normal, 2 tangent, 3 colour, 4 to 11 texture coordinates); 0
+    /// if absent.
     /// </summary>
     internal int Dimension(int channel) => _dimensions[channel];
 
-    /// <summary>All values of a channel, vertex by vertex; null where absent.</summary>
+    /// <summary>All values of a channel, vertex by vertex; null if absent.</summary>
     internal float[] Channel(int channel) => _channels[channel];
 
     void ReadVertices(FieldMap data)
