@@ -6,8 +6,8 @@ using System.Text;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// The declarations of a SPIR-V module: names, decorations, types, constants, variables,
-/// entry point. Instructions are skipped.
+/// The declarations of a SPIR-V module: names, decorations, types, constants, variables, entry point. Instructions are
+/// skipped.
 /// </summary>
 sealed class SpirvModule
 {
@@ -80,7 +80,7 @@ sealed class SpirvModule
     }
 }
 
-/// <summary>A type with its operands as in the SPIR-V specification, the result left out.</summary>
+/// <summary>A type with its operands as in the SPIR-V specification, without the result.</summary>
 sealed record SpirvType(Op Op, uint[] Operands);
 
 readonly record struct SpirvVariable(uint Id, uint PointerType, StorageClass Storage);
