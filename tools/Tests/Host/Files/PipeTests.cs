@@ -8,7 +8,7 @@ using UnityEditor;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What has a name among files and is none must not be waited for.</summary>
+/// <summary>Named pipes and devices are refused without waiting.</summary>
 [Platform("Linux")]
 public sealed class PipeTests
 {

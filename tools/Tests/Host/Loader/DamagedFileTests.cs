@@ -150,7 +150,7 @@ public sealed class DamagedFileTests
         Assert.Throws<GlintException>(() => _ = _project.Project);
     }
 
-    // Whatever happens to a file, it loads or is refused by one line: no other exception, no hang.
+    // Every damaged file loads or is refused in one line: no other exception, no hang.
     [Test, MaxTime(120_000)]
     public void Scene_CutAnywhere_IsRefusedOrLoads()
     {

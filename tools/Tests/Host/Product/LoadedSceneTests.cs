@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What the commands refuse to work with: the message names the scene, the object and the way out.</summary>
+/// <summary>Refusals of the commands. The message names the scene, the object and the way out.</summary>
 public sealed class LoadedSceneTests
 {
     [Test]
@@ -109,7 +109,7 @@ public sealed class LoadedSceneTests
         }
     }
 
-    // A rotation that is none would else count as no rotation, and the target be traced as nobody meant it.
+    // An invalid rotation would otherwise count as no rotation, and the target would be traced in the wrong pose.
     [Test]
     public void Gather_ObjectWithARotationThatIsNone_IsRefusedByName()
     {

@@ -7,12 +7,12 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What Unity asks of a package's manifest, and a compiler with every module at hand does not see.</summary>
+/// <summary>Unity's requirements for a package manifest that a compiler with all modules does not check.</summary>
 public sealed class PackageTests
 {
     static readonly string s_root = Project.FindRoot(ThisFolder());
 
-    // A project has only the modules of the engine that its packages name.
+    // A project has only the engine modules that its packages list.
     [TestCase("Packages/com.glint.radar", "imageconversion", @"\.EncodeToPNG\(")]
     [TestCase("Packages/com.glint.radar", "uielements", @"using UnityEngine\.UIElements;")]
     [TestCase("Packages/com.glint.radar", "imgui", @"\bGUIContent\b")]
@@ -29,7 +29,7 @@ public sealed class PackageTests
             Has.Member("com.unity.modules." + module));
     }
 
-    // Unity compiles every kernel of a package when it imports it, the tracer's in up to ten seconds each.
+    // Unity compiles every kernel of a package on import; each of the tracer's takes up to ten seconds.
     [Test]
     public void Shaders_OfThePackage_HaveAtMostTenKernelsThatUnityCompiles()
     {
@@ -44,7 +44,7 @@ public sealed class PackageTests
     public void SoftwareDevice_InTheHost_IsGivenTheWideKernels() =>
         Assert.That(SoftwareDevice.UsesWideKernels, Is.EqualTo(SoftwareDevice.IsInUse));
 
-    // Of modules that no package names: a script that needs one of them is an error in the editor.
+    // Types of modules that no package lists; a script that uses one does not compile in the editor.
     [TestCase(
         @"\b(JsonUtility|AudioSource|AudioListener|ParticleSystem|Animator|Animation|Rigidbody|Collider|Terrain|UnityWebRequest|ScreenCapture|VideoPlayer|Cloth|Tilemap|WheelCollider)\b")]
     public void Scripts_UseNoModuleThatNoPackageNames(string uses)

@@ -10,7 +10,7 @@ using UnityEngine.SceneManagement;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What the window puts where a user wants it.</summary>
+/// <summary>Files and text exported from the window.</summary>
 public sealed class WindowExportTests
 {
     readonly List<string> _warnings = [];
