@@ -8,9 +8,7 @@ using UnityEditor.SceneManagement;
 
 namespace Glint.Tests
 {
-    /// <summary>
-    /// Assets by path. They are no part of a player build, so these tests run in the editor's play mode.
-    /// </summary>
+    /// <summary>Assets by path. Player builds lack them, so these tests run in the editor's play mode.</summary>
     static class PlayAsset
     {
         public static void LoadScene(string path)

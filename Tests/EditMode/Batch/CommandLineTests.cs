@@ -66,7 +66,7 @@ namespace Glint.Tests
         [Test]
         public void Sweep_InAPartOrResumed_IsTaken()
         {
-            // A switch takes no value: what follows is the input.
+            // A switch takes no value, so the next word is the input.
             var line = Parse(Commands.Sweep, "--resume", "x.obj", "--angles", "0:9:1", "--shard", "2/3");
 
             Assert.That((line.Input, line.Get(Options.Resume), line.Get(Options.Shard)),

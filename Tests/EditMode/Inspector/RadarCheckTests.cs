@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>Each finding in a scene that has it, and after its fix, and after Undo.</summary>
+    /// <summary>Each finding in a scene that has it, after its fix, and after Undo.</summary>
     public sealed class RadarCheckTests : InspectorFixture
     {
         const string Sampled = "for the amplitude to be trusted";
@@ -55,8 +55,8 @@ namespace Glint.Tests
             yield return Case("few rays", test =>
                     test.Change(settings => { (settings.RaysAcross, settings.RaysDown) = (16, 9); return settings; }),
                 "fewer than 16 can hit it");
-            // Turned by 25 degrees: neighbours return 2 * 0.26 m apart,
-            // and their paths differ by that times sin(25 degrees).
+            // Turned by 25 degrees: neighbours return 2 * 0.26 m apart, and their paths differ by that times sin(25
+            // degrees).
             yield return Case("coarse rays", test => test._radar.transform.rotation = Quaternion.Euler(0, 25, 0),
                 "most of whose neighbours' paths differ by 0.5 wavelengths or more");
             yield return Case("coarse parallel rays",

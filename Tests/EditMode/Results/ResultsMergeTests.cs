@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Glint.Tests
 {
-    /// <summary>Parts of a sweep joined: the files of the whole, or one line that says what is wrong.</summary>
+    /// <summary>Merged parts of a sweep: the files of the whole sweep, or one line with the error.</summary>
     public sealed class ResultsMergeTests
     {
         const int Poses = 7;

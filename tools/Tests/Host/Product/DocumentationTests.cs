@@ -47,7 +47,7 @@ public sealed class DocumentationTests
         string sources = string.Concat(new[] { Path.Combine(s_package, "Core"), Path.Combine(s_package, "Runtime"),
             Path.Combine(s_package, "Editor"), Path.Combine(s_root, "tools/Vulkan"), Path.Combine(s_root, "tools/Cli") }
             .SelectMany(folder => Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories))
-            .Select(file => Regex.Replace(File.ReadAllText(file), @"(?<!\\)""\s*\+\s*\$?""", ""))) // joins literals of several lines
+            .Select(file => Regex.Replace(File.ReadAllText(file), @"(?<!\\)""\s*\+\s*\$?""", ""))) // joins literals
             .Replace("\\\"", "\"");
         // Values of constants and options are literal in the pages' text.
         foreach (var (name, value) in new[]
