@@ -25,7 +25,7 @@ choosePose();
 paint();
 showScene();
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
-// The frame after the one in which all is drawn.
+// The frame after the one in which everything is drawn.
 requestAnimationFrame(() => requestAnimationFrame(() => { document.documentElement.dataset.ready = Math.round(performance.now()); }));
 
 function head() {
@@ -62,7 +62,7 @@ function head() {
 function choosePose() {
   const slider = byId('pose');
   slider.max = Math.max(0, poses.rows.length - 1);
-  // A chart of one point says nothing.
+  // A chart of one point is useless.
   byId('sweep').hidden = poses.rows.length < 2;
   byId('left-out').textContent = poses.leftOut;
   slider.addEventListener('input', () => poses.choose(Number(slider.value)));

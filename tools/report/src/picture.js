@@ -1,4 +1,4 @@
-// The radar's view: how often each ray is reflected, or what it meets first, by colour; received rays are striped white.
+// The radar's view: colours give the number of bounces, or the first object hit; received rays are striped white.
 import { byId, bytes, make, number } from './text.js';
 import { ofObject, ofSegment, rgb } from './palette.js';
 
@@ -32,7 +32,7 @@ export class Picture {
 
   nameOf(object) { return object === 0 ? 'nothing' : this.picture.names[object - 1]; }
 
-  // Objects by the number of their pixels.
+  // Objects by their number of pixels.
   largest() { return [...this.seen.keys()].filter(object => object > 0).sort((a, b) => this.seen.get(b) - this.seen.get(a)).slice(0, mostShown); }
 
   colourOf(place, byObject) {

@@ -8,7 +8,7 @@ using UnityEditor;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Named pipes and devices are refused without waiting.</summary>
+/// <summary>Named pipes and devices are refused without blocking.</summary>
 [Platform("Linux")]
 public sealed class PipeTests
 {
