@@ -125,7 +125,7 @@ public sealed class Project : IAssetSource, IAssetStore
     {
         string shown = _files.Shown(assetPath);
         if (!assetPath.EndsWith(SceneExtension, StringComparison.OrdinalIgnoreCase))
-            throw new GlintException($"{shown}: is no scene: give the path of a {SceneExtension} file");
+            throw new GlintException($"{shown}: is not a scene: give the path of a {SceneExtension} file");
         if (Exists(assetPath))
             return;
         List<string> scenes = _files.Guids.Paths.Where(

@@ -28,7 +28,7 @@ sealed class SpirvModule
     internal SpirvModule(ReadOnlySpan<byte> code)
     {
         if (code.Length < HeaderWords * 4 || code.Length % 4 != 0 || MemoryMarshal.Read<uint>(code) != Magic)
-            throw new VulkanException($"a compiled kernel of {code.Length} bytes is no SPIR-V; build the tools again");
+            throw new VulkanException($"a compiled kernel of {code.Length} bytes is not SPIR-V; build the tools again");
         var words = MemoryMarshal.Cast<byte, uint>(code);
         var last = Op.None;
         for (int at = HeaderWords; at < words.Length;)

@@ -40,13 +40,12 @@ namespace Glint.Tests
             yield return Case("layers", test => test._radar.Layers = 1 << 5,
                 "Warning: RadarController of 'Radar' traces nothing: no active object below its Roots");
             yield return Case("aim", test => test._radar.transform.rotation = Quaternion.Euler(0, 130, 0),
-                "Warning: RadarController of 'Radar': nothing that is traced lies in its picture; "
-                    + "the middle of it is 20 m away");
+                "Warning: RadarController of 'Radar': no traced object is in its picture; their centre is 20 m away");
             yield return Case("aim of parallel rays",
                 test => { test.MakeParallel(2); test._radar.transform.rotation = Quaternion.Euler(0, 30, 0); },
                 "nothing that is traced lies in its picture");
             yield return Case("region", test => test.SetRegion(0, 0, 8, 8),
-                "Warning: RadarController of 'Radar': nothing that is traced lies in the region of its picture");
+                "Warning: RadarController of 'Radar': no traced object is in the region of its picture");
             yield return Case("receiver that faces away",
                 test => test._radar.Receiver.localRotation = Quaternion.Euler(0, 180, 0),
                 "comes to its receiver 'Receiver'");

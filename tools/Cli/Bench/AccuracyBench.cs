@@ -106,8 +106,8 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
         [
             ("a pose as it is", Culling.All, scene.View),
             .. each.Select(culling => (WithoutText(culling), Culling.All & ~culling, scene.View)),
-            ("none of these shortcuts", Culling.None, scene.View),
-            ("nothing received, no exact pass", Culling.All, blind),
+            ("without any culling", Culling.None, scene.View),
+            ("nothing received, no refine pass", Culling.All, blind),
         ];
         var results = new RadarResult[cases.Length];
         var times = Array.ConvertAll(cases, index => new Series());
@@ -130,10 +130,10 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
 
     static string WithoutText(Culling culling) => culling switch
     {
-        Culling.Reach => "searching beyond the receiver",
-        Culling.LastSegment => "searching last segments that miss it",
+        Culling.Reach => "traversal past the receiver",
+        Culling.LastSegment => "traversal of last segments that miss the receiver",
         Culling.Tiles => "tracing tiles without objects",
-        Culling.EntryPoints => "starting at the top of the tree",
+        Culling.EntryPoints => "without entry points: from the root of the BVH",
         _ => "without " + culling,
     };
 }

@@ -36,7 +36,7 @@ sealed class MarkedPage(string path, string text)
             return (-1, -1);
         if (begin < 0 || end < begin)
             throw new GlintException($"{path}: of the lines \"{Begin(name).Trim()}\" and \"{End(name).Trim()}\" one is "
-                + "missing, or they are in the wrong order: mend the page, or name another folder");
+                + "missing, or they are in the wrong order: correct the page, or name another folder");
         return (begin + Begin(name).Length, end);
     }
 

@@ -39,10 +39,10 @@ sealed class SeaPlot
 
     void DrawFrame()
     {
-        _svg.Write(Left, 24, $"Snapshots, of {_max}, from which anything returns", "start");
+        _svg.Write(Left, 24, $"Snapshots, of {_max}, that return rays", "start");
         double y = 48;
         _svg.Dot(Left + 8, y - 4, All, false, 6);
-        _svg.Write(Left + 22, y, "so many seeds (line: their mean)", "start");
+        _svg.Write(Left + 22, y, "number of seeds (line: their mean)", "start");
         _svg.Dot(Left + 268, y - 4, Stored, true, 6);
         _svg.Write(Left + 282, y, "the stored seed is among them", "start");
         _svg.Line(Left + 490, y - 4, Left + 514, y - 4, Published, 1.5);

@@ -47,7 +47,7 @@ internal sealed class AssemblyDefinitions
         }
         catch (JsonException error)
         {
-            throw new GlintException($"{shown}:{error.LineNumber + 1}: malformed JSON: mend the line", error);
+            throw new GlintException($"{shown}:{error.LineNumber + 1}: malformed JSON: correct the line", error);
         }
     }
 

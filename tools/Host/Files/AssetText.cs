@@ -21,13 +21,13 @@ internal static class AssetText
     {
         string text = Read(physicalPath, shownPath);
         if (text.Length == 0)
-            throw new GlintException($"{shownPath}: is empty, or a pipe or device and no file: restore the file");
+            throw new GlintException($"{shownPath}: is empty, or a pipe or device instead of a file: restore the file");
         if (text.AsSpan(0, Math.Min(text.Length, ProbeBytes)).Contains('\0'))
             throw new GlintException(
                 $"{shownPath}: is serialized as binary: set Asset Serialization to Force Text (Edit, Project Settings, "
                 + "Editor) and save it again");
         if (!text.StartsWith("%YAML ", StringComparison.Ordinal))
-            throw new GlintException($"{shownPath}: is no Unity YAML file, "
+            throw new GlintException($"{shownPath}: is not a Unity YAML file, "
                 + "it does not begin with '%YAML 1.1': restore the file");
         return text;
     }

@@ -41,8 +41,8 @@ internal sealed class Links : ILinks
         if (reference.IsNone)
             return null;
         Object found = Find(reference, out string problem);
-        problem ??= found is null ? $"{reference}, which is no mesh"
-            : found is not UnityEngine.Mesh ? $"a {found.GetType().Name}, which is no mesh"
+        problem ??= found is null ? $"{reference}, which is not a mesh"
+            : found is not UnityEngine.Mesh ? $"a {found.GetType().Name}, which is not a mesh"
             : null;
         return problem is null ? (Mesh)found : throw holder.Error($"refers to {problem}: restore the file, "
             + "or assign another mesh (an .asset or a built-in one)");

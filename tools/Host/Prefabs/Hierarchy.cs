@@ -72,7 +72,7 @@ internal sealed class Hierarchy
             return null;
         ObjectRecord parent = Require(node.GameObject, father, "a parent");
         return parent.IsTransform && _owners.TryGetValue(parent, out HierarchyNode owner)
-            ? owner : throw node.GameObject.Flaw($"its parent &{father.FileId} is no Transform of an "
+            ? owner : throw node.GameObject.Flaw($"its parent &{father.FileId} is not a Transform of an "
                 + "object: restore the file");
     }
 

@@ -33,7 +33,7 @@ internal sealed partial class ScriptCatalog
         ObjectReference script = record.Fields.Reference("m_Script");
         (Type type, string problem) = script.IsLocal ? (null, "it has no script") : Find(script.Guid);
         if (type is not null && !kind.IsAssignableFrom(type))
-            (type, problem) = (null, $"its script {type.Name} is no {kind.Name}");
+            (type, problem) = (null, $"its script {type.Name} is not a {kind.Name}");
         if (type is null)
             warnings.Add(record,
                 $"{problem}: it is left out, and anything it did is missing: restore its script or remove it");
@@ -51,7 +51,7 @@ internal sealed partial class ScriptCatalog
         guid = _files.Guids.Paths.Where(path => Path.GetFileName(path) == type.Name + ".cs" && _files.Exists(path))
             .Select(_files.Guids.GuidOf).FirstOrDefault(found => Find(found).Type == type)
             ?? throw new UnityException($"the script {type.FullName} is in no file {type.Name}.cs of the project: "
-                + "give the class a file of its own, named as it");
+                + "give the class its own file of that name");
         _guids.Add(type, guid);
         return guid;
     }

@@ -75,7 +75,7 @@ internal sealed class UnityFile
                 CultureInfo.InvariantCulture, out long id) && id != 0)
             return new Header(classId, id, isStripped, content, line);
         ReadOnlySpan<char> shown = header[..Math.Min(header.Length, ShownCharacters)];
-        throw Damaged(line, $"'{shown}' is no header of the form '--- !u!CLASS &ID'");
+        throw Damaged(line, $"'{shown}' is not a header of the form '--- !u!CLASS &ID'");
     }
 
     GlintException Damaged(int line, string what) => new($"{ShownPath}:{line}: damaged: {what}: restore the file");

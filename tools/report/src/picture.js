@@ -17,8 +17,8 @@ export class Picture {
     this.seen = countsOf(this.objects);
     const kinds = [...this.counts.keys()].sort((a, b) => a - b);
     this.received = this.bounces.filter(pixel => pixel >= received).length;
-    const part = picture.width < picture.across || picture.height < picture.down ? `the part of the picture that meets anything, ${number(100 * picture.width / picture.across, 3)} % of its width and ${number(100 * picture.height / picture.down, 3)} % of its height, ` : '';
-    byId('picture-text').textContent = `${poseName}: ${part}${picture.width} x ${picture.height} pixels with a ray each. Colour tells how often the ray is reflected or which object it meets first, brightness how squarely it meets the first surface; white stripes mark rays that reach the receiver.`;
+    const part = picture.width < picture.across || picture.height < picture.down ? `the part of the picture with hits, ${number(100 * picture.width / picture.across, 3)} % of its width and ${number(100 * picture.height / picture.down, 3)} % of its height, ` : '';
+    byId('picture-text').textContent = `${poseName}: ${part}${picture.width} x ${picture.height} pixels with a ray each. Colour shows the number of reflections or the first object hit, brightness the angle of incidence on it; white stripes mark rays that reach the receiver.`;
     this.canvas.setAttribute('aria-label', `The radar's view. ${kinds.map(kind => `${words(kind)}: ${number(100 * this.counts.get(kind) / this.bounces.length, 3)} %`).join(', ')} of the pixels; ${this.received} are received.`);
 
     const filter = byId('picture-filter');

@@ -38,7 +38,7 @@ namespace Glint
                 throw new GlintException(FormattableString.Invariant(
                     $"{subject}: an extent of {extent.x} x {extent.y} m takes {(long)across * along} tiles of {size} m, and {MaxTiles} is the limit: take larger tiles or a smaller extent"));
             Find(parent);
-            // By whole tiles, so that the waves stay in place.
+            // Moved by whole tiles, so that the waves remain in place.
             var whole = new Vector3((float)(size * Math.Round(centre.x / size)), 0,
                 (float)(size * Math.Round(centre.z / size)));
             for (int i = 0; i < across * along; i++)

@@ -68,7 +68,7 @@ public sealed class BrokenSweepTests
             Assert.That(error,
                 Does.Contain("glint: could not run ").And.Contain("the device was lost").And.Contain("--resume"));
             Assert.That(error,
-                Does.Contain($" of {Poses} poses are done and kept; the same command with --resume goes on"));
+                Does.Contain($" of {Poses} poses are done and kept; the same command with --resume continues"));
             AssertKeptAndResumed(error, GraphicsDevice.Close);
         }
         finally

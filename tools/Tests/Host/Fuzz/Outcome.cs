@@ -50,7 +50,7 @@ public readonly partial record struct Outcome(Verdict Verdict, string Text)
     {
         var lines = error.Split('\n', StringSplitOptions.RemoveEmptyEntries);
         if (lines.FirstOrDefault(line => !MessageLine().IsMatch(line)) is not null)
-            return Finding($"a line of its own in messages: {error}");
+            return Finding($"an unexpected line in messages: {error}");
         var failures = lines.Where(line => line.StartsWith("glint: ")).ToArray();
         if (code == 0)
             return failures.Length > 0 ? Finding($"exit code 0 and a failure: {error}") : NotFinite()

@@ -54,8 +54,8 @@ public sealed class DocumentationTests
         {
             ("Options.Resume.Flag", "--resume"),
             ("noun", "radar"), ("remedy", "RadarController (Glint > Radar Controller) to a camera of the scene"),
-            ("StartAnew", "take the same as before, choose another results folder, "
-                + "or leave --resume out to replace what is there")
+            ("StartAnew", "use the same settings, choose another results folder, or leave --resume out to replace "
+                + "the results")
         })
             sources = sources.Replace("{" + name + "}", value);
         var quotes = File.ReadLines(Path.Combine(s_pages, "troubleshooting.md")).Where(line => line.StartsWith("> "))

@@ -39,9 +39,9 @@ public sealed class LoadedSceneTests
     [TestCase("maximum bounces 17", "_maxBounces: 4", "_maxBounces: 17")]
     [TestCase("receiver size -3 x 3 m", "_receiverSize: {x: 3, y: 3}", "_receiverSize: {x: -3, y: 3}")]
     [TestCase("RadarController of 'Radar Camera': the radar stands nowhere: the rotation of 'Radar Camera' is not "
-        + "finite: set it anew", "m_LocalRotation: {x: 0.087155744", "m_LocalRotation: {x: .nan")]
+        + "finite: set it again", "m_LocalRotation: {x: 0.087155744", "m_LocalRotation: {x: .nan")]
     [TestCase("RadarController of 'Radar Camera': its receiver 'Receiver' stands nowhere: "
-        + "the position of 'Receiver' is not finite: set it anew", "y: 0, z: -0.2}", "y: 0, z: -.inf}")]
+        + "the position of 'Receiver' is not finite: set it again", "y: 0, z: -0.2}", "y: 0, z: -.inf}")]
     [TestCase("RadarController of 'Radar Camera' has no kernel", "_kernel: {fileID: 7200000",
         "_kernel: {fileID: 0} # {fileID: 7200000")]
     public void Run_OfASceneWithABadRadar_IsRefusedByName(string message, params string[] replacements)
@@ -78,7 +78,7 @@ public sealed class LoadedSceneTests
             Assert.That(Assert.Throws<GlintException>(() => new AxisDrivers(
                 new SweepSetup(radar, new SweepPlan(new[] { 0.0, 1.0 })) { Target = target })).Message, Is.EqualTo(
                     "the target 'Antenna' of the sweep stands nowhere: the rotation of 'Mast', above it, "
-                    + "is not finite: set it anew"));
+                    + "is not finite: set it again"));
         }
         finally
         {
@@ -100,7 +100,7 @@ public sealed class LoadedSceneTests
         {
             Assert.That(Assert.Throws<GlintException>(() => radar.Gather()).Message, Is.EqualTo(
                 "RadarController of 'Radar': its receiver 'Antenna' stands nowhere: the rotation of 'Mast', above it, "
-                + "is not finite: set it anew"));
+                + "is not finite: set it again"));
         }
         finally
         {
@@ -121,7 +121,7 @@ public sealed class LoadedSceneTests
             var problem =
                 Assert.Throws<GlintException>(() => new SceneGatherer().Gather(~0, new[] { wall.transform }, null));
             Assert.That(problem.Message, Does.Contain("'Wall'")
-                .And.Contain("mend the mesh, or the position, rotation or scale of the object or of one above it"));
+                .And.Contain("correct the mesh, or the position, rotation or scale of the object or of one above it"));
         }
         finally
         {

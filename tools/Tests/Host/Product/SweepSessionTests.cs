@@ -203,7 +203,7 @@ public sealed class SweepSessionTests
         session.Tick();
         session.Cancel();
         Assert.That((_form.FolderText(false), _form.FolderText(true)),
-            Is.EqualTo((_form.FolderPath + " holds a sweep that is not finished: Resume goes on with it, "
+            Is.EqualTo((_form.FolderPath + " holds a sweep that is not finished: Resume continues it, "
                 + "otherwise the first row replaces it.", _form.FolderPath)));
         _form.Resume = true;
         using (var resumed = SweepSession.Sweep(_form))

@@ -4,20 +4,18 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>The device that compute shaders run on, opened when it is first needed.</summary>
+/// <summary>The device of compute shaders, opened on first use.</summary>
 public static class GraphicsDevice
 {
     static readonly ConcurrentQueue<(string Kind, GpuBuffer Buffer)> _leaked = new();
     static VulkanDevice _device;
     static string _selector;
 
-    /// <summary>
-    /// As with Unity's -nographics: there is no device, SystemInfo says so, and nothing can be created.
-    /// </summary>
+    /// <summary>Like Unity's -nographics: SystemInfo reports no device, and nothing can be created.</summary>
     public static bool IsNull { get; set; }
 
     /// <summary>
-    /// The device that <see cref="Engine.DeviceSelector"/> names; another selector closes it and opens another.
+    /// The device that <see cref="Engine.DeviceSelector"/> names; a new selector closes it and opens another.
     /// </summary>
     public static VulkanDevice Current
     {
@@ -45,12 +43,11 @@ public static class GraphicsDevice
     }
 
     /// <summary>
-    /// Keeps a buffer that the garbage collector found, on its own thread,
-    /// for <see cref="CollectLeaks"/> on the main one.
+    /// Stores a buffer found by the garbage collector's thread for <see cref="CollectLeaks"/> on the main one.
     /// </summary>
     internal static void Leak(string kind, GpuBuffer buffer) => _leaked.Enqueue((kind, buffer));
 
-    /// <summary>Warns of buffers that nobody released, as Unity does, and releases them.</summary>
+    /// <summary>Warns of buffers that were not released, as Unity does, and releases them.</summary>
     internal static void CollectLeaks()
     {
         while (_leaked.TryDequeue(out var leak))
