@@ -16,7 +16,7 @@ namespace Glint.Tests
 #if UNITY_EDITOR
             EditorSceneManager.LoadSceneInPlayMode(path, new LoadSceneParameters(LoadSceneMode.Single));
 #else
-            throw new NotSupportedException($"{path} is no part of a player: run these tests in the editor");
+            throw new NotSupportedException($"{path} is not part of a player: run these tests in the editor");
 #endif
         }
 
@@ -26,7 +26,7 @@ namespace Glint.Tests
             var asset = AssetDatabase.LoadAssetAtPath<T>(path);
             return asset != null ? asset : throw new InvalidOperationException($"{path} is missing");
 #else
-            throw new NotSupportedException($"{path} is no part of a player: run these tests in the editor");
+            throw new NotSupportedException($"{path} is not part of a player: run these tests in the editor");
 #endif
         }
 

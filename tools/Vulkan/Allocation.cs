@@ -54,7 +54,7 @@ sealed unsafe class Allocation : IDisposable
             for (int i = 0; i < memoryKinds.Length && type < 0; i++)
                 type = device.Physical.FindMemory(needs.TypeBits, kind = memoryKinds[i]);
             if (type < 0)
-                throw new VulkanException($"could not {reserve}: it has no such memory");
+                throw new VulkanException($"could not {reserve}: it lacks this kind of memory");
 
             var request = new MemoryAllocateInfo
             {

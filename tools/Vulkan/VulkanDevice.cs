@@ -153,7 +153,7 @@ public sealed unsafe class VulkanDevice : IDisposable
             if (bound[i].IsDisposed)
                 throw new VulkanException($"kernel {program.Name}: buffer {name} was disposed");
             if (bound[i].Device != this)
-                throw new VulkanException($"kernel {program.Name}: buffer {name} lies on another device");
+                throw new VulkanException($"kernel {program.Name}: buffer {name} is on another device");
         }
         _ = program.Pipeline;
         if (groupsX > 0 && groupsY > 0 && groupsZ > 0)

@@ -43,14 +43,14 @@ namespace Glint.Tests
                 "Warning: RadarController of 'Radar': no traced object is in its picture; their centre is 20 m away");
             yield return Case("aim of parallel rays",
                 test => { test.MakeParallel(2); test._radar.transform.rotation = Quaternion.Euler(0, 30, 0); },
-                "nothing that is traced lies in its picture");
+                "no traced object is in its picture");
             yield return Case("region", test => test.SetRegion(0, 0, 8, 8),
                 "Warning: RadarController of 'Radar': no traced object is in the region of its picture");
             yield return Case("receiver that faces away",
                 test => test._radar.Receiver.localRotation = Quaternion.Euler(0, 180, 0),
                 "comes to its receiver 'Receiver'");
             yield return Case("small receiver", test => test._radar.ReceiverSize = new Vector2(0.5f, 0.5f),
-                "fewer than the 16 that an amplitude takes");
+                "fewer than the 16 needed for the amplitude");
             yield return Case("few rays", test =>
                     test.Change(settings => { (settings.RaysAcross, settings.RaysDown) = (16, 9); return settings; }),
                 "fewer than 16 can hit it");

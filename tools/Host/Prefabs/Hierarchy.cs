@@ -126,7 +126,7 @@ internal sealed class Hierarchy
             reached++;
             string path = next.Path + next.Node.GameObject.Fields.Text("m_Name");
             if (next.Depth > MaxDepth)
-                throw next.Node.GameObject.Error($"lies more than {MaxDepth} objects deep in the "
+                throw next.Node.GameObject.Error($"is more than {MaxDepth} objects deep in the "
                     + "hierarchy: flatten it");
             next.Node.Transform.Owner = path;
             foreach (ObjectRecord component in next.Node.Components)

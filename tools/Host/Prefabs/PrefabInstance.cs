@@ -119,7 +119,7 @@ internal sealed class PrefabInstance
             return;
         }
         ObjectRecord father = table.Find(parent.FileId)
-            ?? throw new GlintException($"{table.ShownPath}: PrefabInstance &{_id} lies under object &{parent.FileId}, "
+            ?? throw new GlintException($"{table.ShownPath}: PrefabInstance &{_id} is below object &{parent.FileId}, "
                 + "which is not in the file: restore the file");
         // Added as the last child. If it is already listed, its first entry counts.
         YamlNode children = father.Fields.Node.Child("m_Children");

@@ -119,7 +119,7 @@ namespace Glint.Core
                 throw new GlintException($"{subject}: spectrum {(int)Kind} must be "
                     + $"{string.Join(" or ", Enum.GetNames(typeof(SeaSpectrumKind)))}");
             Check(subject, "significant wave height", SignificantWaveHeight, Heights, " m",
-                "for a calm take a flat plate");
+                "use a flat plate for a calm sea");
             Check(subject, "wind speed", WindSpeed, Winds, " m/s", "turn the wind by its direction, not by its sign");
             Check(subject, "wind direction", WindDirectionDegrees, Directions, " deg", "give it as a rotation about Y");
             Check(subject, "choppiness", Choppiness, Choppinesses, "",

@@ -82,7 +82,7 @@ namespace Glint.Core
             if (first == last)
                 return new[] { first };
             if ((last - first) / step >= Limit)
-                throw TooMany("take a larger STEP");
+                throw TooMany("use a larger STEP");
             if (step < SmallestStep)
                 throw new FormatException("STEP must be at least "
                     + SmallestStep.ToString(CultureInfo.InvariantCulture));

@@ -101,7 +101,7 @@ namespace Glint.Editor
                 UnityMethod = "Glint.Editor.Batch.Run",
                 Examples = new[]
                 {
-                    Example("run Scenes/CornerReflector.unity", "Print what the radar of the scene receives."),
+                    Example("run Scenes/CornerReflector.unity", "Print the result of the scene's radar."),
                     Example("run boat.obj --distance 200 --grazing 5 --azimuth 90 --frequency 9.4e9 --out boat",
                         "A boat seen from -X at 9.4 GHz; write the files to boat."),
                     Example("run boat.obj --distance 10000 --grazing 5 --spacing 0.005",

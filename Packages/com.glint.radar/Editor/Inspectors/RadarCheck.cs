@@ -160,7 +160,7 @@ namespace Glint.Editor
         // The conditions by which SamplingEstimate flags a result, as far as the scene's bounds decide them.
         void CheckSampling()
         {
-            string remedy = _radar.IsFitted ? "take a smaller Ray Spacing" : "give it more rays or a narrower view";
+            string remedy = _radar.IsFitted ? "use a smaller Ray Spacing" : "give it more rays or a narrower view";
             if (Figures.MaxRaysHit < SamplingEstimate.FewestRays)
                 Add(Severity.Warning, FormattableString.Invariant(
                     $"{_radar.Subject}: its rays are {Figures.RaySpacing:g3} m apart at the target, which is {Figures.TargetSize:g3} m large: fewer than {SamplingEstimate.FewestRays} can hit it, too few for the amplitude to be trusted: {remedy}"),

@@ -42,7 +42,7 @@ namespace Glint.Editor
         public static Fix ShowRayPaths(RadarController radar) =>
             new Fix("Show Ray Paths", () => Undo.AddComponent<RayPaths>(radar.gameObject));
 
-        public static Fix FitAperture(RadarController radar) => new Fix("Fit the aperture to what is traced",
+        public static Fix FitAperture(RadarController radar) => new Fix("Fit the aperture to the traced objects",
             () => Fix.Change(radar, "Fit the aperture", it => it.FitAperture = true));
 
         public static Fix RemoveEmptyRoots(RadarController radar) => new Fix("Remove empty entries",

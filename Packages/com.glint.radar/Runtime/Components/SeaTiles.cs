@@ -36,7 +36,7 @@ namespace Glint
             int across = Count(extent.x, size, subject), along = Count(extent.y, size, subject);
             if ((long)across * along > MaxTiles)
                 throw new GlintException(FormattableString.Invariant(
-                    $"{subject}: an extent of {extent.x} x {extent.y} m takes {(long)across * along} tiles of {size} m, and {MaxTiles} is the limit: take larger tiles or a smaller extent"));
+                    $"{subject}: an extent of {extent.x} x {extent.y} m takes {(long)across * along} tiles of {size} m, and {MaxTiles} is the limit: use larger tiles or a smaller extent"));
             Find(parent);
             // Moved by whole tiles, so that the waves remain in place.
             var whole = new Vector3((float)(size * Math.Round(centre.x / size)), 0,

@@ -27,7 +27,7 @@ namespace Glint
         {
             for (var at = node; at != null; at = at.parent)
                 if (WhatIsNotFinite(at) is string what)
-                    throw new GlintException($"{subject} stands nowhere: "
+                    throw new GlintException($"{subject} has no valid position: "
                         + $"the {what} of '{at.name}'{(at == node ? "" : ", above it,")} is not finite: set it again");
         }
 

@@ -80,7 +80,7 @@ public sealed class KilledSweepTests
     {
         string[] sweep = ["sweep", Corner, "--angles", "0,1", "--size", "16x9", "--out", At("swept"), "--resume"];
         Run(sweep);
-        Assert.That(Run(sweep), Does.Contain("complete already"));
+        Assert.That(Run(sweep), Does.Contain("already complete"));
         File.WriteAllText(Corner, File.ReadAllText(Corner).Replace("1.4", "1.5"));
         var (code, _, error) = Execute(sweep);
         Assert.That(code, Is.EqualTo(1));

@@ -38,9 +38,10 @@ public sealed class LoadedSceneTests
     [TestCase("rays across -5", "_raysAcross: 1920", "_raysAcross: -5")]
     [TestCase("maximum bounces 17", "_maxBounces: 4", "_maxBounces: 17")]
     [TestCase("receiver size -3 x 3 m", "_receiverSize: {x: 3, y: 3}", "_receiverSize: {x: -3, y: 3}")]
-    [TestCase("RadarController of 'Radar Camera': the radar stands nowhere: the rotation of 'Radar Camera' is not "
+    [TestCase("RadarController of 'Radar Camera': the radar has no valid position: the rotation of 'Radar Camera' is "
+        + "not "
         + "finite: set it again", "m_LocalRotation: {x: 0.087155744", "m_LocalRotation: {x: .nan")]
-    [TestCase("RadarController of 'Radar Camera': its receiver 'Receiver' stands nowhere: "
+    [TestCase("RadarController of 'Radar Camera': its receiver 'Receiver' has no valid position: "
         + "the position of 'Receiver' is not finite: set it again", "y: 0, z: -0.2}", "y: 0, z: -.inf}")]
     [TestCase("RadarController of 'Radar Camera' has no kernel", "_kernel: {fileID: 7200000",
         "_kernel: {fileID: 0} # {fileID: 7200000")]
@@ -77,7 +78,7 @@ public sealed class LoadedSceneTests
         {
             Assert.That(Assert.Throws<GlintException>(() => new AxisDrivers(
                 new SweepSetup(radar, new SweepPlan(new[] { 0.0, 1.0 })) { Target = target })).Message, Is.EqualTo(
-                    "the target 'Antenna' of the sweep stands nowhere: the rotation of 'Mast', above it, "
+                    "the target 'Antenna' of the sweep has no valid position: the rotation of 'Mast', above it, "
                     + "is not finite: set it again"));
         }
         finally
@@ -99,7 +100,8 @@ public sealed class LoadedSceneTests
         try
         {
             Assert.That(Assert.Throws<GlintException>(() => radar.Gather()).Message, Is.EqualTo(
-                "RadarController of 'Radar': its receiver 'Antenna' stands nowhere: the rotation of 'Mast', above it, "
+                "RadarController of 'Radar': its receiver 'Antenna' has no valid position: the rotation of 'Mast', "
+                    + "above it, "
                 + "is not finite: set it again"));
         }
         finally

@@ -217,7 +217,7 @@ public sealed class SweepSessionTests
         string whole = Timeless.Csv(_form.FolderPath);
         using (var again = SweepSession.Sweep(_form))
             Assert.That((again.IsRunning, again.Rows.Count, again.Problem),
-                Is.EqualTo((false, 4, (string)null)), "complete already");
+                Is.EqualTo((false, 4, (string)null)), "already complete");
         _form.Folder = Path.Combine(_folder, "whole");
         Run(_form);
         Assert.That(Timeless.Csv(_form.FolderPath), Is.EqualTo(whole));
