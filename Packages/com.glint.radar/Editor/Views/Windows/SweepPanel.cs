@@ -43,8 +43,7 @@ namespace Glint.Editor.Views
             var buttons = new VisualElement();
             buttons.AddToClassList("glint-buttons");
             buttons.Add(
-                _trace = new Button(trace) { text = "Trace", tooltip = "Traces one pose of the present scene, "
-                    + "without files." });
+                _trace = new Button(trace) { text = "Trace", tooltip = "Traces one pose, without files." });
             buttons.Add(_sweep = new Button(sweep) { text = "Sweep" });
             buttons.Add(_cancel = new Button(cancel)
             {
