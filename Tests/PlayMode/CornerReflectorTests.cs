@@ -35,8 +35,8 @@ namespace Glint.Tests
         [Test]
         public void Scene_ItsGeometry_IsTheRecoveredOne()
         {
-            // The vertex where the inner faces meet, from the turning point (7.871, 7.871, 8.052) m along
-            // axes that lean by 49.132 degrees.
+            // The vertex of the inner faces, relative to the pivot (7.871, 7.871, 8.052) m along axes tilted by 49.132
+            // degrees.
             double lean = math.radians(49.132);
             var vertex = new Vector3(0, (float)(math.sqrt(2.0) * 7.871 * math.sin(lean) - 8.052 * math.cos(lean)),
                 (float)(math.sqrt(2.0) * 7.871 * math.cos(lean) + 8.052 * math.sin(lean)));
@@ -104,7 +104,7 @@ namespace Glint.Tests
             return Product(d => d.x * d.y) / System.Math.Sqrt(Product(d => d.x * d.x) * Product(d => d.y * d.y));
         }
 
-        // The turned coordinates are rounded: millimetres of a wavelength, over the paths of hundreds of rays.
+        // Rounding of the rotated coordinates changes the paths of hundreds of rays by thousandths of a wavelength.
         [TestCase(0, 37, 0)]
         [TestCase(20, 77, -35)]
         [TestCase(-80, 190, 123)]
@@ -134,7 +134,7 @@ namespace Glint.Tests
         [Test]
         public void PhaseHistogram_AtZeroAndAt23Degrees_IsUnevenAndFlat()
         {
-            // At 0 deg returns add up, at 23 deg they cancel: the thesis shows both histograms.
+            // Returns add up at 0 deg and cancel at 23 deg; the thesis shows both histograms.
             var atZero = _radar.Trace().PhaseHistogram;
             _target.rotation = Quaternion.AngleAxis(23, Vector3.up);
             var at23 = _radar.Trace().PhaseHistogram;

@@ -29,7 +29,7 @@ namespace Glint.Tests
             Assert.That(large.Statistics.BytesOnDevice, Is.LessThan(1.1 * small.Statistics.BytesOnDevice));
         }
 
-        // A pose in a tracer of its own: buffers grow with the tiles of a dispatch, which its time decides otherwise.
+        // A pose in a second tracer, since buffers grow with the tiles of a dispatch, which depend on its time.
         static RadarResult Trace(RadarController radar)
         {
             using (var tracer = new RayTracer(radar.Kernel) { TilesADispatch = 4096 })

@@ -8,9 +8,7 @@ using UnityEditor.SceneManagement;
 
 namespace Glint.Tests
 {
-    /// <summary>
-    /// Assets by path. They are no part of a player build, so these tests run in the editor's play mode.
-    /// </summary>
+    /// <summary>Assets by path. Player builds lack them, so these tests run in the editor's play mode.</summary>
     static class PlayAsset
     {
         public static void LoadScene(string path)
@@ -18,7 +16,7 @@ namespace Glint.Tests
 #if UNITY_EDITOR
             EditorSceneManager.LoadSceneInPlayMode(path, new LoadSceneParameters(LoadSceneMode.Single));
 #else
-            throw new NotSupportedException($"{path} is no part of a player: run these tests in the editor");
+            throw new NotSupportedException($"{path} is not part of a player: run these tests in the editor");
 #endif
         }
 
@@ -28,7 +26,7 @@ namespace Glint.Tests
             var asset = AssetDatabase.LoadAssetAtPath<T>(path);
             return asset != null ? asset : throw new InvalidOperationException($"{path} is missing");
 #else
-            throw new NotSupportedException($"{path} is no part of a player: run these tests in the editor");
+            throw new NotSupportedException($"{path} is not part of a player: run these tests in the editor");
 #endif
         }
 

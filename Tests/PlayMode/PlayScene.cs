@@ -4,12 +4,10 @@ using UnityEngine.SceneManagement;
 
 namespace Glint.Tests
 {
-    /// <summary>Plays a scene of com.glint.scenes for a test.</summary>
+    /// <summary>Plays a scene of com.glint.scenes in a test.</summary>
     static class PlayScene
     {
-        /// <summary>
-        /// Loads a scene and waits until every Start has run. Its sweep, if it has one, does not begin.
-        /// </summary>
+        /// <summary>Loads a scene and waits until every Start has run. A sweep in it does not begin.</summary>
         public static IEnumerator Load(string name)
         {
             SceneManager.sceneLoaded += StopSweep;

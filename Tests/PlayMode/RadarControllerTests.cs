@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace Glint.Tests
 {
-    /// <summary>The component: when it traces, what it refuses, what it leaves behind.</summary>
+    /// <summary>The component: when it traces, its refusals, and its cleanup.</summary>
     public sealed class RadarControllerTests
     {
         GameObject _plate;
@@ -29,7 +29,7 @@ namespace Glint.Tests
             _radar.Receiver = new GameObject("Receiver").transform;
             _radar.Receiver.SetParent(camera.transform);
             _radar.Receiver.localPosition = new Vector3(0, 0, -0.2f);
-            _radar.Roots.Add(_plate.transform); // whatever scene an earlier test left
+            _radar.Roots.Add(_plate.transform); // another scene may be left by an earlier test
             _radar.Kernel = PlayAsset.Load<ComputeShader>("Packages/com.glint.radar/Shaders/Trace.compute");
         }
 
@@ -96,7 +96,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_BelowARootMovedBy1000Kilometres_HasTheSameSumsBitForBit()
         {
-            // Three plates at odd angles and an odd radar; the roots turned and scaled.
+            // Three plates at arbitrary angles, and an arbitrary radar pose; the roots are rotated and scaled.
             var root = new GameObject("Root").transform;
             foreach (var angles in new[] { new Vector3(0, 90, 3), new Vector3(88, 1, 0) })
             {
@@ -122,11 +122,11 @@ namespace Glint.Tests
                     Is.EqualTo((near.RaysHit, near.RaysReceived, near.Bounces)));
                 Assert.That(_radar.Gather().View, Is.EqualTo(nearPose.View));
 
-                // What is written out is in the world, where float32 has steps of 1/16 m.
+                // The file has world coordinates, whose float32 step is 1/16 m here.
                 int hit = System.Array.FindIndex(far.Rays, ray => ray.Bounces > 0);
                 double3 position = (double3)near.Rays[hit].LastHit + (float3)root.localPosition;
                 Assert.That(math.distance(far.Rays[hit].LastHit, position), Is.LessThan(0.1));
-                _radar.Release(); // and gathered anew
+                _radar.Release(); // and gathered again
             }
             _plate.transform.SetParent(null);
             _radar.transform.SetParent(null);
@@ -136,7 +136,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_RadarAndTargetApart1000KilometresAway_HasTheSameAmplitude()
         {
-            // No common transform; float32 holds multiples of 1/16 m there.
+            // No common transform; float32 represents multiples of 1/16 m there.
             var near = _radar.Trace();
             Assert.That(near.RaysReceived, Is.GreaterThan(0));
             var away = new Vector3(1000000.0625f, -524288.5f, 250000.125f);
@@ -171,7 +171,7 @@ namespace Glint.Tests
             camera.orthographic = true;
             _radar.transform.position = new Vector3(10, 20, 0);
             (_radar.FitAperture, _radar.RaySpacing, _radar.ReceiverSize) = (true, 0.25, Vector2.zero);
-            // A region of the picture that is fitted: 16 x 16 rays, not 160 x 90.
+            // A region of the fitted picture: 16 x 16 rays, not 160 x 90.
             _radar.Settings = new RadarSettings
             {
                 FrequencyHz = 10e9, RaysAcross = 8, RaysDown = 8, MaxBounces = 4,

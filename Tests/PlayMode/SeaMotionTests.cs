@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Glint.Tests
 {
-    /// <summary>Seas that move while the scene plays.</summary>
+    /// <summary>Seas that move in play mode.</summary>
     public sealed class SeaMotionTests
     {
         Sea _sea;
@@ -42,7 +42,7 @@ namespace Glint.Tests
         public IEnumerator Snapshots_WhilePlaying_AreShownInTurnAndBeginAgain()
         {
             _sea.Motion = SeaMotion.Snapshots;
-            _sea.SecondsPerSnapshot = 1e-3f; // shorter than a frame: the clock alone says which it is
+            _sea.SecondsPerSnapshot = 1e-3f; // shorter than a frame, so that only the clock selects it
             for (int frame = 0; frame < 5; frame++)
             {
                 yield return null;

@@ -9,8 +9,8 @@ using UnityEngine.TestTools;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The ship alone and on the stored seas, all round by 15 degrees:
-    /// what the published experiment found of its ship holds for this one.
+    /// The ship alone and on the stored seas, in steps of 15 degrees. The published findings about its ship hold for
+    /// this one.
     /// </summary>
     [Category("Slow")]
     public sealed class ShipSceneTests
@@ -19,7 +19,7 @@ namespace Glint.Tests
 
         static readonly double[] s_angles = Enumerable.Range(0, 24).Select(step => 15.0 * step).ToArray();
 
-        // The same for every test of a run, traced once. Not static, which would outlive the run.
+        // Traced once for all tests. Not static, which would outlive the run.
         List<RadarResult> _freeSpace;
 
         [UnityTest]
@@ -41,8 +41,8 @@ namespace Glint.Tests
             Assert.That(_freeSpace[SternOn].Amplitude, Is.GreaterThan(5 * median));
         }
 
-        // The published ship hardly changed on sea state 5. Ours does, and all of it is rays that met the sea:
-        // its upright sides and a level sea are dihedrals (experiments.md).
+        // The published ship hardly changed on sea state 5. Ours does, only by rays that met the sea: its vertical
+        // sides and a level sea are dihedrals (experiments.md).
         [UnityTest]
         public IEnumerator SeaState5_RaysOfTheShipAlone_AreThoseOfFreeSpace()
         {

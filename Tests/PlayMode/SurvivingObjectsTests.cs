@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace Glint.Tests
 {
-    /// <summary>Objects that survive loading are in a scene of their own, which is not among the loaded ones.</summary>
+    /// <summary>Objects that survive loading are in a separate scene, which is not among the loaded ones.</summary>
     public sealed class SurvivingObjectsTests
     {
         [UnityTest]

@@ -3,7 +3,7 @@ using System.Threading;
 
 namespace Glint.Cli;
 
-/// <summary>Ctrl-C: the first asks the work to stop, the second ends the process.</summary>
+/// <summary>Handles Ctrl-C: the first stops the work, the second ends the process.</summary>
 sealed class Cancellation : IDisposable
 {
     readonly Terminal _terminal;
@@ -17,7 +17,7 @@ sealed class Cancellation : IDisposable
 
     public bool IsRequested => _source.IsCancellationRequested;
 
-    /// <summary>Cancelled by the first.</summary>
+    /// <summary>Cancelled by the first Ctrl-C.</summary>
     public CancellationToken Token => _source.Token;
 
     public void Dispose()
@@ -28,16 +28,16 @@ sealed class Cancellation : IDisposable
 
     void OnCancel(object sender, ConsoleCancelEventArgs press) => press.Cancel = Press();
 
-    /// <summary>Ctrl-C was pressed; returns whether the process goes on.</summary>
+    /// <summary>Handles Ctrl-C; returns true if the process continues.</summary>
     internal bool Press()
     {
         if (IsRequested)
         {
-            // The bar hid it and will not come to its end.
+            // The progress bar hid the cursor and will not restore it.
             _terminal.Live?.Cursor.Show(true);
             return false;
         }
-        _terminal.Report("stopping; Ctrl-C again ends at once");
+        _terminal.Report("stopping; press Ctrl-C again to end immediately");
         _source.Cancel();
         return true;
     }

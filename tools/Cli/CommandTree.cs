@@ -9,11 +9,12 @@ using System.Linq;
 namespace Glint.Cli;
 
 /// <summary>
-/// The parser: a System.CommandLine tree made from the tables of Glint.Editor, which also validate the values.
+/// The parser: a System.CommandLine tree built from the command tables of Glint.Editor, which also validate the
+/// values.
 /// </summary>
 sealed class CommandTree
 {
-    // The tables' parser sees every value, also surplus ones, so that both hosts refuse them in the same words.
+    // The tables' parser gets every value, surplus ones included, so that both hosts give the same messages.
     static readonly ArgumentArity Any = ArgumentArity.ZeroOrMore;
 
     readonly Terminal _terminal;
@@ -31,14 +32,14 @@ sealed class CommandTree
         _root.Options.OfType<VersionOption>().Single().Action = new Print(_ => Core.GlintVersion.Text + "\n");
     }
 
-    /// <summary>Parses and runs.</summary>
-    /// <param name="arguments">As the process got them.</param>
-    /// <param name="onCommand">Told which command it is before anything of it is checked.</param>
+    /// <summary>Parses the arguments and runs the command.</summary>
+    /// <param name="arguments">The process's arguments.</param>
+    /// <param name="onCommand">Called with the command before its options are checked.</param>
     /// <returns>The exit code.</returns>
-    /// <exception cref="Core.UsageException">The first thing that is wrong.</exception>
+    /// <exception cref="Core.UsageException">The first error of the command line.</exception>
     public int Invoke(string[] arguments, Action<Editor.Command> onCommand)
     {
-        // A command comes first: the library would find one behind a word that it does not know.
+        // The first word is checked here because the library would accept a command after an unknown word.
         if (arguments.Length > 0 && !arguments[0].StartsWith('-')
             && Editor.Commands.All.All(command => command.Name != arguments[0]))
             throw NoCommand(arguments[0]);
@@ -77,21 +78,21 @@ sealed class CommandTree
         var options = new List<KeyValuePair<string, string>>();
         foreach (var result in parsed.CommandResult.Children.OfType<OptionResult>().Where(result => !result.Implicit))
         {
-            // The library takes what follows the "=" of a switch for an argument.
+            // The library parses the text after a switch's "=" as an argument.
             if (command.Options.Any(option => option.IsSwitch && option.Flag == result.Option.Name))
                 options.AddRange(raw.Where(word => word.StartsWith(result.Option.Name + "="))
                     .Select(word => Pair(result.Option.Name, word[(word.IndexOf('=') + 1)..])));
-            // The library takes the next word for the value of "--name=".
+            // The library takes the next word as the value of "--name=".
             if (raw.Contains(result.Option.Name + "="))
                 options.Add(Pair(result.Option.Name, ""));
-            // A word that begins with "--" is a misspelt option and no value; --name=--value is one.
+            // A word that begins with "--" is a misspelt option, not a value; --name=--value is a value.
             options.AddRange(result.Tokens.Select(token => Pair(result.Option.Name,
                 token.Value.StartsWith("--") && raw.Contains(token.Value) ? null : token.Value)));
             options.AddRange(Enumerable.Repeat(Pair(result.Option.Name, null),
                 Math.Max(0, result.IdentifierTokenCount - result.Tokens.Count)));
         }
 
-        // What the tree has no option for arrives as argument; after "--" it is meant as one.
+        // Unknown options are among the arguments. A word after "--" is always an argument.
         var words = parsed.CommandResult.Children.OfType<ArgumentResult>().SelectMany(result => result.Tokens)
             .Select(token => token.Value)
             .Concat(parsed.UnmatchedTokens).ToArray();
@@ -115,12 +116,12 @@ sealed class CommandTree
             + $"{(nearest == null ? "the commands are " + list : $"did you mean {nearest}?")}");
     }
 
-    // With groups and examples, which the library's own help has not.
+    // Help with groups and examples, which the library's own help lacks.
     string Help(ParseResult parsed) => _commands.TryGetValue(parsed.CommandResult.Command, out var command)
         ? HelpText.Of(command, _terminal.Width)
         : HelpText.Overview(_terminal.Width);
 
-    /// <summary>Writes a text, whatever else is on the command line.</summary>
+    /// <summary>Writes a text; the rest of the command line does not matter.</summary>
     sealed class Print(Func<ParseResult, string> text) : SynchronousCommandLineAction
     {
         public override bool ClearsParseErrors => true;

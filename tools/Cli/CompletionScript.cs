@@ -6,7 +6,7 @@ using Glint.Editor;
 namespace Glint.Cli;
 
 /// <summary>
-/// The script with which a shell completes glint's command lines, made from the tables of commands and options.
+/// Shell script that completes glint's command lines, generated from the tables of commands and options.
 /// </summary>
 /// <param name="shell">One of <see cref="Commands.Shells"/>.</param>
 sealed class CompletionScript(string shell)
@@ -31,7 +31,7 @@ sealed class CompletionScript(string shell)
 
     static bool TakesFile(Option option) => option.ValueName.Trim('[', ']') == "FILE";
 
-    // A value of which nothing is known but its form: the shell must not offer files.
+    // A value of a known form but unknown content: the shell must not offer files.
     static bool IsFree(Option option) => !option.IsSwitch && option.ImpliedText == null && option.Choices.Count == 0
         && !TakesFolder(option) && !TakesFile(option);
 
@@ -74,7 +74,7 @@ sealed class CompletionScript(string shell)
         Line("}");
         Line("complete -F _glint glint");
 
-        // One line of a case for the options with the same answer.
+        // One line of a case for the options with the same completion.
         void Cases(Command command, System.Func<Option, bool> which, System.Func<Option, string> answer)
         {
             foreach (var group in command.Options.Where(which).GroupBy(answer))
@@ -172,7 +172,7 @@ sealed class CompletionScript(string shell)
     static string Flags(Command command) =>
         string.Join(' ', command.Options.Select(option => option.Flag).Append("--help"));
 
-    // The first sentence; a full stop inside of a name or number has no blank behind it.
+    // The first sentence. A full stop within a name or number has no space after it.
     static string Sentence(string help) => help.IndexOf(". ") is var end && end > 0 ? help[..(end + 1)] : help;
 
     static string Bracketed(string text) => text.Replace("[", "\\[").Replace("]", "\\]").Replace(":", "\\:");

@@ -5,11 +5,10 @@ using System.Text;
 namespace Glint.Cli;
 
 /// <summary>
-/// A standard stream that may be closed or full: what cannot be written is told to the owner,
-/// in place of the stream's own exceptions.
+/// A standard stream that may be closed or full. Failures go to a callback instead of being thrown by the stream.
 /// </summary>
 /// <param name="inner">The stream.</param>
-/// <param name="onFailure">Told of each failure; may throw.</param>
+/// <param name="onFailure">Called with each failure; may throw.</param>
 sealed class GuardedWriter(TextWriter inner, Action<Exception> onFailure) : TextWriter(inner.FormatProvider)
 {
     public override Encoding Encoding => inner.Encoding;
@@ -20,7 +19,7 @@ sealed class GuardedWriter(TextWriter inner, Action<Exception> onFailure) : Text
 
     public override void Write(string value) => Try(() => inner.Write(value));
 
-    // In one piece: lines of two threads must not mix.
+    // One write a line, so that lines of two threads do not mix.
     public override void WriteLine(string value) => Try(() => inner.WriteLine(value));
 
     public override void Flush() => Try(inner.Flush);

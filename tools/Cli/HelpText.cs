@@ -84,7 +84,7 @@ sealed class HelpText
         Heading("Examples");
         foreach (var example in examples)
         {
-            // Unwrapped: it is there to be copied.
+            // Unwrapped, so that it can be copied.
             _text.Append(' ', Margin).Append("glint ").Append(example.Key).Append('\n');
             Paragraph(3 * Margin, example.Value);
         }
@@ -113,7 +113,7 @@ sealed class HelpText
         }
     }
 
-    // Words up to the width, later lines indented; the first begins at the column where the caller stopped.
+    // Wraps words at the width and indents later lines. The first line begins at the current column.
     void Paragraph(int indent, string text, int position = 0)
     {
         int end = Math.Max(_width - 1, indent + NarrowestText);

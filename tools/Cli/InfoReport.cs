@@ -9,12 +9,12 @@ using Glint.Vulkan;
 
 namespace Glint.Cli;
 
-/// <summary>Writes versions, devices, and the limits of the device that would be used.</summary>
+/// <summary>Writes versions, devices, and the limits of the device in use.</summary>
 sealed class InfoReport(Terminal terminal)
 {
     public int Write(CommandLine line)
     {
-        // Before anything is written: there may be no device, or not the one asked for.
+        // The device is opened before any output, since it may be missing.
         using var used = VulkanDevice.Open(line.Get(Options.Device));
         Columns("", [
             ("Glint", GlintVersion.Text),

@@ -5,10 +5,10 @@ using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;
 
-/// <summary>Figures as JSON text: indented, UTF-8, lines ended as everywhere in the project.</summary>
+/// <summary>Figures as indented JSON text in UTF-8 with the project's line ends.</summary>
 static class JsonText
 {
-    /// <summary>Writes an object and a line's end, and closes the stream.</summary>
+    /// <summary>Writes an object and a line end, and closes the stream.</summary>
     public static void Write(Stream stream, JObject root)
     {
         using var json = new JsonTextWriter(

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Glint.Cli;
 
-/// <summary>Runs the commands: those of the product, and those that only the headless host has.</summary>
+/// <summary>Runs the product's commands and those of the headless host.</summary>
 sealed class Product
 {
     readonly Terminal _terminal;
@@ -32,7 +32,7 @@ sealed class Product
         };
     }
 
-    /// <summary>Does what a command line says, in its Unity project where the command works in one.</summary>
+    /// <summary>Executes a command line, in its Unity project where the command needs one.</summary>
     /// <returns>The exit code.</returns>
     public int Execute(CommandLine line)
     {
@@ -48,7 +48,7 @@ sealed class Product
             : ProgressBar.During(_terminal, cancellation, Work);
         if (cancellation.IsRequested)
             throw new OperationCanceledException();
-        // In one piece when the bars are gone: they would be drawn anew below every line.
+        // Written after the progress bars, which would be redrawn below every line.
         foreach (string text in _report)
             _terminal.Out.WriteLine(text);
         return exitCode;
@@ -60,7 +60,7 @@ sealed class Product
         return exitCode;
     }
 
-    // The log is for messages; results come through the progress sink.
+    // The log carries messages; results come through the progress sink.
     static string Labelled(LogType type, string message) => type switch
     {
         LogType.Log => message,

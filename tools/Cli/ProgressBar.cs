@@ -5,7 +5,7 @@ using Spectre.Console;
 
 namespace Glint.Cli;
 
-/// <summary>Progress for a terminal: a bar with the time left, redrawn below the lines of the result.</summary>
+/// <summary>Progress on a terminal: a bar with the remaining time, redrawn below the result lines.</summary>
 sealed class ProgressBar : IProgressSink
 {
     readonly ProgressContext _bars;
@@ -24,10 +24,10 @@ sealed class ProgressBar : IProgressSink
 
     public CancellationToken Cancel => _cancellation.Token;
 
-    /// <summary>Does the work with a bar on the screen, which goes when it is done.</summary>
+    /// <summary>Runs the work with a progress bar, which is removed at the end.</summary>
     public static int During(Terminal terminal, Cancellation cancellation, Func<IProgressSink, int> work)
     {
-        // On a shared screen a line must move the bar out of its way; a file wants the bare line.
+        // On a shared terminal a result line must go above the bar; a file gets the plain line.
         Action<string> print = terminal.SharesScreen ? line => terminal.Live.WriteLine(line) : terminal.Out.WriteLine;
         return terminal.Live.Progress().AutoClear(true)
             .Columns(new TaskDescriptionColumn(), new ProgressBarColumn(), new PercentageColumn(),

@@ -5,7 +5,7 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>Progress for logs and pipes: a line now and then, also within a long step, and the last.</summary>
+/// <summary>Progress for logs and pipes: a line at intervals, also within a long step, and a last line.</summary>
 sealed class ProgressLines(TextWriter output, TextWriter messages, Cancellation cancellation, TimeProvider clock)
     : IProgressSink
 {

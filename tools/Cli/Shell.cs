@@ -4,7 +4,7 @@ using Glint.Vulkan;
 
 namespace Glint.Cli;
 
-/// <summary>The command as a process: parses, runs, and turns every failure into one line and an exit code.</summary>
+/// <summary>The command as a process: parses, runs, and reports each failure as one line and an exit code.</summary>
 sealed class Shell(Terminal terminal)
 {
     const int Failure = 1, Cancelled = 130;
@@ -43,7 +43,7 @@ sealed class Shell(Terminal terminal)
 
     int Fail(string message, Exception error, int exitCode)
     {
-        // One line, whatever a library put into its message.
+        // Messages of libraries may have several lines.
         terminal.Error.WriteLine("glint: " + string.Join(" ",
             message.Split(['\r', '\n'], StringSplitOptions.RemoveEmptyEntries | StringSplitOptions.TrimEntries)));
         if (IsTracing)

@@ -10,7 +10,8 @@ using static Glint.Cli.TableText;
 namespace Glint.Cli;
 
 /// <summary>
-/// An SVG picture on white: lines, dots and words. Places count from the upper left corner and are rounded to a tenth.
+/// An SVG picture on white: lines, dots and texts. The origin is the upper left corner; coordinates are rounded to
+/// 0.1.
 /// </summary>
 sealed class Svg : IDisposable
 {
@@ -30,7 +31,7 @@ sealed class Svg : IDisposable
         Element("rect", ("width", width), ("height", height), ("fill", "white"));
     }
 
-    /// <summary>Ends the picture; the stream stays open.</summary>
+    /// <summary>Ends the picture; the stream remains open.</summary>
     public void Dispose() => _svg.Dispose();
 
     public void Dot(double x, double y, string colour, bool isHollow, double radius = 4) =>
@@ -44,7 +45,7 @@ sealed class Svg : IDisposable
     public void Polyline(IEnumerable<(double x, double y)> points, string colour) =>
         Element("polyline", ("points", Points(points)), ("fill", "none"), ("stroke", colour), ("stroke-width", 1.5));
 
-    /// <summary>A surface that lets through what is drawn below it.</summary>
+    /// <summary>A translucent area.</summary>
     public void Area(IEnumerable<(double x, double y)> outline, string colour) =>
         Element("polygon", ("points", Points(outline)), ("fill", colour), ("fill-opacity", 0.2));
 
@@ -52,13 +53,13 @@ sealed class Svg : IDisposable
         Element("rect", ("x", Rounded(x)), ("y", Rounded(y)), ("width", Rounded(width)),
             ("height", Rounded(height)), ("fill", colour));
 
-    /// <summary>Rows of pixels, one unit high, in units of a size.</summary>
+    /// <summary>Rows of pixels, one unit high, with sizes in units.</summary>
     public void Pixels(double x, double y, double size, string colour, IEnumerable<(int x, int y, int length)> runs) =>
         Element("path", ("transform", Text($"translate({x:0.#} {y:0.#}) scale({size:0.####})")),
         ("fill", colour), ("shape-rendering", "crispEdges"),
             ("d", string.Concat(runs.Select(run => Text($"M{run.x} {run.y}h{run.length}v1h-{run.length}z")))));
 
-    /// <param name="anchor">Which end of the text is at the place: start, middle or end.</param>
+    /// <param name="anchor">Which end of the text is at the position: start, middle or end.</param>
     public void Write(double x, double y, string text, string anchor, params (string name, object value)[] more)
     {
         _svg.WriteStartElement("text", Namespace);

@@ -5,31 +5,31 @@ using Spectre.Console;
 
 namespace Glint.Cli;
 
-/// <summary>Where the command writes: results to standard output, everything else to the error stream.</summary>
+/// <summary>The command's output streams: results go to standard output, everything else to standard error.</summary>
 sealed class Terminal
 {
     const int StandardWidth = 100, WidestText = 120;
 
     /// <summary>
-    /// Throws a <see cref="GlintException"/> when standard output takes nothing; a reader that went away is no failure.
+    /// Throws a <see cref="GlintException"/> if standard output fails. A reader that closed the pipe is no failure.
     /// </summary>
     public TextWriter Out { get; init; } = Results(Console.Out);
 
-    /// <summary>Never throws: there is no place left to tell of it.</summary>
+    /// <summary>Never throws, since a failure could not be reported.</summary>
     public TextWriter Error { get; init; } = Messages(Console.Error);
 
-    /// <summary>Columns for texts.</summary>
+    /// <summary>Width of texts, in columns.</summary>
     public int Width { get; init; } = WidthOfOutput();
 
     /// <summary>
-    /// The error stream as a terminal that can redraw a line; null when it is a file, a pipe or a plain terminal.
+    /// Standard error as a terminal that can redraw a line; null for a file, a pipe or a plain terminal.
     /// </summary>
     public IAnsiConsole Live { get; init; } = LiveError();
 
-    /// <summary>Whether results go to the same screen as messages.</summary>
+    /// <summary>True if results and messages go to the same terminal.</summary>
     public bool SharesScreen { get; init; } = !Console.IsOutputRedirected;
 
-    /// <summary>Writes a message, above the progress bar when there is one.</summary>
+    /// <summary>Writes a message, above the progress bar if there is one.</summary>
     public void Report(string message)
     {
         if (Live == null)

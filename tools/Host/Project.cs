@@ -9,12 +9,12 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>A Unity project on disk, as the stand-ins ask for its scenes and assets.</summary>
+/// <summary>A Unity project on disk, which provides scenes and assets to the stand-ins.</summary>
 public sealed class Project : IAssetSource, IAssetStore
 {
     const string SceneExtension = ".unity";
 
-    // Unity has no asset of that path, since it ignores folders whose name ends in "~".
+    // Unity has no asset at that path, since it ignores folders whose name ends in "~".
     const string WideShader = "Packages/com.glint.radar/Shaders/Wide~/TraceWide.compute";
 
     const int ShownScenes = 5;
@@ -37,10 +37,10 @@ public sealed class Project : IAssetSource, IAssetStore
 
     public string ProjectRoot => _files.Paths.Root;
 
-    /// <summary>Paths on disk to asset paths and back, as Unity's batch mode maps them too.</summary>
+    /// <summary>Maps paths on disk to asset paths and back, as in Unity's batch mode.</summary>
     public ProjectPaths Paths => _files.Paths;
 
-    /// <summary>Opens the project in a folder; from now on the stand-ins load from it.</summary>
+    /// <summary>Opens the project in a folder; the stand-ins then load from it.</summary>
     /// <exception cref="GlintException">The folder holds no Unity project, or its settings are damaged.</exception>
     public static Project Open(string root)
     {
@@ -55,7 +55,7 @@ public sealed class Project : IAssetSource, IAssetStore
         return project;
     }
 
-    /// <summary>The project that a folder lies in; null when it lies in none.</summary>
+    /// <summary>The project that contains a folder; null if none does.</summary>
     public static string FindRoot(string startFolder) => ProjectPaths.FindRoot(startFolder);
 
     public bool Exists(string assetPath) => _files.Exists(assetPath);
@@ -82,7 +82,7 @@ public sealed class Project : IAssetSource, IAssetStore
 
     public void CreateAsset(Object asset, string path)
     {
-        // As in Unity, a new asset is called as its file.
+        // A new asset gets the name of its file, as in Unity.
         asset.name = Path.GetFileNameWithoutExtension(path);
         _writer.WriteAsset(asset, path);
         _assets.Put(path, asset, AssetWriter.RecordOf(asset, _files.Shown(path)));
@@ -90,7 +90,7 @@ public sealed class Project : IAssetSource, IAssetStore
 
     public void SaveAsset(Object asset)
     {
-        // Nobody's file holds them.
+        // These objects are in no file.
         if (BuiltInAssets.GuidOf(asset.AssetPath) is not null)
             return;
         if (_assets.LostIfWritten(asset) is string lost)
@@ -125,7 +125,7 @@ public sealed class Project : IAssetSource, IAssetStore
     {
         string shown = _files.Shown(assetPath);
         if (!assetPath.EndsWith(SceneExtension, StringComparison.OrdinalIgnoreCase))
-            throw new GlintException($"{shown}: is no scene: give the path of a {SceneExtension} file");
+            throw new GlintException($"{shown}: is not a scene: give the path of a {SceneExtension} file");
         if (Exists(assetPath))
             return;
         List<string> scenes = _files.Guids.Paths.Where(

@@ -4,14 +4,14 @@ using System.Runtime.CompilerServices;
 using Glint.Host;
 using NUnit.Framework;
 
-// Tests that Unity's runner runs too get its set-ups and its rules on logging; the host's own tests are plain NUnit.
+// Tests that also run in Unity's test runner get its set-ups and log rules; the host's own tests are plain NUnit.
 #if UNITY_INCLUDE_TESTS
 [assembly: UnityTestAction]
 #endif
 
 /// <summary>
-/// Compiled into every test assembly, so that the tests need not know where they run:
-/// opens the project that this file belongs to, in play mode for an assembly named so, with an empty scene.
+/// Compiled into every test assembly, so that tests are independent of the host. Opens this file's project with an
+/// empty scene, in play mode for the play-mode assembly.
 /// </summary>
 [SetUpFixture]
 public sealed class Headless
@@ -19,7 +19,7 @@ public sealed class Headless
     [OneTimeSetUp]
     public void Open()
     {
-        // With the test's own output, which is shown for those that fail.
+        // Log messages go to the test's output, which is shown for failed tests.
         LogSink.Writer = (type, message) => Console.Out.WriteLine($"[{type}] {message}");
         Project.Open(Path.GetFullPath(Path.Combine(ThisFolder(), "..", "..")));
         if (typeof(Headless).Assembly.GetName().Name.EndsWith(".PlayMode"))

@@ -2,7 +2,7 @@ using System;
 
 namespace Glint.Vulkan;
 
-/// <summary>A Vulkan buffer with memory of its own, mapped for the host where that is asked for or cheap.</summary>
+/// <summary>A Vulkan buffer with its own memory, mapped for the host on request or where that is cheap.</summary>
 sealed unsafe class Allocation : IDisposable
 {
     readonly VulkanDevice _device;
@@ -10,7 +10,7 @@ sealed unsafe class Allocation : IDisposable
 
     internal ulong Buffer => _buffer;
 
-    /// <summary>Where the host sees the bytes, null when only the device does.</summary>
+    /// <summary>Mapped bytes; null if only the device has access.</summary>
     internal byte* Mapped { get; private set; }
 
     internal long Bytes { get; }
@@ -18,10 +18,9 @@ sealed unsafe class Allocation : IDisposable
     Allocation(VulkanDevice device, long bytes) => (_device, Bytes) = (device, bytes);
 
     /// <summary>
-    /// Memory of the device, which kernels use. Where the device shares the host's cached memory (a CPU,
-    /// an integrated GPU), it is mapped;
-    /// a discrete GPU's window onto its memory is not, since the host reads through it a hundred times
-    /// slower than from a staging buffer.
+    /// Device memory for kernels. It is mapped if the device shares the host's cached memory (a CPU, an integrated
+    /// GPU). A discrete GPU's memory is not mapped, since the host reads it a hundred times slower than a staging
+    /// buffer.
     /// </summary>
     internal static Allocation ForKernels(VulkanDevice device, long bytes, bool map) =>
         Create(device, bytes, "a buffer",
@@ -30,10 +29,7 @@ sealed unsafe class Allocation : IDisposable
                 Native.DeviceLocal, 0] : [Native.DeviceLocal, 0],
             map);
 
-    /// <summary>
-    /// Memory of the host that the device can read and write:
-    /// uniforms, and bytes on their way to and from device memory.
-    /// </summary>
+    /// <summary>Host memory that the device can read and write: uniforms and staging buffers.</summary>
     internal static Allocation ForHost(VulkanDevice device, long bytes, uint usage) =>
         Create(device, bytes, "a staging buffer", usage,
             [Native.HostVisible | Native.HostCoherent | Native.HostCached,
@@ -58,7 +54,7 @@ sealed unsafe class Allocation : IDisposable
             for (int i = 0; i < memoryKinds.Length && type < 0; i++)
                 type = device.Physical.FindMemory(needs.TypeBits, kind = memoryKinds[i]);
             if (type < 0)
-                throw new VulkanException($"could not {reserve}: it has no such memory");
+                throw new VulkanException($"could not {reserve}: it lacks this kind of memory");
 
             var request = new MemoryAllocateInfo
             {
@@ -87,7 +83,7 @@ sealed unsafe class Allocation : IDisposable
     public void Dispose()
     {
         Native.vkDestroyBuffer(_device.Handle, _buffer, null);
-        Native.vkFreeMemory(_device.Handle, _memory, null); // unmaps it as well
+        Native.vkFreeMemory(_device.Handle, _memory, null); // also unmaps it
         _buffer = _memory = 0;
         Mapped = null;
     }

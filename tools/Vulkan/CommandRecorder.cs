@@ -4,9 +4,9 @@ using System.Collections.Generic;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// The commands recorded but not yet run, in order, with a full memory barrier before each. They run as one batch when
-/// somebody waits, or when a batch has <see cref="MaxDispatches"/> dispatches: enough to hide the cost of a submission,
-/// few enough that one batch of short dispatches stays well below a GPU's watchdog.
+/// Commands that are recorded but not yet run, in order, with a full memory barrier before each. They run as one batch
+/// when the host waits, or when the batch has <see cref="MaxDispatches"/> dispatches. That is enough to hide the cost
+/// of a submission, and few enough that a batch of short dispatches stays well below a GPU's watchdog limit.
 /// </summary>
 sealed unsafe class CommandRecorder : IDisposable
 {
@@ -16,12 +16,12 @@ sealed unsafe class CommandRecorder : IDisposable
     const uint PoolStorageBuffers = 1024, PoolUniformBuffers = 64;
     const int ComputeBindPoint = 1;
 
-    /// <summary>A dispatch that takes longer than this hangs.</summary>
+    /// <summary>Time after which a dispatch is considered to hang.</summary>
     static readonly TimeSpan Patience = TimeSpan.FromMinutes(10);
 
     readonly VulkanDevice _device;
     readonly nint _queue;
-    readonly List<GpuBuffer> _uploadTargets = []; // of the uploads since the last barrier
+    readonly List<GpuBuffer> _uploadTargets = []; // targets of the uploads since the last barrier
     ulong _commandPool, _descriptorPool, _fence;
     nint _commands;
     Allocation _staging, _uniformRing;
@@ -30,19 +30,19 @@ sealed unsafe class CommandRecorder : IDisposable
     bool _recording;
 
     /// <summary>
-    /// Batches after this one are answered as by a device that went away. For tests:
-    /// no driver loses its device at will.
+    /// Number of the last batch before the device counts as lost. For tests, since no driver loses its device on
+    /// request.
     /// </summary>
     internal long LastBatch { get; set; } = long.MaxValue;
 
-    /// <summary>Number of the batch being recorded; all with smaller numbers have run.</summary>
+    /// <summary>Number of the batch being recorded. All batches with smaller numbers have run.</summary>
     internal long Batch { get; private set; } = 1;
 
     internal CommandRecorder(VulkanDevice device, nint queue, uint queueFamily)
     {
         _device = device;
         _queue = queue;
-        // buffers can be reset
+        // Flag 2: command buffers can be reset.
         var poolInfo = new CommandPoolCreateInfo
         {
             SType = StructureType.CommandPoolCreateInfo, Flags = 2, QueueFamily = queueFamily
@@ -125,7 +125,7 @@ sealed unsafe class CommandRecorder : IDisposable
         }
     }
 
-    /// <summary>Runs what is recorded and waits for its end.</summary>
+    /// <summary>Runs the recorded commands and waits for their end.</summary>
     internal void Flush()
     {
         if (!_recording)
@@ -167,14 +167,14 @@ sealed unsafe class CommandRecorder : IDisposable
             Barrier();
             return;
         }
-        // submitted once
+        // Flag 1: each recording is submitted once.
         var info = new CommandBufferBeginInfo { SType = StructureType.CommandBufferBeginInfo, Flags = 1 };
         VulkanException.Check(Native.vkBeginCommandBuffer(_commands, &info), "record commands");
         _recording = true;
         _device.Clock.BeginBatch(_commands);
     }
 
-    /// <summary>Uploads in a row to different buffers need no barrier between them.</summary>
+    /// <summary>Consecutive uploads to different buffers need no barrier between them.</summary>
     void BeginUpload(GpuBuffer target)
     {
         if (_uploadTargets.Count == 0 || _uploadTargets.Contains(target))
@@ -198,7 +198,7 @@ sealed unsafe class CommandRecorder : IDisposable
         Native.vkCmdCopyBuffer(_commands, from, to, 1, &copy);
     }
 
-    /// <summary>The next free part of the staging buffer, as much of <paramref name="bytes"/> as fits.</summary>
+    /// <summary>Next free part of the staging buffer, up to <paramref name="bytes"/> long.</summary>
     Span<byte> Stage(int bytes, out long at)
     {
         _staging ??= Allocation.ForHost(_device, StagingBytes, Native.TransferSource | Native.TransferTarget);

@@ -5,7 +5,7 @@ using System.Text;
 
 namespace Glint.Vulkan;
 
-/// <summary>A kernel, compiled for one device, and what it wants to be given.</summary>
+/// <summary>A kernel compiled for one device, and the resources it needs.</summary>
 public sealed unsafe class ComputeProgram : IDisposable
 {
     readonly VulkanDevice _device;
@@ -34,15 +34,13 @@ public sealed unsafe class ComputeProgram : IDisposable
     /// <summary>The kernel's name.</summary>
     public string Name => _reflection.EntryPoint;
 
-    /// <summary>
-    /// Names of the buffers it uses, as in the HLSL source. What is declared and not used is left out.
-    /// </summary>
+    /// <summary>Names in the HLSL source of the buffers that it uses. Unused declarations are left out.</summary>
     public IReadOnlyList<string> Buffers { get; }
 
     /// <summary>The buffers with their element types and strides, in the order of <see cref="Buffers"/>.</summary>
     public IReadOnlyList<BufferSlot> Slots => _reflection.Buffers;
 
-    /// <summary>Bytes of uniforms that a dispatch needs.</summary>
+    /// <summary>Bytes of uniforms of a dispatch.</summary>
     public int UniformBytes => _reflection.UniformBytes;
 
     /// <summary>Globals and members of constant buffers by name.</summary>

@@ -4,15 +4,13 @@ using System.Linq;
 
 namespace Glint.Vulkan;
 
-/// <summary>
-/// The environment variables that tell the Vulkan loader which drivers to take, in place of those installed.
-/// </summary>
+/// <summary>The environment variables that select Vulkan drivers in place of the installed ones.</summary>
 static class DriverVariable
 {
-    // The loader does not look at the second when the first is set.
+    // The loader ignores the second if the first is set.
     static readonly string[] Names = ["VK_DRIVER_FILES", "VK_ICD_FILENAMES"];
 
-    /// <summary>Why there is no device, where a variable explains it; null where none is set.</summary>
+    /// <summary>The reason for a missing device if a variable explains it; null if none is set.</summary>
     internal static string Blame(Func<string, string> environment)
     {
         string name = Array.Find(Names, candidate => !string.IsNullOrEmpty(environment(candidate)));

@@ -3,7 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace Glint.Vulkan;
 
-/// <summary>Bytes on the device that kernels read and write; zero when new.</summary>
+/// <summary>Device memory that kernels read and write; zero when new.</summary>
 public sealed unsafe class GpuBuffer : IDisposable
 {
     /// <summary>Up to this size a second copy, into the staging buffer, costs less than a flush.</summary>
@@ -29,7 +29,7 @@ public sealed unsafe class GpuBuffer : IDisposable
 
     public long Bytes { get; }
 
-    /// <summary>Disposed, or gone with its device.</summary>
+    /// <summary>True if the buffer or its device was disposed.</summary>
     public bool IsDisposed => _allocation == null;
 
     internal VulkanDevice Device { get; }
@@ -41,7 +41,7 @@ public sealed unsafe class GpuBuffer : IDisposable
     Allocation Live => _allocation
         ?? throw new ObjectDisposedException(nameof(GpuBuffer), $"this buffer of {Bytes:N0} bytes was disposed");
 
-    /// <summary>Puts bytes in, after what was dispatched before and ahead of what will be dispatched.</summary>
+    /// <summary>Writes bytes, after earlier dispatches and before later ones.</summary>
     public void Write(ReadOnlySpan<byte> data, long offset = 0)
     {
         CheckRange(data.Length, offset);

@@ -1,8 +1,8 @@
 namespace Glint.Vulkan;
 
 /// <summary>
-/// Sums the device time of dispatches, from timestamps that the device writes before and after each.
-/// Copies and idle time do not count. It is off by default and then costs nothing.
+/// Sums the device time of dispatches, from timestamps before and after each. Copies and idle time do not count. The
+/// clock is off by default and then has no cost.
 /// </summary>
 public sealed unsafe class GpuClock
 {
@@ -16,10 +16,10 @@ public sealed unsafe class GpuClock
 
     internal GpuClock(VulkanDevice device) => _device = device;
 
-    /// <summary>Whether the device can time dispatches.</summary>
+    /// <summary>True if the device can time dispatches.</summary>
     public bool IsSupported => _device.Limits.TimestampBits > 0;
 
-    /// <summary>Whether dispatches are timed. Changing it waits for what is recorded.</summary>
+    /// <summary>True if dispatches are timed. A change waits for the recorded commands.</summary>
     public bool IsOn
     {
         get => _isOn;
@@ -34,7 +34,7 @@ public sealed unsafe class GpuClock
         }
     }
 
-    /// <summary>Begins at zero again; what was recorded before no longer counts.</summary>
+    /// <summary>Resets the time to zero; commands recorded before do not count.</summary>
     public void Reset()
     {
         _device.Wait();
@@ -42,7 +42,7 @@ public sealed unsafe class GpuClock
     }
 
     /// <summary>
-    /// Milliseconds of device time of the dispatches since <see cref="Reset"/>; waits for what is recorded.
+    /// Device time in milliseconds of the dispatches since <see cref="Reset"/>. Waits for the recorded commands.
     /// </summary>
     public double Read()
     {
@@ -61,8 +61,8 @@ public sealed unsafe class GpuClock
     }
 
     /// <summary>
-    /// Once before and once after a dispatch. The stage is the last:
-    /// all that was recorded before must be done, a copy too.
+    /// Records a timestamp before or after a dispatch. Its stage is the last, so that all earlier commands, copies
+    /// included, are complete.
     /// </summary>
     internal void Stamp(nint commands)
     {
@@ -70,7 +70,7 @@ public sealed unsafe class GpuClock
             Native.vkCmdWriteTimestamp(commands, Native.BottomOfPipe, _pool, (uint)_stamps++);
     }
 
-    /// <summary>Takes the times of a batch that has run.</summary>
+    /// <summary>Adds the times of a batch that has run.</summary>
     internal void EndBatch()
     {
         if (_stamps == 0)
@@ -80,7 +80,7 @@ public sealed unsafe class GpuClock
             Native.vkGetQueryPoolResults(_device.Handle, _pool, 0, (uint)_stamps, (nuint)(_stamps * sizeof(ulong)),
                 ticks, sizeof(ulong), Native.Query64Bit | Native.QueryWait),
             "read the device's clock");
-        // The clock has this many bits and begins again at 0 after the last.
+        // The clock has this many bits and wraps around.
         ulong mask = ulong.MaxValue >> (64 - _device.Limits.TimestampBits);
         for (int i = 0; i < _stamps; i += 2)
             _milliseconds += ((ticks[i + 1] - ticks[i]) & mask) * (double)_device.Limits.TimestampPeriodNs * 1e-6;

@@ -4,7 +4,7 @@ using System.Linq;
 
 namespace Glint.Vulkan;
 
-/// <summary>The connection to the Vulkan loader, and the devices that it knows.</summary>
+/// <summary>The connection to the Vulkan loader, and its devices.</summary>
 sealed unsafe class Instance : IDisposable
 {
     const string NoDriver =
@@ -33,7 +33,7 @@ sealed unsafe class Instance : IDisposable
         }
 
         if (result == IncompatibleDriver)
-            return; // a loader without any driver: a machine without devices
+            return; // a loader without drivers has no devices
         VulkanException.Check(result, "start Vulkan");
 
         uint count = 0;
@@ -50,8 +50,8 @@ sealed unsafe class Instance : IDisposable
     }
 
     /// <summary>
-    /// The best device when <paramref name="selector"/> is null or empty,
-    /// else the one with that index or that part of a name.
+    /// The preferred device if <paramref name="selector"/> is null or empty; else the device with that index or part
+    /// of a name.
     /// </summary>
     internal PhysicalDevice Select(string selector)
     {

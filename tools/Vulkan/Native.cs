@@ -3,9 +3,7 @@ using System.Runtime.InteropServices;
 
 namespace Glint.Vulkan;
 
-/// <summary>
-/// The functions of the Vulkan loader that are called. Those returning int give VkResult: negative is an error.
-/// </summary>
+/// <summary>Functions of the Vulkan loader. Those that return int return a VkResult: negative is an error.</summary>
 static unsafe class Native
 {
     const string Loader = "libvulkan.so.1";
@@ -130,6 +128,6 @@ static unsafe class Native
     [DllImport(Loader)]
     internal static extern void vkCmdFillBuffer(nint commands, ulong buffer, ulong offset, ulong bytes, uint value);
 
-    /// <summary>A zero-terminated UTF-8 name as a string.</summary>
+    /// <summary>A zero-terminated UTF-8 string.</summary>
     internal static string Text(byte* text) => Marshal.PtrToStringUTF8((IntPtr)text);
 }

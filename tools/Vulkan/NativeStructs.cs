@@ -4,9 +4,8 @@ namespace Glint.Vulkan;
 
 #pragma warning disable CS0649 // fields that only Vulkan reads, and only as zero
 
-// Vulkan's own structures, in its field order, for 64-bit processes. Handles: nint where Vulkan has a pointer,
-// ulong where it has a number.
-// SType, first in most of them, holds one of the numbers in StructureType.
+// Vulkan's structures in its field order, for 64-bit processes. A handle is nint where Vulkan has a pointer and ulong
+// where it has a number. SType, first in most of them, holds a number of StructureType.
 
 static class StructureType
 {
@@ -48,7 +47,7 @@ unsafe struct DeviceCreateInfo
     internal byte** Extensions; internal void* Features;
 }
 
-/// <summary>VkPhysicalDeviceProperties2 with the limits that are used, at their offsets.</summary>
+/// <summary>VkPhysicalDeviceProperties2 with the used limits at their offsets.</summary>
 [StructLayout(LayoutKind.Explicit, Size = 840)]
 unsafe struct PhysicalDeviceProperties2
 {
@@ -86,8 +85,8 @@ struct QueueFamilyProperties
 }
 
 /// <summary>
-/// Up to 32 memory types (flags, heap) and 16 heaps (64-bit size, flags, padding),
-/// read through <see cref="TypeFlags"/> and the like.
+/// Up to 32 memory types (flags, heap) and 16 heaps (64-bit size, flags, padding), read through methods, for example
+/// <see cref="TypeFlags"/>.
 /// </summary>
 [StructLayout(LayoutKind.Explicit, Size = 520)]
 unsafe struct MemoryProperties

@@ -2,7 +2,7 @@ using System;
 
 namespace Glint.Vulkan;
 
-/// <summary>A device as the loader lists it, not yet opened.</summary>
+/// <summary>A device from the loader's list, not yet opened.</summary>
 sealed unsafe class PhysicalDevice
 {
     const uint Vulkan12 = 1u << 22 | 2u << 12;
@@ -17,7 +17,7 @@ sealed unsafe class PhysicalDevice
     internal MemoryProperties Memory { get; }
     internal uint ApiVersion { get; }
 
-    /// <summary>First queue family that runs kernels, -1 when there is none.</summary>
+    /// <summary>First queue family that runs kernels; -1 if there is none.</summary>
     internal int QueueFamily { get; }
 
     /// <summary>Order of preference: discrete, integrated, virtual, CPU.</summary>
@@ -69,7 +69,7 @@ sealed unsafe class PhysicalDevice
     }
 
     /// <summary>
-    /// First memory type among <paramref name="allowed"/> that has all of <paramref name="flags"/>, -1 when none has.
+    /// First memory type among <paramref name="allowed"/> with all of <paramref name="flags"/>; -1 if there is none.
     /// </summary>
     internal int FindMemory(uint allowed, uint flags)
     {

@@ -3,17 +3,15 @@ using System.Collections.Generic;
 
 namespace Glint.Vulkan;
 
-/// <summary>What a kernel wants to be given, in the names of its HLSL source.</summary>
+/// <summary>The resources that a kernel needs, with the names of its HLSL source.</summary>
 /// <remarks>
-/// glslang turns a StructuredBuffer into a block with one runtime array
-/// and gathers the globals of a file in a block named $Global.
-/// Several constant buffers are laid one after the other, each at a multiple of <see cref="BlockAlignment"/>.
+/// glslang turns a StructuredBuffer into a block with one runtime array, and gathers the globals of a file in a block
+/// named $Global. Several constant buffers follow one another, each at a multiple of <see cref="BlockAlignment"/>.
 /// </remarks>
 sealed class Reflection
 {
     /// <summary>
-    /// No device asks for more (Vulkan's limit of minUniformBufferOffsetAlignment),
-    /// so that offsets are the same everywhere.
+    /// The largest minUniformBufferOffsetAlignment that Vulkan allows, so that offsets are the same on every device.
     /// </summary>
     internal const int BlockAlignment = 256;
 
@@ -91,8 +89,8 @@ sealed class Reflection
             type = _module.Types[typeId];
         }
         int elementBytes = Size(typeId, block, member);
-        // SPIR-V's matrix is the HLSL one transposed: its columns are HLSL's rows,
-        // and its "row major" HLSL's default, column by column.
+        // SPIR-V's matrix is the transpose of the HLSL one: its columns are HLSL's rows, and its "row major" is HLSL's
+        // default column-major order.
         bool rowMajor = false;
         if (type.Op == Op.TypeMatrix)
         {
@@ -120,7 +118,7 @@ sealed class Reflection
     }
 
     /// <summary>
-    /// Bytes of a type from its first to its last used byte; block and member tell how a matrix is stored.
+    /// Bytes of a type from its first to its last used byte. Block and member give the storage of a matrix.
     /// </summary>
     int Size(uint typeId, uint block, int member)
     {

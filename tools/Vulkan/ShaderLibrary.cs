@@ -8,23 +8,23 @@ using System.Text.Json;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// The kernels compiled when this program was built: shaders/COMPUTE/KERNEL.spv beside it,
-/// COMPUTE being the .compute file's path from the project's root,
-/// and in the same folder sources.json with the kernels' names and the SHA-256 of every file they were made of.
+/// The kernels compiled with this program: shaders/COMPUTE/KERNEL.spv beside it, where COMPUTE is the .compute file's
+/// path from the project's root. sources.json in the same folder has the kernels' names and the SHA-256 of every
+/// source file.
 /// </summary>
 public static class ShaderLibrary
 {
     const string Remedy = "build the tools again, tools/glint does so";
 
-    /// <summary>Names of the kernels of a .compute file, in its order.</summary>
+    /// <summary>Names of the kernels of a .compute file, in order.</summary>
     public static IReadOnlyList<string> Kernels(string computePath) => Manifest.Read(computePath).Kernels;
 
     /// <summary>
-    /// SPIR-V of a kernel, after making sure that it was made of the files that the project at
-    /// <paramref name="projectRoot"/> has now.
+    /// SPIR-V of a kernel. Throws if the source files of the project at <paramref name="projectRoot"/> have changed
+    /// since.
     /// </summary>
     /// <param name="computePath">
-    /// From the project's root, as in "Packages/com.glint.radar/Shaders/Trace.compute".
+    /// Path from the project's root, for example "Packages/com.glint.radar/Shaders/Trace.compute".
     /// </param>
     public static byte[] Load(string projectRoot, string computePath, string kernel)
     {
@@ -41,7 +41,7 @@ public static class ShaderLibrary
         return Load(computePath, kernel);
     }
 
-    /// <summary>SPIR-V of a kernel as it was compiled, whatever the project's files are now.</summary>
+    /// <summary>SPIR-V of a kernel as compiled, without a check of the source files.</summary>
     public static byte[] Load(string computePath, string kernel)
     {
         var kernels = Kernels(computePath);
@@ -54,7 +54,7 @@ public static class ShaderLibrary
 
     sealed record Manifest(string[] Kernels, Dictionary<string, string> Sources)
     {
-        // By hand, not by reflection: a trimmed publish has none of it.
+        // Written without reflection, which a trimmed publish lacks.
         internal static Manifest Read(string computePath)
         {
             string path = Path.Combine(Folder(computePath), "sources.json");

@@ -6,8 +6,8 @@ using System.Text;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// The declarations of a SPIR-V module: names, decorations, types, constants, variables,
-/// entry point. Instructions are skipped.
+/// The declarations of a SPIR-V module: names, decorations, types, constants, variables, entry point. Instructions are
+/// skipped.
 /// </summary>
 sealed class SpirvModule
 {
@@ -28,7 +28,7 @@ sealed class SpirvModule
     internal SpirvModule(ReadOnlySpan<byte> code)
     {
         if (code.Length < HeaderWords * 4 || code.Length % 4 != 0 || MemoryMarshal.Read<uint>(code) != Magic)
-            throw new VulkanException($"a compiled kernel of {code.Length} bytes is no SPIR-V; build the tools again");
+            throw new VulkanException($"a compiled kernel of {code.Length} bytes is not SPIR-V; build the tools again");
         var words = MemoryMarshal.Cast<byte, uint>(code);
         var last = Op.None;
         for (int at = HeaderWords; at < words.Length;)
@@ -80,7 +80,7 @@ sealed class SpirvModule
     }
 }
 
-/// <summary>A type with its operands as in the SPIR-V specification, the result left out.</summary>
+/// <summary>A type with its operands as in the SPIR-V specification, without the result.</summary>
 sealed record SpirvType(Op Op, uint[] Operands);
 
 readonly record struct SpirvVariable(uint Id, uint PointerType, StorageClass Storage);

@@ -1,12 +1,12 @@
 namespace Glint.Vulkan;
 
-/// <summary>A uniform as the kernel declares it, and where it lies in the bytes given to a dispatch.</summary>
+/// <summary>A uniform of a kernel, and its position in the bytes of a dispatch.</summary>
 /// <param name="Offset">First byte.</param>
 /// <param name="Bytes">Bytes from the first to the last used one; the last element of an array is not padded.</param>
-/// <param name="ArrayLength">Number of elements, 0 when it is no array.</param>
-/// <param name="ArrayStride">Bytes from element to element (16 or more), 0 when it is no array.</param>
+/// <param name="ArrayLength">Number of elements; 0 if it is not an array.</param>
+/// <param name="ArrayStride">Bytes from element to element (16 or more); 0 if it is not an array.</param>
 /// <param name="MatrixStride">
-/// Bytes from column to column (from row to row when <paramref name="RowMajor"/>), 0 when it is no matrix.
+/// Bytes from column to column (from row to row if <paramref name="RowMajor"/>); 0 if it is not a matrix.
 /// </param>
 /// <param name="Rows">Rows of a matrix, else 1.</param>
 /// <param name="Columns">Columns of a matrix, components of a vector, 1 for a scalar, 0 for a struct.</param>
@@ -15,5 +15,5 @@ public sealed record UniformField(
     string Name, int Offset, int Bytes, int ArrayLength, int ArrayStride, int MatrixStride,
     int Rows, int Columns, bool RowMajor, ScalarKind Kind);
 
-/// <summary>What the components of a uniform are; bool arrives as UInt.</summary>
+/// <summary>Type of a uniform's components; bool is UInt.</summary>
 public enum ScalarKind { Float, Int, UInt, Struct }

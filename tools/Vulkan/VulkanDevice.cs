@@ -5,7 +5,7 @@ using System.Linq;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// An opened device: it makes buffers and programs and runs dispatches one after the other. For one thread at a time.
+/// An opened device: makes buffers and programs, and runs dispatches one after the other. Not thread-safe.
 /// </summary>
 public sealed unsafe class VulkanDevice : IDisposable
 {
@@ -29,7 +29,7 @@ public sealed unsafe class VulkanDevice : IDisposable
             SType = StructureType.DeviceQueueCreateInfo,
             QueueFamily = (uint)physical.QueueFamily, QueueCount = 1, Priorities = &priority,
         };
-        // No feature is asked for: checks of buffer bounds (robustBufferAccess) would slow a GPU's kernels down.
+        // No features are enabled: bounds checks (robustBufferAccess) would slow a GPU's kernels.
         var info = new DeviceCreateInfo
         {
             SType = StructureType.DeviceCreateInfo, QueueInfoCount = 1, QueueInfos = &queueInfo
@@ -51,7 +51,7 @@ public sealed unsafe class VulkanDevice : IDisposable
 
     public DeviceLimits Limits => Physical.Limits;
 
-    /// <summary>How long the device itself works on dispatches.</summary>
+    /// <summary>Device time of dispatches.</summary>
     public GpuClock Clock { get; }
 
     internal PhysicalDevice Physical { get; }
@@ -69,9 +69,7 @@ public sealed unsafe class VulkanDevice : IDisposable
         }
     }
 
-    /// <summary>
-    /// The Vulkan devices of this machine, in the loader's order; none when there is a loader but no driver.
-    /// </summary>
+    /// <summary>The machine's Vulkan devices in the loader's order; none if the loader has no driver.</summary>
     public static IReadOnlyList<DeviceInfo> List()
     {
         using var instance = new Instance();
@@ -79,14 +77,14 @@ public sealed unsafe class VulkanDevice : IDisposable
     }
 
     /// <summary>
-    /// Opens a device: by index or part of its name in any case, or when <paramref name="selector"/> is null the first
-    /// discrete GPU, else integrated, virtual, CPU.
+    /// Opens a device by index or by part of its name in any case. If <paramref name="selector"/> is null, the
+    /// preference is discrete GPU, integrated, virtual, CPU.
     /// </summary>
     public static VulkanDevice Open(string selector = null) => Open(selector, true);
 
     /// <summary>
-    /// With <paramref name="mapBuffers"/> false even a device that shares the host's memory is
-    /// filled through staging buffers.
+    /// With <paramref name="mapBuffers"/> false, buffers are filled through staging buffers even if the device shares
+    /// the host's memory.
     /// </summary>
     internal static VulkanDevice Open(string selector, bool mapBuffers)
     {
@@ -127,11 +125,11 @@ public sealed unsafe class VulkanDevice : IDisposable
     }
 
     /// <summary>
-    /// Records a dispatch, to run after all that was recorded before it.
-    /// It runs at the latest when somebody reads or waits.
+    /// Records a dispatch, to run after the commands recorded before it. It runs at the latest when the host reads or
+    /// waits.
     /// </summary>
     /// <param name="uniforms">The program's <see cref="ComputeProgram.UniformBytes"/> bytes; copied.</param>
-    /// <param name="buffers">By name; more than the program uses are allowed.</param>
+    /// <param name="buffers">Buffers by name; surplus ones are allowed.</param>
     public void Dispatch(
         ComputeProgram program, ReadOnlySpan<byte> uniforms, IReadOnlyDictionary<string, GpuBuffer> buffers,
         uint groupsX, uint groupsY, uint groupsZ)
@@ -155,24 +153,24 @@ public sealed unsafe class VulkanDevice : IDisposable
             if (bound[i].IsDisposed)
                 throw new VulkanException($"kernel {program.Name}: buffer {name} was disposed");
             if (bound[i].Device != this)
-                throw new VulkanException($"kernel {program.Name}: buffer {name} lies on another device");
+                throw new VulkanException($"kernel {program.Name}: buffer {name} is on another device");
         }
         _ = program.Pipeline;
         if (groupsX > 0 && groupsY > 0 && groupsZ > 0)
             recorder.Dispatch(program, uniforms, bound, groupsX, groupsY, groupsZ);
     }
 
-    /// <summary>Runs what is recorded and waits for its end.</summary>
+    /// <summary>Runs the recorded commands and waits for their end.</summary>
     public void Wait() => Recorder.Flush();
 
-    /// <summary>Closes the device; buffers and programs that still live go with it.</summary>
+    /// <summary>Closes the device and disposes its remaining buffers and programs.</summary>
     public void Dispose()
     {
         if (_recorder == null)
             return;
         if (!IsAbandoned)
         {
-            Native.vkDeviceWaitIdle(_handle); // a lost device answers with an error and can be destroyed all the same
+            Native.vkDeviceWaitIdle(_handle); // a lost device returns an error and can still be destroyed
             foreach (var program in _programs)
                 program.Destroy();
             foreach (var buffer in _buffers)
@@ -188,10 +186,10 @@ public sealed unsafe class VulkanDevice : IDisposable
         _handle = 0;
     }
 
-    /// <summary>The device does not answer: its objects may be in use for ever and are never destroyed.</summary>
+    /// <summary>True if the device does not respond. Its objects may be in use and are never destroyed.</summary>
     internal void Abandon() => IsAbandoned = true;
 
-    /// <summary>Waits when <paramref name="batch"/>, the last that uses something, has not run yet.</summary>
+    /// <summary>Waits if <paramref name="batch"/> has not run yet.</summary>
     internal void FlushIfPending(long batch)
     {
         if (!IsAbandoned && batch == Recorder.Batch)

@@ -3,15 +3,15 @@ using System;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// Something about the device, its driver, a buffer or a compiled kernel; the message is one line and says what to do.
+/// A failure of the device, its driver, a buffer or a compiled kernel. The message is one line with the way out.
 /// </summary>
 public sealed class VulkanException : Exception
 {
     public VulkanException(string message, Exception inner = null) : base(message, inner) { }
 
     /// <summary>
-    /// Throws when a Vulkan call failed; <paramref name="what"/> names the operation and its figure,
-    /// as in "reserve 12 bytes".
+    /// Throws if a Vulkan call failed. <paramref name="what"/> names the operation and its value, for example "reserve
+    /// 12 bytes".
     /// </summary>
     internal static void Check(int result, string what)
     {

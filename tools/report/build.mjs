@@ -1,4 +1,4 @@
-// Bundles src into one HTML file with a place for the figures.
+// Bundles src into one HTML file with a placeholder for the data.
 import { build } from 'esbuild';
 import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, readdirSync, writeFileSync } from 'node:fs';
@@ -17,13 +17,13 @@ const notices = libraries.map(name => {
 const plain = `Glint: MIT\n\n${read('../../LICENSE').trim()}\n\n${notices.map(({ name, version, license, text }) => `${name} ${version}: ${license}\n\n${text}`).join('\n\n')}`;
 const escaped = text => text.replaceAll('&', '&amp;').replaceAll('<', '&lt;');
 
-// Functions, so that no "$" in what is put in means anything.
+// Functions, so that "$" in the inserted text has no special meaning.
 const page = read('src/index.html').replace('@STYLE@', () => output('.css') + read('src/style.css').replaceAll(/\n\s*/g, '\n'))
   .replace('@LICENCES@', () => escaped(plain)).replace('@SCRIPT@', () => output('.js')).trim() + '\n';
 const sources = ['build', 'build.mjs', 'package.json', 'package-lock.json', ...readdirSync('src').map(name => `src/${name}`)].sort();
 const list = sources.map(path => `${sha256(readFileSync(path))}  ${path}\n`).join('');
 mkdirSync(`${product}/Editor/Report`, { recursive: true });
-// Its first line is the document type too; the second says what it was made of, and what follows.
+// The first line is the document type; the second names the sources and the bundled packages.
 writeFileSync(`${product}/Editor/Report/Template.txt`, `<!DOCTYPE html>\n<!-- sources ${sha256(list)} page ${sha256(page)} -->\n${page}`);
 writeFileSync(`${product}/Third Party Notices.md`, `# Third party notices\n\nThe template of the HTML report (\`Editor/Report/Template.txt\`) contains these libraries; every report carries their licences too.\n\n${notices
   .map(({ name, version, license, text }) => `## ${name} ${version}, ${license}\n\n${text}\n`).join('\n')}`);

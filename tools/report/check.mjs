@@ -7,7 +7,7 @@ import { ofObject, ofSegment, seriesColours } from './src/palette.js';
 
 const [report, folder] = process.argv.slice(2);
 const limitMs = Number(process.env.LIMIT_MS ?? 2000);
-// Of colours, CIE76; 2.3 is just noticeable side by side.
+// Minimum CIE76 distance of colours; 2.3 is just noticeable side by side.
 const leastDistance = 10;
 const failures = [];
 const themes = readFileSync(new URL('src/style.css', import.meta.url), 'utf8').split('prefers-color-scheme: dark');
@@ -82,7 +82,7 @@ async function look(width, scheme) {
   await page.close();
 }
 
-// Milliseconds until all is drawn: the best of a few, for a busy machine is not the page's doing.
+// Milliseconds until everything is drawn: the best of a few, since the machine may be busy.
 async function open(page) {
   let best = Infinity;
   for (let attempt = 0; attempt < 3 && best > limitMs; attempt++) {
@@ -93,7 +93,7 @@ async function open(page) {
   return best;
 }
 
-// The view turns by keys and by the mouse, and comes back.
+// The view rotates by keys and mouse, and resets.
 async function turns(page, fail) {
   const frame = () => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(document.getElementById('view').toDataURL())))));
   const first = await frame();
@@ -104,7 +104,7 @@ async function turns(page, fail) {
     context.drawImage(view, 0, 0);
     const pixels = context.getImageData(0, 0, copy.width, copy.height).data;
     let count = 0;
-    // Surfaces and background are grey; rays and the radar's lines are not.
+    // Surfaces and background are grey; rays and the radar's lines are coloured.
     for (let i = 0; i < pixels.length; i += 4) count += Math.max(pixels[i], pixels[i + 1], pixels[i + 2]) - Math.min(pixels[i], pixels[i + 1], pixels[i + 2]) > 90 ? 1 : 0;
     return count;
   });

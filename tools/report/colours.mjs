@@ -1,4 +1,4 @@
-// How far apart the colours of a list look: the least CIE76 distance in CIELAB between two of them, to full colour vision and to the three kinds of dichromats.
+// Distance of the colours of a list: the smallest CIE76 distance in CIELAB between two of them, for full colour vision and for the three kinds of dichromats.
 // The matrices, for linear sRGB, are those of Machado, Oliveira and Fernandes (2009), "A Physiologically-based Model for Simulation of Color Vision Deficiency", at severity 1.
 const visions = {
   'full colour vision': [1, 0, 0, 0, 1, 0, 0, 0, 1],

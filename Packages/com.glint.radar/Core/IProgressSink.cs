@@ -4,20 +4,20 @@ using System.Threading;
 namespace Glint.Core
 {
     /// <summary>
-    /// What a command tells its host while it works. The terminal draws a bar,
-    /// Unity's batch mode writes lines to the log.
-    /// Reported numbers are the part of the step in hand that is done, 0 to 1.
+    /// Progress of a command. The terminal draws a bar; Unity's batch mode writes lines to the log. Report takes the
+    /// completed fraction of the current step, 0 to 1.
     /// </summary>
     public interface IProgressSink : IProgress<double>
     {
-        /// <summary>Asks to stop: what is done is kept, the step in hand is given up.</summary>
+        /// <summary>Requests a stop: finished steps are kept and the current step is abandoned.</summary>
         CancellationToken Cancel { get; }
 
         /// <summary>Work of <paramref name="total"/> steps begins.</summary>
         void Start(string what, int total);
 
         /// <summary>
-        /// So many of the steps are done; <paramref name="note"/> says in a few words what was last (may be null).
+        /// Reports the number of finished steps; <paramref name="note"/> describes the last one in a few words (may be
+        /// null).
         /// </summary>
         void Advance(int done, string note);
 

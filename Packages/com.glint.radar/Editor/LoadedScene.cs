@@ -83,7 +83,7 @@ namespace Glint.Editor
             var radar = SceneSearch.FindRadar(line.Input);
             if (line.IsGiven(Options.Size) && radar.IsFitted)
                 throw new GlintException($"{line.Input}: its radar fits its aperture to the scene by Ray Spacing, "
-                    + $"so {Options.Size.Flag} means nothing: leave it out, or clear Fit Aperture of '{radar.name}'");
+                    + $"so {Options.Size.Flag} has no effect: leave it out, or clear Fit Aperture of '{radar.name}'");
             radar.Settings = Override(radar.Settings, line);
             if (line.IsGiven(Options.Receiver))
             {

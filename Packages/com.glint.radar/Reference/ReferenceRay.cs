@@ -12,10 +12,10 @@ namespace Glint.Reference
         /// <summary>True if the ray reached the receiver.</summary>
         public bool Received;
 
-        /// <summary>From the radar to the first hit and to the last, metres; 0 if nothing was hit.</summary>
+        /// <summary>Lengths from the radar to the first hit and to the last, metres; 0 without a hit.</summary>
         public double LengthToFirstHit, LengthToLastHit;
 
-        /// <summary>From the radar over all hits to the receiver plane, metres; 0 if not received.</summary>
+        /// <summary>Length from the radar over all hits to the receiver plane, metres; 0 if not received.</summary>
         public double PathLength;
 
         /// <summary>

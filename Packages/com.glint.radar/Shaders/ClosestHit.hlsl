@@ -112,7 +112,7 @@ Hit LoadHit(TraversalState state, Ray ray)
     Pair pair = LoadPair(record.Page, record.FirstRow + state.Row);
     float3 third = state.Second ? pair.Corner3 : pair.Corner1;
     float3 edge1 = pair.Corner2 - pair.Corner0, edge2 = third - pair.Corner0, edge3 = third - pair.Corner2;
-    // From the two shorter edges, so that the normal of a long strip is as accurate as that of a square.
+    // Computed from the two shorter edges, so that the normal of a long strip is as accurate as that of a square.
     float size1 = dot(edge1, edge1), size2 = dot(edge2, edge2), size3 = dot(edge3, edge3);
     bool isFirstLongest = size1 >= size2 && size1 >= size3, isSecondLongest = !isFirstLongest && size2 >= size3;
     float3 side1 = isFirstLongest ? edge3 : edge1, side2 = isSecondLongest ? edge3 : edge2, area = cross(side1, side2);

@@ -148,7 +148,7 @@ void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint ro
     }
     state.AmbiguousDistance = min(state.AmbiguousDistance, min(ambiguousDistance.x, ambiguousDistance.y));
     float nearer = min(toHit.x, toHit.y);
-    // Of triangles at the same distance the first in the BVH, independent of the order of the tests.
+    // Among triangles at the same distance the first in the BVH wins, independent of the order of the tests.
     bool isFirst = instance < state.Instance || instance == state.Instance && row < state.Row;
     if (nearer < state.Distance || nearer == state.Distance && state.Instance != NO_INSTANCE && isFirst)
     {

@@ -66,7 +66,7 @@ namespace Glint.Tests
         [Test]
         public void Sweep_InAPartOrResumed_IsTaken()
         {
-            // A switch takes no value: what follows is the input.
+            // A switch takes no value, so the next word is the input.
             var line = Parse(Commands.Sweep, "--resume", "x.obj", "--angles", "0:9:1", "--shard", "2/3");
 
             Assert.That((line.Input, line.Get(Options.Resume), line.Get(Options.Shard)),
@@ -117,7 +117,7 @@ namespace Glint.Tests
         public void Sea_WithoutOptions_IsNoneOfItsOwn() => Assert.That(SeaOptions.Read(Parse(Commands.Sea)), Is.Null);
 
         [TestCase("--out is missing", "--wind", "5")]
-        [TestCase("--sea-state: not with --wave-height: both say", "--out", "x",
+        [TestCase("--sea-state: not with --wave-height: both set", "--out", "x",
             "--sea-state", "4", "--wave-height", "2")]
         [TestCase("grid size 100 must be a power of two", "--out", "x", "--grid", "100")]
         [TestCase("--wind -3: must be from 0.1 to 100", "--out", "x", "--wind", "-3")]

@@ -30,7 +30,7 @@ namespace Glint.Tests
             var ship = new SeaAndShip(1, 1000, triangles).Ship;
             var edges = Edges(ship);
 
-            // Each edge is walked once each way: two triangles share it and agree on which side is out.
+            // Each edge is used once in each direction: two triangles share it and agree on the outer side.
             Assert.That(edges.GroupBy(edge => edge).All(group => group.Count() == 1));
             Assert.That(edges.Select(edge => (edge.Item2, edge.Item1)).ToHashSet().SetEquals(edges));
             Assert.That(SignedVolume(ship), Is.GreaterThan(1000), "m3, outwards as Unity winds triangles");
@@ -58,7 +58,7 @@ namespace Glint.Tests
             }
         }
 
-        // The height at a vertex does not depend on how fine the grid is.
+        // The height at a vertex does not depend on the grid's resolution.
         [Test]
         public void Sea_OfMoreTriangles_IsTheSameSea()
         {

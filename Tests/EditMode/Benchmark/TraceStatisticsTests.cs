@@ -9,9 +9,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// A benchmark that counts work instead of time, so that it says the same on every machine.
-    /// A bound is what was measured, and a twentieth more for another compiler's rounding:
-    /// a test that fails by more has found something that made the tracer slower.
+    /// A benchmark that counts work instead of time, so that machines agree. A bound is the measured number plus 5 %
+    /// for another compiler's rounding. A test that exceeds it has found a slower tracer.
     /// </summary>
     [Category("Slow")]
     public sealed class TraceStatisticsTests
@@ -66,12 +65,12 @@ namespace Glint.Tests
         public void Trace_SeaAndShip_VisitsNoMoreThanMeasured(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
-            // From the root of a BVH over both instances.
+            // Starts at the root of a BVH over both instances.
             var (nodes, pairs) = asSoftware ? (8.476, 1.177) : (15.637, 1.139);
             using (var tracer = Tracer(asSoftware))
             {
                 var result = Counted(tracer, Scene(Made));
-                // Each bounce is off a pair that was tested.
+                // Each bounce is off a tested pair.
                 Assert.That(result.Statistics.PairsTested, Is.GreaterThanOrEqualTo(result.Bounces));
                 Assert.That(NodesASegment(result), Is.LessThan(Tolerance * nodes));
                 Assert.That(PairsASegment(result), Is.LessThan(Tolerance * pairs));
@@ -79,7 +78,8 @@ namespace Glint.Tests
             }
         }
 
-        // Four binary levels more, each met by half a segment and a little more as boxes overlap; two wide levels.
+        // Four binary levels more, each visited by half a segment and a little more, since boxes overlap; two wide
+        // levels.
         // Without a BVH it would be 16 times as many.
         [Test]
         public void Trace_SixteenTimesTheTriangles_VisitsAFewMoreNodesAndTakesNoMoreBytesATriangle(
@@ -115,8 +115,8 @@ namespace Glint.Tests
                 Assert.That(second.TrianglesBuilt, Is.Zero);
                 Assert.That(second.RaysRefined, Is.InRange(1, 5e-3 * s_settings.RayCount),
                     "rays that may be received or pass an edge");
-                // A software device finds the starts of the tiles first.
-                // Rays that may be received are followed once more, and smaller ones around these.
+                // A software device finds the tiles' entry points first.
+                // Rays that may be received are traced again, with smaller ones around them.
                 Assert.That(second.Dispatches, Is.EqualTo(asSoftware ? 4 : 3));
                 Assert.That(second.BytesReadBack, Is.EqualTo(3 * SumBytes + 8 * second.RaysRefined));
                 // Two records of 144 bytes with a range of triangles each,
@@ -138,7 +138,7 @@ namespace Glint.Tests
             settings.Region = new RayRegion { Left = 200, Bottom = 20, Width = 16, Height = 100 };
             var expected = new ReferenceTracer(new RadarPose(scene, settings, s_view)).TraceAll();
             Assert.That(expected.Count(ray => ray.Bounces > 0), Is.GreaterThan(1000));
-            // No BVH is larger than 48 and 96 MiB.
+            // No BVH exceeds 48 (wide) and 96 MiB (binary).
             foreach (bool asSoftware in TestKernels.AsSoftware)
                 using (var tracer = Tracer(asSoftware, (asSoftware ? 48 : 96) << 20 >> 4))
                 {
@@ -152,7 +152,7 @@ namespace Glint.Tests
                             || abs(result.Rays[i].PathLength - (expected[i].Received
                                 ? expected[i].PathLength
                                 : expected[i].LengthToLastHit)) > 1e-3);
-                    // Rays that just touch a crest.
+                    // Rays that barely touch a crest.
                     Assert.That(others, Is.LessThanOrEqualTo(expected.Length / 1000));
                 }
         }
@@ -161,7 +161,7 @@ namespace Glint.Tests
         public void Trace_SmallMeshesAfterALargeOne_GiveItsBuffersBack(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
-            // A buffer holds the larger BVH, not both.
+            // A buffer has the size of the larger BVH, not of both.
             using (var tracer = Tracer(asSoftware, (asSoftware ? 4 : 8) << 20 >> 4))
             {
                 long large = tracer.Trace(new RadarPose(Scene(new SeaAndShip(1, 100_000, 100_000)), s_settings, s_view),
@@ -170,7 +170,7 @@ namespace Glint.Tests
                 var small = Scene(new SeaAndShip(1, 1000, 1000));
                 var result = tracer.Trace(new RadarPose(small, s_settings, s_view), RayReadback.None);
                 Assert.That(tracer.PageCount, Is.EqualTo(1));
-                long lists = (4 + 4 * 16 + 64 * 8) * 60 * 34; // of tiles and their rays
+                long lists = (4 + 4 * 16 + 64 * 8) * 60 * 34; // lists of tiles and their rays
                 Assert.That(result.Statistics.BytesOnDevice - lists, Is.LessThan((large - lists) / 10));
             }
         }
@@ -201,8 +201,8 @@ namespace Glint.Tests
             {
                 var problem = Assert.Throws<GlintException>(() =>
                     tracer.Trace(new RadarPose(Scene(Made), s_settings, s_view), RayReadback.None));
-                // 79,000 triangles of at least 32 bytes in wide BVHs and 48 in binary ones, with 5 and 4 more for their
-                // numbers, and 8 buffers of 128 KiB.
+                // 79,000 triangles of at least 32 bytes in wide BVHs and 48 in binary ones, plus 5 and 4 bytes for
+                // their numbers, and 8 buffers of 128 KiB.
                 Assert.That(problem.Message,
                     Does.Match($@"test: the BVHs over its meshes take at least {(asSoftware ? "2.8" : "3.9")} MiB, "
                         + @"and .* holds 1 MiB of them in buffers of 0\.1 MiB"));

@@ -4,8 +4,8 @@ using System.Globalization;
 namespace Glint.Tests
 {
     /// <summary>
-    /// A current culture whose numbers and dates are not the invariant ones: decimal comma, other signs.
-    /// Made here, since a system may have no cultures.
+    /// A current culture with numbers and dates unlike the invariant ones: decimal comma, other signs. It is built
+    /// here, since a system may have no cultures.
     /// </summary>
     sealed class ForeignCulture : IDisposable
     {

@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace Glint.Tests
 {
-    /// <summary>What holds for every format; each is read from disk.</summary>
+    /// <summary>Claims that hold for every format; each mesh is read from disk.</summary>
     public sealed class MeshFileReaderTests
     {
         static readonly float3[] Vertices = Solid.BoxVertices(2, 3, 5);

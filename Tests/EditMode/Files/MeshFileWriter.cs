@@ -5,7 +5,7 @@ using Unity.Mathematics;
 
 namespace Glint.Tests
 {
-    /// <summary>Writes meshes in each format the reader takes, with the digits that give back every float.</summary>
+    /// <summary>Writes meshes in each format that the reader accepts, with enough digits for every float.</summary>
     static class MeshFileWriter
     {
         public static byte[] Obj(float3[] vertices, int[] indices)
@@ -32,7 +32,7 @@ namespace Glint.Tests
         }
 
         /// <param name="head">The first of the 80 bytes before the count.</param>
-        /// <param name="count">Triangles announced; those there are when null.</param>
+        /// <param name="count">Number of triangles in the header; null for the true number.</param>
         public static byte[] StlBinary(float3[] vertices, int[] indices, string head = "", uint? count = null)
         {
             var stream = new MemoryStream();

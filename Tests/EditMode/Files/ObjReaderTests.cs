@@ -115,7 +115,7 @@ namespace Glint.Tests
             TestName = "Face_OverSeveralLines_IsRefusedByItsFirst")]
         [TestCase(Corners, "model.obj:", "no triangles", "4 vertices", TestName = "File_WithoutFaces_IsRefused")]
         [TestCase("# nothing\n", "model.obj:", "no triangles", TestName = "File_OfComments_IsRefused")]
-        [TestCase("solid x\n", "model.obj:1:", "\"solid\" is no OBJ statement",
+        [TestCase("solid x\n", "model.obj:1:", "\"solid\" is not an OBJ statement",
             TestName = "File_OfAnotherFormat_IsRefused")]
         [TestCase("v 0 0 0\nv 1 0\0 0\n", "model.obj:2:", "binary data", TestName = "File_WithBinaryData_IsRefused")]
         public void Text_Damaged_IsRefused(string text, params string[] parts) =>

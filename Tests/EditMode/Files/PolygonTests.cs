@@ -11,7 +11,7 @@ using Random = System.Random;
 namespace Glint.Tests
 {
     /// <summary>
-    /// Polygons of OBJ files: their triangles cover them and nothing else. Areas by the shoelace formula.
+    /// Polygons of OBJ files: their triangles cover exactly the polygon. Areas by the shoelace formula.
     /// </summary>
     public sealed class PolygonTests
     {
@@ -48,8 +48,8 @@ namespace Glint.Tests
         [Test]
         public void Face_Comb_HasItsArea([Range(0, 18)] int first)
         {
-            // Teeth of 1 x 1, four of them, on a back of 7 x 1: corners on one line,
-            // and many of them hidden from the first.
+            // Four teeth of 1 x 1 on a back of 7 x 1: several corners are on one line, and many are hidden from the
+            // first.
             var comb = new List<double2> { new double2(0, -1), new double2(7, -1), new double2(7, 0) };
             for (int tooth = 3; tooth >= 0; tooth--)
                 comb.AddRange(new[] { new double2(2 * tooth + 1, 0), new double2(2 * tooth + 1, 1),
@@ -58,8 +58,7 @@ namespace Glint.Tests
             AssertCovered(comb.ToArray(), order, 1, new double3(0.3, -0.8, 0.5), new double3(1, 2, 3));
         }
 
-        // A frame is written as one outline that is cut from the outer to the inner edge:
-        // both ends of the cut come twice.
+        // A frame is one outline with a cut from the outer to the inner edge, so both ends of the cut appear twice.
         [TestCase("f 1 2 3 4 1 5 8 7 6 5")]
         [TestCase("f 3 4 1 5 8 7 6 5 1 2")]
         [TestCase("f 5 8 7 6 5 1 2 3 4 1")]

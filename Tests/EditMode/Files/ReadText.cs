@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Glint.Tests
 {
-    /// <summary>Reads mesh files that stand as text in a test.</summary>
+    /// <summary>Reads mesh files that are text in a test.</summary>
     static class ReadText
     {
         public static MeshFile Obj(string text, string unit = "m", UpAxis up = UpAxis.Y) =>
@@ -17,7 +17,7 @@ namespace Glint.Tests
         public static MeshFile Bytes(string name, byte[] content, string unit = "m", UpAxis up = UpAxis.Y) =>
             MeshFileReader.Read(new MemoryStream(content), name, LengthUnit.Parse(unit), up);
 
-        /// <summary>Asserts that reading fails with one line that holds every part.</summary>
+        /// <summary>Asserts that reading fails with one line that contains every part.</summary>
         public static void AssertRefused(TestDelegate read, params string[] parts)
         {
             var error = Assert.Throws<GlintException>(read);

@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Glint.Tests
 {
-    /// <summary>Closed solids with their outer side outwards, and measures of what was read back.</summary>
+    /// <summary>Closed solids with their outer side outwards, and measures of read meshes.</summary>
     static class Solid
     {
         /// <summary>The eight corners of a box from 0 to its size.</summary>
@@ -24,7 +24,7 @@ namespace Glint.Tests
             0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6 // z = 0, z = 1
         };
 
-        /// <summary>Volume by the divergence theorem: positive when the outer sides look outwards.</summary>
+        /// <summary>Volume by the divergence theorem; positive if the outer sides face outwards.</summary>
         public static double Volume(MeshFile mesh)
         {
             double sum = 0;

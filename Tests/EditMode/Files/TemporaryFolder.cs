@@ -3,7 +3,7 @@ using System.IO;
 
 namespace Glint.Tests
 {
-    /// <summary>A folder of its own in the system's temporary folder, gone at the end with all that is in it.</summary>
+    /// <summary>A new folder in the system's temporary folder; Dispose deletes it with its content.</summary>
     sealed class TemporaryFolder : IDisposable
     {
         public TemporaryFolder()

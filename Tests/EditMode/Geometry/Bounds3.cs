@@ -21,7 +21,7 @@ namespace Glint.Tests
             Max = math.max(Max, other.Max);
         }
 
-        /// <summary>Whether it holds the other box with a margin on each side.</summary>
+        /// <summary>True if it contains the other box with a margin on each side.</summary>
         public bool Holds(in Bounds3 other, double3 margin) =>
             math.all(Min + margin <= other.Min) && math.all(Max - margin >= other.Max);
     }

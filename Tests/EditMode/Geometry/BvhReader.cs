@@ -8,8 +8,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// Reads BVHs as the shaders do, in double precision, and checks that each box holds what is below it.
-    /// It shares no code with the encoders.
+    /// Reads BVHs as the shaders do, in double precision, and checks that each box contains its subtree. It shares no
+    /// code with the encoders.
     /// </summary>
     sealed class BvhReader
     {
@@ -30,17 +30,17 @@ namespace Glint.Tests
             _seen = new bool[rows.Length];
         }
 
-        /// <summary>Inner levels.</summary>
+        /// <summary>Number of inner levels.</summary>
         public int Levels { get; private set; }
 
         public int Leaves { get; private set; }
 
-        /// <summary>All that the leaves hold.</summary>
+        /// <summary>Bounds of all leaves' content.</summary>
         public Bounds3 Bounds { get; private set; }
 
         /// <param name="rows">The BVH.</param>
-        /// <param name="layout">Its form.</param>
-        /// <param name="readLeaf">Gets a leaf's first row and tells what it holds.</param>
+        /// <param name="layout">Its layout.</param>
+        /// <param name="readLeaf">Reads the leaf at a row and returns its content.</param>
         public static BvhReader Read(uint4[] rows, BvhLayout layout, Func<int, Bounds3> readLeaf)
         {
             var reader = new BvhReader(rows, layout, readLeaf);
@@ -147,7 +147,7 @@ namespace Glint.Tests
             return all;
         }
 
-        // What a ray in float32 may be beside its place, of the size of the whole.
+        // Position error of a float32 ray, relative to the scene's size.
         static double MarginOf(in Bounds3 whole) => 1e-6 * cmax(whole.Max - whole.Min);
 
         static double Cells(uint word, int child) => word >> (8 * child) & 0xff;

@@ -8,29 +8,30 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// Closed bodies about the origin that is inside them: the surface of a cube in n x n cells a face,
-    /// each corner drawn out along its direction.
-    /// Rows and columns of corners lie where a square picture of 90 degrees has rays,
-    /// so that rays from the origin meet corners, run into edges, and along edges.
+    /// Closed bodies around the origin: the surface of a cube with n x n cells a face, each corner moved along its
+    /// direction. Rows and columns of corners coincide with rays of a square picture of 90 degrees, so that rays from
+    /// the origin hit corners and edges and run along edges.
     /// </summary>
     static class ClosedBodies
     {
-        /// <summary>As near a sphere of radius 1 as its cells make it; 12 n^2 triangles.</summary>
+        /// <summary>An approximate sphere of radius 1; 12 n^2 triangles.</summary>
         public static TriangleMesh Sphere(int cells, int rays) =>
             Make(cells, rays, (at, direction) => normalize(direction));
 
-        /// <summary>Convex, of three unequal axes that are not at right angles.</summary>
+        /// <summary>A convex body with three unequal axes that are not at right angles.</summary>
         public static TriangleMesh Skewed(int cells, int rays) => Make(cells, rays, (at, direction) =>
         {
             double3 p = normalize(direction);
             return double3(3 * p.x + p.y, p.y + 0.2 * p.z, 0.3 * p.z);
         });
 
-        /// <summary>Each corner at a distance of its own, as concave as can be.</summary>
+        /// <summary>A very concave body: each corner has a random distance.</summary>
         public static TriangleMesh Jagged(int cells, int rays, int seed, double depth = 0.5) =>
             Make(cells, rays, (at, direction) => (1 + depth * (2 * Chance(at, seed) - 1)) * direction);
 
-        /// <summary>A cube with dents whose walls point at the origin: rays run along walls and their edges.</summary>
+        /// <summary>
+        /// A cube with dents whose walls point at the origin, so that rays run along walls and their edges.
+        /// </summary>
         public static TriangleMesh Dented(int cells, int rays, int seed)
         {
             var cube = new Builder(cells, rays, (at, direction) => direction);
@@ -47,7 +48,7 @@ namespace Glint.Tests
             return body.ToMesh();
         }
 
-        // A number from 0 to 1 that a place always has.
+        // A pseudo-random number from 0 to 1 that depends only on the position.
         static double Chance(int3 at, int seed) =>
             new System.Random(seed * 7919 + at.x * 73856093 ^ at.y * 19349663 ^ at.z * 83492791).NextDouble();
 
@@ -64,13 +65,14 @@ namespace Glint.Tests
             {
                 _cells = cells;
                 _position = position;
-                // Of the rays through the middles of pixels the nearest ones; the cube's own edges lie between rays.
+                // Tangents of the rays through pixel centres nearest to the cells' edges; the cube's own edges are
+                // between rays.
                 _tangents = Enumerable.Range(0, cells + 1).Select(
                     i => i == 0 ? -1.0 : i == cells ? 1.0 : (2.0 * (i * rays / cells) + 1 - rays) / rays).ToArray();
             }
 
             /// <param name="lift">
-            /// Of a cell of a face: its distance as a part of its surroundings'; not 1 for a dent or a hump with walls.
+            /// Distance of a face's cell relative to its surroundings; not 1 for a dent or a hump with walls.
             /// </param>
             public void AddFaces(Func<int, int, int, double> lift)
             {

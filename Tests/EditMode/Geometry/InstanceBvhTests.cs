@@ -42,8 +42,8 @@ namespace Glint.Tests
         [Test]
         public void Build_SizesGrowingByPowersOfTwo_StaysWithinTheStacksOfTheKernels()
         {
-            // Each box is as large as all before it: a plain surface area heuristic would cut off a few at a time,
-            // and come to the bulk at the small end last.
+            // Each box is as large as all before it. A plain surface area heuristic would split off a few at a time,
+            // and reach the bulk at the small end last.
             var sizes = Enumerable.Range(0, 60000)
                 .Select(i => (float)Math.Pow(2, Math.Max(-60, i / 2 % 6000 - 5880) + 1e-4 * (i % 1000))).ToArray();
             int levels = Check(sizes.Select(size => float3(size)).ToArray(),

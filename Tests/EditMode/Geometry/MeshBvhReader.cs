@@ -7,7 +7,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>Reads a mesh's BVHs and checks all that the shaders count on.</summary>
+    /// <summary>Reads a mesh's BVHs and checks everything that the shaders rely on.</summary>
     sealed class MeshBvhReader
     {
         readonly TriangleMesh _mesh;
@@ -15,13 +15,13 @@ namespace Glint.Tests
 
         MeshBvhReader(TriangleMesh mesh) => _mesh = mesh;
 
-        /// <summary>Pairs of triangles, and triangles left alone.</summary>
+        /// <summary>Number of triangle pairs and single triangles.</summary>
         public int Leaves { get; private set; }
 
         /// <summary>Bytes of all parts.</summary>
         public long Bytes { get; private set; }
 
-        /// <summary>Most inner levels of a part.</summary>
+        /// <summary>Largest number of inner levels of a part.</summary>
         public int Levels { get; private set; }
 
         public static MeshBvhReader Check(TriangleMesh mesh, BvhLayout layout) =>
@@ -64,7 +64,7 @@ namespace Glint.Tests
             float4 r0 = asfloat(rows[row]), r1 = asfloat(rows[row + 1]), r2 = asfloat(rows[row + 2]);
             float3 a = r0.xyz, b = float3(r0.w, r1.xy), c = float3(r1.zw, r2.x), d = r2.yzw;
             _triangles.Add(Key(a, b, c));
-            // Two leaves share a row that names their triangles.
+            // Two leaves share a row with the numbers of their triangles.
             int leaf = (row - part.FirstRecordRow) / 3;
             uint4 names = rows[part.FirstIdentityRow + leaf / 2];
             CheckName(leaf % 2 == 0 ? names.x : names.z, Key(a, b, c));
@@ -102,7 +102,7 @@ namespace Glint.Tests
             return keys.ToArray();
         }
 
-        // The same for any order of the corners, and for nothing else but by a chance of one in 2^64.
+        // The same for any order of the corners. Other triangles collide with a probability of 2^-64.
         static ulong Key(float3 a, float3 b, float3 c) => Mix(Key(a) + Key(b) + Key(c));
 
         static ulong Key(float3 position) =>

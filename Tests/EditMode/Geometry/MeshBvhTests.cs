@@ -112,7 +112,7 @@ namespace Glint.Tests
         [Test]
         public void MaxLeaves_WithNodesAndNumbers_FitInAPart()
         {
-            // Nodes and leaves of 3 rows; behind them a row for the triangles' numbers of two leaves, or of two records.
+            // Nodes and leaves of 3 rows, then a row with the triangles' numbers of two leaves or of two records.
             long leaves = BvhRows.MaxLeaves(_layout), nodes = leaves - 1;
             long rows = _layout == BvhLayout.Binary
                 ? 1 + 3 * nodes + 3 * leaves + (leaves + 1) / 2

@@ -6,10 +6,10 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>Meshes that are hard on a BVH, each in its own way.</summary>
+    /// <summary>Meshes that are hard on a BVH in different ways.</summary>
     static class TestMeshes
     {
-        /// <summary>Waves over a grid of squares, two triangles each, that share their vertices.</summary>
+        /// <summary>Waves over a grid of squares with shared vertices, two triangles each.</summary>
         public static TriangleMesh Sea(int across, int along, float square = 0.5f)
         {
             var vertices = new float3[(across + 1) * (along + 1)];
@@ -27,23 +27,23 @@ namespace Glint.Tests
             return new TriangleMesh(vertices, indices);
         }
 
-        /// <summary>The same triangles, each with vertices of its own, as an STL file has them.</summary>
+        /// <summary>The same triangles without shared vertices, as in an STL file.</summary>
         public static TriangleMesh Soup(TriangleMesh mesh) =>
             new TriangleMesh(mesh.Indices.Select(index => mesh.Vertices[index]).ToArray(),
                 Enumerable.Range(0, mesh.Indices.Length).ToArray());
 
-        /// <summary>Small triangles that share nothing, on a grid of places.</summary>
+        /// <summary>Small triangles on a grid, without shared vertices.</summary>
         public static TriangleMesh Apart(int across, int along, float step) =>
             Triangles(across * along, t => step * float3(t % across, 0, t / across), 0.4f * step);
 
         /// <summary>
-        /// Most triangles in a clump, the others so far apart that one bin of any split holds the clump.
+        /// Most triangles in a clump, and the others so far apart that one bin of any split contains the clump.
         /// </summary>
         public static TriangleMesh Clump(int inside, int outside) => TestRadar.Join(
             Triangles(inside, t => 1e-3f * float3(t % 1000, 0, t / 1000), 4e-4f),
             Triangles(outside, t => 300f * float3(t % 100, t % 7, t / 100), 100));
 
-        /// <summary>The same triangle again and again.</summary>
+        /// <summary>Many copies of one triangle.</summary>
         public static TriangleMesh Same(int count) => Triangles(count, t => float3(3, 4, 5), 1);
 
         /// <summary>Triangles of 10 km by a few micrometres.</summary>
@@ -51,7 +51,7 @@ namespace Glint.Tests
             Triangles(count, t => float3(0, 1e-3f * t, 0), float3(1e4f, 0, 0),
                 t => float3(1e4f, t % 2 == 0 ? 4e-6f : -4e-6f, t % 5));
 
-        /// <summary>A fan around one vertex that all triangles share, by turns up and down.</summary>
+        /// <summary>A fan around one shared vertex, alternately up and down.</summary>
         public static TriangleMesh Fan(int count)
         {
             var vertices = new float3[count + 2];
@@ -62,7 +62,7 @@ namespace Glint.Tests
         }
 
         /// <summary>
-        /// Triangles whose size and distance grow from 10^-7 m to 10^7 m; as many again at the small end.
+        /// Triangles whose size and distance grow from 10^-7 m to 10^7 m, and as many at the small end.
         /// </summary>
         public static TriangleMesh Ladder(int steps, int atTheFoot)
         {

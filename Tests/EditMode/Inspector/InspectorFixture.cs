@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>A plate of 4 m at 20 m that a small radar sees head-on, and nothing wrong with either.</summary>
+    /// <summary>A 4 m plate at 20 m, head-on to a small radar, without any finding.</summary>
     public abstract class InspectorFixture
     {
         protected GameObject _plate;
@@ -25,7 +25,7 @@ namespace Glint.Tests
             _radar.Receiver = new GameObject("Receiver").transform;
             _radar.Receiver.SetParent(_radar.transform, false);
             _radar.Receiver.localPosition = new Vector3(0, 0, -0.2f);
-            _radar.Roots.Add(_plate.transform); // whatever scene an earlier test left
+            _radar.Roots.Add(_plate.transform); // another scene may be left by an earlier test
             _radar.Kernel = TestKernels.Trace;
             _check = new RadarCheck(_radar);
         }

@@ -9,7 +9,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>Each finding in a scene that has it, and after its fix, and after Undo.</summary>
+    /// <summary>Each finding in a scene that has it, after its fix, and after Undo.</summary>
     public sealed class RadarCheckTests : InspectorFixture
     {
         const string Sampled = "for the amplitude to be trusted";
@@ -40,23 +40,22 @@ namespace Glint.Tests
             yield return Case("layers", test => test._radar.Layers = 1 << 5,
                 "Warning: RadarController of 'Radar' traces nothing: no active object below its Roots");
             yield return Case("aim", test => test._radar.transform.rotation = Quaternion.Euler(0, 130, 0),
-                "Warning: RadarController of 'Radar': nothing that is traced lies in its picture; "
-                    + "the middle of it is 20 m away");
+                "Warning: RadarController of 'Radar': no traced object is in its picture; their centre is 20 m away");
             yield return Case("aim of parallel rays",
                 test => { test.MakeParallel(2); test._radar.transform.rotation = Quaternion.Euler(0, 30, 0); },
-                "nothing that is traced lies in its picture");
+                "no traced object is in its picture");
             yield return Case("region", test => test.SetRegion(0, 0, 8, 8),
-                "Warning: RadarController of 'Radar': nothing that is traced lies in the region of its picture");
+                "Warning: RadarController of 'Radar': no traced object is in the region of its picture");
             yield return Case("receiver that faces away",
                 test => test._radar.Receiver.localRotation = Quaternion.Euler(0, 180, 0),
                 "comes to its receiver 'Receiver'");
             yield return Case("small receiver", test => test._radar.ReceiverSize = new Vector2(0.5f, 0.5f),
-                "fewer than the 16 that an amplitude takes");
+                "fewer than the 16 needed for the amplitude");
             yield return Case("few rays", test =>
                     test.Change(settings => { (settings.RaysAcross, settings.RaysDown) = (16, 9); return settings; }),
                 "fewer than 16 can hit it");
-            // Turned by 25 degrees: neighbours return 2 * 0.26 m apart,
-            // and their paths differ by that times sin(25 degrees).
+            // Turned by 25 degrees: neighbours return 2 * 0.26 m apart, and their paths differ by that times sin(25
+            // degrees).
             yield return Case("coarse rays", test => test._radar.transform.rotation = Quaternion.Euler(0, 25, 0),
                 "most of whose neighbours' paths differ by 0.5 wavelengths or more");
             yield return Case("coarse parallel rays",

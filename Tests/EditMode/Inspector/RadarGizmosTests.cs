@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>The receiver that Scene view outlines is the one that a pose receives with.</summary>
+    /// <summary>The outlined receiver in Scene view is the receiver of a pose.</summary>
     public sealed class RadarGizmosTests : InspectorFixture
     {
         [Test]

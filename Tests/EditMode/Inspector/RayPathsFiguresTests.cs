@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>What the inspectors say of Ray Paths, and the button that adds them.</summary>
+    /// <summary>The inspectors' text about Ray Paths, and the button that adds them.</summary>
     public sealed class RayPathsFiguresTests : InspectorFixture
     {
         [Test]

@@ -12,7 +12,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Tests
 {
-    /// <summary>What the menu GameObject > Glint makes.</summary>
+    /// <summary>The objects of the menu GameObject > Glint.</summary>
     public sealed class SceneObjectsTests
     {
         [SetUp]
@@ -63,7 +63,7 @@ namespace Glint.Tests
             Assert.That(check.Findings.Where(finding => finding.Text.Contains("picture")), Is.Empty);
             Assert.That(Vector3.Angle(radar.transform.forward, box.position - radar.transform.position),
                 Is.LessThan(0.01));
-            // Three halves of the diagonal; the view is 2 tan(30 deg) as high as it is far.
+            // Three half-diagonals away; the view's height is 2 tan(30 deg) times its distance.
             Assert.That(check.Figures.Distance, Is.EqualTo(1.5 * math.sqrt(20 * 20 + 4 * 4 + 6 * 6)).Within(1e-3));
             Assert.That(check.Figures.Footprint.Value.y, Is.GreaterThan(check.Figures.TargetSize));
             Assert.That(radar.transform.parent == null, "it does not move with what it looks at");

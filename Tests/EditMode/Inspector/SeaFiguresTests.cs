@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>What an inspector says of a sea.</summary>
+    /// <summary>The figures of a sea in its inspector.</summary>
     public sealed class SeaFiguresTests
     {
         Sea _sea;

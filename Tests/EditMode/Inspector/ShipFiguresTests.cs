@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>A ship's mesh made anew from its measures.</summary>
+    /// <summary>A ship's mesh, rebuilt from its measures.</summary>
     public sealed class ShipFiguresTests
     {
         Ship _ship;

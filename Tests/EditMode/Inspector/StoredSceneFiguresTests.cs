@@ -22,7 +22,7 @@ namespace Glint.Tests
             EditorSceneManager.OpenScene("Packages/com.glint.scenes/CornerReflector.unity", OpenSceneMode.Single);
             var pose = Object.FindFirstObjectByType<RadarController>().Gather();
             RadarView expected = CornerReflector.View, view = pose.View;
-            // Transforms are float32: some micrometres at 41 m, and some 1e-7 of a direction.
+            // Transforms are float32: some micrometres at 41 m, and some 1e-7 in a direction.
             foreach (var (ours, theirs, tolerance) in new[]
             {
                 (view.Position, expected.Position, 5e-6), (view.ReceiverCentre, expected.ReceiverCentre, 5e-6),
@@ -36,7 +36,7 @@ namespace Glint.Tests
             Assert.That(Corners(pose.Scene), Is.EqualTo(Corners(new RadarScene(CornerReflector.Mesh))));
         }
 
-        // In steps of 0.1 mm, whatever their order.
+        // In steps of 0.1 mm, in any order.
         static double3[] Corners(RadarScene scene) => scene.Instances.SelectMany(
                 instance => instance.Mesh.Vertices.Select(vertex => instance.ToWorld.Point(vertex)))
             .Select(point => round(1e4 * point) + 0.0).Distinct().OrderBy(point => point.x).ThenBy(point => point.y)
@@ -50,8 +50,8 @@ namespace Glint.Tests
             check.Update();
             Assert.That(check.Findings, Is.Empty);
 
-            // Its plates fill a cube along its axes from -0.211 to 15.8985 m, which turns about (7.871, 7.871, 8.052)
-            // m. The axes lean over by 49.132 degrees.
+            // Its plates fill a cube along its axes from -0.211 to 15.8985 m, which is rotated about (7.871, 7.871,
+            // 8.052) m. The axes are tilted by 49.132 degrees.
             double lean = radians(49.132), side = (15.8985 - 0.211) / 2;
             double3 along = double3(0, -sin(lean), -cos(lean)), z = double3(0, cos(lean), -sin(lean));
             double3 centre = sqrt(2.0) * (side - 7.871) * along + (side - 8.052) * z;

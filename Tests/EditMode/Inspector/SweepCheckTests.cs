@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>A Sweep looked at before it is played.</summary>
+    /// <summary>Checks of a Sweep before it is played.</summary>
     public sealed class SweepCheckTests
     {
         Sweep _sweep;

@@ -9,15 +9,15 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The kernel against the reference tracer, ray by ray, near and far: lengths, phases,
-    /// and the few rays that pass an edge on its other side.
+    /// The kernel against the reference tracer, ray by ray, near and far: lengths, phases, and the few rays that pass
+    /// an edge on its other side.
     /// </summary>
     [Category("Slow")]
     public sealed class AccuracyTests
     {
         const double CornerTolerance = 1e-5, RoughTolerance = 5e-5; // m
 
-        // Half the height of what the published experiment sees at the reflector, m.
+        // Half the height of the published experiment's view at the reflector, m.
         static readonly double SeenHalf = tan(radians(30.0)) * CornerReflector.Distance;
 
         static readonly RadarSettings s_settings = TestRadar.Settings(960, 540);
@@ -40,7 +40,8 @@ namespace Glint.Tests
         [Test]
         public void Trace_CornerReflectorAtTenKilometres_LengthsSpreadAsTheReferencesDo()
         {
-            // The field of view of the published check. Rays to the vertex, 6 m off the axis, differ by 2 R t dt:
+            // Field of view of the published check. Rays to the vertex, 6 m off the axis, differ by 2 R t dt: t = 6e-4
+            // rad, dt = 1.5e-4 rad.
             // t = 6e-4 rad, dt = 1.5e-4 rad.
             var settings = TestRadar.Settings(1920, 1080);
             var view = CornerView(1e4);
@@ -60,10 +61,9 @@ namespace Glint.Tests
         public void Trace_FurrowedWallOf80000Triangles_LengthsAreTheReferences([Values(50, 1e4)] double range,
             [Values] bool isParallel)
         {
-            // Furrows at right angles send rays back whatever their tilt across;
-            // that along them misses a receiver of 30 m when it exceeds this.
-            // Every ray bounces twice between ridges 1.3 m apart, at 45 degrees:
-            // it passes some ten edges a metre, a sea's ray three.
+            // Furrows at right angles return rays for any tilt across them; a larger tilt along them misses a 30 m
+            // receiver. Every ray bounces twice between ridges 1.3 m apart, at 45 degrees, and passes some ten edges a
+            // metre; a sea's ray passes three.
             double tilt = 10 / range;
             var view = TestRadar.LookAt(range * normalize(double3(0.3, 0, 1)), double3(0.0173, 0.0311, 0),
                 degrees(2 * atan(30 / range)));
@@ -79,8 +79,8 @@ namespace Glint.Tests
         [Test]
         public void Trace_SmallFurrowedWallInTheMiddleOfALargeScene_LengthsAreTheReferences([Values] bool isParallel)
         {
-            // Rays come 60 m, and their places there are as rounded, but where they are reflected coordinates
-            // are small and ridges 2 cm apart.
+            // Hit positions at 60 m have the usual rounding, but coordinates at the reflection are small and ridges
+            // are 2 cm apart.
             var view = TestRadar.LookAt(50 * normalize(double3(0.3, 0, 1)), 0, degrees(2 * atan(0.5 / 50)));
             view.ApertureHeight = isParallel ? 1 : 0;
             view.ReceiverSize = 30;
@@ -98,7 +98,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_SeaAndShipOf80000Triangles_LengthsAreTheReferences([Values(50, 1e4)] double range)
         {
-            // From high above, where waves send rays back.
+            // From high above, where waves return rays.
             var made = new SeaAndShip(1, 36000, 44000);
             var view = TestRadar.LookAt(range * normalize(double3(0.01, 1, -0.02)), 0, degrees(2 * atan(45 / range)));
             view.ReceiverSize = 150;
@@ -109,7 +109,7 @@ namespace Glint.Tests
             total.Check(minReceived: 100);
         }
 
-        // From any range, with the field of view narrowed to what the published experiment sees from its own.
+        // At any range, with the field of view narrowed to the published experiment's view.
         static RadarView CornerView(double range)
         {
             var view = AccuracyScene.PublishedView(range, CornerReflector.PitchDegrees);
@@ -117,8 +117,8 @@ namespace Glint.Tests
             return view;
         }
 
-        // A wall across the z axis: furrows along y, 45 degrees steep, their ridges and floors roughened so that facets
-        // tilt by about so many radians.
+        // A wall across the z axis: furrows along y, 45 degrees steep. Ridges and floors are rough, so that facets
+        // tilt by about this angle in radians.
         static TriangleMesh FurrowedWall(int cells, float side, double tilt)
         {
             var random = new System.Random(1);
@@ -151,15 +151,15 @@ namespace Glint.Tests
             }
         }
 
-        /// <summary>What several poses add up to.</summary>
+        /// <summary>Totals of several poses.</summary>
         sealed class Total
         {
             readonly double _lengthTolerance, _amplitudeTolerance;
             long _rays, _received, _atEdge;
 
-            /// <param name="lengthTolerance">Metres.</param>
+            /// <param name="lengthTolerance">Maximum error of a length, metres.</param>
             /// <param name="amplitude">
-            /// Tolerance of a pose's amplitude, of the root of the number of rays received.
+            /// Tolerance of a pose's amplitude, relative to the square root of the number of rays received.
             /// </param>
             public Total(double lengthTolerance, double amplitude)
             {

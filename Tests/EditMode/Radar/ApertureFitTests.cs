@@ -6,7 +6,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The picture of parallel rays that just covers what is traced.</summary>
+    /// <summary>The smallest picture of parallel rays that covers the traced objects.</summary>
     public sealed class ApertureFitTests
     {
         static readonly double3 X = new double3(1, 0, 0), Y = new double3(0, 1, 0), Z = new double3(0, 0, 1);
@@ -17,7 +17,7 @@ namespace Glint.Tests
         [TestCase(50, 1, 1)]
         public void Cover_PlateAcrossTheView_TakesWholeSpacingsAboutItsMiddle(double spacing, int across, int down)
         {
-            // 2 m wide, 1 m high, its middle at (5, 7).
+            // 2 m wide, 1 m high, centred at (5, 7).
             var pose = Pose(Plate(4, 6, 6.5f, 7.5f), new double3(-3, 2, 100));
             ApertureFit.Cover(ref pose, spacing, "Radar");
             Assert.That((pose.Settings.RaysAcross, pose.Settings.RaysDown), Is.EqualTo((across, down)));
@@ -37,7 +37,7 @@ namespace Glint.Tests
             var scene = new RadarScene(Enumerable.Range(0, 3).Select(_ => new MeshInstance
             {
                 Mesh = Triangles(Enumerable.Range(0, 30).Select(__ => (float3)Point(1)).ToArray()),
-                // Stretched, sheared and mirrored as it comes.
+                // Stretched, sheared and mirrored at random.
                 ToWorld =
                     new Affine { X = Point(size), Y = Point(size), Z = Point(size), Origin = Point(far) + Point(size) },
             }).ToArray());

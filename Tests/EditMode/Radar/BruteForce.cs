@@ -4,7 +4,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The nearest triangle by testing every one, in double (Moeller and Trumbore).</summary>
+    /// <summary>The closest triangle by a test of each one, in double (Moeller and Trumbore).</summary>
     static class BruteForce
     {
         public static int ClosestHit(TriangleMesh scene, double3 origin, double3 direction, out double nearest)
@@ -24,7 +24,7 @@ namespace Glint.Tests
             return hit;
         }
 
-        /// <summary>From the camera straight to a ray's last hit: the first segment of a ray of one bounce.</summary>
+        /// <summary>Distance from the camera to a ray's last hit: the first segment of a ray of one bounce.</summary>
         public static double ToLastHit(double3 camera, RayData ray) => distance(camera, (double3)ray.LastHit);
     }
 }

@@ -6,7 +6,7 @@ using UnityEngine;
 namespace Glint.Tests
 {
     /// <summary>
-    /// Channels hold the sums of the most rays at their largest parts, and refuse larger parts by name.
+    /// Channels hold the sums of the maximum number of rays with the largest parts, and refuse larger parts by name.
     /// </summary>
     public sealed class ChannelTests
     {
@@ -20,7 +20,7 @@ namespace Glint.Tests
         [Test]
         public void Add_LargestPartOfTheLastRays_IsExact([Values(1, -1)] int sign)
         {
-            // As if all rays but the last 1,024 had been added; and from 0, across the limits of the words.
+            // As if all rays but the last 1,024 had been added; and from 0, across the words' limits.
             foreach (long before in new[] { Channel.MaxRays - Threads, 0, -Threads / 2 })
             {
                 var slots = new uint[Channel.Slots * Channel.WordsPerSlot];
@@ -50,7 +50,7 @@ namespace Glint.Tests
             Assert.That(problem.Message, Does.StartWith("Radar: ").And.Contain("'in_phase'"));
         }
 
-        // In two's complement.
+        // Two's complement.
         static void Put(uint[] slots, int first, int count, decimal units)
         {
             var number = new BigInteger(units);

@@ -8,8 +8,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// Plate, dihedral and trihedral at any range: the radar's image in the mirrors sends every ray straight
-    /// to the receiver, whatever the order of the bounces.
+    /// Plate, dihedral and trihedral at any range. The radar's mirror image sends every ray straight to the receiver,
+    /// in any order of the bounces.
     /// </summary>
     public sealed class ClosedFormTests
     {
@@ -76,7 +76,7 @@ namespace Glint.Tests
             Assert.That(rays.Length, Is.GreaterThan(40));
         }
 
-        /// <summary>What a ray looks like from behind the mirrors: one straight line.</summary>
+        /// <summary>A ray unfolded at the mirrors: one straight line.</summary>
         struct Line
         {
             public double3 Image, Direction;
@@ -85,7 +85,7 @@ namespace Glint.Tests
 
         sealed class Setting
         {
-            // Turned so that no normal is a number that float32 has.
+            // Rotated so that no normal is exact in float32.
             static readonly Affine s_transform =
                 Affine.FromTransform(double3(117.5, -31.25, 43), double4(0.3, -0.2, 0.5, 0.8), 1);
 
@@ -130,7 +130,7 @@ namespace Glint.Tests
 
             public RadarScene Scene => new RadarScene(new MeshInstance { Mesh = Mesh, ToWorld = s_transform });
 
-            // Rays that miss edges and diagonals: odd over even numbers.
+            // Offsets that are odd over even numbers, so that rays miss edges and diagonals.
             public RadarSettings Settings { get; } = TestRadar.Settings(46, 37);
 
             public readonly RadarView View;

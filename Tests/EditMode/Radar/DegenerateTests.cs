@@ -8,15 +8,15 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// Where float32 cannot tell what is met: what a ray may do there, and that nothing else comes of it.
-    /// The cases are those of method.md, Known limits.
+    /// Geometry below float32's resolution: what a ray may do there, and that it has no other effect. The cases are
+    /// those of method.md, Known limits.
     /// </summary>
     [Category("Slow")]
     public sealed class DegenerateTests
     {
         const double LengthTolerance = 1e-5; // m
 
-        // How far float32 may be off in a scene of so many metres: what RayComparison allows a place.
+        // Position error that RayComparison allows float32 in a scene of this size in metres.
         static double Step(double sceneSize) => sceneSize / (1 << 22);
 
         [Test]
@@ -40,8 +40,8 @@ namespace Glint.Tests
                         Is.EqualTo(expected[i].LengthToEnd).Within(LengthTolerance), $"ray {i}");
                     continue;
                 }
-                // The reference tracer's ray begins on the triangle and leaves it;
-                // this one is mirrored by it where it begins.
+                // The reference tracer's ray starts on the triangle and leaves it; this ray is reflected by it at the
+                // start.
                 atOnce++;
                 Assert.That(rays[i].Bounces, Is.EqualTo(1), $"ray {i}");
                 Assert.That(distance(rays[i].LastHit, view.Position), Is.LessThan(Step(50)), $"ray {i}");
@@ -49,7 +49,7 @@ namespace Glint.Tests
             }
             Assert.That(atOnce, Is.GreaterThan(0), "a limit that is none any more: mend method.md");
 
-            // The remedy: a millimetre off the surface.
+            // The remedy: a start a millimetre off the surface.
             view.Position.z += 1e-3;
             var comparison = new RayComparison(new RadarPose(scene, settings, view), LengthTolerance);
             comparison.Add(Trace(scene, settings, view, asSoftware).Rays);
@@ -57,7 +57,7 @@ namespace Glint.Tests
             Assert.That(comparison.KernelSums.RaysHit, Is.GreaterThan(100));
         }
 
-        // A thousand slivers 40 micrometres wide and 4 m high before a wall, each once or twice in the same place.
+        // A thousand slivers 40 micrometres wide and 4 m high before a wall, each once or twice at the same position.
         [Test]
         public void Trace_CoplanarSlivers_AreMetAgainNowAndThenWhenTheyAreDuplicates([Values(1, 2)] int copies,
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
@@ -77,7 +77,7 @@ namespace Glint.Tests
                 AssertFinite(ray);
                 Assert.That(ray.Bounces, Is.LessThanOrEqualTo(settings.MaxBounces));
             }
-            // What is met first is right in any case.
+            // The first hit is always right.
             Assert.That(result.RaysHit,
                 Is.EqualTo(new ReferenceTracer(new RadarPose(scene, settings, view)).TraceAll()
                     .Count(ray => ray.Bounces > 0)).Within(3));
@@ -85,7 +85,7 @@ namespace Glint.Tests
             Assert.That(comparison.Wrong, Is.LessThanOrEqualTo(maxWrong * result.RaysHit));
         }
 
-        // A hundred-millionth and a ten-millionth of the distance, before a wall of 130 m.
+        // A hundred-millionth and a ten-millionth of the distance, before a 130 m wall.
         [Test]
         public void Trace_TriangleSmallerThanAStep_IsMetNearItOrNotAtAll([Values(1e-6f, 1e-5f)] float size,
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
@@ -114,11 +114,11 @@ namespace Glint.Tests
                     "neither the triangle nor the wall");
                 Assert.That(length(cross(direction, to)), Is.LessThan(2 * size + step), "aside of the triangle");
             }
-            // Rays are so near to each other that the larger triangle fills some of the picture.
+            // Rays are dense enough for the larger triangle to fill part of the picture.
             Assert.That(met, size > 5e-6f ? Is.GreaterThan(0) : Is.GreaterThanOrEqualTo(0));
         }
 
-        // 3e-10 m from ray to ray, across the edges of trihedrals of any turn.
+        // Ray spacing of 3e-10 m, across the edges of trihedrals of any rotation.
         [Test]
         public void Trace_RaysFarNearerToAnEdgeThanAStep_GoTheWayOfARayBeside(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
@@ -155,8 +155,7 @@ namespace Glint.Tests
             Assert.That(received, Is.GreaterThan(rays / 4));
         }
 
-        // Every triangle twice, and the whole small in its scene:
-        // the place of a hit is rounded as places in the scene are.
+        // Every triangle twice, and all of them small in their scene: a hit's position has the rounding of the scene.
         [Test]
         public void Trace_PlateThatIsThereTwiceInASceneOfKilometres_IsMetOnce(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware,
@@ -179,14 +178,13 @@ namespace Glint.Tests
             var view = TestRadar.LookAt(transform.Point(double3(0.1, 0.2, -40)), transform.Origin, fov: 10);
             view.ReceiverSize = 30;
             var result = Trace(scene, TestRadar.Settings(), view, asSoftware);
-            // Mirrored head-on, every ray that hits comes back to within twice its distance from the axis.
+            // At normal incidence every ray returns within twice its distance from the axis.
             Assert.That(result.RaysHit, Is.GreaterThan(8000));
             Assert.That(result.RaysReceived, Is.EqualTo(result.RaysHit));
             Assert.That(result.Bounces, Is.EqualTo(result.RaysHit));
         }
 
-        // Strips a thousand times as long as wide: their normals must be good enough to tell what may come
-        // back to a receiver 10 km away.
+        // Strips a thousand times as long as wide. Their normals must be accurate enough for a receiver 10 km away.
         [Test]
         public void Trace_PlateOfLongStripsFarAway_ReceivesWhatTheReferenceDoes(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
@@ -196,18 +194,18 @@ namespace Glint.Tests
             var plates = Enumerable.Range(0, strips).Select(i => TestRadar.Plate(
                 float3(-side / 2, width * (i - strips / 2), 0), float3(side, 0, 0), float3(0, width, 0))).ToArray();
             var transform = Affine.FromTransform(double3(3, -2, 1), double4(0.3, -0.5, 0.2, 0.7), 1);
-            // Turned in the mesh itself, so that no coordinate is a short number.
+            // Rotated in the mesh itself, so that no coordinate is a short number.
             var joined = TestRadar.Join(plates);
             var scene = new RadarScene(new TriangleMesh(
                 System.Array.ConvertAll(joined.Vertices, vertex => (float3)transform.Point(vertex)), joined.Indices));
             double3 forward = normalize(transform.Vector(double3(0, 0, 1)));
             var view = TestRadar.LookAt(transform.Origin - 1e4 * forward, transform.Origin, fov: degrees(20 / 1e4));
-            view.ReceiverSize = 4; // rays within 1 m of the axis, but for the rounding of corners
+            view.ReceiverSize = 4; // rays within 1 m of the axis, except for rounded corners
             var settings = TestRadar.Settings(320, 180);
             var received = Trace(scene, settings, view, asSoftware).Rays.Where(ray => ray.IsReceived)
                 .Select(ray => (int)ray.Pixel).ToArray();
             var references = new ReferenceTracer(new RadarPose(scene, settings, view)).TraceAll();
-            // 180 rays over 20 m: 0.11 m from ray to ray.
+            // 180 rays over 20 m: a spacing of 0.11 m.
             Assert.That(received,
                 Is.EqualTo(Enumerable.Range(0, references.Length).Where(i => references[i].Received)));
             Assert.That(received.Length, Is.GreaterThan(200));

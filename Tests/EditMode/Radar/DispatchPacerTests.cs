@@ -7,7 +7,7 @@ namespace Glint.Tests
 {
     public sealed class DispatchPacerTests
     {
-        // Seconds of each dispatch of a pose; a tile's cost may depend on where it is, 0 to 1.
+        // Seconds of each dispatch of a pose; a tile's cost may depend on its position, 0 to 1.
         static List<double> Pose(DispatchPacer pacer, int tiles, Func<double, double> secondsOfTile,
             double firstExtra = 0, int bounces = 4)
         {
@@ -16,7 +16,7 @@ namespace Glint.Tests
             {
                 int count = pacer.NextTiles(tiles - done, bounces);
                 Assert.That(count, Is.InRange(1, tiles - done));
-                // What a dispatch costs however small it is.
+                // Fixed cost of a dispatch.
                 double seconds = 2e-4;
                 for (int tile = done; tile < done + count; tile++)
                     seconds += secondsOfTile((double)tile / tiles);
@@ -38,7 +38,7 @@ namespace Glint.Tests
             const int Tiles = 500_000;
             int tiles = secondsOfTile > 1e-3 ? 2000 : Tiles;
             var first = Pose(pacer, tiles, _ => secondsOfTile, firstExtra: 2);
-            // The very first knows nothing: where a tile takes so long, a single ray would take a millisecond.
+            // The first dispatch has no history: at this cost of a tile, a single ray would take a millisecond.
             Assert.That(first.Skip(secondsOfTile > 1e-3 ? 1 : 0).Max(), Is.LessThan(secondsOfTile > 1e-4 ? 1.1 : 0.5));
             Assert.That(first.Skip(1).Max(), Is.LessThan(0.5));
             var second = Pose(pacer, tiles, _ => secondsOfTile);

@@ -6,12 +6,12 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The kernel's numbers of two float32 against double precision.</summary>
+    /// <summary>The kernel's double-float numbers against double precision.</summary>
     public sealed class DoubleFloatTests
     {
         const int Cases = 64 * 64;
 
-        // Of the larger operand: what Shaders/DoubleFloat.hlsl says.
+        // Relative to the larger operand, as stated in Shaders/DoubleFloat.hlsl.
         const double Rounding = 2.9e-14;
 
         double[][] _numbers;
@@ -19,7 +19,7 @@ namespace Glint.Tests
         [OneTimeSetUp]
         public void MakeNumbers()
         {
-            // Of all sizes, each exact in two float32.
+            // Of all magnitudes, each exact in double-float.
             var random = new System.Random(5);
             _numbers = Enumerable.Range(0, Cases).Select(i => Enumerable.Range(0, 4).Select(j =>
             {
@@ -34,7 +34,7 @@ namespace Glint.Tests
             AssertExact("Sum", n => (double)(float)n[0] + (float)n[1]);
             AssertExact("Product", n => (double)(float)n[0] * (float)n[1]);
             AssertExact("DifferenceKernel", n => (double)(float)n[0] - (float)n[3]);
-            // The second is smaller: half the first times what a number's float32 leaves out.
+            // The second is smaller: half the first times the float32 remainder of a number.
             AssertExact("SumInOrder", n => (double)(float)n[0] + 0.5f * (float)n[0] * DoubleFloat.Lo(n[1]));
         }
 
@@ -57,7 +57,7 @@ namespace Glint.Tests
             for (int i = 0; i < Cases; i++)
             {
                 double wanted = expected(_numbers[i]);
-                // Sums of numbers 2^53 apart are not exact in a double either.
+                // Sums of numbers 2^53 apart are not exact in double either.
                 Assert.That(results[i], Is.EqualTo(wanted).Within(1e-16 * abs(wanted)),
                     $"{kernel} of {string.Join(", ", _numbers[i])}");
             }

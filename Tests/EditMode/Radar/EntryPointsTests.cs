@@ -8,8 +8,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The entry points of tiles. That they change no result, <see cref="TracerTests"/> shows; here is what they save:
-    /// the nodes above an entry point are opened once for its tile, not by each of the 64 rays.
+    /// The entry points of tiles. <see cref="TracerTests"/> shows that they change no result. This shows their saving:
+    /// the nodes above an entry point are opened once for its tile instead of by each of its 64 rays.
     /// </summary>
     public sealed class EntryPointsTests
     {
@@ -32,12 +32,12 @@ namespace Glint.Tests
                 for (int i = 0; i < 4 && starts[i] != None; i++)
                     if (!levels.ContainsKey(starts[i]))
                         Assert.Fail($"{starts[i]:x} refers to no node or leaf");
-            // Of a BVH of 8 or 15 levels; measured 3.62 and 6.62.
+            // For a BVH of 8 or 15 levels; measured 3.62 and 6.62.
             Assert.That(tiles.Average(starts => Enumerable.Range(0, 4).Where(i => starts[i] != None)
                 .Average(i => levels[starts[i]])), Is.GreaterThan(asSoftware ? 3.4 : 6.3));
         }
 
-        // Four entry points of each traced tile.
+        // Four entry points for each traced tile.
         static uint4[] FindEntryPoints(TriangleMesh mesh, bool asSoftware)
         {
             var kernel = new TraceKernel(TestKernels.Trace, asSoftware, "test");
@@ -62,7 +62,7 @@ namespace Glint.Tests
             }
         }
 
-        // How many nodes lie above each reference of a BVH.
+        // Number of nodes above each reference of a BVH.
         static Dictionary<uint, int> Levels(uint4[] rows, BvhLayout layout)
         {
             bool isWide = layout == BvhLayout.Wide;
@@ -83,7 +83,7 @@ namespace Glint.Tests
         static uint[] BinaryChildren(uint4[] rows, uint node) =>
             node >> 31 == 1 ? new uint[0] : new[] { rows[node].w, rows[node + 1].w };
 
-        // A reference is a word of the search's stack: record << 12 | 8 | 4 for a leaf.
+        // A reference is a word of the traversal's stack: record << 12 | 8 | 4 for a leaf.
         static uint[] WideChildren(uint4[] rows, uint node)
         {
             if ((node & 4) != 0)

@@ -8,10 +8,10 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The kernel on scenes whose answer is known, and against the reference tracer.</summary>
+    /// <summary>The kernel on scenes with known answers, and against the reference tracer.</summary>
     public sealed class KernelTests
     {
-        // Float32 lengths of some 50 m: a few steps of 4 micrometres a segment.
+        // Float32 lengths of some 50 m: a few steps of 4 micrometres for each segment.
         const double LengthTolerance = 5e-5;
 
         static readonly double3 Ahead = double3(0, 0, 1);
@@ -38,8 +38,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_FacingPlate_HitsItsShareOfThePictureAndReceivesWhatMirrorsIntoTheReceiver()
         {
-            // Pixels on a plate of 4 m at 20 m, and those of them whose reflection meets the 3 m
-            // receiver 40.2 m behind the image.
+            // Pixels on a 4 m plate at 20 m, and those whose reflection hits the 3 m receiver 40.2 m behind the image.
             var settings = TestRadar.Settings();
             var view = TestRadar.LookAt(0, Ahead);
             var slopes = Enumerable.Range(0, 160 * 90).Select(pixel => TestRadar.Direction(settings, view, pixel))
@@ -53,7 +52,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_PlateAtTheUpperRight_IsMetByPixelsOfHighColumnsAndRows()
         {
-            // The picture as Unity's cameras have it: x to the right, y up.
+            // The picture in the axes of Unity's cameras: x to the right, y up.
             var scene = TestRadar.Plate(float3(1, 1, 20), float3(4, 0, 0), float3(0, 4, 0));
             var rays =
                 TestKernels.TraceOnce(scene, TestRadar.Settings(), TestRadar.LookAt(0, Ahead), RayReadback.All).Rays;
@@ -66,7 +65,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_TiltedPlatesOfTenKilometres_AreLeftWithoutMeetingThemAgain()
         {
-            // Floor and wall, tilted so that no normal is exact in float32; the radar stands 10 m from their edge.
+            // Floor and wall, tilted so that no normal is exact in float32; the radar is 10 m from their edge.
             double c = cos(0.3), s = sin(0.3);
             float3 Turned(double x, double y, double z) =>
                 (float3)double3(c * x - s * y, c * (s * x + c * y) - s * z, s * (s * x + c * y) + c * z);
@@ -106,7 +105,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_PlateBetweenTargetAndReceiver_BlocksWhatWouldReturn()
         {
-            // A plate right behind the camera, before the receiver: it is in nobody's way but the returning rays'.
+            // A plate between the camera and the receiver: it blocks only the returning rays.
             var scene = TestRadar.Join(TestRadar.FacingPlate(4, 20), TestRadar.FacingPlate(4, -0.1f));
             var open = TestKernels.TraceOnce(TestRadar.FacingPlate(4, 20), TestRadar.Settings(bounces: 1),
                 TestRadar.LookAt(0, Ahead));
@@ -131,8 +130,7 @@ namespace Glint.Tests
         [TestCase(16)]
         public void Trace_RayBetweenTwoFacingMirrors_StopsAtMaxBounces(int limit)
         {
-            // Camera between two large plates that face each other,
-            // the receiver behind one of them: no ray ever leaves.
+            // Camera between two large facing plates, with the receiver behind one of them: no ray ever escapes.
             var scene = TestRadar.Join(TestRadar.FacingPlate(1e4f, 5), TestRadar.FacingPlate(1e4f, -0.15f));
             var result =
                 TestKernels.TraceOnce(scene, TestRadar.Settings(8, 8, limit), TestRadar.LookAt(0, Ahead, fov: 1));
@@ -164,7 +162,7 @@ namespace Glint.Tests
         [TestCase(997)]
         public void Trace_OneBounce_MeetsTheNearestOfAllTriangles(int triangles)
         {
-            // One triangle: the root is a leaf. The search here is a loop over all, in double.
+            // One triangle: the root is a leaf. The loop over all is in double.
             var scene = TestRadar.Clutter(triangles, seed: 11, halfSide: 6, largest: 3);
             var settings = TestRadar.Settings(61, 47, 1);
             var view = TestRadar.LookAt(double3(-4, 6, -20), 0);
@@ -189,13 +187,13 @@ namespace Glint.Tests
         public void Trace_RandomTriangles_EqualsTheReferenceRayByRay(uint seed, int triangles)
         {
             var scene = TestRadar.Clutter(triangles, seed);
-            // Prime sizes: no group of 8 x 8 is full at the edges.
+            // Prime sizes: the groups of 8 x 8 at the edges are partial.
             var settings = TestRadar.Settings(211, 127, 3);
             var view = TestRadar.LookAt(double3(3, 14, -25), 0);
             var rays = TestKernels.TraceOnce(scene, settings, view, RayReadback.All).Rays;
             var expected = new ReferenceTracer(new RadarPose(new RadarScene(scene), settings, view)).TraceAll();
 
-            // Rays that meet an edge within rounding may go either way.
+            // Rays that hit an edge within rounding may take either path.
             int others = Enumerable.Range(0, rays.Length).Count(i => rays[i].Bounces != expected[i].Bounces
                 || rays[i].IsReceived != expected[i].Received
                 || abs(rays[i].PathLength
@@ -239,7 +237,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_MoreReceivedRaysThanFirstRoomWasMadeFor_AreAllThere()
         {
-            // A plate that fills the view of a camera with a receiver as large: every ray returns.
+            // A plate that fills the view, and a receiver of the same size: every ray returns.
             var view = TestRadar.LookAt(0, Ahead);
             view.ReceiverSize = 1000;
             var result = TestKernels.TraceOnce(TestRadar.FacingPlate(1000, 5), TestRadar.Settings(400, 300), view);

@@ -13,7 +13,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The structs that C# and HLSL share mean the same bytes on both sides.</summary>
+    /// <summary>The structs shared by C# and HLSL have the same layout on both sides.</summary>
     public sealed class LayoutTests
     {
         [Test]
@@ -74,7 +74,7 @@ namespace Glint.Tests
             Assert.That(length(row - double4(third.X.x, third.Y.x, third.Z.x, third.Origin.x)), Is.LessThan(1e-13));
         }
 
-        // A name without a partner fails on either side.
+        // A name without a counterpart fails on either side.
         [Test]
         public void Constants_OfTheKernels_AreThoseOfCSharp()
         {
@@ -93,7 +93,7 @@ namespace Glint.Tests
                 ["TILE_SIDE"] = PictureTiles.Side, ["RAYS_A_TILE"] = PictureTiles.Rays,
                 ["GROUPS_A_ROW"] = TraceKernel.GroupsARow, ["MAX_INLINE_INSTANCES"] = DeviceScene.MaxInlineInstances,
                 ["ROOT"] = DeviceScene.InstanceBvhRootRow, ["BINARY_LEVELS"] = BinaryBvhBuilder.MaxLevels,
-                // The wide stack has 16 words: one a level, and entry points that wait.
+                // The wide stack has 16 words: one for each level, and the pending entry points.
                 ["MAX_ENTRY_POINTS"] = 16 - WideCollapse.MaxLevels + 2
             };
             foreach (var channel in Channel.All)
@@ -106,7 +106,7 @@ namespace Glint.Tests
         {
             foreach (var channel in Channel.All.Where(channel => channel != Channel.Overflow))
             {
-                // One word has no sign; of more the highest bit is the sign.
+                // One word is unsigned; with more words the highest bit is the sign.
                 int bits = channel.Words == 1 ? 32 : 32 * channel.Words - 1;
                 Assert.That(channel.MaxPart * channel.Scale * Channel.MaxRays, Is.LessThan(pow(2.0, bits)),
                     channel.Name);

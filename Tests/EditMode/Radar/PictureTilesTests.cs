@@ -18,7 +18,7 @@ namespace Glint.Tests
         static uint TileOf(int pixel) =>
             (uint)(pixel % s_settings.RaysAcross / 8) | (uint)(pixel / s_settings.RaysAcross / 8) << 16;
 
-        // Slab by slab in the box's own axes.
+        // Slab test in the box's own axes.
         static bool Meets(double3 origin, double3 direction, float3 boxMin, float3 boxMax)
         {
             double3 a = (boxMin - origin) / direction, b = (boxMax - origin) / direction;
@@ -65,7 +65,7 @@ namespace Glint.Tests
         [Test]
         public void Add_FloorUnderTheCamera_LeavesTheSky()
         {
-            // The floor reaches behind the camera; its horizon is that of its far edge.
+            // The floor extends behind the camera; its horizon is its far edge.
             var picture = new PictureTiles(s_settings, TestRadar.LookAt(double3(0, 5, 0), double3(0, 5, 10)));
             picture.Add(float3(-1000, -1, -1000), float3(1000, 0, 1000), Affine.Identity);
             int rows = (131 + 7) / 8;

@@ -8,15 +8,14 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// What counts as the reference tracer's way, as the other side of an edge, and as wrong.
-    /// The kernel's rays are the reference tracer's, altered.
+    /// Which rays count as equal, as passing the other side of an edge, and as wrong. The kernel's rays are the
+    /// reference tracer's, modified.
     /// </summary>
     public sealed class RayComparisonTests
     {
         const double Tolerance = 1e-5; // m
 
-        // Moves the left edge of a plate of 4 m, at 20 m, to the column of rays that goes 13.5 of their
-        // distances left of the middle.
+        // Moves the left edge of a 4 m plate at 20 m to the column of rays 13.5 ray spacings left of the centre.
         const double EdgeToColumn = 2 - 13.5 * 2 * 11.547005383792515 / 90;
 
         static readonly RadarSettings s_settings = TestRadar.Settings();
@@ -71,7 +70,7 @@ namespace Glint.Tests
         public void Add_ReceivedRayOfAnotherLength_IsWrongBeyondTheTolerance(double difference, int wrong)
         {
             var rays = Rays(Plate());
-            // The first one meets the plate where its two triangles do.
+            // The first ray hits the common edge of the plate's two triangles.
             uint received = rays.Where(ray => ray.IsReceived).ElementAt(1).Pixel;
             rays[received].PathLengthLo += (float)difference;
             var comparison = Compare(Plate(), rays);
@@ -86,8 +85,8 @@ namespace Glint.Tests
         [TestCase(1e-4, 16)]
         public void Add_RaysThatPassAnEdgeOnItsOtherSide_AreWrongIfTheyPassItFarOff(double off, int wrong)
         {
-            // Float32 places are some micrometres off here. The 16 rays of the column pass the edge between where
-            // the reference tracer sees it and where the kernel does.
+            // Float32 positions have errors of some micrometres here. The column's 16 rays pass between the reference
+            // tracer's edge and the kernel's.
             var comparison = Compare(Plate(EdgeToColumn + off), Rays(Plate(EdgeToColumn - off)));
             Assert.That(comparison.AtEdge, Is.EqualTo(16 - wrong));
             Assert.That(comparison.Wrong, Is.EqualTo(wrong));

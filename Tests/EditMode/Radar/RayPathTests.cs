@@ -8,13 +8,13 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The ways of single rays against the reference tracer, which is stopped after each bounce in turn.
+    /// Paths of single rays against the reference tracer, which is stopped after each bounce in turn.
     /// </summary>
     public sealed class RayPathTests
     {
         const int Bounces = 5;
 
-        // Of a scene of 20 m in float32.
+        // For a scene of 20 m in float32.
         const double Near = 2e-5;
 
         static readonly RadarSettings s_settings = TestRadar.Settings(64, 36, Bounces);
@@ -93,7 +93,7 @@ namespace Glint.Tests
                     Assert.That(path.Hits.Select(hit => hit.Object), Is.All.EqualTo(MeshRange.NoObject));
                     Assert.That(path.Points(), Has.Length.EqualTo(path.Bounces + 2));
                 }
-                // A corner turns a ray about: three walls, and back the way it came.
+                // A corner reflector: three walls, and back in the direction of incidence.
                 Assert.That(paths.Count(path => path.Bounces == 3
                         && distance(path.Hits[2].Direction, -normalize(path.Hits[0].Position - path.Start)) < 1e-5),
                     Is.EqualTo(paths.Count(path => path.Bounces == 3)).And.GreaterThan(100));
@@ -147,7 +147,7 @@ namespace Glint.Tests
             Assert.That(paths.Count(path => path.Bounces != rays[path.Pixel].Bounces), Is.LessThanOrEqualTo(1));
         }
 
-        // A triangle's number over all instances, as the reference tracer counts.
+        // A triangle's number over all instances, as in the reference tracer.
         static int NumberOf(RadarScene scene, in PathHit hit) =>
             scene.Instances.Take(hit.Instance).Sum(instance => instance.Mesh.TriangleCount) + hit.Triangle;
     }

@@ -8,7 +8,7 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The reference tracer's search against a loop over all triangles, and on triangles that are hard on any search.
+    /// The reference tracer's traversal against a loop over all triangles, and with difficult triangles.
     /// </summary>
     public sealed class ReferenceBvhTests
     {
@@ -81,7 +81,7 @@ namespace Glint.Tests
         [Test]
         public void ClosestHit_FromASurfaceThatIsThereTwice_MeetsNeitherAgain()
         {
-            // The second time with its triangles wound the other way.
+            // The second time with the opposite winding.
             var plate = TestRadar.FacingPlate(4, 0);
             var twice = TestRadar.Join(plate, new TriangleMesh(plate.Vertices, plate.Indices.Reverse().ToArray()));
             var bvh = new ReferenceBvh(Placed(twice));
@@ -104,8 +104,8 @@ namespace Glint.Tests
         [Test]
         public void ClosestHit_TrianglesWithoutArea_AreNeverMet()
         {
-            // Corners twice, and three on a line of float32 numbers, at scales from 1e-6 to 1e6;
-            // in front of each a ray that aims at its middle.
+            // Duplicate corners, and three on a line of float32 numbers, at scales from 1e-6 to 1e6. A ray is aimed at
+            // the centre of each.
             var random = new System.Random(4);
             for (int i = 0; i < 2000; i++)
             {
@@ -123,7 +123,7 @@ namespace Glint.Tests
         [Test]
         public void ClosestHit_MirrorOfMillimetresOneHundredKilometresFromTheRaysStart_IsMetInsideItsEdgesOnly()
         {
-            // Beside a scene of that size. Rays pass its edges by a micrometre: inside, outside.
+            // In a scene of that size. Rays pass its edges by a micrometre, inside and outside.
             var mirror = new TriangleMesh(new[] { float3(0, 0, 0), float3(2e-3f, 0, 0), float3(0, 1e-3f, 0) },
                 new[] { 0, 1, 2 });
             var far = Affine.Identity;

@@ -11,12 +11,11 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// A pose by the reference tracer, with the estimate of its sampling error,
-    /// and with so many rays that more would change little.
+    /// A pose by the reference tracer with the estimate of its sampling error, and the converged pose.
     /// </summary>
     sealed class ReferencePose
     {
-        // Rays across and down a pixel that received one, or lies beside one that did.
+        // Sub-rays across and down a pixel that received a ray, or is next to one that did.
         const int Many = 16;
 
         readonly RadarSettings _settings;
@@ -36,7 +35,7 @@ namespace Glint.Tests
                 .ToDictionary(i => pixels[i], i => rays[i].PathLength);
         }
 
-        /// <summary>Sums over one ray a pixel, with the estimate.</summary>
+        /// <summary>Sums over one ray for each pixel, with the estimate.</summary>
         public RadarResult Trace()
         {
             double reference = _received.Count > 0 ? _received.Values.Min() : 0;
@@ -54,7 +53,7 @@ namespace Glint.Tests
                 Array.ConvertAll(sums, part => part.Real), Array.ConvertAll(sums, part => part.Imaginary)));
         }
 
-        /// <summary>Normalised.</summary>
+        /// <summary>Normalised amplitude.</summary>
         public double ConvergedAmplitude()
         {
             var region = RegionOf(_settings);
@@ -69,9 +68,7 @@ namespace Glint.Tests
             return sum.Magnitude / (Many * Many) * RadarResult.NormalRays / _settings.RayCount;
         }
 
-        /// <summary>
-        /// The same picture, of which only the part is traced where something returns, and a little around it.
-        /// </summary>
+        /// <summary>The same picture, traced only where rays return and a little around it.</summary>
         public static RadarSettings RegionOfReturns(RadarScene scene, RadarSettings settings, in RadarView view)
         {
             const int margin = 4;
@@ -124,7 +121,7 @@ namespace Glint.Tests
             ? new RayRegion { Width = settings.RaysAcross, Height = settings.RaysDown }
             : settings.Region;
 
-        // Over pixels, by number of the sub-ray in them.
+        // Sums over pixels, by the sub-ray's number in its pixel.
         Complex[] Sums(uint[] pixels, int across)
         {
             var sums = new Complex[across * across];

@@ -10,7 +10,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The reference tracer against answers on paper and against a search of every triangle.</summary>
+    /// <summary>The reference tracer against answers on paper and against a loop over all triangles.</summary>
     public sealed class ReferenceTracerTests
     {
         const double Nanometre = 1e-9;
@@ -29,7 +29,7 @@ namespace Glint.Tests
             {
                 double3 d = TestRadar.Direction(settings, view, pixel);
                 double2 onPlate = distance * d.xy / d.z;
-                // The mirror image stands at 2 x 20 m; the receiver plane 0.2 m behind the camera.
+                // The mirror image is at 2 x 20 m; the receiver plane is 0.2 m behind the camera.
                 double2 onReceiver = (2 * distance + TestRadar.ReceiverBehindCamera) * d.xy / d.z;
                 bool hits = all(abs(onPlate) <= 2), returns = hits && all(abs(onReceiver) <= 1.5);
                 Assert.That(rays[pixel].Bounces, Is.EqualTo(hits ? 1 : 0), $"pixel {pixel}");
@@ -68,7 +68,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_DihedralWithLevelEdge_RayReturnsAtTheElevationItCame()
         {
-            // Floor and wall meet in the x axis; seen from straight ahead, 30 degrees up.
+            // Floor and wall intersect in the x axis; viewed from straight ahead at 30 degrees elevation.
             var scene = TestRadar.Join(
                 TestRadar.Plate(float3(-5, 0, 0), float3(10, 0, 0), float3(0, 0, -5)),
                 TestRadar.Plate(float3(-5, 0, 0), float3(10, 0, 0), float3(0, 5, 0)));
@@ -76,7 +76,7 @@ namespace Glint.Tests
             var view = TestRadar.LookAt(20 * double3(0, 0.5, -sqrt(0.75)), 0, fov: 20);
             var rays = new ReferenceTracer(new RadarPose(new RadarScene(scene), settings, view)).TraceAll();
 
-            // Mirrored in floor and wall, the camera stands at (x, -y, -z).
+            // Reflected in floor and wall, the camera is at (x, -y, -z).
             double3 image = view.Position * double3(1, -1, -1);
             var twice = Enumerable.Range(0, rays.Length)
                 .Where(pixel => rays[pixel].Received && rays[pixel].Bounces == 2).ToArray();
@@ -92,7 +92,7 @@ namespace Glint.Tests
         [Test]
         public void TraceAll_Instances_AreTheTrianglesAtTheirPlacesCountedInOrder()
         {
-            // One turned and stretched, one mirrored.
+            // One rotated and stretched, one mirrored.
             var clutter = TestRadar.Clutter(60, 3);
             var transform = new Affine
             {
@@ -163,7 +163,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_ParallelRays_StartInTheMiddlesOfTheCellsOfTheAperture()
         {
-            // 3 x 2 cells of 2 m; nothing is hit.
+            // 3 x 2 cells of 2 m without a hit.
             var view = TestRadar.LookAt(double3(1, 2, 3), double3(1, 2, 103));
             view.ApertureHeight = 4;
             var referenceTracer =
@@ -178,7 +178,7 @@ namespace Glint.Tests
         [Test]
         public void Trace_OfTheSameSceneFarAway_IsTheSame()
         {
-            // The sums of places are not exact a thousand kilometres out: 2e-10 m.
+            // The sums of coordinates have an error of 2e-10 m at a thousand kilometres.
             var clutter = TestRadar.Clutter(200, 3);
             double3 far = double3(1e6, -3e5, 2e6);
             var moved = Affine.Identity;

@@ -6,8 +6,8 @@ using Glint.Core;
 namespace Glint.Tests
 {
     /// <summary>
-    /// A picture given by a formula in place of a scene: the path length that a ray through any place of it returns
-    /// with. It does the tracer's part of a sampling estimate.
+    /// A picture defined by a formula in place of a scene: the path length of a ray at any position. It takes the
+    /// tracer's part of a sampling estimate.
     /// </summary>
     sealed class SampledWave
     {
@@ -15,8 +15,8 @@ namespace Glint.Tests
         readonly Func<double, double, double> _length;
 
         /// <param name="length">
-        /// Of a place in pixels from the picture's left and bottom edge, the path length in metres;
-        /// NaN where nothing returns.
+        /// Path length in metres at a position in pixels from the picture's left and bottom edge; NaN without a
+        /// return.
         /// </param>
         public SampledWave(in RadarSettings settings, Func<double, double, double> length)
         {
@@ -27,10 +27,12 @@ namespace Glint.Tests
                     Rays.Add(new ReceivedRay { Pixel = pixel, Length = (float)(there - ReferenceLength) });
         }
 
-        /// <summary>What is taken off every length, as the tracer takes off most of the way to a far scene.</summary>
+        /// <summary>
+        /// Length subtracted from all path lengths, as the tracer subtracts most of the distance to a far scene.
+        /// </summary>
         public double ReferenceLength { get; set; } = 12.3456789;
 
-        /// <summary>One ray in the middle of each pixel.</summary>
+        /// <summary>One ray through the centre of each pixel.</summary>
         public List<ReceivedRay> Rays { get; } = new List<ReceivedRay>();
 
         /// <summary>The estimate before any sub-ray is traced.</summary>

@@ -8,15 +8,15 @@ using NUnit.Framework;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The estimate of the sampling error against pictures whose converged sum has a closed form,
-    /// and against the reference tracer's rays.
+    /// The estimate of the sampling error against pictures whose converged sum has a closed form, and against the
+    /// reference tracer's rays.
     /// </summary>
     [Category("Slow")]
     public sealed class SamplingEstimateTests
     {
         const double Lambda = Signal.SpeedOfLight / 10e9;
 
-        // One ray of these pictures in the normalised amplitude.
+        // Amplitude of one ray of these pictures, normalised.
         static double Norm(in RadarSettings settings) => RadarResult.NormalRays / settings.RayCount;
 
         static SampledWave Rectangle(in RadarSettings settings, double x0, double y0, double x1, double y1,
@@ -58,8 +58,8 @@ namespace Glint.Tests
             }));
         }
 
-        // The worst that a grid can meet: all rays of an edge are off by the same part of a pixel,
-        // and finer rays may not see it.
+        // The worst case of a grid: all rays of an edge are off by the same part of a pixel, and finer rays may miss
+        // it.
         [Test]
         public void Estimate_OfEdgesAlongTheRows_IsNeverFarBelowTheError(
             [Values(0.02, 0.06, 0.1, 0.12, 0.13, 0.2, 0.3, 0.4, 0.49)] double overhang)
@@ -78,12 +78,11 @@ namespace Glint.Tests
 
             Assert.That(Ramp(0.3).Undersampled, Is.False);
             Assert.That(Ramp(0.7).Undersampled, Is.True);
-            // Diagonal neighbours are the farthest apart; float32 holds lengths of 20 m to 1e-6 m.
+            // Diagonal neighbours are the farthest apart; float32 resolves lengths of 20 m to 1e-6 m.
             Assert.That(Ramp(0.3).LargestPathStep, Is.EqualTo(0.4).Within(1e-4));
         }
 
-        // At one wavelength a pixel all rays are in step, and their sum says so:
-        // the amplitude is the area in place of almost nothing.
+        // At one wavelength a pixel all rays are in phase, so their amplitude is the area instead of almost nothing.
         [Test]
         public void Estimate_OfAnAliasedWave_KnowsThatTheSumIsWrong()
         {
@@ -98,7 +97,7 @@ namespace Glint.Tests
         public void SmoothPixels_AreNotRefined()
         {
             var estimate = Rectangle(TestRadar.Settings(), 20, 20, 100, 60, 0.2, 0.1).Begin();
-            // The rays along the edges, and the pixels outside that touch them.
+            // The rays along the edges, and the adjacent pixels outside.
             Assert.That(estimate.PixelsToRefine.Length, Is.EqualTo(82 * 42 - 78 * 38));
             Assert.That(estimate.PixelsToRefine, Is.Ordered);
         }
@@ -111,7 +110,7 @@ namespace Glint.Tests
             Assert.That(result.Undersampled, Is.False);
         }
 
-        // Rays outside a region are not emitted: it ends exactly where its pixels do.
+        // Rays outside a region are not emitted, so its boundary is exact.
         [Test]
         public void Region_BoundsTheRefinedPixels_AndIsNoEdge()
         {
@@ -159,7 +158,7 @@ namespace Glint.Tests
             Assert.That(result.SamplingError, Is.InRange(0, (rays + 1) * Norm(settings)));
         }
 
-        // A return narrower than a ray's pixel is met or missed by chance.
+        // A return narrower than a pixel is hit or missed by chance.
         [Test]
         public void NoRay_LeavesAPartOfOneInDoubt()
         {
@@ -168,7 +167,7 @@ namespace Glint.Tests
             Assert.That(result.SamplingError, Is.EqualTo(Norm(settings) / 3).Within(1e-9));
         }
 
-        // Too many to refine them all: no more sub-rays than rays, and the estimate still means something.
+        // Too many pixels to refine: the sub-rays are limited to the number of rays, and the estimate is still valid.
         [Test]
         public void RoughPicture_IsRefinedInPart()
         {
@@ -178,10 +177,9 @@ namespace Glint.Tests
                 Is.EqualTo(1600 * 900 / SamplingEstimate.SubGrids).Within(5).Percent);
         }
 
-        // The published reflector before a receiver square to the view axis,
-        // whose rays are out of step by several wavelengths:
-        // at half the published density, where sums are several times too large, and at that density.
-        // The published table has 676 received rays.
+        // The published reflector before a receiver square to the view axis, whose rays differ by several wavelengths.
+        // The densities are half the published one, where sums are several times too large, and the published one. The
+        // published table has 676 received rays.
         [TestCase(960, 182, true)]
         [TestCase(1920, 676, false)]
         public void Estimate_OfTheCornerReflector_HoldsAgainstAliasing(int across, int received, bool isFlagged)
@@ -206,8 +204,7 @@ namespace Glint.Tests
             AssertGood(ReferencePose.Sample().Select(pose => (pose.Trace(), pose.ConvergedAmplitude())));
         }
 
-        // Between a third and three times the error in four of five poses that are not flagged,
-        // and never below a tenth.
+        // Within a factor of three of the error in four of five poses that are not flagged, and never below a tenth.
         static void AssertGood(IEnumerable<(RadarResult result, double converged)> poses)
         {
             var ratios = poses.Where(pose => !pose.result.Undersampled)

@@ -5,10 +5,10 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>What is said of a mirror's return before it is traced, against the mirror traced.</summary>
+    /// <summary>The forecast of a mirror's return, against the traced mirror.</summary>
     public sealed class SamplingForecastTests
     {
-        // Large enough to send rays to all of the receiver.
+        // Large enough to reflect rays to the whole receiver.
         const float Side = 12;
 
         [TestCase(0, 192, 108, 10, TestName = "On the axis")]
@@ -29,7 +29,7 @@ namespace Glint.Tests
             Assert.That(forecast.LargestPathStep, Is.EqualTo(result.LargestPathStep).Within(percent).Percent);
             Assert.That(forecast.IsTooCoarse, Is.EqualTo(result.Undersampled));
             Assert.That(forecast.IsTooFew, Is.False);
-            // The height of the view at 40 m over its rays.
+            // The view's height at 40 m divided by its rays.
             Assert.That(forecast.RaySpacing, Is.EqualTo(2 * 40 * tan(radians(10.0)) / down).Within(1e-9));
         }
 
@@ -39,8 +39,8 @@ namespace Glint.Tests
             var settings = TestRadar.Settings(100, 100);
             var view = TestRadar.LookAt(0, double3(0, 0, 40));
             view.ApertureHeight = 6;
-            // The receiver looks aside, so that neighbouring paths differ: by 0.06 m * tan(10 deg),
-            // across the corners of the picture by as much.
+            // The receiver faces aside, so that neighbouring paths differ by 0.06 m * tan(10 deg), also across the
+            // picture's corners.
             view.ReceiverRight = double3(cos(radians(10.0)), 0, -sin(radians(10.0)));
             view.ReceiverForward = double3(sin(radians(10.0)), 0, cos(radians(10.0)));
             var result = TestKernels.TraceOnce(Facing(double3(0, 0, 40), double3(0, 0, 1)), settings, view);

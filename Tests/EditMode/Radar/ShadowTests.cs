@@ -7,7 +7,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>The shadow query of the kernel says what the reference tracer's does.</summary>
+    /// <summary>The kernel's shadow query against the reference tracer's.</summary>
     public sealed class ShadowTests
     {
         const int Rays = 4096;
@@ -47,7 +47,7 @@ namespace Glint.Tests
             }
         }
 
-        // Two rows a ray: its origin about the scene's centre and how far it is asked about; its direction.
+        // Two rows for each ray: its origin relative to the scene's centre and the query's length; its direction.
         static float4[] RandomRays()
         {
             var random = new System.Random(7);

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>Scenes/CornerReflector.unity against the reference tracer, which no player has.</summary>
+    /// <summary>Scenes/CornerReflector.unity against the reference tracer, which players lack.</summary>
     [Category("Slow")]
     public sealed class StoredSceneReferenceTests
     {
@@ -28,7 +28,7 @@ namespace Glint.Tests
             Assert.That(result.RaysReceived, Is.EqualTo(expected.RaysReceived).Within(2));
             Assert.That(result.Bounces, Is.EqualTo(expected.Bounces).Within(0.01).Percent);
             Assert.That(result.PathLengthMeters, Is.EqualTo(expected.PathLengthMeters).Within(0.01).Percent);
-            // Each phase is off by some 0.005 rad at most: float32 lengths of 100 m have steps of 8 micrometres.
+            // Each phase has an error of at most some 0.005 rad: float32 lengths of 100 m have steps of 8 micrometres.
             double tolerance =
                 0.005 * expected.RaysReceived + System.Math.Abs(result.RaysReceived - expected.RaysReceived);
             Assert.That(result.InPhase, Is.EqualTo(expected.InPhase).Within(tolerance));

@@ -7,14 +7,14 @@ namespace Glint.Tests
 {
     static class TestKernels
     {
-        /// <summary>Whether the wide kernels are there: in the headless host, which defines the symbol.</summary>
+        /// <summary>True if the wide kernels exist: in the headless host, which defines the symbol.</summary>
 #if GLINT_HOST
         public const bool HasWide = true;
 #else
         public const bool HasWide = false;
 #endif
 
-        /// <summary>Values of asSoftware of a <see cref="RayTracer"/>: true only where the wide kernels are.</summary>
+        /// <summary>Values of asSoftware of a <see cref="RayTracer"/>: true only if the wide kernels exist.</summary>
         public static readonly bool[] AsSoftware = HasWide ? new[] { true, false } : new[] { false };
 
         public static ComputeShader Trace => Load("Packages/com.glint.radar/Shaders/Trace.compute");
@@ -30,11 +30,11 @@ namespace Glint.Tests
 
         public static ComputeShader Shadow => Load("Packages/com.glint.tests/EditMode/Shaders/Shadow.compute");
 
-        /// <summary>The tracer's kernels in groups of other sizes.</summary>
+        /// <summary>The tracer's kernels with other group sizes.</summary>
         public static ComputeShader OtherGroups =>
             Load("Packages/com.glint.tests/EditMode/Shaders/OtherGroups.compute");
 
-        /// <summary>One pose of a mesh in the world's axes through the product's kernel.</summary>
+        /// <summary>One pose of a mesh in world axes with the product's kernel.</summary>
         public static RadarResult TraceOnce(TriangleMesh mesh, in RadarSettings settings, in RadarView view,
             RayReadback readback = RayReadback.Received)
         {

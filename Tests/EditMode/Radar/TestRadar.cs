@@ -6,7 +6,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>Small scenes with answers known on paper, and a radar to look at them.</summary>
+    /// <summary>Small scenes with answers known on paper, and their radar.</summary>
     static class TestRadar
     {
         public const double ReceiverBehindCamera = 0.2;
@@ -15,7 +15,7 @@ namespace Glint.Tests
             new RadarSettings { FrequencyHz = 10e9, RaysAcross = across, RaysDown = down, MaxBounces = bounces };
 
         /// <summary>
-        /// A camera at a point looking at another, right axis level; receiver 3 x 3 m, 0.2 m behind it.
+        /// A camera at a point, aimed at another, with a level right axis and a 3 x 3 m receiver 0.2 m behind it.
         /// </summary>
         public static RadarView LookAt(double3 from, double3 at, double fov = 60)
         {
@@ -30,9 +30,8 @@ namespace Glint.Tests
             };
         }
 
-        /// <summary>
-        /// Where the ray of a pixel starts: in the middle of its cell of the aperture, if the rays are parallel.
-        /// </summary>
+        /// <summary>Origin of a pixel's ray. Parallel rays start at the centre of their cell of the
+        /// aperture.</summary>
         public static double3 Start(in RadarSettings settings, in RadarView view, int pixel)
         {
             double spacing = view.ApertureHeight / settings.RaysDown;
@@ -41,7 +40,7 @@ namespace Glint.Tests
             return view.Position + spacing * (x * view.Right + y * view.Up);
         }
 
-        /// <summary>Direction through the middle of a pixel, by the definition of a field of view.</summary>
+        /// <summary>Direction through the centre of a pixel, by the definition of a field of view.</summary>
         public static double3 Direction(in RadarSettings settings, in RadarView view, int pixel)
         {
             if (view.IsParallel)
@@ -58,7 +57,7 @@ namespace Glint.Tests
             new TriangleMesh(new[] { corner, corner + edge1, corner + edge1 + edge2, corner + edge2 },
                 new[] { 0, 1, 2, 0, 2, 3 });
 
-        /// <summary>A square plate of a side in metres across the z axis, its middle at (0, 0, z).</summary>
+        /// <summary>A square plate across the z axis, with a side in metres and its centre at (0, 0, z).</summary>
         public static TriangleMesh FacingPlate(float side, float z) =>
             Plate(float3(-side / 2, -side / 2, z), float3(side, 0, 0), float3(0, side, 0));
 
@@ -69,7 +68,7 @@ namespace Glint.Tests
             return Join(Plate(vertex, x, y), Plate(vertex, y, z), Plate(vertex, z, x));
         }
 
-        /// <summary>Triangles of random place, size and turn in a box, the same for a seed.</summary>
+        /// <summary>Triangles of random position, size and rotation in a box; the same for a seed.</summary>
         public static TriangleMesh Clutter(int triangles, uint seed, float halfSide = 10, float largest = 2)
         {
             var random = new System.Random((int)seed);
@@ -88,8 +87,8 @@ namespace Glint.Tests
         }
 
         /// <summary>
-        /// Triangles of so many sizes, each twice the one before, about 1 m in the middle, in turn;
-        /// all near the origin: no plane parts them evenly.
+        /// Triangles of several sizes in turn, each twice the previous one, with a medium size of about 1 m. All are
+        /// near the origin, so that no plane separates them evenly.
         /// </summary>
         public static TriangleMesh PowersOfTwo(int triangles, int sizes)
         {

@@ -9,14 +9,14 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>What the tracer skips, keeps and cuts up never changes a result.</summary>
+    /// <summary>Culling, caching and tiling never change a result.</summary>
     public sealed class TracerTests
     {
         static readonly RadarSettings s_settings = TestRadar.Settings(333, 187);
         static readonly RadarView s_view = TestRadar.LookAt(double3(9, 10, 11), 0, fov: 40);
 
-        // A corner reflector amid clutter, and a wall behind the receiver:
-        // rays that return, rays that get lost, and sky.
+        // A corner reflector among clutter, and a wall behind the receiver: rays that return, rays that are lost, and
+        // sky.
         static TriangleMesh Scene =>
             TestRadar.Join(TestRadar.Trihedral(0, 4), TestRadar.Clutter(300, seed: 5, halfSide: 4, largest: 0.3f),
                 TestRadar.Plate(float3(10, 12, 25), float3(20, 0, 0), float3(0, 20, 0)));
@@ -68,7 +68,7 @@ namespace Glint.Tests
                 AssertSame(Pose(tracer => tracer.Culling = Culling.All & ~off, asSoftware: asSoftware), all);
         }
 
-        // All but the entry points, which kernels that count do not use: see EntryPointsTests.
+        // All but the entry points, which counting kernels do not use: see EntryPointsTests.
         [Test]
         public void Culling_EachSaveWork()
         {
@@ -88,8 +88,8 @@ namespace Glint.Tests
         {
             var inOne = Pose(tracer => tracer.TilesADispatch = int.MaxValue, RayReadback.Received);
             var inMany = Pose(tracer => tracer.TilesADispatch = 37, RayReadback.Received);
-            // The starts of the tiles, the rays, those that may be received once more, and smaller ones around these.
-            // A GPU does not look for the starts of so few tiles.
+            // The tiles' entry points, the rays, candidates traced again, and smaller rays around these.
+            // A GPU does not search entry points for this few tiles.
             int everySlice = TestKernels.HasWide ? 2 : 1;
             Assert.That(inOne.Statistics.Dispatches, Is.EqualTo(everySlice + 2));
             long slices = (inMany.Statistics.TilesTraced + 36) / 37;
@@ -120,7 +120,7 @@ namespace Glint.Tests
                 }
         }
 
-        // Searched in turn, and through a BVH over them.
+        // Traversed in turn, and through a BVH over them.
         [Test]
         public void Trace_InstancesInAnotherOrder_SumsAreTheSameBitForBit([Values(3, 12)] int count,
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
@@ -184,7 +184,7 @@ namespace Glint.Tests
         {
             var result = Pose(readback: RayReadback.All);
             var received = result.Rays.Where(ray => ray.IsReceived).ToArray();
-            // Whole numbers of 2^-24: half a unit a ray at most.
+            // Integers in units of 2^-24: at most half a unit for each ray.
             Assert.That(result.InPhase,
                 Is.EqualTo(received.Sum(ray => (double)ray.InPhase)).Within(received.Length * 3e-8));
             Assert.That(result.Quadrature,
@@ -219,8 +219,8 @@ namespace Glint.Tests
         {
             var wide = Pose(readback: RayReadback.All);
             var binary = Pose(readback: RayReadback.All, asSoftware: false);
-            // Both test the same triangles with the same arithmetic;
-            // only ties between equally near triangles may differ.
+            // Both test the same triangles with the same arithmetic; only ties between equally close triangles may
+            // differ.
             Assert.That(binary.Rays, Is.EqualTo(wide.Rays));
             AssertSame(binary, wide);
         }

@@ -7,13 +7,13 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// No ray gets out of a closed body: neither between triangles that share an edge or a corner,
-    /// nor through one that it has just left.
+    /// No ray escapes from a closed body: neither between triangles with a common edge or corner, nor through the
+    /// triangle that it has just left.
     /// </summary>
     [Category("Slow")]
     public sealed class WatertightTests
     {
-        // Six pictures of 90 degrees all round.
+        // Six pictures of 90 degrees in all directions.
         static readonly (double3 right, double3 up, double3 forward)[] s_views =
         {
             (double3(1, 0, 0), double3(0, 1, 0), double3(0, 0, 1)),
@@ -42,7 +42,7 @@ namespace Glint.Tests
             escapes.Check(min);
         }
 
-        // Millimetres to 100 km, 1,000 km from the origin, stretched and mirrored.
+        // Millimetres to 100 km, at 1,000 km from the origin, stretched and mirrored.
         [Test]
         public void RaysInBodiesOfAllSizesAndPlaces_NoneEscapes(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
@@ -57,7 +57,7 @@ namespace Glint.Tests
             escapes.Check(500_000);
         }
 
-        // Not in dented bodies: their walls lie in the rays' planes, and a ray along a wall is on neither side of it.
+        // Without dented bodies: their walls lie in the rays' planes, and a ray along a wall is on neither side of it.
         [Test]
         public void ReflectedRays_NoneEscapes(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
@@ -91,7 +91,7 @@ namespace Glint.Tests
                 var settings = TestRadar.Settings(_side, _side, _bounces);
                 foreach (var (right, up, forward) in s_views)
                 {
-                    // The receiver is outside: what reaches it has escaped.
+                    // The receiver is outside: a ray that hits it has escaped.
                     var view = new RadarView
                     {
                         Position = toWorld.Origin, Right = right, Up = up, Forward = forward, VerticalFovDegrees = 90,

@@ -83,8 +83,8 @@ namespace Glint.Tests
                 Does.Contain(Path.Combine(_path, "results.json")).And.Contain(expected).And.Not.Contain("\n"));
         }
 
-        [TestCase("\"angle_deg\": 0", "\"angle_deg\": \"x\"", "angle_deg of a row is no number")]
-        [TestCase("\"amplitude\": 5", "\"amplitude\": null", "amplitude of a row is no number")]
+        [TestCase("\"angle_deg\": 0", "\"angle_deg\": \"x\"", "angle_deg of a row is not a number")]
+        [TestCase("\"amplitude\": 5", "\"amplitude\": null", "amplitude of a row is not a number")]
         [TestCase("\"amplitude\": 5", "\"amplitude\": Infinity", "not finite")]
         [TestCase("\"phase_histogram\": [0,", "\"phase_histogram\": [NaN,", "not finite")]
         [TestCase("\"versions\": {", "\"versions\": 7, \"others\": {", "it has no glint")]

@@ -43,8 +43,8 @@ namespace Glint.Tests
                     c = Position(simplified, simplified.Indices[i + 2]);
                 area += math.abs(math.cross(b - a, c - a).y) / 2;
             }
-            // Seen from above it is 200 x 200 m without gaps and up to its border, so that tiles meet,
-            // but for what a cube cuts off at each corner.
+            // Seen from above it covers 200 x 200 m without gaps up to its border, so that tiles join, except for the
+            // part of each corner that a cube cuts off.
             double cube = 200 / Math.Sqrt(max / 8.0);
             Assert.That(area, Is.InRange(200 * 200 - 4 * cube * cube / 2, 200 * 200 + 1e-3));
             Assert.That(simplified.Indices.Max(), Is.LessThan(simplified.Positions.Count / 3));

@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Glint.Tests
 {
-    /// <summary>Parts of a sweep joined: the files of the whole, or one line that says what is wrong.</summary>
+    /// <summary>Merged parts of a sweep: the files of the whole sweep, or one line with the error.</summary>
     public sealed class ResultsMergeTests
     {
         const int Poses = 7;
@@ -54,7 +54,7 @@ namespace Glint.Tests
             string one = Part(1, 3), two = Part(2, 3), three = Part(3, 3);
             AssertRefused("a part is missing: 2/3", one, three);
             AssertRefused($"{two} and {two} are both part 2/3", one, two, two, three);
-            AssertRefused("divided otherwise", one, two, Part(2, 2));
+            AssertRefused("different numbers of parts", one, two, Part(2, 2));
             AssertRefused("there is no such folder", one, two, _folder.PathOf("nothing"));
             AssertRefused("is one of the parts", one, two, three, _folder.PathOf("merged"));
 
@@ -63,7 +63,7 @@ namespace Glint.Tests
             AssertRefused("frequency was \"10000000000 Hz\" and is \"9000000000 Hz\"", one, two,
                 _folder.PathOf("other"));
             SampleSweep.Write(_folder.PathOf("undivided"), SampleSweep.Identity(), Poses, Poses);
-            AssertRefused("is no part of a sweep", _folder.PathOf("undivided"));
+            AssertRefused("is not part of a sweep", _folder.PathOf("undivided"));
             SampleSweep.Write(_folder.PathOf("unfinished"),
                 SampleSweep.Identity(shard: new SweepShard(3, 3)), 3, 2, first: 4);
             AssertRefused("is not finished: finish it with --resume", one, two, _folder.PathOf("unfinished"));

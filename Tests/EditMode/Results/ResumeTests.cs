@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Glint.Tests
 {
-    /// <summary>A sweep that was ended, at any byte of its files, goes on to the files of one that was not.</summary>
+    /// <summary>A sweep interrupted at any byte of its files resumes to the files of an uninterrupted one.</summary>
     public sealed class ResumeTests
     {
         const int Poses = 4;
@@ -33,7 +33,7 @@ namespace Glint.Tests
             byte[] partial = Bytes(ResultsFolder.PartialName), csv = Bytes(ResultsFolder.CsvName);
             int[] partialEnds = Ends(partial), csvEnds = Ends(csv);
 
-            // What is on the disk while row after row is written: first into results.partial, then into results.csv.
+            // State of the disk after each write of a row: first to results.partial, then to results.csv.
             int partialLength = partialEnds[0], csvLength = 0, moments = 0;
             for (int row = 1; row < partialEnds.Length; row++)
             {

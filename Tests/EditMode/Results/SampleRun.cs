@@ -3,7 +3,7 @@ using Glint.Core;
 
 namespace Glint.Tests
 {
-    /// <summary>Rows and a run with values that are easy to tell apart in a file.</summary>
+    /// <summary>Rows and a run with values that are easy to distinguish in a file.</summary>
     static class SampleRun
     {
         public static SweepRow Row(double angle, double inPhase = 3, double quadrature = -4, int[] histogram = null) =>

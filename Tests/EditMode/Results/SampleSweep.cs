@@ -4,7 +4,7 @@ using Glint.Core;
 
 namespace Glint.Tests
 {
-    /// <summary>A sweep whose rows are known before they are traced, to be ended anywhere.</summary>
+    /// <summary>A sweep with rows known in advance, to be interrupted anywhere.</summary>
     static class SampleSweep
     {
         public static readonly DateTime Started = new DateTime(2025, 3, 4, 15, 6, 7, DateTimeKind.Utc);
@@ -24,7 +24,7 @@ namespace Glint.Tests
             return pose % 3 == 2 ? SampleRun.Miss(pose) : SampleRun.Row(pose, 3 + pose / 7.0, -4, histogram);
         }
 
-        /// <summary>Writes the first rows, and when these are all poses of the part the rest too.</summary>
+        /// <summary>Writes the first rows, and also finishes the sweep if these are all poses of the part.</summary>
         public static void Write(string path, SweepIdentity identity, int poses, int rows,
             bool finish = true, int first = 0)
         {
@@ -38,8 +38,8 @@ namespace Glint.Tests
             }
         }
 
-        /// <summary>Resumes and does what is left.</summary>
-        /// <returns>The rows that were there.</returns>
+        /// <summary>Resumes and completes the sweep.</summary>
+        /// <returns>The rows found.</returns>
         public static int GoOn(string path, SweepIdentity identity, int poses)
         {
             using (var folder = ResultsFolder.Open(path))

@@ -67,7 +67,7 @@ namespace Glint.Tests
                         $"{points} points, {numbers} numbers");
         }
 
-        // Several chunks, the last one short: numbers at the chunks' ends and some between.
+        // Several chunks, the last one short; indices at the chunks' ends and some between.
         [Test]
         public void Value_OneNumberOfALongList_Matters()
         {

@@ -2,7 +2,7 @@ using NUnit.Framework;
 
 namespace Glint.Tests
 {
-    /// <summary>A scene that a test fills and a gatherer that has seen nothing yet; removed after each test.</summary>
+    /// <summary>A scene that a test fills, and a new gatherer; both are removed after each test.</summary>
     public abstract class GathererFixture
     {
         internal SceneBuilder _scene;

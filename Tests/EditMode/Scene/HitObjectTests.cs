@@ -10,11 +10,11 @@ using Object = UnityEngine.Object;
 namespace Glint.Tests
 {
     /// <summary>
-    /// A radar knows which object reflects, whether objects are merged, moved by themselves or share a mesh.
+    /// Hits name the object that reflects, whether objects are merged, move independently or share a mesh.
     /// </summary>
     public sealed class HitObjectTests
     {
-        // Plates of 2 m, 4 m from each other: the column tells which one a ray meets.
+        // Plates of 2 m, 4 m apart: a ray's column gives its plate.
         const int Plates = 5;
         const float Apart = 4, Depth = 60;
 
@@ -120,13 +120,13 @@ namespace Glint.Tests
             {
                 var hit = path.Hits[0];
                 int plate = _plates.IndexOf(_radar.ObjectAt(hit.Object));
-                // The triangles of the halved plate meet at its diagonal from the lower left to the upper right.
+                // The triangles of the halved plate share its diagonal from the lower left to the upper right.
                 bool isBelow = hit.Position.y < hit.Position.x;
                 string expected = plate == 1 ? "sea" : plate == 2 && isBelow ? "wood"
                     : plate == 3 ? "perfect conductor" : "steel";
                 string found = pose.Scene.Surfaces[hit.Surface].Name;
                 if (plate == 2 && math.abs(hit.Position.y - hit.Position.x) < 1e-4)
-                    continue; // on the diagonal it is either
+                    continue; // either object on the diagonal
                 Assert.That(found, Is.EqualTo(expected), $"plate {plate} at {hit.Position}");
                 seen[found] = seen.TryGetValue(found, out int count) ? count + 1 : 1;
                 var ray = reference.Trace(path.Pixel % pose.Settings.RaysAcross, path.Pixel / pose.Settings.RaysAcross);
@@ -142,7 +142,7 @@ namespace Glint.Tests
         {
             var preview = _radar.TracePreview();
             Assert.That(preview.Objects().Select(number => _radar.ObjectAt(number)), Is.EqualTo(_plates));
-            // The plates take 18 of the view's 18.7 m across, and a tenth or so of its height.
+            // The plates cover 18 of the view's 18.7 m across, and about a tenth of its height.
             Assert.That((double)preview.Part.Width / preview.RaysAcross, Is.GreaterThan(0.95));
             Assert.That((double)preview.Part.Height / preview.RaysDown, Is.InRange(0.19, 0.4));
             int seen = 0, received = 0;
@@ -163,7 +163,7 @@ namespace Glint.Tests
             // Five plates of 4 m2 in a view of 10.5 x 18.66 m.
             double height = 2 * Depth * math.tan(math.radians(5)), share = Plates * 4 / (height * height * 16 / 9);
             Assert.That(seen, Is.EqualTo(share * preview.RaysAcross * preview.RaysDown).Within(0.03 * seen));
-            // The receiver of 3 m takes what falls within 0.75 m of the middle: mirrors send it back to twice that.
+            // A ray returns at twice its offset, so the 3 m receiver takes rays within 0.75 m of the centre.
             Assert.That(received, Is.EqualTo(1.5 * 1.5 / (Plates * 4) * seen).Within(0.1 * received));
         }
 
@@ -182,7 +182,7 @@ namespace Glint.Tests
             Assert.That(paths.Count(path => path.Bounces > 0), Is.GreaterThan(60));
         }
 
-        // Null between the plates. Share: of the picture's width.
+        // Object at a share of the picture's width; null between the plates.
         Transform PlateAt(double share)
         {
             double x = (2 * share - 1) * Depth * math.tan(math.radians(5)) * 16 / 9;

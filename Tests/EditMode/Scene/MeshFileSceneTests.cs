@@ -7,7 +7,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>Where radar and receiver stand before a mesh file: as asked for, however far away.</summary>
+    /// <summary>Poses of radar and receiver before a mesh file, at any distance.</summary>
     public sealed class MeshFileSceneTests
     {
         SweepSetup _made;
@@ -30,7 +30,7 @@ namespace Glint.Tests
             double3 toAim = placement.Aim - view.Position;
             Assert.That(length(toAim), Is.EqualTo(range).Within(2e-15 * range + 1e-12));
             Assert.That(length(cross(toAim, view.Forward)), Is.LessThan(1e-9), "the aim is on the axis to a nanometre");
-            // The way it looks is turned by single-precision angles.
+            // The rotation is made of single-precision angles.
             double3 forward = new double3(sin(radians(azimuth)) * cos(radians(grazing)), -sin(radians(grazing)),
                 cos(radians(azimuth)) * cos(radians(grazing)));
             Assert.That(distance(view.Forward, forward), Is.LessThan(5e-7));
@@ -63,7 +63,7 @@ namespace Glint.Tests
             var placement = Placement(100, 0, 0);
             (placement.RaySpacing, placement.ReceiverSize) = (0.25, 0);
             var pose = Make(placement);
-            // A plate 2 m wide and 1 m high, aimed at beside its middle.
+            // A plate 2 m wide and 1 m high; the radar aims beside its centre.
             Assert.That((pose.Settings.RaysAcross, pose.Settings.RaysDown), Is.EqualTo((8, 4)));
             Assert.That(distance(pose.View.Position, new double3(0, 0, placement.Aim.z - 100)), Is.LessThan(1e-9));
             Assert.That(distance(pose.View.ReceiverCentre, pose.View.Position), Is.LessThan(1e-9));
@@ -105,7 +105,7 @@ namespace Glint.Tests
                 new float3(-1, -0.5f, 0), new float3(-1, 0.5f, 0), new float3(1, 0.5f, 0), new float3(1, -0.5f, 0)
             }, new[] { 0, 1, 2, 0, 2, 3 });
             _made = MeshFileScene.Create(plate, placement, RadarSettings.Default, null);
-            _made.Radar.Roots.Add(_made.Target); // whatever scene an earlier test left
+            _made.Radar.Roots.Add(_made.Target); // another scene may be left by an earlier test
             return _made.Radar.Gather();
         }
     }

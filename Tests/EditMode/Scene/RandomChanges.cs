@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>What may happen to a scene between two poses, at random, the same for a seed.</summary>
+    /// <summary>Random changes of a scene between two poses; the same for a seed.</summary>
     sealed class RandomChanges
     {
         readonly SceneBuilder _scene;
@@ -22,11 +22,11 @@ namespace Glint.Tests
                 Add();
         }
 
-        /// <summary>The objects that are traced, in the order of the hierarchy.</summary>
+        /// <summary>The traced objects, in the order of the hierarchy.</summary>
         public IEnumerable<Transform> Active => _scene.Root.GetComponentsInChildren<MeshRenderer>()
             .Where(renderer => renderer.enabled).Select(renderer => renderer.transform);
 
-        /// <summary>Makes one change and says which.</summary>
+        /// <summary>Makes one change and returns its description.</summary>
         public string Next(SceneGatherer gatherer)
         {
             if (_objects.Count == 0)
@@ -52,7 +52,7 @@ namespace Glint.Tests
                 case 6:
                     return Deform(_meshes[_random.Next(_meshes.Length)]);
                 case 7:
-                    // Now and then flat, mirrored or stretched.
+                    // Sometimes flat, mirrored or stretched.
                     item.localScale = new Vector3(Number(2), _random.Next(4) == 0 ? 0 : 1, 1);
                     return $"{item.name} scaled";
                 case 8:

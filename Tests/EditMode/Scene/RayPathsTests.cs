@@ -10,7 +10,7 @@ using Object = UnityEngine.Object;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The lines that Ray Paths draws of a radar before two walls that meet at a right angle, and a plate beside them.
+    /// The lines that Ray Paths draws of a radar before two walls at a right angle, and a plate beside them.
     /// </summary>
     public sealed class RayPathsTests
     {
@@ -64,7 +64,7 @@ namespace Glint.Tests
             var lines = Lines(mesh);
             Assert.That(Of(lines, PathLines.White).Sum(line => line.Length), Is.EqualTo(12).Within(1e-4),
                 "around the receiver of 3 x 3 m");
-            // Only the right angle returns anything: two bounces, three segments.
+            // Only the right angle returns rays: two bounces, three segments.
             var (first, second, third) =
                 (Of(lines, Color.red), Of(lines, PathLines.SegmentColours[1]), Of(lines, PathLines.SegmentColours[2]));
             Assert.That(new[] { first.Count, second.Count, third.Count }, Is.All.EqualTo(_paths.Count));
@@ -163,7 +163,7 @@ namespace Glint.Tests
             _paths.MinBounces = 2;
             _paths.Lines();
             Assert.That(_paths.Count, Is.EqualTo(_radar.Result.Bounces - _radar.Result.RaysHit).Within(1));
-            // As the inspector sets them.
+            // Set as by the inspector.
             Set("_fewestBounces", 1);
             Set("_hitPoints", true);
             _paths.Lines();
@@ -188,7 +188,7 @@ namespace Glint.Tests
             Assert.That(received, Is.EqualTo(_radar.Result.RaysReceived).And.GreaterThan(100),
                 "as the last pose had it");
 
-            _wall.localRotation = Quaternion.identity; // as the sweep puts it back
+            _wall.localRotation = Quaternion.identity; // as reset by the sweep
             _paths.HitPoints = true;
             _paths.Lines();
             Assert.That(_paths.Count, Is.EqualTo(received), "only drawn otherwise");

@@ -7,7 +7,9 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>Objects below one root, and where their triangles lie: as gathered, and composed by hand.</summary>
+    /// <summary>
+    /// Objects below one root, and their triangles in the world: as gathered, and computed independently.
+    /// </summary>
     sealed class SceneBuilder
     {
         public Transform Root { get; } = new GameObject("Root").transform;
@@ -31,7 +33,7 @@ namespace Glint.Tests
             return added;
         }
 
-        /// <summary>Triangles of random corners in a cube of 2 m about a point; the same for a seed.</summary>
+        /// <summary>Triangles of random corners in a 2 m cube around a point; the same for a seed.</summary>
         public static Mesh Mesh(int triangles, int seed, float3 centre = default)
         {
             var random = new System.Random(seed);
@@ -44,12 +46,13 @@ namespace Glint.Tests
             return mesh;
         }
 
-        /// <summary>The corners of all triangles in the world, in the order of the scene.</summary>
+        /// <summary>World coordinates of all triangle corners, in the order of the scene.</summary>
         public static double3[] Corners(RadarScene scene) =>
             scene.Instances.SelectMany(instance =>
                 instance.Mesh.Indices.Select(index => instance.ToWorld.Point(instance.Mesh.Vertices[index]))).ToArray();
 
-        /// <summary>The same from the active objects in the order given, without the product's composition.</summary>
+        /// <summary>The same from the active objects in the given order, computed without the product's
+        /// code.</summary>
         public static double3[] Corners(IEnumerable<Transform> objects)
         {
             var corners = new List<double3>();
@@ -63,7 +66,7 @@ namespace Glint.Tests
         }
 
         /// <summary>
-        /// A point of a transform in the world: scaled, turned and shifted by each transform up to the root, in double.
+        /// World position of a point: scaled, rotated and translated by each transform up to the root, in double.
         /// </summary>
         public static double3 ToWorld(Transform from, double3 point)
         {
@@ -79,7 +82,7 @@ namespace Glint.Tests
             return point;
         }
 
-        /// <summary>Greatest distance between points of the same number.</summary>
+        /// <summary>Largest distance between points of the same index.</summary>
         public static double Apart(double3[] some, double3[] others) =>
             some.Zip(others, (a, b) => distance(a, b)).DefaultIfEmpty(0).Max();
     }

@@ -9,13 +9,12 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The frame of a scene: the world's axes and metres, about the place of the nearest transform that radar,
-    /// receiver and all traced objects have in common.
-    /// Where that place is does not enter.
+    /// The frame of a scene has the world's axes and metres. Its origin is the nearest common ancestor of radar,
+    /// receiver and all traced objects. The origin's own position does not affect the result.
     /// </summary>
     public sealed class SceneFrameTests : GathererFixture
     {
-        // No multiples of anything: float32 has steps of 1/16 m there.
+        // Arbitrary coordinates; the step of float32 is 1/16 m there.
         static readonly Vector3 Far = new Vector3(1000003.3f, -999985.9f, 777777.1f);
 
         Transform _radar, _receiver, _ship;
@@ -42,7 +41,7 @@ namespace Glint.Tests
         public void Gather_CommonRootMovedBy1000Kilometres_IsTheSameBitForBit([Values] bool shipMoves,
             [Values(1f, 1e-5f)] float squeeze)
         {
-            // Squeezed so much, no transform below can be a frame for merged meshes.
+            // No transform below so strong a compression can be a frame for merged meshes.
             var outer = new GameObject("Outer").transform;
             outer.localScale = new Vector3(1, 1, squeeze);
             _scene.Root.SetParent(outer, false);
@@ -120,13 +119,13 @@ namespace Glint.Tests
         [Test]
         public void Gather_RadarAmongTheObjects_HasItsOriginAtTheNearestCommonTransform()
         {
-            // The radar on the ship, which alone is traced: the ship's place is the origin.
+            // The radar is on the ship and only the ship is traced, so the ship's position is the origin.
             _radar.SetParent(_ship, false);
             var scene = _gatherer.Gather(~0, new List<Transform> { _ship }, _receiver, _radar);
             Assert.That(distance(scene.Origin, SceneBuilder.ToWorld(_ship, 0)), Is.LessThan(1e-12));
             AssertPositions(scene, _ship.GetComponentsInChildren<MeshFilter>());
 
-            // A receiver on the rock: the root's.
+            // With a receiver on the rock the root is the origin.
             _receiver.SetParent(_scene.Root.Find("Rock"), false);
             scene = _gatherer.Gather(~0, new List<Transform> { _ship }, _receiver, _radar);
             Assert.That(scene.Origin, Is.EqualTo((double3)(float3)_scene.Root.localPosition));
@@ -160,7 +159,7 @@ namespace Glint.Tests
         [Test]
         public void Gather_SeparateRoots1000KilometresAway_AreWhereTheyBelongToANanometre()
         {
-            // Coordinates of 1/16 m, which float32 holds there.
+            // Multiples of 1/16 m, which float32 represents there.
             _scene.Root.localRotation = Quaternion.identity;
             _scene.Root.localScale = Vector3.one;
             _scene.Root.localPosition = new Vector3(1000000.0625f, 16.4375f, -999999.5f);
@@ -223,7 +222,7 @@ namespace Glint.Tests
             {
                 item.localPosition = new Vector3(Number(30), Number(30), Number(30));
                 item.localRotation = Quaternion.Euler(Number(180), Number(180), Number(180));
-                // Even, stretched, mirrored or flattened almost.
+                // Uniform, stretched, mirrored or nearly flat.
                 item.localScale = random.Next(3) == 0 ? new Vector3(1 + Number(0.5), 1 + Number(0.9),
                     random.Next(2) == 0 ? -1 : 0.01f) : Vector3.one;
                 if (random.Next(3) == 0)
@@ -266,7 +265,7 @@ namespace Glint.Tests
             return (scene.Instances, scene.Origin, gatherer.PoseOf(_radar), gatherer.PoseOf(_receiver));
         }
 
-        // To half a step of float32 at the size of the bodies, whose order in the scene is their own.
+        // Within half a step of float32 at the size of the bodies, which have their own order in the scene.
         static void AssertPositions(RadarScene scene, IEnumerable<MeshFilter> objects)
         {
             var expected = SceneBuilder.Corners(objects.Select(filter => filter.transform));

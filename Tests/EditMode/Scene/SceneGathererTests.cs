@@ -8,7 +8,7 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Tests
 {
-    /// <summary>Which triangles of a scene are traced, and where they lie.</summary>
+    /// <summary>The traced triangles of a scene and their positions.</summary>
     public sealed class SceneGathererTests
     {
         readonly SceneGatherer _gatherer = new SceneGatherer();
@@ -36,8 +36,8 @@ namespace Glint.Tests
         [Test]
         public void Gather_TurnedChildOfANonUniformlyScaledParent_IsSheared()
         {
-            // A unit cube turned by 45 deg about z, then stretched by 3 along x:
-            // its corner (0.5, 0.5) goes to (0, 0.7071), (0.5, -0.5) to (3 * 0.7071, 0).
+            // A unit cube rotated by 45 deg about z, then stretched by 3 along x: its corner (0.5, 0.5) moves to (0,
+            // 0.7071), (0.5, -0.5) to (3 * 0.7071, 0).
             _root.localScale = new Vector3(3, 1, 1);
             AddPrimitive(PrimitiveType.Cube).localRotation = Quaternion.Euler(0, 0, 45);
             Bounds(Gather(), out var boxMin, out var boxMax);

@@ -8,14 +8,13 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// Where vertices lie, against transforms composed by hand in double.
-    /// Float32 rounds them relative to the body they are part of:
-    /// a lone mesh keeps its own vertices exactly, merged ones are right to half a step of float32 at the body's size.
-    /// How far away the body is does not matter.
+    /// Vertex positions against transforms computed independently in double. Float32 rounds them relative to their
+    /// body: a single mesh keeps its vertices exactly, and merged ones are accurate to half a step of float32 at the
+    /// body's size. The body's distance does not matter.
     /// </summary>
     public sealed class SceneGeometryTests : GathererFixture
     {
-        // A step of float32 at 100 km.
+        // Step of float32 at 100 km.
         const double WorldStep = 1.0 / 128;
 
         [Test]
@@ -50,7 +49,7 @@ namespace Glint.Tests
         [Test]
         public void ToWorld_ObjectsOnAGridOfPowersOfTwo_StayOnIt()
         {
-            // Multiples of 1/16 m, 1,000 km away.
+            // Multiples of 1/16 m at 1,000 km.
             _scene.Root.localPosition = new Vector3(1e6f, 0, -1e6f);
             var mesh = SceneBuilder.Mesh(20, 1);
             mesh.vertices = mesh.vertices.Select(v => (Vector3)(round((float3)v * 16) / 16)).ToArray();
@@ -92,7 +91,7 @@ namespace Glint.Tests
                 Is.LessThan(1e-12));
         }
 
-        // Turned and scaled parents, 100 km from the origin.
+        // Rotated and scaled parents, 100 km from the origin.
         Transform Chain(Vector3 scale)
         {
             _scene.Root.localPosition = new Vector3(80000.25f, 1234.5f, -60000);

@@ -9,11 +9,11 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// What stays from one gather to the next: the same TriangleMesh object means that no tree is built again.
+    /// Objects reused from one gather to the next. The same TriangleMesh object means that no BVH is rebuilt.
     /// </summary>
     public sealed class SceneKeepingTests : GathererFixture
     {
-        // Float32 steps of the scenes here, some 10 m large.
+        // Float32 steps of these scenes of some 10 m.
         const double Tolerance = 4e-6;
 
         [Test]
@@ -92,7 +92,7 @@ namespace Glint.Tests
         [Test]
         public void Gather_ScaleOfAMover_IsInTheVertices()
         {
-            // The frame of a mover keeps shapes as they are, however its scale stretches them.
+            // The frame of a moving object keeps its meshes' coordinates, whatever its scale.
             var ship = AddShip();
             ship.localScale = new Vector3(30, 0.1f, 2);
             _gatherer.ExpectMotion(ship);
@@ -178,7 +178,7 @@ namespace Glint.Tests
         [Test]
         public void Gather_ChangingMeshOfAFlatMover_RebuildsNothingElse()
         {
-            // Squeezed too much to be an instance: merged by itself, though in the frame that it is itself.
+            // Compressed too much for an instance: merged alone, in its own frame.
             var mesh = SceneBuilder.Mesh(10, 1);
             var sheet = _scene.Add("Sheet", mesh);
             sheet.localScale = new Vector3(1, 1, 1e-4f);
@@ -207,7 +207,7 @@ namespace Glint.Tests
             var merged = Gather();
             Assert.That(merged.Instances.Length, Is.EqualTo(1));
 
-            // Mirrored, and stretched a little.
+            // Mirrored and slightly stretched.
             var last = _scene.Add("Last", mesh);
             last.localPosition = new Vector3(-5, 0, 0);
             last.localScale = new Vector3(-1, 1.5f, 1);
@@ -304,7 +304,7 @@ namespace Glint.Tests
             _scene.Add("Cliff", SceneBuilder.Mesh(10, 4)).localPosition = new Vector3(5, 0, 5);
         }
 
-        // One vertex, a little.
+        // Moves one vertex slightly.
         static void Change(Mesh mesh, int vertex)
         {
             var vertices = mesh.vertices;
@@ -327,7 +327,7 @@ namespace Glint.Tests
                 Assert.That(TransformMath.Conditioning(instance.ToWorld), Is.GreaterThan(9e-4));
         }
 
-        // Triangles of one list that the other lacks, each taken once.
+        // Triangles of one list that the other lacks, each matched once.
         static int Unmatched(double3[] expected, double3[] actual, double tolerance)
         {
             var left = new List<int>(Enumerable.Range(0, actual.Length / 3));

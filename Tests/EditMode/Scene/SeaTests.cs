@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>A sea of tiles as the radar's gatherer finds it.</summary>
+    /// <summary>A sea of tiles as gathered for the radar.</summary>
     public sealed class SeaTests : GathererFixture
     {
         const double Tile = 32;
@@ -35,8 +35,8 @@ namespace Glint.Tests
             Assert.That(corners.Max(p => p.x), Is.EqualTo(32).Within(3));
             Assert.That(corners.Min(p => p.z), Is.EqualTo(-64).Within(3));
             Assert.That(corners.Max(p => p.z), Is.EqualTo(64).Within(3));
-            // Seen from above, a closed surface: the signed areas of its triangles make up the rectangle,
-            // overlaps and gaps would not.
+            // A closed surface from above: the signed areas of its triangles add up to the rectangle, without overlaps
+            // or gaps.
             Assert.That(Area(corners), Is.EqualTo(64 * 128).Within(1e-3));
         }
 
@@ -180,7 +180,7 @@ namespace Glint.Tests
         {
             for (int seed = 1; seed <= 2; seed++)
             {
-                // Not part of the scene: a prefab.
+                // A prefab, which is not part of the scene.
                 var snapshot = new GameObject("Snapshot").AddComponent<SeaSnapshot>();
                 snapshot.transform.SetParent(_scene.Root);
                 var tile = new SeaSurface(Settings(seed)).Mesh(0);
@@ -189,7 +189,7 @@ namespace Glint.Tests
             }
         }
 
-        // By place in the plane.
+        // Sorted by position in the plane.
         Dictionary<double2, double> Heights() =>
             SceneBuilder.Corners(_scene.Gather(_gatherer)).GroupBy(p => p.xz)
                 .ToDictionary(group => group.Key, group => group.First().y);

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>What is stored in Meshes is what its measures give. If not: glint ship makes it anew.</summary>
+    /// <summary>The stored mesh equals the one built from its measures. If not, run glint ship.</summary>
     public sealed class StoredShipTests
     {
         [Test]

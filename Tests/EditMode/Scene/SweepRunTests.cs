@@ -91,9 +91,7 @@ namespace Glint.Tests
             }
         }
 
-        /// <summary>
-        /// Whatever goes wrong within a pose: a device that disappears shows as an exception from it.
-        /// </summary>
+        /// <summary>Any failure within a pose; a lost device throws an exception there.</summary>
         [Test]
         public void Step_ThatFails_LeavesRowsFromWhichTheSweepResumes()
         {
@@ -212,7 +210,7 @@ namespace Glint.Tests
                 owner.SetPositionAndRotation(new Vector3(3, 1, -2), Quaternion.Euler(0, 90, 0));
                 _camera.transform.SetParent(owner, false);
                 _camera.transform.localRotation = Quaternion.Euler(10, 0, 5);
-                // Half a metre off the axis, which is 20 m long where it passes by.
+                // Half a metre off the axis, which is 20 m long there.
                 _target.transform.position = _camera.transform.TransformPoint(new Vector3(0.3f, -0.4f, 20));
                 var aim = _camera.transform.TransformPoint(new Vector3(0, 0, 20));
                 var (position, rotation) = (_camera.transform.localPosition, _camera.transform.localRotation);

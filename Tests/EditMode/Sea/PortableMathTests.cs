@@ -44,7 +44,7 @@ namespace Glint.Tests
                 turns => Math.Cos(2 * Math.PI * turns), bound);
         }
 
-        // Whole turns are nothing, however many: 2^40 + 1/32 is exact.
+        // Whole turns do not matter, however many: 2^40 + 1/32 is exact.
         [Test]
         public void SinCos_AfterManyTurns_IsTheSame()
         {
@@ -70,7 +70,7 @@ namespace Glint.Tests
         public void Pow_OfARoot_EqualsSystems() =>
             Assert.That(PortableMath.Pow(2, 0.5), Is.EqualTo(Math.Sqrt(2)).Within(1e-15));
 
-        // The first five outputs for these seeds, as published with implementations in many languages.
+        // The first five outputs for these seeds, as published with implementations in several languages.
         [TestCase(1234567UL, 6457827717110365317UL, 3203168211198807973UL, 9817491932198370423UL,
             4593380528125082431UL, 16408922859458223821UL)]
         [TestCase(0UL, 0xE220A8397B1DCDAFUL, 0x6E789E6AA1B965F4UL, 0x06C45D188009454FUL,
@@ -90,12 +90,12 @@ namespace Glint.Tests
             var drawn = Enumerable.Range(0, 100000).Select(i => random.NextAboveZero()).ToArray();
             Assert.That(drawn.Min(), Is.GreaterThan(0).And.LessThan(1e-3));
             Assert.That(drawn.Max(), Is.LessThanOrEqualTo(1).And.GreaterThan(0.999));
-            // Of so many the mean strays by 1 / sqrt(12 x 100,000) = 0.0009.
+            // Standard deviation of the mean: 1 / sqrt(12 x 100,000) = 0.0009.
             Assert.That(drawn.Average(), Is.EqualTo(0.5).Within(0.004));
         }
 
-        // Other functions of System.Math differ from platform to platform,
-        // those of Unity.Mathematics are System.Math's, and threads may add in any order.
+        // Other functions of System.Math differ between platforms, those of Unity.Mathematics call System.Math, and
+        // threads may add in any order.
         [Test]
         public void Sources_OfTheSea_UseOnlyWhatIsTheSameEverywhere()
         {

@@ -5,18 +5,18 @@ using Glint.Core;
 
 namespace Glint.Tests
 {
-    /// <summary>The spectra as their papers print them, by System.Math.</summary>
+    /// <summary>The spectra as printed in their papers, with System.Math.</summary>
     static class PrintedSpectra
     {
         const double Gravity = 9.81;
 
-        /// <summary>JONSWAP's peak, radians a second.</summary>
+        /// <summary>JONSWAP's peak frequency, radians a second.</summary>
         public static double Peak(double wind, double fetch) =>
             22 * Math.Pow(Gravity * Gravity / (wind * fetch), 1 / 3.0);
 
         /// <summary>
-        /// Variance of each wave of the grid by column and row, brought to the height asked for: of each pair k,
-        /// -k that with row above 0, or row 0 and column above 0.
+        /// Variance of each wave of the grid by column and row, scaled to the requested height. Of each pair k, -k it
+        /// is the wave with row above 0, or with row 0 and column above 0.
         /// </summary>
         public static Dictionary<(int, int), double> Variances(SeaSettings s)
         {

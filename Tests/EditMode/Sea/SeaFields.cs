@@ -5,10 +5,10 @@ using Glint.Core;
 
 namespace Glint.Tests
 {
-    /// <summary>Plain Fourier sums by System.Math, and what can be read off a sea's mesh with them.</summary>
+    /// <summary>Plain Fourier sums with System.Math, and measures of a sea's mesh from them.</summary>
     static class SeaFields
     {
-        /// <summary>Settings of a small sea, Phillips, of a wind.</summary>
+        /// <summary>Settings of a small Phillips sea for a wind speed.</summary>
         public static SeaSettings Settings(int grid = 16, int cells = 24, double wind = 9)
         {
             var settings = SeaSettings.Default;
@@ -33,9 +33,7 @@ namespace Glint.Tests
             return field;
         }
 
-        /// <summary>
-        /// Heights of a mesh at its cells, less the last row and column, which are the first ones again.
-        /// </summary>
+        /// <summary>Heights of a mesh at its cells, without the last row and column, which repeat the first.</summary>
         public static double[] Heights(TriangleMesh mesh, int cells) =>
             Enumerable.Range(0, cells * cells)
                 .Select(i => (double)mesh.Vertices[i / cells * (cells + 1) + i % cells].y).ToArray();

@@ -26,7 +26,7 @@ namespace Glint.Tests
             Assert.That(mesh.Indices.Distinct().Count(), Is.EqualTo(25 * 25), "every vertex belongs to a triangle");
         }
 
-        // Any two tiles side by side meet, so tiles repeat: to the bit, where float32 holds the sum.
+        // Adjacent tiles join, so tiles repeat; bit for bit where float32 represents the sum.
         [TestCase(24, 64)]
         [TestCase(32, 64)]
         [TestCase(24, 100.099609375)]

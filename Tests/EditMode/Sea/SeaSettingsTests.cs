@@ -88,7 +88,7 @@ namespace Glint.Tests
             Assert.DoesNotThrow(() => settings.Validate());
         }
 
-        // Waves that run as fast as 0.1 m/s are 6 mm long; the grid of 64 m has none below 2 m.
+        // Waves as fast as 0.1 m/s are 6 mm long; the 64 m grid has none below 2 m.
         [Test]
         public void Surface_OfAWindTooWeakForItsGrid_IsRefused()
         {

@@ -10,9 +10,9 @@ namespace Glint.Tests
     {
         const double Gravity = 9.81;
 
-        // Twice the formula's sum over the whole grid, both ways, of constant 1 and wind along an axis,
-        // is known (with waves below a thousandth of the longest one damped, which takes some 1e-7 of it).
-        // Density has the half that runs with the wind.
+        // Twice the formula's sum over the whole grid, in both directions, with constant 1 and wind along an axis, has
+        // a known value. Damping of waves below a thousandth of the longest removes some 1e-7 of it. Density is the
+        // half that travels with the wind.
         [TestCase(128, 256, 10, 5.40840e5)]
         [TestCase(256, 500, 15, 1.04651e7)]
         public void Phillips_SummedOverAGrid_IsTheKnownSum(int grid, double tile, double wind, double known)
@@ -41,7 +41,7 @@ namespace Glint.Tests
             Assert.That(4 * Math.Sqrt(Integral(settings)), Is.EqualTo(height).Within(6e-4));
         }
 
-        // Without a peak's enhancement the integral over frequency is alpha g^2 / (5 wp^4).
+        // Without peak enhancement the integral over frequency is alpha g^2 / (5 wp^4).
         [TestCase(10, 1e5)]
         [TestCase(20, 3e4)]
         public void Jonswap_WithoutEnhancement_HasItsKnownVariance(double wind, double fetch)
@@ -65,7 +65,7 @@ namespace Glint.Tests
             double peak = PrintedSpectra.Peak(10, 1e5);
             Assert.That(Ratio(peak), Is.EqualTo(3.3).Within(1e-12));
             Assert.That(Ratio(2 * peak), Is.EqualTo(1).Within(1e-9));
-            // One width off, exp(-1/2) of its logarithm: 7 % of the peak's frequency below it, 9 % above.
+            // One width from the peak the enhancement's exponent is exp(-1/2): at frequencies 7 % below and 9 % above.
             Assert.That(Ratio(0.93 * peak), Is.EqualTo(Math.Pow(3.3, Math.Exp(-0.5))).Within(1e-9));
             Assert.That(Ratio(1.09 * peak), Is.EqualTo(Math.Pow(3.3, Math.Exp(-0.5))).Within(1e-9));
         }
@@ -98,8 +98,8 @@ namespace Glint.Tests
             Assert.That(SeaSpectrum.Density(settings, 2 * Math.PI / 4.01, 1), Is.GreaterThan(0));
         }
 
-        // The chance of each wave does not hang on the spectrum:
-        // what is left between two of them is the ratio of their formulas.
+        // Each wave's random number does not depend on the spectrum, so the ratio of two seas is that of their
+        // formulas.
         [Test]
         public void Surface_OfAnySpectrum_DrawsByItsFormula([Values] SeaSpectrumKind kind,
             [Values(0, 30)] double direction)
@@ -131,7 +131,7 @@ namespace Glint.Tests
             return settings;
         }
 
-        // Over 1 mm to 10 km of wavelength, in equal ratios.
+        // Wavelengths from 1 mm to 10 km in equal ratios.
         static double Integral(in SeaSettings settings)
         {
             const int steps = 20000;

@@ -22,8 +22,8 @@ namespace Glint.Tests
             Assert.That(new SeaSurface(settings).SignificantWaveHeight, Is.EqualTo(1.25 * height).Within(1e-9));
         }
 
-        // Each wave's variance has the spread of an exponential distribution; that of their sum, seeds' mean,
-        // is 1.1 % here, that of all waves' mean, each in parts of its own, 0.2 %.
+        // Each wave's variance has an exponential distribution. The mean over seeds of their sum has a spread of 1.1 %
+        // here, and the mean of all waves' normalised variances one of 0.2 %.
         [Test]
         public void WaveHeight_OverTwoThousandSeeds_IsThatAskedForOnAverage()
         {
@@ -102,8 +102,8 @@ namespace Glint.Tests
             AssertNear(new FourierSum(cells).Sum(waves), new TrigonometricSum(cells, 31).Sum(waves));
         }
 
-        // 24 cells by the trigonometric sum, 48 too, 32 by the Fourier transform:
-        // every third of the first is a point of the last.
+        // 24 and 48 cells use the trigonometric sum, 32 the Fourier transform: every third point of the first is a
+        // point of the last.
         [Test]
         public void Mesh_OfAnyCells_SamplesTheSameSea()
         {
@@ -115,7 +115,7 @@ namespace Glint.Tests
                         Is.LessThan(3.0 / 65536), $"at {x}, {z} eighths");
         }
 
-        // Gerstner's displacement, worked out anew from the heights: -a k/|k| sin where the height is a cos.
+        // Gerstner's displacement, recalculated from the heights: -a k/|k| sin where the height is a cos.
         [Test]
         public void Mesh_Displaced_LeansTowardsItsCrests([Values(0.5, 1.6)] double choppiness)
         {
@@ -146,13 +146,13 @@ namespace Glint.Tests
             {
                 int vertex = i / cells * (cells + 1) + i % cells;
                 var moved = displaced.Vertices[vertex] - flat.Vertices[vertex];
-                // Rounding of the heights, spread over the waves, and of the places.
+                // Rounding of the heights, spread over the waves, and of the positions.
                 Assert.That(math.distance(moved, new double3(alongX[i], 0, alongZ[i])), Is.LessThan(1e-4), $"cell {i}");
             }
         }
 
-        // One wave turns in phase by w t, w^2 = g k, in the sense that moves its crests with the wind;
-        // read off the meshes of two times.
+        // A wave's phase changes by w t, w^2 = g k, so that its crests move with the wind; measured in the meshes of
+        // two times.
         [Test]
         public void Waves_OfOneLength_RunByTheDispersionRelationWithTheWind([Values(0, 90, 210)] double direction,
             [Values(0.25, 12.75)] double time)
@@ -170,7 +170,7 @@ namespace Glint.Tests
                 {
                     Complex before = SeaFields.Amplitude(first, cells, column, row),
                         after = SeaFields.Amplitude(later, cells, column, row);
-                    // Of each pair the one that runs with the wind; amplitudes are good to 1e-5 m.
+                    // The wave of each pair that travels with the wind; amplitudes are accurate to 1e-5 m.
                     if (!(column * windX + row * windZ > 1e-9) || before.Magnitude < 0.003)
                         continue;
                     double k = 2 * Math.PI / settings.TileSize * Math.Sqrt(row * row + column * column);
@@ -239,7 +239,7 @@ namespace Glint.Tests
                         / heights.Length / seeds;
                 }
             }
-            // A cell's slope is less than the steepest within it, by (k cell)^2 / 12 = 1.3 % at the shortest wave.
+            // A cell's slope is below the steepest within it by (k cell)^2 / 12 = 1.3 % at the shortest wave.
             Assert.That(alongWind + across, Is.EqualTo(expected).Within(5).Percent);
             Assert.That(alongWind / (alongWind + across), Is.EqualTo(0.75).Within(0.02));
         }
@@ -256,7 +256,7 @@ namespace Glint.Tests
             Assert.That(new SeaSurface(other).Mesh(4).Vertices, Is.Not.EqualTo(surface.Mesh(4).Vertices));
         }
 
-        // Phillips of little wind: waves that only the finer grid holds add little, and the long ones stay.
+        // Phillips with little wind: waves that only the finer grid has add little, and the long ones are unchanged.
         [Test]
         public void Grid_Finer_HasTheSameLongWaves()
         {

@@ -16,7 +16,7 @@ namespace Glint.Tests
                 Is.EqualTo((2.5, 6.0)), "metres, as published");
             Assert.That(SeaState.Range(5).From, Is.EqualTo(2.5));
             Assert.That(SeaState.Range(6).To, Is.EqualTo(6));
-            // The factor is a quotient of heights, rounded.
+            // The factor is a ratio of rounded heights.
             Assert.That(calm.HeightFactor, Is.EqualTo(rough.HeightFactor).Within(1e-14));
             (calm.SignificantWaveHeight, calm.HeightFactor) = (rough.SignificantWaveHeight, rough.HeightFactor);
             Assert.That(calm, Is.EqualTo(rough));
@@ -48,7 +48,7 @@ namespace Glint.Tests
             }
         }
 
-        // The seed is not one of extremes: the spectrum's spread of the variance over seeds is 45 %.
+        // The seed is not extreme: the variance's spread over seeds is 45 % for this spectrum.
         [Test]
         public void Seed_IsTypicalInItsHeight() =>
             Assert.That(StoredSeas.SeaState6.Settings.HeightFactor, Is.InRange(0.75, 1.5));
@@ -57,7 +57,7 @@ namespace Glint.Tests
         public void Wind_PutsThePeakOnTheLongestWaveOfTheTile()
         {
             var settings = StoredSeas.SeaState6.Settings;
-            // The spectrum over wave numbers, directions together, is k times that of one direction.
+            // The spectrum over wave numbers in all directions is k times that of one direction.
             double Height(double length) => SeaSpectrum.Density(settings, 2 * Math.PI / length, 1) / length;
             double peak = Enumerable.Range(100, 1900).Select(i => 0.1 * i).OrderByDescending(Height).First();
             Assert.That(peak, Is.EqualTo(settings.TileSize).Within(1));

@@ -8,7 +8,7 @@ using UnityEngine;
 
 namespace Glint.Tests
 {
-    /// <summary>What is stored in Meshes is what its recipe gives. If not: glint sea makes it anew.</summary>
+    /// <summary>The stored meshes equal those built from their recipe. If not, run glint sea.</summary>
     public sealed class StoredSnapshotsTests
     {
         [Test]
@@ -47,8 +47,8 @@ namespace Glint.Tests
             }
         }
 
-        // The vertices stand on a regular grid before they are displaced,
-        // so that their heights' variance is the waves'. The last row and column are the first ones again.
+        // Undisplaced vertices form a regular grid, so the variance of their heights is that of the waves. The last
+        // row and column repeat the first.
         [TestCase(0, 2.5)]
         [TestCase(1, 6)]
         public void Snapshots_Together_HaveTheWaveHeightAskedFor(int number, double asked)

@@ -11,8 +11,8 @@ namespace Glint.Tests
     static class ShipMesh
     {
         /// <summary>
-        /// With equal places welded each edge is walked once each way, and each body encloses a positive volume:
-        /// its outer side is out.
+        /// With welded positions each edge is used once in each direction, and each body has a positive volume, so its
+        /// outer side faces outwards.
         /// </summary>
         public static void AssertClosed(TriangleMesh mesh)
         {
@@ -27,7 +27,7 @@ namespace Glint.Tests
             Assert.That(BodyVolumes(mesh, welded), Is.All.GreaterThan(0.001), "m3");
         }
 
-        /// <summary>For each corner the first vertex at the same place, three a triangle.</summary>
+        /// <summary>For each corner the first vertex at the same position, three for each triangle.</summary>
         public static int[] Welded(TriangleMesh mesh)
         {
             var first = new Dictionary<float3, int>();
@@ -38,7 +38,7 @@ namespace Glint.Tests
             return Array.ConvertAll(mesh.Indices, index => welded[index]);
         }
 
-        /// <summary>Of each body that hangs together, a sixth of the sum of triple products.</summary>
+        /// <summary>Volume of each connected body: a sixth of the sum of triple products.</summary>
         public static IEnumerable<double> BodyVolumes(TriangleMesh mesh, int[] welded)
         {
             var parents = Enumerable.Range(0, mesh.Vertices.Length).ToArray();
@@ -61,8 +61,7 @@ namespace Glint.Tests
         }
 
         /// <summary>
-        /// Volume below y = 0 of what is closed there: the flux of (0, y, 0),
-        /// which the plane y = 0 itself adds nothing to.
+        /// Volume below y = 0 of a mesh closed there: the flux of (0, y, 0), to which the plane y = 0 adds nothing.
         /// </summary>
         public static double VolumeUnderWater(TriangleMesh mesh)
         {

@@ -15,13 +15,13 @@ namespace Glint.Tests
 
         readonly TriangleMesh _ship = ShipModel.Build(Default);
 
-        // Its flat faces are the same; rays find their way in half the time.
+        // Its flat faces are unchanged, and tracing takes half the time.
         readonly TriangleMesh _coarse = ShipModel.Build(WithTriangles(15000));
 
         [Test]
         public void Build_Default_IsClosed() => ShipMesh.AssertClosed(_ship);
 
-        // The finest mesh of the sharpest bow: its points come closest to each other.
+        // The finest mesh of the sharpest bow, with the smallest distances between points.
         [Test]
         public void Build_FinestAndMostFlared_IsClosed()
         {
@@ -39,7 +39,7 @@ namespace Glint.Tests
                 Is.EqualTo(triangles).Within(within * triangles));
         }
 
-        // float32 gives triangles of less than 5e-17 m2 no normal; slivers lose digits.
+        // In float32, triangles below 5e-17 m2 have no normal, and slivers lose digits.
         [Test]
         public void Build_Default_HasNoTriangleWithoutAreaAndNoNeedle()
         {
@@ -63,7 +63,7 @@ namespace Glint.Tests
             Assert.That(Default.Length, Is.InRange(60, 75));
             Assert.That(-boxMin.z, Is.EqualTo(Default.Length / 2).Within(Step));
             Assert.That(boxMax.z, Is.EqualTo(Default.Length / 2).Within(Step));
-            // The widest frame lies between two stations.
+            // The widest frame is between two stations.
             Assert.That(boxMax.x - boxMin.x, Is.EqualTo(Default.Beam).Within(0.001));
             Assert.That(-boxMin.y, Is.EqualTo(Default.Draught).Within(Step));
             Assert.That(boxMax.y, Is.EqualTo(Default.Freeboard + Default.Forecastle + 3 * Default.StoreyHeight
@@ -87,7 +87,7 @@ namespace Glint.Tests
                 Is.Zero);
         }
 
-        // Block coefficients of patrol vessels lie about 0.4 to 0.55.
+        // Block coefficients of patrol vessels are about 0.4 to 0.55.
         [Test]
         public void Build_Default_DisplacesAsAVesselOfItsSize() =>
             Assert.That(ShipMesh.VolumeUnderWater(_ship) / (Default.Length * Default.Beam * Default.Draught),
@@ -112,7 +112,7 @@ namespace Glint.Tests
                 "no -0: equal places have equal bits");
         }
 
-        // Published hits of 1920 x 1080 rays; here as many of 240 x 135, whose edges are counted within 2 %.
+        // Published hits of 1920 x 1080 rays, against 240 x 135 rays here, whose edges are accurate to 2 %.
         [TestCase(0, 125508)]
         [TestCase(90, 331864)]
         [TestCase(180, 161522)]
@@ -125,8 +125,7 @@ namespace Glint.Tests
                 Is.EqualTo(published).Within(0.15 * published));
         }
 
-        // Seen from ahead and from astern, deck and house are a dihedral:
-        // the camera mirrored in both sends the rays back.
+        // From ahead and from astern, deck and house are a dihedral, which reflects the rays back to the camera.
         [TestCase(0)]
         [TestCase(180)]
         public void Build_Default_SquareToTheRadar_DeckAndHouseReturnRays(double angle)
@@ -149,13 +148,14 @@ namespace Glint.Tests
                 if (abs(rays[pixel].PathLength - length) < 1e-4) // heights are rounded to 2^-16 m
                     returned++;
             }
-            // Half of the receiver's width and height, as the corner is half as far as its image: a square of 1.5 m.
-            // The bow rises into a third of it.
+            // Half the receiver's width and height, since the corner is half as far as its image: a square of 1.5 m.
+            // The bow covers a third of it.
             double across = 1.5 / (2 * tan(radians(4.0)) * distance(view.Position, corner)) * settings.RaysDown;
             Assert.That(returned, Is.GreaterThan(0.5 * across * across));
         }
 
-        // Sill, jamb and pane are at right angles: what meets all three goes back the way it came.
+        // Sill, jamb and pane are at right angles: a ray with a bounce off all three returns in the direction of
+        // incidence.
         [TestCase(30, true)]
         [TestCase(30, false)]
         [TestCase(150, false)]
@@ -190,7 +190,7 @@ namespace Glint.Tests
             return settings;
         }
 
-        // Of the published set-up: 50 m from the ship's middle, seen at a grazing angle of 10 degrees.
+        // The published set-up: 50 m from the ship's centre, at a grazing angle of 10 degrees.
         static double3 Radar(double angle) => 50 * double3(-cos(radians(10.0)) * sin(radians(angle)),
             sin(radians(10.0)), -cos(radians(10.0)) * cos(radians(angle)));
     }

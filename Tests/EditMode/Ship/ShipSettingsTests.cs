@@ -9,7 +9,7 @@ namespace Glint.Tests
 {
     public sealed class ShipSettingsTests
     {
-        // Field, its name in messages, least and greatest value of the default ship.
+        // Field, its name in messages, minimum and maximum for the default ship.
         static readonly object[][] Ranges =
         {
             new object[] { "Length", "length", 55.0, 90.0 },
@@ -60,7 +60,7 @@ namespace Glint.Tests
             }
         }
 
-        // Whatever the settings, the ship stays a closed surface.
+        // With all settings the ship is a closed surface.
         [TestCaseSource(nameof(Ranges))]
         public void Build_AtTheEndsOfARange_IsClosed(string field, string name, double min, double max)
         {

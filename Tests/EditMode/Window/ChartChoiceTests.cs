@@ -21,7 +21,7 @@ namespace Glint.Tests
             Assert.That(new ChartChoice().AxisOf(Array.Empty<StoredRow>()), Is.EqualTo(SweepAxis.Angle));
         }
 
-        // A choice outlives the run that it was made in.
+        // A choice is kept for the next run.
         [TestCase(-1, 1)]
         [TestCase(0, 0)]
         [TestCase(2, 1)]

@@ -29,7 +29,7 @@ namespace Glint.Tests
             Assert.That(scale.Ticks.Select(tick => tick.Position), Is.All.InRange(-1e-9, 1 + 1e-9));
         }
 
-        // Every step is 1, 2 or 5 times a power of ten, and a chart has a handful of ticks whatever the values are.
+        // Every step is 1, 2 or 5 times a power of ten, and a chart has a few ticks for any values.
         [Test]
         public void Ticks_OfAnyValues_AreFewRoundAndFinite()
         {

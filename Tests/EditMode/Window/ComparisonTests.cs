@@ -21,7 +21,7 @@ namespace Glint.Tests
             }
         }
 
-        // Published at 0 deg: amplitude 46.66582, 676 of 217,470 rays; at 45 deg nothing.
+        // Published at 0 deg: amplitude 46.66582, 676 of 217,470 rays; at 45 deg no rays.
         [Test]
         public void Text_OfKnownDifferences_TellsTheLargestAndTheRootMeanSquare()
         {
@@ -40,7 +40,7 @@ namespace Glint.Tests
             Assert.That(lines[3], Is.EqualTo("Rays hit: equal"));
         }
 
-        // The ship stood on one snapshot in the published table; ours on two.
+        // The published ship is on one snapshot; ours is on two.
         [Test]
         public void Pairs_WhereTheOtherRunLacksAnAxis_MatchOnTheRest()
         {
@@ -77,7 +77,7 @@ namespace Glint.Tests
                 }
                 var comparison = Comparison.With(temporary.PathOf("run"));
                 Assert.That(comparison.Title, Is.EqualTo("run"));
-                // 3 - 4i of twice the rays; then nothing.
+                // 3 - 4i with twice the rays, then no rays.
                 Assert.That(comparison.Rows.Select(
                         row => (row[SweepAxis.Angle], row[ResultColumn.Amplitude], row[ResultColumn.Normalised],
                             row[ResultColumn.RaysReceived])),

@@ -12,7 +12,7 @@ namespace Glint.Tests
     {
         RadarPreview _preview;
 
-        // Left: nothing, and a wall head-on, received. Right: the sea at 60 degrees, and by way of the wall.
+        // Left: nothing, and a wall head-on, received. Right: the sea at 60 degrees, and a bounce off the wall.
         [SetUp]
         public void MakeImage()
         {
@@ -54,13 +54,13 @@ namespace Glint.Tests
                 // 60 degrees: cosine 0.5, brightness 0.3 + 0.35.
                 var expected = legend[byObject ? "Sea" : "1"];
                 Assert.That((double)colours[1].r / expected.r, Is.EqualTo(0.65).Within(0.02));
-                // x + y of both received ones is 1 or 2: a stripe, and between stripes.
+                // x + y of the two received pixels is 1 or 2: on a stripe, and between stripes.
                 Assert.That(colours[2], Is.EqualTo(legend["received"]));
                 Assert.That(colours[3], Is.Not.EqualTo(legend["received"]));
             }
         }
 
-        // A ray along z, reflected by surfaces that are so many degrees aslant.
+        // A ray along z, reflected by surfaces with these tilts in degrees.
         static RayPath Path(uint x, uint y, params (int number, double degrees)[] hits)
         {
             double3 direction = new double3(0, 0, 1), position = 0;

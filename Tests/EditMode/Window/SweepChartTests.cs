@@ -9,7 +9,7 @@ namespace Glint.Tests
 {
     public sealed class SweepChartTests
     {
-        // 26, 20 and 6 dB about.
+        // About 26, 20 and 6 dB.
         static readonly StoredRow[] Turn =
         {
             SamplePoses.At(0, 20), SamplePoses.At(10, 10, 2), SamplePoses.At(20, 0), SamplePoses.At(40, 2)
@@ -89,7 +89,7 @@ namespace Glint.Tests
             Assert.That((chart.Series.Count, chart.LeftOut), Is.EqualTo((12, 8)));
         }
 
-        // What a user types in, in any order.
+        // User input in any order.
         [Test]
         public void Points_OfAnglesInAnyOrder_RunAlongTheAxis()
         {
@@ -104,7 +104,7 @@ namespace Glint.Tests
             var chart = Chart(Turn, SweepAxis.Angle);
             Assert.That(chart.Nearest(0.3, 0.5, 2)?.Point.Row, Is.EqualTo(1));
             Assert.That(chart.Nearest(0.9, 0, 2)?.Point.Row, Is.EqualTo(3));
-            // As far across as up: in a wide chart the one below is nearer.
+            // Equally far across and up: in a wide chart the point below is nearer.
             Assert.That(chart.Nearest(0.36, 0.18, 4)?.Point.Row, Is.EqualTo(1));
             Assert.That(chart.Nearest(0.36, 0.18, 0.5)?.Point.Row, Is.EqualTo(2));
         }

@@ -10,20 +10,20 @@ using UnityEngine;
 namespace Glint.Cli;
 
 /// <summary>
-/// Run time against error: scenes built in code, each traced with more and more rays and compared with
-/// what endlessly many would give.
+/// Measures error against run time. Each scene is built in code, traced with increasing numbers of rays, and compared
+/// with the converged result.
 /// </summary>
 sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progress)
 {
-    // Across; down in the ratio of 16 to 9. A software device is spared the last.
+    // Rays across the picture; the height follows from 16:9. Software devices skip the largest.
     static readonly int[] s_across = [480, 960, 1920, 3840, 7680];
     const int MaxAcrossOfSoftware = 3840;
 
-    // Rounds of a pose that takes long.
+    // Minimum number of rounds of a slow pose.
     const int MinRounds = 3;
     static readonly TimeSpan s_maxTime = TimeSpan.FromSeconds(3);
 
-    // A receiver so small, in metres, that no ray meets it.
+    // Receiver size in metres that no ray hits.
     const double NoReceiver = 1e-6;
 
     readonly AccuracyResult _result = new() { Device = GraphicsDevice.Current.Info, Rounds = rounds };
@@ -77,7 +77,7 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
         }
     }
 
-    // The first pose warms up.
+    // The first pose is a warm-up.
     Series Time(RayTracer tracer, in RadarPose pose, out RadarResult result)
     {
         var times = new Series();
@@ -88,7 +88,7 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
         return times;
     }
 
-    // Milliseconds.
+    // Time of a pose, in milliseconds.
     double TimeOnce(RayTracer tracer, in RadarPose pose, out RadarResult result)
     {
         var watch = Stopwatch.StartNew();
@@ -96,7 +96,7 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
         return watch.Elapsed.TotalMilliseconds;
     }
 
-    // In turns: what slows the machine for a while slows them alike.
+    // The variants take turns, so that a slow phase of the machine affects all of them.
     void MeasureCosts(RayTracer tracer, AccuracyScene scene)
     {
         var blind = scene.View;
@@ -106,8 +106,8 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
         [
             ("a pose as it is", Culling.All, scene.View),
             .. each.Select(culling => (WithoutText(culling), Culling.All & ~culling, scene.View)),
-            ("none of these shortcuts", Culling.None, scene.View),
-            ("nothing received, no exact pass", Culling.All, blind),
+            ("without any culling", Culling.None, scene.View),
+            ("nothing received, no refine pass", Culling.All, blind),
         ];
         var results = new RadarResult[cases.Length];
         var times = Array.ConvertAll(cases, index => new Series());
@@ -130,10 +130,10 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
 
     static string WithoutText(Culling culling) => culling switch
     {
-        Culling.Reach => "searching beyond the receiver",
-        Culling.LastSegment => "searching last segments that miss it",
+        Culling.Reach => "traversal past the receiver",
+        Culling.LastSegment => "traversal of last segments that miss the receiver",
         Culling.Tiles => "tracing tiles without objects",
-        Culling.EntryPoints => "starting at the top of the tree",
+        Culling.EntryPoints => "without entry points: from the root of the BVH",
         _ => "without " + culling,
     };
 }

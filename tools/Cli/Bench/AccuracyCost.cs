@@ -2,17 +2,17 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>What a pose takes when a piece of its work is done otherwise, and what that does to the sums.</summary>
+/// <summary>Time of a pose with one part of its work changed, and the effect on the sums.</summary>
 sealed class AccuracyCost(string what, Series times, RadarResult result, RadarResult usual)
 {
-    /// <summary>What is done otherwise, in a few words.</summary>
+    /// <summary>The change, in a few words.</summary>
     public string What { get; } = what;
 
     public Series Times { get; } = times;
 
     public long RaysReceived { get; } = result.RaysReceived;
 
-    /// <summary>Sub-rays for the sampling error.</summary>
+    /// <summary>Time of the sub-rays for the sampling error.</summary>
     public long SubRays { get; } = result.Statistics.SubRays;
 
     /// <summary>True if all sums are the same bit for bit.</summary>

@@ -7,7 +7,7 @@ using Newtonsoft.Json.Linq;
 namespace Glint.Cli;
 
 /// <summary>
-/// The accuracy benchmark's figures as JSON: times in milliseconds, medians unless the name says lowest.
+/// The accuracy benchmark's figures as JSON. Times are in milliseconds, and medians unless the name says lowest.
 /// </summary>
 static class AccuracyJson
 {

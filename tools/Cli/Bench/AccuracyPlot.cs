@@ -7,14 +7,12 @@ using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>
-/// Error against time as an SVG picture: both axes logarithmic, a line a scene, from few rays to many.
-/// </summary>
+/// <summary>Error against time as an SVG picture with two logarithmic axes and a line for each scene.</summary>
 sealed class AccuracyPlot
 {
     const int Width = 1000, Height = 560, Left = 80, Right = 290, Top = 40, Bottom = 64;
 
-    // No error below is drawn lower, relative: the converged results are not known better.
+    // Lowest relative error drawn: the uncertainty of the converged results.
     const double MinError = 1e-4;
 
     static readonly string[] s_colours =

@@ -9,8 +9,8 @@ using Glint.Reference;
 namespace Glint.Cli;
 
 /// <summary>
-/// What the tracer's arithmetic costs in accuracy: its sums less the reference tracer's over the same rays,
-/// and less those that path lengths in float32 would give.
+/// Error of the tracer's arithmetic: its sums minus the reference tracer's over the same rays. Also the error of path
+/// lengths rounded to float32.
 /// </summary>
 sealed class AccuracyPrecision
 {
@@ -28,17 +28,16 @@ sealed class AccuracyPrecision
     }
 
     /// <summary>
-    /// So much farther off than the scene's radar stands, metres,
-    /// are the ranges at which lengths are rounded to float32.
+    /// Ranges added to that of the scene's radar, in metres, at which path lengths are rounded to float32.
     /// </summary>
     public static double[] Float32Ranges { get; } = [0, 10_000, 100_000];
 
     public AccuracyScene Scene { get; }
 
-    /// <summary>By the reference tracer.</summary>
+    /// <summary>Rays that the reference tracer receives.</summary>
     public long RaysReceived { get; }
 
-    /// <summary>The tracer's less the reference tracer's.</summary>
+    /// <summary>The tracer's hits minus the reference tracer's.</summary>
     public long HitsDifference { get; }
     public long ReceivedDifference { get; }
 
@@ -46,11 +45,11 @@ sealed class AccuracyPrecision
     public double SumDifference { get; }
 
     /// <summary>
-    /// The same when each of the reference tracer's path lengths is rounded to float32, at <see cref="Float32Ranges"/>.
+    /// The same, with the reference tracer's path lengths rounded to float32 at <see cref="Float32Ranges"/>.
     /// </summary>
     public double[] Float32Differences { get; }
 
-    /// <param name="tracer">The same rays, by the tracer.</param>
+    /// <param name="tracer">The tracer's result over the same rays.</param>
     public static AccuracyPrecision Of(AccuracyScene scene, RadarSettings settings, RadarResult tracer,
         IProgress<double> progress, CancellationToken cancel)
     {

@@ -9,32 +9,31 @@ using Glint.Reference;
 namespace Glint.Cli;
 
 /// <summary>
-/// A scene's sums for so many rays that more would change little, by the double-precision reference tracer:
-/// a picture of 3840 x 2160 rays, and 64 in each pixel that received one, lies beside one that did, or on an outline.
-/// In the others all is known already.
+/// Converged sums of a scene by the double-precision reference tracer. The picture has 3840 x 2160 rays. Pixels that
+/// received a ray, their neighbours and pixels on an outline get 64 sub-rays.
 /// </summary>
 sealed class AccuracyReference
 {
     const int StandardAcross = 3840, SubRays = 8;
 
-    // Error of the whole grid of sub-rays over that of the four of half its density that it is made of:
-    // as found for the estimate of the sampling error.
+    // Error of the whole grid of sub-rays, relative to that of its four half-density grids; the sampling error's
+    // estimate uses the same factor.
     const double FineOverHalf = 0.35;
 
     internal AccuracyReference(Complex sum, double uncertainty, double hits) =>
         (Sum, Uncertainty, Hits) = (sum, uncertainty, hits);
 
-    /// <summary>As if the picture had <see cref="RadarResult.NormalRays"/> rays.</summary>
+    /// <summary>Phasor sum, scaled to <see cref="RadarResult.NormalRays"/> rays.</summary>
     public Complex Sum { get; }
 
-    /// <summary>About how far the amplitude of the sum is from that of endlessly many rays.</summary>
+    /// <summary>Estimated error of the sum's amplitude.</summary>
     public double Uncertainty { get; }
 
-    /// <summary>Rays hit, as if the picture had <see cref="RadarResult.NormalRays"/>.</summary>
+    /// <summary>Rays hit, scaled to <see cref="RadarResult.NormalRays"/> rays.</summary>
     public double Hits { get; }
 
-    /// <param name="settings">Of which the number of rays is not used.</param>
-    /// <param name="across">Rays across the picture that is refined; down in the ratio of 16 to 9.</param>
+    /// <param name="settings">The settings; their number of rays is ignored.</param>
+    /// <param name="across">Rays across the picture that is refined; the height follows from 16:9.</param>
     public static AccuracyReference Of(AccuracyScene scene, RadarSettings settings, IProgress<double> progress,
         CancellationToken cancel, int across = StandardAcross)
     {
@@ -87,7 +86,7 @@ sealed class AccuracyReference
         });
     }
 
-    // Received rays and those around them, and hits beside misses.
+    // True for received rays and their neighbours, and where hits and misses are neighbours.
     static bool IsRefined(Outcome[,] outcomes, int column, int row)
     {
         bool isHit = outcomes[row, column] != Outcome.Nothing;
@@ -98,7 +97,7 @@ sealed class AccuracyReference
         return false;
     }
 
-    // Returns how many of the sub-rays hit.
+    // Returns the number of sub-rays that hit.
     static int TracePixel(ReferenceTracer referenceTracer, double wavelength, int column, int row, Complex[,] sums)
     {
         int hits = 0;

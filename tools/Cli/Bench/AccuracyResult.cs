@@ -4,20 +4,20 @@ using Glint.Vulkan;
 
 namespace Glint.Cli;
 
-/// <summary>All that the accuracy benchmark found out.</summary>
+/// <summary>Results of the accuracy benchmark.</summary>
 sealed class AccuracyResult
 {
     public DeviceInfo Device { get; init; }
     public int Rounds { get; init; }
 
-    /// <summary>Scene by scene, few rays first.</summary>
+    /// <summary>Rows by scene, in ascending number of rays.</summary>
     public List<AccuracyRow> Rows { get; } = [];
 
-    /// <summary>Of the published number of rays.</summary>
+    /// <summary>Precision at the published number of rays.</summary>
     public List<AccuracyPrecision> Precision { get; } = [];
 
     /// <summary>
-    /// The scene in which pieces of work were left out or done otherwise; the first cost is that of a pose as it is.
+    /// Scene in which parts of the work were left out or changed. Its first cost is that of an unchanged pose.
     /// </summary>
     public AccuracyScene CostScene { get; set; }
     public List<AccuracyCost> Costs { get; } = [];

@@ -4,7 +4,7 @@ using Glint.Reference;
 
 namespace Glint.Cli;
 
-/// <summary>One scene at one number of rays: what a pose takes, and how far it is from the converged result.</summary>
+/// <summary>One scene at one number of rays: time of a pose and error against the converged result.</summary>
 sealed class AccuracyRow(AccuracyScene scene, RadarSettings settings, RadarResult result, Series times,
     AccuracyReference converged)
 {
@@ -12,19 +12,19 @@ sealed class AccuracyRow(AccuracyScene scene, RadarSettings settings, RadarResul
     public RadarSettings Settings { get; } = settings;
     public RadarResult Result { get; } = result;
 
-    /// <summary>Tracing and summing, of poses of a scene that is on the device.</summary>
+    /// <summary>Time of tracing and summing, with the scene already on the device.</summary>
     public Series Times { get; } = times;
 
     public AccuracyReference Converged { get; } = converged;
 
-    /// <summary>Of the normalised amplitude.</summary>
+    /// <summary>Error of the normalised amplitude.</summary>
     public double AmplitudeError => Result.NormalisedAmplitude - Converged.Sum.Magnitude;
 
-    /// <summary>Of the summed phasor, radians from -pi to pi.</summary>
+    /// <summary>Error of the summed phasor's phase, in radians from -pi to pi.</summary>
     public double PhaseError => new Complex(Result.InPhase, Result.Quadrature) is var sum && sum != 0
         && Converged.Sum != 0 ? (sum / Converged.Sum).Phase : 0;
 
-    /// <summary>Of the number of rays that hit, relative.</summary>
+    /// <summary>Relative error of the number of rays that hit.</summary>
     public double HitsError =>
         Converged.Hits > 0 ? Result.RaysHit * RadarResult.NormalRays / Result.RaysOfPicture / Converged.Hits - 1 : 0;
 }

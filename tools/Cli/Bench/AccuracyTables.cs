@@ -15,23 +15,23 @@ sealed class AccuracyTables(Terminal terminal)
     {
         yield return $"{result.Device.Name}, driver {result.Device.Driver}; medians of up to {result.Rounds} poses";
         yield return Text(
-            $"Amplitudes are normalised to {RadarResult.NormalRays:N0} rays; errors are those against endlessly many rays. *: flagged as undersampled.");
+            $"Amplitudes are normalised to {RadarResult.NormalRays:N0} rays; errors are relative to the converged result. *: flagged as undersampled.");
         foreach (var scene in result.Rows.GroupBy(row => row.Scene))
         {
             var converged = scene.First().Converged;
             yield return "";
             yield return Text(
-                $"{scene.Key.Name}: amplitude {converged.Sum.Magnitude:0.00}, known to about {converged.Uncertainty:0.00}");
+                $"{scene.Key.Name}: amplitude {converged.Sum.Magnitude:0.00}, uncertainty about {converged.Uncertainty:0.00}");
             foreach (string line in _text.Lines(Rows(scene)))
                 yield return line;
         }
         yield return "";
         yield return Text(
-            $"The tracer's sums less the reference tracer's over the same rays, {RadarSettings.Default.RaysAcross} x {RadarSettings.Default.RaysDown}, and what rounding path lengths to float32 would change, at once and from farther away; in rays");
+            $"The tracer's sums less the reference tracer's over the same rays, {RadarSettings.Default.RaysAcross} x {RadarSettings.Default.RaysDown}, and the change by path lengths in float32, at the same and at larger ranges; in rays");
         foreach (string line in _text.Lines(Precision(result)))
             yield return line;
         yield return "";
-        yield return $"What pieces of a pose's work cost: {result.CostScene.Name}, "
+        yield return $"Cost of parts of a pose's work: {result.CostScene.Name}, "
             + $"{RadarSettings.Default.RaysAcross} x {RadarSettings.Default.RaysDown} rays";
         foreach (string line in _text.Lines(Costs(result)))
             yield return line;

@@ -9,11 +9,13 @@ using UnityEngine;
 
 namespace Glint.Cli;
 
-/// <summary>glint bench: poses and peers in turns, then the reference tracer, then the figures.</summary>
+/// <summary>
+/// The command glint bench: times poses and peers in turns, runs the reference tracer, reports the figures.
+/// </summary>
 sealed class BenchCommand(Terminal terminal)
 {
     /// <returns>The report, line by line.</returns>
-    /// <exception cref="GlintException">Something is wrong with a file, the scene, the device or a peer.</exception>
+    /// <exception cref="GlintException">A file, the scene, the device or a peer fails.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public string[] Execute(CommandLine line, IProgressSink progress)
     {
@@ -85,7 +87,7 @@ sealed class BenchCommand(Terminal terminal)
         return result;
     }
 
-    // Glint and the peers in turns: what slows the machine for a while slows them alike. The first round warms up.
+    // Glint and the peers take turns, so that a slow phase of the machine affects all. The first round is a warm-up.
     static void RunRounds(BenchResult result, string scene, IProgressSink progress)
     {
         int parts = 1 + result.Peers.Count;

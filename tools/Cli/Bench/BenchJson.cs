@@ -6,8 +6,8 @@ using Newtonsoft.Json.Linq;
 namespace Glint.Cli;
 
 /// <summary>
-/// A benchmark's figures as JSON: times in milliseconds, medians unless the name says lowest;
-/// null where there is no figure.
+/// A benchmark's figures as JSON. Times are in milliseconds, and medians unless the name says lowest. A missing figure
+/// is null.
 /// </summary>
 static class BenchJson
 {

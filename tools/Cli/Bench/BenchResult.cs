@@ -4,7 +4,7 @@ using Glint.Vulkan;
 
 namespace Glint.Cli;
 
-/// <summary>All that a benchmark found out.</summary>
+/// <summary>Results of a benchmark.</summary>
 sealed class BenchResult
 {
     /// <summary>Name of the scene; its path, null for the built-in one.</summary>
@@ -19,14 +19,14 @@ sealed class BenchResult
     public IReadOnlyList<Peer> Peers { get; init; }
 
     /// <summary>
-    /// Nodes and triangle pairs of a pose of the scene as it stands, counted in one that was not timed.
+    /// Nodes and triangle pairs of a pose with the target unturned, counted in a pose that was not timed.
     /// </summary>
     public long NodesVisited { get; set; }
     public long PairsTested { get; set; }
 
-    /// <summary>Null when nothing was compared.</summary>
+    /// <summary>Null without a comparison.</summary>
     public ReferenceCheck Errors { get; set; }
 
-    /// <summary>Why nothing was compared; null when it was, or when that was asked for.</summary>
+    /// <summary>Why there is no comparison; null if there is one or none was wanted.</summary>
     public string NotCompared { get; set; }
 }

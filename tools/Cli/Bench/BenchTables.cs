@@ -39,7 +39,7 @@ sealed class BenchTables(Terminal terminal)
         var table = _text.New(1, "time, ms", "median", "lowest");
         void Add(string what, Series series) => table.AddRow(Escaped(what, Ms(series.Median), Ms(series.Lowest)));
         Add("first pose: gather", poses.FirstGather);
-        Add("first pose: build trees", poses.Build);
+        Add("first pose: build BVHs", poses.Build);
         Add("first pose: upload", poses.FirstUpload);
         Add("first pose", poses.FirstPose);
         Add("next pose: gather", poses.Gather);

@@ -5,8 +5,7 @@ using Glint.Core;
 namespace Glint.Cli;
 
 /// <summary>
-/// A file that is written when all work is done, and asked for before:
-/// hours must not end at a folder that is not there.
+/// A file that is written at the end of the work. Its path is checked before, so that hours of work are not lost.
 /// </summary>
 sealed class OutputFile
 {

@@ -7,10 +7,10 @@ using Glint.Editor;
 
 namespace Glint.Cli;
 
-/// <summary>Another program that is timed in turns with Glint's poses: started once a round, by the shell.</summary>
+/// <summary>Another program that is timed in turns with Glint's poses. The shell starts it once a round.</summary>
 sealed class Peer(PeerCommand command)
 {
-    /// <summary>What stands in a command for the path of the scene.</summary>
+    /// <summary>Placeholder in a command for the path of the scene.</summary>
     public const string ScenePlaceholder = "{scene}";
 
     readonly Dictionary<string, Series> _series = [];
@@ -19,21 +19,21 @@ sealed class Peer(PeerCommand command)
 
     public string Command => command.Command;
 
-    /// <summary>Whether it wants the scene as a file.</summary>
+    /// <summary>True if the command needs the scene as a file.</summary>
     public bool WantsScene => Command.Contains(ScenePlaceholder);
 
-    /// <summary>The times it prints, in its order.</summary>
+    /// <summary>Times that it prints, in its order.</summary>
     public IReadOnlyList<string> Labels { get; private set; } = [];
 
-    /// <summary>The last line it printed: more often than not its sums.</summary>
+    /// <summary>The last line that it printed, usually its sums.</summary>
     public string LastLine { get; private set; }
 
-    /// <summary>The medians of a time, one a start.</summary>
+    /// <summary>Median of a time in each start.</summary>
     public Series SeriesOf(string label) => _series[label];
 
-    /// <summary>Runs it to its end.</summary>
-    /// <param name="scene">Path that takes the place of {scene}.</param>
-    /// <param name="counts">False for a start that only warms up.</param>
+    /// <summary>Runs the program to its end.</summary>
+    /// <param name="scene">Path that replaces {scene}.</param>
+    /// <param name="counts">False for a warm-up.</param>
     /// <exception cref="GlintException">It failed, or printed no time.</exception>
     /// <exception cref="System.OperationCanceledException">Cancelled; the program was ended.</exception>
     public void Run(string scene, bool counts, CancellationToken cancel)
@@ -83,13 +83,13 @@ sealed class Peer(PeerCommand command)
         return text.ToString();
     }
 
-    // Both streams, each on a thread of its own.
+    // A thread for each stream.
     static void Append(StringBuilder text, string line)
     {
         lock (text)
             text.Append(line).Append('\n');
     }
 
-    // For the shell: nothing within single quotes has a meaning but their end.
+    // Quotes for the shell: within single quotes only the closing quote is special.
     static string Quoted(string path) => path == null ? "" : "'" + path.Replace("'", "'\\''") + "'";
 }

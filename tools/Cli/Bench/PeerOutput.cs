@@ -7,9 +7,8 @@ using System.Text.RegularExpressions;
 namespace Glint.Cli;
 
 /// <summary>
-/// The times in what a program prints: every number before " ms",
-/// named by the words before the first number of its line.
-/// "frame 81.3 ms" is a time named frame, "bvh 1024 nodes 12.5 ms" one named bvh.
+/// Times in a program's output: each number before " ms". Its name is the words before the line's first number: "frame
+/// 81.3 ms" is a time named frame, "bvh 1024 nodes 12.5 ms" one named bvh.
 /// </summary>
 sealed partial class PeerOutput
 {
@@ -27,13 +26,13 @@ sealed partial class PeerOutput
         }
     }
 
-    /// <summary>Names of the times, in the order in which they came first.</summary>
+    /// <summary>Names of the times, in order of first appearance.</summary>
     public IReadOnlyList<string> Labels => _labels;
 
     /// <summary>The last line that is not empty; null when there is none.</summary>
     public string LastLine { get; }
 
-    /// <summary>The middle one of the times of a name.</summary>
+    /// <summary>Median of the times of a name.</summary>
     public double Median(string label) => _times[label].Median;
 
     void Read(string line)
@@ -55,7 +54,7 @@ sealed partial class PeerOutput
         }
     }
 
-    // Up to the first word that begins with a digit, without the signs about them.
+    // The text before the first word that begins with a digit, without surrounding punctuation.
     static string SingleSpaced(string text) => string.Join(' ', text.Split(' ', StringSplitOptions.RemoveEmptyEntries)
         .TakeWhile(word => !char.IsAsciiDigit(word[0])).Select(word => word.Trim(',', ';', ':', '=', '(', ')'))
         .Where(word => word.Length > 0));

@@ -7,9 +7,7 @@ using UnityEngine;
 
 namespace Glint.Cli;
 
-/// <summary>
-/// Times a radar's poses: the first, for which trees are built, and those after it, as a sweep pays for them.
-/// </summary>
+/// <summary>Times a radar's poses: the first, which builds the BVHs, and later ones as in a sweep.</summary>
 sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
 {
     const int FirstPoses = 3, PosesARound = 6;
@@ -21,15 +19,15 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
     int _steps;
 
     /// <summary>
-    /// Of first poses: collecting objects (the very first pose only), building trees, filling the device's buffers,
-    /// all of it with compiling kernels.
+    /// Times of first poses: gathering (the very first pose only), building BVHs, uploading, and all together with
+    /// compiling the kernels.
     /// </summary>
     public Series FirstGather { get; } = new();
     public Series Build { get; } = new();
     public Series FirstUpload { get; } = new();
     public Series FirstPose { get; } = new();
 
-    /// <summary>Of later poses, a round each: wall time, device time of the kernels, and phases.</summary>
+    /// <summary>Times of later poses, one each round: wall time, device time of the kernels, and phases.</summary>
     public Series Pose { get; } = new();
     public Series PoseGpu { get; } = new();
     public Series Gather { get; } = new();
@@ -38,17 +36,17 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
     public Series ReadBack { get; } = new();
 
     /// <summary>
-    /// What a later pose takes besides its kernels; besides tracing and summing where the device has no clock.
+    /// Time of a later pose outside its kernels. Without a device clock: outside tracing and summing.
     /// </summary>
     public Series Other { get; } = new();
 
-    /// <summary>Sums of the scene as it stands, and what its first pose made the computer do.</summary>
+    /// <summary>Sums of the scene with the target unturned, and the statistics of its first pose.</summary>
     public RadarResult First { get; private set; }
 
-    /// <summary>What a later pose made the computer do; the visits are not counted.</summary>
+    /// <summary>Statistics of a later pose, without the visits.</summary>
     public TraceStatistics Statistics { get; private set; }
 
-    /// <summary>Traces the scene as it stands, some times from nothing.</summary>
+    /// <summary>Traces the scene several times, each time from nothing.</summary>
     public void RunFirst(IProgress<double> progress, CancellationToken cancel)
     {
         var total = Stopwatch.StartNew();
@@ -68,10 +66,10 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
     }
 
     /// <summary>
-    /// Some poses, each with the target turned on by a step. Wall time and device time are taken in turns:
-    /// the device's clock costs a little of the former.
+    /// Traces poses, each with the target turned by a further step. Wall time and device time take turns, since the
+    /// device's clock adds to the wall time.
     /// </summary>
-    /// <param name="counts">False for a round that only warms up.</param>
+    /// <param name="counts">False for a warm-up.</param>
     public void RunRound(bool counts, IProgress<double> progress, CancellationToken cancel)
     {
         Series wall = new(), gpu = new(), gather = new(), upload = new(), trace = new(),
@@ -108,7 +106,7 @@ sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
             PoseGpu.Add(gpu.Median);
     }
 
-    /// <summary>Puts the scene back as it was, and lets go of what is on the device.</summary>
+    /// <summary>Restores the scene and frees the device's buffers.</summary>
     public void End()
     {
         if (target != null)

@@ -5,12 +5,10 @@ using Glint.Reference;
 
 namespace Glint.Cli;
 
-/// <summary>
-/// Compares the kernel's sums with those of the double-precision tracer, over all rays or every N-th.
-/// </summary>
+/// <summary>Compares the kernel's sums with the reference tracer's, over all rays or every N-th.</summary>
 sealed class ReferenceCheck
 {
-    /// <summary>Most rays, and most triangles, that are compared unasked: about a minute's work.</summary>
+    /// <summary>Maximum numbers of rays and triangles compared by default: about a minute's work.</summary>
     public const long Affordable = 4_000_000;
 
     ReferenceCheck(RadarResult glint, RadarResult reference) => (Glint, Reference) = (glint, reference);
@@ -23,7 +21,7 @@ sealed class ReferenceCheck
 
     public long Bounces => Glint.Bounces - Reference.Bounces;
 
-    /// <summary>Of the sum of lengths; 0 when nothing is hit.</summary>
+    /// <summary>Relative to the sum of lengths; 0 without hits.</summary>
     public double PathLengthRelative =>
         Relative(Glint.PathLengthMeters - Reference.PathLengthMeters, Reference.PathLengthMeters);
 
@@ -31,10 +29,10 @@ sealed class ReferenceCheck
 
     public double AmplitudeRelative => Relative(Amplitude, Reference.Amplitude);
 
-    /// <summary>Of the summed phasor, radians from -pi to pi.</summary>
+    /// <summary>Of the summed phasor, in radians from -pi to pi.</summary>
     public double Phase => Math.IEEERemainder(PhaseOf(Glint) - PhaseOf(Reference), 2 * Math.PI);
 
-    /// <summary>All rays.</summary>
+    /// <summary>Compares all rays.</summary>
     public static ReferenceCheck All(RadarPose pose, RadarResult glint, IProgress<double> progress,
         CancellationToken cancel)
     {
@@ -42,8 +40,8 @@ sealed class ReferenceCheck
         return new ReferenceCheck(glint, referenceTracer.Sum(referenceTracer.TraceAll(progress, cancel)));
     }
 
-    /// <summary>The rays whose pixel's number is a multiple of <paramref name="every"/>.</summary>
-    /// <param name="glint">All rays of the region one by one.</param>
+    /// <summary>Compares the rays whose pixel number is a multiple of <paramref name="every"/>.</summary>
+    /// <param name="glint">The kernel's result with each ray of the region.</param>
     public static ReferenceCheck Some(RadarPose pose, RayData[] glint, int every, IProgress<double> progress,
         CancellationToken cancel)
     {
@@ -51,11 +49,11 @@ sealed class ReferenceCheck
         var some = Array.FindAll(glint, ray => ray.Pixel % every == 0);
         var rays = referenceTracer.TraceSame(some, progress, cancel);
         for (int i = 0; i < rays.Length; i++)
-            rays[i].LengthToLastHit = rays[i].LengthToEnd; // the only length that the kernel's rays have
+            rays[i].LengthToLastHit = rays[i].LengthToEnd; // the only length in the kernel's rays
         return new ReferenceCheck(Sum(some), referenceTracer.Sum(rays));
     }
 
-    // As the reference tracer sums its own.
+    // The sums are made as in the reference tracer.
     static RadarResult Sum(RayData[] rays)
     {
         var sum = new RadarSums { RaysEmitted = rays.Length };

@@ -12,7 +12,7 @@ sealed class Series
 
     public int Count => _values.Count;
 
-    /// <summary>The middle one, or the mean of the two in the middle; NaN when there are none.</summary>
+    /// <summary>Median; NaN without values.</summary>
     public double Median
     {
         get

@@ -7,11 +7,11 @@ using Spectre.Console;
 
 namespace Glint.Cli;
 
-/// <summary>Tables as lines of text: framed on a screen, in plain columns in a file.</summary>
+/// <summary>Tables as lines of text: framed on a terminal, plain columns in a file.</summary>
 sealed class TableText(Terminal terminal)
 {
     /// <param name="names">
-    /// So many columns from the left are names; the others are numbers, save those without a title.
+    /// Number of columns from the left that are names. The others are numbers, unless they have no title.
     /// </param>
     public Table New(int names, params string[] titles)
     {

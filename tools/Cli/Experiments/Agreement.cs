@@ -4,10 +4,10 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>How far a sweep and its published table agree, in a few numbers.</summary>
+/// <summary>Agreement of a sweep with its published table, in a few numbers.</summary>
 sealed class Agreement
 {
-    /// <summary>Half of one ray's amplitude: published amplitudes below it are rounding and chance.</summary>
+    /// <summary>Half of one ray's amplitude. Published amplitudes below it are rounding and chance.</summary>
     public const double MinComparedAmplitude = 0.5;
 
     /// <exception cref="InvalidOperationException">No table was published.</exception>
@@ -37,35 +37,35 @@ sealed class Agreement
 
     public int Poses { get; }
 
-    /// <summary>Ours over theirs, where theirs is above 0.</summary>
+    /// <summary>Ratio of ours to theirs, where theirs is above 0.</summary>
     public Series Hit { get; }
 
-    /// <summary>Poses in which both received rays, and in which neither did.</summary>
+    /// <summary>Poses in which both received rays, and poses in which neither did.</summary>
     public int Both { get; }
     public int Neither { get; }
 
-    /// <summary>Ours over theirs, where both received rays.</summary>
+    /// <summary>Ratio of ours to theirs, where both received rays.</summary>
     public Series Received { get; }
 
-    /// <summary>Ours over theirs in decibels, where both received rays.</summary>
+    /// <summary>Ratio of ours to theirs in decibels, where both received rays.</summary>
     public Series AmplitudeDb { get; }
 
-    /// <summary>Pearson's, of the linear amplitudes of all poses; NaN where one never changes.</summary>
+    /// <summary>Pearson's correlation of the linear amplitudes of all poses; NaN if one is constant.</summary>
     public double AmplitudeCorrelation { get; }
 
-    /// <summary>Size of the difference of rays hit, percent of theirs.</summary>
+    /// <summary>Absolute difference of rays hit, in percent of theirs.</summary>
     public Series HitDifferencePercent { get; }
 
-    /// <summary>Size of the difference of rays received, rays, over all poses.</summary>
+    /// <summary>Absolute difference of rays received, over all poses.</summary>
     public Series ReceivedDifference { get; }
 
     /// <summary>
-    /// Size of the difference of amplitudes in decibels, where both received rays and theirs is above
-    /// <see cref="MinComparedAmplitude"/>.
+    /// Absolute difference of amplitudes in decibels, where both received rays and theirs is above <see
+    /// cref="MinComparedAmplitude"/>.
     /// </summary>
     public Series AmplitudeDifferenceDb { get; }
 
-    /// <summary>Ours over theirs in decibels; null where either is 0.</summary>
+    /// <summary>Ratio of ours to theirs in decibels; null if either is 0.</summary>
     public static double? Decibels(double ours, double theirs) => Signal.Decibels(ours) - Signal.Decibels(theirs);
 
     static double Correlation(double[] a, double[] b)

@@ -6,7 +6,7 @@ using static Glint.Cli.TableText;
 namespace Glint.Cli;
 
 /// <summary>
-/// Lines over the steps of a sweep as an SVG picture: panels side by side, with the same lines and steps.
+/// Lines over the steps of a sweep as an SVG picture: panels side by side, all with the same lines and steps.
 /// </summary>
 sealed class Chart
 {
@@ -28,7 +28,7 @@ sealed class Chart
     }
 
     /// <param name="steps">Angles or snapshots, ascending.</param>
-    /// <param name="stepTitle">What the steps are.</param>
+    /// <param name="stepTitle">Title of the steps.</param>
     public static void Write(Stream stream, string title, IReadOnlyList<double> steps,
         string stepTitle, params Panel[] panels)
     {
@@ -40,10 +40,7 @@ sealed class Chart
             chart.DrawPanel(panels[i], i * chart._panelWidth, stepTitle);
     }
 
-    /// <summary>
-    /// One panel, as high as a chart, beside other things in a picture of a chart's size;
-    /// the legend is at its upper right.
-    /// </summary>
+    /// <summary>One panel of a chart's height within a larger picture, with the legend at its upper right.</summary>
     public static void Draw(Svg svg, double left, IReadOnlyList<double> steps, string stepTitle, Panel panel)
     {
         var chart = new Chart(svg, steps, Width - left);
@@ -85,7 +82,7 @@ sealed class Chart
     {
         if (line.Lowest != null)
         {
-            // What cannot be shown is at the foot: the band reaches down to it.
+            // A value that cannot be shown is drawn at the foot, so that the band reaches down to it.
             var edge = Points(line.Highest).Concat(Points(line.Lowest).Reverse());
             _svg.Area(edge.Select(position => (position.x, double.IsNaN(position.y) ? Y(0) : position.y)), line.Colour);
         }
@@ -107,7 +104,7 @@ sealed class Chart
             _steps.Select((step, i) => (X(step, left), Y(scale.Of(values[i]))));
     }
 
-    // A handful, at round steps.
+    // A few steps at round numbers.
     IEnumerable<double> MarkedSteps()
     {
         double span = _steps[^1] - _steps[0], every = span > 180 ? 90 : span > 20 ? 15 : 1;

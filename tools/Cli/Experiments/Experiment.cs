@@ -3,13 +3,13 @@ using Glint.Editor;
 
 namespace Glint.Cli;
 
-/// <summary>One of the published experiments: a sweep of a stored scene, and the table that it should give.</summary>
-/// <param name="Name">For files and markers.</param>
+/// <summary>A published experiment: a sweep of a stored scene, and its published table.</summary>
+/// <param name="Name">Name in file names and markers.</param>
 /// <param name="Published">
-/// The table's file without its extension; null where it was only said that nothing returned.
+/// The table's file without its extension; null if the publication only says that nothing returned.
 /// </param>
-/// <param name="Scene">Of the project.</param>
-/// <param name="Options">Of glint sweep.</param>
+/// <param name="Scene">Scene of the project.</param>
+/// <param name="Options">Options of glint sweep.</param>
 sealed record Experiment(string Name, string Title, string Published, string Scene, params string[] Options)
 {
     static readonly string[] s_snapshots = [Editor.Options.Snapshots.Flag, "1:10"],
@@ -22,7 +22,7 @@ sealed record Experiment(string Name, string Title, string Published, string Sce
     public static readonly Experiment ShipInFreeSpace =
         new("ship-free-space", "Ship in free space", "table_a3_ship_free_space", "Scenes/ShipFreeSpace.unity", s_ship);
 
-    /// <summary>Each stored sea without anything on it, and the ship on one of its snapshots.</summary>
+    /// <summary>Each stored sea without a ship, and the ship on one of its snapshots.</summary>
     public static IReadOnlyList<(Experiment Sea, Experiment Ship)> Seas { get; } =
     [
         (new("sea-state-5", "Sea state 5", null, "Scenes/SeaState5.unity", s_snapshots),
@@ -31,7 +31,7 @@ sealed record Experiment(string Name, string Title, string Published, string Sce
             new("ship-sea-state-6", "Ship on sea state 6", "table_a5_ship_ss6", "Scenes/ShipSeaState6.unity", s_ship)),
     ];
 
-    /// <summary>In the order of the publication.</summary>
+    /// <summary>All experiments, in the order of the publication.</summary>
     public static IReadOnlyList<Experiment> All { get; } =
         [CornerReflector, Seas[0].Sea, Seas[1].Sea, ShipInFreeSpace, Seas[0].Ship, Seas[1].Ship];
 

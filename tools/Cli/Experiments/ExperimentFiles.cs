@@ -21,10 +21,10 @@ sealed class ExperimentFiles
     readonly Dictionary<string, OutputFile> _plots;
     readonly MarkedPage _text;
 
-    /// <summary>Makes sure, before any work is done, that all can be written.</summary>
+    /// <summary>Checks, before any work, that all files can be written.</summary>
     /// <param name="flag">Option that names the folder, for messages.</param>
     /// <exception cref="GlintException">
-    /// The folder cannot be made, a file in it not be written, or the page that is there lacks a marker.
+    /// The folder or a file cannot be written, or the existing page lacks a marker.
     /// </exception>
     public ExperimentFiles(string flag, string path)
     {
@@ -51,7 +51,7 @@ sealed class ExperimentFiles
             _text.Check(name);
     }
 
-    /// <returns>What was written, for the report.</returns>
+    /// <returns>The files written, for the report.</returns>
     /// <exception cref="GlintException">A file cannot be written.</exception>
     public string Write(ExperimentsResult result)
     {
@@ -81,6 +81,6 @@ sealed class ExperimentFiles
 
     static string ShareOf(Experiment ship) => $"{ship.Name}-share";
 
-    // As Markdown has it, and from the folder.
+    // A Markdown link, relative to the folder.
     static string PlotName(string name) => $"images/experiments-{name}.svg";
 }

@@ -6,7 +6,7 @@ using Glint.Editor;
 
 namespace Glint.Cli;
 
-/// <summary>Sweeps and published tables as pictures: amplitude, rays received and rays hit over the steps.</summary>
+/// <summary>Plots of sweeps and published tables: amplitude, rays received and rays hit over the steps.</summary>
 static class ExperimentPlots
 {
     public const string Ours = "#0072b2", Theirs = "#d55e00";

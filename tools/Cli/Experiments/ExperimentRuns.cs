@@ -9,14 +9,14 @@ using UnityEngine;
 
 namespace Glint.Cli;
 
-/// <summary>Runs the experiments in the open project. The scenes are not saved.</summary>
+/// <summary>Runs the experiments in the open project without saving the scenes.</summary>
 sealed class ExperimentRuns(IProgressSink progress)
 {
     static string Project => Path.GetDirectoryName(Application.dataPath);
 
-    /// <summary>An experiment's scene swept as it is stored.</summary>
+    /// <summary>Sweeps an experiment's scene as stored.</summary>
     /// <exception cref="GlintException">
-    /// The scene or the published table is not there, or cannot be traced or read.
+    /// The scene or the published table is missing or unreadable, or cannot be traced.
     /// </exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public SweepResult Sweep(Experiment experiment)
@@ -28,7 +28,7 @@ sealed class ExperimentRuns(IProgressSink progress)
                 loaded.Sea, RayReadback.Received)));
     }
 
-    /// <summary>The ship of the free space turned on every snapshot of a sea.</summary>
+    /// <summary>Sweeps the ship of the free-space scene on every snapshot of a sea.</summary>
     /// <exception cref="GlintException">As for a sweep.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public SnapshotsResult SweepAllSnapshots(Experiment sea, Experiment ship)
@@ -48,14 +48,14 @@ sealed class ExperimentRuns(IProgressSink progress)
         });
     }
 
-    /// <summary>Seas like a stored one, with other seeds, winds and choppinesses.</summary>
-    /// <param name="sea">The stored sea's experiment, whose radar looks at them all.</param>
+    /// <summary>Traces seas like a stored one, with other seeds, winds and choppinesses.</summary>
+    /// <param name="sea">The stored sea's experiment, whose radar is used for all.</param>
     /// <exception cref="GlintException">As for a sweep.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public IReadOnlyList<SeaFamily> Study(Experiment sea, SeaRecipe stored, int seeds) =>
         InScene(sea.Line, loaded => new SeaStudy(loaded.Radar, loaded.Sea, progress).Run(stored, seeds));
 
-    /// <summary>What the radar of an experiment sees with its target turned to each of some angles.</summary>
+    /// <summary>Pictures of an experiment's radar with its target turned to each of some angles.</summary>
     /// <param name="angles">Degrees.</param>
     /// <exception cref="GlintException">As for a sweep.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>

@@ -10,7 +10,7 @@ static class ExperimentTables
 {
     const string None = "-";
 
-    /// <summary>How far sweeps and tables agree.</summary>
+    /// <summary>Agreement of sweeps and tables.</summary>
     public static string Summary(ExperimentsResult result)
     {
         var table = new MarkdownTable("", "poses", "rays hit, times theirs", "both return, neither",
@@ -28,7 +28,7 @@ static class ExperimentTables
             + Text($"{result.Device.Name}, driver {result.Device.Driver}, Glint {GlintVersion.Text}.\n");
     }
 
-    /// <summary>Every pose, theirs beside ours.</summary>
+    /// <summary>Every pose, published and ours.</summary>
     public static string Of(SweepResult sweep)
     {
         string step = sweep.StepName;
@@ -79,7 +79,7 @@ static class ExperimentTables
         return table.ToString();
     }
 
-    /// <summary>Every angle, theirs beside ours over all snapshots.</summary>
+    /// <summary>Every angle, published and ours over all snapshots.</summary>
     public static string Of(SnapshotsResult ships)
     {
         var table = new MarkdownTable("deg", "amplitude, theirs", "ours, median", "lowest", "highest",
@@ -92,7 +92,7 @@ static class ExperimentTables
         return $"{table}\nOver {ships.Snapshots} snapshots.\n";
     }
 
-    /// <summary>Each wind and choppiness, then each seed of the stored ones.</summary>
+    /// <summary>Each wind and choppiness, then each seed of the stored pair.</summary>
     public static string OfSeas(ExperimentsResult result)
     {
         var families = new MarkdownTable("sea", "wind, m/s", "choppiness", "snapshots that return", "share, %",

@@ -12,13 +12,13 @@ using static Glint.Cli.TableText;
 namespace Glint.Cli;
 
 /// <summary>
-/// glint experiments: the published sweeps, the ship on every snapshot, and seas of many seeds;
-/// then tables, plots and figures.
+/// The command glint experiments: runs the published sweeps, the ship on every snapshot and seas of many seeds, and
+/// writes tables, plots and figures.
 /// </summary>
 sealed class ExperimentsCommand(Terminal terminal)
 {
     /// <returns>The report, line by line.</returns>
-    /// <exception cref="GlintException">Something is wrong with a file, a scene or the device.</exception>
+    /// <exception cref="GlintException">A file, a scene or the device fails.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public string[] Execute(CommandLine line, IProgressSink progress)
     {

@@ -7,7 +7,8 @@ using Newtonsoft.Json.Linq;
 namespace Glint.Cli;
 
 /// <summary>
-/// The figures of glint experiments as JSON: angles in degrees, amplitudes linear. Lists of a sea follow its times.
+/// The figures of glint experiments as JSON: angles in degrees, amplitudes linear. Lists of a sea are in the order of
+/// its times.
 /// </summary>
 static class ExperimentsJson
 {

@@ -7,15 +7,15 @@ using Glint.Vulkan;
 
 namespace Glint.Cli;
 
-/// <summary>All that glint experiments found out.</summary>
+/// <summary>Results of glint experiments.</summary>
 sealed class ExperimentsResult
 {
     public DeviceInfo Device { get; init; }
 
-    /// <summary>In the order of <see cref="Experiment.All"/>.</summary>
+    /// <summary>Results in the order of <see cref="Experiment.All"/>.</summary>
     public List<SweepResult> Sweeps { get; } = [];
 
-    /// <summary>What each sea takes from the ship's rays and adds to them, angle by angle.</summary>
+    /// <summary>The ship's rays that each sea blocks and the rays that it adds, angle by angle.</summary>
     public IEnumerable<(Experiment Ship, IReadOnlyList<SeaShare> Angles)> Shares
     {
         get
@@ -26,19 +26,19 @@ sealed class ExperimentsResult
         }
     }
 
-    /// <summary>What the radar sees of the corner reflector at <see cref="ReflectorPicture.Angles"/>.</summary>
+    /// <summary>The radar's pictures of the corner reflector at <see cref="ReflectorPicture.Angles"/>.</summary>
     public IReadOnlyList<RadarPreviewImage> Reflector { get; set; } = [];
 
     /// <summary>The ship on every snapshot of each stored sea.</summary>
     public List<SnapshotsResult> Ships { get; } = [];
 
-    /// <summary>Sea by sea, the stored wind and choppiness first.</summary>
+    /// <summary>Families of each sea; the first has the stored wind and choppiness.</summary>
     public List<SeaFamily> Seas { get; } = [];
 
-    /// <summary>Of all of it.</summary>
+    /// <summary>Duration of the whole command.</summary>
     public TimeSpan Elapsed { get; set; }
 
-    /// <summary>Snapshots of a sea that returned anything as published, and of how many.</summary>
+    /// <summary>Published number of a sea's snapshots that returned rays, and the number of snapshots.</summary>
     /// <param name="sea">Name of the stored sea.</param>
     public (int ReturningSnapshots, int Snapshots) PublishedReturns(string sea)
     {

@@ -4,12 +4,12 @@ using System.Text;
 
 namespace Glint.Cli;
 
-/// <summary>A table in Markdown, numbers to the right.</summary>
+/// <summary>A Markdown table with numbers aligned right.</summary>
 sealed class MarkdownTable
 {
     readonly StringBuilder _text = new();
 
-    /// <param name="titles">The first column is a name, the others are numbers.</param>
+    /// <param name="titles">The first column holds names, the others numbers.</param>
     public MarkdownTable(params string[] titles)
     {
         Add(titles);
@@ -19,7 +19,7 @@ sealed class MarkdownTable
     public void Add(params IEnumerable<string> cells) =>
         _text.Append("| ").AppendJoin(" | ", cells.Select(Escaped)).Append(" |\n");
 
-    /// <summary>With a line's end behind each row.</summary>
+    /// <summary>The table with a line end after each row.</summary>
     public override string ToString() => _text.ToString();
 
     static string Escaped(string cell) => cell.Replace("\\", "\\\\").Replace("|", "\\|").Replace("<", "&lt;");

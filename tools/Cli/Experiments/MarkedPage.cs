@@ -3,17 +3,17 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>A page in which what was measured stands between markers, and words around them that stay.</summary>
-/// <param name="path">For messages.</param>
-/// <param name="text">The page as it is; empty for a new one.</param>
+/// <summary>A page with measured parts between markers; the text around them is kept.</summary>
+/// <param name="path">Path for messages.</param>
+/// <param name="text">Present text of the page; empty for a new one.</param>
 sealed class MarkedPage(string path, string text)
 {
     public string Text { get; private set; } = text;
 
     /// <summary>
-    /// Puts text between the markers of a name; at the page's end, below a title, where there are none.
+    /// Replaces the text between the markers of a name. Without markers it goes to the page's end, below a title.
     /// </summary>
-    /// <exception cref="GlintException">Only one of the markers is there.</exception>
+    /// <exception cref="GlintException">One of the markers is missing.</exception>
     public void Put(string name, string title, string measured)
     {
         var (from, to) = Find(name);
@@ -23,11 +23,11 @@ sealed class MarkedPage(string path, string text)
             Text = Text[..from] + measured + Text[to..];
     }
 
-    /// <summary>Refuses a page into which nothing can be put by a name.</summary>
-    /// <exception cref="GlintException">Only one of the markers is there.</exception>
+    /// <summary>Refuses a page with incomplete markers of a name.</summary>
+    /// <exception cref="GlintException">One of the markers is missing.</exception>
     public void Check(string name) => Find(name);
 
-    // Where the text between the markers begins and ends; -1 without markers.
+    // Begin and end of the text between the markers; -1 without markers.
     (int from, int to) Find(string name)
     {
         int begin = Text.IndexOf(Begin(name), StringComparison.Ordinal),
@@ -36,7 +36,7 @@ sealed class MarkedPage(string path, string text)
             return (-1, -1);
         if (begin < 0 || end < begin)
             throw new GlintException($"{path}: of the lines \"{Begin(name).Trim()}\" and \"{End(name).Trim()}\" one is "
-                + "missing, or they are in the wrong order: mend the page, or name another folder");
+                + "missing, or they are in the wrong order: correct the page, or name another folder");
         return (begin + Begin(name).Length, end);
     }
 

@@ -1,4 +1,4 @@
 namespace Glint.Cli;
 
-/// <summary>One of the pictures side by side in a <see cref="Chart"/>.</summary>
+/// <summary>One panel of a <see cref="Chart"/>.</summary>
 sealed record Panel(string Title, ValueScale Scale, params ChartLine[] Lines);

@@ -8,19 +8,22 @@ using static Glint.Cli.TableText;
 namespace Glint.Cli;
 
 /// <summary>
-/// The corner reflector on one picture: what the radar sees at two angles,
-/// and the amplitude of the sweep beside the published one.
+/// The corner reflector in one picture: the radar's view at two angles, and the sweep's amplitude beside the published
+/// one.
 /// </summary>
 static class ReflectorPicture
 {
-    /// <summary>In step (three bounces only) and out of step (with the dihedral's return), degrees.</summary>
+    /// <summary>
+    /// Angles in degrees at which the returns are in phase (three bounces only) and out of phase (with the
+    /// dihedral's).
+    /// </summary>
     public static readonly double[] Angles = [0, 23];
 
     const int Margin = 14, Top = 76, ViewWidth = 290, ViewHeight = 208;
 
     const string Sky = "#20242c", Received = "#ffffff";
 
-    // By number of bounces; the last for all above. Okabe and Ito's colours, which the colour-blind tell apart.
+    // Colours by number of bounces, the last for all higher numbers. They are Okabe and Ito's, for the colour-blind.
     static readonly string[] s_bounces = ["#d55e00", "#009e73", "#0072b2", "#f0e442"];
 
     public static void Write(Stream stream, IReadOnlyList<RadarPreviewImage> views, SweepResult sweep)
@@ -51,7 +54,7 @@ static class ReflectorPicture
             svg.Pixels(x, y, size, colour.Key, colour);
     }
 
-    // Pixels of one colour side by side; row 0 is the upper one.
+    // Runs of pixels of one colour; row 0 is at the top.
     static IEnumerable<(string colour, int x, int y, int length)> Runs(RadarPreviewImage view)
     {
         for (int row = 0; row < view.Part.Height; row++)

@@ -3,10 +3,10 @@ using System.Linq;
 
 namespace Glint.Cli;
 
-/// <summary>Seas that differ in nothing but the seed; the stored seed's is the first.</summary>
-/// <param name="Sea">Name of the stored sea that they are like.</param>
+/// <summary>Seas that differ only in the seed; the first has the stored seed.</summary>
+/// <param name="Sea">Name of the stored sea.</param>
 /// <param name="IsStored">
-/// Whether wind and choppiness are those of the stored sea: then the first is the stored sea itself.
+/// True if wind and choppiness are the stored sea's; the first sea is then the stored sea itself.
 /// </param>
 sealed record SeaFamily(string Sea, bool IsStored, IReadOnlyList<SeaTrial> Trials)
 {
@@ -18,10 +18,10 @@ sealed record SeaFamily(string Sea, bool IsStored, IReadOnlyList<SeaTrial> Trial
 
     public double Share => (double)ReturningSnapshots / Snapshots;
 
-    /// <summary>Returning snapshots of each sea.</summary>
+    /// <summary>Number of returning snapshots of each sea.</summary>
     public Series PerSea => new(Trials.Select(trial => (double)trial.ReturningSnapshots));
 
-    /// <summary>Other seas with fewer returning snapshots than the first, with as many, and with more.</summary>
+    /// <summary>Numbers of other seas with fewer, as many and more returning snapshots than the first.</summary>
     public (int Fewer, int AsMany, int More) Rank
     {
         get

@@ -7,8 +7,8 @@ using static Glint.Cli.TableText;
 namespace Glint.Cli;
 
 /// <summary>
-/// How many snapshots of each sea return anything, as an SVG picture: a column for each wind and choppiness,
-/// a disc for all seas with as many, its area their number.
+/// Numbers of returning snapshots as an SVG picture. Each wind and choppiness has a column. A disc's area is the
+/// number of seas with the same number of returning snapshots.
 /// </summary>
 sealed class SeaPlot
 {
@@ -24,7 +24,7 @@ sealed class SeaPlot
         _max = max;
     }
 
-    /// <param name="published">Returning snapshots of a sea as published, and of how many.</param>
+    /// <param name="published">Published number of returning snapshots of a sea, and the number of snapshots.</param>
     public static void Write(Stream stream, IReadOnlyList<SeaFamily> families,
         Func<string, (int ReturningSnapshots, int Snapshots)> published)
     {
@@ -39,10 +39,10 @@ sealed class SeaPlot
 
     void DrawFrame()
     {
-        _svg.Write(Left, 24, $"Snapshots, of {_max}, from which anything returns", "start");
+        _svg.Write(Left, 24, $"Snapshots, of {_max}, that return rays", "start");
         double y = 48;
         _svg.Dot(Left + 8, y - 4, All, false, 6);
-        _svg.Write(Left + 22, y, "so many seeds (line: their mean)", "start");
+        _svg.Write(Left + 22, y, "number of seeds (line: their mean)", "start");
         _svg.Dot(Left + 268, y - 4, Stored, true, 6);
         _svg.Write(Left + 282, y, "the stored seed is among them", "start");
         _svg.Line(Left + 490, y - 4, Left + 514, y - 4, Published, 1.5);

@@ -6,21 +6,21 @@ using Glint.Core;
 namespace Glint.Cli;
 
 /// <summary>
-/// What a sea takes from the rays that a ship returns in free space, and what it adds:
-/// a ray that comes back by the same pixel over the same length met the ship alone.
+/// The rays of the ship in free space that a sea blocks, and the rays that it adds. A ray that is received in the same
+/// pixel with the same length met only the ship.
 /// </summary>
 /// <param name="FreeSpace">Amplitude of the ship in free space.</param>
-/// <param name="ShipAlone">Amplitude, on the sea, of the rays that met the ship alone.</param>
-/// <param name="Unchanged">Their number; <paramref name="Lost"/> more returned in free space.</param>
-/// <param name="Added">Rays that met the sea, by their number of bounces from 1.</param>
+/// <param name="ShipAlone">Amplitude, on the sea, of the rays that met only the ship.</param>
+/// <param name="Unchanged">Number of these rays; <paramref name="Lost"/> further ones returned in free space.</param>
+/// <param name="Added">Rays that met the sea, by number of bounces from 1.</param>
 sealed record SeaShare(double Step, double FreeSpace, double OnSea, double ShipAlone, int Unchanged, int Lost,
     int[] Added)
 {
-    // Metres: two ways to go are never as alike.
+    // Metres. Two different paths differ by more.
     const double SameLength = 1e-4;
 
-    /// <summary>Angle by angle.</summary>
-    /// <param name="freeSpace">Its rows, and those on the sea, carry the rays received.</param>
+    /// <summary>The share at each angle.</summary>
+    /// <param name="freeSpace">Rows with the rays received, like those on the sea.</param>
     public static IEnumerable<SeaShare> Of(SweepResult freeSpace, SweepResult onSea) =>
         freeSpace.Rows.Zip(onSea.Rows, Of);
 

@@ -6,18 +6,16 @@ using Glint.Core;
 namespace Glint.Cli;
 
 /// <summary>
-/// How often seas return anything: those like a stored one,
-/// and others with less and more wind and choppiness, seed by seed.
+/// Counts the returning snapshots of seas: those like a stored one, and others with less and more wind and choppiness,
+/// for several seeds.
 /// </summary>
-/// <param name="sea">
-/// Before the radar, its extent as it is; its snapshots are taken away, and it is made of waves instead.
-/// </param>
+/// <param name="sea">A sea before the radar. It keeps its extent; waves replace its snapshots.</param>
 sealed class SeaStudy(RadarController radar, Sea sea, IProgressSink progress)
 {
-    // Times the stored sea's, which are the first.
+    // Factors of the stored sea's wind and choppiness.
     static readonly (double wind, double choppiness)[] s_variants = [(1, 1), (0.8, 1), (1.25, 1), (1, 0), (1, 1.6)];
 
-    /// <returns>That of the stored wind and choppiness first.</returns>
+    /// <returns>The families; the first has the stored wind and choppiness.</returns>
     /// <exception cref="GlintException">A sea cannot be made or traced.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public IReadOnlyList<SeaFamily> Run(SeaRecipe stored, int seeds)
@@ -48,11 +46,11 @@ sealed class SeaStudy(RadarController radar, Sea sea, IProgressSink progress)
         return families;
     }
 
-    /// <summary>The stored one, then the lowest others.</summary>
+    /// <summary>The stored seed, then the lowest others.</summary>
     public static IEnumerable<int> Seeds(int stored, int count) =>
         Enumerable.Range(1, count).Where(seed => seed != stored).Prepend(stored).Take(count);
 
-    // Its height factor is its own: each sea is as high as the stored one.
+    // The height factor is calculated for each sea, so that all are as high as the stored one.
     static SeaRecipe Like(SeaRecipe stored, double wind, double choppiness, int seed)
     {
         var settings = stored.Settings;

@@ -4,11 +4,11 @@ using Glint.Core;
 
 namespace Glint.Cli;
 
-/// <summary>One sea at each of its times, as the radar sees it without anything on it.</summary>
-/// <param name="Waves">What it was made from, its own height factor included.</param>
-/// <param name="Snapshots">In the order of the times.</param>
+/// <summary>The radar's results of one sea without a ship, at each of its times.</summary>
+/// <param name="Waves">The sea's settings, with its own height factor.</param>
+/// <param name="Snapshots">Results in the order of the times.</param>
 sealed record SeaTrial(SeaSettings Waves, IReadOnlyList<RadarResult> Snapshots)
 {
-    /// <summary>Snapshots from which at least one ray was received.</summary>
+    /// <summary>Number of snapshots with at least one received ray.</summary>
     public int ReturningSnapshots => Snapshots.Count(snapshot => snapshot.RaysReceived > 0);
 }

@@ -6,9 +6,9 @@ using Glint.Editor;
 namespace Glint.Cli;
 
 /// <summary>The ship turned on every snapshot of a sea.</summary>
-/// <param name="Name">For files and markers.</param>
-/// <param name="Published">The ship on one sea of this state.</param>
-/// <param name="Rows">Every angle for each snapshot.</param>
+/// <param name="Name">Name in file names and markers.</param>
+/// <param name="Published">The published experiment with the ship on one sea of this state.</param>
+/// <param name="Rows">Rows of every angle for each snapshot.</param>
 sealed record SnapshotsResult(string Name, string Title, IReadOnlyList<PublishedRow> Published,
     IReadOnlyList<SweepRow> Rows)
 {
@@ -18,7 +18,7 @@ sealed record SnapshotsResult(string Name, string Title, IReadOnlyList<Published
 
     public int Snapshots => Rows.Max(row => row.Pose.Snapshot.Value);
 
-    /// <summary>Angle by angle, over the snapshots.</summary>
+    /// <summary>The rows of all snapshots at each angle.</summary>
     public IEnumerable<(PublishedRow Theirs, Series Received, Series Amplitude, Series Hit)> Angles =>
         Published.Select(theirs =>
         {

@@ -5,18 +5,18 @@ using Glint.Editor;
 
 namespace Glint.Cli;
 
-/// <summary>An experiment as it was swept, beside what was published.</summary>
-/// <param name="Published">Null where no table was.</param>
+/// <summary>The sweep of an experiment with its published table.</summary>
+/// <param name="Published">Null without a published table.</param>
 sealed record SweepResult(Experiment Experiment, IReadOnlyList<PublishedRow> Published, IReadOnlyList<SweepRow> Rows)
 {
-    /// <summary>Pose by pose. The published row is null where no table was.</summary>
+    /// <summary>The poses; the published row is null without a table.</summary>
     public IEnumerable<(double Step, PublishedRow Theirs, RadarResult Ours)> Poses =>
         Rows.Select(
             row => (StepOf(row.Pose), Published?.Single(published => published.Step == StepOf(row.Pose)), row.Result));
 
-    /// <summary>What the steps are: "deg" or "snapshot".</summary>
+    /// <summary>Unit of the steps: "deg" or "snapshot".</summary>
     public string StepName => Rows[0].Pose.AngleDegrees.HasValue ? "deg" : "snapshot";
 
-    /// <summary>The angle in degrees; where nothing is turned the snapshot.</summary>
+    /// <summary>Angle in degrees; without a turning target the snapshot.</summary>
     public static double StepOf(SweepPose pose) => pose.AngleDegrees ?? pose.Snapshot.Value;
 }

@@ -6,9 +6,7 @@ using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>
-/// An axis of values: where each is shown, from 0 at the foot to 1 at the head, and what is written beside it.
-/// </summary>
+/// <summary>An axis of values: the position of each, from 0 at the foot to 1 at the head, and the labels.</summary>
 sealed class ValueScale
 {
     readonly Func<double, double> _position;
@@ -19,13 +17,13 @@ sealed class ValueScale
         Marks = [.. marks.Select(mark => (Of(mark.value), mark.label))];
     }
 
-    /// <summary>Place and label.</summary>
+    /// <summary>Positions and labels of the marks.</summary>
     public IReadOnlyList<(double Position, string Label)> Marks { get; }
 
-    /// <summary>NaN where the value cannot be shown.</summary>
+    /// <summary>Position of a value; NaN if it cannot be shown.</summary>
     public double Of(double value) => _position(value);
 
-    /// <summary>From 0 on.</summary>
+    /// <summary>Linear, from 0.</summary>
     public static ValueScale Linear(double greatest)
     {
         double step = Step(greatest), end = Math.Max(step, Math.Ceiling(greatest / step) * step);
@@ -33,7 +31,7 @@ sealed class ValueScale
             Enumerable.Range(0, (int)Math.Round(end / step) + 1).Select(i => (i * step, Text($"{i * step:#,0.##}"))));
     }
 
-    /// <summary>Whole numbers, logarithmic, with 0 a decade below 1.</summary>
+    /// <summary>Logarithmic for whole numbers, with 0 a decade below 1.</summary>
     public static ValueScale Counts(double greatest)
     {
         int decades = Math.Max(1, (int)Math.Ceiling(Math.Log10(Math.Max(1, greatest))));
@@ -42,7 +40,7 @@ sealed class ValueScale
                 .Select(count => (count, Text($"{count:#,0}"))));
     }
 
-    /// <summary>Amplitudes in decibels. One below the lowest mark is shown at the foot, 0 not at all.</summary>
+    /// <summary>Amplitudes in decibels. Values below the lowest mark are shown at the foot; 0 is not shown.</summary>
     public static ValueScale Decibels(double greatest)
     {
         const int lowest = -20, step = 20;
@@ -53,7 +51,7 @@ sealed class ValueScale
                 .Select(decibels => (Math.Pow(10, decibels / 20.0), Text($"{decibels}"))));
     }
 
-    // 1, 2 or 5 times a power of ten: three to seven steps.
+    // Steps of 1, 2 or 5 times a power of ten, three to seven of them.
     static double Step(double greatest)
     {
         if (!(greatest > 0))

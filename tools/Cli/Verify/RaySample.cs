@@ -4,7 +4,7 @@ using Glint.Core;
 namespace Glint.Cli;
 
 /// <summary>
-/// Rays to compare, spread evenly over the picture, and over the rays received: about so many of each.
+/// A sample of the picture's rays and one of the received rays, each evenly spread and of about the same size.
 /// </summary>
 sealed class RaySample
 {
@@ -15,13 +15,13 @@ sealed class RaySample
     {
         _everyReceived = Every(received, count);
         _every = Every(settings.RaysEmitted, count);
-        // No step that would take the same columns from every row.
+        // A step without a common divisor with the width, so that the rows' columns differ.
         int width = settings.TracedRegion.Width;
         while (Divisor(_every, width) > 1)
             _every++;
     }
 
-    /// <summary>Those among the rays, which follow the rays asked about before.</summary>
+    /// <summary>The sample's rays of a block. Blocks are passed in the order of the picture.</summary>
     public RayData[] Of(RayData[] rays) => Array.FindAll(rays, IsTaken);
 
     bool IsTaken(RayData ray)

@@ -7,18 +7,18 @@ using Glint.Reference;
 
 namespace Glint.Cli;
 
-/// <summary>glint verify: traces a scene with the kernel, and some of its rays with the reference tracer.</summary>
+/// <summary>The command glint verify: compares rays of the kernel with the reference tracer.</summary>
 sealed class VerifyCommand(Terminal terminal)
 {
     /// <summary>
-    /// Difference of a received ray's length that is allowed besides rounding, metres: 0.002 rad at 10 GHz.
+    /// Allowed difference of a received ray's length besides rounding, in metres: 0.002 rad at 10 GHz.
     /// </summary>
     public const double LengthTolerance = 1e-5;
 
-    // Rays of the kernel that are held at a time: 100 MB.
+    // Maximum number of the kernel's rays in memory: 100 MB.
     const int RaysAtOnce = 1 << 21;
 
-    /// <returns>The report, line by line, and the exit code: 1 if a ray went wrong.</returns>
+    /// <returns>The report's lines, and the exit code: 1 if a ray is wrong.</returns>
     /// <exception cref="GlintException">A problem with a file, the scene or the device.</exception>
     /// <exception cref="OperationCanceledException">Stopped by the user.</exception>
     public (string[] Report, int ExitCode) Execute(CommandLine line, IProgressSink progress)
@@ -68,7 +68,7 @@ sealed class VerifyCommand(Terminal terminal)
         return new VerifyResult(loaded, GraphicsDevice.Current.Info, whole, comparison);
     }
 
-    // The rows of the region, as many at a time as are held.
+    // Blocks of rows of the region, each within the maximum number of rays.
     static List<RayRegion> Bands(RadarSettings settings)
     {
         var region = settings.TracedRegion;

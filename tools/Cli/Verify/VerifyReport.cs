@@ -6,7 +6,7 @@ using static Glint.Cli.TableText;
 
 namespace Glint.Cli;
 
-/// <summary>What glint verify found out, for people.</summary>
+/// <summary>The text report of glint verify.</summary>
 sealed class VerifyReport(Terminal terminal)
 {
     const int MaxShown = 5;
@@ -20,11 +20,11 @@ sealed class VerifyReport(Terminal terminal)
         void Add(string what, FormattableString value, FormattableString note) =>
             table.AddRow(Escaped(what, Text(value), Text(note)));
         Add("rays compared", $"{comparison.Rays:N0}", $"of {whole.RaysEmitted:N0}");
-        Add("  went the reference tracer's way", $"{comparison.Same:N0}", $"");
-        Add("  passed an edge on its other side", $"{comparison.AtEdge:N0}",
+        Add("  same path as the reference tracer", $"{comparison.Same:N0}", $"");
+        Add("  other side of an edge", $"{comparison.AtEdge:N0}",
             $"{1e6 * comparison.AtEdge / Math.Max(1, comparison.Rays):0.#} a million");
-        Add("  went wrong", $"{comparison.Wrong:N0}", $"");
-        Add("received, of those that went the reference tracer's way", $"{kernel.RaysReceived:N0}",
+        Add("  wrong", $"{comparison.Wrong:N0}", $"");
+        Add("received, of those with the same path", $"{kernel.RaysReceived:N0}",
             $"of {whole.RaysReceived:N0} in the picture");
         Add("  length, largest difference", $"{1e6 * comparison.LargestLengthDifference:0.0e+0}", $"um");
         Add("  length, rms of the differences", $"{1e6 * comparison.RmsLengthDifference:0.0e+0}", $"um");
@@ -45,9 +45,9 @@ sealed class VerifyReport(Terminal terminal)
         string allowed = Text(
             $"{1e6 * VerifyCommand.LengthTolerance:0} um and the rounding of two float32 numbers, 2^-44 of the length");
         yield return comparison.Wrong == 0
-            ? "Fine: every ray went the reference tracer's way, or passes an edge; "
+            ? "Fine: every ray takes the reference tracer's path, or passes an edge; "
                 + $"a received ray may be off by {allowed}."
-            : Text($"{comparison.Wrong:N0} rays neither went the reference tracer's way nor pass an edge, or are off by more than {allowed}.");
+            : Text($"{comparison.Wrong:N0} rays neither take the reference tracer's path nor pass an edge, or are off by more than {allowed}.");
     }
 
     static string PathText(long bounces, bool isReceived, double length) =>

@@ -8,10 +8,10 @@ using Newtonsoft.Json.Linq;
 
 namespace Glint.Cli;
 
-/// <summary>What glint verify found out.</summary>
+/// <summary>The result of glint verify.</summary>
 sealed record VerifyResult(LoadedScene LoadedScene, DeviceInfo Device, RadarResult Whole, RayComparison Comparison)
 {
-    /// <summary>As JSON: lengths in metres, phases in radians.</summary>
+    /// <summary>The result as JSON: lengths in metres, phases in radians.</summary>
     public void WriteJson(Stream stream)
     {
         JsonText.Write(stream, Root());

@@ -7,10 +7,10 @@ using Glint.Core;
 
 namespace Glint.Host;
 
-/// <summary>Which assembly a script belongs to: that of the nearest .asmdef above it.</summary>
+/// <summary>Finds a script's assembly: that of the nearest .asmdef above it.</summary>
 internal sealed class AssemblyDefinitions
 {
-    // Unity's own name for scripts under Assets without an .asmdef.
+    // Unity's name for the assembly of scripts under Assets without an .asmdef.
     const string Default = "Assembly-CSharp";
 
     readonly ProjectFiles _files;
@@ -47,7 +47,7 @@ internal sealed class AssemblyDefinitions
         }
         catch (JsonException error)
         {
-            throw new GlintException($"{shown}:{error.LineNumber + 1}: malformed JSON: mend the line", error);
+            throw new GlintException($"{shown}:{error.LineNumber + 1}: malformed JSON: correct the line", error);
         }
     }
 

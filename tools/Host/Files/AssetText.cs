@@ -5,7 +5,7 @@ using Glint.Core;
 
 namespace Glint.Host;
 
-/// <summary>Reads the content of a project file and refuses, by name, what is not what it should be.</summary>
+/// <summary>Reads the content of a project file and refuses unreadable files by name.</summary>
 internal static class AssetText
 {
     const int ProbeBytes = 4096;
@@ -16,18 +16,18 @@ internal static class AssetText
         return Encoding.UTF8.GetString(bytes.AsSpan().StartsWith(Encoding.UTF8.Preamble) ? bytes.AsSpan(3) : bytes);
     }
 
-    /// <summary>The text of a scene, prefab or asset: one that begins as Unity's YAML does.</summary>
+    /// <summary>Text of a scene, prefab or asset; the file must begin like Unity's YAML.</summary>
     internal static string ReadYaml(string physicalPath, string shownPath)
     {
         string text = Read(physicalPath, shownPath);
         if (text.Length == 0)
-            throw new GlintException($"{shownPath}: is empty, or a pipe or device and no file: restore the file");
+            throw new GlintException($"{shownPath}: is empty, or a pipe or device instead of a file: restore the file");
         if (text.AsSpan(0, Math.Min(text.Length, ProbeBytes)).Contains('\0'))
             throw new GlintException(
                 $"{shownPath}: is serialized as binary: set Asset Serialization to Force Text (Edit, Project Settings, "
                 + "Editor) and save it again");
         if (!text.StartsWith("%YAML ", StringComparison.Ordinal))
-            throw new GlintException($"{shownPath}: is no Unity YAML file, "
+            throw new GlintException($"{shownPath}: is not a Unity YAML file, "
                 + "it does not begin with '%YAML 1.1': restore the file");
         return text;
     }
@@ -36,7 +36,7 @@ internal static class AssetText
     {
         try
         {
-            // A pipe or device has length 0 too; opening one may block.
+            // Pipes and devices have length 0 too, and opening one may block.
             if (new FileInfo(physicalPath).Length == 0)
                 return [];
             byte[] bytes = File.ReadAllBytes(physicalPath);

@@ -7,8 +7,8 @@ using Glint.Core;
 namespace Glint.Host;
 
 /// <summary>
-/// Which file has which guid: every .meta under Assets and the packages, read once when the first guid is asked for.
-/// Folders and files that Unity does not import are left out.
+/// Maps guids to files. All .meta files under Assets and the packages are read when the first guid is requested. Files
+/// and folders that Unity does not import are left out.
 /// </summary>
 internal sealed class GuidIndex
 {
@@ -27,8 +27,8 @@ internal sealed class GuidIndex
     /// <summary>Asset paths of all files and folders with a .meta.</summary>
     internal IEnumerable<string> Paths => _pathsByGuid.Value.Values.SelectMany(paths => paths);
 
-    /// <summary>Asset path of the file with this guid; null when no .meta has it.</summary>
-    /// <exception cref="GlintException">Two files have it.</exception>
+    /// <summary>Asset path of the file with this guid; null if no .meta has it.</summary>
+    /// <exception cref="GlintException">Two files have the guid.</exception>
     internal string PathOf(string guid)
     {
         if (!_pathsByGuid.Value.TryGetValue(guid, out List<string> found))
@@ -39,16 +39,16 @@ internal sealed class GuidIndex
         return found[0];
     }
 
-    /// <summary>Guid of an asset; null when it has no .meta.</summary>
+    /// <summary>Guid of an asset; null without a .meta.</summary>
     internal string GuidOf(string assetPath) =>
         MetaFile.ReadGuid(_paths.ToPhysicalPath(assetPath) + MetaFile.Extension);
 
     internal bool IsTaken(string guid) => _pathsByGuid.Value.ContainsKey(guid);
 
-    /// <summary>A new file's guid, which no other has.</summary>
+    /// <summary>A new, unused guid.</summary>
     internal void Add(string guid, string assetPath) => _pathsByGuid.Value[guid] = [assetPath];
 
-    /// <summary>The files are looked through again when a guid is next asked for.</summary>
+    /// <summary>Discards the index; the next request reads the files again.</summary>
     internal void Forget() => _pathsByGuid = new Lazy<Dictionary<string, List<string>>>(Scan);
 
     Dictionary<string, List<string>> Scan()

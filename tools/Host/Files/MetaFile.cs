@@ -4,19 +4,19 @@ using System.Text;
 
 namespace Glint.Host;
 
-/// <summary>The guid in a .meta file, which stands near its beginning.</summary>
+/// <summary>Reads the guid of a .meta file, which is near its beginning.</summary>
 internal static class MetaFile
 {
     internal const string Extension = ".meta";
     const int GuidDigits = 32;
     const int UsualBytes = 256;
 
-    /// <summary>Null when the file is not there or holds no guid.</summary>
+    /// <summary>Null if the file is missing or has no guid.</summary>
     internal static string ReadGuid(string physicalPath)
     {
         try
         {
-            // A pipe or device has length 0 too; opening one may block.
+            // Pipes and devices have length 0 too, and opening one may block.
             if (new FileInfo(physicalPath).Length == 0)
                 return null;
             using FileStream stream =

@@ -4,7 +4,7 @@ using Glint.Core;
 
 namespace Glint.Host;
 
-/// <summary>The files of one project: by asset path, by guid, and by the name that messages call them.</summary>
+/// <summary>The files of one project, by asset path and guid, with their names for messages.</summary>
 internal sealed class ProjectFiles
 {
     internal ProjectFiles(string root)
@@ -21,7 +21,7 @@ internal sealed class ProjectFiles
 
     internal bool Exists(string assetPath) => File.Exists(Physical(assetPath));
 
-    /// <summary>Where the file lies, relative to the project's folder: what a user at a shell can open.</summary>
+    /// <summary>Path relative to the project's folder, for messages.</summary>
     internal string Shown(string assetPath)
     {
         string physical = Physical(assetPath), prefix = Paths.Root + "/";
@@ -34,8 +34,8 @@ internal sealed class ProjectFiles
         return UnityFile.Parse(AssetText.ReadYaml(Physical(assetPath), shown), shown);
     }
 
-    /// <summary>Asset path of the file with a guid; null when no .meta has it.</summary>
-    /// <exception cref="GlintException">The .meta is there and its file is not.</exception>
+    /// <summary>Asset path of the file with a guid; null if no .meta has it.</summary>
+    /// <exception cref="GlintException">The .meta exists and its file is missing.</exception>
     internal string PathOf(string guid)
     {
         string path = Guids.PathOf(guid);

@@ -3,9 +3,7 @@ using System.Linq;
 
 namespace Glint.Host;
 
-/// <summary>
-/// What ProjectSettings says of tags, layers and the scenes of the build; a file that is absent has its defaults.
-/// </summary>
+/// <summary>Tags, layers and the build's scenes from ProjectSettings. A missing file has its defaults.</summary>
 internal sealed class ProjectSettings
 {
     const string TagManagerPath = "ProjectSettings/TagManager.asset",
@@ -25,10 +23,10 @@ internal sealed class ProjectSettings
 
     internal IReadOnlyList<string> Tags { get; } = [];
 
-    /// <summary>Names by layer number; empty where the layer has none.</summary>
+    /// <summary>Names by layer number; empty for a layer without name.</summary>
     internal IReadOnlyList<string> Layers { get; } = [];
 
-    /// <summary>Asset paths, in the order of the build.</summary>
+    /// <summary>Asset paths of the build's scenes, in order.</summary>
     internal IReadOnlyList<string> BuildScenes { get; } = [];
 
     static FieldMap? Read(ProjectFiles files, string path)

@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Glint.Host;
 
-/// <summary>Makes the engine's mesh of a decoded one.</summary>
+/// <summary>Makes the engine's mesh from a decoded one.</summary>
 internal static class MeshMaker
 {
     const int Position = 0, Normal = 1, Tangent = 2, Colour = 3, FirstTexture = 4;
@@ -43,7 +43,7 @@ internal static class MeshMaker
     static Bounds Box(FieldMap fields) =>
         new(EngineValues.Vector(fields.Map("m_Center")), EngineValues.Vector(fields.Map("m_Extent")) * 2f);
 
-    // Components that a channel does not store are 0; empty where the mesh has no such channel.
+    // Missing components of a channel are 0. The result is empty if the mesh lacks the channel.
     static T[] Vectors<T>(MeshRecord record, int channel, Func<Vector4, T> convert)
     {
         int dimension = record.Dimension(channel);

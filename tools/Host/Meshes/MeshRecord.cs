@@ -7,7 +7,8 @@ using Glint.Core;
 namespace Glint.Host;
 
 /// <summary>
-/// What a Mesh asset holds, decoded: an array of numbers for each vertex channel, one of indices, and the submeshes.
+/// The decoded content of a Mesh asset: an array of numbers for each vertex channel, one of indices, and the
+/// submeshes.
 /// </summary>
 internal sealed class MeshRecord
 {
@@ -19,7 +20,7 @@ internal sealed class MeshRecord
     readonly float[][] _channels = new float[ChannelCount][];
     readonly int[] _dimensions = new int[ChannelCount];
 
-    /// <exception cref="GlintException">The data do not fit what the file says of them.</exception>
+    /// <exception cref="GlintException">The data contradict the file's own description.</exception>
     internal MeshRecord(ObjectRecord record)
     {
         _record = record;
@@ -27,7 +28,7 @@ internal sealed class MeshRecord
         if (fields.Integer("m_MeshCompression") != 0)
             throw record.Error("is compressed: set its Mesh Compression to Off");
         if (fields.Map("m_StreamData").Text("path").Length > 0)
-            throw record.Error("keeps its vertices in another file: save it again as an asset of its own");
+            throw record.Error("keeps its vertices in another file: save it again as a separate asset");
         IsReadable = fields.Flag("m_IsReadable", true);
         HasWideIndices = fields.Integer("m_IndexFormat") != 0;
         ReadVertices(fields.Map("m_VertexData"));
@@ -46,18 +47,18 @@ internal sealed class MeshRecord
 
     internal IReadOnlyList<SubMeshRecord> SubMeshes { get; }
 
-    /// <summary>m_Center and m_Extent of the mesh, which Unity takes from the file too.</summary>
+    /// <summary>The mesh's m_Center and m_Extent; Unity too reads them from the file.</summary>
     internal FieldMap Box { get; }
 
     int IndexBytes => HasWideIndices ? sizeof(uint) : sizeof(ushort);
 
     /// <summary>
-    /// Components a vertex of a channel: 0 position, 1 normal, 2 tangent, 3 colour,
-    /// 4 to 11 texture coordinates; 0 where absent.
+    /// Number of components of a channel (0 position, 1 normal, 2 tangent, 3 colour, 4 to 11 texture coordinates); 0
+    /// if absent.
     /// </summary>
     internal int Dimension(int channel) => _dimensions[channel];
 
-    /// <summary>All values of a channel, vertex by vertex; null where absent.</summary>
+    /// <summary>All values of a channel, vertex by vertex; null if absent.</summary>
     internal float[] Channel(int channel) => _channels[channel];
 
     void ReadVertices(FieldMap data)
@@ -109,7 +110,7 @@ internal sealed class MeshRecord
         if (channel.Stream > VertexChannel.LastStream || channel.Format > VertexChannel.LastFormat
             || channel.Offset > byte.MaxValue || channel.Dimension > 4)
             throw _record.Flaw($"a vertex channel has stream {channel.Stream}, offset {channel.Offset}, "
-                + $"format {channel.Format}, dimension {channel.Dimension}, which Unity has not: restore the file");
+                + $"format {channel.Format}, dimension {channel.Dimension}, which Unity lacks: restore the file");
         return channel;
     }
 
@@ -138,18 +139,18 @@ internal sealed class MeshRecord
                 + $"on, and m_IndexBuffer holds {Indices.Length}: restore the file");
         if (subMesh.Topology is not (Triangles or (>= Quads and <= Points)))
             throw _record.Flaw($"submesh {number} has topology {subMesh.Topology}, "
-                + "which Unity has not: restore the file");
+                + "which Unity lacks: restore the file");
         int corners = subMesh.Topology switch { Triangles => 3, Quads => 4, _ => 1 };
         if (subMesh.IndexCount % corners != 0)
             throw _record.Flaw($"submesh {number} has {subMesh.IndexCount} indices, "
-                + $"no multiple of {corners}: restore the file");
+                + $"not a multiple of {corners}: restore the file");
         foreach (int index in Indices.AsSpan(subMesh.FirstIndex, subMesh.IndexCount))
         {
             // 32-bit indices are unsigned.
             long vertex = (long)(uint)index + subMesh.BaseVertex;
             if (vertex < 0 || vertex >= VertexCount)
                 throw _record.Flaw($"submesh {number} has index {vertex}, "
-                    + $"and the mesh has {VertexCount} vertices: mend the mesh");
+                    + $"and the mesh has {VertexCount} vertices: correct the mesh");
         }
         return subMesh;
     }
@@ -163,7 +164,7 @@ internal sealed class MeshRecord
         catch (FormatException error)
         {
             throw new GlintException(
-                _record.Flaw($"{key} is no text of hexadecimal bytes: restore the file").Message, error);
+                _record.Flaw($"{key} is not hexadecimal text: restore the file").Message, error);
         }
     }
 

@@ -3,9 +3,7 @@ using System.Buffers.Binary;
 
 namespace Glint.Host;
 
-/// <summary>
-/// One attribute of the vertices (position, normal, ...): in which stream, where, and in which number format.
-/// </summary>
+/// <summary>One attribute of the vertices (position, normal, ...): its stream, offset and number format.</summary>
 internal readonly record struct VertexChannel(int Stream, int Offset, int Format, int Dimension)
 {
     const int Float32 = 0, Float16 = 1, UNorm8 = 2, SNorm8 = 3, UNorm16 = 4, SNorm16 = 5, UInt8 = 6, SInt8 = 7,

@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Makes the objects of an asset file: meshes, materials by their name alone, ScriptableObjects.</summary>
+/// <summary>Makes the objects of an asset file: meshes, materials (the name only), ScriptableObjects.</summary>
 internal sealed class AssetBuilder
 {
     readonly LoadedFile _file;

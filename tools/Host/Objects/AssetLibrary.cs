@@ -8,7 +8,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>The assets loaded so far, each once: who asks twice for a mesh gets the same object.</summary>
+/// <summary>The assets loaded so far. Each is loaded once.</summary>
 internal sealed class AssetLibrary
 {
     static readonly HashSet<string> _models = new(StringComparer.OrdinalIgnoreCase)
@@ -31,9 +31,9 @@ internal sealed class AssetLibrary
         _warnings = warnings;
     }
 
-    /// <summary>The object that a reference with a guid names.</summary>
+    /// <summary>The object of a reference with a guid.</summary>
     /// <param name="problem">
-    /// Why there is none, as "refers to ..." goes on; null for what the host leaves out on purpose.
+    /// Why there is no object, as the end of "refers to ..."; null for objects that the host leaves out on purpose.
     /// </param>
     internal Object Find(ObjectReference reference, out string problem)
     {
@@ -65,7 +65,7 @@ internal sealed class AssetLibrary
         return record is null ? null : file.Find(record);
     }
 
-    /// <summary>The asset's object of a type, its main object if that fits; null when there is none.</summary>
+    /// <summary>The asset's object of a type, preferably its main object; null if there is none.</summary>
     internal Object Load(string path, Type type)
     {
         if (!_files.Exists(path))
@@ -80,7 +80,7 @@ internal sealed class AssetLibrary
             .IsAssignableFrom(type) ? root.GetComponent(type) : null;
     }
 
-    /// <summary>Takes an object for the asset at a path from now on.</summary>
+    /// <summary>Sets the object of the asset at a path.</summary>
     internal void Put(string path, Object asset, ObjectRecord record)
     {
         LoadedFile file = new(new ObjectTable(_files.Shown(path), _files.Guids.GuidOf(path)));
@@ -91,8 +91,7 @@ internal sealed class AssetLibrary
     }
 
     /// <summary>
-    /// What else than this object its file holds, or what of it is not read here,
-    /// and so would be lost if it were written; null for nothing.
+    /// Content of the asset's file that the host does not read or write, and so would lose; null without any.
     /// </summary>
     internal string LostIfWritten(Object asset)
     {
@@ -106,7 +105,7 @@ internal sealed class AssetLibrary
             .Maps("vertices").Count > 0 ? "blend shapes" : fields.Maps("m_BindPose").Count > 0 ? "a skin" : null;
     }
 
-    /// <summary>All prefabs are made anew when they are next asked for.</summary>
+    /// <summary>Discards the prefabs; they are rebuilt when next requested.</summary>
     internal void ForgetPrefabs()
     {
         _flattener.ForgetPrefabs();
@@ -119,7 +118,7 @@ internal sealed class AssetLibrary
         if (_loaded.TryGetValue(path, out LoadedFile file))
             return file;
         file = new LoadedFile(IsPrefab(path) ? _flattener.Prefab(path) : _flattener.Read(path));
-        // Before it is filled, for what it refers to may refer back.
+        // Added before it is filled, since its references may lead back to it.
         _loaded.Add(path, file);
         try
         {

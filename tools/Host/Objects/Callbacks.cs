@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 namespace Glint.Host;
 
 /// <summary>
-/// Calls of a script's own code while loading and saving: what it throws is logged, as in Unity, and the work goes on.
+/// Calls a script's own code while loading and saving. Its exceptions are logged, as in Unity, and loading continues.
 /// </summary>
 internal static class Callbacks
 {

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>The fields of the engine's own components.</summary>
+/// <summary>Reads the fields of the engine's own components.</summary>
 internal static class ComponentReader
 {
     internal static void Fill(Component target, ObjectRecord record, Links links)

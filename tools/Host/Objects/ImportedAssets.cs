@@ -8,12 +8,12 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Assets that an importer makes of a file in a format of its own: compute shaders and text.</summary>
+/// <summary>Assets imported from files of other formats: compute shaders and text.</summary>
 internal static class ImportedAssets
 {
     const long ComputeShaderId = 7200000, TextId = 4900000;
 
-    /// <summary>Null for kinds that the host leaves out, such as textures.</summary>
+    /// <summary>Null for kinds that the host leaves out, for example textures.</summary>
     internal static Object Make(ProjectFiles files, string path)
     {
         string shown = files.Shown(path);

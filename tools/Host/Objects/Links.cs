@@ -4,9 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>
-/// References as one file sees them: its own objects by id, others through the assets of the project.
-/// </summary>
+/// <summary>Resolves the references of one file: its own objects by id, others through the project's assets.</summary>
 internal sealed class Links : ILinks
 {
     readonly LoadedFile _file;
@@ -32,9 +30,9 @@ internal sealed class Links : ILinks
         return null;
     }
 
-    /// <summary>The mesh of a MeshFilter or SkinnedMeshRenderer; null when none is assigned.</summary>
-    /// <param name="isTraced">A mesh that is traced must not be lacking: the result would be another.</param>
-    /// <exception cref="Core.GlintException">A traced mesh cannot be had.</exception>
+    /// <summary>The mesh of a MeshFilter or SkinnedMeshRenderer; null if none is assigned.</summary>
+    /// <param name="isTraced">True for a mesh that is traced: it must exist, since the result depends on it.</param>
+    /// <exception cref="Core.GlintException">A traced mesh is missing.</exception>
     internal Mesh Mesh(ObjectRecord holder, bool isTraced)
     {
         ObjectReference reference = holder.Fields.Reference("m_Mesh");
@@ -43,8 +41,8 @@ internal sealed class Links : ILinks
         if (reference.IsNone)
             return null;
         Object found = Find(reference, out string problem);
-        problem ??= found is null ? $"{reference}, which is no mesh"
-            : found is not UnityEngine.Mesh ? $"a {found.GetType().Name}, which is no mesh"
+        problem ??= found is null ? $"{reference}, which is not a mesh"
+            : found is not UnityEngine.Mesh ? $"a {found.GetType().Name}, which is not a mesh"
             : null;
         return problem is null ? (Mesh)found : throw holder.Error($"refers to {problem}: restore the file, "
             + "or assign another mesh (an .asset or a built-in one)");

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Glint.Host;
 
 /// <summary>
-/// What was wrong without changing what is simulated: told once for all objects that have it, when loading is done.
+/// Problems that do not change the simulation. Each is reported once for all its objects, after loading.
 /// </summary>
 internal sealed class LoadWarnings
 {
@@ -40,6 +40,6 @@ internal sealed class LoadWarnings
         Clear();
     }
 
-    // Names may hold line breaks, and what else a terminal obeys.
+    // Names may contain line breaks and terminal control characters.
     static string OneLine(string text) => string.Concat(text.Select(letter => char.IsControl(letter) ? ' ' : letter));
 }

@@ -9,8 +9,8 @@ using Object = UnityEngine.Object;
 namespace Glint.Host;
 
 /// <summary>
-/// Makes the GameObjects of a scene or prefab: first all of them, bare, then their fields,
-/// for these refer to each other.
+/// Makes the GameObjects of a scene or prefab. All objects are made before their fields are read, since these refer to
+/// each other.
 /// </summary>
 internal sealed class ObjectBuilder
 {
@@ -19,7 +19,7 @@ internal sealed class ObjectBuilder
     readonly ScriptCatalog _scripts;
     readonly LoadWarnings _warnings;
 
-    /// <param name="scene">default for a prefab, whose objects are in no scene.</param>
+    /// <param name="scene">The objects' scene; default for a prefab.</param>
     internal ObjectBuilder(LoadedFile file, Scene scene, ScriptCatalog scripts, LoadWarnings warnings)
     {
         _file = file;
@@ -77,7 +77,7 @@ internal sealed class ObjectBuilder
         return item;
     }
 
-    // The editor adds what a script requires together with the script, so only a damaged or hand-written file lacks it.
+    // The editor adds required components together with the script, so only a damaged or hand-written file lacks one.
     void RequireOthers(GameObject item, ObjectRecord record)
     {
         if (_file.Find(record) is MonoBehaviour script

@@ -1,6 +1,6 @@
 namespace Glint.Host;
 
-/// <summary>Numbers of the classes that the loader knows; objects of others are skipped.</summary>
+/// <summary>Numbers of the classes that the loader knows; objects of other classes are skipped.</summary>
 internal static class ClassId
 {
     internal const int GameObject = 1;

@@ -5,9 +5,7 @@ using Glint.Core;
 
 namespace Glint.Host;
 
-/// <summary>
-/// Turns a file with prefab instances into one table of objects, as if everything had been written out in it.
-/// </summary>
+/// <summary>Turns a file with prefab instances into one table of objects without instances.</summary>
 internal sealed class Flattener
 {
     // Deeper than any real prefab; the limit prevents a stack overflow.
@@ -19,7 +17,7 @@ internal sealed class Flattener
 
     internal Flattener(ProjectFiles files) => _files = files;
 
-    /// <summary>A scene or an asset, read anew each time.</summary>
+    /// <summary>Table of a scene or an asset; read from the file at each call.</summary>
     internal ObjectTable Read(string assetPath)
     {
         if (_open.Contains(assetPath))
@@ -43,13 +41,13 @@ internal sealed class Flattener
         }
     }
 
-    /// <summary>A prefab, which is kept: its table must not be changed.</summary>
+    /// <summary>Table of a prefab. It is cached and must not be changed.</summary>
     internal ObjectTable Prefab(string assetPath)
     {
         if (_prefabs.TryGetValue(assetPath, out ObjectTable table))
             return table;
         table = Read(assetPath);
-        // Looked through here, where objects still have the ids of their own file, for messages to name.
+        // Checked here, where objects still have the ids of their own file, for messages.
         IReadOnlyList<HierarchyNode> roots = Hierarchy.Read(table, isScene: false);
         if (roots.Count != 1)
             throw new GlintException($"{table.ShownPath}: has {roots.Count} root objects, "
@@ -59,7 +57,7 @@ internal sealed class Flattener
         return table;
     }
 
-    /// <summary>All prefabs are read anew, for one that has changed may be part of others.</summary>
+    /// <summary>Discards all prefabs, since a changed one may be part of others.</summary>
     internal void ForgetPrefabs() => _prefabs.Clear();
 
     ObjectTable Flatten(UnityFile file, string guid)
@@ -80,7 +78,8 @@ internal sealed class Flattener
             table.Add(record);
         }
 
-        // Overrides may name objects of other instances, so all are there before the first is applied.
+        // Overrides may name objects of other instances, so all instances are copied before the first override is
+        // applied.
         List<PrefabInstance> instances = Instances(file).ToList();
         table.Reserve(instances.Sum(instance => instance.CopySize));
         foreach (PrefabInstance instance in instances)

@@ -5,8 +5,7 @@ using Glint.Core;
 namespace Glint.Host;
 
 /// <summary>
-/// Puts the objects of a table together: components to their GameObjects,
-/// children to their parents, all in Unity's order.
+/// Links the objects of a table: components to their GameObjects and children to their parents, in Unity's order.
 /// </summary>
 internal sealed class Hierarchy
 {
@@ -20,7 +19,7 @@ internal sealed class Hierarchy
 
     Hierarchy(ObjectTable table) => _table = table;
 
-    /// <summary>The roots, in the order of the hierarchy.</summary>
+    /// <summary>The roots, in the hierarchy's order.</summary>
     /// <exception cref="GlintException">The file contradicts itself, or lacks objects that it refers to.</exception>
     internal static IReadOnlyList<HierarchyNode> Read(ObjectTable table, bool isScene)
     {
@@ -73,7 +72,7 @@ internal sealed class Hierarchy
             return null;
         ObjectRecord parent = Require(node.GameObject, father, "a parent");
         return parent.IsTransform && _owners.TryGetValue(parent, out HierarchyNode owner)
-            ? owner : throw node.GameObject.Flaw($"its parent &{father.FileId} is no Transform of an "
+            ? owner : throw node.GameObject.Flaw($"its parent &{father.FileId} is not a Transform of an "
                 + "object: restore the file");
     }
 
@@ -101,7 +100,7 @@ internal sealed class Hierarchy
                 .Where(node => node.Parent is null)
                 .Concat(roots).Distinct().ToList();
 
-        // Before SceneRoots, which a scene ends with, each Transform had its place among its siblings.
+        // Scenes older than SceneRoots have each Transform's position among its siblings instead.
         const string Order = "m_RootOrder";
         if (_nodes.Any(node => !node.Transform.Fields.Has(Order)) || _nodes.Count == 0)
             throw new GlintException($"{_table.ShownPath}: ends without SceneRoots, "
@@ -117,7 +116,7 @@ internal sealed class Hierarchy
     ObjectRecord Require(ObjectRecord holder, ObjectReference reference, string role) => _table.Find(reference.FileId)
         ?? throw holder.Error($"has {role} &{reference.FileId}, which is not in the file: restore the file");
 
-    // Gives every object its path for messages; what is not reached from a root hangs in a ring.
+    // Gives every object its path for messages. Objects that no root reaches are in a ring.
     void NameOwners(IReadOnlyList<HierarchyNode> roots)
     {
         Stack<(HierarchyNode Node, string Path, int Depth)> open = new(roots.Select(root => (root, "", 1)));
@@ -127,7 +126,7 @@ internal sealed class Hierarchy
             reached++;
             string path = next.Path + next.Node.GameObject.Fields.Text("m_Name");
             if (next.Depth > MaxDepth)
-                throw next.Node.GameObject.Error($"lies more than {MaxDepth} objects deep in the "
+                throw next.Node.GameObject.Error($"is more than {MaxDepth} objects deep in the "
                     + "hierarchy: flatten it");
             next.Node.Transform.Owner = path;
             foreach (ObjectRecord component in next.Node.Components)

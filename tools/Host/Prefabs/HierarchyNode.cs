@@ -9,7 +9,7 @@ internal sealed class HierarchyNode(ObjectRecord gameObject)
 
     internal ObjectRecord Transform { get; set; }
 
-    /// <summary>Those besides the Transform, in order; classes that the loader does not know are left out.</summary>
+    /// <summary>Components except the Transform, in order; unknown classes are left out.</summary>
     internal List<ObjectRecord> Components { get; } = new();
 
     internal HierarchyNode Parent { get; set; }

@@ -4,12 +4,10 @@ using YamlDotNet.RepresentationModel;
 
 namespace Glint.Host;
 
-/// <summary>
-/// One object of a scene, prefab or asset, prefab instances resolved, before anything of the engine is made of it.
-/// </summary>
+/// <summary>One object of a scene, prefab or asset as YAML, after prefab instances are resolved.</summary>
 internal sealed class ObjectRecord
 {
-    /// <param name="file">Path for messages of the file in which the object is written.</param>
+    /// <param name="file">Path of the file with the object, for messages.</param>
     internal ObjectRecord(string file, int classId, string typeName, long id, YamlMappingNode node)
     {
         File = file;
@@ -29,10 +27,10 @@ internal sealed class ObjectRecord
 
     internal FieldMap Fields { get; }
 
-    /// <summary>The objects of prefabs that this one came from, that of the innermost prefab first.</summary>
+    /// <summary>The prefab objects that this one was copied from, innermost prefab first.</summary>
     internal IReadOnlyList<ObjectReference> Origins { get; init; } = [];
 
-    /// <summary>Path of GameObjects from the root, for messages; null where there is none.</summary>
+    /// <summary>Path of GameObjects from the root, for messages; null without one.</summary>
     internal string Owner { get; set; }
 
     internal bool IsTransform => Host.ClassId.IsTransform(ClassId);
@@ -48,11 +46,9 @@ internal sealed class ObjectRecord
         }
     }
 
-    /// <param name="predicate">
-    /// What the object does or lacks, and what to do: "has two Transforms: restore the file".
-    /// </param>
+    /// <param name="predicate">Problem of the object and the way out: "has two Transforms: restore the file".</param>
     internal GlintException Error(string predicate) => new($"{File}: {Subject} {predicate}");
 
-    /// <param name="clause">What is wrong within the object, and what to do: "m_Layer must be a number".</param>
+    /// <param name="clause">Problem within the object and the way out: "m_Layer must be a number".</param>
     internal GlintException Flaw(string clause) => new($"{File}: {Subject}: {clause}");
 }

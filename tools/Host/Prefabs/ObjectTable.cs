@@ -4,11 +4,11 @@ using Glint.Core;
 
 namespace Glint.Host;
 
-/// <summary>The objects of one file by id, those of its prefab instances among them.</summary>
+/// <summary>The objects of one file by id, with those of its prefab instances.</summary>
 internal sealed class ObjectTable
 {
-    // Prefabs of prefabs, each twice in the next, are small as files and without end in memory.
-    // An object weighs as much as so many values.
+    // Prefabs that hold each other twice, level by level, make small files with exponentially many objects. An object
+    // counts as this number of values.
     const long MaxValues = 20_000_000, ObjectWeight = 50;
 
     readonly Dictionary<long, ObjectRecord> _byId = new();
@@ -27,27 +27,27 @@ internal sealed class ObjectTable
     /// <summary>Path for messages, relative to the project.</summary>
     internal string ShownPath { get; }
 
-    /// <summary>Null where the file has no .meta.</summary>
+    /// <summary>Null without a .meta.</summary>
     internal string Guid { get; }
 
     /// <summary>The Transform of a prefab's root; null for other files.</summary>
     internal ObjectRecord Root { get; set; }
 
-    /// <summary>In the order of the file, objects of prefab instances last.</summary>
+    /// <summary>Objects in the order of the file, then those of prefab instances.</summary>
     internal IReadOnlyList<ObjectRecord> Records => _records;
 
-    /// <summary>What a copy of all objects takes of memory, in values.</summary>
+    /// <summary>Memory of a copy of all objects, as a number of values.</summary>
     internal long CopySize =>
         _copySize > 0 ? _copySize : _copySize = _records.Sum(record => ObjectWeight + record.Fields.Node.CopySize());
 
-    /// <summary>Ids of the objects of classes that the loader does not know.</summary>
+    /// <summary>Ids of the objects of unknown classes.</summary>
     internal IReadOnlyCollection<long> Skipped => _skipped;
 
     internal ObjectRecord Find(long id) => _byId.GetValueOrDefault(id);
 
     internal bool IsFree(long id) => id != 0 && !_byId.ContainsKey(id);
 
-    /// <summary>An id that no object has, for one that nothing refers to by its id.</summary>
+    /// <summary>A free id, for an object that no reference names by id.</summary>
     internal long FreeId()
     {
         do
@@ -60,7 +60,7 @@ internal sealed class ObjectTable
 
     internal void AddSkipped(long id) => _skipped.Add(id);
 
-    /// <summary>A scene lists the root of a prefab instance by the id of the instance.</summary>
+    /// <summary>Adds the root of a prefab instance, which a scene lists by the id of the instance.</summary>
     internal void AddInstanceRoot(long instanceId, ObjectRecord root) => _instanceRoots[instanceId] = root;
 
     internal ObjectRecord FindRoot(long id) => Find(id) ?? _instanceRoots.GetValueOrDefault(id);
@@ -73,8 +73,8 @@ internal sealed class ObjectTable
         (_byOrigin, _copySize) = (null, 0);
     }
 
-    /// <summary>To be asked before prefab instances put so many values in.</summary>
-    /// <exception cref="GlintException">With those before they are too many.</exception>
+    /// <summary>Reserves room for the values that prefab instances add.</summary>
+    /// <exception cref="GlintException">The total exceeds the maximum.</exception>
     internal void Reserve(long values)
     {
         _values += values;
@@ -83,7 +83,7 @@ internal sealed class ObjectTable
                 + $"hold more than {MaxValues} values: remove some");
     }
 
-    /// <summary>A further id of an object, where no other has it.</summary>
+    /// <summary>Adds a further id of an object, unless it is taken.</summary>
     internal void AddAlias(long id, ObjectRecord record) => _byId.TryAdd(id, record);
 
     internal void Remove(IReadOnlySet<ObjectRecord> removed)
@@ -97,7 +97,7 @@ internal sealed class ObjectTable
     }
 
     /// <summary>
-    /// What a reference from outside names: an object by its id here, or by its id in a prefab nested in this one.
+    /// Resolves a reference from another file: an object's id in this file, or its id in a prefab nested in it.
     /// </summary>
     internal ObjectRecord Resolve(ObjectReference reference)
     {

@@ -6,8 +6,8 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// An array written as one hexadecimal text, with the overrides of its size and elements still to be applied, in order:
-/// that takes the width of an element, which is known when the array is read into its field.
+/// An array written as one hexadecimal text, with pending overrides of its size and elements, in order. They are
+/// applied when the array is read into its field, which gives the width of an element.
 /// </summary>
 internal static class PackedOverrides
 {
@@ -24,7 +24,7 @@ internal static class PackedOverrides
 
     internal static bool IsOne(YamlNode node) => node is YamlMappingNode map && map.Child(HexKey) is not null;
 
-    /// <summary>Null when the file itself has such a key, with something else.</summary>
+    /// <summary>Null if the file itself has this key with other content.</summary>
     internal static string Hex(YamlMappingNode packed) => (packed.Child(HexKey) as YamlScalarNode)?.Value;
 
     internal static void AddSize(YamlMappingNode packed, int size) =>

@@ -6,7 +6,7 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// One PrefabInstance document: copies the prefab's objects into a table, under new ids, and changes them as it says.
+/// One PrefabInstance document. It copies the prefab's objects into a table under new ids, and applies its overrides.
 /// </summary>
 internal sealed class PrefabInstance
 {
@@ -19,7 +19,7 @@ internal sealed class PrefabInstance
     readonly List<long> _skippedStandIns = new();
     readonly Dictionary<ObjectRecord, ObjectRecord> _copies = new();
 
-    /// <param name="standIns">Ids of the stripped documents, and which object of the prefab each stands for.</param>
+    /// <param name="standIns">Ids of the stripped documents for each object of the prefab.</param>
     internal PrefabInstance(long id, FieldMap fields, ObjectTable source,
         IEnumerable<(long Id, ObjectReference Source)> standIns)
     {
@@ -40,7 +40,7 @@ internal sealed class PrefabInstance
         }
     }
 
-    /// <summary>What the copies take of memory.</summary>
+    /// <summary>Memory of the copies, as a number of values.</summary>
     internal long CopySize => _source.CopySize;
 
     internal void AddObjects(ObjectTable table)
@@ -89,14 +89,12 @@ internal sealed class PrefabInstance
             Insert(Copy(added.Reference("targetCorrespondingSourceObject")), "m_Component", added);
     }
 
-    /// <summary>Copies that the instance does without; <see cref="Removal"/> takes them away.</summary>
+    /// <summary>Copies that the instance removes, for <see cref="Removal"/>.</summary>
     internal IEnumerable<ObjectRecord> Removed() => _modification.References("m_RemovedComponents")
         .Concat(_modification.References("m_RemovedGameObjects"))
         .Select(Copy).Where(record => record is not null);
 
-    /// <summary>
-    /// How the next file outside names an object of the prefab, where no stripped document gives it an id.
-    /// </summary>
+    /// <summary>Id of a prefab's object in the enclosing file, if no stripped document gives it one.</summary>
     long OutsideId(long id) => (_id ^ id) & PositiveMask;
 
     long NewId(ObjectRecord original, ObjectTable table, HashSet<long> taken)
@@ -121,15 +119,15 @@ internal sealed class PrefabInstance
             return;
         }
         ObjectRecord father = table.Find(parent.FileId)
-            ?? throw new GlintException($"{table.ShownPath}: PrefabInstance &{_id} lies under object &{parent.FileId}, "
+            ?? throw new GlintException($"{table.ShownPath}: PrefabInstance &{_id} is below object &{parent.FileId}, "
                 + "which is not in the file: restore the file");
-        // Behind the others, if it is not among them: a child that is listed twice stands where it is listed first.
+        // Added as the last child. If it is already listed, its first entry counts.
         YamlNode children = father.Fields.Node.Child("m_Children");
         if (children.IsEmpty() || children is YamlSequenceNode)
             father.Fields.Node.ListAt("m_Children").Add(new ObjectReference(root.Id).ToNode());
     }
 
-    // Children and components alike, at their place or at the end.
+    // Inserts a child or a component at its index, or at the end.
     static void Insert(ObjectRecord target, string listName, FieldMap added)
     {
         ObjectReference item = added.Reference("addedObject");

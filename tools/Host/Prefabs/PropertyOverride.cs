@@ -4,7 +4,7 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// One line of a prefab instance's m_Modifications: a value, or a reference, put at a property path of an object.
+/// One entry of a prefab instance's m_Modifications: a value or reference for a property path of an object.
 /// </summary>
 internal sealed class PropertyOverride
 {
@@ -17,7 +17,7 @@ internal sealed class PropertyOverride
     readonly ObjectReference _reference;
     readonly IReadOnlyList<PropertyStep> _steps;
 
-    /// <param name="table">Is asked for room when an array grows.</param>
+    /// <param name="table">The table that reserves room when an array grows.</param>
     internal PropertyOverride(FieldMap source, ObjectTable table)
     {
         _source = source;
@@ -30,13 +30,13 @@ internal sealed class PropertyOverride
             ?? throw source.Wrong("propertyPath", "a path such as 'list.Array.data[0].x'", path);
     }
 
-    /// <summary>The object, as the prefab names it.</summary>
+    /// <summary>The object's id in the prefab.</summary>
     internal ObjectReference Target { get; }
 
     internal void ApplyTo(ObjectRecord record) => Apply(record.Fields.Node, 0);
 
-    // Returns what takes the node's place. Where the node is of a kind that the path does not fit it stays,
-    // as Unity drops such overrides.
+    // Returns the node's replacement. A node whose kind does not fit the path is unchanged, since Unity drops its
+    // override.
     YamlNode Apply(YamlNode node, int at)
     {
         if (at == _steps.Count)
@@ -59,14 +59,14 @@ internal sealed class PropertyOverride
         YamlMappingNode map = node as YamlMappingNode;
         if (map is null && !node.IsEmpty())
             return node;
-        // The object's own map is its alone; another may be the prefab's too.
+        // The object's own map is not shared; a nested one may be shared with the prefab.
         if (at > 0)
             map = map is null ? new YamlMappingNode() : new YamlMappingNode(map.Children);
         map.Set(name, Apply(map.Child(name), at + 1));
         return map;
     }
 
-    // An array of int, byte or bool is one text; how wide an element is only its field knows.
+    // An array of int, byte or bool is one text; only its field knows the width of an element.
     YamlNode ApplyToPacked(YamlNode node, PropertyStep step)
     {
         YamlMappingNode packed = node as YamlMappingNode ?? PackedOverrides.Begin(((YamlScalarNode)node).Value);

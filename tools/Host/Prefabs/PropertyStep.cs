@@ -5,7 +5,7 @@ using System.Globalization;
 namespace Glint.Host;
 
 /// <summary>
-/// A step of a property path such as <c>list.Array.data[0].x</c>: a name, the size of an array, or an index into it.
+/// A step of a property path, for example <c>list.Array.data[0].x</c>: a name, the size of an array, or an index.
 /// </summary>
 internal readonly record struct PropertyStep(string Name, int Index)
 {
@@ -20,7 +20,7 @@ internal readonly record struct PropertyStep(string Name, int Index)
 
     internal static PropertyStep Size => new(null, SizeMark);
 
-    /// <summary>Null when the path is malformed.</summary>
+    /// <summary>Null if the path is malformed.</summary>
     internal static IReadOnlyList<PropertyStep> Parse(string path)
     {
         const string DataStart = "data[";

@@ -6,7 +6,7 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// Takes objects out of a table: with a GameObject its components and what lies below it, and the places in lists.
+/// Removes objects from a table: a GameObject with its components and descendants, and their entries in lists.
 /// </summary>
 internal sealed class Removal
 {
@@ -42,7 +42,7 @@ internal sealed class Removal
         }
     }
 
-    // What goes when an object goes.
+    // Objects that are removed with another object.
     Dictionary<ObjectRecord, List<ObjectRecord>> Followers()
     {
         Dictionary<ObjectRecord, List<ObjectRecord>> followers = new();

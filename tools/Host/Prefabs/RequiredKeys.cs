@@ -4,12 +4,12 @@ using Glint.Core;
 namespace Glint.Host;
 
 /// <summary>
-/// Keys that Unity writes in every object of a class. A file that was cut short loses them,
-/// and with their defaults it would load as another, smaller scene.
+/// Keys that Unity writes in every object of a class. A truncated file lacks some, and with defaults in their place it
+/// would load as a smaller scene.
 /// </summary>
 internal static class RequiredKeys
 {
-    /// <exception cref="GlintException">One is lacking.</exception>
+    /// <exception cref="GlintException">A key is missing.</exception>
     internal static void Check(ObjectRecord record)
     {
         if (Of(record.ClassId).FirstOrDefault(key => !record.Fields.Has(key)) is string lacking)

@@ -6,16 +6,15 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// Structs of the engine and of Unity.Mathematics. Most are written by the names of their fields,
-/// some by names of their own.
+/// Structs of the engine and of Unity.Mathematics. Most are written with the names of their fields, some with other
+/// names.
 /// </summary>
 internal static class EngineValues
 {
     const BindingFlags AnyInstance = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
 
-    /// <param name="current">
-    /// What the field holds so far, of its type; keys that are absent leave their part of it.
-    /// </param>
+    /// <param name="current">Present value of the field, with its type. Absent keys leave their part
+    /// unchanged.</param>
     internal static object Read(FieldMap fields, object current,
         Func<YamlNode, Type, object, string, object> readMember) => current switch
         {

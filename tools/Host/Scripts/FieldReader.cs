@@ -11,12 +11,12 @@ using Object = UnityEngine.Object;
 namespace Glint.Host;
 
 /// <summary>
-/// Fills the serialized fields of a script from its text, by Unity's rules:
-/// an absent key leaves the initialiser's value, and no text, list or serializable class stays null.
+/// Reads the serialized fields of a script by Unity's rules. An absent key keeps the initialiser's value. No text,
+/// list or serializable class is null afterwards.
 /// </summary>
 internal sealed class FieldReader
 {
-    // Unity cuts nested serializable classes off at this depth.
+    // Unity ignores nested serializable classes below this depth.
     const int MaxDepth = 10;
 
     readonly ObjectRecord _record;
@@ -48,7 +48,7 @@ internal sealed class FieldReader
                 ? NeverNull(current, field.FieldType, depth)
                 : Value(source.Node.Child(key), field.FieldType, current, path + key, depth));
         }
-        // The script itself is called back when all objects are filled.
+        // The script's own callback runs when all objects are filled.
         if (depth > 0)
             Callbacks.AfterDeserialize(target);
     }
@@ -121,7 +121,7 @@ internal sealed class FieldReader
             throw Wrong(path, type == typeof(string) ? "text" : "a number", node);
         if (type == typeof(string))
             return text ?? "";
-        // What an override of an array's size adds has no value yet.
+        // An element added by an override of the array's size has no value yet.
         if (string.IsNullOrEmpty(text))
             return Activator.CreateInstance(type);
         if (type == typeof(float))

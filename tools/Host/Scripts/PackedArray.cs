@@ -27,8 +27,8 @@ internal static class PackedArray
     }
 
     /// <summary>
-    /// Null when the text is none of such bytes, or holds no whole number of elements.
-    /// What overrides put in is as it was written.
+    /// Null if the text is not hexadecimal or does not have a whole number of elements. Values of overrides are as
+    /// written.
     /// </summary>
     internal static List<Int128> Decode(YamlNode node, Type element)
     {

@@ -9,7 +9,8 @@ using UnityEngine;
 namespace Glint.Host;
 
 /// <summary>
-/// Finds the class of a script by the guid of its .cs file: named as the file, in the assembly of the nearest .asmdef.
+/// Finds the class of a script by the guid of its .cs file. The class has the file's name and is in the assembly of
+/// the nearest .asmdef.
 /// </summary>
 internal sealed partial class ScriptCatalog
 {
@@ -25,15 +26,14 @@ internal sealed partial class ScriptCatalog
     }
 
     /// <summary>
-    /// The class of a script's object, by whose name messages then call it;
-    /// null, with a warning, when it cannot be had.
+    /// The class of a script's object, whose name messages then use; null, with a warning, if it cannot be found.
     /// </summary>
     internal Type Find(ObjectRecord record, Type kind, LoadWarnings warnings)
     {
         ObjectReference script = record.Fields.Reference("m_Script");
         (Type type, string problem) = script.IsLocal ? (null, "it has no script") : Find(script.Guid);
         if (type is not null && !kind.IsAssignableFrom(type))
-            (type, problem) = (null, $"its script {type.Name} is no {kind.Name}");
+            (type, problem) = (null, $"its script {type.Name} is not a {kind.Name}");
         if (type is null)
             warnings.Add(record,
                 $"{problem}: it is left out, and anything it did is missing: restore its script or remove it");
@@ -42,8 +42,8 @@ internal sealed partial class ScriptCatalog
         return type;
     }
 
-    /// <summary>The guid of the .cs file that a class is in.</summary>
-    /// <exception cref="UnityException">There is none that Unity would find it by.</exception>
+    /// <summary>Guid of the .cs file with a class.</summary>
+    /// <exception cref="UnityException">Unity would find the class in no file.</exception>
     internal string GuidOf(Type type)
     {
         if (_guids.TryGetValue(type, out string guid))
@@ -51,7 +51,7 @@ internal sealed partial class ScriptCatalog
         guid = _files.Guids.Paths.Where(path => Path.GetFileName(path) == type.Name + ".cs" && _files.Exists(path))
             .Select(_files.Guids.GuidOf).FirstOrDefault(found => Find(found).Type == type)
             ?? throw new UnityException($"the script {type.FullName} is in no file {type.Name}.cs of the project: "
-                + "give the class a file of its own, named as it");
+                + "give the class its own file of that name");
         _guids.Add(type, guid);
         return guid;
     }
@@ -103,7 +103,7 @@ internal sealed partial class ScriptCatalog
         }
     }
 
-    // The order set in the project's settings wins over the attribute.
+    // The order in the project's settings overrides the attribute.
     void SetOrder(Type type, string path)
     {
         string meta = _files.Physical(path) + MetaFile.Extension;

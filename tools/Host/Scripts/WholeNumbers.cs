@@ -3,12 +3,12 @@ using System;
 namespace Glint.Host;
 
 /// <summary>
-/// Whole numbers of the C# types that a script's field may have: their range, and a number as an object of the type.
+/// The integer types of C# that a script's field may have: their range, and a number as an object of the type.
 /// </summary>
 internal static class WholeNumbers
 {
     /// <summary>
-    /// What a field may hold; Unity has written flags of 32 bits both as signed and as unsigned numbers.
+    /// Range of a field's values. Unity has written 32-bit flags both as signed and as unsigned numbers.
     /// </summary>
     internal static (Int128 Min, Int128 Max) Range(Type type) => type.IsEnum
         && PackedArray.Width(type) == sizeof(int)

@@ -22,14 +22,14 @@ internal sealed class AssetWriter
         _scripts = scripts;
     }
 
-    /// <summary>The object as its file has it, as far as others ask.</summary>
+    /// <summary>A record of the object as in its file, without fields.</summary>
     internal static ObjectRecord RecordOf(Object asset, string shownPath)
     {
         (int classId, long fileId) = IdsOf(asset);
         return new ObjectRecord(shownPath, classId, asset.GetType().Name, fileId, new YamlMappingNode());
     }
 
-    // Class and id in a file of its own.
+    // Class and id of an asset in its file.
     static (int ClassId, long FileId) IdsOf(Object asset) => asset switch
     {
         Mesh => (ClassId.Mesh, MeshFileId),
@@ -59,7 +59,7 @@ internal sealed class AssetWriter
             ComponentWriter writer = new(new YamlWriter(text), new ReferenceText(_files.Guids, ids), ids, _scripts);
             foreach (Object item in ids.Keys)
             {
-                // The root is always called as the file.
+                // The root always has the file's name.
                 if (item is GameObject node)
                     writer.Write(node, node == root ? Path.GetFileNameWithoutExtension(path) : node.name);
                 else
@@ -100,7 +100,7 @@ internal sealed class AssetWriter
         FieldWriter.Write(yaml, new ReferenceText(_files.Guids, ids), asset);
     }
 
-    // Where on disk an asset path lies, if it is one in which something can be made.
+    // The path on disk of an asset path, if assets can be made there.
     string PhysicalPath(string path)
     {
         string[] parts = (path ?? "").Split('/');
@@ -126,7 +126,7 @@ internal sealed class AssetWriter
             yield return string.Join('/', parts.Take(count));
     }
 
-    // One that is there stays as it is, and so does what refers to the asset.
+    // An existing .meta is kept, and so are references to the asset.
     string WriteMeta(string path, Func<string, string> text)
     {
         if (_files.Guids.GuidOf(path) is string known)

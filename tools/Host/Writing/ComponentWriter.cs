@@ -5,12 +5,12 @@ using Object = UnityEngine.Object;
 namespace Glint.Host;
 
 /// <summary>
-/// Writes GameObjects and their components with all the keys that Unity 6000.0 has,
-/// those that nothing here knows with Unity's defaults.
+/// Writes GameObjects and their components with all keys of Unity 6000.0. Keys that the host does not know get Unity's
+/// defaults.
 /// </summary>
 internal sealed class ComponentWriter
 {
-    // All of the editor's static flags: GameObject.isStatic knows them only together.
+    // All of the editor's static flags; GameObject.isStatic means all of them.
     const int AllStatic = int.MaxValue;
 
     readonly YamlWriter _yaml;
@@ -27,7 +27,7 @@ internal sealed class ComponentWriter
         _scripts = scripts;
     }
 
-    /// <param name="name">The object's, or another that it is to have in the file.</param>
+    /// <param name="name">Name of the object in the file.</param>
     internal void Write(GameObject item, string name)
     {
         Begin(item, ClassId.GameObject, "GameObject");
@@ -43,7 +43,7 @@ internal sealed class ComponentWriter
         _yaml.Field("m_IsActive", item.activeSelf);
     }
 
-    /// <exception cref="UnityException">A component of a kind that only Unity writes.</exception>
+    /// <exception cref="UnityException">Only Unity writes a component of this kind.</exception>
     internal void Write(Component component, bool isRoot)
     {
         switch (component)
@@ -75,7 +75,7 @@ internal sealed class ComponentWriter
         }
     }
 
-    /// <summary>What comes before the fields of a script's own.</summary>
+    /// <summary>Keys before the fields of a script.</summary>
     internal static void Script(YamlWriter yaml, Object script, bool isEnabled, string guid, string name)
     {
         yaml.Field("m_Enabled", isEnabled);
@@ -85,7 +85,7 @@ internal sealed class ComponentWriter
         yaml.Field("m_EditorClassIdentifier", "");
     }
 
-    /// <summary>What every object begins with.</summary>
+    /// <summary>Keys that begin every object.</summary>
     internal static void Head(YamlWriter yaml, Object item)
     {
         yaml.Field("m_ObjectHideFlags", (int)item.hideFlags);

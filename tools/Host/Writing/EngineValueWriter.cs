@@ -4,10 +4,12 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>Structs of the engine and of Unity.Mathematics, as <see cref="EngineValues"/> reads them.</summary>
+/// <summary>
+/// Structs of the engine and of Unity.Mathematics, in the form that <see cref="EngineValues"/> reads.
+/// </summary>
 internal static class EngineValueWriter
 {
-    /// <summary>A struct that stands in one line; null for those that take several.</summary>
+    /// <summary>A struct written in one line; null for structs of several lines.</summary>
     internal static string Line(object value) => value switch
     {
         Vector2 v => Line("xy", v.x, v.y),
@@ -21,7 +23,7 @@ internal static class EngineValueWriter
     };
 
     /// <summary>
-    /// The lines of a struct that takes several; false for one whose fields are written by their names.
+    /// Writes a struct of several lines; false for a struct whose fields are written with their names.
     /// </summary>
     internal static bool Write(YamlWriter yaml, object value)
     {
@@ -60,9 +62,7 @@ internal static class EngineValueWriter
         yaml.Field("m_Extent", Line(box.extents));
     }
 
-    /// <summary>
-    /// The fields of any other struct of Unity.Mathematics, which are all public and make up the whole of it.
-    /// </summary>
+    /// <summary>The fields of any other struct of Unity.Mathematics. All are public.</summary>
     internal static FieldInfo[] Fields(System.Type type) =>
         type.GetFields(BindingFlags.Instance | BindingFlags.Public).OrderBy(field => field.MetadataToken).ToArray();
 

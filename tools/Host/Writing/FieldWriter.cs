@@ -6,10 +6,10 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Writes the serialized fields of a script, as <see cref="FieldReader"/> reads them.</summary>
+/// <summary>Writes the serialized fields of a script in the form that <see cref="FieldReader"/> reads.</summary>
 internal sealed class FieldWriter
 {
-    // Unity cuts nested serializable classes off at this depth.
+    // Unity ignores nested serializable classes below this depth.
     const int MaxDepth = 10;
 
     readonly YamlWriter _yaml;
@@ -71,7 +71,7 @@ internal sealed class FieldWriter
     static bool IsTooDeep(Type type, int depth) =>
         depth >= MaxDepth && !typeof(Object).IsAssignableFrom(type) && !SerializedFields.IsPlain(type);
 
-    // Null for what takes several lines.
+    // Null for values of several lines.
     string Line(object value, Type type, string path)
     {
         if (typeof(Object).IsAssignableFrom(type))
@@ -88,7 +88,7 @@ internal sealed class FieldWriter
         };
     }
 
-    // A class is never null in a file: it has the values of a new one.
+    // A class is never null in a file: it has the values of a new object.
     void Contents(object value, Type type, int depth)
     {
         object contents = value ?? Activator.CreateInstance(type, true);

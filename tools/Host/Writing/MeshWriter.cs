@@ -8,7 +8,7 @@ using UnityEngine.Rendering;
 namespace Glint.Host;
 
 /// <summary>
-/// Writes a mesh as <see cref="MeshRecord"/> reads it: one stream of float32 channels, and the indices.
+/// Writes a mesh in the form that <see cref="MeshRecord"/> reads: one stream of float32 channels, and the indices.
 /// </summary>
 internal static class MeshWriter
 {
@@ -113,8 +113,8 @@ internal static class MeshWriter
         return channels;
     }
 
-    // How many components a texture coordinate was given with is not kept;
-    // those after its last that is not 0 are left out.
+    // The mesh does not keep the number of components of a texture coordinate; trailing components that are 0
+    // everywhere are left out.
     static int TextureDimension(Vector4[] values)
     {
         int dimension = values.Length > 0 ? 2 : 0;
@@ -136,7 +136,7 @@ internal static class MeshWriter
                 BinaryPrimitives.WriteUInt16LittleEndian(bytes, (ushort)indices[index]);
         });
 
-    // A piece at a time: a mesh of millions of vertices would take its size several times over as one text.
+    // Written in pieces, since the text of a mesh of millions of vertices would take several times its size.
     static void Hex(TextWriter text, int count, int itemBytes, FillItem fill)
     {
         int capacity = Math.Max(1, ChunkBytes / Math.Max(1, itemBytes));

@@ -4,7 +4,7 @@ using System.Text;
 
 namespace Glint.Host;
 
-/// <summary>The .meta of what is written: a guid and the importer with its defaults.</summary>
+/// <summary>The .meta of a written asset: a guid and the importer with its defaults.</summary>
 internal static class MetaText
 {
     internal static string OfFolder(string guid) => Text(guid, "folderAsset: yes\nDefaultImporter", "");
@@ -15,10 +15,12 @@ internal static class MetaText
         Text(guid, "NativeFormatImporter", $"  mainObjectFileID: {mainFileId}\n");
 
     /// <summary>
-    /// A guid for a new asset, made of its path, where Unity takes a random one:
-    /// whoever makes the same assets again from a clean tree gets the same files, and what refers to them stays right.
+    /// A guid for a new asset, derived from its path; Unity takes a random one. Assets that are generated again get
+    /// the same guids, so that references to them remain valid.
     /// </summary>
-    /// <param name="isTaken">A file that was moved keeps its guid, so that one at its old place needs another.</param>
+    /// <param name="isTaken">
+    /// True for a guid in use: a moved file keeps its guid, so a new file at its old path needs another.
+    /// </param>
     internal static string NewGuid(string assetPath, Func<string, bool> isTaken)
     {
         string guid;

@@ -8,13 +8,13 @@ using Object = UnityEngine.Object;
 namespace Glint.Host;
 
 /// <summary>
-/// The ids of a prefab's objects, made of each one's path and type: the same hierarchy gets the same ids again,
-/// and what is added or taken away leaves those of the others, by which scenes refer to them.
-/// The root's own name is not part of it.
+/// The ids of a prefab's objects, derived from each object's path and type. The same hierarchy gets the same ids
+/// again, and a change of one object keeps the ids of the others, which scenes refer to. The root's name does not
+/// matter.
 /// </summary>
 internal static class PrefabIds
 {
-    /// <summary>In the order of the hierarchy, each object followed by its components.</summary>
+    /// <summary>Ids in the order of the hierarchy, each object followed by its components.</summary>
     internal static Dictionary<Object, long> Of(GameObject root)
     {
         Dictionary<Object, long> ids = new(ReferenceEqualityComparer.Instance);
@@ -35,7 +35,7 @@ internal static class PrefabIds
             Add(node.GetChild(index), $"{path}/{Numbered(node.GetChild(index).name, seen)}", ids, taken);
     }
 
-    // The first of a name is without number, so that one more of it does not change it.
+    // The first object of a name has no number, so that a second one does not change its id.
     static string Numbered(string name, Dictionary<string, int> seen)
     {
         int number = seen[name] = seen.GetValueOrDefault(name) + 1;

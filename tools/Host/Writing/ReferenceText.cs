@@ -5,12 +5,12 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>References as one file writes them: its own objects by their ids, assets by guid and id.</summary>
+/// <summary>Writes the references of one file: its own objects by id, assets by guid and id.</summary>
 internal sealed class ReferenceText
 {
     internal const string None = "{fileID: 0}";
 
-    // How Unity says where an asset's objects come from: built in, the file itself, an importer.
+    // Unity's code for the source of an asset's objects: built in, the file itself, an importer.
     const int BuiltIn = 0, Native = 2, Imported = 3;
 
     readonly GuidIndex _guids;
@@ -22,8 +22,8 @@ internal sealed class ReferenceText
         _ownIds = ownIds;
     }
 
-    /// <param name="path">Where in the holder the reference stands.</param>
-    /// <exception cref="UnityException">The object is in neither, and the file could not name it.</exception>
+    /// <param name="path">Property path of the reference in the holder.</param>
+    /// <exception cref="UnityException">The object is neither in the file nor an asset.</exception>
     internal string Of(Object target, Object holder, string path)
     {
         if (Object.IsNull(target))

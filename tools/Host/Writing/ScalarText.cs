@@ -5,20 +5,20 @@ using System.Text;
 
 namespace Glint.Host;
 
-/// <summary>Numbers and text in one line of YAML, so that they are read back as they were.</summary>
+/// <summary>Numbers and text as YAML scalars that read back unchanged.</summary>
 internal static class ScalarText
 {
-    // What YAML would take for something else at the beginning of a plain text.
+    // Characters with a YAML meaning at the beginning of a plain text.
     const string Indicators = "-?:,[]{}#&*!|>'\"%@`~";
 
-    /// <summary>The shortest digits that give the same number again.</summary>
+    /// <summary>The shortest digits that read back as the same number.</summary>
     internal static string Of(float value) =>
         Special(value) ?? Digits(value.ToString("R", CultureInfo.InvariantCulture), value);
 
     internal static string Of(double value) =>
         Special(value) ?? value.ToString("R", CultureInfo.InvariantCulture).Replace('E', 'e');
 
-    /// <summary>Plain where YAML allows, else in quotes; what is no printable ASCII as escapes.</summary>
+    /// <summary>Plain where YAML allows it, else in quotes. Characters outside printable ASCII are escaped.</summary>
     internal static string Of(string text)
     {
         if (string.IsNullOrEmpty(text))
@@ -45,7 +45,7 @@ internal static class ScalarText
     static string Escaped(string text)
     {
         StringBuilder quoted = new("\"");
-        // Half of a pair of surrogates is no character, and comes out as the one that stands for such.
+        // Half of a surrogate pair is not a character; it becomes the replacement character.
         foreach (Rune letter in text.EnumerateRunes())
         {
             quoted.Append(letter.Value switch

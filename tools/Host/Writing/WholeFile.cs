@@ -6,15 +6,15 @@ using UnityEngine;
 namespace Glint.Host;
 
 /// <summary>
-/// Writes a file whole or not at all: beside its place first,
-/// under a name that Unity does not import, then moved there.
+/// Writes a file completely or not at all: first beside its place, under a name that Unity does not import, then moved
+/// there.
 /// </summary>
 internal static class WholeFile
 {
     static readonly UTF8Encoding _encoding = new(encoderShouldEmitUTF8Identifier: false);
 
-    /// <param name="shownPath">For messages.</param>
-    /// <exception cref="UnityException">The system refuses.</exception>
+    /// <param name="shownPath">Path for messages.</param>
+    /// <exception cref="UnityException">The file cannot be written.</exception>
     internal static void Write(string physicalPath, string shownPath, Action<TextWriter> write)
     {
         string draft = Path.Combine(Path.GetDirectoryName(physicalPath),

@@ -5,8 +5,8 @@ using System.IO;
 namespace Glint.Host;
 
 /// <summary>
-/// Unity's kind of YAML, line by line: two spaces a level,
-/// and the dash of a list's item at the indent of the list's key.
+/// Writes Unity's form of YAML line by line: two spaces a level, and the dash of a list's item at the indent of the
+/// list's key.
 /// </summary>
 internal sealed class YamlWriter
 {
@@ -24,7 +24,7 @@ internal sealed class YamlWriter
         _text.WriteLine("%TAG !u! tag:unity3d.com,2011:");
     }
 
-    /// <summary>Begins an object, and ends the one before.</summary>
+    /// <summary>Begins an object and ends the previous one.</summary>
     internal void Object(int classId, long fileId, string typeName)
     {
         _text.WriteLine(string.Create(CultureInfo.InvariantCulture, $"--- !u!{classId} &{fileId}"));
@@ -32,7 +32,7 @@ internal sealed class YamlWriter
         _indent = Step;
     }
 
-    /// <param name="value">As it is to stand in the file; empty for an empty text.</param>
+    /// <param name="value">Value as written in the file; empty for an empty text.</param>
     internal void Field(string key, string value)
     {
         Indent();
@@ -60,8 +60,8 @@ internal sealed class YamlWriter
         _indent -= Step;
     }
 
-    /// <summary>A list of structs, or of what stands in one line.</summary>
-    /// <param name="writeItem">Is given the number of an item.</param>
+    /// <summary>Writes a list of structs or of one-line values.</summary>
+    /// <param name="writeItem">Called with the index of an item.</param>
     internal void List(string key, int count, Action<int> writeItem)
     {
         if (count == 0)
@@ -79,7 +79,7 @@ internal sealed class YamlWriter
         _indent -= Step;
     }
 
-    /// <summary>An item of a list that is no struct.</summary>
+    /// <summary>Writes an item of a list of one-line values.</summary>
     internal void Item(string value)
     {
         Indent();

@@ -5,7 +5,7 @@ using YamlDotNet.Core.Events;
 namespace Glint.Host;
 
 /// <summary>
-/// Lets pass what Unity writes: no anchors or aliases, and no nesting so deep that reading it would overflow the stack.
+/// Passes only Unity's subset of YAML: no anchors or aliases, and no nesting deep enough to overflow the stack.
 /// </summary>
 internal sealed class DepthGuard : IParser
 {
@@ -32,7 +32,7 @@ internal sealed class DepthGuard : IParser
         return true;
     }
 
-    // The parser stumbles over some unfinished structures with an exception that says nothing of them.
+    // The parser answers some unfinished structures with an exception without a useful message.
     bool MoveParser()
     {
         try

@@ -7,8 +7,8 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// The fields of an object, or of a struct in it. What is absent takes its default, as in Unity;
-/// what is there and of the wrong kind is refused by name.
+/// The fields of an object or of a nested struct. An absent field has its default, as in Unity; a field of the wrong
+/// kind is refused by name.
 /// </summary>
 internal readonly struct FieldMap
 {
@@ -38,7 +38,7 @@ internal readonly struct FieldMap
             ? (long)value : throw Wrong(key, "a whole number of 64 bits", text);
     }
 
-    /// <summary>A mask of 32 bits, as a signed or an unsigned number.</summary>
+    /// <summary>A 32-bit mask, written as a signed or an unsigned number.</summary>
     internal int Bits(string key, int absent)
     {
         long value = Integer(key, absent);
@@ -47,7 +47,7 @@ internal readonly struct FieldMap
             : throw Wrong(key, "a mask of 32 bits", value.ToString());
     }
 
-    /// <summary>An integer that takes part in sizes and offsets.</summary>
+    /// <summary>An integer used for sizes and offsets.</summary>
     internal int Count(string key, int absent = 0)
     {
         long value = Integer(key, absent);
@@ -75,7 +75,7 @@ internal readonly struct FieldMap
             : throw Wrong(key, "a reference {fileID: ...}", node.ToString());
     }
 
-    /// <summary>A nested struct; empty when absent.</summary>
+    /// <summary>A nested struct; empty if absent.</summary>
     internal FieldMap Map(string key) => Node.Child(key) switch
     {
         YamlMappingNode map => new FieldMap(_record, map, PathOf(key) + "."),
@@ -83,7 +83,7 @@ internal readonly struct FieldMap
         _ => new FieldMap(_record, new YamlMappingNode(), PathOf(key) + "."),
     };
 
-    /// <summary>The structs of a list; none when absent.</summary>
+    /// <summary>The structs of a list; none if absent.</summary>
     internal IReadOnlyList<FieldMap> Maps(string key)
     {
         FieldMap self = this;

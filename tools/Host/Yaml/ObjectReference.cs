@@ -4,8 +4,8 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// <c>{fileID: N}</c>, an object of the same file, or <c>{fileID: N, guid: G, type: T}</c>,
-/// one of the file whose .meta has the guid.
+/// <c>{fileID: N}</c>, an object of the same file, or <c>{fileID: N, guid: G, type: T}</c>, an object of the file
+/// whose .meta has the guid.
 /// </summary>
 internal readonly record struct ObjectReference(long FileId, string Guid = null)
 {

@@ -6,7 +6,7 @@ namespace Glint.Host;
 /// <summary>Numbers as Unity writes them.</summary>
 internal static class Scalars
 {
-    /// <summary>As large as it may be: what fits is for the field to say.</summary>
+    /// <summary>A number of any size; the field checks the range.</summary>
     internal static bool TryInteger(string text, out Int128 value) =>
         Int128.TryParse(text, NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value);
 
@@ -23,7 +23,7 @@ internal static class Scalars
         return isWord;
     }
 
-    // Which word is written depends on the version and on the system.
+    // The word depends on Unity's version and on the system.
     static bool TryWord(string text, out double value)
     {
         string word = (text ?? "").ToLowerInvariant();

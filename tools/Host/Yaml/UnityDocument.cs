@@ -8,8 +8,8 @@ using YamlDotNet.RepresentationModel;
 namespace Glint.Host;
 
 /// <summary>
-/// One object of a Unity file, <c>--- !u!CLASS &amp;ID</c> and what follows. Its content is read when it is asked for,
-/// so that objects of no interest cost nothing.
+/// One object of a Unity file: <c>--- !u!CLASS &amp;ID</c> and its content. The content is parsed on demand, so that
+/// unused objects cost nothing.
 /// </summary>
 internal sealed class UnityDocument
 {
@@ -36,10 +36,10 @@ internal sealed class UnityDocument
 
     internal long Id { get; }
 
-    /// <summary>A stand-in for an object of a prefab instance.</summary>
+    /// <summary>True for a stand-in for an object of a prefab instance.</summary>
     internal bool IsStripped { get; }
 
-    /// <summary>Name of the class, with which the content begins.</summary>
+    /// <summary>Name of the class, at the beginning of the content.</summary>
     internal string TypeName
     {
         get
@@ -73,7 +73,7 @@ internal sealed class UnityDocument
         }
         catch (ArgumentException error)
         {
-            // The node model's answer to a document that ends where it expects a value.
+            // The parser's exception for a document that ends where a value is expected.
             throw Damaged(1, "ends too early", error);
         }
 

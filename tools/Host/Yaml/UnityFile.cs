@@ -6,7 +6,7 @@ using Glint.Core;
 namespace Glint.Host;
 
 /// <summary>
-/// The objects of a scene, prefab or asset file, cut at their headers by hand, for these are no plain YAML.
+/// The objects of a scene, prefab or asset file. The headers are parsed here, since they are not standard YAML.
 /// </summary>
 internal sealed class UnityFile
 {
@@ -22,7 +22,7 @@ internal sealed class UnityFile
 
     internal IReadOnlyList<UnityDocument> Documents => _documents;
 
-    /// <exception cref="GlintException">A header that is none, or two objects of one id.</exception>
+    /// <exception cref="GlintException">A header is malformed, or two objects have the same id.</exception>
     internal static UnityFile Parse(string text, string shownPath)
     {
         UnityFile file = new(shownPath);
@@ -75,7 +75,7 @@ internal sealed class UnityFile
                 CultureInfo.InvariantCulture, out long id) && id != 0)
             return new Header(classId, id, isStripped, content, line);
         ReadOnlySpan<char> shown = header[..Math.Min(header.Length, ShownCharacters)];
-        throw Damaged(line, $"'{shown}' is no header of the form '--- !u!CLASS &ID'");
+        throw Damaged(line, $"'{shown}' is not a header of the form '--- !u!CLASS &ID'");
     }
 
     GlintException Damaged(int line, string what) => new($"{ShownPath}:{line}: damaged: {what}: restore the file");

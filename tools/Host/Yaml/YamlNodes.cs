@@ -5,7 +5,7 @@ using YamlDotNet.RepresentationModel;
 
 namespace Glint.Host;
 
-/// <summary>What the loader does with bare YAML nodes: look up, copy, tell empty from full.</summary>
+/// <summary>Operations on YAML nodes: look-up, copy, test for emptiness.</summary>
 internal static class YamlNodes
 {
     internal static YamlNode Child(this YamlMappingNode map, string key) =>
@@ -14,11 +14,11 @@ internal static class YamlNodes
     internal static void Set(this YamlMappingNode map, string key, YamlNode value) =>
         map.Children[new YamlScalarNode(key)] = value;
 
-    /// <summary>Items of a list; none where the key is absent or no list.</summary>
+    /// <summary>Items of a list; none if the key is absent or not a list.</summary>
     internal static IList<YamlNode> Items(this YamlMappingNode map, string key) =>
         map.Child(key) is YamlSequenceNode list ? list.Children : Array.Empty<YamlNode>();
 
-    /// <summary>The list under a key, put there when it is absent.</summary>
+    /// <summary>The list under a key, added if absent.</summary>
     internal static YamlSequenceNode ListAt(this YamlMappingNode map, string key)
     {
         if (map.Child(key) is YamlSequenceNode list)
@@ -31,7 +31,7 @@ internal static class YamlNodes
     internal static bool IsEmpty(this YamlNode node) => node is null or YamlScalarNode { Value: null or "" };
 
     /// <summary>
-    /// Entries of the maps and lists that <see cref="Clone"/> makes anew: what a copy takes of memory.
+    /// Number of entries of maps and lists that <see cref="Clone"/> copies: a measure of a copy's memory.
     /// </summary>
     internal static long CopySize(this YamlNode node) => node switch
     {
@@ -41,8 +41,8 @@ internal static class YamlNodes
     };
 
     /// <summary>
-    /// A copy, its references within the file renamed. Scalars and maps of scalars it shares with the original:
-    /// nobody changes them in place.
+    /// A copy with the file's own references renamed. Scalars and maps of scalars are shared with the original; they
+    /// are never changed in place.
     /// </summary>
     internal static YamlNode Clone(this YamlNode node, Func<long, long> rename) => node switch
     {
@@ -54,7 +54,7 @@ internal static class YamlNodes
         _ => node,
     };
 
-    /// <summary>The fields of an object for another object: a map of its own.</summary>
+    /// <summary>The fields of an object for a copy of it, in a new map.</summary>
     internal static YamlMappingNode CloneFields(this YamlMappingNode map, Func<long, long> rename) =>
         new(map.Children.Select(child => KeyValuePair.Create(child.Key, child.Value.Clone(rename))));
 

@@ -45,14 +45,14 @@ public partial struct float3x3
     public static float3x3 Scale(float3 v) => Scale(v.x, v.y, v.z);
     public static float3x3 Scale(float x, float y, float z) => new(x, 0f, 0f, 0f, y, 0f, 0f, 0f, z);
 
-    /// <summary>Both vectors of length 1 and not parallel.</summary>
+    /// <summary>Both vectors have length 1 and are not parallel.</summary>
     public static float3x3 LookRotation(float3 forward, float3 up)
     {
         float3 side = normalize(cross(up, forward));
         return new float3x3(side, cross(forward, side), forward);
     }
 
-    /// <summary>Of any vectors; no rotation where they do not make one.</summary>
+    /// <summary>For any vectors; no rotation if they do not define one.</summary>
     public static float3x3 LookRotationSafe(float3 forward, float3 up)
     {
         float3 ahead = normalize(forward);

@@ -53,7 +53,7 @@ public static partial class math
 
     public static int reversebits(int x) => (int)reversebits((uint)x);
 
-    /// <summary>0 for zero and for what has no power of two above it.</summary>
+    /// <summary>0 for zero and for numbers without a power of two above them.</summary>
     public static uint ceilpow2(uint x) => BitOperations.RoundUpToPowerOf2(x);
     public static ulong ceilpow2(ulong x) => BitOperations.RoundUpToPowerOf2(x);
     public static int ceilpow2(int x) => (int)ceilpow2((uint)x);

@@ -8,10 +8,10 @@ public static partial class math
     public static bool isinf(double x) => double.IsInfinity(x);
     public static bool isnan(double x) => double.IsNaN(x);
 
-    /// <summary>Of a number and NaN, the number.</summary>
+    /// <summary>NaN is ignored if the other argument is a number.</summary>
     public static double min(double x, double y) => double.IsNaN(y) || x < y ? x : y;
 
-    /// <summary>Of a number and NaN, the number.</summary>
+    /// <summary>NaN is ignored if the other argument is a number.</summary>
     public static double max(double x, double y) => double.IsNaN(y) || x > y ? x : y;
 
     public static double abs(double x) => Math.Abs(x);
@@ -43,7 +43,7 @@ public static partial class math
     /// <summary>0 for zero and for NaN.</summary>
     public static double sign(double x) => (x > 0.0 ? 1.0 : 0.0) - (x < 0.0 ? 1.0 : 0.0);
 
-    /// <summary>Half a unit goes to the even neighbour.</summary>
+    /// <summary>Rounds half to even.</summary>
     public static double round(double x) => Math.Round(x);
     public static double floor(double x) => Math.Floor(x);
     public static double ceil(double x) => Math.Ceiling(x);

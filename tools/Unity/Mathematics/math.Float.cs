@@ -8,10 +8,10 @@ public static partial class math
     public static bool isinf(float x) => float.IsInfinity(x);
     public static bool isnan(float x) => float.IsNaN(x);
 
-    /// <summary>Of a number and NaN, the number.</summary>
+    /// <summary>NaN is ignored if the other argument is a number.</summary>
     public static float min(float x, float y) => float.IsNaN(y) || x < y ? x : y;
 
-    /// <summary>Of a number and NaN, the number.</summary>
+    /// <summary>NaN is ignored if the other argument is a number.</summary>
     public static float max(float x, float y) => float.IsNaN(y) || x > y ? x : y;
 
     public static float abs(float x) => Math.Abs(x);
@@ -43,7 +43,7 @@ public static partial class math
     /// <summary>0 for zero and for NaN.</summary>
     public static float sign(float x) => (x > 0f ? 1f : 0f) - (x < 0f ? 1f : 0f);
 
-    /// <summary>Half a unit goes to the even neighbour.</summary>
+    /// <summary>Rounds half to even.</summary>
     public static float round(float x) => MathF.Round(x);
     public static float floor(float x) => MathF.Floor(x);
     public static float ceil(float x) => MathF.Ceiling(x);
@@ -88,6 +88,6 @@ public static partial class math
     public static float radians(float x) => x * TORADIANS;
     public static float degrees(float x) => x * TODEGREES;
 
-    /// <summary>The sign of y put upon the sign of x.</summary>
+    /// <summary>Multiplies the sign of x by the sign of y.</summary>
     public static float chgsign(float x, float y) => asfloat(asuint(x) ^ (asuint(y) & 0x80000000u));
 }

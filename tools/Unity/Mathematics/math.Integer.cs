@@ -36,7 +36,7 @@ public static partial class math
     public static ulong mad(ulong mulA, ulong mulB, ulong addC) => mulA * mulB + addC;
     public static ulong select(ulong falseValue, ulong trueValue, bool test) => test ? trueValue : falseValue;
 
-    // Not Math.Abs, which throws for the least integer.
+    // Math.Abs is not used, since it throws for the smallest integer.
     public static int abs(int x) => max(-x, x);
     public static long abs(long x) => max(-x, x);
     public static int sign(int x) => (x > 0 ? 1 : 0) - (x < 0 ? 1 : 0);

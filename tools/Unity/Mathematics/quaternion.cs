@@ -17,8 +17,8 @@ public partial struct quaternion : IEquatable<quaternion>, IFormattable
     }
 
     /// <summary>
-    /// Of orthonormal columns with determinant 1. The largest component comes from a root,
-    /// so none is lost to cancellation.
+    /// From orthonormal columns with determinant 1. The largest component is calculated by a square root, so that none
+    /// is lost to cancellation.
     /// </summary>
     public quaternion(float3x3 m)
     {
@@ -78,10 +78,10 @@ public partial struct quaternion : IEquatable<quaternion>, IFormattable
         _ => identity,
     };
 
-    /// <summary>Both vectors of length 1 and not parallel.</summary>
+    /// <summary>Both vectors have length 1 and are not parallel.</summary>
     public static quaternion LookRotation(float3 forward, float3 up) => new(float3x3.LookRotation(forward, up));
 
-    /// <summary>Of any vectors; no rotation where they do not make one.</summary>
+    /// <summary>For any vectors; no rotation if they do not define one.</summary>
     public static quaternion LookRotationSafe(float3 forward, float3 up) => new(float3x3.LookRotationSafe(forward, up));
 
     public bool Equals(quaternion x) => value.Equals(x.value);

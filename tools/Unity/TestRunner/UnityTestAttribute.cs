@@ -29,7 +29,7 @@ public class UnityTestAttribute : CombiningStrategyAttribute, ISimpleTestBuilder
             test.MakeInvalid("a method with [UnityTest] must return IEnumerator");
     }
 
-    // Called when a test is about to run: from here on its method, once called, is stepped to its end.
+    // Called before a test runs; its method, once called, is then stepped to its end.
     TestCommand ICommandWrapper.Wrap(TestCommand command)
     {
         var test = command.Test;

@@ -8,7 +8,7 @@ public enum TrickleDown
     TrickleDown,
 }
 
-/// <summary>Events are raised by tests only: there is neither a pointer nor a panel.</summary>
+/// <summary>Only tests raise events: there is no pointer and no panel.</summary>
 public abstract class EventBase
 {
 }

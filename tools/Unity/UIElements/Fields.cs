@@ -19,7 +19,7 @@ public static class INotifyValueChangedExtensions
         return true;
     }
 
-    /// <summary>Sets a control's value and tells of it if it is another one.</summary>
+    /// <summary>Sets a control's value and notifies of a change.</summary>
     internal static void Set<T>(this INotifyValueChanged<T> control, ref T value, T newValue)
     {
         T previous = value;

@@ -21,7 +21,7 @@ public class MeshGenerationContext
     public Painter2D painter2D { get; } = new();
 }
 
-/// <summary>Counts the shapes instead of drawing them, and notes the corners that are no numbers.</summary>
+/// <summary>Counts the shapes instead of drawing them, and records corners that are not numbers.</summary>
 public class Painter2D
 {
     public float lineWidth { get; set; }

@@ -17,7 +17,7 @@ public interface IVisualElementScheduledItem
     IVisualElementScheduledItem Every(long intervalMs);
 }
 
-/// <summary>Keeps what is to be done later; a test does it.</summary>
+/// <summary>Stores scheduled actions; a test runs them.</summary>
 internal sealed class Scheduler : IVisualElementScheduler
 {
     readonly List<ScheduledItem> _items;
@@ -36,7 +36,7 @@ internal sealed class ScheduledItem : IVisualElementScheduledItem
 {
     internal Action Run { get; init; }
 
-    /// <summary>How often the item was put off.</summary>
+    /// <summary>Number of times the item was postponed.</summary>
     internal int Delays { get; private set; }
 
     public void ExecuteLater(long delayMs) => Delays++;

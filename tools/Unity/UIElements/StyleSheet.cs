@@ -1,6 +1,6 @@
 namespace UnityEngine.UIElements;
 
-/// <summary>Style sheets are not read: no asset of the project is one here.</summary>
+/// <summary>Style sheets are not loaded by the host.</summary>
 public class StyleSheet : ScriptableObject
 {
 }

@@ -10,7 +10,9 @@ public enum PickingMode
     Ignore,
 }
 
-/// <summary>A node of the tree. Nothing is laid out or drawn: a test sets the size and calls what draws.</summary>
+/// <summary>
+/// A node of the tree. Nothing is laid out or drawn: a test sets the size and calls the drawing callbacks.
+/// </summary>
 public class VisualElement : Focusable
 {
     readonly List<VisualElement> _children = new();
@@ -80,10 +82,10 @@ public class VisualElement : Focusable
     {
     }
 
-    /// <summary>The element and all below it, parents first.</summary>
+    /// <summary>The element and its descendants, parents first.</summary>
     internal IEnumerable<VisualElement> Tree() => _children.SelectMany(child => child.Tree()).Prepend(this);
 
-    /// <summary>Draws the element alone, and gives what was drawn.</summary>
+    /// <summary>Draws only the element, and returns the drawing.</summary>
     internal Painter2D Paint()
     {
         var context = new MeshGenerationContext();

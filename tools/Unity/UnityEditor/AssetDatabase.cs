@@ -13,7 +13,7 @@ public sealed class AssetDatabase
     public static T LoadAssetAtPath<T>(string assetPath)
         where T : Object => (T)LoadAssetAtPath(assetPath, typeof(T));
 
-    /// <summary>Null where there is no such asset.</summary>
+    /// <summary>Null if there is no asset.</summary>
     public static Object LoadAssetAtPath(string assetPath, Type type)
     {
         if (string.IsNullOrEmpty(assetPath) || !AssetPathExists(assetPath))
@@ -26,7 +26,7 @@ public sealed class AssetDatabase
 
     public static Object LoadMainAssetAtPath(string assetPath) => LoadAssetAtPath(assetPath, typeof(Object));
 
-    /// <summary>Only the material that new objects have; null for others.</summary>
+    /// <summary>Only the default material of new objects; null for others.</summary>
     public static T GetBuiltinExtraResource<T>(string path)
         where T : Object => (T)GetBuiltinExtraResource(typeof(T), path);
 
@@ -46,9 +46,7 @@ public sealed class AssetDatabase
 
     public static string AssetPathToGUID(string path) => Engine.Assets?.PathToGuid(path) ?? "";
 
-    /// <summary>
-    /// Writes at once. The folder must be there; an asset that is there is replaced and keeps its guid.
-    /// </summary>
+    /// <summary>Writes immediately. The folder must exist; an existing asset is replaced and keeps its guid.</summary>
     /// <exception cref="UnityException">The asset cannot be written there.</exception>
     public static void CreateAsset(Object asset, string path)
     {
@@ -61,8 +59,8 @@ public sealed class AssetDatabase
     }
 
     /// <summary>
-    /// The new folder's guid; empty, with an error in the log, where it could not be made.
-    /// A name that is taken gets a number.
+    /// The new folder's guid; empty, with an error in the log, if it could not be made. A number is added to a name in
+    /// use.
     /// </summary>
     public static string CreateFolder(string parentFolder, string newFolderName)
     {

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace UnityEditor;
 
-/// <summary>Nothing is imported here that has settings; a test says which path has which importer.</summary>
+/// <summary>The host has no importers with settings; a test assigns importers to paths.</summary>
 public class AssetImporter : UnityEngine.Object
 {
     public string assetPath { get; internal set; } = "";

@@ -17,7 +17,7 @@ public class CustomEditor : Attribute
     internal Type InspectedType { get; }
 }
 
-/// <summary>An inspector; a test makes one and looks at its tree.</summary>
+/// <summary>An inspector; a test creates one and examines its tree.</summary>
 public class Editor : ScriptableObject
 {
     SerializedObject _serialized;
@@ -32,7 +32,7 @@ public class Editor : ScriptableObject
 
     public static Editor CreateEditor(Object targetObject) => CreateEditor(new[] { targetObject });
 
-    /// <summary>Null where no editor is meant for the first object's type.</summary>
+    /// <summary>Null if no editor is registered for the first object's type.</summary>
     public static Editor CreateEditor(Object[] targetObjects)
     {
         Type inspected = targetObjects[0].GetType();

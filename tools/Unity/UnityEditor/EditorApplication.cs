@@ -51,7 +51,7 @@ public sealed class EditorApplication
     {
     }
 
-    /// <summary>Ends the process, unless the host has something else in mind.</summary>
+    /// <summary>Ends the process, unless the host replaces the action.</summary>
     public static void Exit(int returnValue)
     {
         quitting?.Invoke();

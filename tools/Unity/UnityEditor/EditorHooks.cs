@@ -2,17 +2,17 @@ using System;
 
 namespace Glint.Host;
 
-/// <summary>What the host may replace of the editor's doings.</summary>
+/// <summary>Editor functions that the host may replace.</summary>
 public static class EditorHooks
 {
-    /// <summary>Called by EditorApplication.Exit with the exit code; returns when the process is to live on.</summary>
+    /// <summary>Called by EditorApplication.Exit with the exit code; returns if the process continues.</summary>
     public static Action<int> Exit { get; set; } = Environment.Exit;
 
     /// <summary>
-    /// Told how far a progress bar is, null when it goes; whether somebody pressed its cancel button.
+    /// Called with the state of a progress bar, null when it closes; returns true if cancel was pressed.
     /// </summary>
     public static Func<float?, bool> ProgressBar { get; set; } = _ => false;
 
-    /// <summary>Given what is asked for; the path that somebody chose, empty for none.</summary>
+    /// <summary>Called with the dialog's title; returns the chosen path, empty for none.</summary>
     public static Func<string, string> FileDialog { get; set; } = _ => "";
 }

@@ -46,7 +46,7 @@ public sealed class EditorSceneManager : SceneManager
 
     public static event SceneOpenedCallback sceneOpened;
 
-    /// <summary>Scenes are never saved here; a test raises the event itself.</summary>
+    /// <summary>Scenes are never saved by the host; a test raises the event.</summary>
     public static event SceneSavingCallback sceneSaving;
 
     public static event SceneClosingCallback sceneClosing;
@@ -57,7 +57,7 @@ public sealed class EditorSceneManager : SceneManager
 
     public static Scene OpenScene(string scenePath) => OpenScene(scenePath, OpenSceneMode.Single);
 
-    /// <summary>Edit mode: the scene is open when this returns. Its path is an asset path.</summary>
+    /// <summary>For edit mode: the scene is open on return. Its path is an asset path.</summary>
     public static Scene OpenScene(string scenePath, OpenSceneMode mode)
     {
         RequireEditMode("OpenScene", "SceneManager.LoadScene() or EditorSceneManager.LoadSceneInPlayMode()");
@@ -94,7 +94,7 @@ public sealed class EditorSceneManager : SceneManager
         return created;
     }
 
-    /// <summary>False where it is the only scene, which stays.</summary>
+    /// <summary>False for the only scene, which remains open.</summary>
     public static bool CloseScene(Scene scene, bool removeScene)
     {
         if (!scene.IsValid() || sceneCount < 2)

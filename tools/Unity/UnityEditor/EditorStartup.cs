@@ -5,11 +5,11 @@ using UnityEditor;
 
 namespace Glint.Host;
 
-/// <summary>What the editor does with the scripts when it has loaded them.</summary>
+/// <summary>The editor's actions after it has loaded the scripts.</summary>
 public static class EditorStartup
 {
     /// <summary>
-    /// Runs the static constructors and methods that ask for it; the host calls it once the project is open.
+    /// Runs the static constructors and methods with the attributes; the host calls it when the project is open.
     /// </summary>
     public static void Run()
     {

@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>There is no window to draw a progress bar in; a test may look at it and press its button.</summary>
+/// <summary>The host has no window for a progress bar; a test may examine it and press its button.</summary>
 public class EditorUtility
 {
     public static void DisplayProgressBar(string title, string info, float progress) =>
@@ -24,14 +24,14 @@ public class EditorUtility
 
     public static void ClearProgressBar() => EditorHooks.ProgressBar(null);
 
-    /// <summary>AssetDatabase writes the asset when it is next told to.</summary>
+    /// <summary>AssetDatabase writes the asset when it next saves.</summary>
     public static void SetDirty(Object target) => target.IsDirty = true;
 
     public static bool IsDirty(Object target) => !Object.IsNull(target) && target.IsDirty;
 
     public static void ClearDirty(Object target) => target.IsDirty = false;
 
-    /// <summary>All serialized contents, the name too; the target is dirty then.</summary>
+    /// <summary>Copies all serialized content including the name; the target becomes dirty.</summary>
     public static void CopySerialized(Object source, Object dest)
     {
         if (source.GetType() != dest.GetType() || source is GameObject)

@@ -5,7 +5,7 @@ using UnityEngine.UIElements;
 
 namespace UnityEditor;
 
-/// <summary>A window that nobody sees: it has its messages, and its tree once it is shown.</summary>
+/// <summary>A window without a display: it receives messages, and has a tree once it is shown.</summary>
 public class EditorWindow : ScriptableObject
 {
     bool _isShown;
@@ -18,7 +18,7 @@ public class EditorWindow : ScriptableObject
 
     public Rect position { get; set; }
 
-    /// <summary>The window of that type, opened if there is none.</summary>
+    /// <summary>The window of a type, opened if there is none.</summary>
     public static T GetWindow<T>()
         where T : EditorWindow
     {

@@ -6,7 +6,7 @@ namespace UnityEditor;
 
 public class FileUtil
 {
-    /// <summary>Where an asset path's file lies on disk; a path that is no asset's stays as it is.</summary>
+    /// <summary>The path on disk of an asset path; other paths are unchanged.</summary>
     public static string GetPhysicalPath(string path)
     {
         if (Engine.Assets is null || string.IsNullOrEmpty(path))
@@ -14,7 +14,7 @@ public class FileUtil
         return Engine.Assets.ToPhysicalPath(path) ?? path;
     }
 
-    /// <summary>The path relative to the project's root; a path outside stays as it is.</summary>
+    /// <summary>The path relative to the project's root; a path outside is unchanged.</summary>
     public static string GetProjectRelativePath(string path)
     {
         string root = ProjectVersion.Root.Replace('\\', '/').TrimEnd('/') + "/";

@@ -17,18 +17,18 @@ public enum StaticEditorFlags
 
 public sealed class GameObjectUtility
 {
-    /// <summary>An object is static in all ways or in none here.</summary>
+    /// <summary>In the host an object has all static flags or none.</summary>
     public static StaticEditorFlags GetStaticEditorFlags(GameObject go) =>
         go.isStatic ? Enum.GetValues<StaticEditorFlags>().Aggregate((all, flag) => all | flag) : 0;
 
-    /// <summary>Any flag left out counts as none.</summary>
+    /// <summary>A missing flag counts as none.</summary>
     public static void SetStaticEditorFlags(GameObject go, StaticEditorFlags flags) =>
         go.isStatic = (flags & StaticEditorFlags.BatchingStatic) != 0;
 
     public static bool AreStaticEditorFlagsSet(GameObject go, StaticEditorFlags flags) =>
         (GetStaticEditorFlags(go) & flags) == flags;
 
-    /// <summary>Below the parent, where it stands, and on its layer.</summary>
+    /// <summary>Sets parent, position and layer.</summary>
     public static void SetParentAndAlign(GameObject child, GameObject parent)
     {
         if (parent == null)
@@ -38,7 +38,7 @@ public sealed class GameObjectUtility
             item.gameObject.layer = parent.layer;
     }
 
-    /// <summary>The name, with a number behind it if a sibling has it.</summary>
+    /// <summary>The name, with a number appended if a sibling has it.</summary>
     public static void EnsureUniqueNameForSibling(GameObject self)
     {
         string name = self.name;

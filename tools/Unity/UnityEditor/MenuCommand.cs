@@ -2,7 +2,7 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>What a menu was opened on.</summary>
+/// <summary>The object of a context menu.</summary>
 public sealed class MenuCommand
 {
     public Object context;

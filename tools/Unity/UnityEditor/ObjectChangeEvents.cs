@@ -4,7 +4,7 @@ public struct ObjectChangeEventStream
 {
 }
 
-/// <summary>Changes are not followed; a test raises the event itself.</summary>
+/// <summary>Changes are not tracked; a test raises the event.</summary>
 public static class ObjectChangeEvents
 {
     public delegate void ObjectChangeEventsHandler(ref ObjectChangeEventStream stream);

@@ -4,12 +4,12 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>Prefabs are written as plain hierarchies: what came from another prefab is written out.</summary>
+/// <summary>Prefabs are written as plain hierarchies without nested instances.</summary>
 public sealed class PrefabUtility
 {
     const string Extension = ".prefab";
 
-    /// <summary>There are no overrides to record: an instance is a plain copy here.</summary>
+    /// <summary>The host has no overrides to record: an instance is a plain copy.</summary>
     public static void RecordPrefabInstancePropertyModifications(Object targetObject)
     {
         if (Object.IsNull(targetObject))
@@ -19,7 +19,7 @@ public sealed class PrefabUtility
     public static GameObject SaveAsPrefabAsset(GameObject instanceRoot, string assetPath) =>
         SaveAsPrefabAsset(instanceRoot, assetPath, out _);
 
-    /// <summary>The prefab; null, with an error in the log, where it could not be written.</summary>
+    /// <summary>The prefab; null, with an error in the log, if it could not be written.</summary>
     public static GameObject SaveAsPrefabAsset(GameObject instanceRoot, string assetPath, out bool success)
     {
         if (Object.IsNull(instanceRoot))

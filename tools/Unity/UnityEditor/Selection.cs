@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>One object at most.</summary>
+/// <summary>At most one object.</summary>
 public sealed class Selection
 {
     public static Action selectionChanged;

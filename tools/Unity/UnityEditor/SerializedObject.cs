@@ -8,8 +8,8 @@ using Object = UnityEngine.Object;
 namespace UnityEditor;
 
 /// <summary>
-/// An object's fields by their names in a file. Here only whether scripts may read a mesh, and the
-/// whole numbers of a script; null for others.
+/// An object's fields by their serialized names. Supports only whether scripts may read a mesh, and the whole numbers
+/// of a script; null for others.
 /// </summary>
 public class SerializedObject : IDisposable
 {
@@ -25,7 +25,7 @@ public class SerializedObject : IDisposable
         && propertyPath == "m_IsReadable"
         ? _readable ??= new SerializedProperty { boolValue = mesh.isReadable } : FindNumber(propertyPath);
 
-    /// <summary>Writes what was set, so that it can be undone; false if nothing was.</summary>
+    /// <summary>Writes changes as an undo step; false without changes.</summary>
     public bool ApplyModifiedProperties()
     {
         if (_number is not null)

@@ -4,7 +4,7 @@ namespace UnityEditor.SceneManagement;
 
 public static class StageUtility
 {
-    /// <summary>There is no stage but the scenes: an object stays where it was made.</summary>
+    /// <summary>The host has no prefab stage: an object remains in its scene.</summary>
     public static void PlaceGameObjectInCurrentStage(GameObject gameObject)
     {
     }

@@ -7,10 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>
-/// Groups of changes that can be taken back, the latest first.
-/// What is recorded is changed as far as the scene file is concerned.
-/// </summary>
+/// <summary>Groups of changes that can be undone, latest first. A recorded object counts as changed.</summary>
 public class Undo
 {
     public delegate void UndoRedoCallback();
@@ -62,14 +59,14 @@ public class Undo
 
     public static void SetCurrentGroupName(string name) => _name = name;
 
-    /// <summary>Makes one group of this and all later ones.</summary>
+    /// <summary>Merges this group and all later ones.</summary>
     public static void CollapseUndoOperations(int groupIndex)
     {
         foreach (Entry entry in _entries.Where(entry => entry.Group > groupIndex))
             entry.Group = groupIndex;
     }
 
-    /// <summary>Takes the latest group back that has changed anything.</summary>
+    /// <summary>Undoes the latest group with changes.</summary>
     public static void PerformUndo()
     {
         if (_entries.Count == 0)
@@ -100,7 +97,7 @@ public class Undo
             scene.IsDirty = true;
     }
 
-    // Where objects stand, and whether they are switched on, others must hear of.
+    // Changes of transforms and active states must be propagated.
     static void Restore(Object target, Object state)
     {
         if (Object.IsNull(target))

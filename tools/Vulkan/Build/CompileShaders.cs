@@ -12,9 +12,8 @@ using Microsoft.Build.Framework;
 using Microsoft.Build.Utilities;
 
 /// <summary>
-/// Compiles every kernel of the given .compute files to SPIR-V with glslangValidator. Each file gets a folder of its
-/// own path below Output, with KERNEL.spv for each of its kernels and sources.json with the SHA-256 of all that was
-/// read for them.
+/// Compiles every kernel of the given .compute files to SPIR-V with glslangValidator. Each file gets a folder with its
+/// own path below Output. It holds KERNEL.spv for each kernel, and sources.json with the SHA-256 of all source files.
 /// </summary>
 public sealed class CompileShaders : Task
 {
@@ -26,7 +25,7 @@ public sealed class CompileShaders : Task
 
     [Required] public ITaskItem[] Sources { get; set; }
 
-    /// <summary>Folder that paths in #include and in the output are relative to.</summary>
+    /// <summary>Base folder of the paths in #include and in the output.</summary>
     [Required] public string Root { get; set; }
 
     [Required] public string Output { get; set; }
@@ -34,7 +33,7 @@ public sealed class CompileShaders : Task
     public override bool Execute()
     {
         if (Directory.Exists(Output))
-            Directory.Delete(Output, true); // kernels that are gone
+            Directory.Delete(Output, true); // removes kernels that no longer exist
         Directory.CreateDirectory(Output);
         for (int i = 0; i < Sources.Length && !Log.HasLoggedErrors; i++)
             Compile(Sources[i].GetMetadata("FullPath"));
@@ -82,7 +81,7 @@ public sealed class CompileShaders : Task
             Report(path, kernel, messages);
             return false;
         }
-        // "OUTPUT: FILE FILE ...", blanks within a name escaped
+        // "OUTPUT: FILE FILE ...", spaces within a name escaped
         string list = File.ReadAllText(dependencies).Trim().Substring(output.Replace(" ", "\\ ").Length + 1);
         foreach (Match file in Regex.Matches(list, @"(?:\\ |\S)+"))
             read.Add(Relative(Path.Combine(Root, file.Value.Replace("\\ ", " "))));

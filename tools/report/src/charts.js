@@ -2,7 +2,7 @@ import uPlot from 'uplot';
 import { number } from './text.js';
 import { seriesColours, theme } from './palette.js';
 
-// Series of a sweep over snapshots and angles, told apart by colour and dash.
+// Series of a sweep over snapshots and angles, distinguished by colour and dash.
 const dashes = [[], [8, 4], [3, 3], [10, 3, 2, 3]];
 
 export const stroke = i => {
@@ -61,7 +61,7 @@ export function draw(element, what) {
     cursor: { drag: { x: false, y: false } },
     hooks: { draw: [mark], ready: [u => u.over.addEventListener('click', () => u.cursor.idx !== null && what.onPick?.(u.cursor.idx))] }
   }, [what.x.values, ...what.series.map(series => series.values)], element);
-  // Edges of a band need no name.
+  // Edges of a band have no name.
   plot.root.querySelectorAll('.u-series').forEach(row => { row.hidden = row.querySelector('.u-label')?.textContent.trim() === ''; });
   plot.root.querySelectorAll('canvas').forEach(canvas => {
     canvas.setAttribute('role', 'img');

@@ -25,7 +25,7 @@ choosePose();
 paint();
 showScene();
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
-// The frame after the one in which all is drawn.
+// The frame after the one in which everything is drawn.
 requestAnimationFrame(() => requestAnimationFrame(() => { document.documentElement.dataset.ready = Math.round(performance.now()); }));
 
 function head() {
@@ -62,7 +62,7 @@ function head() {
 function choosePose() {
   const slider = byId('pose');
   slider.max = Math.max(0, poses.rows.length - 1);
-  // A chart of one point says nothing.
+  // A chart of one point is useless.
   byId('sweep').hidden = poses.rows.length < 2;
   byId('left-out').textContent = poses.leftOut;
   slider.addEventListener('input', () => poses.choose(Number(slider.value)));
@@ -95,8 +95,8 @@ function showScene() {
     return;
   }
   const row = poses.rows[scene.pose], what = capital(poses.name(row));
-  const rays = `${scene.received === 0 ? 'no ray' : plural(scene.received, 'ray')} received${scene.paths.counts.length < scene.received ? `, of which ${number(scene.paths.counts.length)}, evenly chosen, can be drawn` : ''}`;
-  const coarse = scene.drawn < scene.triangles ? ` Of ${number(scene.triangles)} triangles the view has ${number(scene.drawn)}: surfaces are drawn coarser than they were traced, and rays may end beside them.` : '';
+  const rays = `${scene.received === 0 ? 'no ray' : plural(scene.received, 'ray')} received${scene.paths.counts.length < scene.received ? `, of which ${number(scene.paths.counts.length)}, evenly selected, can be drawn` : ''}`;
+  const coarse = scene.drawn < scene.triangles ? ` Of ${number(scene.triangles)} triangles the view has ${number(scene.drawn)}: surfaces are drawn coarser than traced, and rays may end beside them.` : '';
   const changed = scene.received !== row.rays_received || Math.abs(scene.amplitude - row.amplitude) > 1e-3 * Math.max(1, row.amplitude)
     ? ` The scene has changed since the run, which received ${plural(row.rays_received, 'ray')} with amplitude ${number(row.amplitude)}.` : '';
   byId('scene-text').textContent = `${what}: ${rays}, of ${number(row.rays_hit)} that hit. The purple lines are the receiver and the edges of the radar's view.${coarse}${changed}`;
@@ -107,7 +107,7 @@ function showScene() {
     new View(scene);
   } catch (problem) {
     byId('view-part').hidden = true;
-    byId('scene-text').textContent += ` The 3-D view needs WebGL, which this browser does not give: ${problem.message}`;
+    byId('scene-text').textContent += ` The 3-D view needs WebGL, which this browser does not provide: ${problem.message}`;
   }
 }
 
@@ -141,7 +141,7 @@ function tables() {
 function errors() {
   const rows = poses.rows.filter(row => row.rays_received > 0);
   if (rows.length === 0) {
-    byId('error-text').textContent = 'Nothing was received, so there is nothing to estimate the error of.';
+    byId('error-text').textContent = 'No rays were received, so the error cannot be estimated.';
     return;
   }
   const estimated = rows.filter(isEstimated);
@@ -150,8 +150,8 @@ function errors() {
     return;
   }
   const worst = estimated.reduce((a, b) => b.sampling_error > a.sampling_error ? b : a), step = estimated.reduce((a, b) => b.largest_path_step_wavelengths > a.largest_path_step_wavelengths ? b : a);
-  byId('error-text').textContent = `The sampling error, by which the amplitude differs from that of endlessly many rays, is estimated to be ${number(worst.sampling_error, 3)} at most (${poses.name(worst)}, amplitude ${number(worst.amplitude_normalised)}). `
-    + `Neighbouring received rays differ in length by ${number(step.largest_path_step_wavelengths, 3)} wavelengths at most (${poses.name(step)}). The estimate is of the rays' spacing alone: surfaces are perfect mirrors, and diffraction is not in it.`;
+  byId('error-text').textContent = `The sampling error, the difference from infinitely many rays, is estimated to be ${number(worst.sampling_error, 3)} at most (${poses.name(worst)}, amplitude ${number(worst.amplitude_normalised)}). `
+    + `Neighbouring received rays differ in length by ${number(step.largest_path_step_wavelengths, 3)} wavelengths at most (${poses.name(step)}). The estimate covers only the rays' spacing: surfaces are perfect mirrors, and diffraction is not included.`;
 }
 
 function isEstimated(row) {

@@ -1,5 +1,5 @@
-// Segments and bounces from the first on: red, green, blue, yellow, as in the published experiment, in the shades of Okabe and Ito that the colour-blind tell apart.
-// The dashes (drawn, left out, in pixels) say the same without colour.
+// Colours of segments and bounces: red, green, blue, yellow, as in the published experiment, in Okabe and Ito's shades for the colour-blind.
+// The dashes (drawn, left out, in pixels) give the same information without colour.
 const segments = [
   { colour: '#ee6a24', name: 'red', dash: null, pattern: 'solid' },
   { colour: '#00b083', name: 'green', dash: [14, 5], pattern: 'long dashes' },
@@ -14,7 +14,7 @@ export const ofSegment = n => segments[(n - 1) % segments.length];
 // objects.
 const objects = ['#e69f00', '#56b4e9', '#009e73', '#cc79a7', '#0072b2', '#d55e00', '#f0e442', '#00eeaa'];
 
-// Of the charts; those that begin with -- stand in the style sheet, once for each theme.
+// Colours of the charts; names that begin with -- are variables of the style sheet, set for each theme.
 export const seriesColours = ['--accent', '--mark', '#009e73', '#cc79a7', '#666677', '#7a5af8'];
 
 /** From 1. */

@@ -1,4 +1,4 @@
-// The radar's view: how often each ray is reflected, or what it meets first, by colour; received rays are striped white.
+// The radar's view: colours give the number of bounces, or the first object hit; received rays are striped white.
 import { byId, bytes, make, number } from './text.js';
 import { ofObject, ofSegment, rgb } from './palette.js';
 
@@ -17,8 +17,8 @@ export class Picture {
     this.seen = countsOf(this.objects);
     const kinds = [...this.counts.keys()].sort((a, b) => a - b);
     this.received = this.bounces.filter(pixel => pixel >= received).length;
-    const part = picture.width < picture.across || picture.height < picture.down ? `the part of the picture that meets anything, ${number(100 * picture.width / picture.across, 3)} % of its width and ${number(100 * picture.height / picture.down, 3)} % of its height, ` : '';
-    byId('picture-text').textContent = `${poseName}: ${part}${picture.width} x ${picture.height} pixels with a ray each. Colour tells how often the ray is reflected or which object it meets first, brightness how squarely it meets the first surface; white stripes mark rays that reach the receiver.`;
+    const part = picture.width < picture.across || picture.height < picture.down ? `the part of the picture with hits, ${number(100 * picture.width / picture.across, 3)} % of its width and ${number(100 * picture.height / picture.down, 3)} % of its height, ` : '';
+    byId('picture-text').textContent = `${poseName}: ${part}${picture.width} x ${picture.height} pixels with a ray each. Colour shows the number of reflections or the first object hit, brightness the angle of incidence on it; white stripes mark rays that reach the receiver.`;
     this.canvas.setAttribute('aria-label', `The radar's view. ${kinds.map(kind => `${words(kind)}: ${number(100 * this.counts.get(kind) / this.bounces.length, 3)} %`).join(', ')} of the pixels; ${this.received} are received.`);
 
     const filter = byId('picture-filter');
@@ -32,7 +32,7 @@ export class Picture {
 
   nameOf(object) { return object === 0 ? 'nothing' : this.picture.names[object - 1]; }
 
-  // Objects by the number of their pixels.
+  // Objects by their number of pixels.
   largest() { return [...this.seen.keys()].filter(object => object > 0).sort((a, b) => this.seen.get(b) - this.seen.get(a)).slice(0, mostShown); }
 
   colourOf(place, byObject) {

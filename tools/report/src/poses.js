@@ -1,7 +1,7 @@
-// The poses of a run, and which of them is chosen.
+// The poses of a run and the chosen pose.
 import { number } from './text.js';
 
-// The axes of a sweep, that which changes from pose to pose first; a chart's scale counts in units of so much.
+// The axes of a sweep, the fastest-changing first, with the unit of a chart's scale.
 const axesOf = columns => Object.entries(columns).filter(([, { axis }]) => axis).sort(([, a], [, b]) => b.axis.order - a.axis.order).map(([name, { title, axis }]) => ({
   name, label: axis.shown_unit === '1' ? title : `${title}, ${axis.shown_unit}`, unit: axis.shown_scale, isWhole: axis.is_whole, plural: axis.plural,
   words: value => axis.text.replace('{0}', number(value / axis.shown_scale, 9)).replace('{1}', axis.shown_unit)
@@ -19,7 +19,7 @@ export class Poses {
     this.varying = this.axes.filter(axis => distinct(axis.name).length > 1);
     this.counts = this.varying.map(axis => [distinct(axis.name).length, axis]);
     const [first] = this.varying.length > 0 ? this.varying : this.axes;
-    // The axis that changes fastest, or one with which the charts can hold all poses.
+    // The fastest-changing axis, or one with which the charts can show all poses.
     const lines = axis => this.counts.reduce((product, [count, other]) => other === axis ? product : product * count, 1);
     const along = lines(first) <= mostGroups ? first : this.varying.find(axis => lines(axis) <= mostGroups) ?? first;
     const steps = distinct(along.name).sort((a, b) => a - b);

@@ -1,4 +1,4 @@
-// The rows, or the first of a great many, to be sorted by any column.
+// The rows, or the first of very many, sortable by any column.
 import { byId, make, number } from './text.js';
 
 const most = 5000;
@@ -7,7 +7,7 @@ export class PoseTable {
   constructor(poses, columns) {
     this.poses = poses;
     this.described = columns;
-    // The angle is 0 in every row where nothing was turned.
+    // The angle is 0 in every row of a sweep without a turning target.
     const says = name => poses.rows.some(row => row[name] !== null && row[name] !== undefined && (name !== 'angle_deg' || row[name] !== 0) || columns[name].missing);
     this.columns = Object.keys(columns).filter(says);
     this.sorted = null;

@@ -1,4 +1,4 @@
-// Words and numbers.
+// Texts and numbers.
 
 export const byId = id => document.getElementById(id);
 

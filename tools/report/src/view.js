@@ -1,4 +1,4 @@
-// The scene in 3-D with the ways of received rays.
+// The scene in 3-D with the paths of received rays.
 import {
   AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, LineBasicMaterial, LineSegments, Matrix4, Mesh, MeshLambertMaterial,
   PerspectiveCamera, Raycaster, Scene, Sphere, Spherical, Vector3, WebGLRenderer
@@ -75,7 +75,7 @@ export class View {
     this.root.add(this.meshes);
   }
 
-  // The receiver's rectangle, and the edges of what the radar sees, as far as the scene's middle.
+  // The receiver's rectangle, and the edges of the radar's view up to the scene's centre.
   addRadar() {
     const { place, right, up, forward, half, parallel, receiver, receiver_right: across, receiver_up: high } = this.scene.radar;
     const at = (base, ...steps) => base.map((part, i) => part + steps.reduce((sum, [vector, length]) => sum + vector[i] * length, 0));
@@ -123,7 +123,7 @@ export class View {
     const box = byId('segments');
     for (let n = 1; n <= this.segmentCount; n++) {
       const { colour, name, dash, pattern } = ofSegment(n);
-      // Lines are laid out on the screen, where the mirrored axes do not turn them round.
+      // Lines are laid out in screen space, where the mirrored axes do not flip them.
       const material = new LineMaterial({ side: DoubleSide, color: colour, linewidth: 1.8, dashed: dash !== null, dashSize: dash?.[0] ?? 1, gapSize: dash?.[1] ?? 0, transparent: true, opacity: 0.85 });
       const line = new LineSegments2(new LineSegmentsGeometry(), material);
       line.frustumCulled = false;
@@ -157,7 +157,7 @@ export class View {
     this.render();
   }
 
-  // Spheres around what may be fitted.
+  // Bounding spheres for the fit.
   measure() {
     const flip = (x, y, z) => new Vector3(x, y, -z);
     const around = points => points.length > 0 ? new Sphere().setFromPoints(points) : null;
@@ -170,14 +170,14 @@ export class View {
     this.radarPlace = flip(...this.scene.radar.place);
     const scene = around(corners) ?? new Sphere(new Vector3(), 1);
     const rays = around(hits);
-    // With enough around the rays to tell what they meet.
+    // Includes enough around the rays to show what they hit.
     if (rays) rays.radius = Math.max(3 * rays.radius, 0.02 * scene.radius);
     this.hits = hits;
     this.first = rays && scene.radius > 6 * rays.radius ? 'rays' : 'scene';
     this.spheres = { scene, rays: rays ?? scene, radar: around([...corners, this.radarPlace]) };
   }
 
-  // Where to look from: from the radar's side, some way round it and above.
+  // View direction: from the radar's side, rotated and raised.
   direction(sphere, side) {
     const back = this.radarPlace.clone().sub(sphere.center);
     const direction = new Spherical().setFromVector3(back.lengthSq() > 0 ? back : new Vector3(0, 0, 1));
@@ -186,7 +186,7 @@ export class View {
     return direction;
   }
 
-  // The way round, in radians, from which most of a few points of reflection can be seen.
+  // The azimuth, in radians, from which most of a few reflection points are visible.
   openSide() {
     this.root.updateMatrixWorld(true);
     const few = this.hits.filter((hit, i) => i % Math.ceil(this.hits.length / 6) === 0);
@@ -242,7 +242,7 @@ export class View {
     this.render();
   }
 
-  // Once for all that changes before the next frame.
+  // Drawn once for all changes before the next frame.
   render() {
     this.waiting ??= requestAnimationFrame(() => {
       this.waiting = undefined;

@@ -21,7 +21,7 @@ namespace Glint.Core
         /// <summary>The empty box.</summary>
         public static Box Empty => new Box(float.PositiveInfinity, float.NegativeInfinity);
 
-        /// <summary>A corner, 0 to 7: bits 1, 2 and 4 stand for the upper x, y and z.</summary>
+        /// <summary>A corner, 0 to 7: bits 1, 2 and 4 select the upper x, y and z.</summary>
         public readonly double3 Corner(int number) =>
             new double3((number & 1) != 0 ? Max.x : Min.x, (number & 2) != 0 ? Max.y : Min.y,
                 (number & 4) != 0 ? Max.z : Min.z);

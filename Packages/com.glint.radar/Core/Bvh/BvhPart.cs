@@ -2,7 +2,7 @@ using Unity.Mathematics;
 
 namespace Glint.Core
 {
-    /// <summary>A BVH of its own over some of a mesh's triangles, as the kernel reads it.</summary>
+    /// <summary>A BVH over some of a mesh's triangles, in the kernel's layout.</summary>
     public sealed class BvhPart
     {
         /// <summary>

@@ -11,7 +11,7 @@ namespace Glint.Core
     {
         const int FirstBuffer = 1 << 16;
 
-        // A file with a longer line is no text; the limit keeps such a file from filling the memory.
+        // A file with a longer line is not text; the limit keeps it from filling the memory.
         const int LongestLine = 1 << 24;
 
         readonly Stream _stream;
@@ -107,7 +107,7 @@ namespace Glint.Core
             {
                 if (_end >= LongestLine)
                     throw Error($"the line is longer than {LongestLine} bytes: "
-                        + "the file is no text of lines; export it again");
+                        + "the file is not text in lines; export it again");
                 Array.Resize(ref _buffer, 2 * _buffer.Length);
             }
             int read = _stream.Read(_buffer, _end, _buffer.Length - _end);

@@ -77,12 +77,12 @@ namespace Glint.Core
         }
 
         static GlintException Empty(string path) =>
-            new GlintException($"{path}: is empty, or a pipe or device and no file; export the mesh again");
+            new GlintException($"{path}: is empty, or a pipe or device instead of a file; export the mesh again");
 
         static void RefuseOtherExtension(string path)
         {
             if (!IsMeshFile(path))
-                throw new UsageException($"{path}: is no mesh file: give an .obj or .stl");
+                throw new UsageException($"{path}: is not a mesh file: give an .obj or .stl");
         }
 
         // Files with the extension of a mesh that are archives or links to one.

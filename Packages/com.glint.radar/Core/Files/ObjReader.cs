@@ -112,8 +112,8 @@ namespace Glint.Core
         void PassOver(ReadOnlySpan<byte> keyword)
         {
             if (!PassedOver.Contains(Encoding.ASCII.GetString(keyword)))
-                throw _lines.Error($"{Bytes.Quote(keyword)} is no OBJ statement: the file is damaged or no OBJ; "
-                    + "export it again or remove the line");
+                throw _lines.Error($"{Bytes.Quote(keyword)} is not an OBJ statement: the file is damaged or not an "
+                    + "OBJ; export it again or remove the line");
         }
 
         void ReadVertex(Tokenizer tokens)
@@ -124,7 +124,7 @@ namespace Glint.Core
             // Ignores up to four numbers: a weight, a colour or both.
             for (int i = 0; !tokens.IsComment && tokens.Next(); i++)
                 if (i == 4 || !NumberParser.TryParse(tokens.Current, out _))
-                    throw _lines.Error($"{Bytes.Quote(tokens.Current)} does not belong into a vertex: "
+                    throw _lines.Error($"{Bytes.Quote(tokens.Current)} does not belong in a vertex: "
                         + "the line is damaged; export the file again");
         }
 
@@ -134,11 +134,11 @@ namespace Glint.Core
                 throw _lines.Error($"the vertex has no {axis}: the line is truncated; export the file again");
             if (!NumberParser.TryParse(tokens.Current, out double value))
                 throw _lines.Error($"{axis} is {Bytes.Quote(tokens.Current)}, not a finite number; "
-                    + "mend the vertex or export the file again");
+                    + "correct the vertex or export the file again");
             float meters = _placement.Scale(value);
             if (float.IsInfinity(meters))
                 throw _lines.Error($"{axis} is {Bytes.Quote(tokens.Current)} {_placement.Unit}, "
-                    + "more than a float holds (3.4e38 m); mend the vertex or choose another unit");
+                    + "more than a float holds (3.4e38 m); correct the vertex or choose another unit");
             return meters;
         }
 
@@ -175,7 +175,7 @@ namespace Glint.Core
                         + (polygon.Corners > PolygonCutter.MaxCorners
                             ? $"a concave face may have {PolygonCutter.MaxCorners}"
                             : "its outline crosses itself or is folded")
-                        + "; mend it or export triangles");
+                        + "; correct it or export triangles");
         }
 
         // v, v/vt, v//vn or v/vt/vn. Vertices count from 1, or backwards from -1, the latest.
@@ -190,7 +190,7 @@ namespace Glint.Core
             for (; at < word.Length && word[at] >= '0' && word[at] <= '9'; at++)
                 number = Math.Min(ReferenceCap, 10 * number + (word[at] - '0'));
             if (at == start || !IsReferenceEnd(word.Slice(at)))
-                throw _lines.Error($"{Bytes.Quote(word)} is no corner of a face: give v, v/vt, "
+                throw _lines.Error($"{Bytes.Quote(word)} is not a corner of a face: give v, v/vt, "
                     + "v//vn or v/vt/vn in whole numbers");
             if (number == 0)
                 throw _lines.Error($"{Bytes.Quote(word)} refers to vertex 0, but OBJ counts from 1; "

@@ -186,7 +186,8 @@ namespace Glint.Core
             {
                 // A pipe or device has length 0 too; opening one may block.
                 if (new FileInfo(file).Length == 0)
-                    throw new GlintException($"{file}: is empty, or a pipe or device and no file: restore the file");
+                    throw new GlintException($"{file}: is empty, or a pipe or device instead of a file: restore the "
+                        + "file");
                 return JObject.Parse(File.ReadAllText(file));
             }
             catch (JsonException error)

@@ -46,7 +46,7 @@ namespace Glint.Core
                     + "and does not begin with \"solid\" as an ASCII one: it is truncated; export it again");
             uint count = Count(head);
             return new GlintException($"{path}: announces {count} triangles, which take {LengthOf(count)} bytes, "
-                + $"but has {length}: it is truncated, damaged or no STL; export it again");
+                + $"but has {length}: it is truncated, damaged or not an STL; export it again");
         }
 
         public MeshFile Read()
@@ -94,10 +94,10 @@ namespace Glint.Core
                 BinaryPrimitives.ReadInt32LittleEndian(corners.Slice(4 * (3 * corner + axis))));
             float meters = _placement.Scale(value);
             if (float.IsNaN(value) || float.IsInfinity(value))
-                throw Error(triangle, corner, axis, $"{Name(value)}; mend the mesh or export it again");
+                throw Error(triangle, corner, axis, $"{Name(value)}; correct the mesh or export it again");
             if (float.IsInfinity(meters))
                 throw Error(triangle, corner, axis, $"{Numbers.Format(value)} {_placement.Unit}, "
-                    + "more than a float holds (3.4e38 m); mend the mesh or choose another unit");
+                    + "more than a float holds (3.4e38 m); correct the mesh or choose another unit");
             return meters;
         }
 

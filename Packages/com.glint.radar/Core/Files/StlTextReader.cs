@@ -92,11 +92,11 @@ namespace Glint.Core
             Next(axis);
             if (!NumberParser.TryParse(Word, out double value))
                 throw _lines.Error($"{axis} is {Bytes.Quote(Word)}, not a finite number; "
-                    + "mend the vertex or export the file again");
+                    + "correct the vertex or export the file again");
             float meters = _placement.Scale(value);
             if (float.IsInfinity(meters))
                 throw _lines.Error($"{axis} is {Bytes.Quote(Word)} {_placement.Unit}, "
-                    + "more than a float holds (3.4e38 m); mend the vertex or choose another unit");
+                    + "more than a float holds (3.4e38 m); correct the vertex or choose another unit");
             return meters;
         }
 
@@ -109,7 +109,7 @@ namespace Glint.Core
         void Require(string word)
         {
             if (!Bytes.IsWord(Word, word))
-                throw _lines.Error($"{Bytes.Quote(Word)} stands where an STL has {word}: "
+                throw _lines.Error($"{Bytes.Quote(Word)} is where an STL has {word}: "
                     + "the file is damaged; export it again");
         }
 

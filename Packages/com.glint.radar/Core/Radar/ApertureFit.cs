@@ -47,7 +47,7 @@ namespace Glint.Core
             double2 rays = math.max(1, math.ceil(size / spacing - Tolerance));
             if (math.cmax(rays) > RadarSettings.RaysPerAxisLimit || rays.x * rays.y > uint.MaxValue)
                 throw new GlintException(FormattableString.Invariant(
-                    $"{owner}: rays {spacing} m apart over {size.x:g4} x {size.y:g4} m are {rays.x:0} x {rays.y:0}, and the most are {RadarSettings.RaysPerAxisLimit} each way and {uint.MaxValue} in all: take a larger spacing"));
+                    $"{owner}: rays {spacing} m apart over {size.x:g4} x {size.y:g4} m are {rays.x:0} x {rays.y:0}, and the maximum is {RadarSettings.RaysPerAxisLimit} each way and {uint.MaxValue} in all: use a larger spacing"));
             (pose.Settings.RaysAcross, pose.Settings.RaysDown) = ((int)rays.x, (int)rays.y);
             pose.View.ApertureHeight = rays.y * spacing;
         }

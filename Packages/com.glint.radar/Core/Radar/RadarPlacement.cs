@@ -10,7 +10,7 @@ namespace Glint.Core
         /// <summary>The point looked at, metres.</summary>
         public double3 Aim;
 
-        /// <summary>From the radar to the point looked at, metres; above 0.</summary>
+        /// <summary>Distance from the radar to its aim point, metres; above 0.</summary>
         public double Distance;
 
         /// <summary>Angle by which the radar looks down, degrees: -90 to 90.</summary>

@@ -14,7 +14,7 @@ namespace Glint.Core
     {
         const byte ReceivedBit = 128;
 
-        // Objects that a byte distinguishes; the last stands for all others.
+        // Objects that a byte distinguishes; the last value means all others.
         const int MaxNames = 255;
 
         readonly byte[] _bounces, _facing;

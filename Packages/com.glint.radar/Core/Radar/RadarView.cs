@@ -87,7 +87,7 @@ namespace Glint.Core
         static void ValidatePosition(string owner, string what, double3 position)
         {
             if (!math.all(math.abs(position) <= TriangleMesh.LargestCoordinate))
-                throw new GlintException($"{owner}: its {what} stands at ({RadarSettings.Text(position.x)}, "
+                throw new GlintException($"{owner}: its {what} is at ({RadarSettings.Text(position.x)}, "
                     + $"{RadarSettings.Text(position.y)}, {RadarSettings.Text(position.z)}) m, "
                     + $"and every coordinate must be within {RadarSettings.Text(TriangleMesh.LargestCoordinate)} m: "
                     + "bring the scene nearer to the world's origin");

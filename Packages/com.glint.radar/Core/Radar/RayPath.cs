@@ -28,7 +28,7 @@ namespace Glint.Core
         public bool IsReceived => End.HasValue;
 
         /// <summary>Whether the ray meets an object.</summary>
-        /// <param name="isMeant">Asked for the numbers of the objects that it meets.</param>
+        /// <param name="isMeant">Tests the number of an object that the ray hits.</param>
         public bool Meets(Predicate<int> isMeant) => Array.Exists(Hits, hit => isMeant(hit.Object));
 
         /// <summary>Start, reflections and, if received, end: the points of its line.</summary>

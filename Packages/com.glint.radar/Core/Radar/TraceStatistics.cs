@@ -63,7 +63,7 @@ namespace Glint.Core
         /// <summary>Uploading buffers to the device.</summary>
         public double UploadMs;
 
-        /// <summary>From the dispatch to the sums read back; includes <see cref="ReadBackMs"/>.</summary>
+        /// <summary>Time from the dispatch to the end of the read-back; includes <see cref="ReadBackMs"/>.</summary>
         public double TraceMs;
 
         /// <summary>Reading back single rays.</summary>

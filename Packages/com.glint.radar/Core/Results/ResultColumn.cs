@@ -94,7 +94,7 @@ namespace Glint.Core
         /// <summary>Whether a row, or a whole file, may lack the value.</summary>
         public bool MayBeMissing { get; private set; }
 
-        /// <summary>What stands in place of a missing value; null for nothing in particular.</summary>
+        /// <summary>Text in place of a missing value; null for none.</summary>
         public string Missing { get; private set; }
 
         /// <summary>Whether it is an amplitude, never below 0, that can be shown in decibels.</summary>

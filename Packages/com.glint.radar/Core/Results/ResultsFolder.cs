@@ -24,7 +24,7 @@ namespace Glint.Core
         public const string PartialName = "results.partial";
 
         const string StartAnew =
-            "take the same as before, choose another results folder, or leave --resume out to replace what is there";
+            "use the same settings, choose another results folder, or leave --resume out to replace the results";
 
         static readonly UTF8Encoding Utf8 = new UTF8Encoding(false);
 
@@ -254,7 +254,7 @@ namespace Glint.Core
                 same++;
             if (same < there.Length)
                 throw new GlintException($"{CsvPath}, line {1 + there.Take(same).Count(letter => letter == '\n')}: "
-                    + $"differs from what {PartialName} holds: restore it, or delete it to have it written anew");
+                    + $"differs from what {PartialName} holds: restore it, or delete it to have it written again");
             return isOlder ? 0 : Math.Min(same, csv.Length);
         }
 
@@ -265,7 +265,7 @@ namespace Glint.Core
         void Require(SweepIdentity earlier, string path)
         {
             if (earlier == null)
-                throw new GlintException($"{path}: is of a single pose, no sweep: {StartAnew}");
+                throw new GlintException($"{path}: is of a single pose, not a sweep: {StartAnew}");
             string difference = _sweep.DifferenceFrom(earlier);
             if (difference != null)
                 throw new GlintException($"{path}: is of another sweep: {difference}: {StartAnew}");

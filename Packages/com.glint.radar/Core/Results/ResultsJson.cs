@@ -209,7 +209,7 @@ namespace Glint.Core
             _json.Formatting = formatting;
         }
 
-        // Of all rows together.
+        // Sums over all rows.
         void WriteTimings(IReadOnlyList<StoredRow> rows)
         {
             Open("timings");

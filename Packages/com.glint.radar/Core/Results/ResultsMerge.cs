@@ -67,14 +67,14 @@ namespace Glint.Core
             var results = StoredRun.ReadFile(path);
             return results.Info.Sweep?.Shard != null
                 ? results
-                : throw new GlintException($"{folder}: is no part of a sweep, it was not made with --shard");
+                : throw new GlintException($"{folder}: is not part of a sweep made with --shard");
         }
 
         static void CheckBelongs(string folder, SweepIdentity part, string firstFolder, SweepIdentity first)
         {
             if (part.Shard.Value.Count != first.Shard.Value.Count)
                 throw new GlintException($"{folder} is part {part.Shard} and {firstFolder} is part {first.Shard}: "
-                    + "they are of sweeps divided otherwise");
+                    + "their sweeps have different numbers of parts");
             string difference = part.WithShard(null).DifferenceFrom(first.WithShard(null));
             if (difference != null)
                 throw new GlintException($"{folder} is of another sweep than {firstFolder}: {difference}");
@@ -98,7 +98,7 @@ namespace Glint.Core
         static ResultsFolder Write(StoredRun[] parts, string output)
         {
             var info = parts[parts.Length - 1].Info;
-            // From the first start to the last end.
+            // Time from the first start to the last end.
             var ended = parts.Max(part => part.Info.StartedUtc.AddMilliseconds(part.Info.ElapsedMs));
             info.StartedUtc = parts.Min(part => part.Info.StartedUtc);
             info.ElapsedMs = (ended - info.StartedUtc).TotalMilliseconds;

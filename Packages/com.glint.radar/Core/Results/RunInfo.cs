@@ -59,7 +59,7 @@ namespace Glint.Core
         public RunSetting(string name, string text) =>
             (Name, Number, Unit, Text) = (name, 0, null, text);
 
-        /// <summary>As in results.json: "max_bounces".</summary>
+        /// <summary>Names as in results.json: "max_bounces".</summary>
         public string Name { get; }
 
         /// <summary>The value in <see cref="Unit"/>, if that is not null.</summary>

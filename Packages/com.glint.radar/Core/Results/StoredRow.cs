@@ -49,7 +49,7 @@ namespace Glint.Core
         /// <summary>The value on an axis; null where the axis was left alone, for the angle 0.</summary>
         public double? this[SweepAxis axis] => this[ResultColumn.Of(axis)];
 
-        /// <summary>What the pose took.</summary>
+        /// <summary>Times of the pose.</summary>
         public Timings Timings { get; }
 
         /// <summary>Received rays by phase; null when the row has none.</summary>
@@ -61,7 +61,7 @@ namespace Glint.Core
                 ? text
                 : "the pose";
 
-        /// <summary>Whether the amplitude is not to be trusted; false also when that was not estimated.</summary>
+        /// <summary>Whether the amplitude is unreliable; false if that was not estimated.</summary>
         public bool IsUndersampled => this[ResultColumn.Undersampled] == 1;
 
         /// <summary>The pose and its figures, in a line.</summary>
@@ -97,7 +97,7 @@ namespace Glint.Core
                 case JTokenType.Null when column.MayBeMissing: return null;
                 case JTokenType.Integer:
                 case JTokenType.Float: return value.Value<double>();
-                default: throw new FormatException($"{column.Name} of a row is no number");
+                default: throw new FormatException($"{column.Name} of a row is not a number");
             }
         }
 

@@ -36,7 +36,7 @@ namespace Glint.Core
             Rows = ((JArray)Find(json, "rows")).Select(row => new StoredRow((JObject)row)).ToArray();
         }
 
-        /// <summary>What the file says of the run besides the rows.</summary>
+        /// <summary>Everything in the file except the rows.</summary>
         public RunInfo Info { get; }
 
         /// <summary>A row a pose, in the order of the sweep.</summary>
@@ -58,7 +58,7 @@ namespace Glint.Core
             if (!File.Exists(path))
                 throw new GlintException(File.Exists(Path.Combine(folder, ResultsFolder.CsvName))
                     ? $"{folder}: has no {ResultsFolder.JsonName}: the sweep was not finished, "
-                        + "or is still at work; let it end"
+                        + "or is still running; let it end"
                     : $"{folder}: holds no results: "
                         + $"give the folder that a sweep or run wrote {ResultsFolder.JsonName} to");
             return ReadFile(path);
@@ -125,7 +125,7 @@ namespace Glint.Core
                 var json = JObject.Load(reader);
                 while (reader.Read())
                     if (reader.TokenType != JsonToken.Comment)
-                        throw new FormatException("there is something behind its end");
+                        throw new FormatException("there is text after its end");
                 return json;
             }
         }
@@ -155,7 +155,7 @@ namespace Glint.Core
             return identity;
         }
 
-        /// <summary>Whether an error says that a file cannot be read or is not what it should be.</summary>
+        /// <summary>Whether an error means that a file is unreadable or damaged.</summary>
         internal static bool IsUnreadable(Exception error) => error is IOException
             || error is UnauthorizedAccessException || error is JsonException
             || error is FormatException || error is InvalidCastException || error is ArgumentException
@@ -164,7 +164,7 @@ namespace Glint.Core
         internal static GlintException Damaged(string path, Exception error) => new GlintException(
             $"{path}: cannot be "
                 + $"read{(error is IOException || error is UnauthorizedAccessException ? "" : " as results, it is damaged")}: "
-                + $"{error.Message.TrimEnd('.')}; restore it, or make it anew (the sweep without --resume)", error);
+                + $"{error.Message.TrimEnd('.')}; restore it, or run the sweep again without --resume", error);
 
         static JToken Find(JObject json, params string[] path)
         {

@@ -16,7 +16,7 @@ namespace Glint.Core
             new double2(1, 0), new double2(-1, 1), new double2(0, 1), new double2(1, 1)
         };
 
-        /// <summary>From ray to ray at the mirror, across and down, metres.</summary>
+        /// <summary>Distance between neighbouring rays at the mirror, across and down, metres.</summary>
         public double RaySpacing;
 
         /// <summary>Number of rays received.</summary>

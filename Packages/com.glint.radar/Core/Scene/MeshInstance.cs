@@ -12,7 +12,7 @@ namespace Glint.Core
         /// <summary>The triangles, in a frame of their own. Several instances may share a mesh.</summary>
         public TriangleMesh Mesh;
 
-        /// <summary>From the mesh's frame to the scene's, metres.</summary>
+        /// <summary>Transform from the mesh's frame to the scene's, metres.</summary>
         public Affine ToWorld;
 
         /// <summary>

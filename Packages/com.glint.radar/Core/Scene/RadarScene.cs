@@ -43,7 +43,7 @@ namespace Glint.Core
         public long TriangleCount => Instances.Sum(instance => (long)instance.Mesh.TriangleCount);
     }
 
-    /// <summary>What a surface does to a wave. Perfect conductors only, so far: a name to tell them apart.</summary>
+    /// <summary>The reflection properties of a surface: a perfect conductor so far, distinguished by name.</summary>
     public sealed class SurfaceMaterial : IEquatable<SurfaceMaterial>
     {
         /// <summary>The material of triangles that are given none.</summary>

@@ -28,30 +28,29 @@ namespace Glint.Core
         public static readonly IReadOnlyList<Measure> Measures = new[]
         {
             Of(nameof(SignificantWaveHeight), "Wave Height", "m", Heights,
-                "Significant wave height: four standard deviations of the height, of all snapshots together."),
+                "Significant wave height: four standard deviations of the height, over all snapshots."),
             Of(nameof(WindSpeed), "Wind", "m/s", Winds,
-                "Wind speed 10 m above the sea. It shapes the spectrum and leaves the height alone: more wind, "
-                + "longer waves."),
+                "Wind speed 10 m above the sea. It shapes the spectrum, not the height: more wind, longer waves."),
             Of(nameof(WindDirectionDegrees), "Wind Direction", "deg", Directions,
-                "Where wind and waves run to, as a rotation about Y: 0 to +Z, 90 to +X."),
+                "Direction in which wind and waves travel, as a rotation about Y: 0 to +Z, 90 to +X."),
             Of(nameof(Choppiness), "Choppiness", "", Choppinesses,
-                "Horizontal displacement over that of waves in deep water: 0 none, 1 theirs. Crests of steep waves "
-                + "curl over from there on."),
+                "Horizontal displacement relative to that of deep-water waves. Above 1 the crests of steep waves "
+                    + "curl over."),
             Of(nameof(TileSize), "Tile", "m", Tiles,
-                "Side of the tile that repeats: a multiple of 1/1024 m. No wave is longer."),
+                "Side of the repeated tile: a multiple of 1/1024 m. No wave is longer."),
             Of(nameof(GridSize), "Grid", "", Grids,
-                "Points of the wave grid along a side, a power of two: waves down to nearly twice the tile over "
-                + "them are there."),
+                "Points of the wave grid along a side, a power of two. The shortest wave is nearly twice the tile's "
+                    + "size over this number."),
             Of(nameof(Cells), "Cells", "", CellCounts,
-                "Cells of the mesh along a side of the tile, of two triangles each. They sample the sea and do not "
-                + "change it."),
+                "Cells of the mesh along a side of the tile, of two triangles each. They sample the sea without "
+                    + "changing it."),
             Of(nameof(ShortestWave), "Shortest Wave", "m", s_shortest,
-                "Shorter waves are left out; at most half the tile. 0: none are."),
-            Of(nameof(Fetch), "Fetch", "m", Fetches, "Water that the wind has blown over. JONSWAP only."),
+                "Shorter waves are left out; at most half the tile. 0: all are kept."),
+            Of(nameof(Fetch), "Fetch", "m", Fetches, "Length of water that the wind has blown over. JONSWAP only."),
             Of(nameof(PeakEnhancement), "Peak Enhancement", "", PeakEnhancements,
-                "How much higher the peak is than that of a fully risen sea. JONSWAP only."),
+                "Height of the peak relative to that of a fully developed sea. JONSWAP only."),
             Of(nameof(Seed), "Seed", "", s_seeds,
-                "Which of all seas with this spectrum. The same number gives the same sea.")
+                "Seed of the sea's random phases and heights. The same number gives the same sea.")
         };
 
         /// <summary>Distribution of the variance over wavelengths.</summary>
@@ -120,16 +119,16 @@ namespace Glint.Core
                 throw new GlintException($"{subject}: spectrum {(int)Kind} must be "
                     + $"{string.Join(" or ", Enum.GetNames(typeof(SeaSpectrumKind)))}");
             Check(subject, "significant wave height", SignificantWaveHeight, Heights, " m",
-                "for a calm take a flat plate");
+                "use a flat plate for a calm sea");
             Check(subject, "wind speed", WindSpeed, Winds, " m/s", "turn the wind by its direction, not by its sign");
             Check(subject, "wind direction", WindDirectionDegrees, Directions, " deg", "give it as a rotation about Y");
             Check(subject, "choppiness", Choppiness, Choppinesses, "",
-                "0 moves nothing sideways, 1 as waves in deep water do");
+                "0 has no horizontal displacement, 1 that of deep-water waves");
             Check(subject, "tile size", TileSize, Tiles, " m", "lay several tiles side by side for a larger sea");
             double steps = TileSize / TileStep;
             if (steps != Math.Floor(steps))
                 throw new GlintException($"{subject}: tile size {Text(TileSize)} m must be a multiple of 1/1024 m, "
-                    + $"or neighbouring tiles would not meet: use {Text(Math.Floor(steps + 0.5) * TileStep)}");
+                    + $"or neighbouring tiles would not join: use {Text(Math.Floor(steps + 0.5) * TileStep)}");
             if (!Grids.Contains(GridSize) || (GridSize & (GridSize - 1)) != 0)
                 throw new GlintException($"{subject}: grid size {GridSize} must be a power of two {Grids}: "
                     + "the mesh may have any number of cells, set that instead");
@@ -200,7 +199,7 @@ namespace Glint.Core
         {
             if (code < Lowest || code > Highest)
                 throw new GlintException($"sea state {code} must be from {Lowest} to {Highest}: "
-                    + "0 has no waves and 9 no greatest height; ask for the significant wave height in metres instead");
+                    + "0 has no waves and 9 no maximum height; give the significant wave height in metres instead");
             return (s_ends[code - 1], s_ends[code]);
         }
     }

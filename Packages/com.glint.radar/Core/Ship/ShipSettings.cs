@@ -12,34 +12,34 @@ namespace Glint.Core
         /// <summary>Every field, in the order of the declaration.</summary>
         public static readonly IReadOnlyList<Measure> Measures = new[]
         {
-            Of(nameof(Length), "Length", "m", 55, 90, "From the stern to the tip of the bow."),
-            Of(nameof(Beam), "Beam", "m", 11, 16, "Greatest width of the deck."),
+            Of(nameof(Length), "Length", "m", 55, 90, "Length from the stern to the tip of the bow."),
+            Of(nameof(Beam), "Beam", "m", 11, 16, "Maximum width of the deck."),
             Of(nameof(Freeboard), "Freeboard", "m", 1.5, 6, "Height above the water of the deck aft of the deckhouse."),
             Of(nameof(Forecastle), "Forecastle", "m", 0, 3,
-                "How much higher the deck lies before the deckhouse than aft of it."),
-            Of(nameof(Draught), "Draught", "m", 2, 8, "How far the keel lies below the water."),
-            Of(nameof(Sheer), "Sheer", "m", 0, 3, "How much the deck rises from before the deckhouse to the bow."),
-            Of(nameof(Rake), "Rake", "m", 0, 6, "How far the tip of the bow reaches out over the stem at the water."),
+                "Height of the deck before the deckhouse above the deck aft of it."),
+            Of(nameof(Draught), "Draught", "m", 2, 8, "Depth of the keel below the water."),
+            Of(nameof(Sheer), "Sheer", "m", 0, 3, "Rise of the deck from the deckhouse to the bow."),
+            Of(nameof(Rake), "Rake", "m", 0, 6, "Overhang of the bow's tip beyond the stem at the water."),
             Of(nameof(Flare), "Flare", "", 0, 0.8,
-                "How much finer the bow is at the keel than at the deck: 0 is as upright as amidships."),
+                "Flare of the bow between keel and deck: 0 is as upright as amidships."),
             Of(nameof(Transom), "Transom", "of the beam", 0.4, 1, "Width of the flat transom at the deck."),
             Of(nameof(HouseFront), "House Front", "of the length", 0.28, 0.36,
-                "From the middle of the ship forward to the flat front of the deckhouse. With the deck before it "
-                + "it is a dihedral: the peak bow-on."),
+                "Distance from midships forward to the flat front of the deckhouse. With the deck before it it is a "
+                    + "dihedral: the bow-on peak."),
             Of(nameof(HouseAft), "House Aft", "of the length", 0.2, 0.34,
-                "From the middle of the ship aft to the flat end of the deckhouse. With the deck behind it it is a "
-                + "dihedral: the peak stern-on."),
+                "Distance from midships aft to the flat end of the deckhouse. With the deck behind it it is a "
+                    + "dihedral: the stern-on peak."),
             Of(nameof(StoreyHeight), "Storey Height", "m", 2, 4,
                 "Height of each of the three storeys: deckhouse, upper house and bridge."),
             Of(nameof(Windows), "Windows", "", 1, 15,
                 "Windows across the bridge's front; each side has two thirds as many."),
             Of(nameof(WindowDepth), "Window Depth", "m", 0.02, 0.5,
-                "How deep the windows are set into the bridge. Sill, jambs and pane are small corner reflectors."),
+                "Depth of the windows in the bridge. Sill, jambs and pane are small corner reflectors."),
             Of(nameof(MastHeight), "Mast Height", "m", 5, 20, "Height of the mast's top over the bridge's roof."),
-            Of(nameof(Triangles), "Triangles", "", 15000, 200000, "Triangles of the whole ship, met within 2 %.")
+            Of(nameof(Triangles), "Triangles", "", 15000, 200000, "Triangles of the whole ship, within 2 %.")
         };
 
-        /// <summary>From the stern to the tip of the bow, metres: 55 to 90.</summary>
+        /// <summary>Length from the stern to the tip of the bow, metres: 55 to 90.</summary>
         public double Length;
 
         /// <summary>Maximum width of the deck, metres: 11 to 16.</summary>

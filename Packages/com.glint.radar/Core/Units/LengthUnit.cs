@@ -27,7 +27,7 @@ namespace Glint.Core
         public double Meters { get; }
 
         /// <summary>The unit of a symbol.</summary>
-        /// <exception cref="FormatException">No such unit; the message lists the units.</exception>
+        /// <exception cref="FormatException">The unit is unknown; the message lists the units.</exception>
         public static LengthUnit Parse(string text) => Units.FirstOrDefault(unit => unit.Name == text)
             ?? throw new FormatException($"must be one of {string.Join(", ", Units.Select(unit => unit.Name))}");
 

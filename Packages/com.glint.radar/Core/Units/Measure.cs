@@ -22,16 +22,16 @@ namespace Glint.Core
             (Title, Unit, Range, Help) = (title, unit, range, help);
         }
 
-        /// <summary>What it is called, in capitals.</summary>
+        /// <summary>Its label, in title case.</summary>
         public string Title { get; }
 
         /// <summary>Unit; empty for a plain number.</summary>
         public string Unit { get; }
 
-        /// <summary>What it means.</summary>
+        /// <summary>Its meaning.</summary>
         public string Help { get; }
 
-        /// <summary>What is allowed.</summary>
+        /// <summary>The allowed range.</summary>
         public Interval Range { get; }
 
         /// <summary>Whether it is a whole number.</summary>

@@ -21,7 +21,7 @@ namespace Glint.Core
         readonly string _noun, _nouns, _unit;
         readonly (string range, string list) _examples;
 
-        /// <summary>A list of such numbers.</summary>
+        /// <summary>A list of numbers.</summary>
         /// <param name="noun">Noun of a number: "angle".</param>
         /// <param name="range">Of each number.</param>
         /// <param name="unit">"degrees".</param>
@@ -37,7 +37,7 @@ namespace Glint.Core
             _examples = examples;
         }
 
-        /// <summary>Of each number.</summary>
+        /// <summary>Range of each number.</summary>
         public Interval Range { get; }
 
         /// <summary>Whether the numbers are whole; a range needs no STEP then.</summary>
@@ -59,7 +59,7 @@ namespace Glint.Core
             return text.Contains(':') ? Steps(text.Split(':')) : List(text.Split(','));
         }
 
-        /// <summary>As <see cref="Read"/>, with a message that names the text and where it is written.</summary>
+        /// <summary>Like <see cref="Read"/>, with a message that names the text and its source.</summary>
         /// <exception cref="UsageException">
         /// Malformed, empty, out of range or more than <see cref="Limit"/>.
         /// </exception>
@@ -82,7 +82,7 @@ namespace Glint.Core
             if (first == last)
                 return new[] { first };
             if ((last - first) / step >= Limit)
-                throw TooMany("take a larger STEP");
+                throw TooMany("use a larger STEP");
             if (step < SmallestStep)
                 throw new FormatException("STEP must be at least "
                     + SmallestStep.ToString(CultureInfo.InvariantCulture));

@@ -141,7 +141,7 @@ namespace Glint.Core
                 + text.Replace('\r', ' ').Replace('\n', ' ') + "\"" : text;
         }
 
-        // As double: a number too long for an int is out of range, not malformed.
+        // Parsed as double: a number too long for an int is out of range, not malformed.
         static bool TryWhole(string text, out double value) =>
             double.TryParse(text.Trim(), NumberStyles.AllowLeadingSign, CultureInfo.InvariantCulture, out value);
 

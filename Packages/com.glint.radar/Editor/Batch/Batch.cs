@@ -93,7 +93,7 @@ namespace Glint.Editor
             var plan = new SweepPlan(axis => line.Get(Options.Of(axis)));
             if (line.Get(Options.Shard) is SweepShard shard && shard.Count > plan.Count)
                 throw new UsageException($"{Options.Shard.Flag} {shard}: the sweep has {plan.Count} poses: "
-                    + "divide it into so many parts at most");
+                    + "use at most as many parts");
             return plan;
         }
 
@@ -104,7 +104,7 @@ namespace Glint.Editor
             int undersampled = 0, before = run.Done;
             if (before > 0)
                 progress.Print(run.IsComplete
-                    ? "complete already: nothing is left to do"
+                    ? "already complete: nothing to do"
                     : FormattableString.Invariant($"resumed: {before} of {run.Count} poses are done"));
             progress.Start(loaded.Name, run.Count);
             try
@@ -130,7 +130,7 @@ namespace Glint.Editor
                 progress.Finish();
                 if (!run.IsComplete && run.Done > 0)
                     Debug.Log(FormattableString.Invariant(
-                        $"{run.Done} of {run.Count} poses are done and kept; the same command with {Options.Resume.Flag} goes on"));
+                        $"{run.Done} of {run.Count} poses are done and kept; the same command with {Options.Resume.Flag} continues"));
             }
             if (!run.IsComplete)
                 return Cancelled;
@@ -147,7 +147,7 @@ namespace Glint.Editor
         {
             if (folder != null && !line.Get(Options.Resume) && File.Exists(folder.PartialPath))
                 Debug.LogWarning($"{folder.FolderPath}: holds a sweep that is not finished; "
-                    + $"the first row replaces it ({Options.Resume.Flag} would go on with it)");
+                    + $"the first row replaces it ({Options.Resume.Flag} would continue it)");
         }
 
         // No hit in any pose is a valid result, but more often a wrong aim.
@@ -158,7 +158,7 @@ namespace Glint.Editor
                     + "of the right size and on a traced layer? (mesh files: --aim, --distance, --fov, --unit)");
             else if (received == 0)
                 Debug.LogWarning($"{name}: rays hit and none was received: "
-                    + "mirrors return only what meets them head-on or in a corner; try other angles (mesh files: "
+                    + "mirrors return only rays at normal incidence or in a corner; try other angles (mesh files: "
                     + "--grazing, --azimuth), more rays (--size) or a narrower view");
         }
 

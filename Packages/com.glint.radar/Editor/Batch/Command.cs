@@ -5,9 +5,7 @@ using Glint.Core;
 
 namespace Glint.Editor
 {
-    /// <summary>
-    /// One command: its words for the user, the options it takes, and which of them it cannot do without.
-    /// </summary>
+    /// <summary>One command: its help texts, its options, and which of them it requires.</summary>
     public sealed class Command
     {
         internal Command(string name, string summary)
@@ -16,7 +14,7 @@ namespace Glint.Editor
             Summary = summary;
         }
 
-        /// <summary>As written on the command line: "sweep".</summary>
+        /// <summary>Name on the command line: "sweep".</summary>
         public string Name { get; }
 
         /// <summary>One sentence.</summary>
@@ -25,10 +23,10 @@ namespace Glint.Editor
         /// <summary>Further sentences for the help, one paragraph each.</summary>
         public IReadOnlyList<string> Notes { get; internal set; } = new string[0];
 
-        /// <summary>What the command works on; none for a command without an argument.</summary>
+        /// <summary>Kind of the command's argument; none for a command without one.</summary>
         public InputKind Inputs { get; internal set; } = InputKind.File;
 
-        /// <summary>Whether it has a scene of its own to work on when no input is given.</summary>
+        /// <summary>Whether it uses a built-in scene when no input is given.</summary>
         public bool HasBuiltIn => (Inputs & InputKind.BuiltIn) != 0;
 
         /// <summary>The options, in the order of the help.</summary>
@@ -43,7 +41,7 @@ namespace Glint.Editor
         /// <summary>Options of which one at least must be given; empty when there are none.</summary>
         public IReadOnlyList<Option> OneOf { get; internal set; } = new Option[0];
 
-        /// <summary>Name of the method for Unity's -executeMethod; null when Unity has no such command.</summary>
+        /// <summary>Name of the method for Unity's -executeMethod; null if Unity lacks the command.</summary>
         public string UnityMethod { get; internal set; }
 
         /// <summary>Whether it works in a Unity project, on a graphics device.</summary>
@@ -57,11 +55,11 @@ namespace Glint.Editor
         /// <summary>Examples: the arguments after "glint", and their effect.</summary>
         public IReadOnlyList<KeyValuePair<string, string>> Examples { get; internal set; }
 
-        /// <summary>What its arguments are called: INPUT, [INPUT], DIR... or SHELL; null when it takes none.</summary>
+        /// <summary>Name of its arguments: INPUT, [INPUT], DIR... or SHELL; null if it takes none.</summary>
         public string InputName => Inputs == InputKind.None ? null : Inputs == InputKind.Shell ? "SHELL" : Inputs
             == InputKind.Folders ? "DIR..." : HasBuiltIn ? "[INPUT]" : "INPUT";
 
-        /// <summary>How the command is called, in one line.</summary>
+        /// <summary>The command's usage in one line.</summary>
         public string Usage => string.Join(" ", new[] { "glint", Name, InputName }
             .Concat(OneOf.Take(1).Concat(Required.Where(option => option.Needs.Count == 0))
                 .Select(option => $"{option.Flag} {option.ValueName}")).Append("[options]")

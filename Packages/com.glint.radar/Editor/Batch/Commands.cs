@@ -47,7 +47,7 @@ namespace Glint.Editor
                 {
                     "The target turns about the vertical through its own position and is put back afterwards. The mesh "
                         + "of a file is turned as a whole, about the vertical through the origin of its coordinates.",
-                    "Of several lists every value is traced with every value of the others: "
+                    "With several lists every value is traced with every value of the others: "
                         + "the angle changes from pose to pose, then the grazing angle, the distance, the frequency, "
                         + "and the snapshot slowest.",
                     "Without --out the files go to Results/<name of the input> beside the project's Assets."
@@ -60,13 +60,13 @@ namespace Glint.Editor
                         "The published experiment, 46 poses."),
                     Example("sweep Scenes/SeaState6.unity --snapshots 1:10", "The ten stored snapshots of a sea."),
                     Example("sweep ship.stl --unit mm --up z --angles 0:345:15 --distance 500 --fov 20 --out ship",
-                        "A mesh in millimetres with z up, all round from 500 m."),
+                        "A mesh in millimetres with z up, in a full circle at 500 m."),
                     Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:345:15 --grazing 1,2,5 "
                             + "--distance 500:2000:500",
-                        "A ship all round, at three grazing angles and four ranges: 288 poses."),
+                        "A ship in a full circle, at three grazing angles and four ranges: 288 poses."),
                     Example("sweep Scenes/ShipFreeSpace.unity --target Ship --angles 0:359:1 --shard 2/4 --device 1 "
                             + "--out ship/2",
-                        "The second quarter, on the second GPU; with --resume on from where it was killed."),
+                        "The second quarter, on the second GPU; --resume continues it after a kill."),
                     Example("sweep plate.obj --angles -10,-5,0,5,10 --grazing 0 --fov 5 --size 640x360",
                         "Five angles of an upright plate seen head-on, fewer rays.")
                 }
@@ -74,15 +74,15 @@ namespace Glint.Editor
 
         /// <summary>Joins the parts of a sweep.</summary>
         public static readonly Command Merge =
-            new Command("merge", "Join the parts of a sweep (sweep --shard) to the files of the whole.")
+            new Command("merge", "Merge the parts of a sweep (sweep --shard) into the files of the whole.")
             {
                 Inputs = InputKind.Folders,
                 Options = new Option[] { Options.Out },
                 Required = new Option[] { Options.Out },
                 Notes = new[]
                 {
-                    "The files are those that the sweep would have written in one piece, timings aside. "
-                        + "All parts must be there, each once, finished, and traced with the same options, scene, "
+                    "The files equal those of an undivided sweep, except for timings. "
+                        + "All parts are needed, each once, finished, and traced with the same options, scene, "
                         + "kind of device and version."
                 },
                 Handler = Batch.MergeParts,
@@ -93,7 +93,7 @@ namespace Glint.Editor
 
         /// <summary>Traces one pose.</summary>
         public static readonly Command Run =
-            new Command("run", "Trace one pose: the scene as it stands, or a mesh file.")
+            new Command("run", "Trace one pose of a scene or a mesh file.")
             {
                 Options = Options.Radar.Prepend(Options.Out).Append(Options.Device).ToArray(),
                 Notes = new[] { "Without --out the result is printed and no file is written." },
@@ -101,7 +101,7 @@ namespace Glint.Editor
                 UnityMethod = "Glint.Editor.Batch.Run",
                 Examples = new[]
                 {
-                    Example("run Scenes/CornerReflector.unity", "Print what the radar of the scene receives."),
+                    Example("run Scenes/CornerReflector.unity", "Print the result of the scene's radar."),
                     Example("run boat.obj --distance 200 --grazing 5 --azimuth 90 --frequency 9.4e9 --out boat",
                         "A boat seen from -X at 9.4 GHz; write the files to boat."),
                     Example("run boat.obj --distance 10000 --grazing 5 --spacing 0.005",
@@ -118,8 +118,8 @@ namespace Glint.Editor
             Notes = new[]
                 {
                     "One pose is traced again for the 3-D view and the radar's picture. "
-                        + "When its scene or mesh file cannot be opened the report says so and has the rest; "
-                        + "a mesh file named by a relative path is looked for from the current folder."
+                        + "If its scene or mesh file cannot be opened, the report says so and has everything else; "
+                        + "a relative path of a mesh file is resolved from the current folder."
                 },
             Handler = ReportCommand.Write,
             UnityMethod = "Glint.Editor.Batch.Report",
@@ -127,14 +127,14 @@ namespace Glint.Editor
                 {
                     Example("report Results/corner", "Results/corner/report.html, with the strongest pose in 3-D."),
                     Example("report Results/corner --pose 10 --out corner.html",
-                        "The tenth pose in 3-D, into a file of another name."),
+                        "The tenth pose in 3-D, in a file with another name."),
                     Example("report Results/corner --pose none",
-                        "Without the scene, when there is no GPU or it takes too long.")
+                        "Without the scene, if there is no GPU or it takes too long.")
                 }
         };
 
         /// <summary>Times poses and other programs. Only in the headless host.</summary>
-        public static readonly Command Bench = new Command("bench", "Time what a pose costs, count what it does, "
+        public static readonly Command Bench = new Command("bench", "Time a pose, count its work, "
             + "and compare its sums with a double-precision tracer and its times with other programs.")
         {
             Inputs = InputKind.File | InputKind.BuiltIn,
@@ -145,18 +145,18 @@ namespace Glint.Editor
                 }.Concat(Options.Radar).Concat(new Option[] { Options.Accuracy, Options.Device }).ToArray(),
             Notes = new[]
                 {
-                    "A pose is timed as a sweep pays for it: the target (the ship, the mesh of a file) is turned by a "
-                        + "thousandth of a degree, what changed is brought to the device, rays are traced and summed. "
-                        + "Sums and errors are those of the scene as it stands."
+                    "A pose is timed as in a sweep: the target (the ship, the mesh of a file) is turned by a "
+                        + "thousandth of a degree, changes are uploaded, rays are traced and summed. "
+                        + "Sums and errors are those of the unturned target."
                 },
             Examples = new[]
                 {
                     Example("bench", "The built-in scene, 1920 x 1080 rays."),
                     Example("bench --size 7680x4320 --reference none --json 8k.json",
-                        "33 million rays; the figures go into a file."),
+                        "33 million rays, with the figures in a file."),
                     Example("bench --accuracy --json accuracy.json",
                         "Run time against error: the plot, tables and figures."),
-                    Example("bench --peer \"Embree=./embree {scene}\"", "With another program, in turns.")
+                    Example("bench --peer \"Embree=./embree {scene}\"", "In turns with another program.")
                 }
         };
 
@@ -169,15 +169,15 @@ namespace Glint.Editor
             Options = Options.Radar.Prepend(Options.Json).Prepend(Options.Rays).Append(Options.Device).ToArray(),
             Notes = new[]
                 {
-                    "A ray is right when it goes the same way and, if it is received, "
-                        + "its path is as long within 10 micrometres; or when it passes the edge of a triangle so near "
-                        + "that float32 cannot tell on which side. The exit code is 1 when a ray is not."
+                    "A ray is right if it takes the same path and, if received, its length agrees within 10 "
+                        + "micrometres. It is also right if it passes a triangle's edge too closely for float32 to "
+                        + "tell the side. The exit code is 1 if a ray is wrong."
                 },
             Examples = new[]
                 {
                     Example("verify Scenes/CornerReflector.unity", "Its 676 received rays, and some 100,000 of all."),
                     Example("verify ship.stl --unit mm --up z --distance 10000 --fov 0.3 --json ship.json",
-                        "A mesh from 10 km; the figures go into a file.")
+                        "A mesh from 10 km, with the figures in a file.")
                 }
         };
 
@@ -191,13 +191,13 @@ namespace Glint.Editor
                 {
                     "It sweeps the scenes that this project stores: the corner reflector, both seas, the ship alone "
                         + "and on each sea. Then it turns the ship on every stored snapshot, and makes other seas with "
-                        + "other seeds, winds and choppinesses, to tell how often a sea returns anything.",
-                    "Without --out the files go to Results/experiments beside the project's Assets. An experiments.md "
-                        + "that is there already keeps its words: only what stands between its markers is replaced."
+                        + "other seeds, winds and choppinesses, to count how often a sea returns rays.",
+                    "Without --out the files go to Results/experiments beside the project's Assets. An existing "
+                        + "experiments.md keeps its text: only the parts between its markers are replaced."
                 },
             Examples = new[]
                 {
-                    Example("experiments", "All of it."),
+                    Example("experiments", "All experiments."),
                     Example("experiments --seeds 1 --out figures", "One seed: the stored seas and their neighbours in "
                         + "wind and choppiness; the files go to figures.")
                 }
@@ -209,8 +209,8 @@ namespace Glint.Editor
             {
                 Inputs = InputKind.None,
                 Options = SeaOptions.All,
-                Notes = new[] { "Without options it makes the seas that this project stores in Meshes anew: "
-                    + "the same numbers give the same files, on any machine." },
+                Notes = new[] { "Without options it makes the seas stored in Meshes again: the same settings give "
+                    + "the same files on any machine." },
                 Handler = GeneratedAssets.WriteSea,
                 UnityMethod = "Glint.Editor.Batch.Sea",
                 Examples = new[]
@@ -227,8 +227,8 @@ namespace Glint.Editor
             {
                 Inputs = InputKind.None,
                 Options = ShipOptions.All,
-                Notes = new[] { "Without options it makes the ship that this project stores in Meshes anew: "
-                    + "the same numbers give the same files, on any machine." },
+                Notes = new[] { "Without options it makes the ship stored in Meshes again: the same settings give "
+                    + "the same files on any machine." },
                 Handler = GeneratedAssets.WriteShip,
                 UnityMethod = "Glint.Editor.Batch.Ship",
                 Examples = new[]
@@ -260,14 +260,14 @@ namespace Glint.Editor
                 Options = new Option[] { Options.Device },
                 Examples = new[]
                 {
-                    Example("info", "What Glint would use."),
+                    Example("info", "Versions, GPUs, and the one in use."),
                     Example("info --device llvmpipe", "The limits of Mesa's software device.")
                 }
             };
 
         /// <summary>Prints a completion script for a shell. Only in the headless host.</summary>
         public static readonly Command Completion = new Command("completion",
-            "Print a script with which a shell completes commands, options, choices and file names of glint.")
+            "Print a shell script that completes commands, options, choices and file names of glint.")
         {
             NeedsProject = false,
             Inputs = InputKind.Shell,
@@ -275,7 +275,7 @@ namespace Glint.Editor
             Examples = new[]
                 {
                     Example("completion bash",
-                        "To have it in every bash: put  source <(glint completion bash)  into ~/.bashrc."),
+                        "For bash: put  source <(glint completion bash)  into ~/.bashrc."),
                     Example("completion zsh",
                         "For zsh: put  source <(glint completion zsh)  into ~/.zshrc, after compinit."),
                     Example("completion fish",
@@ -306,11 +306,11 @@ namespace Glint.Editor
         /// <summary>Folder for tables, plots and figures; null when not given.</summary>
         public static readonly Option<string> Out = Options.Text("out", "DIR", Group,
             "Folder for experiments.md, experiments.json and the plots in images/, "
-                + "made with its parents when it is not there.");
+                + "created with its parents if missing.");
 
         /// <summary>Seas with the same wind and choppiness.</summary>
         public static readonly Option<int> Seeds = Options.Whole("seeds", "N", "20", Interval.Closed(1, 1000), Group,
             "Seas of each wind and choppiness: the stored one, "
-                + "and others that differ from it in nothing but the seed.");
+                + "and others that differ only in the seed.");
     }
 }

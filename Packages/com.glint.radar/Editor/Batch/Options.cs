@@ -67,25 +67,25 @@ namespace Glint.Editor
 
         /// <summary>Folder for the result files; null when not given.</summary>
         public static readonly Option<string> Out = Text("out", "DIR", ResultGroup,
-            "Folder for results.csv and results.json, made with its parents when it is not there.");
+            "Folder for results.csv and results.json, created with its parents if missing.");
 
         /// <summary>Folder of the project for meshes and prefabs; null when not given.</summary>
         public static readonly Option<string> AssetFolder = Text("out", "DIR", ResultGroup,
             "Folder of the project for mesh and prefab, such as Assets/Mine; "
-                + "made with its parents when it is not there. Required with any other option.");
+                + "created with its parents if missing. Required with any other option.");
 
         /// <summary>Whether to resume an unfinished sweep.</summary>
         public static readonly Option<bool> Resume = Switch("resume", ResultGroup,
-            "Go on with the same sweep where it was ended, killed or not: poses that are done stay. "
-                + "Refused when the folder holds another sweep; where nothing was begun the sweep begins.");
+            "Resume an interrupted sweep and keep its finished poses. Refused if the folder holds another sweep. "
+                + "Without rows to keep, the sweep starts from the beginning.");
 
         /// <summary>The part of a sweep to do; null when not given.</summary>
         public static readonly Option<SweepShard?> Shard =
             new Option<SweepShard?>("shard", "K/N", text => SweepShard.Parse(text))
             {
                 Group = SweepGroup,
-                Help = "Only part K of N, poses that follow each other, K from 1: for N processes, "
-                    + "each with an --out and perhaps a --device of its own. glint merge joins the parts."
+                Help = "Only part K of N, a range of consecutive poses, K from 1: for N processes, each with its own "
+                    + "--out and, if wanted, --device. glint merge joins the parts."
             };
 
         /// <summary>Rays across and down.</summary>
@@ -112,14 +112,15 @@ namespace Glint.Editor
         public static readonly Option<double> Frequency = Number("frequency", "HZ", "10e9", CarrierFrequency,
             RadarGroup, InputKind.Any, "Carrier frequency in hertz.");
 
-        /// <summary>Most reflections a ray may make.</summary>
+        /// <summary>Maximum number of reflections of a ray.</summary>
         public static readonly Option<int> Bounces = Whole("bounces", "N", "4",
-            Interval.Closed(1, RadarSettings.BounceLimit), RadarGroup, "Most reflections a ray may make.");
+            Interval.Closed(1, RadarSettings.BounceLimit), RadarGroup, "Maximum number of reflections of a ray.");
 
         /// <summary>Whether the sampling error is left out.</summary>
         public static readonly Option<bool> NoSamplingError = Switch("no-sampling-error", RadarGroup,
             "Leave out the estimate of the sampling error, which traces smaller rays around received ones: "
-                + "faster, and the columns sampling_error, largest_path_step_wavelengths and undersampled are empty.");
+                + "this is faster, and the columns sampling_error, largest_path_step_wavelengths and undersampled "
+                + "are empty.");
 
         /// <summary>Width and height of the receiver, metres.</summary>
         public static readonly Option<double2> Receiver =
@@ -128,9 +129,9 @@ namespace Glint.Editor
                 Group = RadarGroup,
                 Range = "each " + Length,
                 DefaultText = "3",
-                Help = "Side of the square receiver in metres, or its width and height. With a mesh file it stands 0.2 "
-                    + "m behind the radar; for parallel rays it stands where they start, "
-                    + "and without the option it is as large as their rectangle."
+                Help = "Side of the square receiver in metres, or its width and height. With a mesh file it is 0.2 m "
+                    + "behind the radar. For parallel rays it is where they start, and by default as large as their "
+                    + "rectangle."
             };
 
         /// <summary>Unit of the mesh file's coordinates.</summary>
@@ -142,30 +143,30 @@ namespace Glint.Editor
             Help = "Unit of the file's coordinates."
         });
 
-        /// <summary>Which axis of the mesh file points up.</summary>
+        /// <summary>Axis of the mesh file that points up.</summary>
         public static readonly Option<UpAxis> Up = OfMesh(new Option<UpAxis>("up", "AXIS", Values.Up)
         {
             Range = "y or z",
             Choices = new[] { "y", "z" },
             DefaultText = "y",
-            Help = "Axis of the file that points up. y takes the coordinates as Unity's (x right, y up, z forward); "
-                + "z maps (x, y, z) to (x, z, y)."
+            Help = "Axis of the file that points up. y keeps the coordinates in Unity's axes (x right, y up, z "
+                + "forward); z maps (x, y, z) to (x, z, y)."
         });
 
         /// <summary>Distance from the radar to the point it is aimed at, metres.</summary>
         public static readonly Option<double> Distance = Number("distance", "M", "50", Length, MeshGroup,
-            InputKind.MeshFile, "From the radar to the point it is aimed at, in metres.");
+            InputKind.MeshFile, "Distance from the radar to its aim point, in metres.");
 
         /// <summary>Elevation of the radar above the horizontal through the point it is aimed at, degrees.</summary>
         public static readonly Option<double> Grazing = Number("grazing", "DEG", "10", GrazingAngle,
             MeshGroup, InputKind.MeshFile,
             "Grazing angle in degrees: how far the radar looks down. Below 0 it looks up.");
 
-        /// <summary>Compass direction in which the radar stands, degrees.</summary>
+        /// <summary>Compass direction of the radar's position, degrees.</summary>
         public static readonly Option<double> Azimuth = Number("azimuth", "DEG", "0", Interval.Closed(-360, 360),
             MeshGroup, InputKind.MeshFile,
-            "Where the radar stands, in degrees about the vertical, positive as Unity's rotation about Y. "
-                + "At 0 it stands on the -Z side and looks along +Z.");
+            "Position of the radar, in degrees about the vertical, positive as Unity's rotation about Y. At 0 it is "
+                + "on the -Z side and looks along +Z.");
 
         /// <summary>Vertical field of view, degrees.</summary>
         public static readonly Option<double> Fov = Number("fov", "DEG", "60", Interval.Closed(1e-5, 179),
@@ -181,9 +182,9 @@ namespace Glint.Editor
                 {
                     (Size, "the spacing decides how many rays there are"), (Fov, "parallel rays have no field of view")
                 },
-                Help = "Parallel rays, a plane wave, so many metres apart, in place of a field of view. "
-                    + "They start at --distance across the line of sight, from a rectangle that just covers the mesh "
-                    + "as it is seen from there (in a sweep: at each angle), or from that of --aperture."
+                Help = "Spacing in metres of parallel rays (a plane wave), in place of a field of view. They start "
+                    + "at --distance from a rectangle across the line of sight. It just covers the mesh (in a sweep: "
+                    + "at each angle), or has the size of --aperture."
             });
 
         /// <summary>
@@ -195,7 +196,7 @@ namespace Glint.Editor
                 Needs = new Option[] { Spacing },
                 Range = "each " + Length,
                 Help = "With --spacing: side of the square that parallel rays start from, or its width and height, "
-                    + "in metres, enlarged to whole spacings. Its middle is the radar's place."
+                    + "in metres, enlarged to whole spacings. Its centre is the radar's position."
             });
 
         /// <summary>The point that the radar is aimed at, metres, Unity's axes.</summary>
@@ -209,19 +210,19 @@ namespace Glint.Editor
 
         /// <summary>Seed of the built-in scene.</summary>
         public static readonly Option<int> Seed = Whole("seed", "N", "1", Interval.Closed(0, int.MaxValue),
-            BuiltInGroup, "Which sea it is: the same number, the same waves.", InputKind.BuiltIn);
+            BuiltInGroup, "Seed of the sea: the same number gives the same waves.", InputKind.BuiltIn);
 
         /// <summary>About as many triangles has the built-in scene's sea.</summary>
         public static readonly Option<int> SeaTriangles = Whole("sea-triangles", "N", "35000", Triangles, BuiltInGroup,
-            "About as many triangles has the sea.", InputKind.BuiltIn);
+            "Approximate number of triangles of the sea.", InputKind.BuiltIn);
 
         /// <summary>About as many triangles has the built-in scene's ship.</summary>
         public static readonly Option<int> ShipTriangles = Whole("ship-triangles", "N", "44000", Triangles,
-            BuiltInGroup, "About as many triangles has the ship.", InputKind.BuiltIn);
+            BuiltInGroup, "Approximate number of triangles of the ship.", InputKind.BuiltIn);
 
         /// <summary>Rounds of poses and peers.</summary>
         public static readonly Option<int> Rounds = Whole("rounds", "N", "11", Interval.Closed(1, 1000), BenchGroup,
-            "Rounds, after one to warm up: in each a few poses are timed, then each peer is run once. "
+            "Number of rounds after a warm-up. In each a few poses are timed, then each peer runs once. "
                 + "The poses of a round give their median.");
 
         /// <summary>Other programs to time in the same run.</summary>
@@ -236,7 +237,7 @@ namespace Glint.Editor
                     + "May be given more than once."
             };
 
-        /// <summary>Which rays the reference tracer traces as well: 0 none, 1 all, N every N-th.</summary>
+        /// <summary>Rays that the reference tracer traces as well: 0 none, 1 all, N every N-th.</summary>
         public static readonly Option<int> Reference =
             new Option<int>("reference", "all|none|N", text => Values.Share(text, Interval.Closed(1, 1000000)))
             {
@@ -249,8 +250,8 @@ namespace Glint.Editor
         /// <summary>About as many rays are compared with the reference tracer's.</summary>
         public static readonly Option<int> Rays = Whole("rays", "N", "100000",
             Interval.Closed(1, 1000000000), VerifyGroup,
-            "About as many rays are compared, spread evenly over the picture, and as many of those received; "
-                + "all when there are fewer.");
+            "Approximate number of rays to compare, spread evenly over the picture, and as many received ones; all "
+                + "if there are fewer.");
 
         /// <summary>File for the figures; null when not given.</summary>
         public static readonly Option<string> Json = Text("json", "FILE", ResultGroup,
@@ -266,7 +267,7 @@ namespace Glint.Editor
         {
             Group = DeviceGroup,
             UnityRemedy = "in Unity use Unity's own -force-device-index",
-            Help = "The GPU to work on: its index or part of its name, as glint info lists them. "
+            Help = "The GPU to use: its index or part of its name, as glint info lists them. "
                 + "Without it a discrete GPU, then an integrated or virtual one, then the CPU."
         };
 
@@ -275,20 +276,19 @@ namespace Glint.Editor
         {
             Group = BenchGroup,
             Inputs = InputKind.BuiltIn,
-            Refusal = "it has scenes of its own: leave INPUT out",
+            Refusal = "it has its own scenes: leave INPUT out",
             ImpliedText = "accuracy.svg",
             Excludes = new Option[]
             {
                 Reference, Peers, WriteScene, Seed, SeaTriangles,
                 ShipTriangles, Size, Region, Frequency, Bounces, NoSamplingError, Receiver
             }
-                .Select(option => (option, "it has scenes and radars of its own")).ToArray(),
-            Help = "Instead: run time against error, in scenes of its own, "
-                + "each traced with more and more rays and compared with what endlessly many would give. "
-                + "FILE is for the plot, as SVG; without it: accuracy.svg."
+                .Select(option => (option, "it has its own scenes and radars")).ToArray(),
+            Help = "Instead: error against run time in built-in scenes, each traced with increasing numbers of rays "
+                + "and compared with the converged result. FILE is the plot, as SVG; without it: accuracy.svg."
         };
 
-        /// <summary>What a radar traces with: the options of all commands that trace one pose.</summary>
+        /// <summary>Settings of a radar: the options of all commands that trace one pose.</summary>
         internal static readonly Option[] Radar =
         {
             Size, Region, Frequency, Bounces, NoSamplingError, Receiver, Unit, Up, Distance, Grazing, Azimuth, Fov,

@@ -15,7 +15,7 @@ namespace Glint.Editor
 
         /// <summary>The report's file; null when not given.</summary>
         public static readonly Option<string> Out = Options.Text("out", "FILE", Group,
-            "The file to write, in a folder that is there. Without it: report.html in the folder of the results.");
+            "The file to write, in an existing folder. Without it: report.html in the folder of the results.");
 
         /// <summary>
         /// Row of the pose shown, from 1; 0 when not given: the strongest; <see cref="NoPose"/>: none.
@@ -24,9 +24,8 @@ namespace Glint.Editor
         {
             Choices = new[] { "none" },
             Group = Group,
-            Help = "The pose that is shown in 3-D and as the radar's picture: its row in results.csv, "
-                + "the first being 1. Without it: the one with the largest amplitude. "
-                + "With none the scene is not opened and no GPU is needed."
+            Help = "The pose shown in 3-D and as the radar's picture: its row in results.csv, from 1. Without it: "
+                + "the one with the largest amplitude. With none the scene is not opened and no GPU is needed."
         };
 
         static int ReadPose(string text)

@@ -24,7 +24,7 @@ namespace Glint.Editor
         {
             Group = Group,
             Range = Interval.Closed(SeaState.Lowest, SeaState.Highest).ToString(),
-            Excludes = new (Option, string)[] { (s_measures[0], "both say how high the waves are") },
+            Excludes = new (Option, string)[] { (s_measures[0], "both set the wave height") },
             Help = "In place of --wave-height: the middle of the WMO's range for a sea state, such as 3.25 m for 5."
         };
 
@@ -36,7 +36,7 @@ namespace Glint.Editor
                 Range = SpectrumRange,
                 Choices = s_spectra,
                 DefaultText = "phillips",
-                Help = "How the waves' energy is spread over their lengths; how high they are is --wave-height's."
+                Help = "Distribution of the waves' energy over their lengths; --wave-height sets the height."
             };
 
         /// <summary>Times of the snapshots, seconds.</summary>
@@ -75,7 +75,7 @@ namespace Glint.Editor
                 return null;
             if (!line.IsGiven(Options.AssetFolder))
                 throw new UsageException($"{Options.AssetFolder.Flag} is missing: "
-                    + $"a sea of your own needs {Options.AssetFolder.Flag} {Options.AssetFolder.ValueName}, such as "
+                    + $"your own sea needs {Options.AssetFolder.Flag} {Options.AssetFolder.ValueName}, such as "
                     + $"{Options.AssetFolder.Flag} Assets/Seas/Breeze; without any option the stored seas are made");
             object measured = SeaSettings.Default;
             for (int i = 0; i < s_measures.Length; i++)

@@ -15,14 +15,14 @@ namespace Glint.Editor
         /// <summary>
         /// The ship of a command line; null without options, which means the stored ship.
         /// </summary>
-        /// <exception cref="UsageException">There is no folder for the files.</exception>
+        /// <exception cref="UsageException">The folder for the files is missing.</exception>
         public static ShipSettings? Read(CommandLine line)
         {
             if (!All.Any(line.IsGiven))
                 return null;
             if (!line.IsGiven(Options.AssetFolder))
                 throw new UsageException($"{Options.AssetFolder.Flag} is missing: "
-                    + $"a ship of your own needs {Options.AssetFolder.Flag} {Options.AssetFolder.ValueName}, "
+                    + $"your own ship needs {Options.AssetFolder.Flag} {Options.AssetFolder.ValueName}, "
                     + $"such as {Options.AssetFolder.Flag} Assets/Ships; without any option the stored ship is made");
             object settings = ShipSettings.Default;
             for (int i = 0; i < s_measures.Length; i++)

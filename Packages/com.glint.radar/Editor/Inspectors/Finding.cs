@@ -21,9 +21,9 @@ namespace Glint.Editor
         /// <summary>The object of the finding, if it is not the one checked; else null.</summary>
         public Object Where { get; }
 
-        /// <summary>What a check refuses; null when it finds nothing wrong.</summary>
+        /// <summary>The refusal of a check as a finding; null if it refuses nothing.</summary>
         /// <param name="check">Throws a GlintException.</param>
-        /// <param name="fix">Mends what is refused; null for none.</param>
+        /// <param name="fix">Corrects the refused value; null for none.</param>
         public static Finding Of(Action check, Func<Fix> fix = null)
         {
             try

@@ -149,18 +149,18 @@ namespace Glint.Editor
         {
             pose.Settings.Region = default;
             if (_boxes.AreSeen(pose))
-                Add(Severity.Warning, $"{_radar.Subject}: nothing that is traced lies in the region of its picture: "
+                Add(Severity.Warning, $"{_radar.Subject}: no traced object is in the region of its picture: "
                     + "choose another, or trace the whole picture", RadarFixes.TraceWholePicture(_radar));
             else
                 Add(Severity.Warning, FormattableString.Invariant(
-                    $"{_radar.Subject}: nothing that is traced lies in its picture; the middle of it is {Figures.Distance:g4} m away: turn the radar towards it"),
+                    $"{_radar.Subject}: no traced object is in its picture; their centre is {Figures.Distance:g4} m away: turn the radar towards it"),
                     RadarFixes.LookAt(_radar, Figures.Centre - pose.View.Position));
         }
 
         // The conditions by which SamplingEstimate flags a result, as far as the scene's bounds decide them.
         void CheckSampling()
         {
-            string remedy = _radar.IsFitted ? "take a smaller Ray Spacing" : "give it more rays or a narrower view";
+            string remedy = _radar.IsFitted ? "use a smaller Ray Spacing" : "give it more rays or a narrower view";
             if (Figures.MaxRaysHit < SamplingEstimate.FewestRays)
                 Add(Severity.Warning, FormattableString.Invariant(
                     $"{_radar.Subject}: its rays are {Figures.RaySpacing:g3} m apart at the target, which is {Figures.TargetSize:g3} m large: fewer than {SamplingEstimate.FewestRays} can hit it, too few for the amplitude to be trusted: {remedy}"),
@@ -171,7 +171,7 @@ namespace Glint.Editor
                     RadarFixes.AlignReceiver(_radar), _radar.Receiver);
             else if (forecast.IsTooFew)
                 Add(Severity.Warning, FormattableString.Invariant(
-                    $"{_radar.Subject}: a mirror at the target, facing the radar, would send {forecast.RaysReceived:0.#} rays to its receiver, fewer than the {SamplingEstimate.FewestRays} that an amplitude takes to be trusted: give it a larger receiver, or {remedy}"),
+                    $"{_radar.Subject}: a mirror at the target, facing the radar, would send {forecast.RaysReceived:0.#} rays to its receiver, fewer than the {SamplingEstimate.FewestRays} needed for the amplitude to be trusted: give it a larger receiver, or {remedy}"),
                     Denser());
             else if (forecast.IsTooCoarse)
                 Add(Severity.Warning, FormattableString.Invariant(

@@ -44,7 +44,7 @@ namespace Glint.Editor
         /// <summary>Diagonal of the box around everything traced, metres.</summary>
         public double TargetSize { get; }
 
-        /// <summary>From the radar to the target, metres.</summary>
+        /// <summary>Distance from the radar to the target, metres.</summary>
         public double Distance { get; }
 
         /// <summary>
@@ -125,28 +125,28 @@ namespace Glint.Editor
             yield return ("Wavelength", Length(Settings.Wavelength), "Speed of light over frequency.");
             yield return ("Rays", FormattableString.Invariant(
                     $"{Settings.RaysAcross} x {Settings.RaysDown}, {Settings.RaysEmitted:N0} emitted"),
-                "Of the whole picture; those outside of its region are not emitted.");
+                "Rays of the whole picture; those outside its region are not emitted.");
             yield return ("Distance", Length(Distance),
-                "From the radar to the middle of the box around all that is traced.");
+                "Distance from the radar to the centre of the traced objects' bounding box.");
             yield return (_pose.View.IsParallel ? "Aperture" : "Footprint",
                 Footprint is double2 size ? $"{Length(size.x)} x {Length(size.y)}" : "behind the radar",
                 _pose.View.IsParallel
-                    ? "Width and height of the rectangle that the rays leave."
+                    ? "Width and height of the rectangle that the rays start from."
                     : "Width and height of the view at that distance.");
             if (RaySpacing is double spacing)
                 yield return ("Ray spacing",
                     FormattableString.Invariant($"{Length(spacing)}, {spacing / Settings.Wavelength:0.##} wavelengths"),
-                    "From ray to ray at that distance, across the view axis.");
+                    "Distance between neighbouring rays at that distance, across the view axis.");
             if (Forecast is SamplingForecast forecast)
                 yield return ("Path step", FormattableString.Invariant($"{forecast.LargestPathStep:0.###} wavelengths"),
-                    "Between neighbouring rays that a mirror at that distance, facing the radar, "
-                        + "returns to the receiver. From half a wavelength on the sum is no integral any more.");
+                    "Path difference of neighbouring rays that a mirror at that distance, facing the radar, returns "
+                        + "to the receiver. From half a wavelength the sum is no longer an integral.");
             yield return ("Traced", FormattableString.Invariant($"{Triangles:N0} triangles of {Objects:N0} objects"),
-                "Everything active on the radar's layers and below its roots.");
+                "Active objects on the radar's layers and below its roots.");
             yield return ("Memory",
                 $"{Text.Mebibytes(Memory.DeviceBytes)} on the device, {Text.Mebibytes(Memory.HostBytes)} here",
-                "About. On the device: trees, tiles, and the buffers of one dispatch at most. Here: meshes and trees, "
-                    + "and all rays if all are kept; each received ray takes some 130 bytes more.");
+                "Estimates. On the device: BVHs, tiles, and the buffers of one dispatch. On the host: meshes and "
+                    + "BVHs, and all rays if all are kept; each received ray takes some 130 bytes more.");
         }
 
         // At least three digits.

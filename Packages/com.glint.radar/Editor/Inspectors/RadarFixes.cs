@@ -8,7 +8,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Editor
 {
-    /// <summary>What the buttons of a radar's inspector do, also those beside its findings.</summary>
+    /// <summary>Actions of the buttons of a radar's inspector, also those beside its findings.</summary>
     static class RadarFixes
     {
         public static Fix Enable(RadarController radar) => new Fix("Enable", () =>
@@ -42,7 +42,7 @@ namespace Glint.Editor
         public static Fix ShowRayPaths(RadarController radar) =>
             new Fix("Show Ray Paths", () => Undo.AddComponent<RayPaths>(radar.gameObject));
 
-        public static Fix FitAperture(RadarController radar) => new Fix("Fit the aperture to what is traced",
+        public static Fix FitAperture(RadarController radar) => new Fix("Fit the aperture to the traced objects",
             () => Fix.Change(radar, "Fit the aperture", it => it.FitAperture = true));
 
         public static Fix RemoveEmptyRoots(RadarController radar) => new Fix("Remove empty entries",
@@ -118,7 +118,7 @@ namespace Glint.Editor
             });
         }
 
-        // A mesh asset of its own, or a mesh without a file.
+        // A separate mesh asset, or a mesh without a file.
         static bool IsOwn(Mesh mesh)
         {
             string path = AssetDatabase.GetAssetPath(mesh);

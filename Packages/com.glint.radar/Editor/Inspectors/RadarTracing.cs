@@ -62,8 +62,7 @@ namespace Glint.Editor
                 FormattableString.Invariant($"{result.NormalisedAmplitude:g6} ")
                     + Or(result.SamplingError, error => FormattableString.Invariant($"± {error:g3}"),
                         $"(error {ResultColumn.NotEstimated})"),
-                "As if the same field of view had 1920 x 1080 rays, "
-                    + "and about how far that is from endlessly many rays.");
+                "Amplitude with 1920 x 1080 rays over the same field of view, and its estimated sampling error.");
             yield return ("Rays hit", FormattableString.Invariant($"{result.RaysHit:N0} of {result.RaysEmitted:N0}"),
                 "Rays whose first segment hits anything, of those emitted.");
             yield return ("Rays received", FormattableString.Invariant($"{result.RaysReceived:N0}"),
@@ -73,12 +72,12 @@ namespace Glint.Editor
                 "Largest difference of path length between received rays that are neighbours in the picture.");
             yield return ("Undersampled", result.Sampling == null ? ResultColumn.NotEstimated
                     : result.Undersampled ? "yes: give it more rays or a narrower view" : "no",
-                "Whether the rays are too far apart, or too few return, "
-                    + "for the amplitude and its error to be trusted.");
+                "True if the rays are too far apart, or too few return, for the amplitude and its error to be "
+                    + "trusted.");
             var times = result.Statistics.Timings;
             yield return ("Times", FormattableString.Invariant(
                 $"gather {times.GatherMs:0.#}, build {times.BuildMs:0.#}, upload {times.UploadMs:0.#}, trace {times.TraceMs:0.#} ms"),
-                "What the last pose took; what stays as it was is not built or uploaded again.");
+                "Times of the last pose. Unchanged parts are not built or uploaded again.");
             yield return ("On the device", Text.Mebibytes(result.Statistics.BytesOnDevice),
                 "Bytes of all the radar's buffers.");
         }

@@ -17,7 +17,7 @@ namespace Glint.Editor
                     "no rays are drawn: nothing is traced yet; press Trace now, or play the scene");
             if (paths.IsOutdated)
                 return new Finding(Severity.Warning, "no rays are drawn: the scene or the radar has changed since the "
-                    + "last pose, or the radar has let go of it; press Trace now");
+                    + "last pose, or the radar has released it; press Trace now");
             return null;
         }
 
@@ -26,8 +26,8 @@ namespace Glint.Editor
         {
             string followed = paths.LeftOut > 0 ? FormattableString.Invariant(
                 $"; followed {RayPaths.MaxRays:N0} of {(long)RayPaths.MaxRays + paths.LeftOut:N0}") : "";
-            yield return ("Rays drawn", FormattableString.Invariant($"{paths.Count:N0}{followed}"), "Rays of the pose "
-                + "last drawn that pass the filters. Of more than are followed, so many are taken evenly.");
+            yield return ("Rays drawn", FormattableString.Invariant($"{paths.Count:N0}{followed}"), "Rays of the "
+                + "last drawn pose that pass the filters. Above the maximum number an even selection is drawn.");
         }
     }
 }

@@ -11,9 +11,9 @@ namespace Glint.Editor
         /// <summary>Labels and tooltips of the fields of <see cref="SeaSettings"/>, in their order.</summary>
         public static readonly (string field, string label, string tooltip)[] Waves = SeaSettings.Measures
             .Select(measure => measure.Row)
-            .Prepend(("Kind", "Spectrum", "How the variance is spread over wavelengths."))
+            .Prepend(("Kind", "Spectrum", "Distribution of the variance over wavelengths."))
             .Append(("HeightFactor", "Height Factor",
-                "Multiplies the height, 0.001 to 1000: 1, or what a stored sea was scaled by.")).ToArray();
+                "Multiplies the height, 0.001 to 1000: 1, or the scale of a stored sea.")).ToArray();
 
         /// <summary>Why the sea cannot be shown; null if it can.</summary>
         public static Finding Check(Sea sea) => Finding.Of(sea.Check);
@@ -26,13 +26,13 @@ namespace Glint.Editor
             yield return ("Shown", shown == null
                 ? FormattableString.Invariant($"waves at {sea.TimeSeconds:0.###} s")
                     : $"snapshot {Name(sea, sea.Snapshot)}",
-                "A stored snapshot, or a tile made from Waves where there are none.");
+                "A stored snapshot; without any, a tile made from Waves.");
             yield return ("Waves", FormattableString.Invariant(
                 $"{waves.Kind}, {waves.SignificantWaveHeight:0.###} m high, wind {waves.WindSpeed:0.###} m/s to {waves.WindDirectionDegrees:0.###} deg"),
-                "Spectrum, significant wave height asked for, and wind that shapes it.");
+                "Spectrum, requested significant wave height, and wind that shapes it.");
             yield return ("Tile",
                 FormattableString.Invariant($"{waves.TileSize:0.###} m, {2L * waves.Cells * waves.Cells:N0} triangles"),
-                "Side of the tile that repeats, and its triangles.");
+                "Side of the repeated tile, and its triangles.");
             yield return ("Tiles", FormattableString.Invariant(
                     $"{sea.TileCount:N0}, {2L * waves.Cells * waves.Cells * sea.TileCount:N0} triangles"),
                 "All are instances of one mesh and take little more memory than one.");

@@ -9,7 +9,7 @@ namespace Glint.Editor
     /// <summary>A ship's mesh and its measures for an inspector.</summary>
     static class ShipFigures
     {
-        /// <summary>Which measure is out of range; null if none is.</summary>
+        /// <summary>Finding for a measure out of range; null if none is.</summary>
         public static Finding Check(Ship ship) => Finding.Of(() => ship.Settings.Validate());
 
         /// <summary>Label, value and meaning.</summary>
@@ -21,17 +21,17 @@ namespace Glint.Editor
             var size = mesh.bounds.size;
             yield return ("Mesh", FormattableString.Invariant(
                     $"{size.z:0.##} x {size.x:0.##} x {size.y:0.##} m, {mesh.GetIndexCount(0) / 3:N0} triangles"),
-                "Length, width and height of what is traced. The bow points to -Z, the water is at y = 0.");
+                "Length, width and height of the mesh. The bow points to -Z, the water is at y = 0.");
         }
 
         /// <summary>
         /// Makes the mesh from measures that pass <see cref="Check"/>. It is stored with the scene.
         /// </summary>
-        public static Fix Remake(Ship ship) => new Fix("Make the mesh anew", () =>
+        public static Fix Remake(Ship ship) => new Fix("Rebuild the mesh", () =>
         {
             var mesh = Make(ship.Settings);
-            Undo.RegisterCreatedObjectUndo(mesh, "Make the mesh anew");
-            Fix.Change(ship.GetComponent<MeshFilter>(), "Make the mesh anew", it => it.sharedMesh = mesh);
+            Undo.RegisterCreatedObjectUndo(mesh, "Rebuild the mesh");
+            Fix.Change(ship.GetComponent<MeshFilter>(), "Rebuild the mesh", it => it.sharedMesh = mesh);
         });
 
         /// <exception cref="GlintException">A measure is out of range.</exception>

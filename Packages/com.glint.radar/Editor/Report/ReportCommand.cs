@@ -37,7 +37,7 @@ namespace Glint.Editor
         public static void Write(StoredRun run, Func<ReportScene> capture, string path)
         {
             ReportScene scene = null;
-            string problem = "No pose was asked for.";
+            string problem = "No pose was requested.";
             if (capture != null)
                 (scene, problem) = TryCapture(capture);
             ReportFile.Write(path, ReportFile.Fill(Template(), run, scene, problem));

@@ -54,7 +54,7 @@ namespace Glint.Editor
             {
                 string folder = Path.GetDirectoryName(Path.GetFullPath(path));
                 if (!Directory.Exists(folder))
-                    throw new GlintException($"{path}: the folder {folder} is not there: make it, "
+                    throw new GlintException($"{path}: the folder {folder} does not exist: create it, "
                         + $"or name another file with {ReportOptions.Out.Flag}");
                 try
                 {

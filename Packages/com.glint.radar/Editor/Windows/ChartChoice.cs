@@ -5,7 +5,7 @@ using Glint.Core;
 
 namespace Glint.Editor
 {
-    /// <summary>What the window's chart shows of a run.</summary>
+    /// <summary>The part of a run shown in the window's chart.</summary>
     [Serializable]
     sealed class ChartChoice
     {
@@ -14,7 +14,7 @@ namespace Glint.Editor
         /// </summary>
         public string Axis = "";
 
-        /// <summary>Title of the column; one that there is not stands for the normalised amplitude.</summary>
+        /// <summary>Title of the column; an unknown title selects the normalised amplitude.</summary>
         public string Column = ResultColumn.Normalised.Title;
 
         /// <summary>Amplitudes in decibels.</summary>
@@ -23,7 +23,7 @@ namespace Glint.Editor
         /// <summary>The pose that is marked, from 0; -1 for the strongest.</summary>
         public int Pose = -1;
 
-        /// <summary>What can be chosen.</summary>
+        /// <summary>The columns to choose from.</summary>
         public static IEnumerable<ResultColumn> Columns =>
             ResultColumn.All.Where(column => column.Axis == null && !column.IsFlag);
 

@@ -28,7 +28,7 @@ namespace Glint.Editor
         /// <summary>Position of a value.</summary>
         public double Of(double value) => (value - Min) / (Max - Min);
 
-        /// <summary>From the lowest to the highest value, with ticks between.</summary>
+        /// <summary>A scale from the lowest to the highest value, with ticks between.</summary>
         /// <param name="limit">Approximate maximum number of ticks.</param>
         public static ChartScale Over(double min, double max, int limit = 8)
         {
@@ -38,7 +38,7 @@ namespace Glint.Editor
                 Multiples(Math.Ceiling(min / step - 1e-9), Math.Floor(max / step + 1e-9), step));
         }
 
-        /// <summary>From the tick below the smaller value to the tick above the larger.</summary>
+        /// <summary>A scale from the tick below the smaller value to the tick above the larger.</summary>
         public static ChartScale Around(double min, double max, int limit = 6)
         {
             Widen(ref min, ref max);

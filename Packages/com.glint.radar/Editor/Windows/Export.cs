@@ -48,7 +48,7 @@ namespace Glint.Editor
                     + $"{run.Info.ScenePath ?? "which they do not name"}, is not open");
             if (run.Info.TargetName != null && (form.Target == null || form.Target.name != run.Info.TargetName))
                 throw new GlintException($"the target of these results, '{run.Info.TargetName}', "
-                    + "is not the one that is chosen");
+                    + "is not the chosen one");
             bool hasSnapshots = run.Count > 0 && run.Value(0, SweepAxis.Snapshot) != null;
             return LoadedScene.InOpenScene(form.Radar, run.Info.TargetName == null ? null : form.Target,
                 hasSnapshots ? SceneSearch.FindSea(run.Info.ScenePath) : null);

@@ -157,7 +157,7 @@ namespace Glint.Editor
             return new ChartSeries { Name = group.Name, IsCompared = group.IsCompared, Runs = runs };
         }
 
-        // Half the width of the error's band; 0 where there is no estimate.
+        // Half the width of the error band; 0 without an estimate.
         double ErrorOf(StoredRow pose) =>
             _column.Error == null ? 0 : pose[_column.Error] ?? 0;
 

@@ -82,7 +82,7 @@ namespace Glint.Editor
         }
 
         /// <summary>The results folder.</summary>
-        /// <exception cref="GlintException">The text is no path.</exception>
+        /// <exception cref="GlintException">The text is not a path.</exception>
         public string FolderPath
         {
             get
@@ -108,7 +108,7 @@ namespace Glint.Editor
             try
             {
                 return !isRunning && File.Exists(Path.Combine(FolderPath, ResultsFolder.PartialName))
-                    ? $"{FolderPath} holds a sweep that is not finished: Resume goes on with it, "
+                    ? $"{FolderPath} holds a sweep that is not finished: Resume continues it, "
                         + "otherwise the first row replaces it."
                     : FolderPath;
             }

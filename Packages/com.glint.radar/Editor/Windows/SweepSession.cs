@@ -109,7 +109,7 @@ namespace Glint.Editor
             string count = FormattableString.Invariant($"{Done} of {Count} poses");
             if (IsRunning)
                 return SecondsLeft is double left ? FormattableString.Invariant($"{count}, {left:0} s left") : count;
-            return Done == Count ? count : $"{count} are done and kept; Resume goes on";
+            return Done == Count ? count : $"{count} are done and kept; Resume continues";
         }
 
         /// <summary>Traces the next pose.</summary>
@@ -160,7 +160,7 @@ namespace Glint.Editor
         /// </summary>
         public void Cancel() => Stop("cancelled");
 
-        /// <summary>As <see cref="Cancel"/>.</summary>
+        /// <summary>Same as <see cref="Cancel"/>.</summary>
         public void Dispose() => Stop("cancelled");
 
         void Stop(string reason)

@@ -29,47 +29,46 @@ namespace Glint
         [SerializeField, Min(1), Tooltip("Rays across the view. With Rays Down it sets the aspect ratio.")]
         int _raysAcross = 1920;
 
-        [SerializeField, Min(1), Tooltip("Rays down the view, over the Camera's field of view or, "
-            + "where it is orthographic, twice its Size.")]
+        [SerializeField, Min(1), Tooltip("Rays down the view, over the Camera's field of view; for an orthographic "
+            + "Camera over twice its Size.")]
         int _raysDown = 1080;
 
-        [SerializeField, Tooltip("Only for an orthographic Camera: the rays cover what is traced, "
-            + "as it looks from here, Ray Spacing apart, and none is wasted. The Camera's Size, "
-            + "Rays Across and Rays Down do not matter then.")]
+        [SerializeField, Tooltip("Only for an orthographic Camera: the rays just cover the traced objects, Ray "
+            + "Spacing apart. The Camera's Size, Rays Across and Rays Down are then ignored.")]
         bool _fitAperture;
 
-        [SerializeField, Tooltip("From ray to ray in metres, with Fit Aperture.")]
+        [SerializeField, Tooltip("Distance between rays in metres, with Fit Aperture.")]
         double _raySpacing = 0.01;
 
-        [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Most specular reflections a ray may make.")]
+        [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Maximum number of bounces of a ray.")]
         int _maxBounces = 4;
 
         [SerializeField, Tooltip("Leaves out the estimate of the sampling error, which traces smaller rays around "
-            + "received ones. A pose is faster, and whether it is undersampled is not known.")]
+            + "received ones. A pose is faster, but undersampling is not detected.")]
         bool _skipSamplingError;
 
-        [SerializeField, Tooltip("Middle of the receiver, which faces along this transform's forward axis. "
+        [SerializeField, Tooltip("Centre of the receiver, which faces along this transform's forward axis. "
             + "It is neither target nor obstacle.")]
         Transform _receiver;
 
-        [SerializeField, Tooltip("Width and height of the receiver in metres. 0 x 0, where the Camera is orthographic: "
-            + "as large as the aperture, and on its axis.")]
+        [SerializeField, Tooltip("Width and height of the receiver in metres. 0 x 0 with an orthographic Camera: as "
+            + "large as the aperture, and on its axis.")]
         Vector2 _receiverSize = new Vector2(3, 3);
 
         [SerializeField, Tooltip("Layers to trace.")]
         LayerMask _layers = ~0;
 
-        [SerializeField, Tooltip("Objects to trace, with all below them. Empty: everything in the loaded scenes.")]
+        [SerializeField, Tooltip("Objects to trace, with their children. Empty: everything in the loaded scenes.")]
         List<Transform> _roots = new List<Transform>();
 
-        [SerializeField, Tooltip("Which rays a result carries one by one. All takes 48 bytes a ray.")]
+        [SerializeField, Tooltip("Rays that a result stores one by one. All takes 48 bytes a ray.")]
         RayReadback _keptRays = RayReadback.Received;
 
         [SerializeField, Tooltip("Left and bottom edge, in rays, of the part of the picture to trace.")]
         Vector2Int _regionCorner;
 
         [SerializeField, Tooltip("Rays across and down of the part of the picture to trace; "
-            + "the others are not emitted. 0 x 0: the whole picture.")]
+            + "other rays are not emitted. 0 x 0: the whole picture.")]
         Vector2Int _regionSize;
 
         [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Trace.compute")]
@@ -402,7 +401,7 @@ namespace Glint
                     $"{Subject}: amplitude {result.Amplitude:g7}, {result.RaysReceived} of {result.RaysHit} rays that hit were received"),
                     this);
                 if (result.Undersampled)
-                    Debug.LogWarning($"{Subject}: the amplitude is not to be trusted: its rays are too far apart, "
+                    Debug.LogWarning($"{Subject}: the amplitude is unreliable: its rays are too far apart, "
                         + "or too few return; give it more rays or a narrower view", this);
             }
             catch (GlintException problem)

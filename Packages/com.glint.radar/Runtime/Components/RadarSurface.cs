@@ -17,14 +17,14 @@ namespace Glint
         RadarMaterial _material;
 
         [SerializeField, Min(AllSubmeshes),
-            Tooltip("Submesh of this object's mesh, from 0. -1: the whole object and those below it.")]
+            Tooltip("Submesh of this object's mesh, from 0. -1: the whole object and its children.")]
         int _submesh = AllSubmeshes;
 
         /// <summary>Material of the surface; null: a perfect conductor.</summary>
         public RadarMaterial Material { get => _material; set => _material = value; }
 
         /// <summary>
-        /// Submesh of this object's mesh, from 0; <see cref="AllSubmeshes"/>: the whole object and those below it.
+        /// Submesh of this object's mesh, from 0; <see cref="AllSubmeshes"/>: the whole object and its children.
         /// </summary>
         public int Submesh { get => _submesh; set => _submesh = value; }
     }

@@ -21,19 +21,19 @@ namespace Glint
         /// <summary>Maximum number of rays traced; of more, this number is evenly chosen.</summary>
         public const int MaxRays = 100000;
 
-        [SerializeField, Tooltip("Only rays that reach the receiver. Otherwise rays from all over the picture.")]
+        [SerializeField, Tooltip("Only rays that reach the receiver. Otherwise rays of the whole picture.")]
         bool _receivedOnly = true;
 
         [SerializeField, Min(1), Tooltip("Every n-th of these rays.")]
         int _every = 1;
 
-        [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Only rays with as many bounces or more.")]
+        [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Minimum number of bounces of a drawn ray.")]
         int _fewestBounces = 1;
 
-        [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Only rays with as many bounces or fewer.")]
+        [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Maximum number of bounces of a drawn ray.")]
         int _mostBounces = RadarSettings.BounceLimit;
 
-        [SerializeField, Tooltip("Only rays that meet this object or one below it. Empty: any.")]
+        [SerializeField, Tooltip("Only rays that hit this object or one of its children. Empty: all rays.")]
         Transform _meeting;
 
         [SerializeField, Tooltip("A cross at each point of reflection.")]

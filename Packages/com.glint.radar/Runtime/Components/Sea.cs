@@ -18,33 +18,33 @@ namespace Glint
     public sealed class Sea : MonoBehaviour
     {
         [SerializeField,
-            Tooltip("Stored moments of a sea, in order; one of them is shown. Empty: the tile is made from Waves.")]
+            Tooltip("Stored snapshots of a sea, in order; one of them is shown. Empty: the tile is made from Waves.")]
         List<SeaSnapshot> _snapshots = new List<SeaSnapshot>();
 
-        [SerializeField, Min(1), Tooltip("Which snapshot is shown, from 1.")]
+        [SerializeField, Min(1), Tooltip("Number of the snapshot that is shown, from 1.")]
         int _snapshot = 1;
 
-        [SerializeField, Tooltip("What the tile is made from when there are no snapshots.")]
+        [SerializeField, Tooltip("Settings of the tile if there are no snapshots.")]
         SeaSettings _waves = SeaSettings.Default;
 
-        [SerializeField, Tooltip("Moment of the sea in seconds when there are no snapshots.")]
+        [SerializeField, Tooltip("Time of the sea in seconds if there are no snapshots.")]
         double _timeSeconds;
 
-        [SerializeField, Tooltip("Metres along this object's X and Z that are covered at least; whole tiles are laid.")]
+        [SerializeField, Tooltip("Minimum extent along this object's X and Z in metres; it is covered by whole tiles.")]
         Vector2 _extent = new Vector2(64, 128);
 
-        [SerializeField, Tooltip("What stays in the middle, the radar or the ship: the tiles follow it by whole tiles, "
-            + "the waves stay where they are. Empty: this object.")]
+        [SerializeField, Tooltip("Centre of the sea, the radar or the ship: the tiles follow it in steps of whole "
+            + "tiles, so that the waves do not move. Empty: this object.")]
         Transform _centre;
 
-        [SerializeField, Tooltip("While the scene plays: nothing, one snapshot after the other, "
-            + "or running waves (without snapshots).")]
+        [SerializeField, Tooltip("Motion in play mode: none, one snapshot after the other, or moving waves (without "
+            + "snapshots).")]
         SeaMotion _motion;
 
-        [SerializeField, Min(0.01f), Tooltip("How long each snapshot is shown, in seconds.")]
+        [SerializeField, Min(0.01f), Tooltip("Duration of each snapshot, in seconds.")]
         float _secondsPerSnapshot = 1;
 
-        [SerializeField, Tooltip("What the sea looks like; it does not matter to the radar.")]
+        [SerializeField, Tooltip("Appearance of the sea; the radar ignores it.")]
         Material _material;
 
         readonly SeaTiles _tiles = new SeaTiles();
@@ -57,7 +57,7 @@ namespace Glint
         public List<SeaSnapshot> Snapshots => _snapshots;
 
         /// <summary>The snapshot shown, from 1; setting it shows it immediately.</summary>
-        /// <exception cref="GlintException">There is no such snapshot.</exception>
+        /// <exception cref="GlintException">The snapshot does not exist.</exception>
         public int Snapshot
         {
             get => _snapshot;
@@ -146,7 +146,7 @@ namespace Glint
         public void Check()
         {
             if (_motion == SeaMotion.Waves && _snapshots.Count > 0)
-                throw new GlintException($"{Subject}: its motion is Waves and it has snapshots, which stand still: "
+                throw new GlintException($"{Subject}: its motion is Waves and it has snapshots, which do not move: "
                     + "choose Snapshots or Still, or remove the snapshots");
             if (_snapshots.Count > 0)
                 CheckSnapshot(_snapshot);
@@ -155,7 +155,7 @@ namespace Glint
         }
 
         /// <summary>Refuses a number without snapshot.</summary>
-        /// <exception cref="GlintException">There is no such snapshot.</exception>
+        /// <exception cref="GlintException">The snapshot does not exist.</exception>
         public void CheckSnapshot(int number)
         {
             if (_snapshots.Count == 0)

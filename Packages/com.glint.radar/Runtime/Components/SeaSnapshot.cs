@@ -15,14 +15,14 @@ namespace Glint
         [SerializeField, Tooltip("The tile, periodic over its width.")]
         Mesh _tile;
 
-        [SerializeField, Tooltip("What the tile was made from. To change it, make another with glint sea.")]
+        [SerializeField, Tooltip("Settings that the tile was made from. To change it, make another with glint sea.")]
         SeaSettings _settings;
 
-        [SerializeField, Tooltip("Moment of the sea in seconds.")]
+        [SerializeField, Tooltip("Time of the sea in seconds.")]
         double _timeSeconds;
 
-        [SerializeField, Tooltip("Significant wave height of this moment in metres: 4 times the standard deviation of "
-            + "its heights. Over the snapshots of a sea it scatters about the one asked for.")]
+        [SerializeField, Tooltip("Significant wave height at this time in metres: 4 times the standard deviation of "
+            + "its heights. Over the snapshots of a sea it varies around the requested one.")]
         double _waveHeight;
 
         /// <summary>The tile, periodic over its width.</summary>

@@ -36,9 +36,9 @@ namespace Glint
             int across = Count(extent.x, size, subject), along = Count(extent.y, size, subject);
             if ((long)across * along > MaxTiles)
                 throw new GlintException(FormattableString.Invariant(
-                    $"{subject}: an extent of {extent.x} x {extent.y} m takes {(long)across * along} tiles of {size} m, and {MaxTiles} is the limit: take larger tiles or a smaller extent"));
+                    $"{subject}: an extent of {extent.x} x {extent.y} m takes {(long)across * along} tiles of {size} m, and {MaxTiles} is the limit: use larger tiles or a smaller extent"));
             Find(parent);
-            // By whole tiles, so that the waves stay in place.
+            // Moved by whole tiles, so that the waves remain in place.
             var whole = new Vector3((float)(size * Math.Round(centre.x / size)), 0,
                 (float)(size * Math.Round(centre.z / size)));
             for (int i = 0; i < across * along; i++)

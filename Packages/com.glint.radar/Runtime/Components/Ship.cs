@@ -9,8 +9,8 @@ namespace Glint
     [DisallowMultipleComponent]
     public sealed class Ship : MonoBehaviour
     {
-        [SerializeField, Tooltip("The measures that the mesh was made from. "
-            + "Changed ones change the mesh when it is made anew, by the button below or by glint ship.")]
+        [SerializeField, Tooltip("Measures of the ship. Changes take effect when the mesh is rebuilt, "
+            + "by the button below or by glint ship.")]
         ShipSettings _settings = ShipSettings.Default;
 
         /// <summary>The measures of the mesh.</summary>

@@ -14,11 +14,11 @@ namespace Glint
     [DisallowMultipleComponent]
     public sealed class Sweep : MonoBehaviour
     {
-        [SerializeField, Tooltip("The radar that traces. Empty: the one of the scene.")]
+        [SerializeField, Tooltip("The radar that traces. Empty: the scene's radar.")]
         RadarController _radar;
 
-        [SerializeField, Tooltip("What is turned about the vertical through its own position, "
-            + "and the radar moved about. Empty: nothing, and the angles do not matter.")]
+        [SerializeField, Tooltip("Object that turns about the vertical through its own position, and that the radar "
+            + "moves about. Empty: none, and the angles are ignored.")]
         Transform _target;
 
         [SerializeField,
@@ -26,18 +26,18 @@ namespace Glint
                 + "TO included, or a list with commas. Empty, beside another list: the target is not turned.")]
         string _angles = "0:45:1";
 
-        [SerializeField, Tooltip("How far the radar looks down, degrees: a range or list as for the angles. It is "
-            + "moved about the point of its view axis that is nearest to the target. Empty: it stays where it is.")]
+        [SerializeField, Tooltip("Grazing angles, degrees: a range or list as for the angles. The radar moves about "
+            + "the point of its view axis nearest to the target. Empty: unchanged.")]
         string _grazingAngles = "";
 
-        [SerializeField, Tooltip("From the radar to that point, metres: a range or list. Empty: as it is.")]
+        [SerializeField, Tooltip("Distances from the radar to that point, metres: a range or list. Empty: unchanged.")]
         string _distances = "";
 
         [SerializeField, Tooltip("Carrier frequencies, hertz: a range or list. Empty: the radar's.")]
         string _frequencies = "";
 
         [SerializeField, Tooltip("Snapshots of the scene's Sea, from 1: FROM:TO, both included, "
-            + "FROM:TO:STEP or a list with commas; everything else is traced for each. Empty: the sea stays as it is.")]
+            + "FROM:TO:STEP or a list with commas; everything else is traced for each. Empty: the sea is unchanged.")]
         string _snapshots = "";
 
         [SerializeField, Tooltip("Folder for results.csv and results.json, relative to the project. Empty: "

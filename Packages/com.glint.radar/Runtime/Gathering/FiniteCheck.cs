@@ -27,8 +27,8 @@ namespace Glint
         {
             for (var at = node; at != null; at = at.parent)
                 if (WhatIsNotFinite(at) is string what)
-                    throw new GlintException($"{subject} stands nowhere: "
-                        + $"the {what} of '{at.name}'{(at == node ? "" : ", above it,")} is not finite: set it anew");
+                    throw new GlintException($"{subject} has no valid position: "
+                        + $"the {what} of '{at.name}'{(at == node ? "" : ", above it,")} is not finite: set it again");
         }
 
         static string WhatIsNotFinite(Transform transform)

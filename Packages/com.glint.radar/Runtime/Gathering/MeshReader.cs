@@ -62,11 +62,11 @@ namespace Glint
                 int corners = topology == MeshTopology.Quads ? 4 : 3;
                 if (_indices.Count % corners != 0)
                     throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} has {_indices.Count} "
-                        + $"indices, no multiple of {corners}: mend the mesh");
+                        + $"indices, not a multiple of {corners}: correct the mesh");
                 foreach (int index in _indices)
                     if (index < 0 || index >= vertices)
                         throw new GlintException($"submesh {submesh} of {Subject(mesh, owner)} has index {index}, "
-                            + $"and the mesh has {vertices} vertices: mend the mesh");
+                            + $"and the mesh has {vertices} vertices: correct the mesh");
                 triangles[submesh] = _indices.Count / corners * (corners - 2);
             }
             return triangles;
@@ -86,7 +86,7 @@ namespace Glint
                     continue;
                 var position = (float3)inScene;
                 throw new GlintException(FormattableString.Invariant(
-                    $"{Subject(mesh, owner)}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the scene, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: mend the mesh, or the position, rotation or scale of the object or of one above it"));
+                    $"{Subject(mesh, owner)}: vertex {i} lies at ({position.x}, {position.y}, {position.z}) m in the scene, where every coordinate must be within {TriangleMesh.LargestCoordinate} m: correct the mesh, or the position, rotation or scale of the object or of one above it"));
             }
         }
 

@@ -19,7 +19,7 @@ namespace Glint
         TransformNode _common, _frame;
         double3? _anchor;
 
-        /// <summary>From the frame's coordinates to the scene's.</summary>
+        /// <summary>Transform from the frame's coordinates to the scene's.</summary>
         public Affine ToScene { get; private set; }
 
         /// <summary>Approximate metres per unit of the frame; a power of two.</summary>
@@ -42,7 +42,7 @@ namespace Glint
             (_frame, ToScene, Unit) = (null, Affine.Identity, 1);
         }
 
-        /// <summary>From the coordinates of an object to the frame's.</summary>
+        /// <summary>Transform from the coordinates of an object to the frame's.</summary>
         public Affine Into(TransformNode node) => _frame == null ? node.ToScene : node.InFrame(_frame);
 
         /// <summary>Cell of an object; objects of one cell are near each other.</summary>

@@ -262,7 +262,7 @@ namespace Glint
                 group.ChooseFrame();
         }
 
-        // Adds an instance of its own, or a part of a merged mesh, which has the position of its first object.
+        // Adds a separate instance, or a part of a merged mesh, which has the position of its first object.
         void AddPiece(TransformNode node)
         {
             var source = node.Source;

@@ -33,7 +33,7 @@ namespace Glint
         /// <summary>Whether it is at or below the transform of the scene's origin.</summary>
         public bool IsInScene { get; private set; }
 
-        /// <summary>From this transform's coordinates to the scene's; only for one in the scene.</summary>
+        /// <summary>Transform from this node's coordinates to the scene's; only for one in the scene.</summary>
         public Affine ToScene { get; private set; }
 
         /// <summary>The mesh of its object in the last gather; null if none.</summary>
@@ -114,7 +114,7 @@ namespace Glint
             return first;
         }
 
-        /// <summary>From this transform's coordinates to the world's.</summary>
+        /// <summary>Transform from this node's coordinates to the world's.</summary>
         public Affine ToWorld() => Parent == null ? _local : Parent.ToWorld() * _local;
 
         /// <summary>Composes <see cref="ToScene"/>. Parents come before their children.</summary>

@@ -26,10 +26,10 @@ namespace Glint
             Origin = step > 0 ? step * math.round(centre / step) : centre;
         }
 
-        /// <summary>From outer coordinates to the frame.</summary>
+        /// <summary>Transform from outer coordinates to the frame.</summary>
         public Affine Into => Scaled(Unit, -Unit * Origin);
 
-        /// <summary>From the frame to outer coordinates.</summary>
+        /// <summary>Transform from the frame to outer coordinates.</summary>
         public Affine Back => Scaled(1 / Unit, Origin);
 
         static Affine Scaled(double scale, double3 origin) =>

@@ -9,7 +9,7 @@ namespace Glint
     /// <summary>Applies the poses of a sweep by a driver for each axis. Disposing restores the scene.</summary>
     sealed class AxisDrivers : IDisposable
     {
-        // What moves an axis, or several together, in the order in which they are moved.
+        // Drivers of one axis, or of several together, in the order in which they are applied.
         static readonly (SweepAxis[] axes, Func<SweepSetup, AxisDriver> make)[] s_makers =
         {
             (new[] { SweepAxis.Snapshot }, setup => new SnapshotDriver(setup)),
@@ -80,7 +80,7 @@ namespace Glint
         readonly Sea _sea;
         readonly int _snapshot;
 
-        /// <exception cref="GlintException">The sea has no such snapshot.</exception>
+        /// <exception cref="GlintException">The sea lacks a snapshot.</exception>
         public SnapshotDriver(SweepSetup setup)
         {
             _sea = setup.Sea;

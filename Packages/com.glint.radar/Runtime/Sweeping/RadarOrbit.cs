@@ -72,7 +72,7 @@ namespace Glint
                     + "turn the radar to look at it");
             if (changesGrazing && math.abs(forward.y) > SteepestForward)
                 throw new GlintException($"{subject} looks straight {(forward.y < 0 ? "down" : "up")}, "
-                    + "so that its grazing angle says nothing of where it stands: tilt it a degree or more");
+                    + "so that its grazing angle does not give its position: tilt it a degree or more");
             return OrbitAbout(radar, position + distance * forward, (float)distance);
         }
 

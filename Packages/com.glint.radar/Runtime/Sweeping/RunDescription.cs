@@ -135,7 +135,7 @@ namespace Glint
     /// </summary>
     sealed class SceneHash : IDisposable
     {
-        // Of 64: 128 bits make collisions negligible.
+        // 32 of 64 digits: 128 bits make collisions negligible.
         const int Digits = 32;
 
         readonly IncrementalHash _hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);

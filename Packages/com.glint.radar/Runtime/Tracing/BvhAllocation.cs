@@ -74,7 +74,7 @@ namespace Glint
     /// <summary>A device buffer for BVHs, in rows of 16 bytes, and its allocated rows.</summary>
     sealed class BvhPage : IDisposable
     {
-        readonly DeviceBuffer<uint4> _rows = new DeviceBuffer<uint4>("rows of trees");
+        readonly DeviceBuffer<uint4> _rows = new DeviceBuffer<uint4>("rows of BVHs");
         readonly SortedList<int, int> _taken = new SortedList<int, int>(); // first row -> rows
 
         public BvhPage(int capacity) => _rows.Reserve(capacity);

@@ -143,7 +143,7 @@ namespace Glint
                 if (pixel >= settings.RayCount)
                     throw new GlintException($"{_owner}: there is no pixel {pixel} in a picture of "
                         + $"{settings.RaysAcross} x {settings.RaysDown} rays: "
-                        + "pixels count from 0, a row after the other");
+                        + "pixels count from 0, row by row");
             SetScene(pose.Scene, new TraceStatistics(), cancel);
             var grid = new RayGrid(settings, pose.View, _scene.Min, _scene.Max);
             _kernel.SetRadar(settings, pose.View, grid, pose.Scene.Origin, 0, Culling & ~Culling.EntryPoints);

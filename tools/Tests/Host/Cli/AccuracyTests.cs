@@ -14,12 +14,12 @@ using Unity.Mathematics;
 
 namespace Glint.Host.Tests;
 
-/// <summary>glint bench --accuracy in pieces: the whole takes minutes.</summary>
+/// <summary>Parts of glint bench --accuracy; the whole takes minutes.</summary>
 public sealed class AccuracyTests
 {
     static readonly IProgress<double> s_deaf = new Progress<double>();
 
-    // Parallel rays that come straight back in step: hits and sum are the plate's share of the picture.
+    // Parallel rays return in phase, so hits and sum equal the plate's share of the picture.
     [Test]
     public void Reference_OfAPlateAcrossParallelRays_IsItsShareOfThePicture()
     {
@@ -123,7 +123,7 @@ public sealed class AccuracyTests
             new float3(x, y, 0), new float3(-x, y, 0)], [0, 1, 2, 0, 2, 3])), view);
     }
 
-    // Two scenes of two poses each, made up.
+    // Two made-up scenes of two poses each.
     static AccuracyResult Sample()
     {
         var result = new AccuracyResult { Device = GraphicsDevice.Current.Info, Rounds = 3 };

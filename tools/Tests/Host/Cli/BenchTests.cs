@@ -11,7 +11,7 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>glint bench on few rays: figures, files, refusals. Nothing here is about time.</summary>
+/// <summary>glint bench with few rays: figures, files, refusals. Times are not tested.</summary>
 public sealed class BenchTests
 {
     static readonly string[] Small =
@@ -61,7 +61,7 @@ public sealed class BenchTests
             Assert.That(output, Does.Contain(title));
     }
 
-    // The reference tracer's rays are the same rays: their sums differ by rounding only.
+    // The reference tracer traces the same rays, so the sums differ only by rounding.
     [Test]
     public void Bench_ComparingEverySeventhRayOfARegion_ComparesThose()
     {

@@ -8,8 +8,8 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Sweeps that the disk, the device or somebody's editor ends: one line, exit code 1, whole rows kept,
-/// and what --resume makes of them.
+/// Sweeps that fail because of the disk, the device or an edited file. Each gives one line and exit code 1, keeps
+/// whole rows, and resumes correctly with --resume.
 /// </summary>
 [Platform("Linux")]
 [Category("Slow")]
@@ -31,9 +31,7 @@ public sealed class BrokenSweepTests
     [TearDown]
     public void RemoveCorner() => Directory.Delete(_folder, true);
 
-    /// <summary>
-    /// A process that may write no file larger than 8 KiB meets what a full disk is, in the middle of a row.
-    /// </summary>
+    /// <summary>A file size limit of 8 KiB acts like a full disk in the middle of a row.</summary>
     [Test]
     public void Sweep_WhoseDiskIsFull_KeepsItsRowsAndResumes()
     {
@@ -43,7 +41,7 @@ public sealed class BrokenSweepTests
         {
             RedirectStandardOutput = true, RedirectStandardError = true
         };
-        // The runtime maps its code from a file of its own otherwise.
+        // Otherwise the runtime maps its code from a file of its own, which the limit would affect.
         start.Environment["DOTNET_EnableWriteXorExecute"] = "0";
         using var process = Process.Start(start);
         var output = process.StandardOutput.ReadToEndAsync();
@@ -70,7 +68,7 @@ public sealed class BrokenSweepTests
             Assert.That(error,
                 Does.Contain("glint: could not run ").And.Contain("the device was lost").And.Contain("--resume"));
             Assert.That(error,
-                Does.Contain($" of {Poses} poses are done and kept; the same command with --resume goes on"));
+                Does.Contain($" of {Poses} poses are done and kept; the same command with --resume continues"));
             AssertKeptAndResumed(error, GraphicsDevice.Close);
         }
         finally
@@ -89,7 +87,7 @@ public sealed class BrokenSweepTests
     {
         Directory.CreateDirectory(At("swept"));
         Damage(file, content);
-        if (content.Length == 0) // ended before the first line was whole
+        if (content.Length == 0) // ended before the first complete line
             Assert.That(Run("sweep", [Corner, .. s_sweep, "--out", At("swept"), "--resume"]).code, Is.Zero);
         else
             AssertRefused(file, "sweep", Corner, [.. s_sweep, "--out", At("swept"), "--resume"]);
@@ -125,7 +123,7 @@ public sealed class BrokenSweepTests
         Run("sweep", [Corner, .. s_sweep, "--out", At("swept"), "--shard", "1/2"]);
         File.Delete(Path.Combine(At("swept"), "results.json"));
         Damage("results.csv", content);
-        // Rows without results.partial, which a kill does not leave.
+        // Rows without results.partial; a kill does not leave this state.
         AssertRefused("results.csv", "sweep", Corner, [.. s_sweep, "--out", At("swept"), "--shard", "1/2", "--resume"]);
     }
 
@@ -143,7 +141,7 @@ public sealed class BrokenSweepTests
         Assert.That(Timeless.Json(At("swept")), Is.EqualTo(Timeless.Json(At("whole"))));
     }
 
-    // Nothing in the folder is changed by a command that refuses it.
+    // A refused command leaves the folder unchanged.
     void AssertRefused(string named, string command, string input, string[] options)
     {
         string before = Listing();

@@ -7,7 +7,9 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>The commands from the arguments to the printed table, on a plate of 1 x 1 m that faces the radar.</summary>
+/// <summary>
+/// The commands from their arguments to the printed table, with a 1 x 1 m plate that faces the radar.
+/// </summary>
 public sealed class CommandRunTests
 {
     string _folder;
@@ -23,9 +25,8 @@ public sealed class CommandRunTests
     [TearDown]
     public void RemovePlate() => Directory.Delete(_folder, true);
 
-    // The view is 2 m high and wide at the plate, which covers the middle of it: 32 x 32 of 64 x 64 rays.
-    // A ray comes back at twice its offset on the plate (the receiver stands 0.2 m further off),
-    // so within 1.01 m of the axis.
+    // The view is 2 m high and wide at the plate, which covers its middle: 32 x 32 of 64 x 64 rays. A ray returns at
+    // twice its offset on the plate (the receiver is 0.2 m further away), so within 1.01 m of the axis.
     [Test]
     public void Run_OfAPlateAcrossTheView_ReceivesEveryRayThatHits()
     {
@@ -92,7 +93,7 @@ public sealed class CommandRunTests
         Assert.That(File.Exists(Path.Combine(results, "results.json")));
     }
 
-    /// <summary>Each pose of a sweep over several axes is that of a run with these numbers, bit for bit.</summary>
+    /// <summary>Each pose of a sweep over several axes equals a run with its values, bit for bit.</summary>
     [Test]
     public void Sweep_OverSeveralAxes_HasThePosesOfSingleRuns()
     {
@@ -198,7 +199,7 @@ public sealed class CommandRunTests
 
     string Plate => Path.Combine(_folder, "plate.obj");
 
-    // Lines of the table begin with a number or, for a single pose, with '-'.
+    // Rows of the table begin with a number; a single pose begins with '-'.
     static string[][] Rows(string output) => output.Split('\n')
         .Select(line => line.Split(' ', System.StringSplitOptions.RemoveEmptyEntries))
         .Where(words => words.Length == 5 && (words[0] == "-"

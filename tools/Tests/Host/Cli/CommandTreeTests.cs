@@ -9,9 +9,7 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>
-/// The System.CommandLine tree and the tables' own parser are one grammar: the two hosts take and refuse the same.
-/// </summary>
+/// <summary>The System.CommandLine tree and the tables' own parser accept and refuse the same command lines.</summary>
 public sealed class CommandTreeTests
 {
     const string Refused = "refused";
@@ -66,7 +64,7 @@ public sealed class CommandTreeTests
     [Test]
     public void Tree_OfAnyWords_ReadsWhatTheTablesParserReads()
     {
-        // Short lines with an input first: of these a fair share is valid.
+        // Short command lines with an input first, so that a fair share is valid.
         var lines =
             from name in Gen.Elements("sweep", "run", "bench", "info")
             from input in Gen.Elements(Vocabulary[..3])
@@ -119,7 +117,7 @@ public sealed class CommandTreeTests
         return true;
     }
 
-    // Which of several mistakes is told first may differ.
+    // With several errors, the parsers may report different ones first.
     static string Describe(System.Func<CommandLine> parse)
     {
         try

@@ -9,7 +9,7 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Completion as bash itself does it: the script is sourced and its function asked, word by word.</summary>
+/// <summary>Completion in bash: sources the script and calls its function, word by word.</summary>
 [Platform("Linux")]
 public sealed class CompletionTests
 {
@@ -90,7 +90,7 @@ public sealed class CompletionTests
         }
     }
 
-    // The last of the arguments is the one that is being typed.
+    // The last argument is the word being typed.
     string[] Complete(params string[] arguments)
     {
         string[] line = ["glint", .. arguments];

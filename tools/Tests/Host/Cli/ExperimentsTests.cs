@@ -14,7 +14,7 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>glint experiments in pieces: the whole takes minutes.</summary>
+/// <summary>Parts of glint experiments; the whole takes minutes.</summary>
 [Category("Slow")]
 public sealed class ExperimentsTests
 {
@@ -72,7 +72,7 @@ public sealed class ExperimentsTests
         Assert.That(() => PublishedTable.Read("table_z"),
             Throws.TypeOf<GlintException>().With.Message.Contains("table_z.csv: the published table is missing"));
 
-    // In the second pose neither receives anything.
+    // In the second pose neither receives rays.
     [Test]
     public void Agreement_OfTwiceAsMuch_IsSixDecibelsMore()
     {
@@ -106,7 +106,7 @@ public sealed class ExperimentsTests
         Assert.That(Cells(ExperimentTables.Of(sweep))[2], Is.EqualTo(new[] { "30", "12.00", "4", "2,000", "0.2000" }));
     }
 
-    // Received 0, 10, 20 at the first angle, twice that at the second.
+    // Received 0, 10, 20 at the first angle and twice that at the second.
     [Test]
     public void Table_OverSnapshots_HasMedianAndRange()
     {
@@ -145,7 +145,7 @@ public sealed class ExperimentsTests
         var (result, ships) = (OddResult(), OddShips());
         var plots = new (Action<Stream> write, int lines)[]
         {
-            // Amplitude 0 breaks the line: of three poses none has a neighbour.
+            // Amplitude 0 breaks the line, so none of the three poses has a neighbour.
             (stream => ExperimentPlots.Write(stream, result.Sweeps[0]), 4),
             (stream => ExperimentPlots.Write(stream, result.Sweeps[0] with { Published = null }), 2),
             (stream => ExperimentPlots.Write(stream, ships), 6),
@@ -158,7 +158,7 @@ public sealed class ExperimentsTests
             write(stream);
             var svg = XDocument.Parse(Encoding.UTF8.GetString(stream.ToArray())).Root;
             Assert.That(svg.Elements().Count(element => element.Name.LocalName == "polyline"), Is.EqualTo(lines));
-            Assert.That(svg.Value, Does.Contain("a <b> & | c").Or.Contain("received").Or.Contain("anything returns"));
+            Assert.That(svg.Value, Does.Contain("a <b> & | c").Or.Contain("received").Or.Contain("return rays"));
             foreach (var (x, y) in Points(svg))
             {
                 Assert.That(x, Is.InRange(0, (double)svg.Attribute("width")));
@@ -266,7 +266,7 @@ public sealed class ExperimentsTests
         Assert.That(SeaStudy.Seeds(9, 1), Is.EqualTo(new[] { 9 }));
     }
 
-    // Two of its poses, all of the rays.
+    // Two of its poses with all rays.
     [Test]
     public void Sweep_OfTheCornerReflector_HitsAsPublished()
     {
@@ -279,7 +279,7 @@ public sealed class ExperimentsTests
         Assert.That(sweep.Poses.Select(pose => pose.Ours.RaysReceived), Is.EqualTo(new[] { 676, 0 }));
     }
 
-    // The stored meshes are nothing but the stored seed's sea. A hundredth of the rays.
+    // The stored meshes are the sea of the stored seed. A hundredth of the rays.
     [Test]
     public void Study_OfTheStoredSeed_IsTheStoredSea()
     {
@@ -315,7 +315,7 @@ public sealed class ExperimentsTests
             Does.Contain((alone[0].Result.RaysHit, alone[0].Result.Bounces)));
     }
 
-    // What users read, against what was published.
+    // The page's published numbers are those of the tables.
     [TestCaseSource(nameof(Tabled))]
     public void PageOfTheDocumentation_HasEveryPublishedRow(object experiment)
     {
@@ -376,7 +376,7 @@ public sealed class ExperimentsTests
         }
     }
 
-    // Of each pose the published amplitude and rays received; ours are twice as many.
+    // Each pose has the published amplitude and rays received; ours are twice as large.
     static SweepResult Odd(params (double amplitude, long received)[] poses) => new(s_odd,
         [.. poses.Select((pose, i) => new PublishedRow(15 * i, pose.amplitude, pose.received, 1000))],
         [.. poses.Select(
@@ -388,7 +388,7 @@ public sealed class ExperimentsTests
                 * (snapshot - 1) * (1 + angle / 15)
                 select new SweepRow(new SweepPose(angle, snapshot), Received(much, much, 1000))]);
 
-    // Two pixels met once and received, in a picture of 4 x 3.
+    // Two pixels with one bounce, received, in a picture of 4 x 3.
     static RadarPreviewImage[] OddViews() => [.. ReflectorPicture.Angles.Select(_ =>
     {
         var picture = new RadarPreviewImage(4, 3, new RayRegion { Width = 4, Height = 3 });

@@ -50,7 +50,7 @@ public sealed class HelpTextTests
     static string Flat(string text) =>
         string.Join(" ", text.Split(new[] { ' ', '\n' }, System.StringSplitOptions.RemoveEmptyEntries));
 
-    // As a shell splits them: double quotes keep blanks together.
+    // Splits like a shell: double quotes keep spaces.
     static string[] Arguments(string line) =>
         line.Split('"').SelectMany((part, i) => i % 2 == 1
             ? new[] { part }

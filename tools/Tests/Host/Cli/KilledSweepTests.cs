@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>glint sweep as a process of its own, killed; and its parts joined.</summary>
+/// <summary>glint sweep in its own process, killed; and the merge of its parts.</summary>
 [Platform("Linux")]
 [Category("Slow")]
 public sealed class KilledSweepTests
@@ -31,8 +31,8 @@ public sealed class KilledSweepTests
     public void RemoveCorner() => Directory.Delete(_folder, true);
 
     /// <summary>
-    /// Moments are chosen by what is on the disk, so that a slow machine kills no earlier:
-    /// a number of bytes of results.partial.
+    /// The process is killed when results.partial has a certain number of bytes, so that the speed of the machine does
+    /// not matter.
     /// </summary>
     [Test]
     public void Sweep_KilledTwice_ResumesToTheFilesOfAnUndisturbedOne()
@@ -60,7 +60,7 @@ public sealed class KilledSweepTests
     }
 
     /// <summary>
-    /// A part has not seen the snapshots and the radar's places before it, by which a scene is divided otherwise.
+    /// Preceding snapshots and radar positions decide how a scene is divided; a part lacks those before its own.
     /// </summary>
     [Test]
     public void Sweep_OverASeaInParts_MergesToTheFilesOfAnUndividedOne()
@@ -80,7 +80,7 @@ public sealed class KilledSweepTests
     {
         string[] sweep = ["sweep", Corner, "--angles", "0,1", "--size", "16x9", "--out", At("swept"), "--resume"];
         Run(sweep);
-        Assert.That(Run(sweep), Does.Contain("complete already"));
+        Assert.That(Run(sweep), Does.Contain("already complete"));
         File.WriteAllText(Corner, File.ReadAllText(Corner).Replace("1.4", "1.5"));
         var (code, _, error) = Execute(sweep);
         Assert.That(code, Is.EqualTo(1));

@@ -7,7 +7,7 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// glint run and sweep with parallel rays, on a plate of 1 x 1 m: what they cover, what comes back, what the files say.
+/// glint run and sweep with parallel rays and a 1 x 1 m plate: coverage, received rays, and the files.
 /// </summary>
 public sealed class ParallelRunTests
 {
@@ -23,7 +23,7 @@ public sealed class ParallelRunTests
     [TearDown]
     public void RemovePlate() => Directory.Delete(_folder, true);
 
-    // All paths are twice the distance: the sum is the number of rays, and they stand for the plate's area.
+    // All paths have the same length, so the sum is the number of rays, and the rays' area is the plate's.
     [TestCase("50")]
     [TestCase("100000")]
     public void Run_OfAPlateSeenHeadOn_ReceivesEveryRayInPhase(string distance)

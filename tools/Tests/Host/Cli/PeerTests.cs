@@ -8,7 +8,7 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Other programs that a benchmark times: what they print, how they end, and that they are ended.</summary>
+/// <summary>Other programs that a benchmark times: their output, their exit, and their termination.</summary>
 public sealed class PeerTests
 {
     [TestCase("frame 81.3 ms", "frame", 81.3)]

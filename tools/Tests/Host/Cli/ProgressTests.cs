@@ -128,7 +128,7 @@ public sealed class ProgressTests
 
         Assert.That(cancellation.Press(), Is.True);
         Assert.That(cancellation.IsRequested && cancellation.Token.IsCancellationRequested);
-        Assert.That(screen.ToString(), Does.Contain("Ctrl-C again ends at once").And.Not.Contain(show));
+        Assert.That(screen.ToString(), Does.Contain("press Ctrl-C again to end immediately").And.Not.Contain(show));
         Assert.That(cancellation.Press(), Is.False);
         Assert.That(screen.ToString(), Does.EndWith(show));
     }

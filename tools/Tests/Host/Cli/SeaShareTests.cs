@@ -5,14 +5,14 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Rays of the ship alone and rays that met the sea, told apart by pixel and length.</summary>
+/// <summary>Pixel and length distinguish rays of the ship alone from rays that met the sea.</summary>
 public sealed class SeaShareTests
 {
     [Test]
     public void Of_RaysThatStayThatAreLostAndThatAreNew_CountsEachAndSumsThoseOfTheShip()
     {
         var freeSpace = Sweep(Ray(1, 100, 3, 0, 2), Ray(2, 101, 0, 4, 2), Ray(3, 102, 9, 9, 1));
-        // Pixel 3 is hidden; in pixel 2 something else returns, in pixel 8 something new.
+        // Pixel 3 is hidden; pixel 2 has a different return, and pixel 8 a new one.
         var onSea = Sweep(Ray(1, 100 + 1e-6, 3, 0, 2), Ray(2, 99, 1, 1, 3), Ray(8, 100, 1, 1, 1));
 
         var share = SeaShare.Of(freeSpace, onSea).Single();

@@ -6,8 +6,8 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// The device that tools/slurm-sweep chooses in a task, seen by echo in the place of glint.
-/// tools/stress runs it under Slurm itself.
+/// The device that tools/slurm-sweep chooses in a task, with echo in place of glint. tools/stress runs the script
+/// under Slurm.
 /// </summary>
 [Platform("Linux")]
 public sealed class SlurmSweepTests

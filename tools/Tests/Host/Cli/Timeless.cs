@@ -5,7 +5,8 @@ using System.Text.RegularExpressions;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Result files without what another run of the same sweep has otherwise: started_utc, and all that ends in _ms.
+/// Result files without the values that differ between runs of the same sweep: started_utc and all names ending in
+/// _ms.
 /// </summary>
 static class Timeless
 {

@@ -8,11 +8,11 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>glint verify on few rays.</summary>
+/// <summary>glint verify with few rays.</summary>
 public sealed class VerifyTests
 {
-    // A plate of 1 m before the radar, 50 m away, in a picture of 2 m:
-    // half of the rays across and down hit it, and return.
+    // A 1 m plate before the radar, 50 m away, in a picture of 2 m: half of the rays across and down hit it and
+    // return.
     const string PlateText = "v -0.5 -0.5 0\nv 0.5 -0.5 0\nv 0.5 0.5 0\nv -0.5 0.5 0\nf 1 2 3 4\n";
 
     string _folder, _plate, _json;
@@ -46,7 +46,7 @@ public sealed class VerifyTests
         Assert.That(output, Does.Contain("4,096").And.Contain("Fine").And.Contain($"written: {_json}"));
     }
 
-    // Parallel rays 25 mm apart over a plate of 1 m: 40 x 40, which all return. The picture is fitted, as run has it.
+    // Parallel rays 25 mm apart on a plate of 1 m: all 40 x 40 return. The picture is fitted as in glint run.
     [Test]
     public void Verify_WithSpacing_TracesThePictureThatRunTraces()
     {

@@ -10,12 +10,12 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Every command called wrongly: one line that names the command, the option or the file.
-/// Exit code 2 is for what the command line alone show, 1 for what is found on opening files.
+/// Every command called wrongly gives one line with the command, the option or the file. The exit code is 2 for errors
+/// of the command line, and 1 for errors found on opening files.
 /// </summary>
 public sealed class WrongCallTests
 {
-    // For each command, arguments with which it runs, DIR and MESH standing for files that are there.
+    // Valid arguments for each command; DIR and MESH are replaced by existing paths.
     static readonly Dictionary<string, string[]> s_right = new()
     {
         ["sweep"] = ["MESH", "--angles", "0", "--size", "4x4", "--out", "DIR/out"],
@@ -104,7 +104,7 @@ public sealed class WrongCallTests
                 : new[] { option.Flag, option.DefaultText ?? "1", option.Flag, option.DefaultText ?? "1" }]);
     }
 
-    // Every range of the table excludes one of these, and no plain word is a number or a choice.
+    // Every range in the table excludes one of these values, and no plain word is a number or a choice.
     [TestCaseSource(nameof(Options))]
     public void Option_OfAValueOutOfRange_IsRefused(string command, string name)
     {
@@ -169,7 +169,7 @@ public sealed class WrongCallTests
     static Option Find(string command, string name) =>
         Commands.All.Single(known => known.Name == command).Options.Single(option => option.Name == name);
 
-    // The right arguments without an option and its value.
+    // The valid arguments without an option and its value.
     static string[] Without(string command, Option option)
     {
         int at = Array.IndexOf(s_right[command], option.Flag);

@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Frames last 0.25 s; the diary notes the frame and the phase in which a routine goes on.</summary>
+/// <summary>Frames last 0.25 s. The diary records the frame and the phase in which a routine continues.</summary>
 public sealed class CoroutineTests : EngineFixture
 {
     Actor _actor;

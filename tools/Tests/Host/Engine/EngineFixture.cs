@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Each test begins in edit mode with one empty scene, and reads the log instead of the console.</summary>
+/// <summary>Each test begins in edit mode with one empty scene. The log is recorded instead of printed.</summary>
 public abstract class EngineFixture
 {
     IAssetSource _openProject;
@@ -40,7 +40,7 @@ public abstract class EngineFixture
         LogSink.Writer = _logWriter;
     }
 
-    /// <summary>Frames of exactly the given length, so that times can be counted.</summary>
+    /// <summary>Frames of exactly the given length, so that times are predictable.</summary>
     protected static void Play(float frameSeconds = 0.25f)
     {
         Time.captureDeltaTime = frameSeconds;
@@ -53,7 +53,7 @@ public abstract class EngineFixture
             Engine.Step();
     }
 
-    /// <summary>An inactive object for components whose fields are to be filled before they wake.</summary>
+    /// <summary>An inactive object, for components whose fields are set before Awake.</summary>
     protected static GameObject Asleep(string name)
     {
         var item = new GameObject(name);
@@ -62,7 +62,7 @@ public abstract class EngineFixture
     }
 }
 
-/// <summary>What happened, in order.</summary>
+/// <summary>Events in order.</summary>
 internal static class Diary
 {
     internal static List<string> Entries { get; } = new();

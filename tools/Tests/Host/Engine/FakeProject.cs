@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Scenes made by code instead of read from files, awakened as a loader does.</summary>
+/// <summary>Scenes made by code instead of loaded from files, awakened as by the loader.</summary>
 internal sealed class FakeProject : IAssetSource
 {
     internal Dictionary<string, Action<Scene>> Scenes { get; } = new();

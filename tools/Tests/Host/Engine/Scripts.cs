@@ -18,7 +18,7 @@ internal class Talker : MonoBehaviour
     void Reset() => Diary.Write(this, "Reset");
 }
 
-/// <summary>Has no messages of its own: those of its base class are private and heard all the same.</summary>
+/// <summary>Inherits private messages from its base class, which must still be called.</summary>
 internal sealed class QuietHeir : Talker
 {
 }
@@ -32,7 +32,7 @@ internal sealed class EditTalker : MonoBehaviour
     void OnDestroy() => Diary.Write(this, "OnDestroy");
 }
 
-/// <summary>Runs what the test gives it.</summary>
+/// <summary>Runs the test's delegate.</summary>
 internal sealed class Actor : MonoBehaviour
 {
     internal Action<Actor> OnAwake, OnUpdate, OnLateUpdate, OnFixedUpdate;

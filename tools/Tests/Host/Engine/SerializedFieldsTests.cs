@@ -16,7 +16,7 @@ public sealed class SerializedFieldsTests
             Is.EqualTo(new[] { "Base", "Number", "Numbers", "Place", "Level", "_kept", "Data", "List", "_shape" }));
     }
 
-    // The fields are only looked at.
+    // The fields are only read by reflection.
 #pragma warning disable CS0169, CS0649
     internal interface IShape
     {

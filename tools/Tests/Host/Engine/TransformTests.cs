@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Transforms against plain 4x4 matrix products, computed here in double.</summary>
+/// <summary>Transforms against plain 4x4 matrix products in double precision.</summary>
 public sealed class TransformTests : EngineFixture
 {
     const double Tolerance = 2e-5;
@@ -54,7 +54,7 @@ public sealed class TransformTests : EngineFixture
     {
         Transform mirror = Make("mirror", null, Vector3.zero, Quaternion.Euler(0f, 30f, 0f), new Vector3(-1f, 1f, 1f));
         Transform child = Make("child", mirror, Vector3.zero, Quaternion.Euler(0f, 40f, 10f), Vector3.one);
-        // The matrix takes the child's axes to the rotation's, but for the mirrored x axis of the parent.
+        // The matrix maps the child's axes to those of the rotation, except for the mirrored x axis of the parent.
         double[,] world = Product(Local(mirror), Local(child));
         double[,] rotated = Product(Rotation(child.rotation),
             new double[,] { { -1, 0, 0, 0 }, { 0, 1, 0, 0 }, { 0, 0, 1, 0 }, { 0, 0, 0, 1 } });
@@ -140,7 +140,7 @@ public sealed class TransformTests : EngineFixture
     [Test]
     public void RotateAround_QuarterTurnAboutUp_TakesForwardToRight()
     {
-        // Left-handed: a positive turn about y takes +z to +x.
+        // Left-handed: a positive rotation about y maps +z to +x.
         Transform item = Make("i", null, new Vector3(1f, 0f, 3f), Quaternion.identity, Vector3.one);
         item.RotateAround(new Vector3(1f, 0f, 1f), Vector3.up, 90f);
         AssertClose(item.position, new Vector3(3f, 0f, 1f));

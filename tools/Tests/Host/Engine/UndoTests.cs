@@ -24,7 +24,7 @@ public sealed class UndoTests : EngineFixture
         Assert.That((first.transform.position, first.name), Is.EqualTo((Vector3.zero, "First")));
         Undo.PerformUndo();
         Assert.That(first == null);
-        Undo.PerformUndo(); // nothing is left
+        Undo.PerformUndo(); // nothing to undo
     }
 
     [Test]

@@ -11,7 +11,8 @@ using Unity.Mathematics;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Damaged files are read or refused by one line: no other exception, no long wait, no memory by the word of the file.
+/// Damaged files are read, or refused in one line: no other exception, no long wait, no allocation by a size that the
+/// file claims.
 /// </summary>
 public sealed class MeshFileFuzzTests
 {

@@ -12,7 +12,7 @@ using Unity.Mathematics;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What is written in any format is read back bit for bit.</summary>
+/// <summary>Meshes written in any format read back bit for bit.</summary>
 public sealed class MeshFileProperties
 {
     sealed record Triangles(float3[] Vertices, int[] Indices);
@@ -50,7 +50,7 @@ public sealed class MeshFileProperties
     [Test]
     public void Coordinate_AnyDoubleInAnyNotation_IsRoundedOnce() => Prop.ForAll(Arb.From(Decimals), text =>
     {
-        // The runtime's own parser is correctly rounded; 0.0254 m an inch.
+        // The runtime's own parser rounds correctly; an inch is 0.0254 m.
         float expected = (float)(double.Parse(text, CultureInfo.InvariantCulture) * 0.0254);
         if (!float.IsFinite(expected))
             return true;
@@ -75,7 +75,7 @@ public sealed class MeshFileProperties
         read.Indices.Select(index => Bits(read.Vertices[index]))
             .SequenceEqual(mesh.Indices.Select(index => Bits(mesh.Vertices[index])));
 
-    // By bits, since -0 equals 0.
+    // Compared as bits, since -0 equals 0.
     static (int, int, int) Bits(float3 point) =>
         (BitConverter.SingleToInt32Bits(point.x), BitConverter.SingleToInt32Bits(point.y),
             BitConverter.SingleToInt32Bits(point.z));

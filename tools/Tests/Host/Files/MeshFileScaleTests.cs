@@ -7,7 +7,7 @@ namespace Glint.Host.Tests;
 
 public sealed class MeshFileScaleTests
 {
-    // Looking anew for the first word of the joined line after each of its lines took an hour.
+    // Searching the joined line's first word again after each of its lines took an hour.
     [Test, MaxTime(20_000)]
     public void Obj_OfABlankLineContinuedAgainAndAgain_IsReadInProportionToItsSize()
     {

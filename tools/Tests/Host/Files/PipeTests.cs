@@ -8,7 +8,7 @@ using UnityEditor;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What has a name among files and is none must not be waited for.</summary>
+/// <summary>Named pipes and devices are refused without blocking.</summary>
 [Platform("Linux")]
 public sealed class PipeTests
 {
@@ -43,7 +43,7 @@ public sealed class PipeTests
         MakePipe(project, "Assets/" + name);
         AssertRefused(project, name.EndsWith(".unity") ? () => project.Load() : () =>
             AssetDatabase.LoadMainAssetAtPath("Assets/" + name),
-            $"Assets/{name}: is empty, or a pipe or device and no file: restore the file");
+            $"Assets/{name}: is empty, or a pipe or device instead of a file: restore the file");
     }
 
     [Test]
@@ -55,7 +55,7 @@ public sealed class PipeTests
         MakePipe(project, "Assets/Ship.prefab");
         project.Write("Assets/Scene.unity", UnityText.Scene(UnityText.Instance(50, 7), 50));
         AssertRefused(project, () => project.Load(),
-            "Assets/Ship.prefab: is empty, or a pipe or device and no file: restore the file");
+            "Assets/Ship.prefab: is empty, or a pipe or device instead of a file: restore the file");
     }
 
     [Test]
@@ -79,8 +79,8 @@ public sealed class PipeTests
         MakePipe(project, "Packages/manifest.json");
         var open = Task.Run(() => Assert.Throws<GlintException>(() => Project.Open(project.Root)));
         Assert.That(open.Wait(s_longEnough));
-        Assert.That(open.Result.Message, Is.EqualTo($"{project.Root}/Packages/manifest.json: is empty, "
-            + "or a pipe or device and no file: restore the file"));
+        Assert.That(open.Result.Message, Is.EqualTo($"{project.Root}/Packages/manifest.json: is empty, or a pipe or "
+            + "device instead of a file: restore the file"));
     }
 
     static void MakePipe(TemporaryProject project, string path)

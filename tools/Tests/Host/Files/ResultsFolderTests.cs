@@ -8,9 +8,7 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>
-/// Failures of the disk that only Linux makes at will: /dev/full is always full, /proc takes no files.
-/// </summary>
+/// <summary>Disk failures that Linux provides: /dev/full is always full, /proc accepts no files.</summary>
 [Platform("Linux")]
 public sealed class ResultsFolderTests
 {
@@ -38,7 +36,7 @@ public sealed class ResultsFolderTests
         }
     }
 
-    /// <summary>The shell's flock stands for another process.</summary>
+    /// <summary>The shell's flock acts as another process.</summary>
     [Test]
     public void Open_WhileAnotherProcessHasTheLock_IsRefusedAndAfterItsDeathTaken()
     {

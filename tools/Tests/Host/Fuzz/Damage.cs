@@ -6,9 +6,7 @@ using System.Text.RegularExpressions;
 
 namespace Glint.Host.Tests;
 
-/// <summary>
-/// Ways to damage a file: blindly, byte by byte, and with an eye for lines, numbers, references and YAML.
-/// </summary>
+/// <summary>Ways to damage a file: random bytes, and changes of lines, numbers, references and YAML.</summary>
 static partial class Damage
 {
     const int LongestRepetition = 100_000;
@@ -41,11 +39,11 @@ static partial class Damage
         "facet normal 0 0 0", "guid: 0\n", "version https://git-lfs.github.com/spec/v1\n"
     ];
 
-    /// <summary>The content with one to three damages.</summary>
+    /// <summary>The content with one to three changes.</summary>
     /// <param name="others">Files to take lines from.</param>
     public static byte[] Of(byte[] content, Random random, IReadOnlyList<byte[]> others)
     {
-        // One character a byte, so that nothing is lost on the way.
+        // One character a byte, so that nothing is lost in the conversion.
         string text = Encoding.Latin1.GetString(content);
         for (int count = random.Next(1, 4); count > 0; count--)
             text = random.Next(3) == 0 ? OfBytes(text, random) : OfLines(text, random, others);
@@ -94,7 +92,7 @@ static partial class Damage
         }
     }
 
-    // Takes lines away, or puts some in again, elsewhere.
+    // Removes lines, or inserts copies of lines elsewhere.
     static string Lines(string text, Random random, string[] source)
     {
         var lines = text.Split('\n').ToList();

@@ -11,13 +11,12 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Damaged scenes, prefabs, assets, .meta files, settings, meshes and command lines: each is loaded, read or traced,
-/// or refused in one line that names the file or the object.
-/// All else is a finding: another exception, a crash, a wait of more than 10 s, memory without end,
-/// numbers that are not finite.
-/// A case is its seed and its number, no more. GLINT_FUZZ_MINUTES=60 goes on for an hour, GLINT_FUZZ_SEED=7 takes other
-/// cases, GLINT_FUZZ_CASE=1234 runs that one alone and leaves its damaged files in the temporary folder.
-/// Counts by verdict are printed, every minute and at the end.
+/// Damaged scenes, prefabs, assets, .meta files, settings, meshes and command lines. Each is loaded, read or traced,
+/// or refused in one line that names the file or the object. Everything else is a finding: another exception, a crash,
+/// more than 10 s, unbounded memory, or numbers that are not finite.
+/// A case is defined by its seed and number. GLINT_FUZZ_MINUTES=60 runs for an hour, GLINT_FUZZ_SEED=7 uses other
+/// cases, and GLINT_FUZZ_CASE=1234 runs one case and leaves its damaged files in the temporary folder. Counts by
+/// verdict are printed every minute and at the end.
 /// </summary>
 [Category("Slow")]
 public sealed partial class FuzzTests
@@ -45,7 +44,7 @@ public sealed partial class FuzzTests
         {
             var worker = new Thread(() => RunAll(seed, first, end, time)) { IsBackground = true };
             worker.Start();
-            // Seconds are counted, not measured: a computer that was asleep is no hang.
+            // Seconds are counted, not measured: a suspended computer is not a hang.
             for (int seconds = 1, watched = -1, since = 0; !worker.Join(1000); seconds++)
             {
                 if (_number != watched)
@@ -78,7 +77,7 @@ public sealed partial class FuzzTests
     (string Kind, Outcome Outcome) Run(int seed, int number)
     {
         var (kind, outcome, time) = Try(seed, number);
-        // A busy computer is no finding: what took long is tried again.
+        // A case that took long is repeated, since the computer may have been busy.
         if (time > LongestCase)
             (kind, outcome, time) = Try(seed, number);
         return (kind, outcome.Verdict == Verdict.Finding || time <= LongestCase
@@ -106,7 +105,7 @@ public sealed partial class FuzzTests
             _case.Elapsed);
     }
 
-    // Neighbouring seeds of System.Random begin alike, so the bits are mixed before.
+    // The bits are mixed first, since System.Random gives similar numbers for neighbouring seeds.
     static Random RandomOf(int seed, int number)
     {
         ulong bits = (ulong)(uint)seed << 32 | (uint)number;
@@ -125,7 +124,7 @@ public sealed partial class FuzzTests
     static int? Variable(string name) =>
         Environment.GetEnvironmentVariable(name) is { Length: > 0 } text ? int.Parse(text) : null;
 
-    // Findings that differ in these only are told once.
+    // Findings that differ only in these are reported once.
     [GeneratedRegex(@"(?<!\w)[\w.\\-]*\d[\w.]*|'[^']*'|""[^""]*""|/tmp\S*")]
     private static partial Regex Varying();
 

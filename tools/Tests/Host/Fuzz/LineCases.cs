@@ -7,7 +7,7 @@ using Glint.Editor;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Command lines of known and unknown words, read by both parsers; nothing is executed.</summary>
+/// <summary>Command lines of known and unknown words, read by both parsers but not executed.</summary>
 static class LineCases
 {
     static readonly string[] Values =
@@ -81,7 +81,7 @@ static class LineCases
         return words.Count == 0 ? [""] : words.ToArray();
     }
 
-    // Help and version are asked of the tree alone.
+    // Only the tree handles help and version.
     static bool IsForTreeOnly(string word) => word is "-h" or "/h" or "-?" or "/?" or "--help" or "--version";
 
     static string Describe(CommandLine line) => line == null ? "refused"

@@ -31,7 +31,7 @@ static class MeshCases
     /// <summary>A file by name and content.</summary>
     public static (string Name, byte[] Content) Make(Random random)
     {
-        // Most coordinates are sane, or hardly a file would be read to its end.
+        // Most coordinates are valid; otherwise few files would be read to the end.
         bool isSane = random.Next(2) == 0;
         float Coordinate() =>
             isSane || random.Next(8) > 0 ? random.Next(-4, 5) * 0.5f : Coordinates[random.Next(Coordinates.Length)];
@@ -50,7 +50,7 @@ static class MeshCases
         return (Names[form / 2], random.Next(4) == 0 ? content : Damage.Of(content, random, Others));
     }
 
-    /// <summary>Reads a file; what is read must be a mesh.</summary>
+    /// <summary>Reads a file; the result must be a valid mesh.</summary>
     public static Outcome Read(Random random)
     {
         var (name, content) = Make(random);
@@ -74,7 +74,7 @@ static class MeshCases
         var text = new StringBuilder(random.Next(2) == 0 ? "\ufeff" : "");
         for (int i = random.Next(6); i > 0; i--)
             text.Append(ObjLines[random.Next(ObjLines.Length)]).Append(random.Next(2) == 0 ? "\r\n" : "\n");
-        // A polygon of many corners, which may be concave, folded or crossed.
+        // A polygon of many corners, which may be concave, folded or self-intersecting.
         text.Append('f');
         for (int i = random.Next(3, 30); i > 0; i--)
             text.Append(' ').Append(random.Next(1, vertices + 1));

@@ -13,10 +13,10 @@ public enum Verdict
     Finding
 }
 
-/// <summary>What became of a case: done, refused in one clear line, or a finding, which the text describes.</summary>
+/// <summary>Result of a case: done, refused in one clear line, or a finding, described by the text.</summary>
 public readonly partial record struct Outcome(Verdict Verdict, string Text)
 {
-    // Words of .NET, which say nothing of the user's file.
+    // Words of .NET that tell nothing about the user's file.
     static readonly string[] ForeignWords = ["Exception", "internal error", "Object reference", "(Parameter '",
         "Index was out", "Unable to cast", "System.", "Arg_"];
 
@@ -24,13 +24,11 @@ public readonly partial record struct Outcome(Verdict Verdict, string Text)
 
     public static Outcome Finding(string text) => new(Verdict.Finding, text);
 
-    /// <summary>
-    /// A refusal if the message is one line, and names one of the subjects or an object in quotes; else a finding.
-    /// </summary>
+    /// <summary>A refusal if the message is one line and names a subject or a quoted object; else a finding.</summary>
     public static Outcome Refused(string message, IEnumerable<string> subjects) =>
         Unclear(message, subjects) is string why ? Finding($"{why}: {message}") : new Outcome(Verdict.Refused, message);
 
-    /// <summary>What a reader does, directly.</summary>
+    /// <summary>Result of a direct call of a reader.</summary>
     public static Outcome Of(Func<Outcome> work, IEnumerable<string> subjects)
     {
         try
@@ -47,17 +45,17 @@ public readonly partial record struct Outcome(Verdict Verdict, string Text)
         }
     }
 
-    /// <summary>What a command wrote, and its exit code.</summary>
+    /// <summary>Result of a command, from its output and exit code.</summary>
     public static Outcome OfCommand(int code, string output, string error, IEnumerable<string> subjects)
     {
         var lines = error.Split('\n', StringSplitOptions.RemoveEmptyEntries);
         if (lines.FirstOrDefault(line => !MessageLine().IsMatch(line)) is not null)
-            return Finding($"a line of its own in messages: {error}");
+            return Finding($"an unexpected line in messages: {error}");
         var failures = lines.Where(line => line.StartsWith("glint: ")).ToArray();
         if (code == 0)
             return failures.Length > 0 ? Finding($"exit code 0 and a failure: {error}") : NotFinite()
                 .IsMatch(output) ? Finding($"numbers that are not finite: {output}") : Done;
-        // glint verify says so of rays that go wrong, as some of a damaged mesh may, and nothing failed.
+        // glint verify reports wrong rays, which a damaged mesh may have; the command itself did not fail.
         if (code == 1 && failures.Length == 0 && output.Contains("wrong: pixel "))
             return Done;
         if (code is not (1 or 2) || failures.Length != 1 || lines[^1] != failures[0])
@@ -72,7 +70,7 @@ public readonly partial record struct Outcome(Verdict Verdict, string Text)
         return QuotedName().IsMatch(message) || subjects.Any(message.Contains) ? null : "a message that names nothing";
     }
 
-    // The last is of the progress: "ship: 1 of 1 in 0 s".
+    // The last line may be progress: "ship: 1 of 1 in 0 s".
     [GeneratedRegex(@"^(glint: |warning: |.*: (\d+ of \d+|\d+ % done))")]
     private static partial Regex MessageLine();
 

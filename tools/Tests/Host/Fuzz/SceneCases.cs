@@ -12,7 +12,7 @@ namespace Glint.Host.Tests;
 
 /// <summary>
 /// A small project: the published experiment's scene and prefab, and a scene with everything that the loader knows.
-/// In each case a file or two of it are damaged, and a scene is loaded, or traced by a few rays.
+/// Each case damages one or two of its files, and loads or traces a scene with few rays.
 /// </summary>
 sealed class SceneCases : IDisposable
 {
@@ -40,7 +40,7 @@ sealed class SceneCases : IDisposable
         _keepIn = keepIn;
         CopyExperiment(productRoot);
         WriteWhole();
-        // The kernels' sources stay as they are.
+        // The kernels' sources are not damaged.
         var all = Directory.EnumerateFiles(_project.Root, "*", SearchOption.AllDirectories)
             .Select(path => Path.GetRelativePath(_project.Root, path)).ToArray();
         _files = all.Where(path => Path.GetExtension(path) is not (".hlsl" or ".compute" or ".cs"))
@@ -90,7 +90,7 @@ sealed class SceneCases : IDisposable
         }
     });
 
-    /// <summary>The same in a process of its own: what a user calls.</summary>
+    /// <summary>The same in its own process, as a user runs it.</summary>
     public Outcome Start(Random random) => Command(random, arguments =>
     {
         var start =
@@ -161,7 +161,7 @@ sealed class SceneCases : IDisposable
         List<string> line = random.Next(4) == 0
             ? ["sweep", PathOf(name), "--angles", Pick(["0", "45,90", "1e-5"], random), "--out", Out(random)]
             : [Pick(["run", "verify"], random), PathOf(name)];
-        // Rays of a plane wave from a rectangle of their own; one fitted to any mesh may have billions.
+        // Plane-wave rays from a fixed rectangle; a rectangle fitted to any mesh may have billions of rays.
         bool isParallel = random.Next(4) == 0;
         line.AddRange(isParallel
             ? ["--spacing", Pick(["0.5", "1", "0.25"], random), "--aperture", Pick(["3", "1e-6", "2x5"], random)]
@@ -201,7 +201,7 @@ sealed class SceneCases : IDisposable
         }
     }
 
-    // A folder for results, which is new, or holds older results or what is in the way, or cannot be.
+    // A results folder: new, with older results, with an obstacle, or impossible.
     string Out(Random random)
     {
         string folder = PathOf("out");
@@ -222,7 +222,7 @@ sealed class SceneCases : IDisposable
         }
     }
 
-    // The scene itself half the times, else any file.
+    // The scene itself in half of the cases, else any file.
     List<(string Path, byte[] Content)> DamageSome(Random random, string scene)
     {
         List<(string Path, byte[] Content)> damaged = [];

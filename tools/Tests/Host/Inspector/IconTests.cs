@@ -5,10 +5,7 @@ using UnityEditor;
 
 namespace Glint.Host.Tests;
 
-/// <summary>
-/// Each component's script names the icon that is drawn for it.
-/// Whether the pictures are as drawn, .ci/run asks tools/icons/make.py.
-/// </summary>
+/// <summary>Each component's script names its icon. .ci/run checks the pictures with tools/icons/make.py.</summary>
 public sealed class IconTests
 {
     const string Package = "Packages/com.glint.radar";
@@ -25,7 +22,7 @@ public sealed class IconTests
         string icon = $"{Package}/Editor/Icons/{Path.GetFileNameWithoutExtension(script)}.png";
         Assert.That(AssetDatabase.GUIDToAssetPath(guid), Is.EqualTo(icon));
         byte[] png = File.ReadAllBytes(Path.Combine(Engine.Assets.ProjectRoot, icon));
-        // Width, height and colour type of its header: red, green, blue and opacity.
+        // Width, height and colour type in its header: red, green, blue and opacity.
         Assert.That((png[19], png[23], png[25]), Is.EqualTo(((byte)128, (byte)128, (byte)6)));
     }
 }

@@ -9,8 +9,8 @@ using UnityEngine.Rendering;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Findings of what a test in Unity cannot make: static batches, imported models, other devices,
-/// a radar without what it requires.
+/// Findings that a test in Unity cannot produce: static batches, imported models, other devices, a radar without its
+/// required component.
 /// </summary>
 public sealed class RadarFindingsTests
 {

@@ -8,7 +8,7 @@ using UnityEngine;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// The inspector's button: a pose with a progress bar, its problems as text, and the buffers given back.
+/// The inspector's button: a pose with a progress bar, problems as text, and the release of the buffers.
 /// </summary>
 public sealed class RadarTracingTests
 {

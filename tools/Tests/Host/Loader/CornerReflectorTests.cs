@@ -8,7 +8,7 @@ using UnityEngine.SceneManagement;
 
 namespace Glint.Host.Tests;
 
-/// <summary>The project's own scene, as the loader hands it to the product.</summary>
+/// <summary>The project's own scene, as loaded for the product.</summary>
 public sealed class CornerReflectorTests
 {
     IAssetSource _before;
@@ -18,7 +18,7 @@ public sealed class CornerReflectorTests
     public void Load()
     {
         _before = Engine.Assets;
-        Engine.Reset(); // whatever tests before have left open
+        Engine.Reset(); // closes scenes that earlier tests left open
         Project.Open(Project.FindRoot(ThisFolder()));
         SceneData scene = SceneRegistry.AddFile("Packages/com.glint.scenes/CornerReflector.unity");
         SceneRegistry.Fill(scene);

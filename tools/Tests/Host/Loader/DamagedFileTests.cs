@@ -98,16 +98,17 @@ public sealed class DamagedFileTests
             Does.StartWith("Assets/Scene.unity: GameObject 'a b c': has the tag 'Lost'"));
     }
 
-    [TestCase("", "Assets/Scene.unity: is empty, or a pipe or device and no file: restore the file")]
+    [TestCase("", "Assets/Scene.unity: is empty, or a pipe or device instead of a file: restore the file")]
     [TestCase("version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 1\n",
         "Assets/Scene.unity: is a git-lfs pointer, not the file's content: run 'git lfs pull'")]
     [TestCase("\0\0\0\u0016\0\0", "Assets/Scene.unity: is serialized as binary: "
         + "set Asset Serialization to Force Text (Edit, Project Settings, Editor) and save it again")]
     [TestCase("solid hull\n",
-        "Assets/Scene.unity: is no Unity YAML file, it does not begin with '%YAML 1.1': restore the file")]
+        "Assets/Scene.unity: is not a Unity YAML file, it does not begin with '%YAML 1.1': restore the file")]
     [TestCase(Header, "Assets/Scene.unity: holds no object: restore the file")]
     [TestCase(Header + "--- !u!1 10\nGameObject:\n",
-        "Assets/Scene.unity:3: damaged: '--- !u!1 10' is no header of the form '--- !u!CLASS &ID': restore the file")]
+        "Assets/Scene.unity:3: damaged: '--- !u!1 10' is not a header of the form '--- !u!CLASS &ID': restore the "
+            + "file")]
     [TestCase(Header + "--- !u!1 &10\nGameObject:\n--- !u!1 &10\nGameObject:\n",
         "Assets/Scene.unity:5: damaged: a second object &10: restore the file")]
     [TestCase(Header + "--- !u!1 &10\n<<<<<<< HEAD\nGameObject:\n",
@@ -150,7 +151,7 @@ public sealed class DamagedFileTests
         Assert.Throws<GlintException>(() => _ = _project.Project);
     }
 
-    // Whatever happens to a file, it loads or is refused by one line: no other exception, no hang.
+    // Every damaged file loads or is refused in one line: no other exception, no hang.
     [Test, MaxTime(120_000)]
     public void Scene_CutAnywhere_IsRefusedOrLoads()
     {

@@ -49,7 +49,7 @@ public sealed class Marker : MarkerBase, ISerializationCallbackReceiver
 
     public int Callbacks { get; private set; }
 
-    /// <summary>What the reference was when the callback came.</summary>
+    /// <summary>Value of the reference at the time of the callback.</summary>
     public string OtherAtCallback { get; private set; }
 
     public void OnBeforeSerialize()

@@ -118,7 +118,7 @@ public sealed class MeshFileTests
 
     [Test]
     public void Index_BeyondTheVertices_IsRefused() => AssertRefused(MeshText.Of(_triangle, 0, 1, 3).ToString(),
-        "Assets/Hull.asset: Mesh 'Hull': submesh 0 has index 3, and the mesh has 3 vertices: mend the mesh");
+        "Assets/Hull.asset: Mesh 'Hull': submesh 0 has index 3, and the mesh has 3 vertices: correct the mesh");
 
     [Test]
     public void IndexBuffer_ShorterThanTheSubMesh_IsRefused()
@@ -140,7 +140,7 @@ public sealed class MeshFileTests
             "Assets/Hull.asset: Mesh 'Hull': 2000000000 vertices need 24000000000 bytes, "
                 + "and the file has 36: restore the file");
         AssertRefused(MeshText.Of(_triangle, 0, 1, 2).ToString().Replace("_typelessdata: 0", "_typelessdata: g"),
-            "Assets/Hull.asset: Mesh 'Hull': _typelessdata is no text of hexadecimal bytes: restore the file");
+            "Assets/Hull.asset: Mesh 'Hull': _typelessdata is not hexadecimal text: restore the file");
     }
 
     [Test]

@@ -19,7 +19,7 @@ public sealed class MeshText
     public bool IsReadable = true;
     public List<(int FirstByte, int IndexCount, int Topology, int BaseVertex)> SubMeshes = new();
 
-    /// <summary>Positions and nothing else, all indices one submesh of triangles.</summary>
+    /// <summary>Positions only, with all indices in one submesh of triangles.</summary>
     public static MeshText Of(float[] positions, params uint[] indices)
     {
         MeshText mesh = new() { VertexCount = positions.Length / 3, VertexData = Floats(positions), Indices = indices };

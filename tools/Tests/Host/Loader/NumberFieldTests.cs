@@ -6,7 +6,7 @@ using static Glint.Host.Tests.UnityText;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Numbers that their field cannot hold are refused by name; absent parts of a struct stay as they were initialised.
+/// Numbers out of a field's range are refused by name. Absent parts of a struct keep their initial values.
 /// </summary>
 public sealed class NumberFieldTests
 {

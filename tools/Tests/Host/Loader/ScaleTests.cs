@@ -6,7 +6,7 @@ using static Glint.Host.Tests.UnityText;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Large and ill-natured projects take time and memory in proportion to their size, or are refused.</summary>
+/// <summary>Large and adverse projects take time and memory in proportion to their size, or are refused.</summary>
 public sealed class ScaleTests
 {
     const int Mast = 1, Ship = 2, MarkerScript = 1000;
@@ -23,8 +23,8 @@ public sealed class ScaleTests
     [TearDown]
     public void Delete() => _project.Dispose();
 
-    // Four times as many take four times as long, not sixteen: each looked through all the others,
-    // when this took ten minutes.
+    // Four times as many objects take four times as long, not sixteen times. A search through all others for each
+    // object took ten minutes.
     [Test, MaxTime(30_000)]
     public void Instances_ManyUnderOneObject_AreLoadedWithTheirChanges()
     {
@@ -117,7 +117,7 @@ public sealed class ScaleTests
         Object(100, "Mast", children: [111]) + Object(110, "Radar", father: 101, components: Component(112, 113))
         + MeshFilter(112, 110) + MeshRenderer(113, 110)), Mast);
 
-    // Of a scene with one instance of a prefab with a Marker, changed.
+    // A scene with one changed instance of a prefab with a Marker.
     string RefusalOf(string changes)
     {
         _project.Write("Assets/Mast.prefab",

@@ -7,8 +7,7 @@ using UnityEngine.SceneManagement;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// A small Unity project in a folder of its own, and what loading from it logs.
-/// Closing it opens again what was open before.
+/// A small Unity project in its own folder, and the log of loading it. Dispose reopens the previous project.
 /// </summary>
 public sealed class TemporaryProject : IDisposable
 {
@@ -18,7 +17,7 @@ public sealed class TemporaryProject : IDisposable
 
     public TemporaryProject()
     {
-        // Scenes that other tests have left open would be traced too.
+        // Scenes that other tests left open would be traced too.
         Engine.Reset();
         Root = Directory.CreateTempSubdirectory("glint-loader-").FullName;
         Directory.CreateDirectory(Path.Combine(Root, "Assets"));
@@ -31,7 +30,7 @@ public sealed class TemporaryProject : IDisposable
 
     public IReadOnlyList<string> Warnings => _warnings;
 
-    /// <summary>Opened when it is first asked for, so files written before are seen.</summary>
+    /// <summary>The project. It is opened on first use, so that files written before are found.</summary>
     public Project Project => _project ??= Project.Open(Root);
 
     public static string Guid(int number) => number.ToString("x32");
@@ -50,7 +49,7 @@ public sealed class TemporaryProject : IDisposable
         Write(path + ".meta", $"fileFormatVersion: 2\nguid: {Guid(guid)}\n");
     }
 
-    /// <summary>A script whose class is in this assembly; the first also brings the .asmdef.</summary>
+    /// <summary>A script whose class is in this assembly. The first also adds the .asmdef.</summary>
     public void WriteScript(Type type, int guid)
     {
         Write("Assets/Scripts/Scripts.asmdef", $$"""{ "name": "{{type.Assembly.GetName().Name}}" }""");

@@ -5,7 +5,7 @@ using static Glint.Host.Tests.UnityText;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Values that are not finite: refused where they are assigned, taken as they are from a file.</summary>
+/// <summary>Values that are not finite are refused on assignment and accepted from a file.</summary>
 public sealed class TransformValueTests : EngineFixture
 {
     const float Inf = float.PositiveInfinity, NaN = float.NaN;

@@ -9,7 +9,7 @@ using static Glint.Host.Tests.UnityText;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Files cut short: refused by name, or the very same objects; never a smaller scene.</summary>
+/// <summary>A truncated file is refused by name or gives the same objects, never a smaller scene.</summary>
 public sealed class TruncatedFileTests
 {
     const int Guid = 1;
@@ -105,7 +105,7 @@ public sealed class TruncatedFileTests
             .ToArray();
     }
 
-    // Every end of a line, without and with the line break, and places inside lines.
+    // Every line end, with and without the line break, and positions within lines.
     static IEnumerable<int> Cuts(string text) => Enumerable.Range(1, text.Length - 1)
         .Where(length => text[length] == '\n' || text[length - 1] == '\n' || length % Stride == 0);
 

@@ -2,20 +2,20 @@ using System.Linq;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Writes scenes and prefabs as Unity does, as short as they can be.</summary>
+/// <summary>Writes minimal scenes and prefabs in Unity's format.</summary>
 public static class UnityText
 {
     public const string Header = "%YAML 1.1\n%TAG !u! tag:unity3d.com,2011:\n";
     public const string CubeMesh = "{fileID: 10202, guid: 0000000000000000e000000000000000, type: 0}";
 
-    /// <summary>Objects, and the list of roots that ends a scene.</summary>
+    /// <summary>Objects, and the list of roots at the end of a scene.</summary>
     public static string Scene(string objects, params long[] roots) =>
         Header + objects + "--- !u!1660057539 &9223372036854775807\nSceneRoots:\n  m_ObjectHideFlags: 0\n  m_Roots:"
         + (roots.Length == 0 ? " []\n" : "\n" + string.Concat(roots.Select(root => $"  - {{fileID: {root}}}\n")));
 
     public static string Prefab(string objects) => Header + objects;
 
-    /// <summary>A GameObject with its Transform, whose id is one more.</summary>
+    /// <summary>A GameObject and its Transform, whose id is greater by one.</summary>
     public static string Object(long id, string name, long father = 0, long[] children = null, string components = "",
         string fields = "", string position = "{x: 0, y: 0, z: 0}") =>
         $"""

@@ -10,7 +10,7 @@ namespace Glint.Host.Tests;
 
 public class BuiltinMeshTests
 {
-    // Sums over the triangles in double, of float32 coordinates below 1 m.
+    // Sums in double over the triangles, with float32 coordinates below 1 m.
     const double Tolerance = 1e-6;
 
     [TestCase(PrimitiveType.Cube, 24, 12)]
@@ -60,7 +60,7 @@ public class BuiltinMeshTests
         Mesh sphere = BuiltinMeshes.Get(PrimitiveType.Sphere);
         foreach (Vector3 vertex in sphere.vertices)
             Assert.That(vertex.magnitude, Is.EqualTo(0.5).Within(1e-7));
-        // Facets of about 90/8 degrees lose some (angle^2)/4 of the volume.
+        // Facets of about 90/8 degrees reduce the volume by about (angle^2)/4.
         double whole = 4.0 / 3.0 * Math.PI * 0.125;
         Assert.That(Volume(sphere), Is.InRange(whole * 0.98, whole));
         Assert.That(Area(sphere), Is.InRange(Math.PI * 0.98, Math.PI));
@@ -69,7 +69,7 @@ public class BuiltinMeshTests
     [Test]
     public void Capsule_OfHeightTwo_IsTheSphereAndItsBandOf32Sides()
     {
-        // The equator's 32 points span equal angles: a regular polygon.
+        // The equator's 32 points are a regular polygon.
         double polygon = 32 / 2.0 * 0.25 * Math.Sin(2 * Math.PI / 32);
         Assert.That(Volume(BuiltinMeshes.Get(PrimitiveType.Capsule)),
             Is.EqualTo(Volume(BuiltinMeshes.Get(PrimitiveType.Sphere)) + polygon).Within(Tolerance));
@@ -141,7 +141,8 @@ public class BuiltinMeshTests
             yield return (vertices[corners[i]], vertices[corners[i + 1]], vertices[corners[i + 2]]);
     }
 
-    // Clockwise corners in left-handed axes: the same cross product as counter-clockwise ones in right-handed axes.
+    // Clockwise corners in left-handed axes have the same cross product as counter-clockwise ones in right-handed
+    // axes.
     static double3 Normal((Vector3 A, Vector3 B, Vector3 C) t) => normalize(Cross(t));
 
     static double3 Cross((Vector3 A, Vector3 B, Vector3 C) t)
@@ -152,6 +153,6 @@ public class BuiltinMeshTests
 
     static double Area(Mesh mesh) => Triangles(mesh).Sum(t => 0.5 * length(Cross(t)));
 
-    // Positive where the triangles face outwards.
+    // Positive if the triangles face outwards.
     static double Volume(Mesh mesh) => Triangles(mesh).Sum(t => dot((float3)t.A, Cross(t)) / 6);
 }

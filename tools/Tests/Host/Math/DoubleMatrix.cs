@@ -2,13 +2,13 @@ using System;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Matrices in double precision, from the textbook: what the float types are tested against.</summary>
+/// <summary>Textbook matrices in double precision, the reference for the float types.</summary>
 internal static class DoubleMatrix
 {
     internal static double[,] Identity() => Fill((row, column) => row == column ? 1 : 0);
 
     /// <summary>
-    /// Right-handed turn by the right-hand rule, which is left-handed by the left-hand rule: the matrix is the same.
+    /// Right-handed rotation by the right-hand rule. Left-handed axes with the left-hand rule have the same matrix.
     /// </summary>
     internal static double[,] Turn(int axis, double degrees)
     {

@@ -4,7 +4,7 @@ using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
 using static Unity.Mathematics.math;
-// Types that math has a method of the same name of.
+// Types with the name of a method of math.
 using Affine = Unity.Mathematics.float4x4;
 using Rotation = Unity.Mathematics.quaternion;
 

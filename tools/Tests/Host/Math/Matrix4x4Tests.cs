@@ -83,7 +83,7 @@ public class Matrix4x4Tests
     [Test]
     public void Perspective_PointsOnTheFrustum_GoToTheCubesFaces()
     {
-        // 60 degrees high, twice as wide as high; the viewer looks along -z.
+        // 60 degrees high, twice as wide as high; the camera looks along -z.
         Matrix4x4 m = Matrix4x4.Perspective(60, 2, 0.5f, 100);
         double top = Math.Tan(Math.PI / 6);
         Near.Point(m.MultiplyPoint(new Vector3(0, 0, -0.5f)), 0, 0, -1, 1e-5);

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Comparisons with the tolerance in the units of the values.</summary>
+/// <summary>Comparisons with an absolute tolerance.</summary>
 internal static class Near
 {
     internal static void Point(Vector3 actual, double x, double y, double z, double tolerance)

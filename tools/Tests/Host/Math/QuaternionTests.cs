@@ -6,7 +6,7 @@ namespace Glint.Host.Tests;
 
 public class QuaternionTests
 {
-    // A unit quaternion's matrix in float32: a few roundings of numbers up to 1.
+    // Matrix of a unit quaternion in float32: a few roundings of numbers up to 1.
     const double Tolerance = 5e-7;
 
     [TestCase(0, 90, 0, 0, 0, 1, 1, 0, 0, TestName = "Euler_PositiveYaw_TurnsForwardToTheRight")]

@@ -12,7 +12,7 @@ using UnityEngine.Rendering;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// The entries of Unity's -executeMethod, called with Unity's command line: what they write, log and end Unity with.
+/// The methods for Unity's -executeMethod, called with Unity's command line: their files, log and exit code.
 /// </summary>
 public sealed class BatchTests
 {

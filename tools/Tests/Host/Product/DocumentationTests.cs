@@ -11,9 +11,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>
-/// What the pages say is so: their links lead somewhere, the messages they quote are in the sources, their code runs.
-/// </summary>
+/// <summary>Links of the pages are valid, quoted messages are in the sources, and the pages' code runs.</summary>
 public sealed class DocumentationTests
 {
     static readonly string s_root = Project.FindRoot(AppContext.BaseDirectory);
@@ -42,22 +40,22 @@ public sealed class DocumentationTests
             Assert.That(index, Does.Contain($"]({page})"));
     }
 
-    // In a quote "..." stands for what differs.
+    // "..." in a quote matches any text.
     [Test]
     public void Messages_OfTroubleshooting_AreInTheSources()
     {
         string sources = string.Concat(new[] { Path.Combine(s_package, "Core"), Path.Combine(s_package, "Runtime"),
             Path.Combine(s_package, "Editor"), Path.Combine(s_root, "tools/Vulkan"), Path.Combine(s_root, "tools/Cli") }
             .SelectMany(folder => Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories))
-            .Select(file => Regex.Replace(File.ReadAllText(file), @"(?<!\\)""\s*\+\s*\$?""", ""))) // of several lines
+            .Select(file => Regex.Replace(File.ReadAllText(file), @"(?<!\\)""\s*\+\s*\$?""", ""))) // joins literals
             .Replace("\\\"", "\"");
-        // What a message takes from a constant or an option stands in the text itself.
+        // Values of constants and options are literal in the pages' text.
         foreach (var (name, value) in new[]
         {
             ("Options.Resume.Flag", "--resume"),
             ("noun", "radar"), ("remedy", "RadarController (Glint > Radar Controller) to a camera of the scene"),
-            ("StartAnew", "take the same as before, choose another results folder, "
-                + "or leave --resume out to replace what is there")
+            ("StartAnew", "use the same settings, choose another results folder, or leave --resume out to replace "
+                + "the results")
         })
             sources = sources.Replace("{" + name + "}", value);
         var quotes = File.ReadLines(Path.Combine(s_pages, "troubleshooting.md")).Where(line => line.StartsWith("> "))

@@ -11,11 +11,11 @@ using UnityEngine;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// glint sea, glint ship and glint reflector in a project that has the product and no generated mesh yet.
+/// glint sea, glint ship and glint reflector in a project with the product but without generated meshes.
 /// </summary>
 public sealed class GeneratedAssetsTests
 {
-    // Older than the command, with guids that scenes refer to.
+    // Assets older than the command, with guids that scenes refer to.
     static readonly string[] s_olderMetas =
         ["Meshes/CornerReflector.meta", "Meshes/CornerReflector/Corner Reflector.prefab.meta"];
 

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What the commands refuse to work with: the message names the scene, the object and the way out.</summary>
+/// <summary>Refusals of the commands. The message names the scene, the object and the way out.</summary>
 public sealed class LoadedSceneTests
 {
     [Test]
@@ -38,10 +38,11 @@ public sealed class LoadedSceneTests
     [TestCase("rays across -5", "_raysAcross: 1920", "_raysAcross: -5")]
     [TestCase("maximum bounces 17", "_maxBounces: 4", "_maxBounces: 17")]
     [TestCase("receiver size -3 x 3 m", "_receiverSize: {x: 3, y: 3}", "_receiverSize: {x: -3, y: 3}")]
-    [TestCase("RadarController of 'Radar Camera': the radar stands nowhere: the rotation of 'Radar Camera' is not "
-        + "finite: set it anew", "m_LocalRotation: {x: 0.087155744", "m_LocalRotation: {x: .nan")]
-    [TestCase("RadarController of 'Radar Camera': its receiver 'Receiver' stands nowhere: "
-        + "the position of 'Receiver' is not finite: set it anew", "y: 0, z: -0.2}", "y: 0, z: -.inf}")]
+    [TestCase("RadarController of 'Radar Camera': the radar has no valid position: the rotation of 'Radar Camera' is "
+        + "not "
+        + "finite: set it again", "m_LocalRotation: {x: 0.087155744", "m_LocalRotation: {x: .nan")]
+    [TestCase("RadarController of 'Radar Camera': its receiver 'Receiver' has no valid position: "
+        + "the position of 'Receiver' is not finite: set it again", "y: 0, z: -0.2}", "y: 0, z: -.inf}")]
     [TestCase("RadarController of 'Radar Camera' has no kernel", "_kernel: {fileID: 7200000",
         "_kernel: {fileID: 0} # {fileID: 7200000")]
     public void Run_OfASceneWithABadRadar_IsRefusedByName(string message, params string[] replacements)
@@ -77,8 +78,8 @@ public sealed class LoadedSceneTests
         {
             Assert.That(Assert.Throws<GlintException>(() => new AxisDrivers(
                 new SweepSetup(radar, new SweepPlan(new[] { 0.0, 1.0 })) { Target = target })).Message, Is.EqualTo(
-                    "the target 'Antenna' of the sweep stands nowhere: the rotation of 'Mast', above it, "
-                    + "is not finite: set it anew"));
+                    "the target 'Antenna' of the sweep has no valid position: the rotation of 'Mast', above it, "
+                    + "is not finite: set it again"));
         }
         finally
         {
@@ -99,8 +100,9 @@ public sealed class LoadedSceneTests
         try
         {
             Assert.That(Assert.Throws<GlintException>(() => radar.Gather()).Message, Is.EqualTo(
-                "RadarController of 'Radar': its receiver 'Antenna' stands nowhere: the rotation of 'Mast', above it, "
-                + "is not finite: set it anew"));
+                "RadarController of 'Radar': its receiver 'Antenna' has no valid position: the rotation of 'Mast', "
+                    + "above it, "
+                + "is not finite: set it again"));
         }
         finally
         {
@@ -109,7 +111,7 @@ public sealed class LoadedSceneTests
         }
     }
 
-    // A rotation that is none would else count as no rotation, and the target be traced as nobody meant it.
+    // An invalid rotation would otherwise count as no rotation, and the target would be traced in the wrong pose.
     [Test]
     public void Gather_ObjectWithARotationThatIsNone_IsRefusedByName()
     {
@@ -121,7 +123,7 @@ public sealed class LoadedSceneTests
             var problem =
                 Assert.Throws<GlintException>(() => new SceneGatherer().Gather(~0, new[] { wall.transform }, null));
             Assert.That(problem.Message, Does.Contain("'Wall'")
-                .And.Contain("mend the mesh, or the position, rotation or scale of the object or of one above it"));
+                .And.Contain("correct the mesh, or the position, rotation or scale of the object or of one above it"));
         }
         finally
         {

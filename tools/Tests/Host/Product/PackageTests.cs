@@ -7,7 +7,7 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What Unity asks of the files of a project and its packages.</summary>
+/// <summary>Unity's requirements for the files of a project and its packages.</summary>
 public sealed class PackageTests
 {
     static readonly string s_root = Project.FindRoot(ThisFolder());
@@ -82,7 +82,7 @@ public sealed class PackageTests
         Assert.That(files.Where(file => File.ReadLines(file).Any(line => Regex.IsMatch(line, @"\d[eE]\+\d"))), Is.Empty);
     }
 
-    // Unity compiles every kernel of a package when it imports it, the tracer's in up to ten seconds each.
+    // Unity compiles every kernel of a package on import; each of the tracer's takes up to ten seconds.
     [Test]
     public void Shaders_OfThePackage_HaveAtMostTenKernelsThatUnityCompiles()
     {
@@ -97,7 +97,7 @@ public sealed class PackageTests
     public void SoftwareDevice_InTheHost_IsGivenTheWideKernels() =>
         Assert.That(SoftwareDevice.UsesWideKernels, Is.EqualTo(SoftwareDevice.IsInUse));
 
-    // Of modules that no package names: a script that needs one of them is an error in the editor.
+    // Types of modules that no package lists; a script that uses one does not compile in the editor.
     [TestCase(
         @"\b(JsonUtility|AudioSource|AudioListener|ParticleSystem|Animator|Animation|Rigidbody|Collider|Terrain|UnityWebRequest|ScreenCapture|VideoPlayer|Cloth|Tilemap|WheelCollider)\b")]
     public void Scripts_UseNoModuleThatNoPackageNames(string uses)

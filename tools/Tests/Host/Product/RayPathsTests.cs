@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What Ray Paths hands to a camera.</summary>
+/// <summary>The lines that Ray Paths gives to a camera.</summary>
 public sealed class RayPathsTests
 {
     [Test]
@@ -39,7 +39,7 @@ public sealed class RayPathsTests
         Assert.That(drawn.Parameters.worldBounds.center.z, Is.EqualTo(4.5f).Within(1e-4));
         Assert.That(drawn.Place.MultiplyPoint3x4(drawn.Mesh.bounds.max).z, Is.EqualTo(10f).Within(1e-4));
 
-        // The scene moves on, but what is shown stays that of the pose.
+        // The scene changes, but the lines remain those of the pose.
         radar.Trace();
         int shown = paths.Lines().vertexCount;
         wall.SetActive(false);
@@ -48,17 +48,17 @@ public sealed class RayPathsTests
         Assert.That(Graphics.LastDrawn.Value.Mesh.vertexCount, Is.EqualTo(shown).And.GreaterThan(8));
         wall.SetActive(true);
 
-        // A pose is followed at once where the one before was seen; then not until a camera shows them again.
+        // A pose is updated immediately if the lines were visible before, otherwise when a camera shows them again.
         radar.Trace();
         int seen = paths.Count;
         wall.SetActive(false);
         radar.Trace();
-        Assert.That(paths.Count, Is.EqualTo(seen).And.GreaterThan(0), "nobody looks");
+        Assert.That(paths.Count, Is.EqualTo(seen).And.GreaterThan(0), "no camera shows them");
         Camera.onPreCull(camera);
         Assert.That(paths.Count, Is.Zero);
         wall.SetActive(true);
         radar.Trace();
-        Assert.That(paths.Count, Is.EqualTo(seen), "before the scene moves on");
+        Assert.That(paths.Count, Is.EqualTo(seen), "before the scene changes");
 
         using (var log = new LogCapture())
         {

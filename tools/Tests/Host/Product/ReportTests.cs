@@ -13,7 +13,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>glint report: from a results folder to one file that needs nothing else.</summary>
+/// <summary>glint report: from a results folder to one self-contained file.</summary>
 [Category("Slow")]
 public sealed class ReportTests
 {
@@ -60,8 +60,7 @@ public sealed class ReportTests
         Assert.That(_warnings, Is.Empty);
     }
 
-    // The lengths of the drawn ways, as their points have them, give the phases,
-    // and these the sums that the radar measured.
+    // The lengths of the drawn paths give the phases, and the phases give the measured sums.
     [Test]
     public void Paths_OfThePose_AddUpToItsInPhaseAndQuadrature()
     {
@@ -77,12 +76,12 @@ public sealed class ReportTests
         {
             Assert.That(path.Length, Is.InRange(3, 6), "radar, one to four reflections, receiver");
             Assert.That(Length(path[0], radar), Is.LessThan(1e-4));
-            // 3 x 3 m: its corners are 2.12 m from its middle.
+            // 3 x 3 m: its corners are 2.12 m from its centre.
             Assert.That(Length(path[^1], receiver), Is.LessThan(2.13));
         }
         var phases =
             paths.Select(path => 2 * Math.PI * path.Zip(path.Skip(1), Length).Sum() / (299792458 / 10e9)).ToArray();
-        // Points of float32 some 50 m from the middle: a path is right within 20 um, 0.004 rad.
+        // Points are float32 some 50 m from the centre, so a path is accurate to 20 um, or 0.004 rad.
         Assert.That(phases.Sum(Math.Cos), Is.EqualTo((double)row["in_phase"]).Within(0.004 * paths.Length));
         Assert.That(phases.Sum(Math.Sin), Is.EqualTo((double)row["quadrature"]).Within(0.004 * paths.Length));
     }
@@ -96,8 +95,8 @@ public sealed class ReportTests
         var picture = Data()["scene"]["picture"];
         var bounces = Convert.FromBase64String((string)picture["bounces"]);
         Assert.That(bounces, Has.Length.EqualTo((int)picture["width"] * (int)picture["height"]));
-        // The corner reflector in free space: most of the picture of its surroundings is empty,
-        // and it has one, two and three reflections.
+        // The corner reflector in free space: most of the picture around it is empty, and it has one, two and three
+        // reflections.
         Assert.That(bounces.Select(pixel => pixel & 127).Distinct(), Is.SupersetOf(new[] { 0, 1, 2 }));
         Assert.That(bounces.Any(pixel => pixel >= 128), "some ray is received");
         Assert.That(bounces.Where(pixel => pixel >= 128).All(pixel => (pixel & 127) is >= 1 and <= 4));
@@ -120,7 +119,7 @@ public sealed class ReportTests
             "0", "--fov", "2.29153", "--size", "64x64", "--out", _folder }), new LogProgress());
         Report();
 
-        // Seen head-on it covers 32 x 32 rays, and returns all.
+        // Head-on it covers 32 x 32 rays and returns all of them.
         var scene = Data()["scene"];
         Assert.That((long)scene["received"], Is.EqualTo(1024));
         Assert.That(Paths(scene).All(path => path.Length == 3));
@@ -137,7 +136,7 @@ public sealed class ReportTests
         Execute(Commands.Run, plate, "--unit", "mm", "--grazing", "0", "--fov", "2.29153", "--size", "64x64");
         Report();
 
-        // The plate covers 32 x 32 rays, and returns all.
+        // The plate covers 32 x 32 rays and returns all of them.
         AssertShown(0);
         Assert.That((long)Data()["scene"]["received"], Is.EqualTo(1024));
     }
@@ -150,7 +149,7 @@ public sealed class ReportTests
         AssertShown(0);
     }
 
-    // At this number of rays some of them come back in the fourth of these snapshots only.
+    // With this number of rays, only the fourth of these snapshots returns some.
     [Test]
     public void Report_OfASweepOverSnapshots_ShowsTheSnapshotOfThePose()
     {
@@ -162,7 +161,7 @@ public sealed class ReportTests
         AssertShown(2);
     }
 
-    // Every pose of the plan differs from the others in figures, so that none is taken for another.
+    // All poses of the plan have different figures, so that they cannot be confused.
     [TestCase(1)]
     [TestCase(4)]
     [TestCase(8)]
@@ -176,7 +175,7 @@ public sealed class ReportTests
         AssertShown(pose - 1);
     }
 
-    // As the component Sweep writes results: no command line tells what was traced.
+    // The component Sweep writes results without a command line.
     [Test]
     public void Report_OfASweepThatNoCommandBegan_OpensItsScene()
     {
@@ -230,7 +229,7 @@ public sealed class ReportTests
         Assert.That(File.Exists(ReportPath), Is.False);
     }
 
-    // Both hosts read what npm made; this finds sources that changed without it, and a template that changed by itself.
+    // Both hosts read the template that npm built. This finds sources or a template that changed alone.
     [Test]
     public void Template_IsMadeOfTheSourcesThatAreThere()
     {
@@ -262,7 +261,7 @@ public sealed class ReportTests
             Does.Not.Contain("\"resolved\""), "no registry's name");
     }
 
-    // The pose of a row, traced again from what the results say of it, with the row's very figures.
+    // Traces a row's pose again from the results, with the same figures.
     void AssertShown(int pose)
     {
         var (scene, row) = (Data()["scene"], Data()["run"]["rows"][pose]);

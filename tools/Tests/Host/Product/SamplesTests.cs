@@ -10,7 +10,7 @@ using UnityEngine;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// The package's samples, as the Package Manager copies them into a project that has no other package of Glint.
+/// The package's samples, copied as by the Package Manager into a project without another package of Glint.
 /// </summary>
 public sealed class SamplesTests
 {
@@ -33,7 +33,7 @@ public sealed class SamplesTests
         }
     }
 
-    // Unity makes a new .meta where one is missing, and a project's references to the file break when it is made again.
+    // Unity makes a new .meta for a file without one, and a new guid breaks references to the file.
     [Test]
     public void Files_EachHaveAMetaWithAGuidOfTheirOwn()
     {
@@ -50,8 +50,8 @@ public sealed class SamplesTests
         Assert.That(guids, Is.Unique);
     }
 
-    // Imported, the sample must find everything beside itself: its prefabs are copies of the stored ones,
-    // its scene differs from the stored one in their guids.
+    // An imported sample must be self-contained. Its prefabs are copies of the stored ones; its scene differs from the
+    // stored one only in their guids.
     [Test]
     public void CornerReflector_IsTheStoredExperiment()
     {
@@ -71,7 +71,7 @@ public sealed class SamplesTests
             Regex.Match(File.ReadAllText(file + ".meta"), "guid: ([0-9a-f]{32})").Groups[1].Value;
     }
 
-    // 26 x 26 rays at 0 degrees, all of them by way of three plates.
+    // 26 x 26 rays at 0 degrees, all with three bounces.
     [Test]
     public void CornerReflector_Imported_ReturnsRaysThatMeetThreePlates()
     {
@@ -106,8 +106,8 @@ public sealed class SamplesTests
         {
             radar.Roots.Add(plate);
             var result = radar.Trace();
-            // Seen head-on a plate of 1 m returns every ray: at the receiver they are 1 m from the axis at most.
-            // 180 rays are 2 x 10 m x tan 5 deg.
+            // Head-on, a plate of 1 m returns every ray, at most 1 m from the axis at the receiver. 180 rays are 2 x
+            // 10 m x tan 5 deg.
             Assert.That(result.RaysHit,
                 Is.EqualTo(Math.Pow(180 / (20 * Math.Tan(5 * Math.PI / 180)), 2)).Within(3).Percent);
             Assert.That(result.RaysReceived, Is.EqualTo(result.RaysHit).And.EqualTo(result.Rays.Length));
@@ -131,7 +131,7 @@ public sealed class SamplesTests
         }
     }
 
-    // Assets/Samples/<package>/<version>/<sample>, where the Package Manager copies it.
+    // Assets/Samples/<package>/<version>/<sample>, the Package Manager's destination.
     static string Import(TemporaryProject project, string name)
     {
         foreach (string folder in new[] { "Core", "Runtime", "Editor", "Shaders" })

@@ -15,15 +15,6 @@ public sealed partial class ShaderSourceTests
 
     static IEnumerable<string> Includes => Sources("*.hlsl");
 
-    /// <summary>Unity compiles every kernel on import.</summary>
-    [Test]
-    public void Package_HasAtMostTenKernelsThatUnityCompiles()
-    {
-        var kernels = Compute.Where(path => path.StartsWith("Packages/") && !path.Contains("~/"))
-            .SelectMany(path => Kernel().Matches(Text(path)));
-        Assert.That(kernels.Count(), Is.InRange(1, 10));
-    }
-
     /// <summary>Metal ignores "precise" without it. Unity reads it in a .compute file only.</summary>
     [TestCaseSource(nameof(Compute))]
     public void Compute_ThatNeedsPreciseArithmetic_DisablesFastMath(string path)
@@ -54,9 +45,6 @@ public sealed partial class ShaderSourceTests
 
     static string Relative(string folder, string name) =>
         Path.GetRelativePath(s_root, Path.GetFullPath(Path.Combine(s_root, folder, name)));
-
-    [GeneratedRegex(@"(?m)^#pragma kernel ")]
-    private static partial Regex Kernel();
 
     [GeneratedRegex(@"(?m)^#pragma disable_fastmath$")]
     private static partial Regex FastMath();

@@ -12,8 +12,8 @@ using UnityEngine;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Results of before there was a schema version (Version0: a corner reflector at 0, 2 and 4 degrees, 192 x 108 rays;
-/// the unfinished sweep was killed after two poses) are read, resumed, compared and reported.
+/// Results without a schema version are read, resumed, compared and reported. Version0 is a corner reflector at 0, 2
+/// and 4 degrees with 192 x 108 rays; its unfinished sweep was killed after two poses.
 /// </summary>
 public sealed class StoredResultsTests
 {
@@ -63,7 +63,7 @@ public sealed class StoredResultsTests
             Is.EqualTo(1));
     }
 
-    // A version with more columns goes on with a sweep that has fewer.
+    // A version with more columns resumes a sweep with fewer.
     [Test]
     public void Resume_OfASweepWithoutTheLastColumns_WritesThemAll()
     {
@@ -87,7 +87,7 @@ public sealed class StoredResultsTests
         Assert.That(Timeless.Csv(_folder), Is.EqualTo(Timeless.Csv(Path.Combine(Stored, "Finished"))));
     }
 
-    // By the device that wrote it a command goes on; another is named.
+    // The command resumes on the device that wrote the results; another device is refused by name.
     [Test]
     public void Resume_ByTheCommand_TakesTheSweepOrNamesTheDevice()
     {

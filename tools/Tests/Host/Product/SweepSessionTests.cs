@@ -13,7 +13,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Sweeps of the open scene, a pose a tick, as the window does them.</summary>
+/// <summary>Sweeps of the open scene, one pose a tick, as in the window.</summary>
 public sealed class SweepSessionTests
 {
     const string Corner = "Packages/com.glint.scenes/CornerReflector.unity";
@@ -44,7 +44,7 @@ public sealed class SweepSessionTests
         Directory.Delete(_folder, true);
     }
 
-    // Grazing angles and frequencies too: what they move is put back between.
+    // Grazing angles and frequencies too; their changes are undone between poses.
     [Test]
     public void Session_OfAScene_WritesTheFilesOfTheCommand()
     {
@@ -58,13 +58,13 @@ public sealed class SweepSessionTests
             "9e9:10e9:1e9", "--size", "96x54", "--out", Path.Combine(_folder, "command")
         }), new LogProgress()), Is.Zero);
         Assert.That(Timeless.Csv(_form.FolderPath), Is.EqualTo(Timeless.Csv(Path.Combine(_folder, "command"))));
-        // The words of the command aside: of the session they name no size.
+        // Equal except for the recorded command, which has no --size in a session.
         Assert.That(WithoutCommand(_form.FolderPath), Is.EqualTo(WithoutCommand(Path.Combine(_folder, "command"))));
         Assert.That(StoredRun.Read(_form.FolderPath).Info.Command, Is.EqualTo(new[] { "sweep", "--angles=0:30:10",
             "--grazing=5,10", "--frequency=9e9:10e9:1e9", "--target=Corner Reflector", "--", Corner }));
     }
 
-    // A scene is divided by what was seen to move: what was swept or traced before must not show in the results.
+    // A scene is divided by the motion seen so far; earlier sweeps and traces must not affect the results.
     void MoveAPart()
     {
         var part = GameObject.Find("Plate X").transform;
@@ -203,7 +203,7 @@ public sealed class SweepSessionTests
         session.Tick();
         session.Cancel();
         Assert.That((_form.FolderText(false), _form.FolderText(true)),
-            Is.EqualTo((_form.FolderPath + " holds a sweep that is not finished: Resume goes on with it, "
+            Is.EqualTo((_form.FolderPath + " holds a sweep that is not finished: Resume continues it, "
                 + "otherwise the first row replaces it.", _form.FolderPath)));
         _form.Resume = true;
         using (var resumed = SweepSession.Sweep(_form))
@@ -217,7 +217,7 @@ public sealed class SweepSessionTests
         string whole = Timeless.Csv(_form.FolderPath);
         using (var again = SweepSession.Sweep(_form))
             Assert.That((again.IsRunning, again.Rows.Count, again.Problem),
-                Is.EqualTo((false, 4, (string)null)), "complete already");
+                Is.EqualTo((false, 4, (string)null)), "already complete");
         _form.Folder = Path.Combine(_folder, "whole");
         Run(_form);
         Assert.That(Timeless.Csv(_form.FolderPath), Is.EqualTo(whole));
@@ -271,7 +271,7 @@ public sealed class SweepSessionTests
         }
     }
 
-    // Play mode has made the scene anew, and nothing of it has begun yet.
+    // Play mode has reloaded the scene, and no script has started yet.
     void FillAgain()
     {
         (_form.Target, _form.Radar) = (GameObject.Find("Corner Reflector").transform, null);

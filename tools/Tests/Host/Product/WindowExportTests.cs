@@ -10,7 +10,7 @@ using UnityEngine.SceneManagement;
 
 namespace Glint.Host.Tests;
 
-/// <summary>What the window puts where a user wants it.</summary>
+/// <summary>Files and text exported from the window.</summary>
 public sealed class WindowExportTests
 {
     readonly List<string> _warnings = [];
@@ -82,7 +82,7 @@ public sealed class WindowExportTests
     {
         _form.Target = _form.Radar.transform;
         Export.Report(_form.FolderPath, 1, _form, Path.Combine(_folder, "report.html"), new LogProgress());
-        Assert.That(_warnings.Single(), Does.Contain("'Corner Reflector', is not the one that is chosen"));
+        Assert.That(_warnings.Single(), Does.Contain("'Corner Reflector', is not the chosen one"));
         _warnings.Clear();
         _form.Radar = null;
         Export.Report(_form.FolderPath, 1, _form, Path.Combine(_folder, "report.html"), new LogProgress());

@@ -8,8 +8,8 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Host.Tests;
 
-/// <summary>A mesh at a place, small enough to be read in a message.</summary>
-/// <param name="Corners">Three a triangle.</param>
+/// <summary>A mesh with a transform, small enough to print in a message.</summary>
+/// <param name="Corners">Corners, three for each triangle.</param>
 sealed record RandomBody(float3[] Corners, double3 Position, double4 Rotation, double3 Scale)
 {
     static readonly double4 NoRotation = double4(0, 0, 0, 1);
@@ -20,7 +20,7 @@ sealed record RandomBody(float3[] Corners, double3 Position, double4 Rotation, d
         ToWorld = scene * Affine.FromTransform(Position, Rotation, Scale),
     };
 
-    /// <summary>Simpler bodies: fewer triangles first, then a simpler place, then shorter numbers.</summary>
+    /// <summary>Simpler bodies: fewer triangles first, then a simpler transform, then shorter numbers.</summary>
     public IEnumerable<RandomBody> Simpler()
     {
         int triangles = Corners.Length / 3;
@@ -32,7 +32,7 @@ sealed record RandomBody(float3[] Corners, double3 Position, double4 Rotation, d
                 };
         if (any(Rotation != NoRotation))
             yield return this with { Rotation = NoRotation };
-        // None may come again, or shrinking would never end.
+        // No body may recur, or shrinking would not terminate.
         foreach (double3 scale in new[] { 1, Scale.x, abs(Scale) })
             if (any(Scale != scale) && any(Scale != 1))
                 yield return this with { Scale = scale };

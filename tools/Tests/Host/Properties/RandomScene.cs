@@ -8,11 +8,11 @@ using static Unity.Mathematics.math;
 
 namespace Glint.Host.Tests;
 
-/// <summary>A scene of a few bodies before a radar that looks along the scene's own z axis.</summary>
-/// <param name="Size">Half the height of what is seen, m.</param>
-/// <param name="Range">From the radar to the middle, m.</param>
-/// <param name="At">The middle, m.</param>
-/// <param name="Turn">Of bodies and radar together.</param>
+/// <summary>A scene of a few bodies before a radar that looks along the scene's z axis.</summary>
+/// <param name="Size">Half the height of the view, m.</param>
+/// <param name="Range">Distance from the radar to the centre, m.</param>
+/// <param name="At">The centre, m.</param>
+/// <param name="Turn">Rotation of bodies and radar together.</param>
 /// <param name="Receiver">Side of the receiver, m.</param>
 sealed record RandomScene(RandomBody[] Bodies, double Size, double Range, bool IsParallel, double3 At, double4 Turn,
     double Receiver, int Bounces)

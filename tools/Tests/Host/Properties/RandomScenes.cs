@@ -9,15 +9,15 @@ using static Unity.Mathematics.math;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Scenes that are hard on a tracer: slivers, triangles without area, coplanar duplicates, sizes of one to a million,
-/// mirrored and stretched places, anywhere.
+/// Scenes that are hard to trace: slivers, triangles without area, coplanar duplicates, size ratios of one to a
+/// million, mirrored and stretched transforms, large offsets.
 /// </summary>
 static class RandomScenes
 {
     // Positions have a limit of 1e7 m.
     const double Farthest = 2e6;
 
-    // -1 to 1, in coarse steps: coincidences are wanted.
+    // -1 to 1 in coarse steps, to make coincidences likely.
     static readonly Gen<double> Coarse = Gen.Choose(-8, 8).Select(number => number / 8.0);
 
     static readonly Gen<double> Fine = Gen.Choose(-1_000_000, 1_000_000).Select(number => number / 1e6);
@@ -30,7 +30,7 @@ static class RandomScenes
         from z in CoarseOrFine
         select double3(x, y, z);
 
-    // Also those by quarters of a turn.
+    // Including quarter turns.
     static readonly Gen<double4> Rotations = Gen.OneOf(
         Gen.Elements(double4(0, 0, 0, 1), double4(0, 0, 1, 1), double4(1, 0, 0, 1),
             double4(0, 1, 0, 0), double4(1, 1, 1, 1)),
@@ -41,7 +41,7 @@ static class RandomScenes
     static Gen<double> PowersOfTen(double from, double to) =>
         Gen.Choose(0, 1000).Select(part => Math.Pow(10, from + (to - from) * part / 1000));
 
-    // Any three corners, of sizes from a thousandth to the whole.
+    // Any three corners, with sizes from a thousandth to the whole.
     static readonly Gen<float3[]> Clutter = Triangles(
         from centre in Vectors
         from size in PowersOfTen(-3, 0)
@@ -70,7 +70,7 @@ static class RandomScenes
             _ => Corners(a, b, a + part * (b - a)),
         });
 
-    // Rays come back: across the way they come.
+    // A surface across the rays, which returns them.
     static readonly Gen<float3[]> FacingPlate =
         Vectors.Select(corner => Plate(corner, double3(1, 0, 0), double3(0, 1, 0)));
 
@@ -80,7 +80,7 @@ static class RandomScenes
         .. Plate(0, double3(0, 0, 1), double3(1, 0, 0)),
     ]);
 
-    // A dish of facets that looks at the radar.
+    // A dish of facets that faces the radar.
     static readonly Gen<float3[]> Dish =
         from cells in Gen.Choose(2, 8)
         from depth in PowersOfTen(-4, 0)
@@ -90,7 +90,7 @@ static class RandomScenes
     static readonly Gen<float3[]> Shapes =
         Gen.Frequency((3, Clutter), (2, Slivers), (1, WithoutArea), (3, FacingPlate), (2, Trihedral), (3, Dish));
 
-    // The same once more, wound as before or the other way.
+    // The same triangle again, with the same or the opposite winding.
     static Gen<float3[]> Twice(Gen<float3[]> shapes) =>
         from shape in shapes
         from isTurned in Gen.Elements(false, true)
@@ -99,7 +99,7 @@ static class RandomScenes
     static readonly Gen<double> Stretches =
         Gen.Frequency((3, Gen.Constant(1.0)), (2, PowersOfTen(-1, 1)), (1, PowersOfTen(-1, 1).Select(scale => -scale)));
 
-    // Modelled in units of its own, and some far from its own origin.
+    // Modelled in other units, and partly far from its own origin.
     static Gen<RandomBody> Bodies(Gen<float3[]> shapes, double size, double3 aside) =>
         from shape in shapes
         from unit in Gen.Frequency((2, Gen.Constant(1.0)), (1, PowersOfTen(-3, 3)))
@@ -127,14 +127,14 @@ static class RandomScenes
         select new RandomScene(bodies, size, size * range, isParallel, at, turn, size * receiver, bounces);
 
     /// <summary>
-    /// Scenes in which what every ray does is certain, but for those that pass an edge within rounding.
+    /// Scenes in which every ray's path is certain, except for rays that pass an edge within rounding.
     /// </summary>
     public static readonly Arbitrary<RandomScene> Certain = Arb.From(
         Scenes(Gen.Frequency((5, Shapes), (1, Twice(Gen.OneOf(FacingPlate, Trihedral, Dish)))),
             double3(0.0123, 0.0071, 0.0039)), scene => scene.Simpler());
 
     /// <summary>
-    /// Also scenes whose rays run along edges and in planes, meet slivers that are there twice, or start on a surface.
+    /// Includes scenes with rays along edges and in planes, duplicate slivers, and rays that start on a surface.
     /// </summary>
     public static readonly Arbitrary<RandomScene> Any =
         Arb.From(Scenes(Gen.Frequency((3, Shapes), (1, Twice(Shapes))), 0), scene => scene.Simpler());

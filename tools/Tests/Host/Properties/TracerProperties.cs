@@ -9,9 +9,7 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>
-/// What holds for every scene; a scene for which it does not is made as small as can be before it is shown.
-/// </summary>
+/// <summary>Properties of every scene. A counterexample is reduced before it is reported.</summary>
 [Category("Slow")]
 public sealed class TracerProperties
 {
@@ -31,7 +29,7 @@ public sealed class TracerProperties
             return (comparison.Wrong == 0).Label(Describe(comparison));
         });
         TestContext.Out.WriteLine($"{rays} rays, {received} received, {atEdge} at edges");
-        // Scenes in which nothing comes back would show little.
+        // Scenes without received rays would show little.
         Assert.That(received, Is.GreaterThan(rays / 50));
     }
 
@@ -79,8 +77,8 @@ public sealed class TracerProperties
         + string.Concat(comparison.WrongRays.Take(3).Select(pair => FormattableString.Invariant(
             $"  pixel {pair.Kernel.Pixel % RandomScene.RaysAcross}, {pair.Kernel.Pixel / RandomScene.RaysAcross}: kernel {pair.Kernel.Bounces} bounces, {(pair.Kernel.IsReceived ? "received" : "lost")}, {pair.Kernel.RefinedPathLength:R} m; reference {pair.Reference.Bounces} bounces, {(pair.Reference.Received ? "received" : "lost")}, {pair.Reference.LengthToEnd:R} m\n")));
 
-    // Always the same scenes: a rare one that goes wrong is found by letting this run for longer, with other seeds,
-    // and not by whoever comes along.
+    // The scenes are always the same. A longer run with other seeds searches for rare failures, so that test runs
+    // remain reproducible.
     static void ForAll(Arbitrary<RandomScene> scenes, int count, Func<RandomScene, Property> holds) =>
         Prop.ForAll(scenes, holds).Check(Config.QuickThrowOnFailure.WithMaxTest(count).WithReplay(1, 1));
 }

@@ -10,14 +10,14 @@ using NUnit.Framework.Internal.Builders;
 
 namespace Glint.Host.Tests.TestRunner;
 
-/// <summary>Runs one fixture by NUnit's own runner within a running test, and gives its outcomes.</summary>
+/// <summary>Runs one fixture with NUnit's runner within a running test, and returns its results.</summary>
 internal sealed class FixtureRun : ITestAssemblyBuilder, IPreFilter
 {
     readonly Type _fixture;
 
     FixtureRun(Type fixture) => _fixture = fixture;
 
-    /// <summary>The results of its tests, in the order of their names.</summary>
+    /// <summary>Results of its tests in the order of their names.</summary>
     internal static IReadOnlyList<ITestResult> Of(Type fixture)
     {
         var outer = TestExecutionContext.CurrentContext;

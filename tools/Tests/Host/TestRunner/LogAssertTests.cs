@@ -4,9 +4,7 @@ using NUnit.Framework.Interfaces;
 
 namespace Glint.Host.Tests.TestRunner;
 
-/// <summary>
-/// What is logged decides over a test: errors that nobody expected, and expected messages that never came.
-/// </summary>
+/// <summary>Unexpected errors in the log and missing expected messages fail a test.</summary>
 public sealed class LogAssertTests
 {
     [SetUp]

@@ -7,7 +7,7 @@ using UnityEngine.TestTools;
 
 namespace Glint.Host.Tests.TestRunner;
 
-// What is logged and expected.
+// Logged and expected messages.
 internal static partial class Samples<T>
 {
     public sealed class Logs : Sample

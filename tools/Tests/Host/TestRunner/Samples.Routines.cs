@@ -6,7 +6,7 @@ using UnityEngine.TestTools;
 
 namespace Glint.Host.Tests.TestRunner;
 
-// What a routine yields, throws and takes.
+// Values that routines yield, exceptions and durations.
 internal static partial class Samples<T>
 {
     public sealed class CountsFrames : Sample

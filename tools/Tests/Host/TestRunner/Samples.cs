@@ -4,8 +4,7 @@ using System.Collections.Generic;
 namespace Glint.Host.Tests.TestRunner;
 
 /// <summary>
-/// Fixtures to be run by tests, as in Unity. They are generic, so that NUnit does not find them:
-/// half of them fail, as they should.
+/// Fixtures that other tests run. They are generic, so that NUnit does not find them; half of them fail on purpose.
 /// </summary>
 internal static partial class Samples<T>
 {

@@ -5,9 +5,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests.TestRunner;
 
-/// <summary>
-/// What [UnityTest] does with the routine that a test returns, in play mode unless the name says otherwise.
-/// </summary>
+/// <summary>[UnityTest] with the routine that a test returns, in play mode unless the name says otherwise.</summary>
 public sealed class UnityTestTests
 {
     [SetUp]

@@ -13,7 +13,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host.Tests;
 
-/// <summary>The trees of the inspectors, as Unity asks for them.</summary>
+/// <summary>The inspectors' element trees, as Unity requests them.</summary>
 public sealed class InspectorViewTests
 {
     static readonly Type[] Inspected = typeof(RadarWindow).Assembly.GetTypes()
@@ -167,7 +167,7 @@ public sealed class InspectorViewTests
         return true;
     }
 
-    // A struct that is shown field by field is to be shown whole.
+    // The fields of a struct shown field by field must all be visible.
     static IEnumerable<string> SerializedPaths(Type type, string[] shown) =>
         SerializedFields.Of(type)
             .Where(field => !field.IsDefined(typeof(HideInInspector)))

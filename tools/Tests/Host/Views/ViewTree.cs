@@ -6,7 +6,7 @@ namespace Glint.Host.Tests;
 
 internal static class ViewTree
 {
-    /// <summary>The one element below (or the element itself) that is asked for.</summary>
+    /// <summary>The only matching element below an element, or the element itself.</summary>
     internal static T Find<T>(this VisualElement root, Func<T, bool> isIt)
         where T : VisualElement => root.Tree().OfType<T>().Single(isIt);
 }

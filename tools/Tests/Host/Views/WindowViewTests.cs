@@ -13,7 +13,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Window > Glint > Radar by its buttons and fields.</summary>
+/// <summary>Window > Glint > Radar, operated by its buttons and fields.</summary>
 public sealed class WindowViewTests
 {
     readonly List<string> _exceptions = new();
@@ -174,7 +174,7 @@ public sealed class WindowViewTests
             Tick();
     }
 
-    // As the editor does between two frames.
+    // As in the editor between two frames.
     static void Tick() => EditorApplication.update();
 
     Button Button(string text) => _tree.Find<Button>(button => button.text == text);

@@ -208,7 +208,7 @@ public sealed class ComputeShaderTests
         Assert.That(SystemInfo.graphicsDeviceName, Is.EqualTo(device.Info.Name));
         Assert.That(SystemInfo.graphicsDeviceVersion, Does.StartWith("Vulkan 1."));
         Assert.That(SystemInfo.maxGraphicsBufferSize, Is.EqualTo(device.Limits.MaxStorageBufferRange));
-        // the least that Vulkan guarantees
+        // the minimum that Vulkan guarantees
         Assert.That(SystemInfo.maxComputeWorkGroupSize, Is.GreaterThanOrEqualTo(128));
         Assert.That(SystemInfo.processorType, Is.Not.Empty);
     }

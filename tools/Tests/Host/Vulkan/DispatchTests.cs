@@ -7,8 +7,8 @@ using NUnit.Framework;
 namespace Glint.Host.Tests.Vulkan;
 
 /// <summary>
-/// Every test twice: on memory that the host sees (as a CPU device has),
-/// and through staging buffers (as a discrete GPU needs).
+/// Every test runs twice: with memory mapped for the host (as on a CPU device), and with staging buffers (as on a
+/// discrete GPU).
 /// </summary>
 [TestFixture(true)]
 [TestFixture(false)]
@@ -44,7 +44,7 @@ public sealed class DispatchTests
     [Test]
     public void NewBuffer_ReadAtOnce_IsZero()
     {
-        for (int i = 0; i < 4; i++) // memory that was in use before comes back
+        for (int i = 0; i < 4; i++) // memory that was in use before is reused
         {
             using var buffer = _device.CreateBuffer(3_000_001);
             var data = new byte[buffer.Bytes];
@@ -105,7 +105,7 @@ public sealed class DispatchTests
         {
             other.Write(BitConverter.GetBytes(i));
             state.Write(BitConverter.GetBytes(i));
-            state.Write(BitConverter.GetBytes(i + 1)); // over the one before
+            state.Write(BitConverter.GetBytes(i + 1)); // overwrites the previous value
             _device.Dispatch(program, uniforms, bound, 1, 1, 1);
         }
 

@@ -5,7 +5,7 @@ using Glint.Vulkan;
 
 namespace Glint.Host.Tests.Vulkan;
 
-/// <summary>The tests' own kernels, and a few words to run them.</summary>
+/// <summary>The tests' own kernels and helpers to run them.</summary>
 static class Kernels
 {
     internal const string Arithmetic = "tools/Tests/Host/Shaders/Arithmetic.compute";
@@ -31,7 +31,7 @@ static class Kernels
         return data;
     }
 
-    /// <summary>Uniform bytes of a program with the given values at the places that it reflects.</summary>
+    /// <summary>Uniform bytes of a program with the given values at their reflected offsets.</summary>
     internal static byte[] Pack(ComputeProgram program, params (string Name, object Value)[] values)
     {
         var bytes = new byte[program.UniformBytes];

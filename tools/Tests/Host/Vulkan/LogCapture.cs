@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests.Vulkan;
 
-/// <summary>Collects what is logged while it lives.</summary>
+/// <summary>Collects log messages during its lifetime.</summary>
 sealed class LogCapture : IDisposable
 {
     internal LogCapture() => Application.logMessageReceived += Add;

@@ -41,7 +41,7 @@ public sealed class ReflectionTests
     [TestCase("Real", 4, 1, 1, 0)]
     [TestCase("Pair", 8, 1, 2, 0)]
     [TestCase("Quad", 16, 1, 4, 0)]
-    [TestCase("Reals", 36, 1, 1, 3)]    // 16 bytes from one to the next
+    [TestCase("Reals", 36, 1, 1, 3)]    // stride of 16 bytes
     [TestCase("Quads", 32, 1, 4, 2)]
     [TestCase("Columns", 64, 4, 4, 0)]
     [TestCase("Matrices", 128, 4, 4, 2)]
@@ -80,7 +80,7 @@ public sealed class ReflectionTests
         Assert.That(Kernels.Read<float>(output)[..expected.Length], Is.EqualTo(expected));
     }
 
-    /// <summary>Row by row, from columns that lie four floats apart.</summary>
+    /// <summary>Values in row order, from columns four floats apart.</summary>
     static float[] Transposed(float[] columns, int rows, int count) =>
         Enumerable.Range(0, rows * count).Select(i => columns[i % count * 4 + i / count]).ToArray();
 

@@ -11,7 +11,7 @@ using UnityEngine.Rendering;
 
 namespace Glint.Host.Tests;
 
-/// <summary>Mesh assets: what is saved is read back bit for bit, and the same content gives the same bytes.</summary>
+/// <summary>Mesh assets: saved meshes read back bit for bit, and the same content gives the same bytes.</summary>
 public sealed class MeshWritingTests : WritingFixture
 {
     const string AssetPath = "Packages/com.glint.meshes/Sea State 5/Snapshot 01.asset",
@@ -109,7 +109,7 @@ public sealed class MeshWritingTests : WritingFixture
         .Select(vertex => 20 * vertex + from).Select(start =>
             make(new Vector4(numbers[start], numbers[start + 1], numbers[start + 2], numbers[start + 3]))).ToArray();
 
-    // Every number as its bits: -0 is not 0.
+    // Every number as bits: -0 is not 0.
     static string Describe(MeshContents contents) => string.Join("\n",
         Hex<Vector3>(contents.Vertices), Hex<Vector3>(contents.Normals),
         Hex<Vector4>(contents.Tangents), Hex<Color>(contents.Colors),
@@ -226,7 +226,7 @@ public sealed class MeshWritingTests : WritingFixture
         Assert.That(Directory.GetFileSystemEntries(Path.Combine(Project.Root, "Assets")), Is.Empty);
     }
 
-    // A folder in the file's place is refused by the system whoever asks, as a read-only folder is for most users.
+    // The system refuses a folder in the file's place for every user; a read-only folder would not stop root.
     [Test]
     public void CreateAsset_WhereTheSystemRefuses_SaysSoInOneLine_AndLeavesNothing()
     {

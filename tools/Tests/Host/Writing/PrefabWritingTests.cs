@@ -10,7 +10,7 @@ using UnityEngine;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// Prefabs saved from code: every kind of field and reference is read back, and the ids of objects stay.
+/// Prefabs saved from code: every kind of field and reference reads back, and objects keep their ids.
 /// </summary>
 public sealed class PrefabWritingTests : WritingFixture
 {
@@ -46,7 +46,7 @@ public sealed class PrefabWritingTests : WritingFixture
         GameObject ship = Project.LoadScene(UnityText.Scene(instance, 50)).Single();
         Assert.That(ship.GetComponentInChildren<MeshFilter>().sharedMesh, Is.SameAs(mesh));
 
-        // Saved again with another mesh: what is loaded next has that one.
+        // Saved again with another mesh; the next load must have it.
         Mesh other = Triangle("Other");
         AssetDatabase.CreateAsset(other, "Assets/Other.asset");
         PrefabUtility.SaveAsPrefabAsset(Ship(other), PrefabPath);
@@ -135,7 +135,7 @@ public sealed class PrefabWritingTests : WritingFixture
             Is.EqualTo(("yes: [no]", -7, 1, 1f, 1f)));
         Assert.That(Project.Warnings, Is.Empty);
 
-        // What was read, saved again, is the same text.
+        // A loaded prefab that is saved again has the same text.
         string text = Text(PrefabPath);
         GameObject copy = Object.Instantiate(AssetDatabase.LoadAssetAtPath<GameObject>(PrefabPath));
         PrefabUtility.SaveAsPrefabAsset(copy, PrefabPath);
@@ -186,7 +186,7 @@ public sealed class PrefabWritingTests : WritingFixture
         mast.transform.SetAsFirstSibling();
         PrefabUtility.SaveAsPrefabAsset(root, PrefabPath);
         Assert.That(Headers(), Is.SupersetOf(before).And.Count.EqualTo(10));
-        // The root is always called as the file, and its ids do not depend on its name.
+        // The root always has the file's name, and its ids do not depend on its name.
         Assert.That(AssetDatabase.LoadAssetAtPath<GameObject>(PrefabPath).name, Is.EqualTo("Ship"));
     }
 

@@ -5,7 +5,7 @@ using UnityEngine;
 
 namespace Glint.Host.Tests;
 
-/// <summary>A project with a local package, as product code in the editor writes to it.</summary>
+/// <summary>A project with a local package, for product code that writes to it in the editor.</summary>
 public abstract class WritingFixture : EngineFixture
 {
     private protected TemporaryProject Project { get; private set; }
@@ -24,7 +24,7 @@ public abstract class WritingFixture : EngineFixture
 
     protected string Text(string path) => File.ReadAllText(Path.Combine(Project.Root, path));
 
-    /// <summary>The asset as the next one to open the project finds it.</summary>
+    /// <summary>The asset in a newly opened project.</summary>
     protected T Reopened<T>(string assetPath)
         where T : Object
     {

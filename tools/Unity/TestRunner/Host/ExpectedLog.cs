@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>A message that a test says will be logged; without a type, at any.</summary>
+/// <summary>A message that a test expects; without a type, any type matches.</summary>
 internal sealed class ExpectedLog
 {
     readonly LogType? _type;

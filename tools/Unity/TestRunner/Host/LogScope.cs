@@ -7,9 +7,9 @@ using UnityEngine;
 namespace Glint.Host;
 
 /// <summary>
-/// What is logged during one test, on any thread, against what the test expects.
-/// Expectations are met in the order in which they were made, by messages before or after the call.
-/// Errors, assertions and exceptions that meet none fail the test.
+/// Compares the log messages of one test, from any thread, with its expectations. Expectations match in the order in
+/// which they were made, by messages before or after the call. Unexpected errors, assertions and exceptions fail the
+/// test.
 /// </summary>
 internal sealed class LogScope : IDisposable
 {
@@ -23,14 +23,14 @@ internal sealed class LogScope : IDisposable
 
     LogScope() => _outer = _current;
 
-    /// <summary>The innermost scope that is open, the only one that receives; null when none is.</summary>
+    /// <summary>The innermost open scope, the only one that receives messages; null if none is open.</summary>
     internal static LogScope Innermost => _current;
 
     internal static LogScope Current
         => _current ?? throw new InvalidOperationException("LogAssert can only be used while a test, "
             + "its set-up or its tear-down runs");
 
-    /// <summary>While true, errors that are logged fail nothing.</summary>
+    /// <summary>While true, logged errors do not fail the test.</summary>
     internal bool IgnoresFailing { get; set; }
 
     internal static void Open()
@@ -51,7 +51,7 @@ internal sealed class LogScope : IDisposable
             _expected.Enqueue(expectation);
     }
 
-    /// <summary>The line that says which errors nobody expected; null when there is none.</summary>
+    /// <summary>The line that lists unexpected errors; null without any.</summary>
     internal string UnexpectedErrors()
     {
         lock (_lock)
@@ -63,7 +63,7 @@ internal sealed class LogScope : IDisposable
         }
     }
 
-    /// <summary>The line that says which expected messages never came; null when all did.</summary>
+    /// <summary>The line that lists missing expected messages; null without any.</summary>
     internal string MissingLogs()
     {
         lock (_lock)
@@ -74,9 +74,7 @@ internal sealed class LogScope : IDisposable
         }
     }
 
-    /// <exception cref="AssertionException">
-    /// A message of any type, an error or not, was logged that was not expected.
-    /// </exception>
+    /// <exception cref="AssertionException">An unexpected message of any type was logged.</exception>
     internal void RequireAllExpected()
     {
         lock (_lock)

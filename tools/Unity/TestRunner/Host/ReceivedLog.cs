@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>A message that was logged during a test, and whether it met an expectation.</summary>
+/// <summary>A log message of a test, and whether it was expected.</summary>
 internal sealed class ReceivedLog
 {
     internal ReceivedLog(LogType type, string message)

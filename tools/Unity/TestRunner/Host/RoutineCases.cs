@@ -7,7 +7,7 @@ using NUnit.Framework.Internal.Builders;
 namespace Glint.Host;
 
 /// <summary>
-/// Every combination of the arguments given by [Values], [ValueSource] and the like, for methods that return a routine.
+/// Every combination of the arguments of [Values], [ValueSource] and similar, for methods that return a routine.
 /// </summary>
 internal sealed class RoutineCases : ICombiningStrategy
 {
@@ -19,8 +19,7 @@ internal sealed class RoutineCases : ICombiningStrategy
             yield return Expecting((TestCaseParameters)parameters);
     }
 
-    // NUnit takes a method that returns a value only where a result is expected;
-    // a routine that ran to its end leaves null.
+    // NUnit accepts a method that returns a value only with an expected result; a completed routine returns null.
     internal static TestCaseParameters Expecting(TestCaseParameters parameters)
     {
         parameters.ExpectedResult = null;

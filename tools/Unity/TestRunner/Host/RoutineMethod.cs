@@ -5,9 +5,7 @@ using NUnit.Framework.Internal;
 
 namespace Glint.Host;
 
-/// <summary>
-/// A test method whose call lasts until the routine that it returns has ended, a frame for each step.
-/// </summary>
+/// <summary>A test method whose call lasts until its routine has ended, one frame for each step.</summary>
 internal sealed class RoutineMethod : MethodWrapper, IMethodInfo
 {
     readonly IMethodInfo _method;

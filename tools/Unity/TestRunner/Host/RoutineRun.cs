@@ -8,10 +8,8 @@ using NUnit.Framework;
 namespace Glint.Host;
 
 /// <summary>
-/// One run of a test's routine: frames are stepped until it ends, throws,
-/// logs an error that nobody expected or exceeds its time.
-/// In play mode it runs as a coroutine, so that whatever it yields waits as it would in the game;
-/// in edit mode it may yield null only.
+/// One run of a test's routine. Frames are stepped until it ends, throws, logs an unexpected error or exceeds its time.
+/// In play mode it runs as a coroutine, so that it waits as in the game; in edit mode it may only yield null.
 /// </summary>
 internal sealed class RoutineRun
 {
@@ -71,9 +69,8 @@ internal sealed class RoutineRun
         }
     }
 
-    // The first step is a frame of its own:
-    // the test's own code then starts where every later part of it runs, after Update.
-    // A routine within the routine is stepped here, so that what it throws is caught.
+    // The first step is a separate frame, so that the test's code starts after Update like every later part. A nested
+    // routine is stepped here, so that its exceptions are caught.
     IEnumerator Steps()
     {
         yield return null;
@@ -87,7 +84,7 @@ internal sealed class RoutineRun
         _hasEnded = true;
     }
 
-    // To the next yield of the innermost routine; false at the end of the outermost, or when one throws.
+    // Steps to the next yield of the innermost routine; false at the end of the outermost, or after an exception.
     bool TryStep(out object current)
     {
         current = null;

@@ -3,7 +3,7 @@ using NUnit.Framework.Internal;
 
 namespace Glint.Host;
 
-/// <summary>How long a routine may take.</summary>
+/// <summary>Time limit of a routine.</summary>
 internal static class TimeLimit
 {
     internal static readonly TimeSpan Default = TimeSpan.FromSeconds(180);

@@ -11,9 +11,8 @@ using UnityEngine.TestTools;
 namespace Glint.Host;
 
 /// <summary>
-/// Put on a test assembly or a fixture: around every test of it, [Test] or [UnityTest],
-/// runs [UnitySetUp] before [SetUp] (base class first) and [UnityTearDown] after [TearDown] (base class last),
-/// and holds what was logged from the first to the last against LogAssert.
+/// Attribute of a test assembly or a fixture. For every [Test] and [UnityTest] it runs [UnitySetUp] before [SetUp]
+/// (base class first) and [UnityTearDown] after [TearDown] (base class last), and checks the log against LogAssert.
 /// </summary>
 [AttributeUsage(AttributeTargets.Assembly | AttributeTargets.Class)]
 public sealed class UnityTestActionAttribute : Attribute, ITestAction
@@ -45,7 +44,7 @@ public sealed class UnityTestActionAttribute : Attribute, ITestAction
                 result.RecordTearDownException(exception);
             }
         }
-        // A test that failed already has said why: what it did not get to log is no news, nor what ended it.
+        // A failed test has already reported its reason; missing messages and the final error add nothing.
         var complaint = logs.UnexpectedErrors();
         if (result.ResultState.Status != TestStatus.Failed)
             complaint ??= logs.MissingLogs();

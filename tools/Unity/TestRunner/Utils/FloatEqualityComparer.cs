@@ -12,6 +12,6 @@ public class FloatEqualityComparer : IEqualityComparer<float>
 
     public bool Equals(float expected, float actual) => Utils.AreFloatsEqual(expected, actual, _allowedError);
 
-    // Values that are nearly equal are to have equal codes.
+    // Nearly equal values must have equal codes.
     public int GetHashCode(float value) => 0;
 }

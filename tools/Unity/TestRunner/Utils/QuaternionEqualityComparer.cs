@@ -15,6 +15,6 @@ public class QuaternionEqualityComparer : IEqualityComparer<Quaternion>
     public bool Equals(Quaternion expected, Quaternion actual) =>
         Math.Abs(Quaternion.Dot(expected, actual)) > 1f - _allowedError;
 
-    // Values that are nearly equal are to have equal codes.
+    // Nearly equal values must have equal codes.
     public int GetHashCode(Quaternion quaternion) => 0;
 }

@@ -4,7 +4,7 @@ namespace UnityEngine.TestTools.Utils;
 
 public static class Utils
 {
-    // Relative to the larger of the two, but not to less than 1.
+    // Relative to the larger of the two, but at least to 1.
     public static bool AreFloatsEqual(float expected, float actual, float epsilon)
         => expected == actual
             || Math.Abs(actual - expected) <= epsilon * Math.Max(Math.Max(Math.Abs(actual), Math.Abs(expected)), 1f);

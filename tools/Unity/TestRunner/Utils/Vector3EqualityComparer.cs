@@ -15,6 +15,6 @@ public class Vector3EqualityComparer : IEqualityComparer<Vector3>
             && Utils.AreFloatsEqualAbsoluteError(expected.y, actual.y, _allowedError)
             && Utils.AreFloatsEqualAbsoluteError(expected.z, actual.z, _allowedError);
 
-    // Values that are nearly equal are to have equal codes.
+    // Nearly equal values must have equal codes.
     public int GetHashCode(Vector3 vec3) => 0;
 }

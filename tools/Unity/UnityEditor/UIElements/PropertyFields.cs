@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor.UIElements;
 
-/// <summary>Names the serialized field that it would show; it is not filled in.</summary>
+/// <summary>Names its serialized field without showing a value.</summary>
 public class PropertyField : VisualElement
 {
     public string bindingPath { get; set; }
@@ -26,7 +26,7 @@ public class ObjectField : BaseField<Object>
 
 public static class BindingExtensions
 {
-    /// <summary>Serialized values are not followed: a test raises ObjectChangeEvents instead.</summary>
+    /// <summary>Serialized values are not tracked: a test raises ObjectChangeEvents instead.</summary>
     public static void TrackSerializedObjectValue(
         this VisualElement element, SerializedObject obj, Action<SerializedObject> callback = null)
     {

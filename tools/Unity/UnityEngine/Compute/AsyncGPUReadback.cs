@@ -54,7 +54,7 @@ public static class AsyncGPUReadback
             Complete(_pending[0]);
     }
 
-    /// <summary>Once a frame: what was done before lapses, what was asked for before is done.</summary>
+    /// <summary>Once a frame: releases the data of completed requests and completes pending ones.</summary>
     internal static void Pump()
     {
         GraphicsDevice.CollectLeaks();
@@ -65,7 +65,7 @@ public static class AsyncGPUReadback
             Complete(readback);
     }
 
-    /// <summary>Hands the data over now, unless that was done before.</summary>
+    /// <summary>Delivers the data now, unless already done.</summary>
     internal static void Complete(Readback readback)
     {
         if (readback == null || !_pending.Remove(readback))

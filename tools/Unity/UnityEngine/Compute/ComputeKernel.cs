@@ -39,9 +39,7 @@ internal sealed class ComputeKernel : IDisposable
 
     internal void Set(int id, StructuredBuffer buffer) => _set[id] = buffer;
 
-    /// <summary>
-    /// Name of the first buffer that the kernel uses and that is not set or was released; null when it can run.
-    /// </summary>
+    /// <summary>Name of the first buffer of the kernel that is not set or was released; null if it can run.</summary>
     internal string FindMissing()
     {
         var slots = Program.Slots;
@@ -76,8 +74,8 @@ internal sealed class ComputeKernel : IDisposable
     }
 
     /// <summary>
-    /// A wrong stride is garbage on any device, and an error here: a struct that C# and HLSL lay out differently
-    /// is found where it is used. (Compilers differ as well: glslang aligns float3 to 16 bytes, Direct3D to 4.)
+    /// A wrong stride gives garbage on any device, so it is an error here: it shows a struct with different layouts in
+    /// C# and HLSL. (Compilers differ too: glslang aligns float3 to 16 bytes, Direct3D to 4.)
     /// </summary>
     void CheckStride(string shader, BufferSlot slot, StructuredBuffer buffer)
     {

@@ -53,7 +53,7 @@ public sealed partial class ComputeShader
         var bytes = MemoryMarshal.AsBytes(value);
         if (!_values.TryGetValue(id, out byte[] kept) || kept.Length < bytes.Length)
             Array.Resize(ref kept, bytes.Length);
-        bytes.CopyTo(kept); // a shorter array leaves the rest as it was
+        bytes.CopyTo(kept); // a shorter array leaves the rest unchanged
         _values[id] = kept;
     }
 }

@@ -12,12 +12,9 @@ public sealed partial class ComputeShader : Object
 
     readonly ComputeKernel[] _kernels;
 
-    /// <summary>
-    /// The kernels of a .compute file as they were compiled when this program was built;
-    /// each is loaded when it is first used.
-    /// </summary>
-    /// <param name="projectRoot">Folder whose files must still be those that were compiled.</param>
-    /// <param name="computePath">Path of the .compute file from there.</param>
+    /// <summary>The kernels of a .compute file as compiled with this program; each is loaded on first use.</summary>
+    /// <param name="projectRoot">Folder with the same source files as when compiled.</param>
+    /// <param name="computePath">Path of the .compute file relative to it.</param>
     internal ComputeShader(string name, string projectRoot, string computePath, IReadOnlyList<string> kernels)
     {
         this.name = name;
@@ -33,9 +30,7 @@ public sealed partial class ComputeShader : Object
 
     public bool HasKernel(string name) => IndexOf(name) >= 0;
 
-    /// <summary>
-    /// False without a graphics device; what else keeps the kernel from running is thrown with its reason.
-    /// </summary>
+    /// <summary>False without a graphics device; other obstacles throw an exception with the reason.</summary>
     public bool IsSupported(int kernelIndex) => !GraphicsDevice.IsNull && Kernel(kernelIndex).Program != null;
 
     public void GetKernelThreadGroupSizes(int kernelIndex, out uint x, out uint y, out uint z) =>

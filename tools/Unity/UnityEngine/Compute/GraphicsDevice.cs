@@ -5,7 +5,7 @@ using UnityEngine.Rendering;
 
 namespace Glint.Host;
 
-/// <summary>The device that compute shaders run on, opened when it is first needed.</summary>
+/// <summary>The device of compute shaders, opened on first use.</summary>
 public static class GraphicsDevice
 {
     static readonly ConcurrentQueue<(string Kind, GpuBuffer Buffer)> _leaked = new();
@@ -13,14 +13,14 @@ public static class GraphicsDevice
     static string _selector;
 
     /// <summary>
-    /// What SystemInfo says. Null, as with Unity's -nographics: nothing can be created; all others run on Vulkan.
+    /// The type that SystemInfo reports. Null, like Unity's -nographics: nothing can be created; all others use Vulkan.
     /// </summary>
     public static GraphicsDeviceType Type { get; set; } = GraphicsDeviceType.Vulkan;
 
     public static bool IsNull => Type == GraphicsDeviceType.Null;
 
     /// <summary>
-    /// The device that <see cref="Engine.DeviceSelector"/> names; another selector closes it and opens another.
+    /// The device that <see cref="Engine.DeviceSelector"/> names; a new selector closes it and opens another.
     /// </summary>
     public static VulkanDevice Current
     {
@@ -48,12 +48,11 @@ public static class GraphicsDevice
     }
 
     /// <summary>
-    /// Keeps a buffer that the garbage collector found, on its own thread,
-    /// for <see cref="CollectLeaks"/> on the main one.
+    /// Stores a buffer found by the garbage collector's thread for <see cref="CollectLeaks"/> on the main one.
     /// </summary>
     internal static void Leak(string kind, GpuBuffer buffer) => _leaked.Enqueue((kind, buffer));
 
-    /// <summary>Warns of buffers that nobody released, as Unity does, and releases them.</summary>
+    /// <summary>Warns of buffers that were not released, as Unity does, and releases them.</summary>
     internal static void CollectLeaks()
     {
         while (_leaked.TryDequeue(out var leak))

@@ -5,7 +5,7 @@ using System.Runtime.InteropServices;
 
 namespace Glint.Host;
 
-/// <summary>What SystemInfo says of the machine beside its graphics device.</summary>
+/// <summary>Properties of the machine for SystemInfo, except the graphics device.</summary>
 internal static class Machine
 {
     const string ProcessorFile = "/proc/cpuinfo";

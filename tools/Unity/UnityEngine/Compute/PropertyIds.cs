@@ -3,7 +3,7 @@ using System.Collections.Generic;
 
 namespace Glint.Host;
 
-/// <summary>Numbers for the names of shader properties, the same for a name as long as the program runs.</summary>
+/// <summary>Numbers of shader property names, constant while the program runs.</summary>
 internal static class PropertyIds
 {
     static readonly Dictionary<string, int> _ids = new();

@@ -7,9 +7,8 @@ using UnityEngine.Rendering;
 namespace Glint.Host;
 
 /// <summary>
-/// One asynchronous read-back. The bytes are taken at once,
-/// so they are those of the moment of the request whatever is dispatched later;
-/// they are handed over in a later frame, as in Unity, and stay for one frame.
+/// One asynchronous read-back. The bytes are copied immediately, so later dispatches do not change them. They are
+/// delivered in a later frame, as in Unity, and are valid for one frame.
 /// </summary>
 internal sealed class Readback
 {
@@ -59,7 +58,7 @@ internal sealed class Readback
         }
     }
 
-    /// <summary>Ends the frame in which the data can be had.</summary>
+    /// <summary>Ends the frame in which the data are valid.</summary>
     internal void Expire()
     {
         HasError = true;

@@ -8,7 +8,7 @@ public sealed class Shader : Object
     {
     }
 
-    /// <summary>Nothing is shaded here: every name has a shader.</summary>
+    /// <summary>The host does not render: every name has a shader.</summary>
     public static Shader Find(string name) => new() { Name = name };
 
     public static int PropertyToID(string name) => PropertyIds.Get(name);

@@ -9,7 +9,7 @@ using Unity.Collections;
 namespace Glint.Host;
 
 /// <summary>
-/// What ComputeBuffer and GraphicsBuffer share: elements on the device, and Unity's checks of what goes in and out.
+/// Base of ComputeBuffer and GraphicsBuffer: elements on the device, and Unity's checks of transfers.
 /// </summary>
 internal sealed class StructuredBuffer
 {
@@ -52,7 +52,7 @@ internal sealed class StructuredBuffer
 
     internal bool IsValid => _buffer is { IsDisposed: false };
 
-    /// <summary>The buffer on the device; throws when it was released.</summary>
+    /// <summary>The buffer on the device; throws if it was released.</summary>
     internal GpuBuffer Gpu => IsValid ? _buffer : throw new NullReferenceException($"this {_kind} was released");
 
     internal void Release()
@@ -137,7 +137,7 @@ internal sealed class StructuredBuffer
                 + $"this {_kind} of {Bytes:N0} bytes");
     }
 
-    // Asked of the runtime once a type: it takes longer than a small upload.
+    // Cached for each type, since the runtime's answer takes longer than a small upload.
     int ElementSize(Array data)
     {
         var element = NotNull(data).GetType().GetElementType();

@@ -6,7 +6,7 @@ public class AsyncOperation : YieldInstruction
 {
     Action<AsyncOperation> _completed;
 
-    /// <summary>Called at once when the operation is already done.</summary>
+    /// <summary>Called immediately if the operation is already complete.</summary>
     public event Action<AsyncOperation> completed
     {
         add
@@ -21,7 +21,7 @@ public class AsyncOperation : YieldInstruction
 
     public bool isDone { get; private set; }
 
-    /// <summary>Stays at 0.9 while only the activation is missing.</summary>
+    /// <summary>Remains at 0.9 until activation.</summary>
     public float progress => isDone ? 1f : allowSceneActivation ? 0f : 0.9f;
 
     public int priority { get; set; }

@@ -5,7 +5,7 @@ using Glint.Host;
 
 namespace UnityEngine;
 
-/// <summary>A routine under way: its enumerators, innermost on top, and what it waits for.</summary>
+/// <summary>A running routine: its enumerators, innermost on top, and its present wait.</summary>
 public sealed class Coroutine : YieldInstruction
 {
     readonly Stack<IEnumerator> _routines = new();
@@ -30,7 +30,7 @@ public sealed class Coroutine : YieldInstruction
     /// <summary>Ran to its end, failed or was stopped.</summary>
     internal bool IsDone { get; private set; }
 
-    /// <summary>What a host routine threw; a behaviour's exception is logged instead.</summary>
+    /// <summary>Exception of a host routine; a behaviour's exception is logged instead.</summary>
     internal Exception Error { get; private set; }
 
     internal event Action Finished;
@@ -39,7 +39,9 @@ public sealed class Coroutine : YieldInstruction
 
     internal bool IsDue(ResumePoint point) => !IsDone && point == ResumesAt && _isDue();
 
-    /// <summary>Runs up to the next wait. Nested enumerators and finished waits go on within the same call.</summary>
+    /// <summary>
+    /// Runs up to the next wait. Nested enumerators and finished waits continue within the same call.
+    /// </summary>
     internal void Run()
     {
         while (!IsDone && _routines.TryPeek(out IEnumerator routine))
@@ -58,7 +60,7 @@ public sealed class Coroutine : YieldInstruction
         Finish();
     }
 
-    /// <summary>Stopped: those that wait for this one wait for ever, as in Unity.</summary>
+    /// <summary>Stops the routine; routines that wait for it wait forever, as in Unity.</summary>
     internal void Stop() => IsDone = true;
 
     bool Move(IEnumerator routine, out bool moved)
@@ -88,7 +90,7 @@ public sealed class Coroutine : YieldInstruction
         Finished?.Invoke();
     }
 
-    // True when there is nothing to wait for.
+    // True if there is no wait.
     bool Continues(object yielded)
     {
         int frame = Time.frameCount;

@@ -42,7 +42,7 @@ public class WaitForSecondsRealtime : CustomYieldInstruction
 
     public float waitTime { get; set; }
 
-    // The wait begins when it is first asked, so that one instance can be used again and again.
+    // The wait begins at the first query, so that an instance can be reused.
     public override bool keepWaiting
     {
         get

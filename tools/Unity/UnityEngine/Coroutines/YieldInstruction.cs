@@ -2,13 +2,13 @@ namespace UnityEngine;
 
 public class YieldInstruction;
 
-/// <summary>Goes on at the end of the frame, after LateUpdate and rendering.</summary>
+/// <summary>Resumes at the end of the frame, after LateUpdate and rendering.</summary>
 public sealed class WaitForEndOfFrame : YieldInstruction;
 
-/// <summary>Goes on after the next FixedUpdate.</summary>
+/// <summary>Resumes after the next FixedUpdate.</summary>
 public sealed class WaitForFixedUpdate : YieldInstruction;
 
-/// <summary>Goes on in the first frame in which so much scaled time has passed.</summary>
+/// <summary>Resumes in the first frame after this scaled time.</summary>
 public sealed class WaitForSeconds : YieldInstruction
 {
     public WaitForSeconds(float seconds) => Seconds = seconds;

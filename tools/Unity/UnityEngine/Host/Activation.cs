@@ -4,10 +4,10 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>Carries a change of the active state through a hierarchy, with the messages that follow from it.</summary>
+/// <summary>Propagates a change of the active state through a hierarchy, with its messages.</summary>
 internal static class Activation
 {
-    /// <summary>Brings the object and all below it in line with its own flag and its parent's state.</summary>
+    /// <summary>Updates the object and its descendants from its own flag and its parent's state.</summary>
     internal static void Refresh(GameObject item)
     {
         bool active = ShouldBeActive(item);
@@ -40,7 +40,7 @@ internal static class Activation
         Wake(woken);
     }
 
-    /// <summary>Play mode begins for objects made in edit mode: they wake as if they had just been loaded.</summary>
+    /// <summary>Starts play mode for objects made in edit mode: they wake as if newly loaded.</summary>
     internal static void Rewake(IReadOnlyList<GameObject> roots)
     {
         foreach (GameObject root in roots)

@@ -5,10 +5,10 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>The time of the frame in seconds, kept in double and handed out by UnityEngine.Time.</summary>
+/// <summary>The time of the frame in seconds, in double, for UnityEngine.Time.</summary>
 internal static class Clock
 {
-    // Unity has no earlier frame to measure the first one by and takes this.
+    // Unity uses this value for the first frame, which has no predecessor.
     const double FirstFrameSeconds = 0.02;
 
     static readonly Stopwatch _sinceStartup = Stopwatch.StartNew();
@@ -26,7 +26,7 @@ internal static class Clock
     internal static double MaximumDelta { get; set; } = 1.0 / 3.0;
     internal static double Scale { get; set; } = 1.0;
 
-    /// <summary>Seconds that each frame pretends to take; 0 for real time.</summary>
+    /// <summary>Fixed duration of each frame in seconds; 0 for real time.</summary>
     internal static double CaptureDelta { get; set; }
 
     internal static double SinceStartup => _sinceStartup.Elapsed.TotalSeconds;

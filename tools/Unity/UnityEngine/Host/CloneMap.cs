@@ -3,7 +3,9 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>Originals and their clones: references inside a cloned hierarchy follow, others stay.</summary>
+/// <summary>
+/// Originals and their clones: references inside a cloned hierarchy are mapped, others are unchanged.
+/// </summary>
 internal sealed class CloneMap
 {
     readonly Dictionary<Object, Object> _clones = new(ReferenceEqualityComparer.Instance);

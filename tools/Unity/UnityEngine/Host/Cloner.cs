@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 namespace Glint.Host;
 
 /// <summary>
-/// Instantiate: a deep copy of an object with its hierarchy, as if it were written to a file and read back.
+/// Instantiate: a deep copy of an object with its hierarchy, like writing it to a file and reading it back.
 /// </summary>
 internal static class Cloner
 {
@@ -41,7 +41,7 @@ internal static class Cloner
         return map.Of(original);
     }
 
-    // The bare hierarchy with all its components; contents follow once every reference has its counterpart.
+    // Builds the hierarchy with all its components first; contents are copied once every reference has a counterpart.
     static GameObject Shape(GameObject original, SceneData scene, CloneMap map)
     {
         var clone = new GameObject(original.Name, scene);

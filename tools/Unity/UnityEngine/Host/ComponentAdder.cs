@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>AddComponent: what the type requires comes first, then the component wakes on its object.</summary>
+/// <summary>AddComponent: adds the required components first, then wakes the component.</summary>
 internal static class ComponentAdder
 {
     internal static Component Add(GameObject owner, Type type)
@@ -51,7 +51,7 @@ internal static class ComponentAdder
             Messages.Call(behaviour, "Reset");
     }
 
-    // Of the attribute's owner and of what derives from it, one in all.
+    // At most one component of the attribute's owner and its subclasses.
     static bool Duplicates(GameObject owner, Type type)
     {
         if (typeof(Transform).IsAssignableFrom(type))

@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>All coroutines under way, in the order in which they were started.</summary>
+/// <summary>All running coroutines, in the order of their start.</summary>
 internal static class Coroutines
 {
     static readonly List<Coroutine> _all = new();

@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Takes objects down: OnDisable through the hierarchy, then OnDestroy, then they equal null.</summary>
+/// <summary>Destroys objects: OnDisable through the hierarchy, then OnDestroy, then they equal null.</summary>
 internal static class Destruction
 {
     static readonly List<(Object Item, double Time)> _pending = new();
@@ -33,7 +33,7 @@ internal static class Destruction
             Now(item);
     }
 
-    /// <summary>Destroys what is due.</summary>
+    /// <summary>Destroys objects whose time has come.</summary>
     internal static void Flush()
     {
         foreach ((Object Item, double Time) entry in _pending.Where(entry => entry.Time <= Clock.Time).ToArray())

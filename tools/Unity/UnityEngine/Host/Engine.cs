@@ -4,24 +4,24 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>The engine as the host drives it: which project, play mode or not, and one frame at a time.</summary>
+/// <summary>The engine as driven by the host: its project, play mode, and one frame at a time.</summary>
 public static class Engine
 {
-    /// <summary>The open project; null while none is.</summary>
+    /// <summary>The open project; null without one.</summary>
     public static IAssetSource Assets { get; set; }
 
-    /// <summary>Which Vulkan device to open: null for the best one, else its index or a part of its name.</summary>
+    /// <summary>The Vulkan device to open: null for the preferred one, else its index or a part of its name.</summary>
     public static string DeviceSelector { get; set; }
 
     public static bool IsPlaying { get; private set; }
 
-    /// <summary>The code given to Application.Quit in play mode; null as long as nobody called it.</summary>
+    /// <summary>Exit code of Application.Quit in play mode; null until it is called.</summary>
     public static int? QuitCode { get; internal set; }
 
-    /// <summary>Play mode asked for or to be left, which happens between two frames.</summary>
+    /// <summary>Play mode requested or ending; it takes effect between two frames.</summary>
     internal static bool? PlayModeRequest { get; set; }
 
-    /// <summary>Raised first thing in every frame.</summary>
+    /// <summary>Raised at the start of every frame.</summary>
     internal static event Action FrameBegins;
 
     internal static event Action<PlayModeStep> PlayModeChanged;
@@ -44,7 +44,7 @@ public static class Engine
         PlayModeChanged?.Invoke(PlayModeStep.EnteredPlayMode);
     }
 
-    /// <summary>Sends OnApplicationQuit, takes everything down and restores the scenes of edit mode.</summary>
+    /// <summary>Sends OnApplicationQuit, destroys all objects and restores the scenes of edit mode.</summary>
     public static void ExitPlayMode()
     {
         if (!IsPlaying)
@@ -85,9 +85,7 @@ public static class Engine
         FollowRequest();
     }
 
-    /// <summary>
-    /// Leaves play mode, drops all scenes, and begins with one untitled scene. The open project stays.
-    /// </summary>
+    /// <summary>Leaves play mode, closes all scenes, and opens one untitled scene. The open project is kept.</summary>
     public static void Reset()
     {
         ExitPlayMode();
@@ -97,8 +95,8 @@ public static class Engine
     }
 
     /// <summary>
-    /// Runs a routine beside those of the behaviours, such as a play-mode test: it goes on after Update like any
-    /// other. Call Step until it is done; its exception is kept instead of logged.
+    /// Runs a host routine beside those of the behaviours, for example a play-mode test. It resumes after Update like
+    /// any other. Call Step until it is done; its exception is stored instead of logged.
     /// </summary>
     internal static Coroutine StartCoroutine(IEnumerator routine) => Coroutines.Start(null, routine, null);
 

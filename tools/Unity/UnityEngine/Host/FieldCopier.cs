@@ -42,7 +42,7 @@ internal sealed class FieldCopier
             Call(receiver.OnAfterDeserialize, target);
     }
 
-    // A script's own code: what it throws is logged, and copying goes on.
+    // The script's own code: its exceptions are logged, and copying continues.
     static void Call(Action callback, object script)
     {
         try
@@ -55,7 +55,7 @@ internal sealed class FieldCopier
         }
     }
 
-    // Unity needs no constructor without parameters; where there is one, its field values are the defaults.
+    // Unity needs no parameterless constructor; if there is one, its field values are the defaults.
     static object Make(Type type) =>
         type.IsValueType || type.GetConstructor(AnyInstance, Type.EmptyTypes) is not null
             ? Activator.CreateInstance(type, true)

@@ -18,7 +18,7 @@ internal static class Finder
         return sort == FindObjectsSortMode.InstanceID ? found.OrderBy(item => item.GetInstanceID()) : found;
     }
 
-    /// <summary>An active object by name or path; a leading slash asks for a root.</summary>
+    /// <summary>An active object by name or path; a leading slash means a root.</summary>
     internal static GameObject ByPath(string path)
     {
         if (string.IsNullOrEmpty(path))

@@ -4,9 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>
-/// The project on disk, as the stand-ins need it. Paths are asset paths: Assets/... or Packages/name/...
-/// </summary>
+/// <summary>The project on disk, for the stand-ins. Paths are asset paths: Assets/... or Packages/name/...</summary>
 public interface IAssetSource
 {
     string ProjectRoot { get; }
@@ -16,13 +14,13 @@ public interface IAssetSource
     /// <summary>Fills the scene with the file's objects and awakens them.</summary>
     void LoadScene(string assetPath, Scene scene);
 
-    /// <summary>The asset's main object of that type; null when there is none.</summary>
+    /// <summary>The asset's main object of a type; null if there is none.</summary>
     Object LoadAsset(string assetPath, Type type);
 
     string GuidToPath(string guid);
 
     string PathToGuid(string assetPath);
 
-    /// <summary>Where the file lies: an embedded or local package's folder need not be under Packages.</summary>
+    /// <summary>Path on disk: an embedded or local package's folder need not be under Packages.</summary>
     string ToPhysicalPath(string assetPath);
 }

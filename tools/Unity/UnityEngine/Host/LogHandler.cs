@@ -5,7 +5,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Ends every log call: to those who listen, then to the sink.</summary>
+/// <summary>Receives every log call and passes it to listeners, then to the sink.</summary>
 internal sealed class LogHandler : ILogHandler
 {
     public void LogFormat(LogType logType, Object context, string format, params object[] args)

@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Glint.Host;
 
 /// <summary>
-/// Where log messages are written: the console, warnings and worse to its error stream, or elsewhere.
+/// Destination of log messages: the console, with warnings and errors on its error stream, or another.
 /// </summary>
 public static class LogSink
 {

@@ -8,7 +8,7 @@ using Object = UnityEngine.Object;
 namespace Glint.Host;
 
 /// <summary>
-/// What a script type answers to: its message methods, its execution order, whether it runs in edit mode.
+/// Messages of a script type: its message methods, its execution order, and whether it runs in edit mode.
 /// </summary>
 internal sealed class Messages
 {
@@ -27,7 +27,7 @@ internal sealed class Messages
         RunsInEditMode = type.IsDefined(typeof(ExecuteAlways), true) || type.IsDefined(typeof(ExecuteInEditMode), true);
     }
 
-    /// <summary>A loader replaces it where a script's .meta file gives an execution order.</summary>
+    /// <summary>A loader replaces it if a script's .meta file has an execution order.</summary>
     internal int Order { get; set; }
 
     internal bool RunsInEditMode { get; }
@@ -41,9 +41,7 @@ internal sealed class Messages
 
     internal bool Has(string message) => Method(message) is not null;
 
-    /// <summary>
-    /// Sends a message without arguments. An exception is logged with its object and goes no further.
-    /// </summary>
+    /// <summary>Sends a message without arguments. An exception is logged with its object and not propagated.</summary>
     internal static object Call(Object target, string message)
     {
         MethodInfo method = Of(target.GetType()).Method(message);
@@ -72,7 +70,7 @@ internal sealed class Messages
         }
     }
 
-    /// <summary>The routine that a method of that name makes; null, with an error logged, when there is none.</summary>
+    /// <summary>The routine of a method by name; null, with an error logged, if there is none.</summary>
     internal static IEnumerator Routine(MonoBehaviour target, string name, object value)
     {
         MethodInfo method = null;
@@ -90,7 +88,7 @@ internal sealed class Messages
     static object Invoke(MethodInfo method, object target, object[] arguments) =>
         method.Invoke(target, BindingFlags.DoNotWrapExceptions, null, arguments, null);
 
-    // The nearest declaration counts, private ones of base classes included: Unity looks by name alone.
+    // The nearest declaration counts, private ones of base classes included, since Unity searches by name only.
     MethodInfo Method(string message)
     {
         if (_methods.TryGetValue(message, out MethodInfo method))

@@ -6,11 +6,11 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>How a loader makes objects: construct and attach, fill the fields, then awaken all at once.</summary>
+/// <summary>Makes objects for a loader: construct and attach, fill the fields, then awaken all together.</summary>
 internal static class ObjectFactory
 {
     /// <summary>
-    /// A GameObject without components; one in no scene (default) is a prefab asset and stays asleep.
+    /// A GameObject without components. Without a scene (default) it is a prefab asset and never awakens.
     /// </summary>
     internal static GameObject NewGameObject(string name, Scene scene) =>
         ObjectRegistry.Make(true, () => new GameObject(name, scene.Data));
@@ -33,8 +33,8 @@ internal static class ObjectFactory
         (Object)ObjectRegistry.Make(true, () => Activator.CreateInstance(type, true));
 
     /// <summary>
-    /// Ends loading, after all fields are filled: OnValidate for all, then Awake and OnEnable of what is active, in
-    /// execution order. In edit mode only types that run there hear more than OnValidate.
+    /// Ends loading after all fields are filled: OnValidate for all, then Awake and OnEnable of active objects, in
+    /// execution order. In edit mode only types that run there receive more than OnValidate.
     /// </summary>
     internal static void Awaken(IReadOnlyList<GameObject> roots) => Activation.Awaken(roots);
 

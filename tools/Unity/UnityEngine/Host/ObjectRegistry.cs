@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 namespace Glint.Host;
 
 /// <summary>
-/// Instance ids, and everything alive by id: positive for what files hold, negative for what code makes.
+/// Instance ids, and all live objects by id: positive for objects of files, negative for objects made by code.
 /// </summary>
 internal static class ObjectRegistry
 {
@@ -57,7 +57,7 @@ internal static class ObjectRegistry
         }
     }
 
-    /// <summary>Makes an object whose id is of the kind that files give, or that code gives.</summary>
+    /// <summary>Makes an object with an id for files or for code.</summary>
     internal static T Make<T>(bool fromFile, Func<T> constructor)
     {
         bool outer = _loading;

@@ -3,7 +3,7 @@ using UnityEngine.SceneManagement;
 
 namespace Glint.Host;
 
-/// <summary>Where Instantiate puts the clone.</summary>
+/// <summary>Parent and transform of Instantiate's clone.</summary>
 internal readonly struct Placement
 {
     readonly Transform _parent;

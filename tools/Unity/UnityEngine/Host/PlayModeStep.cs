@@ -1,6 +1,6 @@
 namespace Glint.Host;
 
-/// <summary>In the order and with the values of UnityEditor.PlayModeStateChange.</summary>
+/// <summary>Order and values are those of UnityEditor.PlayModeStateChange.</summary>
 internal enum PlayModeStep
 {
     EnteredEditMode,

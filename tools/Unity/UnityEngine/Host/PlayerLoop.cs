@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>The enabled behaviours in execution order, those of the same order as they were enabled.</summary>
+/// <summary>The enabled behaviours in execution order; equal ones in the order of enabling.</summary>
 internal static class PlayerLoop
 {
     static readonly List<MonoBehaviour> _running = new();
@@ -26,8 +26,8 @@ internal static class PlayerLoop
     }
 
     /// <summary>
-    /// Sends a message of the frame. A behaviour enabled meanwhile waits for the next phase; one that has not been
-    /// started yet is started first.
+    /// Sends a message of the frame. A behaviour enabled meanwhile receives messages from the next phase; one that has
+    /// not started is started first.
     /// </summary>
     internal static void Send(string message)
     {

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>CreatePrimitive, without colliders: there is no physics here.</summary>
+/// <summary>CreatePrimitive without colliders, since the host has no physics.</summary>
 internal static class Primitives
 {
     internal static GameObject Create(PrimitiveType type)

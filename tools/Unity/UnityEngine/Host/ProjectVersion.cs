@@ -4,7 +4,7 @@ using System.IO;
 
 namespace Glint.Host;
 
-/// <summary>What the open project's settings say of its versions and names.</summary>
+/// <summary>Versions and names in the open project's settings.</summary>
 internal static class ProjectVersion
 {
     const string DefaultUnity = "6000.0.78f1";

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>Calls the static methods that ask to be run when play mode begins.</summary>
+/// <summary>Calls the static methods to be run when play mode begins.</summary>
 internal static class RuntimeInitializers
 {
     internal static void Run(RuntimeInitializeLoadType type)

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>What a Scene value refers to.</summary>
+/// <summary>The data behind a Scene value.</summary>
 internal sealed class SceneData
 {
     static int _handles;
@@ -18,7 +18,7 @@ internal sealed class SceneData
     internal int Handle { get; }
     internal string Name { get; set; }
 
-    /// <summary>Asset path; empty for a scene that no file holds.</summary>
+    /// <summary>Asset path; empty for a scene without a file.</summary>
     internal string Path { get; set; }
 
     internal bool IsLoaded { get; set; }

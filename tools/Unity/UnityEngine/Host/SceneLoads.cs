@@ -6,18 +6,18 @@ using UnityEngine.SceneManagement;
 
 namespace Glint.Host;
 
-/// <summary>Scenes asked for in play mode, synchronously or not: both arrive at the start of the next frame.</summary>
+/// <summary>
+/// Scenes requested in play mode, synchronously or not: both are loaded at the start of the next frame.
+/// </summary>
 internal static class SceneLoads
 {
     static readonly List<AsyncOperation> _operations = new();
     static readonly Dictionary<AsyncOperation, Action> _work = new();
 
-    /// <summary>Scene paths of the build settings, by which a scene can be loaded by its name alone.</summary>
+    /// <summary>Scene paths of the build settings, which make a scene loadable by its name.</summary>
     internal static List<string> BuildScenes { get; } = new();
 
-    /// <summary>
-    /// The asset path that a name, a path without extension or a whole path stands for; null when there is none.
-    /// </summary>
+    /// <summary>The asset path for a name, a path without extension or a whole path; null if there is none.</summary>
     internal static string Resolve(string scene)
     {
         if (string.IsNullOrEmpty(scene))
@@ -31,7 +31,7 @@ internal static class SceneLoads
             string.Equals(System.IO.Path.GetFileNameWithoutExtension(path), scene, StringComparison.OrdinalIgnoreCase));
     }
 
-    /// <summary>Null, with an error logged as Unity does, when there is no such scene.</summary>
+    /// <summary>Null, with Unity's error in the log, if the scene does not exist.</summary>
     internal static (SceneData Scene, AsyncOperation Operation)? Load(string scene, LoadSceneMode mode)
     {
         string path = Resolve(scene);
@@ -62,7 +62,7 @@ internal static class SceneLoads
         });
     }
 
-    /// <summary>Does what was asked for before this frame.</summary>
+    /// <summary>Processes the requests of earlier frames.</summary>
     internal static void Complete()
     {
         foreach (AsyncOperation operation in _operations.ToArray())

@@ -7,7 +7,7 @@ using UnityEngine.SceneManagement;
 
 namespace Glint.Host;
 
-/// <summary>The open scenes. There is always one; the scene of DontDestroyOnLoad objects stands apart.</summary>
+/// <summary>The open scenes, at least one. The scene of DontDestroyOnLoad objects is separate.</summary>
 internal static class SceneRegistry
 {
     static readonly List<SceneData> _scenes = new();
@@ -50,7 +50,7 @@ internal static class SceneRegistry
         SceneManager.RaiseActiveChanged(previous, scene);
     }
 
-    /// <summary>Destroys the scene's objects and forgets it.</summary>
+    /// <summary>Destroys the scene's objects and removes it.</summary>
     internal static void Remove(SceneData scene)
     {
         DestroyRoots(scene);
@@ -61,7 +61,7 @@ internal static class SceneRegistry
             Activate(_scenes[0]);
     }
 
-    /// <summary>Destroys the scene's objects; it may stay in the list, unloaded.</summary>
+    /// <summary>Destroys the scene's objects; the unloaded scene may remain in the list.</summary>
     internal static void Close(SceneData scene, bool remove)
     {
         if (remove)
@@ -86,7 +86,7 @@ internal static class SceneRegistry
         Activate(scene);
     }
 
-    /// <summary>Has the open project fill the scene; a scene that fails to load is taken away again.</summary>
+    /// <summary>Loads the scene from the open project; a scene that fails to load is removed.</summary>
     internal static void Fill(SceneData scene)
     {
         if (Engine.Assets is null)
@@ -113,9 +113,7 @@ internal static class SceneRegistry
             node.Owner.SceneData = scene;
     }
 
-    /// <summary>
-    /// Entering play mode: scenes that a file holds are loaded anew, the objects of the others wake as they are.
-    /// </summary>
+    /// <summary>Enters play mode: scenes with a file are reloaded, and objects of the others wake unchanged.</summary>
     internal static void Reload()
     {
         _editModePaths = _scenes.Select(scene => scene.Path).Where(path => path.Length > 0).ToArray();
@@ -133,7 +131,7 @@ internal static class SceneRegistry
         }
     }
 
-    /// <summary>After play mode: the scenes that were open before it, as their files have them.</summary>
+    /// <summary>Leaves play mode: reloads the scenes that were open before it from their files.</summary>
     internal static void RestoreEditMode()
     {
         string[] paths = _editModePaths;

@@ -5,7 +5,7 @@ using System.Reflection;
 
 namespace Glint.Host;
 
-/// <summary>The loaded assemblies that could hold scripts: those that refer to UnityEngine.</summary>
+/// <summary>The loaded assemblies that may contain scripts: those that refer to UnityEngine.</summary>
 internal static class ScriptTypes
 {
     const BindingFlags AnyStatic =

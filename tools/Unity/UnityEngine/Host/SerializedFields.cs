@@ -7,7 +7,7 @@ using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
-/// <summary>Which fields of a script type Unity serializes.</summary>
+/// <summary>The fields of a script type that Unity serializes.</summary>
 internal static class SerializedFields
 {
     const BindingFlags Declared =
@@ -32,7 +32,7 @@ internal static class SerializedFields
 
     internal static bool IsByReference(FieldInfo field) => field.IsDefined(typeof(SerializeReference), false);
 
-    /// <summary>The element type of an array or List; null for anything else.</summary>
+    /// <summary>The element type of an array or List; null for other types.</summary>
     internal static Type ElementType(Type type)
     {
         if (type.IsArray)
@@ -41,7 +41,7 @@ internal static class SerializedFields
             ? type.GetGenericArguments()[0] : null;
     }
 
-    /// <summary>Numbers, text, enums and the engine's own value types: copied as they are.</summary>
+    /// <summary>Numbers, text, enums and the engine's value types, which are copied directly.</summary>
     internal static bool IsPlain(Type type) =>
         (type.IsPrimitive && type != typeof(IntPtr) && type != typeof(UIntPtr))
         || type.IsEnum

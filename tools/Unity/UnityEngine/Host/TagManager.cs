@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>Tags and layer names; a project's TagManager.asset adds to those that Unity brings.</summary>
+/// <summary>Tags and layer names; a project's TagManager.asset adds to Unity's own.</summary>
 public static class TagManager
 {
     static readonly string[] _builtInTags =
@@ -22,7 +22,7 @@ public static class TagManager
 
     internal static IReadOnlyCollection<string> Tags => _tags;
 
-    /// <summary>Takes over a project's own tags and its layer names by index; an empty name is no layer.</summary>
+    /// <summary>Sets a project's own tags and its layer names by index; an empty name means no layer.</summary>
     public static void Set(IEnumerable<string> tags, IReadOnlyList<string> layers)
     {
         _tags = new HashSet<string>(_builtInTags);

@@ -6,7 +6,7 @@ namespace Glint.Host;
 /// <summary>Unity's Euler angles in degrees: about z, then x, then y, all about fixed axes.</summary>
 internal static class EulerAngles
 {
-    // Sine of the x angle from which y and z can no longer be told apart in float32.
+    // Sine of the x angle above which float32 cannot distinguish y and z.
     const double GimbalLock = 0.999999;
 
     internal static Quaternion ToQuaternion(float x, float y, float z)
@@ -40,7 +40,7 @@ internal static class EulerAngles
             Positive(Math.Atan2(s * (x * y + z * w), 1.0 - s * (x * x + z * z))));
     }
 
-    // Angles a rounding error below zero stay there rather than becoming 360.
+    // Angles a rounding error below zero remain there instead of becoming 360.
     static float Positive(double radians)
     {
         const double Rounding = 1e-4;

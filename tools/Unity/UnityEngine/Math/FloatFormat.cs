@@ -3,7 +3,7 @@ using System.Globalization;
 
 namespace Glint.Host;
 
-/// <summary>Text of numbers as Unity writes it: a default format per type, the invariant culture.</summary>
+/// <summary>Numbers in Unity's format: a default format for each type, in the invariant culture.</summary>
 internal static class FloatFormat
 {
     internal static string Tuple(string format, IFormatProvider provider, string defaultFormat, params float[] values)

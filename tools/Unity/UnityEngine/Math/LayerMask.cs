@@ -15,7 +15,7 @@ public struct LayerMask
 
     public static string LayerToName(int layer) => TagManager.LayerToName(layer);
 
-    /// <summary>-1 for a name that no layer has.</summary>
+    /// <summary>-1 for an unknown name.</summary>
     public static int NameToLayer(string layerName) => TagManager.NameToLayer(layerName);
 
     public static int GetMask(params string[] layerNames)

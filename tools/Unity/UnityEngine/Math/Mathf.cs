@@ -28,7 +28,7 @@ public struct Mathf
     public static float Abs(float f) => Math.Abs(f);
     public static int Abs(int value) => Math.Abs(value);
 
-    // Written as comparisons, not Math.Min: with NaN the second argument wins, as in Unity.
+    // Comparisons instead of Math.Min: with NaN the second argument wins, as in Unity.
     public static float Min(float a, float b) => a < b ? a : b;
     public static int Min(int a, int b) => a < b ? a : b;
     public static float Max(float a, float b) => a > b ? a : b;
@@ -83,7 +83,7 @@ public struct Mathf
     public static float Repeat(float t, float length) => Clamp(t - Floor(t / length) * length, 0f, length);
     public static float PingPong(float t, float length) => length - Abs(Repeat(t, length * 2f) - length);
 
-    /// <summary>Shortest way from one angle to another, degrees, in (-180, 180].</summary>
+    /// <summary>Shortest difference from one angle to another, degrees, in (-180, 180].</summary>
     public static float DeltaAngle(float current, float target)
     {
         float delta = Repeat(target - current, 360f);

@@ -14,7 +14,7 @@ public partial struct Matrix4x4
         }
     }
 
-    /// <summary>Lengths of the columns; of a mirroring matrix, x is negative.</summary>
+    /// <summary>Lengths of the columns; x is negative for a mirroring matrix.</summary>
     public Vector3 lossyScale
     {
         get

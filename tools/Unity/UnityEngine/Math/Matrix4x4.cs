@@ -69,7 +69,7 @@ public partial struct Matrix4x4 : IEquatable<Matrix4x4>, IFormattable
             this[Line(index), column] = row[column];
     }
 
-    /// <summary>With the division by w that projections need.</summary>
+    /// <summary>Includes the division by w for projections.</summary>
     public Vector3 MultiplyPoint(Vector3 point)
     {
         float w = m30 * point.x + m31 * point.y + m32 * point.z + m33;

@@ -21,7 +21,7 @@ public struct Plane : IFormattable
         m_Distance = d;
     }
 
-    /// <summary>Seen from the side the normal points to, the points go clockwise.</summary>
+    /// <summary>The points are clockwise seen from the side of the normal.</summary>
     public Plane(Vector3 a, Vector3 b, Vector3 c) : this(Vector3.Cross(b - a, c - a), a)
     {
     }
@@ -47,7 +47,7 @@ public struct Plane : IFormattable
     public bool SameSide(Vector3 inPt0, Vector3 inPt1) => GetSide(inPt0) == GetSide(inPt1);
 
     /// <summary>
-    /// Enter is negative, and the result false, where the plane lies behind; 0 when the ray runs along it.
+    /// If the plane is behind the ray, enter is negative and the result false; 0 if the ray is parallel to it.
     /// </summary>
     public bool Raycast(Ray ray, out float enter)
     {

@@ -81,7 +81,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
 
     public static Quaternion LookRotation(Vector3 forward) => LookRotation(forward, Vector3.up);
 
-    /// <summary>Turns +z to forward and +y as near to upwards as it goes.</summary>
+    /// <summary>Rotates +z to forward and +y as close to upwards as possible.</summary>
     public static Quaternion LookRotation(Vector3 forward, Vector3 upwards)
     {
         Vector3 ahead = forward.normalized;
@@ -109,7 +109,7 @@ public struct Quaternion : IEquatable<Quaternion>, IFormattable
         return Normalize(new Quaternion(cross.x, cross.y, cross.z, 1f + dot));
     }
 
-    /// <summary>The conjugate: exact for unit quaternions, which rotations are.</summary>
+    /// <summary>The conjugate, which is exact for unit quaternions.</summary>
     public static Quaternion Inverse(Quaternion rotation) => new(-rotation.x, -rotation.y, -rotation.z, rotation.w);
 
     public static Quaternion Slerp(Quaternion a, Quaternion b, float t) => SlerpUnclamped(a, b, Mathf.Clamp01(t));

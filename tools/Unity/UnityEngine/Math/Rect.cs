@@ -44,7 +44,7 @@ public struct Rect : IEquatable<Rect>, IFormattable
         new(xmin, ymin, xmax - xmin, ymax - ymin);
     public void Set(float x, float y, float width, float height) => this = new Rect(x, y, width, height);
 
-    /// <summary>The far edges do not belong to the rectangle.</summary>
+    /// <summary>The far edges are not part of the rectangle.</summary>
     public bool Contains(Vector2 point) => point.x >= xMin && point.x < xMax && point.y >= yMin && point.y < yMax;
     public bool Contains(Vector3 point) => Contains((Vector2)point);
     public bool Overlaps(Rect other) =>

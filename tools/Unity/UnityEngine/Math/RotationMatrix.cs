@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Glint.Host;
 
-/// <summary>Between a unit quaternion and the columns of its 3x3 matrix: where x, y and z go.</summary>
+/// <summary>Converts between a unit quaternion and the columns of its 3x3 matrix, the images of x, y and z.</summary>
 internal static class RotationMatrix
 {
     internal static void Columns(Quaternion q, out Vector3 right, out Vector3 up, out Vector3 forward)
@@ -17,8 +17,8 @@ internal static class RotationMatrix
     }
 
     /// <summary>
-    /// Of orthonormal columns with determinant 1. The largest component comes from a root,
-    /// so none is lost to cancellation.
+    /// From orthonormal columns with determinant 1. The largest component is calculated by a square root, so that none
+    /// is lost to cancellation.
     /// </summary>
     internal static Quaternion ToQuaternion(Vector3 right, Vector3 up, Vector3 forward)
     {

@@ -76,7 +76,7 @@ public struct Vector3 : IEquatable<Vector3>, IFormattable
 
     public static Vector3 Slerp(Vector3 a, Vector3 b, float t) => SlerpUnclamped(a, b, Mathf.Clamp01(t));
 
-    /// <summary>Turns the direction along the great circle and blends the length linearly.</summary>
+    /// <summary>Rotates the direction along the great circle and interpolates the length linearly.</summary>
     public static Vector3 SlerpUnclamped(Vector3 a, Vector3 b, float t)
     {
         float lengthA = a.magnitude, lengthB = b.magnitude;

@@ -4,8 +4,8 @@ using UnityEngine;
 namespace Glint.Host;
 
 /// <summary>
-/// Unity's primitive meshes, without texture coordinates. Cube, Plane and Quad have its vertices; of the round ones the
-/// size and the triangle count are Unity's, the places of the vertices are not known: they lie on the true surface.
+/// Unity's primitive meshes, without texture coordinates. Cube, Plane and Quad have Unity's vertices. The round ones
+/// have Unity's size and triangle count; their vertices, which are unknown, lie on the true surface.
 /// </summary>
 internal static class BuiltinMeshes
 {
@@ -30,7 +30,7 @@ internal static class BuiltinMeshes
         return mesh;
     }
 
-    /// <summary>By the fileID that scenes refer to; null for one that is no mesh.</summary>
+    /// <summary>The mesh of a fileID in scenes; null if it is not a mesh.</summary>
     internal static Mesh ByFileId(long fileId)
     {
         foreach ((PrimitiveType type, long id) in _fileIds)

@@ -26,7 +26,7 @@ internal static class FlatMeshes
         return builder;
     }
 
-    /// <summary>10 m x 10 m in XZ facing +y, 11 x 11 vertices from (5, 0, 5) on.</summary>
+    /// <summary>10 m x 10 m in XZ facing +y, 11 x 11 vertices starting at (5, 0, 5).</summary>
     internal static MeshBuilder Plane()
     {
         const int Cells = 10;

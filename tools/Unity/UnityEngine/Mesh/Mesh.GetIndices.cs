@@ -6,7 +6,7 @@ namespace UnityEngine;
 
 public sealed partial class Mesh
 {
-    /// <summary>Of all submeshes with faces, base vertices applied; setting it leaves one submesh.</summary>
+    /// <summary>Indices of all submeshes with faces, base vertices applied; setting it leaves one submesh.</summary>
     public int[] triangles
     {
         get
@@ -52,7 +52,7 @@ public sealed partial class Mesh
 
     public void GetIndices(List<int> indices, int submesh) => GetIndices(indices, submesh, true);
 
-    /// <summary>Without garbage, as in Unity: programs read meshes so again and again.</summary>
+    /// <summary>Without allocation, as in Unity, since programs read meshes repeatedly.</summary>
     public void GetIndices(List<int> indices, int submesh, bool applyBaseVertex)
     {
         if (indices == null)

@@ -18,7 +18,7 @@ public sealed partial class Mesh
     public void RecalculateNormals() => RecalculateNormals(MeshUpdateFlags.Default);
 
     /// <summary>
-    /// Of the faces about each vertex, weighted by area; faces turn clockwise about their normal (left-handed).
+    /// Mean of the faces around each vertex, weighted by area; faces are clockwise about their normal (left-handed).
     /// </summary>
     public void RecalculateNormals(MeshUpdateFlags flags)
     {

@@ -136,7 +136,7 @@ public sealed partial class Mesh
             Contents.UniteBounds();
     }
 
-    // Unity lets an index wrap that its 16 bits do not hold; here it is an error, as the mesh would be wrong.
+    // In Unity an index of more than 16 bits wraps around; here it is an error, since the mesh would be wrong.
     string Trouble(ReadOnlySpan<int> indices, MeshTopology topology, int subMesh, int baseVertex)
     {
         if (subMesh < 0 || subMesh >= subMeshCount)

@@ -54,7 +54,7 @@ public sealed partial class Mesh
         Contents.UniteBounds();
     }
 
-    /// <summary>Keeps what fits of the index buffer.</summary>
+    /// <summary>Keeps the part of the index buffer that fits.</summary>
     public void SetIndexBufferParams(int indexCount, IndexFormat format)
     {
         if (!CanAccess("triangles/indices"))

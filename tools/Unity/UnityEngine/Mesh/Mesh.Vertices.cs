@@ -48,7 +48,7 @@ public sealed partial class Mesh
         Contents.SetVertices(values);
     }
 
-    // One value a vertex, or none at all: anything else is refused.
+    // One value for each vertex or none; other counts are refused.
     T[] Channel<T>(string what, T[] current, ReadOnlySpan<T> values)
     {
         if (!CanAccess(what))

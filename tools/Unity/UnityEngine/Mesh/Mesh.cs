@@ -20,7 +20,7 @@ public sealed partial class Mesh : Object
     public int vertexCount => Contents.Vertices.Length;
     public Bounds bounds { get => Contents.Bounds; set => Contents.Bounds = value; }
 
-    /// <summary>A change empties the index buffer: set it before the indices.</summary>
+    /// <summary>A change clears the index buffer: set it before the indices.</summary>
     public IndexFormat indexFormat
     {
         get => Contents.IndexFormat;
@@ -35,7 +35,7 @@ public sealed partial class Mesh : Object
         }
     }
 
-    /// <summary>For loaders: takes the contents as they are, unchecked.</summary>
+    /// <summary>For loaders: sets the contents without a check.</summary>
     internal void Load(MeshContents contents) => _contents = contents;
 
     public void Clear() => Clear(true);

@@ -6,8 +6,8 @@ using UnityEngine.Rendering;
 namespace Glint.Host;
 
 /// <summary>
-/// What a mesh holds. Nothing here is checked: a stored asset may hold indices out of range or NaN, and who reads
-/// it must find that. Arrays are replaced, never changed in place, so that copies may share them.
+/// Contents of a mesh, unchecked: a stored asset may have indices out of range or NaN, which its readers must detect.
+/// Arrays are replaced, never changed in place, so that copies may share them.
 /// </summary>
 internal sealed class MeshContents
 {
@@ -18,7 +18,7 @@ internal sealed class MeshContents
     internal Vector4[] Tangents = Array.Empty<Vector4>();
     internal Color[] Colors = Array.Empty<Color>();
 
-    /// <summary>Per channel, four components whatever the channel stores; unused ones are zero.</summary>
+    /// <summary>Four components for each channel, whatever it stores; unused ones are zero.</summary>
     internal Vector4[][] Uvs = NoUvs();
 
     /// <summary>The index buffer of all submeshes.</summary>
@@ -53,7 +53,7 @@ internal sealed class MeshContents
         _ => false,
     };
 
-    /// <summary>Resizes what vertices carry besides their position, as the vertex buffer is one.</summary>
+    /// <summary>Resizes all vertex channels except the position, since the vertex buffer is one.</summary>
     internal void SetVertices(ReadOnlySpan<Vector3> vertices)
     {
         bool resized = vertices.Length != Vertices.Length;
@@ -67,7 +67,7 @@ internal sealed class MeshContents
             Uvs[channel] = Resized(Uvs[channel]);
     }
 
-    /// <summary>Puts the indices of one submesh between those of the others, in submesh order.</summary>
+    /// <summary>Inserts the indices of one submesh between those of the others, in submesh order.</summary>
     internal void ReplaceIndices(int subMesh, ReadOnlySpan<int> indices, MeshTopology topology, int baseVertex)
     {
         var all = new List<int>();
@@ -88,7 +88,7 @@ internal sealed class MeshContents
         Indices = all.ToArray();
     }
 
-    /// <summary>Range of the vertices that a submesh refers to and, if wanted, their bounds.</summary>
+    /// <summary>Range of the vertices of a submesh and, if requested, their bounds.</summary>
     internal void Measure(int subMesh, bool bounds = true)
     {
         SubMeshDescriptor part = SubMeshes[subMesh];
@@ -110,7 +110,7 @@ internal sealed class MeshContents
         SubMeshes[subMesh] = part;
     }
 
-    /// <summary>Unites the bounds of the submeshes; of a mesh without indices, takes those of all vertices.</summary>
+    /// <summary>Unites the bounds of the submeshes; for a mesh without indices those of all vertices.</summary>
     internal void UniteBounds()
     {
         Bounds? united = null;

@@ -35,7 +35,7 @@ internal static class RoundMeshes
         }
         return builder;
 
-        // From +x towards +z. The last point is the first to the bit.
+        // From +x towards +z. The last point equals the first bit for bit.
         static Vector3 Rim(int i)
         {
             (double sine, double cosine) = Math.SinCos(2.0 * Math.PI * (i % Sides) / Sides);
@@ -44,7 +44,8 @@ internal static class RoundMeshes
     }
 
     /// <summary>
-    /// A cube's faces, each a grid of equal angles, blown up to a sphere; its halves are moved apart by twice the gap.
+    /// A cube's faces, each a grid of equal angles, projected onto a sphere; its halves are moved apart by twice the
+    /// gap.
     /// </summary>
     static MeshBuilder CubeSphere(float gap)
     {
@@ -60,7 +61,7 @@ internal static class RoundMeshes
             (u, v) => Point(Vector3.down + Vector3.right * Grid(u) + Vector3.forward * Grid(v), -gap));
         return builder;
 
-        // With a gap the equator is there twice, and the row of quads between is the band.
+        // With a gap the equator has two rows of vertices, and the quads between are the band.
         void Face(Vector3 outwards, Vector3 across)
         {
             int middle = Cells / 2, band = gap > 0f ? 1 : 0;

@@ -106,7 +106,7 @@ public sealed partial class GameObject
 
     IEnumerable<Component> Own(Type type) => Alive()._components.Where(type.IsInstanceOfType);
 
-    // The object itself counts even when inactive only if the caller asks for inactive ones, as in Unity.
+    // As in Unity, an inactive object itself counts only if the caller includes inactive ones.
     IEnumerable<Component> Below(Type type, bool includeInactive) =>
         Alive().Node.Descendants()
             .Where(node => includeInactive || node.Owner.ActiveCached)

@@ -42,7 +42,7 @@ public class MonoBehaviour : Behaviour
 
     public void StopAllCoroutines() => Coroutines.Stop(this, _ => true);
 
-    /// <summary>Awake once, then OnEnable when enabled; nothing where Unity would stay silent.</summary>
+    /// <summary>Calls Awake once, then OnEnable if enabled, in the cases in which Unity does.</summary>
     internal void Wake()
     {
         if (!HeedsMessages)
@@ -83,7 +83,7 @@ public class MonoBehaviour : Behaviour
             StartCoroutine(routine);
     }
 
-    /// <summary>Back to the state before Awake, for play mode to begin with.</summary>
+    /// <summary>Returns to the state before Awake, for the start of play mode.</summary>
     internal void Forget()
     {
         didAwake = false;

@@ -2,7 +2,7 @@ using Glint.Host;
 
 namespace UnityEngine;
 
-/// <summary>Base of everything with an instance id: it outlives nothing, a destroyed one equals null.</summary>
+/// <summary>Base of everything with an instance id. A destroyed object equals null.</summary>
 public partial class Object
 {
     readonly int _instanceId;
@@ -41,13 +41,13 @@ public partial class Object
 
     internal bool IsDestroyed { get; private set; }
 
-    /// <summary>Asset path of an object that a project file holds; null for those made at run time.</summary>
+    /// <summary>Asset path of an object in a project file; null for objects made at run time.</summary>
     internal string AssetPath { get; set; }
 
-    /// <summary>The number by which others refer to the object within its asset's file.</summary>
+    /// <summary>The object's id within its asset's file.</summary>
     internal long FileId { get; set; }
 
-    /// <summary>Changed since its asset was last written, as far as anybody said so.</summary>
+    /// <summary>True if marked as changed since its asset was last written.</summary>
     internal bool IsDirty { get; set; }
 
     internal virtual string Name
@@ -74,7 +74,7 @@ public partial class Object
 
     internal static bool IsNull(Object item) => item is null || item.IsDestroyed;
 
-    /// <summary>Every member that Unity implements natively calls this first.</summary>
+    /// <summary>Called first by every member that Unity implements natively.</summary>
     internal void EnsureAlive()
     {
         if (IsDestroyed)
@@ -83,14 +83,14 @@ public partial class Object
                 + "Your script should either check if it is null or you should not destroy the object.");
     }
 
-    /// <summary>Copies what Unity would serialize of a built-in type; a clone starts from the defaults.</summary>
+    /// <summary>Copies the serialized data of a built-in type; a clone starts from the defaults.</summary>
     internal virtual void CopyFrom(Object source, CloneMap map)
     {
         _name = source._name;
         _hideFlags = source._hideFlags;
     }
 
-    /// <summary>Releases what the object holds outside managed memory.</summary>
+    /// <summary>Releases resources outside managed memory.</summary>
     internal virtual void OnDestroyed()
     {
     }

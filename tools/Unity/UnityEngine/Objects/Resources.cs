@@ -4,7 +4,7 @@ using Glint.Host;
 
 namespace UnityEngine;
 
-/// <summary>The project has no Resources folder; only the search over everything in memory is needed.</summary>
+/// <summary>The project has no Resources folder; only the search over all objects in memory is needed.</summary>
 public sealed class Resources
 {
     public static Object[] FindObjectsOfTypeAll(Type type) =>

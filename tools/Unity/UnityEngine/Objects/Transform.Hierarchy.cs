@@ -112,7 +112,7 @@ public partial class Transform
             yield return _children[index];
     }
 
-    /// <summary>This transform, then everything below it, parents before children.</summary>
+    /// <summary>This transform, then its descendants, parents before children.</summary>
     internal IEnumerable<Transform> Descendants()
     {
         yield return this;
@@ -123,14 +123,14 @@ public partial class Transform
         }
     }
 
-    /// <summary>This transform, then its parent and so on up to the root.</summary>
+    /// <summary>This transform, then its ancestors up to the root.</summary>
     internal IEnumerable<Transform> Ancestors()
     {
         for (Transform node = this; node is not null; node = node._parent)
             yield return node;
     }
 
-    /// <summary>SetParent without the change of the active state that follows; false when nothing changes.</summary>
+    /// <summary>SetParent without the change of the active state; false if nothing changes.</summary>
     internal bool Reparent(Transform parent, bool worldPositionStays)
     {
         EnsureAlive();
@@ -151,7 +151,7 @@ public partial class Transform
         return true;
     }
 
-    /// <summary>Takes the transform out of its parent or scene, before it is destroyed or moved.</summary>
+    /// <summary>Removes the transform from its parent or scene, before it is destroyed or moved.</summary>
     internal void Detach()
     {
         Siblings?.Remove(this);
@@ -175,7 +175,7 @@ public partial class Transform
             node.Owner.SceneData = scene;
     }
 
-    // The local scale that comes nearest to the world scale held before: the diagonal, for shear has no place in it.
+    // The local scale closest to the previous world scale: the diagonal, since it cannot represent shear.
     void KeepScale(Matrix4x4 worldScale)
     {
         localScale = Vector3.one;

@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>Moving, turning, and carrying points and directions between local and world space.</summary>
+/// <summary>Translation, rotation, and conversion of points and directions between local and world space.</summary>
 public partial class Transform
 {
     public void Translate(Vector3 translation) => Translate(translation, Space.Self);
@@ -110,7 +110,7 @@ public partial class Transform
     public Vector3 InverseTransformDirection(float x, float y, float z) =>
         InverseTransformDirection(new Vector3(x, y, z));
 
-    // A scale of zero has no inverse; Unity answers 0 along that axis.
+    // A scale of zero has no inverse; Unity returns 0 along that axis.
     Vector3 Unscaled(Vector3 point) => new(
         _localScale.x == 0f ? 0f : point.x / _localScale.x,
         _localScale.y == 0f ? 0f : point.y / _localScale.y,

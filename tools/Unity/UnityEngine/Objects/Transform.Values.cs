@@ -4,11 +4,11 @@ using System.Linq;
 namespace UnityEngine;
 
 /// <summary>
-/// What a Transform takes: a value that is not finite is refused with Unity's own words, and the old one stays.
+/// Checks of a Transform's values: one that is not finite is refused with Unity's message, and the old value is kept.
 /// </summary>
 public partial class Transform
 {
-    /// <summary>Values from a file, which Unity takes as they are.</summary>
+    /// <summary>Values from a file, which Unity does not check.</summary>
     internal void Load(Vector3 localPosition, Quaternion localRotation, Vector3 localScale)
     {
         _localPosition = localPosition;
@@ -19,7 +19,7 @@ public partial class Transform
 
     bool Accepts(string property, Vector3 value) => Accepts(property, property, value.x, value.y, value.z);
 
-    // Both rotations are called 'rotation' where the input is shown.
+    // Unity's message calls both rotations 'rotation'.
     bool Accepts(string property, Quaternion value) =>
         Accepts(property, "rotation", value.x, value.y, value.z, value.w);
 

@@ -10,9 +10,7 @@ public enum Space
     Self,
 }
 
-/// <summary>
-/// Position, rotation and scale against the parent; everything in world space is composed when asked for.
-/// </summary>
+/// <summary>Position, rotation and scale relative to the parent; world values are calculated on request.</summary>
 public partial class Transform : Component, IEnumerable
 {
     Vector3 _localPosition = Vector3.zero;
@@ -75,7 +73,7 @@ public partial class Transform : Component, IEnumerable
         }
     }
 
-    /// <summary>A mirrored ancestor mirrors the rotation below it, so the signs of its scale take part.</summary>
+    /// <summary>A mirrored ancestor mirrors the rotations below it, so the signs of its scale are included.</summary>
     public Quaternion rotation
     {
         get
@@ -116,7 +114,7 @@ public partial class Transform : Component, IEnumerable
         set => rotation = Quaternion.LookRotation(value);
     }
 
-    /// <summary>What remains of the world matrix's scale along the rotated axes; shear is lost.</summary>
+    /// <summary>The world matrix's scale along the rotated axes, without shear.</summary>
     public Vector3 lossyScale
     {
         get

@@ -5,9 +5,7 @@ using Glint.Host;
 
 namespace UnityEngine;
 
-/// <summary>
-/// The host presents itself as the editor in batch mode: it compiles the product with the editor's symbols.
-/// </summary>
+/// <summary>The host acts as the editor in batch mode: it compiles the product with the editor's symbols.</summary>
 public class Application
 {
     static readonly StackTraceLogType[] _stackTraces =
@@ -65,7 +63,7 @@ public class Application
 
     public static void Quit() => Quit(0);
 
-    /// <summary>Takes effect in play mode only, and leaves it to the host to end the loop.</summary>
+    /// <summary>Takes effect only in play mode; the host ends the loop.</summary>
     public static void Quit(int exitCode)
     {
         if (!isPlaying)

@@ -12,7 +12,7 @@ public class Logger : ILogger
     public LogType filterLogType { get; set; } = LogType.Log;
 
     /// <summary>
-    /// Exceptions pass any filter; the rest by severity, which is the order of the values but for Exception.
+    /// Exceptions pass any filter; other types are filtered by severity, the order of the values except Exception.
     /// </summary>
     public bool IsLogTypeAllowed(LogType logType) =>
         logEnabled

@@ -3,7 +3,7 @@ using System.Diagnostics;
 
 namespace Unity.Profiling;
 
-/// <summary>Nobody listens here; the markers are for Unity's profiler.</summary>
+/// <summary>Without effect in the host; the markers are for Unity's profiler.</summary>
 public struct ProfilerMarker
 {
     public ProfilerMarker(string name)

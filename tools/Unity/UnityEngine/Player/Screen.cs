@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>There is no window; Unity in batch mode says this size too.</summary>
+/// <summary>The host has no window; Unity in batch mode returns this size too.</summary>
 public sealed class Screen
 {
     public static int width => 640;

@@ -2,7 +2,7 @@ using Glint.Host;
 
 namespace UnityEngine;
 
-/// <summary>Seconds. Within FixedUpdate, time and deltaTime are those of the fixed step.</summary>
+/// <summary>Times in seconds. Within FixedUpdate, time and deltaTime are those of the fixed step.</summary>
 public class Time
 {
     public static float time => (float)timeAsDouble;

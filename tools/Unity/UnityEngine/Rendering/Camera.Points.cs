@@ -1,8 +1,8 @@
 namespace UnityEngine;
 
 /// <summary>
-/// Between the world, the viewport (0 to 1 from the lower left corner) and the screen (pixels); z is metres in front of
-/// the camera.
+/// Conversions between the world, the viewport (0 to 1 from the lower left corner) and the screen (pixels); z is metres
+/// in front of the camera.
 /// </summary>
 public sealed partial class Camera
 {
@@ -43,7 +43,7 @@ public sealed partial class Camera
             pixels.x + position.x * pixels.width, pixels.y + position.y * pixels.height, position.z);
     }
 
-    /// <summary>Begins on the near plane.</summary>
+    /// <summary>Starts on the near plane.</summary>
     public Ray ViewportPointToRay(Vector3 pos)
     {
         Vector3 origin = ViewportToWorldPoint(new Vector3(pos.x, pos.y, nearClipPlane));

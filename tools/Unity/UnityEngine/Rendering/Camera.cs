@@ -19,19 +19,19 @@ public sealed partial class Camera : Behaviour
     Matrix4x4? _projection;
     Matrix4x4? _worldToCamera;
 
-    /// <summary>Nobody calls it: there is nothing to render.</summary>
+    /// <summary>Never called by the host, which does not render.</summary>
     public static CameraCallback onPreCull;
 
     public delegate void CameraCallback(Camera cam);
 
     public CameraType cameraType { get; set; } = CameraType.Game;
 
-    /// <summary>The only scene that it shows; none: all.</summary>
+    /// <summary>The only scene that it shows; without one, all scenes.</summary>
     public Scene scene { get; set; }
 
     public static Camera main => allCameras.FirstOrDefault(camera => camera.CompareTag("MainCamera"));
 
-    /// <summary>The enabled ones, by depth.</summary>
+    /// <summary>The enabled cameras, by depth.</summary>
     public static Camera[] allCameras =>
         FindObjectsByType<Camera>(FindObjectsSortMode.None)
             .Where(camera => camera.enabled)
@@ -40,7 +40,7 @@ public sealed partial class Camera : Behaviour
 
     public static int allCamerasCount => allCameras.Length;
 
-    /// <summary>Vertical, in degrees.</summary>
+    /// <summary>Vertical field of view, in degrees.</summary>
     public float fieldOfView
     {
         get => Alive()._fieldOfView;
@@ -84,7 +84,7 @@ public sealed partial class Camera : Behaviour
         set => Alive()._depth = value;
     }
 
-    /// <summary>Lens and sensor are not modelled here; the field of view alone counts.</summary>
+    /// <summary>Lens and sensor are not modelled; only the field of view counts.</summary>
     public bool usePhysicalProperties => false;
 
     public Rect rect
@@ -100,7 +100,7 @@ public sealed partial class Camera : Behaviour
 
     public int pixelHeight => Mathf.RoundToInt(pixelRect.height);
 
-    /// <summary>Width over height: the view's own unless set, which is not serialized.</summary>
+    /// <summary>Width over height: that of the view unless set; not serialized.</summary>
     public float aspect
     {
         get => Alive()._aspect ?? pixelRect.width / pixelRect.height;
@@ -161,7 +161,7 @@ public sealed partial class Camera : Behaviour
         return this;
     }
 
-    // A camera has a place and a direction; the scale of its transform does not reach the view.
+    // A camera has a position and a direction; its transform's scale does not affect the view.
     Matrix4x4 Pose() => Matrix4x4.TRS(transform.position, transform.rotation, Vector3.one);
 
     Matrix4x4 Perspective() => Matrix4x4.Perspective(_fieldOfView, aspect, _nearClipPlane, _farClipPlane);

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine;
 
-/// <summary>There is no view to draw in.</summary>
+/// <summary>Without effect in the host, which has no view.</summary>
 public sealed class Gizmos
 {
     public static Color color { get; set; } = Color.white;

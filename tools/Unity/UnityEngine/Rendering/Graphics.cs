@@ -1,6 +1,6 @@
 namespace UnityEngine;
 
-/// <summary>There is no screen: what is drawn is only remembered, for tests.</summary>
+/// <summary>The host has no screen: drawing calls are recorded for tests.</summary>
 public class Graphics
 {
     internal static (RenderParams Parameters, Mesh Mesh, Matrix4x4 Place)? LastDrawn { get; private set; }

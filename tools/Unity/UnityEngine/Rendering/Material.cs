@@ -2,7 +2,7 @@ using Glint.Host;
 
 namespace UnityEngine;
 
-/// <summary>A name and a shader: nothing is shaded here.</summary>
+/// <summary>A name and a shader; the host does not render.</summary>
 public class Material : Object
 {
     Shader _shader;

@@ -2,7 +2,7 @@ using System;
 
 namespace UnityEngine.Rendering;
 
-/// <summary>There is no render pipeline: nobody calls it.</summary>
+/// <summary>The host has no render pipeline and never raises the events.</summary>
 public static class RenderPipelineManager
 {
 #pragma warning disable CS0067 // never used

@@ -7,7 +7,7 @@ namespace UnityEngine;
 
 public class Renderer : Component
 {
-    // A new renderer has room for one material, and none in it.
+    // A new renderer has one empty material slot.
     Material[] _materials = new Material[1];
     bool _enabled = true;
 
@@ -25,7 +25,7 @@ public class Renderer : Component
         }
     }
 
-    /// <summary>Nothing is drawn here.</summary>
+    /// <summary>Without effect in the host.</summary>
     public bool isVisible => false;
 
     public bool isPartOfStaticBatch
@@ -68,7 +68,7 @@ public class Renderer : Component
         set => SetFirst(value);
     }
 
-    /// <summary>World space, axis-aligned: the box around the turned local box.</summary>
+    /// <summary>World space, axis-aligned: the box around the rotated local box.</summary>
     public Bounds bounds
     {
         get
@@ -89,7 +89,7 @@ public class Renderer : Component
     public LODGroup LODGroup =>
         GetComponentsInParent<LODGroup>(true).FirstOrDefault(group => group.Holds(this));
 
-    /// <summary>Set by the loader where the file says that the renderer was combined with others.</summary>
+    /// <summary>Set by the loader if the file says that the renderer was combined with others.</summary>
     internal bool StaticBatched { get; set; }
 
     Material[] Materials

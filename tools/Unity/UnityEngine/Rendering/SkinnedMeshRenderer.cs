@@ -2,7 +2,7 @@ using Glint.Host;
 
 namespace UnityEngine;
 
-/// <summary>Known by name only: it is not posed here.</summary>
+/// <summary>Known by name only; the host does not pose it.</summary>
 public class SkinnedMeshRenderer : Renderer
 {
     Mesh _sharedMesh;

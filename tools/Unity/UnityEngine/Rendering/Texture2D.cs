@@ -28,7 +28,7 @@ public class Texture : Object
     public FilterMode filterMode { get; set; }
 }
 
-/// <summary>Holds colours that a test may look at; there is nothing to show them.</summary>
+/// <summary>Stores colours for tests; the host does not show them.</summary>
 public sealed class Texture2D : Texture
 {
     public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain)

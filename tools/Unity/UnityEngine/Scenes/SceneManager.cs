@@ -76,7 +76,7 @@ public class SceneManager
     public static void LoadScene(string sceneName, LoadSceneMode mode) =>
         LoadScene(sceneName, new LoadSceneParameters(mode));
 
-    /// <summary>The scene is there at once, loaded in the next frame.</summary>
+    /// <summary>The scene exists immediately and is loaded in the next frame.</summary>
     public static Scene LoadScene(string sceneName, LoadSceneParameters parameters) =>
         Load(sceneName, parameters) is var (scene, _) ? new Scene(scene) : default;
 
@@ -98,7 +98,7 @@ public class SceneManager
 
     public static AsyncOperation UnloadSceneAsync(Scene scene, UnloadSceneOptions options) => UnloadSceneAsync(scene);
 
-    // Edit mode has events of its own.
+    // Edit mode has separate events.
     internal static void RaiseLoaded(SceneData scene, LoadSceneMode mode)
     {
         if (Engine.IsPlaying)

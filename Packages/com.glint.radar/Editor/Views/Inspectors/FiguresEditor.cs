@@ -24,7 +24,7 @@ namespace Glint.Editor.Views
         /// <summary>Adds the fields and buttons.</summary>
         protected abstract void AddFields(VisualElement inspector);
 
-        /// <summary>What is shown now: findings, nulls left out, and label, value and meaning of the figures.</summary>
+        /// <summary>Present content: findings without nulls, and label, value and meaning of the figures.</summary>
         protected abstract (IEnumerable<Finding> findings,
             IEnumerable<(string label, string value, string tooltip)> rows) Shown();
 

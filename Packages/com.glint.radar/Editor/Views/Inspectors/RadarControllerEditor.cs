@@ -76,13 +76,13 @@ namespace Glint.Editor.Views
             buttons.style.flexDirection = FlexDirection.Row;
             buttons.Add(new Button(Trace)
             {
-                text = "Trace now", tooltip = "Traces one pose as everything stands. It can be cancelled."
+                text = "Trace now", tooltip = "Traces one pose of the present scene. It can be cancelled."
             });
             buttons.Add(
                 new Button(() => RadarWindow.Show(Radar)) { text = "Sweep...", tooltip = "Traces many poses." });
             _showPaths = new Button(ShowPaths)
             {
-                text = RadarFixes.ShowRayPaths(Radar).Label, tooltip = "Draws the ways of the rays of each pose "
+                text = RadarFixes.ShowRayPaths(Radar).Label, tooltip = "Draws the ray paths of each pose "
                     + "in Scene and Game view: adds the component Ray Paths."
             };
             buttons.Add(_showPaths);

@@ -15,7 +15,7 @@ namespace Glint.Editor.Views
 
         protected override void AddFields(VisualElement inspector)
         {
-            _snapshot = new DropdownField("Snapshot") { tooltip = "Which snapshot is shown." };
+            _snapshot = new DropdownField("Snapshot") { tooltip = "Number of the snapshot that is shown." };
             _snapshot.AddToClassList(DropdownField.alignedFieldUssClassName);
             _snapshot.RegisterValueChangedCallback(_ => Choose());
             inspector.Add(Parts.Group("Snapshots", Parts.Field("_snapshots", "Snapshots"),

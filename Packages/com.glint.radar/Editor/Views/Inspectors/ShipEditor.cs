@@ -19,7 +19,7 @@ namespace Glint.Editor.Views
             _remake = new Button(Remake)
             {
                 text = ShipFigures.Remake(Ship).Label,
-                tooltip = "From the measures above. The mesh is stored with the scene."
+                tooltip = "Builds the mesh from the measures above. It is stored with the scene."
             };
             inspector.Add(Parts.Struct("_settings", "Measures", ShipSettings.Measures.Select(measure => measure.Row)));
             if (targets.Length != 1)
@@ -28,8 +28,8 @@ namespace Glint.Editor.Views
             if (RadarCheck.CanLook(Ship))
                 inspector.Add(_remake);
             else
-                inspector.Add(new HelpBox("The mesh is made where the ship stands in a scene, or by glint ship, "
-                    + "which stores it: a prefab cannot hold it.", HelpBoxMessageType.Info));
+                inspector.Add(new HelpBox("The mesh is built for a ship in a scene, or by glint ship, which stores "
+                    + "it: a prefab cannot hold it.", HelpBoxMessageType.Info));
         }
 
         protected override (IEnumerable<Finding>, IEnumerable<(string, string, string)>) Shown()

@@ -10,13 +10,13 @@ namespace Glint.Editor.Views
     /// </summary>
     sealed class RadarPreviewView : Foldout
     {
-        const string ByBounces = "bounces", ByObject = "object met first";
+        const string ByBounces = "bounces", ByObject = "first object hit";
 
         readonly Image _image = new Image { scaleMode = ScaleMode.ScaleToFit };
         readonly DropdownField _colours = new DropdownField("Colour by", new List<string> { ByBounces, ByObject }, 0)
         {
-            tooltip = "How often a ray is reflected, or which object it meets first. "
-                + "Brightness tells how squarely it meets the first surface; white stripes are rays that are received."
+            tooltip = "Colour by number of reflections, or by the first object hit. Brightness shows the angle of "
+                + "incidence on it; white stripes are received rays."
         };
         readonly VisualElement _legend = new VisualElement();
         readonly Label _readout = new Label();
@@ -33,8 +33,8 @@ namespace Glint.Editor.Views
             bar.Add(_colours);
             bar.Add(new Button(look)
             {
-                text = "Look now", tooltip = "Traces the view as everything stands. "
-                + "While this is unfolded, each pose that is traced is shown."
+                text = "Look now", tooltip = "Traces the view of the present scene. While this is unfolded, each "
+                    + "traced pose is shown."
             });
             _legend.AddToClassList("glint-legend");
             _readout.AddToClassList("glint-words");

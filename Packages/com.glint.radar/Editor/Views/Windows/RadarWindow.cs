@@ -168,7 +168,7 @@ namespace Glint.Editor.Views
         void SaveReport() => Attempt(() =>
         {
             if (_session?.IsRunning == true)
-                throw new GlintException("the sweep is at work: export its report when it is done, or cancel it");
+                throw new GlintException("the sweep is running: export its report when it is done, or cancel it");
             Save(_shown, ReportFile.Name, path =>
             {
                 using (var progress = new CancelBar("Report"))

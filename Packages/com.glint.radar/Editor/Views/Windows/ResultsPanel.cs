@@ -37,11 +37,11 @@ namespace Glint.Editor.Views
             var bar = new Toolbar();
             _axis.RegisterValueChangedCallback(change => Choose(() => choice.Axis = change.newValue));
             _axis.labelElement.style.minWidth = 0;
-            _axis.tooltip = "The axis that the chart goes over.";
+            _axis.tooltip = "The chart's horizontal axis.";
             var column = new DropdownField("Show", ChartChoice.Columns.Select(shown => shown.Title).ToList(), 0)
             {
-                tooltip = "The column of the results that the chart shows. A normalised amplitude is as if there were "
-                    + "2,073,600 rays over the same view."
+                tooltip = "The column of the results in the chart. A normalised amplitude is that of 2,073,600 rays "
+                    + "over the same view."
             };
             column.SetValueWithoutNotify(choice.Column);
             column.RegisterValueChangedCallback(change => Choose(() => choice.Column = change.newValue));
@@ -91,7 +91,7 @@ namespace Glint.Editor.Views
         /// <summary>The radar's view.</summary>
         public RadarPreviewView Preview { get; }
 
-        /// <summary>What is below the toolbar, for a picture of it.</summary>
+        /// <summary>The part below the toolbar, for a picture of it.</summary>
         public ScrollView Charts { get; }
 
         /// <param name="comparison">The compared run; may be null.</param>
@@ -101,7 +101,7 @@ namespace Glint.Editor.Views
             _axis.choices = axes.Select(axis => axis.Name).ToList();
             _axis.SetValueWithoutNotify(_choice.AxisOf(rows).Name);
             _compare.tooltip = comparison == null
-                ? "Lays a results folder or a published table over the chart."
+                ? "Overlays a results folder or a published table on the chart."
                 : "Laid over: " + comparison.Title;
             _chosen = _choice.Chosen(rows);
             _readout.text = _chosen?.Text() ?? "";

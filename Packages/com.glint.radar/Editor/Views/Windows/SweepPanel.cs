@@ -43,11 +43,11 @@ namespace Glint.Editor.Views
             var buttons = new VisualElement();
             buttons.AddToClassList("glint-buttons");
             buttons.Add(
-                _trace = new Button(trace) { text = "Trace", tooltip = "One pose, the scene as it stands; no files." });
+                _trace = new Button(trace) { text = "Trace", tooltip = "Traces one pose, without files." });
             buttons.Add(_sweep = new Button(sweep) { text = "Sweep" });
             buttons.Add(_cancel = new Button(cancel)
             {
-                text = "Cancel", tooltip = "The poses that are done are kept; Resume goes on."
+                text = "Cancel", tooltip = "Finished poses are kept; Resume continues."
             });
             Add(buttons);
             Add(_problem);
