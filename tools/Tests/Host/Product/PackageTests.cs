@@ -1,3 +1,4 @@
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Runtime.CompilerServices;
@@ -38,6 +39,40 @@ public sealed class PackageTests
             .Where(file => !Path.GetRelativePath(shaders, file).Contains("~/"))
             .SelectMany(File.ReadLines).Count(line => Regex.IsMatch(line, @"^\s*#pragma\s+kernel\s"));
         Assert.That(kernels, Is.InRange(1, 10));
+    }
+
+    // Unity reads the line in the .compute file only, not in what it includes.
+    [Test]
+    public void Shaders_WithPreciseSteps_DisableMetalsFastMath()
+    {
+        var files = new[] { "Packages", "Tests" }
+            .SelectMany(folder => Directory.EnumerateFiles(Path.Combine(s_root, folder), "*.compute",
+                SearchOption.AllDirectories))
+            .Where(file => !file.Contains("~/") && HasPreciseSteps(file, new HashSet<string>())).ToArray();
+        Assert.That(files, Is.Not.Empty);
+        Assert.That(files.Where(file => !File.ReadLines(file).Contains("#pragma disable_fastmath")), Is.Empty);
+    }
+
+    // FXC takes !(a <= b) for b < a: what is written for NaN is lost without a warning.
+    [Test]
+    public void Shaders_OfThePackage_NegateNoComparison()
+    {
+        var lines = Directory.EnumerateFiles(Path.Combine(s_root, "Packages/com.glint.radar/Shaders"), "*",
+                SearchOption.AllDirectories)
+            .Where(file => Path.GetExtension(file) is ".hlsl" or ".compute").SelectMany(File.ReadLines)
+            .Where(line => !line.TrimStart().StartsWith("//")).ToArray();
+        Assert.That(lines, Is.Not.Empty);
+        Assert.That(lines.Where(line => Regex.IsMatch(line, @"!\(.*[<>]")), Is.Empty);
+    }
+
+    static bool HasPreciseSteps(string file, HashSet<string> read)
+    {
+        string text = File.ReadAllText(file);
+        return Regex.IsMatch(text, @"^\s*precise\s", RegexOptions.Multiline)
+            || Regex.Matches(text, @"^\s*#include ""(.+)""", RegexOptions.Multiline)
+                .Select(match => match.Groups[1].Value)
+                .Select(path => Path.Combine(path.StartsWith("Packages/") ? s_root : Path.GetDirectoryName(file), path))
+                .Any(path => read.Add(path) && HasPreciseSteps(path, read));
     }
 
     [Test]
