@@ -129,7 +129,7 @@ Hit LoadHit(TraversalState state, Ray ray)
     hit.Distance = ToPlane(localOrigin, localDirection, plane.Corner, plane.Normal);
     float largest = MaxComponent(abs(ray.Origin));
     float searchDistance = state.Distance + dot(ray.Start - ray.Origin, ray.Direction);
-    if (!(abs(hit.Distance - searchDistance) <= GRAZING * (state.Distance + largest)))
+    if (IsNaN(hit.Distance) || abs(hit.Distance - searchDistance) > GRAZING * (state.Distance + largest))
         hit.Distance = searchDistance;
     plane.Lever = MaxComponent(abs(localOrigin + hit.Distance * localDirection - plane.Corner)) / plane.Scale;
     plane.IsBehind = dot(hit.Normal, ray.Direction) > 0.0;

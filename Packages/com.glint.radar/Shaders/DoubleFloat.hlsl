@@ -3,7 +3,8 @@
 
 // Double-float arithmetic: a number is the unevaluated sum of two float32, accurate to about 45 bits. Shader model 5.0
 // has neither double on all devices nor fused multiply-add. After Dekker 1971, Knuth, and Li et al. 2002. Every step is
-// "precise": otherwise FXC simplifies a + b - a to b, which silently removes the error terms.
+// "precise": otherwise FXC simplifies a + b - a to b, which silently removes the error terms. A step has a variable of
+// its own, because glslang's "precise" ends at the arguments of a function: what is computed there may be fused.
 
 struct DoubleFloat
 {
@@ -78,7 +79,7 @@ DoubleFloat TwoProd(float a, float b)
 DoubleFloat Add(DoubleFloat a, DoubleFloat b)
 {
     DoubleFloat sum = TwoSum(a.Hi, b.Hi);
-    return TwoSum(sum.Hi, RoundedSum(sum.Lo, a.Lo + b.Lo));
+    return TwoSum(sum.Hi, RoundedSum(sum.Lo, RoundedSum(a.Lo, b.Lo)));
 }
 
 DoubleFloat Sub(DoubleFloat a, DoubleFloat b)
@@ -89,27 +90,31 @@ DoubleFloat Sub(DoubleFloat a, DoubleFloat b)
 DoubleFloat Mul(DoubleFloat a, DoubleFloat b)
 {
     DoubleFloat product = TwoProd(a.Hi, b.Hi);
-    return QuickTwoSum(product.Hi, RoundedSum(product.Lo, a.Hi * b.Lo + a.Lo * b.Hi));
+    precise float lows = a.Hi * b.Lo + a.Lo * b.Hi;
+    return QuickTwoSum(product.Hi, RoundedSum(product.Lo, lows));
 }
 
 DoubleFloat Mul(DoubleFloat a, float b)
 {
     DoubleFloat product = TwoProd(a.Hi, b);
-    return QuickTwoSum(product.Hi, RoundedSum(product.Lo, a.Lo * b));
+    precise float lo = a.Lo * b;
+    return QuickTwoSum(product.Hi, RoundedSum(product.Lo, lo));
 }
 
 // Long division with two digits; a device's own division may be off by some steps.
 DoubleFloat Div(DoubleFloat a, DoubleFloat b)
 {
-    float first = a.Hi / b.Hi;
-    return TwoSum(first, Sub(a, Mul(b, first)).Hi / b.Hi);
+    precise float first = a.Hi / b.Hi;
+    precise float second = Sub(a, Mul(b, first)).Hi / b.Hi;
+    return TwoSum(first, second);
 }
 
 // Square root of a positive number: the device's own, and a Newton step.
 DoubleFloat Sqrt(DoubleFloat a)
 {
-    float root = sqrt(a.Hi);
-    return TwoSum(root, Sub(a, TwoProd(root, root)).Hi / (2.0 * root));
+    precise float root = sqrt(a.Hi);
+    precise float rest = Sub(a, TwoProd(root, root)).Hi / (2.0 * root);
+    return TwoSum(root, rest);
 }
 
 float Rounded(DoubleFloat a)
@@ -151,11 +156,12 @@ DoubleFloat3 Mul(DoubleFloat3 v, float s)
 DoubleFloat Dot(DoubleFloat3 a, DoubleFloat3 b)
 {
     DoubleFloat x = TwoProd(a.X.Hi, b.X.Hi), y = TwoProd(a.Y.Hi, b.Y.Hi), z = TwoProd(a.Z.Hi, b.Z.Hi);
-    float lows =
+    precise float lows =
         (a.X.Hi * b.X.Lo + a.X.Lo * b.X.Hi) + (a.Y.Hi * b.Y.Lo + a.Y.Lo * b.Y.Hi) + (a.Z.Hi * b.Z.Lo + a.Z.Lo * b.Z.Hi);
     DoubleFloat xy = TwoSum(x.Hi, y.Hi);
     DoubleFloat xyz = TwoSum(xy.Hi, z.Hi);
-    return TwoSum(xyz.Hi, RoundedSum(xy.Lo + xyz.Lo, (x.Lo + y.Lo) + (z.Lo + lows)));
+    precise float lo = (xy.Lo + xyz.Lo) + ((x.Lo + y.Lo) + (z.Lo + lows));
+    return TwoSum(xyz.Hi, lo);
 }
 
 DoubleFloat3 Cross(DoubleFloat3 a, DoubleFloat3 b)

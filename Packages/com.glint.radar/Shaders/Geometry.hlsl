@@ -13,6 +13,12 @@ static const float MIN_COMPONENT = 1.0e-20;
 // Factor on the distance at which a ray leaves a box, so that rounding loses no grazing ray: 16 float32 steps.
 static const float LEAVE_LATER = 1.000002;
 
+// Tests the bits. FXC takes !(a <= b) for b < a, and Metal's fast math assumes that there is no NaN.
+bool IsNaN(float a)
+{
+    return (asuint(a) & 0x7fffffff) > 0x7f800000;
+}
+
 // A ray in the frame of a BVH; the direction is not normalised.
 struct TraversalRay
 {

@@ -80,7 +80,7 @@ bool Hits(TraversalRay traversalRay, RefineRay ray, float positionError, float3 
     DoubleFloat3 toCorner = Sub(
         MakeDoubleFloat3(MakeDoubleFloat(a.x, 0.0), MakeDoubleFloat(a.y, 0.0), MakeDoubleFloat(a.z, 0.0)), ray.Origin);
     DoubleFloat height = Dot(normal, toCorner), facing = Dot(normal, ray.Direction);
-    if (!(abs(facing.Hi) > 0.0)) // also NaN, for the absent second triangle of a pair
+    if (IsNaN(facing.Hi) || facing.Hi == 0.0) // NaN for the absent second triangle of a pair
         return false;
     if (abs(height.Hi) <= ON_SURFACE * (Sum(abs(Rounded(toCorner)) + abs(Rounded(ray.Origin))) + ray.SceneExtent))
         return false;
@@ -89,9 +89,9 @@ bool Hits(TraversalRay traversalRay, RefineRay ray, float positionError, float3 
         float3(AsSeen(traversalRay, a).z, AsSeen(traversalRay, b).z, AsSeen(traversalRay, c).z) - ray.Back;
     float nearest = min(distances.x, min(distances.y, distances.z)),
         farthest = max(distances.x, max(distances.y, distances.z));
-    if (!(toHit.Hi >= nearest - positionError))
+    if (IsNaN(toHit.Hi) || toHit.Hi < nearest - positionError)
         toHit = MakeDoubleFloat(nearest, 0.0);
-    if (!(toHit.Hi <= farthest + positionError))
+    if (toHit.Hi > farthest + positionError)
         toHit = MakeDoubleFloat(farthest, 0.0);
     return toHit.Hi > 0.0;
 }

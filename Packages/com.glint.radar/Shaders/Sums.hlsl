@@ -40,7 +40,7 @@ void AddUnsigned(uint word, uint value)
 // instead.
 void AddPart(uint slot, uint channel, uint words, float part, float maxPart, float unitsPerPart, uint overflow)
 {
-    if (!(abs(part) <= maxPart))
+    if (IsNaN(part) || abs(part) > maxPart)
     {
         InterlockedOr(_Sums[slot + SUM_OVERFLOW], overflow);
         return;

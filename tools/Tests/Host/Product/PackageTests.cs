@@ -82,17 +82,6 @@ public sealed class PackageTests
         Assert.That(files.Where(file => File.ReadLines(file).Any(line => Regex.IsMatch(line, @"\d[eE]\+\d"))), Is.Empty);
     }
 
-    // Unity compiles every kernel of a package on import; each of the tracer's takes up to ten seconds.
-    [Test]
-    public void Shaders_OfThePackage_HaveAtMostTenKernelsThatUnityCompiles()
-    {
-        string shaders = Path.Combine(s_root, "Packages/com.glint.radar/Shaders");
-        var kernels = Directory.EnumerateFiles(shaders, "*.compute", SearchOption.AllDirectories)
-            .Where(file => !Path.GetRelativePath(shaders, file).Contains("~/"))
-            .SelectMany(File.ReadLines).Count(line => Regex.IsMatch(line, @"^\s*#pragma\s+kernel\s"));
-        Assert.That(kernels, Is.InRange(1, 10));
-    }
-
     [Test]
     public void SoftwareDevice_InTheHost_IsGivenTheWideKernels() =>
         Assert.That(SoftwareDevice.UsesWideKernels, Is.EqualTo(SoftwareDevice.IsInUse));

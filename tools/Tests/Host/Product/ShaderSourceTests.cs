@@ -11,9 +11,25 @@ public sealed partial class ShaderSourceTests
 {
     static readonly string s_root = Project.FindRoot(TestContext.CurrentContext.TestDirectory);
 
-    static IEnumerable<string> Compute => Sources("*.compute");
+    static IEnumerable<string> Compute => Files("*.compute");
 
-    static IEnumerable<string> Includes => Sources("*.hlsl");
+    static IEnumerable<string> Includes => Files("*.hlsl");
+
+    static IEnumerable<string> Sources => Compute.Concat(Includes);
+
+    /// <summary>Unity compiles every kernel of a package on import; the tracer's take up to ten seconds each.</summary>
+    [Test]
+    public void Package_HasAtMostTenKernelsThatUnityCompiles()
+    {
+        var kernels = Compute.Where(path => path.StartsWith("Packages/") && !path.Contains("~/"))
+            .SelectMany(path => Kernel().Matches(Text(path)));
+        Assert.That(kernels.Count(), Is.InRange(1, 10));
+    }
+
+    /// <summary>FXC takes !(a &lt;= b) for b &lt; a, also for NaN, without a warning.</summary>
+    [TestCaseSource(nameof(Sources))]
+    public void Source_NegatesNoComparison(string path) =>
+        Assert.That(Text(path), Does.Not.Match(@"(?m)^(?!\s*//).*!\(.*[<>]"));
 
     /// <summary>Metal ignores "precise" without it. Unity reads it in a .compute file only.</summary>
     [TestCaseSource(nameof(Compute))]
@@ -28,7 +44,7 @@ public sealed partial class ShaderSourceTests
     [TestCaseSource(nameof(Includes))]
     public void Include_HasNoPragma(string path) => Assert.That(Text(path), Does.Not.Match(@"(?m)^\s*#\s*pragma\b"));
 
-    static IEnumerable<string> Sources(string pattern) => new[] { "Packages/com.glint.radar/Shaders", "Tests/EditMode" }
+    static IEnumerable<string> Files(string pattern) => new[] { "Packages/com.glint.radar/Shaders", "Tests/EditMode" }
         .SelectMany(folder => Directory.GetFiles(Path.Combine(s_root, folder), pattern, SearchOption.AllDirectories))
         .Select(path => Path.GetRelativePath(s_root, path)).Order();
 
@@ -45,6 +61,9 @@ public sealed partial class ShaderSourceTests
 
     static string Relative(string folder, string name) =>
         Path.GetRelativePath(s_root, Path.GetFullPath(Path.Combine(s_root, folder, name)));
+
+    [GeneratedRegex(@"(?m)^#pragma kernel ")]
+    private static partial Regex Kernel();
 
     [GeneratedRegex(@"(?m)^#pragma disable_fastmath$")]
     private static partial Regex FastMath();
