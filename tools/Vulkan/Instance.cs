@@ -7,8 +7,15 @@ namespace Glint.Vulkan;
 /// <summary>The connection to the Vulkan loader, and its devices.</summary>
 sealed unsafe class Instance : IDisposable
 {
-    const string NoDriver =
-        "no Vulkan driver; install Mesa's, which also has a software device: apt-get install mesa-vulkan-drivers";
+    // On Windows the GPU's driver brings the loader too.
+    static readonly string NoDriver = OperatingSystem.IsWindows()
+        ? "no Vulkan driver; install the graphics driver of the GPU's maker"
+        : "no Vulkan driver; install Mesa's, which also has a software device: apt-get install mesa-vulkan-drivers";
+    static readonly string NoLoader = OperatingSystem.IsWindows()
+        ? "the Vulkan loader vulkan-1.dll is missing; install the graphics driver of the GPU's maker"
+        : "the Vulkan loader libvulkan.so.1 is missing; install it and a driver: "
+            + "apt-get install libvulkan1 mesa-vulkan-drivers";
+
     const uint Vulkan11 = 1u << 22 | 1u << 12, Vulkan12 = 1u << 22 | 2u << 12;
     const int IncompatibleDriver = -9;
 
@@ -27,14 +34,14 @@ sealed unsafe class Instance : IDisposable
         }
         catch (DllNotFoundException exception)
         {
-            throw new VulkanException(
-                "the Vulkan loader libvulkan.so.1 is missing; install it and a driver: "
-                    + "apt-get install libvulkan1 mesa-vulkan-drivers", exception);
+            throw new VulkanException(NoLoader, exception);
         }
 
         if (result == IncompatibleDriver)
             return; // a loader without drivers has no devices
-        VulkanException.Check(result, "start Vulkan");
+        if (result < 0)
+            throw new VulkanException(
+                $"no Vulkan device: the loader could not start: {VulkanException.Explain(result)}");
 
         uint count = 0;
         VulkanException.Check(Native.vkEnumeratePhysicalDevices(_handle, ref count, null), "list the Vulkan devices");

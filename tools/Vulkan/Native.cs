@@ -6,7 +6,10 @@ namespace Glint.Vulkan;
 /// <summary>Functions of the Vulkan loader. Those that return int return a VkResult: negative is an error.</summary>
 static unsafe class Native
 {
-    const string Loader = "libvulkan.so.1";
+    const string Loader = "vulkan";
+
+    /// <summary>File name of the loader on this operating system.</summary>
+    internal static readonly string LoaderFile = OperatingSystem.IsWindows() ? "vulkan-1.dll" : "libvulkan.so.1";
 
     internal const uint UniformBuffer = 6, StorageBuffer = 7;                           // VkDescriptorType
     internal const uint DeviceLocal = 1, HostVisible = 2, HostCoherent = 4, HostCached = 8; // VkMemoryPropertyFlags
@@ -127,6 +130,9 @@ static unsafe class Native
     internal static extern void vkCmdWriteTimestamp(nint commands, uint stage, ulong pool, uint query);
     [DllImport(Loader)]
     internal static extern void vkCmdFillBuffer(nint commands, ulong buffer, ulong offset, ulong bytes, uint value);
+
+    static Native() => NativeLibrary.SetDllImportResolver(typeof(Native).Assembly,
+        (name, assembly, folders) => name == Loader ? NativeLibrary.Load(LoaderFile, assembly, folders) : 0);
 
     /// <summary>A zero-terminated UTF-8 string.</summary>
     internal static string Text(byte* text) => Marshal.PtrToStringUTF8((IntPtr)text);

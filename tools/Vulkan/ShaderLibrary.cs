@@ -14,7 +14,7 @@ namespace Glint.Vulkan;
 /// </summary>
 public static class ShaderLibrary
 {
-    const string Remedy = "build the tools again, tools/glint does so";
+    const string Remedy = "build the tools again, tools/glint does so; or unpack the release again";
 
     /// <summary>Names of the kernels of a .compute file, in order.</summary>
     public static IReadOnlyList<string> Kernels(string computePath) => Manifest.Read(computePath).Kernels;

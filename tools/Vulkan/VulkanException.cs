@@ -19,7 +19,7 @@ public sealed class VulkanException : Exception
             throw new VulkanException($"could not {what}: {Explain(result)}");
     }
 
-    static string Explain(int result) => result switch
+    internal static string Explain(int result) => result switch
     {
         -1 => "out of host memory",
         -2 => "out of device memory; use fewer rays or a smaller scene, or choose another device with --device",
@@ -27,7 +27,7 @@ public sealed class VulkanException : Exception
         -4 => "the device was lost (it is gone, or its driver reset it, often because one dispatch ran too long); "
             + "try again, a sweep with --resume, or choose another device with --device",
         -5 => "the driver could not map the memory",
-        -9 => "no Vulkan driver answers; install one: apt-get install mesa-vulkan-drivers",
+        -9 => "no Vulkan driver answers; install the GPU's, or Mesa's (apt-get install mesa-vulkan-drivers)",
         -10 => "too many objects of this kind, release buffers that are no longer used",
         _ => $"Vulkan error {result}",
     };

@@ -87,6 +87,8 @@ namespace Glint.Tests
         [TestCase("\"amplitude\": 5", "\"amplitude\": null", "amplitude of a row is not a number")]
         [TestCase("\"amplitude\": 5", "\"amplitude\": Infinity", "not finite")]
         [TestCase("\"phase_histogram\": [0,", "\"phase_histogram\": [NaN,", "not finite")]
+        [TestCase("\"phase_histogram\": [0,", "\"phase_histogram\": 5, \"others\": [0,", "phase_histogram of a row is no list")]
+        [TestCase("\"phase_histogram\": [0,", "\"phase_histogram\": [[],", "results.json")]
         [TestCase("\"versions\": {", "\"versions\": 7, \"others\": {", "it has no glint")]
         public void Run_OfADamagedRow_IsRefusedByName(string before, string after, string expected)
         {

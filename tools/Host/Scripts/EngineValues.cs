@@ -11,8 +11,6 @@ namespace Glint.Host;
 /// </summary>
 internal static class EngineValues
 {
-    const BindingFlags AnyInstance = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
-
     /// <param name="current">Present value of the field, with its type. Absent keys leave their part
     /// unchanged.</param>
     internal static object Read(FieldMap fields, object current,
@@ -45,10 +43,9 @@ internal static class EngineValues
         {
             if (keyNode is not YamlScalarNode { Value: { Length: > 0 } key })
                 continue;
-            if (type.GetField(MemberName(type, key), AnyInstance) is FieldInfo { IsInitOnly: false } field)
+            if (ScriptReflection.Field(type, MemberName(type, key)) is FieldInfo { IsInitOnly: false } field)
                 field.SetValue(value, readMember(node, field.FieldType, field.GetValue(value), key));
-            else if (type.GetProperty(key, AnyInstance, null, null, Type.EmptyTypes,
-                null) is { CanRead: true, CanWrite: true } property)
+            else if (ScriptReflection.Property(type, key) is { CanRead: true, CanWrite: true } property)
                 property.SetValue(value, readMember(node, property.PropertyType, property.GetValue(value), key));
         }
         return value;

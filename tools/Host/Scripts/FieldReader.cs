@@ -68,11 +68,11 @@ internal sealed class FieldReader
             return node.IsEmpty() ? NeverNull(current, type, depth) : throw Wrong(path, "a mapping", node);
         FieldMap fields = new(_record, map, path + ".");
         if (SerializedFields.IsPlain(type))
-            return EngineValues.Read(fields, current ?? Activator.CreateInstance(type),
+            return EngineValues.Read(fields, current ?? ScriptReflection.New(type),
                 (child, childType, old, key) => Value(child, childType, old, $"{path}.{key}", depth));
         if (depth >= MaxDepth)
             return current;
-        object value = current ?? Activator.CreateInstance(type, true);
+        object value = current ?? ScriptReflection.New(type);
         Fields(value, fields, path + ".", depth + 1);
         return value;
     }
@@ -109,7 +109,7 @@ internal sealed class FieldReader
                 array.SetValue(items[i], i);
             return array;
         }
-        IList list = (IList)Activator.CreateInstance(type);
+        IList list = (IList)ScriptReflection.New(type);
         foreach (object item in items)
             list.Add(item);
         return list;
@@ -123,7 +123,7 @@ internal sealed class FieldReader
             return text ?? "";
         // An element added by an override of the array's size has no value yet.
         if (string.IsNullOrEmpty(text))
-            return Activator.CreateInstance(type);
+            return ScriptReflection.New(type);
         if (type == typeof(float))
             return Scalars.TryNumber(text, out float single) ? single : throw Wrong(path, "a number", node);
         if (type == typeof(double))
@@ -150,8 +150,8 @@ internal sealed class FieldReader
         if (SerializedFields.ElementType(type) is Type element)
             return current ?? List([], type, element);
         if (SerializedFields.IsPlain(type) || depth >= MaxDepth)
-            return current ?? (type.IsValueType ? Activator.CreateInstance(type) : null);
-        object value = current ?? Activator.CreateInstance(type, true);
+            return current ?? (type.IsValueType ? ScriptReflection.New(type) : null);
+        object value = current ?? ScriptReflection.New(type);
         Fields(value, new FieldMap(_record, new YamlMappingNode()), "", depth + 1);
         return value;
     }

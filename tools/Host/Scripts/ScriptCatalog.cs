@@ -71,7 +71,7 @@ internal sealed partial class ScriptCatalog
         if (Load(assemblyName) is not Assembly assembly)
             return (null, $"{shown} belongs to {assemblyName}, an assembly that is not built here");
         string name = Path.GetFileNameWithoutExtension(path);
-        List<Type> types = assembly.GetTypes().Where(type => type.Name == name && IsScript(type)).ToList();
+        List<Type> types = ScriptReflection.Types(assembly).Where(type => type.Name == name && IsScript(type)).ToList();
         if (types.Count > 1)
         {
             string source = AssetText.Read(_files.Physical(path), shown);

@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
 using UnityEngine;
@@ -63,8 +65,8 @@ internal static class EngineValueWriter
     }
 
     /// <summary>The fields of any other struct of Unity.Mathematics. All are public.</summary>
-    internal static FieldInfo[] Fields(System.Type type) =>
-        type.GetFields(BindingFlags.Instance | BindingFlags.Public).OrderBy(field => field.MetadataToken).ToArray();
+    internal static IEnumerable<FieldInfo> Fields(Type type) =>
+        ScriptReflection.Fields(type, BindingFlags.Instance | BindingFlags.Public);
 
     static string Line(string names, params float[] values) =>
         "{" + string.Join(", ", values.Select((value, index) => $"{names[index]}: {ScalarText.Of(value)}")) + "}";

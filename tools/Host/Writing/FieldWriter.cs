@@ -91,7 +91,7 @@ internal sealed class FieldWriter
     // A class is never null in a file: it has the values of a new object.
     void Contents(object value, Type type, int depth)
     {
-        object contents = value ?? Activator.CreateInstance(type, true);
+        object contents = value ?? ScriptReflection.New(type);
         if (!SerializedFields.IsPlain(type))
         {
             Fields(contents, depth + 1);

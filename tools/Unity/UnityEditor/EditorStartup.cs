@@ -1,6 +1,5 @@
 using System;
 using System.Reflection;
-using System.Runtime.CompilerServices;
 using UnityEditor;
 
 namespace Glint.Host;
@@ -16,7 +15,7 @@ public static class EditorStartup
         foreach (Type type in ScriptTypes.All())
         {
             if (type.IsDefined(typeof(InitializeOnLoadAttribute), false))
-                RuntimeHelpers.RunClassConstructor(type.TypeHandle);
+                ScriptReflection.RunStaticConstructor(type);
         }
         foreach (MethodInfo method in ScriptTypes.StaticMethods<InitializeOnLoadMethodAttribute>())
             Messages.CallStatic(method);

@@ -28,7 +28,7 @@ public class Undo
 
     public static void RegisterCompleteObjectUndo(Object objectToUndo, string name)
     {
-        var state = (Object)ObjectRegistry.Make(false, () => Activator.CreateInstance(objectToUndo.GetType(), true));
+        var state = (Object)ObjectRegistry.Make(false, () => ScriptReflection.New(objectToUndo.GetType()));
         state.CopyFrom(objectToUndo, new CloneMap());
         Add(objectToUndo, name, () => Restore(objectToUndo, state));
     }

@@ -33,7 +33,7 @@ namespace Glint.Core
                 GatherMs = Time(row, "gather_ms"), BuildMs = Time(row, "build_ms"), UploadMs = Time(row, "upload_ms"),
                 TraceMs = Time(row, "trace_ms"), ReadBackMs = Time(row, "read_back_ms"),
             };
-            PhaseHistogram = row["phase_histogram"]?.ToObject<int[]>();
+            PhaseHistogram = Histogram(row["phase_histogram"]);
         }
 
         /// <summary>A row of which only some columns are known.</summary>
@@ -99,6 +99,15 @@ namespace Glint.Core
                 case JTokenType.Float: return value.Value<double>();
                 default: throw new FormatException($"{column.Name} of a row is not a number");
             }
+        }
+
+        static int[] Histogram(JToken bins)
+        {
+            if (bins == null || bins.Type == JTokenType.Null)
+                return null;
+            return bins is JArray list
+                ? list.Select(bin => bin.Value<int>()).ToArray()
+                : throw new FormatException("phase_histogram of a row is no list");
         }
 
         static double Time(JObject row, string name) =>

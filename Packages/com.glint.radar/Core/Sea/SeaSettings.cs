@@ -143,7 +143,7 @@ namespace Glint.Core
         }
 
         static Measure Of(string field, string title, string unit, Interval range, string help) =>
-            new Measure(typeof(SeaSettings), field, title, unit, range, help);
+            new Measure(typeof(SeaSettings).GetField(field), title, unit, range, help);
 
         static void Check(string subject, string name, double value, Interval range, string unit, string wayOut)
         {

@@ -134,6 +134,6 @@ namespace Glint.Core
         }
 
         static Measure Of(string field, string title, string unit, double from, double to, string help) =>
-            new Measure(typeof(ShipSettings), field, title, unit, Interval.Closed(from, to), help);
+            new Measure(typeof(ShipSettings).GetField(field), title, unit, Interval.Closed(from, to), help);
     }
 }

@@ -12,13 +12,13 @@ namespace Glint.Core
     {
         readonly FieldInfo _field;
 
-        /// <param name="settings">The struct that has the field.</param>
+        /// <param name="field">The field among the settings.</param>
         /// <param name="title">"Storey Height": "storey height" in messages, --storey-height on a command line.</param>
         /// <param name="unit">Empty for a plain number.</param>
         /// <param name="help">A sentence or more.</param>
-        internal Measure(Type settings, string field, string title, string unit, Interval range, string help)
+        internal Measure(FieldInfo field, string title, string unit, Interval range, string help)
         {
-            _field = settings.GetField(field);
+            _field = field;
             (Title, Unit, Range, Help) = (title, unit, range, help);
         }
 

@@ -21,7 +21,7 @@ internal static class Cloner
 
     static Object CloneAsset(Object original)
     {
-        var clone = (Object)Activator.CreateInstance(original.GetType(), true);
+        var clone = (Object)ScriptReflection.New(original.GetType());
         clone.CopyFrom(original, new CloneMap());
         clone.Name = original.Name + "(Clone)";
         if (clone is ScriptableObject scriptable)

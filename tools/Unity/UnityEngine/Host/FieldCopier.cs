@@ -2,7 +2,6 @@ using System;
 using System.Collections;
 using System.Collections.Generic;
 using System.Reflection;
-using System.Runtime.CompilerServices;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -16,8 +15,6 @@ internal sealed class FieldCopier
 {
     // Unity cuts nested serializable classes off at this depth, where a self-containing class would never end.
     const int MaxDepth = 10;
-
-    const BindingFlags AnyInstance = BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic;
 
     readonly CloneMap _map;
     readonly Dictionary<object, object> _references = new(ReferenceEqualityComparer.Instance);
@@ -55,12 +52,6 @@ internal sealed class FieldCopier
         }
     }
 
-    // Unity needs no parameterless constructor; if there is one, its field values are the defaults.
-    static object Make(Type type) =>
-        type.IsValueType || type.GetConstructor(AnyInstance, Type.EmptyTypes) is not null
-            ? Activator.CreateInstance(type, true)
-            : RuntimeHelpers.GetUninitializedObject(type);
-
     object Value(object value, Type type, int depth)
     {
         if (typeof(Object).IsAssignableFrom(type))
@@ -71,12 +62,12 @@ internal sealed class FieldCopier
             return List(value as IList, type, element, item => Value(item, element, depth));
         if (depth >= MaxDepth)
             return null;
-        return Contents(value ?? Make(type), type, depth);
+        return Contents(value ?? ScriptReflection.NewOrBlank(type), type, depth);
     }
 
     object Contents(object source, Type type, int depth)
     {
-        object copy = Make(type);
+        object copy = ScriptReflection.NewOrBlank(type);
         CopyFields(source, copy, depth + 1);
         return copy;
     }
@@ -89,7 +80,7 @@ internal sealed class FieldCopier
             return null;
         if (_references.TryGetValue(value, out object known))
             return known;
-        object copy = Make(value.GetType());
+        object copy = ScriptReflection.NewOrBlank(value.GetType());
         _references.Add(value, copy);
         CopyFields(value, copy, depth + 1);
         return copy;
@@ -105,7 +96,7 @@ internal sealed class FieldCopier
                 array.SetValue(copy(source[index]), index);
             return array;
         }
-        var list = (IList)Activator.CreateInstance(type);
+        var list = (IList)ScriptReflection.New(type);
         for (int index = 0; index < count; index++)
             list.Add(copy(source[index]));
         return list;

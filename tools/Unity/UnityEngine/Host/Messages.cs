@@ -12,9 +12,6 @@ namespace Glint.Host;
 /// </summary>
 internal sealed class Messages
 {
-    const BindingFlags Declared =
-        BindingFlags.Instance | BindingFlags.Public | BindingFlags.NonPublic | BindingFlags.DeclaredOnly;
-
     static readonly Dictionary<Type, Messages> _types = new();
 
     readonly Dictionary<string, MethodInfo> _methods = new();
@@ -75,7 +72,7 @@ internal sealed class Messages
     {
         MethodInfo method = null;
         for (Type type = target.GetType(); type is not null && method is null; type = type.BaseType)
-            method = type.GetMethod(name, Declared);
+            method = ScriptReflection.DeclaredMethod(type, name, null);
         if (method is null)
         {
             Debug.LogError($"Coroutine '{name}' couldn't be started!", target);
@@ -95,7 +92,7 @@ internal sealed class Messages
             return method;
         for (Type type = _type; type is not null && type.Assembly != typeof(Object).Assembly; type = type.BaseType)
         {
-            method = type.GetMethod(message, Declared, Type.EmptyTypes);
+            method = ScriptReflection.DeclaredMethod(type, message, Type.EmptyTypes);
             if (method is not null)
                 break;
         }

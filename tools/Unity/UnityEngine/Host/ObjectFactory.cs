@@ -20,7 +20,7 @@ internal static class ObjectFactory
 
     internal static Component Attach(GameObject owner, Type type, bool fromFile)
     {
-        var component = (Component)ObjectRegistry.Make(fromFile, () => Activator.CreateInstance(type, true));
+        var component = (Component)ObjectRegistry.Make(fromFile, () => ScriptReflection.New(type));
         owner.Add(component);
         return component;
     }
@@ -30,7 +30,7 @@ internal static class ObjectFactory
         where T : Object => (T)NewAsset(typeof(T));
 
     internal static Object NewAsset(Type type) =>
-        (Object)ObjectRegistry.Make(true, () => Activator.CreateInstance(type, true));
+        (Object)ObjectRegistry.Make(true, () => ScriptReflection.New(type));
 
     /// <summary>
     /// Ends loading after all fields are filled: OnValidate for all, then Awake and OnEnable of active objects, in

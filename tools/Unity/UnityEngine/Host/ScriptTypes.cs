@@ -16,13 +16,13 @@ internal static class ScriptTypes
         string engine = typeof(ScriptTypes).Assembly.GetName().Name;
         return AppDomain.CurrentDomain.GetAssemblies()
             .Where(assembly => !assembly.IsDynamic
-                && assembly.GetReferencedAssemblies().Any(reference => reference.Name == engine))
-            .SelectMany(assembly => assembly.GetTypes());
+                && ScriptReflection.RefersTo(assembly, engine))
+            .SelectMany(ScriptReflection.Types);
     }
 
     internal static IEnumerable<MethodInfo> StaticMethods<T>()
         where T : Attribute =>
         All().Where(type => !type.ContainsGenericParameters)
-            .SelectMany(type => type.GetMethods(AnyStatic))
+            .SelectMany(type => ScriptReflection.Methods(type, AnyStatic))
             .Where(method => method.IsDefined(typeof(T), false));
 }

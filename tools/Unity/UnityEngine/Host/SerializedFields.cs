@@ -23,7 +23,7 @@ internal static class SerializedFields
         var levels = new Stack<Type>();
         for (Type level = type; level is not null && !IsFoundation(level); level = level.BaseType)
             levels.Push(level);
-        fields = levels.SelectMany(level => level.GetFields(Declared).OrderBy(field => field.MetadataToken))
+        fields = levels.SelectMany(level => ScriptReflection.Fields(level, Declared))
             .Where(IsSerialized)
             .ToArray();
         _fields.Add(type, fields);

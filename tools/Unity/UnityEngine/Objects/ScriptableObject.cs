@@ -9,7 +9,7 @@ public class ScriptableObject : Object
     {
         if (type is null || !typeof(ScriptableObject).IsAssignableFrom(type) || type.IsAbstract)
             throw new ArgumentException($"{type} is no concrete ScriptableObject.", nameof(type));
-        var item = (ScriptableObject)Activator.CreateInstance(type, true);
+        var item = (ScriptableObject)ScriptReflection.New(type);
         item.Awaken();
         return item;
     }
