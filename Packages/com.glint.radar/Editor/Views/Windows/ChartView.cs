@@ -82,22 +82,31 @@ namespace Glint.Editor.Views
             DrawLine(painter, At(0, 0), At(0, 1));
             bool hasMarkers = _chart.Series.Sum(series => series.Runs.Sum(run => run.Count)) <= MaxMarkers;
             for (int i = 0; i < _chart.Series.Count; i++)
-                foreach (var run in _chart.Series[i].Runs)
-                {
-                    DrawBand(painter, run, _colours.Line(i));
-                    painter.strokeColor = _colours.Line(i);
-                    painter.lineWidth = 1.5f;
-                    DrawLine(painter, run.Select(point => At(point.X, point.Y)).ToArray());
-                    // A single pose has no line.
-                    if (hasMarkers || run.Count == 1)
-                        foreach (var point in run)
-                            Markers.Draw(painter, At(point.X, point.Y), i, 3, _colours.Line(i),
-                                _chart.Series[i].IsCompared);
-                    foreach (var point in run.Where(point => point.Pose.IsUndersampled))
-                        Markers.Draw(painter, At(point.X, point.Y), 1, 7, _colours.Uncertainty, true);
-                    foreach (var point in run.Where(point => point.Pose == _marked))
-                        Markers.Draw(painter, At(point.X, point.Y), 0, 6, _colours.Mark, true);
-                }
+                DrawSeries(painter, _chart.Series[i], i, hasMarkers);
+        }
+
+        void DrawSeries(Painter2D painter, ChartSeries series, int number, bool hasMarkers)
+        {
+            foreach (var run in series.Runs.Where(run => run.Count > 1))
+            {
+                DrawBand(painter, run, _colours.Line(number));
+                painter.strokeColor = _colours.Line(number);
+                painter.lineWidth = 1.5f;
+                DrawLine(painter, Thinning.Line(run).Select(point => At(point.X, point.Y)).ToArray());
+            }
+            // A single pose has no line.
+            DrawMarkers(painter, series.Runs.Where(run => hasMarkers || run.Count == 1).SelectMany(run => run), number,
+                3, _colours.Line(number), series.IsCompared);
+            var points = series.Runs.SelectMany(run => run);
+            DrawMarkers(painter, points.Where(point => point.Pose.IsUndersampled), 1, 7, _colours.Uncertainty, true);
+            DrawMarkers(painter, points.Where(point => point.Pose == _marked), 0, 6, _colours.Mark, true);
+        }
+
+        void DrawMarkers(Painter2D painter, IEnumerable<ChartPoint> points, int kind, float radius, Color colour,
+            bool isHollow)
+        {
+            foreach (var point in Thinning.Line(points.ToArray()))
+                Markers.Draw(painter, At(point.X, point.Y), kind, radius, colour, isHollow);
         }
 
         void DrawBand(Painter2D painter, IReadOnlyList<ChartPoint> run, Color colour)
@@ -106,8 +115,9 @@ namespace Glint.Editor.Views
                 return;
             colour.a = 0.2f;
             painter.fillColor = colour;
-            Trace(painter, run.Select(point => At(point.X, point.Upper))
-                .Concat(run.Reverse().Select(point => At(point.X, point.Lower))).ToArray());
+            var band = Thinning.Band(run);
+            Trace(painter, band.Select(point => At(point.X, point.Upper))
+                .Concat(band.Reverse().Select(point => At(point.X, point.Lower))).ToArray());
             painter.ClosePath();
             painter.Fill();
         }
