@@ -1,4 +1,5 @@
 using System;
+using UnityEngine;
 
 namespace Glint.Host;
 
@@ -12,6 +13,9 @@ public static class EditorHooks
     /// Told how far a progress bar is, null when it goes; whether somebody pressed its cancel button.
     /// </summary>
     public static Func<float?, bool> ProgressBar { get; set; } = _ => false;
+
+    /// <summary>Where the Scene view would put a new object.</summary>
+    public static Vector3 ScenePivot { get; set; }
 
     /// <summary>Given what is asked for; the path that somebody chose, empty for none.</summary>
     public static Func<string, string> FileDialog { get; set; } = _ => "";
