@@ -14,7 +14,7 @@ namespace Glint.Host.Tests;
 public sealed class ChartViewTests
 {
     // A stroke takes 4 to 8 vertices a point, and UI Toolkit draws no path of more than 65,535.
-    const int MostPoints = 2000;
+    const int MaxPoints = 2000;
 
     [TestCase(20000)]
     [TestCase(100000)]
@@ -24,7 +24,7 @@ public sealed class ChartViewTests
             .Select(i => SamplePoses.At(i * 0.001, 5 + Math.Sin(i), 0.5)).ToArray();
         Painter2D painter = Paint(poses, SweepAxis.Angle);
         Assert.That(painter.Fills, Is.EqualTo(1), "the band of the error");
-        Assert.That(painter.LongestPath, Is.InRange(480, MostPoints));
+        Assert.That(painter.LongestPath, Is.InRange(480, MaxPoints));
     }
 
     // Every other amplitude is 0, which has no decibels: each pose is a run of its own, and each is undersampled.
@@ -35,7 +35,7 @@ public sealed class ChartViewTests
             (ResultColumn.Of(SweepAxis.Angle), i * 0.001), (ResultColumn.Normalised, i % 2),
             (ResultColumn.Undersampled, 1))).ToArray();
         Painter2D painter = Paint(poses, SweepAxis.Angle, true);
-        Assert.That(painter.Strokes + painter.Fills, Is.InRange(480, 2 * MostPoints + 20));
+        Assert.That(painter.Strokes + painter.Fills, Is.InRange(480, 2 * MaxPoints + 20));
     }
 
     static Painter2D Paint(StoredRow[] poses, SweepAxis axis, bool inDecibels = false)
