@@ -86,9 +86,9 @@ namespace Glint.Tests
             var two = Draw(rows);
             Assert.That(two.Height, Is.GreaterThan(one.Height));
             var below = Pixels(two).Skip(one.Height * one.Width).ToArray();
-            Assert.That(below, Does.Contain((Color32)ChartColours.Light.Line(0)));
-            Assert.That(below, Does.Contain((Color32)ChartColours.Light.Line(1)));
-            Assert.That(below, Does.Not.Contain((Color32)ChartColours.Light.Line(2)));
+            Assert.That(below, Has.Member((Color32)ChartColours.Light.Line(0)));
+            Assert.That(below, Has.Member((Color32)ChartColours.Light.Line(1)));
+            Assert.That(below, Has.No.Member((Color32)ChartColours.Light.Line(2)));
         }
 
         [Test]
