@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """make.py [--check]: draws the icons of the components into Packages/com.glint.radar/Editor/Icons; with --check says whether those there are what it draws.
 
-Each is a picture of 128 x 128 pixels on nothing, in colours that show on Unity's dark and light grounds. Shapes are given in units of an eighth of the picture,
+Each is a picture of 128 x 128 pixels on nothing, in colours that show on the grounds of Unity's dark and light skin: --check asks for a contrast of 2 at least, as WCAG 2 defines it. Shapes are given in units of an eighth of the picture,
 y upwards, and drawn one over the other; a pixel is covered by as much as its middle lies inside.
 """
 import math, os, struct, sys, zlib
@@ -10,7 +10,9 @@ SIZE = 128
 UNIT = SIZE / 8
 FOLDER = os.path.join(os.path.dirname(os.path.abspath(__file__)), '../../Packages/com.glint.radar/Editor/Icons')
 
-BLUE, DEEP, ORANGE, GREY = (46, 155, 214), (22, 107, 168), (240, 136, 62), (128, 138, 148)
+BLUE, DEEP, ORANGE, GREY = (30, 132, 200), (22, 107, 168), (208, 96, 24), (118, 126, 134)
+GROUNDS = (56, 56, 56), (200, 200, 200)
+MIN_CONTRAST = 2
 
 
 # Distance to a shape in units, negative inside.
@@ -137,8 +139,23 @@ def differ(some, others):
     return len(some) != len(others) or any(abs(a - b) > 1 for row, other in zip(some, others) for a, b in zip(row, other))
 
 
+def luminance(colour):
+    linear = [v / 12.92 if v <= 0.04045 else ((v + 0.055) / 1.055) ** 2.4 for v in (part / 255 for part in colour)]
+    return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+
+
+def contrast(a, b):
+    dark, light = sorted((luminance(a), luminance(b)))
+    return (light + 0.05) / (dark + 0.05)
+
+
 def main():
     wrong = 0
+    for ink in sorted({ink for shapes in ICONS.values() for _, ink, _ in shapes}):
+        for ground in GROUNDS:
+            if contrast(ink, ground) < MIN_CONTRAST:
+                print(f'{ink} has a contrast of {contrast(ink, ground):.2f} on {ground}: {MIN_CONTRAST} at least')
+                wrong = 1
     for name, shapes in ICONS.items():
         path = os.path.join(FOLDER, name + '.png')
         rows = draw(shapes)

@@ -59,8 +59,3 @@ public class DetachFromPanelEvent : PanelChangedEventBase<DetachFromPanelEvent>
 public class GeometryChangedEvent : EventBase<GeometryChangedEvent>
 {
 }
-
-public class CustomStyleResolvedEvent : EventBase<CustomStyleResolvedEvent>
-{
-    public ICustomStyle customStyle { get; internal init; }
-}

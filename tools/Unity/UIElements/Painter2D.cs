@@ -1,3 +1,5 @@
+using System;
+
 namespace UnityEngine.UIElements;
 
 public enum ArcDirection
@@ -24,6 +26,8 @@ public class MeshGenerationContext
 /// <summary>Counts the shapes instead of drawing them, and records corners that are not numbers.</summary>
 public class Painter2D
 {
+    int _corners;
+
     public float lineWidth { get; set; }
 
     public Color strokeColor { get; set; }
@@ -36,9 +40,10 @@ public class Painter2D
 
     internal int BadCorners { get; private set; }
 
-    public void BeginPath()
-    {
-    }
+    /// <summary>Corners of the longest path that was stroked or filled.</summary>
+    internal int LongestPath { get; private set; }
+
+    public void BeginPath() => _corners = 0;
 
     public void ClosePath()
     {
@@ -52,12 +57,21 @@ public class Painter2D
         Vector2 center, float radius, Angle startAngle, Angle endAngle,
         ArcDirection direction = ArcDirection.Clockwise) => Note(center);
 
-    public void Stroke() => Strokes++;
+    public void Stroke()
+    {
+        Strokes++;
+        LongestPath = Math.Max(LongestPath, _corners);
+    }
 
-    public void Fill(FillRule fillRule = FillRule.NonZero) => Fills++;
+    public void Fill(FillRule fillRule = FillRule.NonZero)
+    {
+        Fills++;
+        LongestPath = Math.Max(LongestPath, _corners);
+    }
 
     void Note(Vector2 corner)
     {
+        _corners++;
         if (!float.IsFinite(corner.x) || !float.IsFinite(corner.y))
             BadCorners++;
     }

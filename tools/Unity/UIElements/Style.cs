@@ -20,6 +20,8 @@ public interface IStyle
 {
     StyleColor backgroundColor { get; set; }
 
+    StyleColor color { get; set; }
+
     StyleEnum<DisplayStyle> display { get; set; }
 
     StyleEnum<FlexDirection> flexDirection { get; set; }
@@ -38,6 +40,8 @@ public interface IStyle
 internal sealed class InlineStyle : IStyle
 {
     public StyleColor backgroundColor { get; set; }
+
+    public StyleColor color { get; set; }
 
     public StyleEnum<DisplayStyle> display { get; set; }
 

@@ -15,15 +15,3 @@ public struct VisualElementStyleSheetSet
 
     public void Add(StyleSheet styleSheet) => _element.Sheets.Add(styleSheet);
 }
-
-public interface ICustomStyle
-{
-    bool TryGetValue(CustomStyleProperty<Color> property, out Color value);
-}
-
-public struct CustomStyleProperty<T>
-{
-    public CustomStyleProperty(string propertyName) => name = propertyName;
-
-    public string name { get; }
-}

@@ -40,7 +40,7 @@ public class Editor : ScriptableObject
             .FirstOrDefault(type => type.GetCustomAttribute<CustomEditor>()?.InspectedType == inspected);
         if (type is null)
             return null;
-        var editor = (Editor)ObjectFactory.NewAsset(type);
+        var editor = (Editor)Glint.Host.ObjectFactory.NewAsset(type);
         editor.targets = targetObjects;
         editor.Awaken();
         return editor;

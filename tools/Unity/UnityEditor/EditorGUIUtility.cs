@@ -7,8 +7,6 @@ namespace UnityEditor
     {
         public static bool isProSkin => true;
 
-        public static float pixelsPerPoint => 1;
-
         public static void PingObject(Object obj)
         {
         }
@@ -22,8 +20,5 @@ namespace UnityEditorInternal
         public static void RepaintAllViews()
         {
         }
-
-        /// <summary>The screen is black.</summary>
-        public static Color[] ReadScreenPixel(Vector2 pixelPos, int sizex, int sizey) => new Color[sizex * sizey];
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using UnityEngine;
 
 namespace Glint.Host;
 
@@ -12,6 +13,9 @@ public static class EditorHooks
     /// Called with the state of a progress bar, null when it closes; returns true if cancel was pressed.
     /// </summary>
     public static Func<float?, bool> ProgressBar { get; set; } = _ => false;
+
+    /// <summary>Where the Scene view would put a new object.</summary>
+    public static Vector3 ScenePivot { get; set; }
 
     /// <summary>Called with the dialog's title; returns the chosen path, empty for none.</summary>
     public static Func<string, string> FileDialog { get; set; } = _ => "";

@@ -7,6 +7,8 @@ namespace UnityEditor;
 /// <summary>The host has no window for a progress bar; a test may examine it and press its button.</summary>
 public class EditorUtility
 {
+    internal static GameObject DefaultParent { get; private set; }
+
     public static void DisplayProgressBar(string title, string info, float progress) =>
         EditorHooks.ProgressBar(progress);
 
@@ -42,6 +44,10 @@ public class EditorUtility
         dest.CopyFrom(source, new CloneMap());
         dest.IsDirty = true;
     }
+
+    public static void SetDefaultParentObject(GameObject defaultParentObject) => DefaultParent = defaultParentObject;
+
+    public static void ClearDefaultParentObject() => DefaultParent = null;
 
     public static bool IsPersistent(Object target) => AssetDatabase.Contains(target);
 

@@ -4,7 +4,7 @@ using Object = UnityEngine.Object;
 
 namespace UnityEditor;
 
-/// <summary>At most one object.</summary>
+/// <summary>At most one object. Undo restores the one before.</summary>
 public sealed class Selection
 {
     public static Action selectionChanged;
@@ -18,9 +18,16 @@ public sealed class Selection
         {
             if (activeObject == value)
                 return;
-            _active = value;
-            selectionChanged?.Invoke();
+            Object before = _active;
+            Undo.Add(null, "Selection Change", () => Change(before));
+            Change(value);
         }
+    }
+
+    static void Change(Object active)
+    {
+        _active = active;
+        selectionChanged?.Invoke();
     }
 
     public static bool Contains(Object obj) => !Object.IsNull(obj) && activeObject == obj;

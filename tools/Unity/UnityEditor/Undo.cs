@@ -87,7 +87,7 @@ public class Undo
 
     public static void ClearAll() => _entries.Clear();
 
-    static void Add(Object target, string name, Action takeBack)
+    internal static void Add(Object target, string name, Action takeBack)
     {
         if (_name.Length == 0)
             _name = name;

@@ -1,9 +1,11 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using System.Threading;
 using Glint.Core;
 using UnityEditor;
 using UnityEngine;
+using Debug = UnityEngine.Debug;
 
 namespace Glint.Editor
 {
@@ -15,9 +17,12 @@ namespace Glint.Editor
     sealed class RadarTracing : IDisposable
     {
         readonly RadarController _radar;
+        readonly double _secondsUntilBar;
         RadarResult _result;
 
-        public RadarTracing(RadarController radar) => _radar = radar;
+        /// <param name="secondsUntilBar">A shorter pose shows no bar.</param>
+        public RadarTracing(RadarController radar, double secondsUntilBar = CancelBar.SecondsUntilShown) =>
+            (_radar, _secondsUntilBar) = (radar, secondsUntilBar);
 
         /// <summary>Why the last pose was not traced, for the user; null if it was traced.</summary>
         public string Problem { get; private set; }
@@ -31,7 +36,7 @@ namespace Glint.Editor
             Problem = null;
             try
             {
-                using (var bar = new CancelBar($"Tracing '{_radar.name}'"))
+                using (var bar = new CancelBar($"Tracing '{_radar.name}'", _secondsUntilBar))
                     _result = _radar.Trace(bar, bar.Cancel);
             }
             catch (OperationCanceledException)
@@ -86,14 +91,26 @@ namespace Glint.Editor
             value is double number ? text(number) : missing;
     }
 
-    /// <summary>Unity's progress bar with a cancel button; shown until disposed.</summary>
+    /// <summary>
+    /// Unity's progress bar with a cancel button, until disposed. It is modal, so that short work does not show it.
+    /// </summary>
     sealed class CancelBar : IProgressSink, IDisposable
     {
+        /// <summary>A wait that a user notices.</summary>
+        public const double SecondsUntilShown = 0.5;
+
         readonly CancellationTokenSource _source = new CancellationTokenSource();
+        readonly Stopwatch _watch = Stopwatch.StartNew();
+        readonly double _secondsUntilShown;
         string _what;
+        bool _isShown;
 
         /// <param name="what">Name of the work, such as "Tracing 'Radar'".</param>
-        public CancelBar(string what) => Start(what, 1);
+        public CancelBar(string what, double secondsUntilShown = SecondsUntilShown)
+        {
+            _secondsUntilShown = secondsUntilShown;
+            Start(what, 1);
+        }
 
         /// <summary>Cancelled by the button.</summary>
         public CancellationToken Cancel => _source.Token;
@@ -107,13 +124,21 @@ namespace Glint.Editor
         /// <summary>Shows the fraction done, 0 to 1, and polls the button.</summary>
         public void Report(double value)
         {
+            if (_watch.Elapsed.TotalSeconds < _secondsUntilShown)
+                return;
+            _isShown = true;
             if (EditorUtility.DisplayCancelableProgressBar("Glint", _what, (float)value))
                 _source.Cancel();
         }
 
         public void Advance(int done, string note) { }
 
-        public void Finish() => EditorUtility.ClearProgressBar();
+        public void Finish()
+        {
+            if (_isShown)
+                EditorUtility.ClearProgressBar();
+            _isShown = false;
+        }
 
         public void Print(string line) => Debug.Log(line);
 

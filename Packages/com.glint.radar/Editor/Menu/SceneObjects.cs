@@ -1,14 +1,14 @@
 using System.Linq;
 using Glint.Reference;
 using UnityEditor;
-using UnityEditor.SceneManagement;
 using UnityEngine;
 
 namespace Glint.Editor
 {
     /// <summary>
     /// New objects of the menu GameObject > Glint, made by code without further assets. Each is one step of Undo and
-    /// gets selected.
+    /// gets selected. Without a parent they are where Unity puts its own: below the scene's default parent, else at the
+    /// Scene view's pivot.
     /// </summary>
     static class SceneObjects
     {
@@ -21,7 +21,7 @@ namespace Glint.Editor
         /// <summary>
         /// A radar with its receiver and its ray paths. It looks down on an object at the angle of the published
         /// experiment, from a distance at which the whole object is visible. Without an object it has the pose of the
-        /// published experiment and looks at the world's origin.
+        /// published experiment and looks at where another new object would be.
         /// </summary>
         /// <param name="target">May be null.</param>
         public static RadarController MakeRadar(GameObject target)
@@ -32,10 +32,11 @@ namespace Glint.Editor
             radar.Kernel = ProjectAssets.Kernel;
             radar.Receiver = MeshFileScene.MakeReceiver(camera.transform, false);
             radar.gameObject.AddComponent<RayPaths>();
-            FindTarget(target, out var centre, out double distance);
+            AddToScene(radar.gameObject, null);
+            var (centre, distance) = target != null ? SphereAround(target)
+                : (camera.transform.position, CornerReflector.Distance);
             camera.transform.rotation = Quaternion.Euler((float)AccuracyScene.PublishedGrazingDegrees, 0, 0);
             camera.transform.position = centre - (float)distance * camera.transform.forward;
-            AddToScene(radar.gameObject, null);
             return radar;
         }
 
@@ -57,6 +58,7 @@ namespace Glint.Editor
             var sea = new GameObject("Sea").AddComponent<Sea>();
             sea.Material = ProjectAssets.StandardMaterial;
             AddToScene(sea.gameObject, parent);
+            PutAtSeaLevel(sea.transform);
             sea.Rebuild();
             return sea;
         }
@@ -68,35 +70,33 @@ namespace Glint.Editor
             var ship = new GameObject("Ship", typeof(MeshFilter), typeof(MeshRenderer)).AddComponent<Ship>();
             ProjectAssets.Show(ship.gameObject, ShipFigures.Make(ship.Settings));
             AddToScene(ship.gameObject, parent);
+            PutAtSeaLevel(ship.transform);
             return ship;
         }
 
-        static void AddToScene(GameObject made, GameObject parent)
+        static void AddToScene(GameObject made, GameObject parent) => Fix.AsOneStep($"Create {made.name}", () =>
         {
-            if (parent == null)
-                StageUtility.PlaceGameObjectInCurrentStage(made); // the scene, or the prefab that is open
-            else
-                GameObjectUtility.SetParentAndAlign(made, parent);
-            GameObjectUtility.EnsureUniqueNameForSibling(made);
-            Fix.AsOneStep($"Create {made.name}", () => Undo.RegisterCreatedObjectUndo(made, $"Create {made.name}"));
-            Selection.activeGameObject = made;
-        }
+            Undo.RegisterCreatedObjectUndo(made, $"Create {made.name}");
+            ObjectFactory.PlaceGameObject(made, parent); // also names and selects it
+            foreach (var part in made.GetComponentsInChildren<Transform>(true))
+                part.gameObject.layer = made.layer;
+        });
 
-        static void FindTarget(GameObject target, out Vector3 centre, out double distance)
+        // The Scene view's pivot is at any height.
+        static void PutAtSeaLevel(Transform made) =>
+            made.localPosition = new Vector3(made.localPosition.x, 0, made.localPosition.z);
+
+        // Centre of an object and a distance from which it is visible.
+        static (Vector3 centre, double distance) SphereAround(GameObject target)
         {
-            (centre, distance) = (Vector3.zero, CornerReflector.Distance);
-            if (target == null)
-                return;
-            centre = target.transform.position;
             var boxes = target.GetComponentsInChildren<Renderer>().Select(renderer => renderer.bounds).ToArray();
             if (boxes.Length == 0)
-                return;
+                return (target.transform.position, CornerReflector.Distance);
             var box = boxes[0];
             foreach (var other in boxes)
                 box.Encapsulate(other);
-            centre = box.center;
-            if (box.extents.magnitude > 0)
-                distance = RadiiAway * box.extents.magnitude;
+            double radius = box.extents.magnitude;
+            return (box.center, radius > 0 ? RadiiAway * radius : CornerReflector.Distance);
         }
     }
 

@@ -51,6 +51,9 @@ namespace Glint.Editor
         /// <summary>Combinations above the maximum, which are not shown.</summary>
         public int LeftOut { get; }
 
+        /// <summary>Says so.</summary>
+        public string LeftOutText => $"{LeftOut} more are not shown";
+
         /// <summary>The axis.</summary>
         public ChartScale X { get; }
 
@@ -191,6 +194,9 @@ namespace Glint.Editor
     sealed class ChartSeries
     {
         public string Name;
+
+        /// <summary>The name, for a legend.</summary>
+        public string Label => Name.Length > 0 ? Name : "this run";
 
         /// <summary>Whether it belongs to the compared run.</summary>
         public bool IsCompared;

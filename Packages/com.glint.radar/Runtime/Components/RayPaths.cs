@@ -136,10 +136,11 @@ namespace Glint
             if (Prepare() == null)
                 return;
             double3 position = _pose.Scene.Origin + _centre;
+            var box = _lines.bounds;
             Graphics.RenderMesh(new RenderParams(Lit())
             {
                 camera = camera, layer = gameObject.layer,
-                worldBounds = new Bounds((float3)position, _lines.bounds.size)
+                worldBounds = new Bounds((Vector3)(float3)position + box.center, box.size)
             }, _lines, 0, Matrix4x4.Translate((float3)position));
         }
 

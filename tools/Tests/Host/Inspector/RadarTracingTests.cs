@@ -27,7 +27,7 @@ public sealed class RadarTracingTests
         _radar.Receiver = MeshFileScene.MakeReceiver(_radar.transform, false);
         _radar.Kernel = TestKernels.Trace;
         _radar.Roots.Add(_plate.transform);
-        _tracing = new RadarTracing(_radar);
+        _tracing = new RadarTracing(_radar, 0);
         _bar.Clear();
         EditorHooks.ProgressBar = value => { _bar.Add(value); return false; };
     }
@@ -53,6 +53,15 @@ public sealed class RadarTracingTests
         var rows = RadarTracing.Rows(_radar.Result).ToDictionary(row => row.label, row => row.value);
         Assert.That(rows["Undersampled"], Is.EqualTo("no"));
         Assert.That(rows["Rays hit"], Is.EqualTo($"{_radar.Result.RaysHit} of 14,400"));
+    }
+
+    [Test]
+    public void Trace_ShorterThanAUserNotices_ShowsNoBar()
+    {
+        using var tracing = new RadarTracing(_radar, 3600);
+        tracing.Trace();
+        Assert.That(_radar.Result.RaysReceived, Is.GreaterThan(0));
+        Assert.That(_bar, Is.Empty);
     }
 
     [Test]

@@ -76,4 +76,36 @@ public sealed class RayPathsTests
         Object.DestroyImmediate(holder);
         Object.DestroyImmediate(receiver.gameObject);
     }
+
+    // Unity leaves out what has its bounds outside the view. A wall turned by 45 degrees sends all rays to one side.
+    [Test]
+    public void Bounds_OfRaysThatLeaveToOneSide_ContainEveryLine()
+    {
+        GameObject wall = GameObject.CreatePrimitive(PrimitiveType.Quad), holder = new("Radar", typeof(Camera));
+        wall.transform.position = new Vector3(0f, 0f, 10f);
+        wall.transform.rotation = Quaternion.Euler(0f, 45f, 0f);
+        var radar = holder.AddComponent<RadarController>();
+        radar.Kernel =
+            UnityEditor.AssetDatabase.LoadAssetAtPath<ComputeShader>("Packages/com.glint.radar/Shaders/Trace.compute");
+        radar.Receiver = new GameObject("Receiver").transform;
+        radar.Receiver.SetParent(holder.transform, false);
+        radar.Receiver.localPosition = new Vector3(0f, 0f, -0.2f);
+        radar.Settings = RadarSettings.Default with { RaysAcross = 64, RaysDown = 36 };
+        radar.Roots.Add(wall.transform);
+        var paths = holder.AddComponent<RayPaths>();
+        paths.ReceivedOnly = false;
+        radar.Trace();
+        var camera = holder.GetComponent<Camera>();
+        camera.cameraType = CameraType.SceneView;
+        Camera.onPreCull(camera);
+        var drawn = Graphics.LastDrawn.Value;
+        Bounds bounds = drawn.Parameters.worldBounds;
+        bounds.Expand(1e-4f); // rounding
+        Assert.That(drawn.Mesh.vertexCount, Is.GreaterThan(8));
+        foreach (Vector3 corner in drawn.Mesh.vertices)
+            Assert.That(bounds.Contains(drawn.Place.MultiplyPoint3x4(corner)), Is.True, $"{corner}");
+        radar.Release();
+        Object.DestroyImmediate(holder);
+        Object.DestroyImmediate(wall);
+    }
 }

@@ -73,12 +73,7 @@ public sealed class InspectorViewTests
     [Test]
     public void TraceNow_OfARadarBeforeAPlate_ShowsTheResult()
     {
-        var radar = (RadarController)Make(typeof(RadarController));
-        GameObject plate = Keep(GameObject.CreatePrimitive(PrimitiveType.Quad));
-        (plate.transform.position, plate.transform.localScale) = (new Vector3(0, 0, 20), new Vector3(4, 4, 1));
-        (radar.Settings, radar.Kernel) = (TestRadar.Settings(), TestKernels.Trace);
-        radar.Receiver = MeshFileScene.MakeReceiver(radar.transform, false);
-        radar.Roots.Add(plate.transform);
+        RadarController radar = MakeRadarBeforeAPlate();
         VisualElement inspector = Inspect(radar);
         Run(inspector);
         inspector.Find<Button>(button => button.text == "Trace now").Click();
@@ -86,6 +81,23 @@ public sealed class InspectorViewTests
         VisualElement result = inspector.Find<Foldout>(group => group.text == "Last result");
         string hit = result.Find<TextField>(row => row.label == "Rays hit").value;
         Assert.That(hit, Is.EqualTo($"{radar.Result.RaysHit} of 14,400"));
+    }
+
+    // A user selects a figure to copy it; a field that is made again has lost the selection.
+    [Test]
+    public void Figures_ThatChange_StayInTheirFields()
+    {
+        RadarController radar = MakeRadarBeforeAPlate();
+        VisualElement inspector = Inspect(radar);
+        Run(inspector);
+        VisualElement figures = inspector.Find<Foldout>(group => group.text == "Figures");
+        TextField[] before = figures.Tree().OfType<TextField>().ToArray();
+        TextField rays = before.Single(field => field.label == "Rays");
+        string text = rays.value;
+        radar.Settings = TestRadar.Settings(320, 180);
+        Run(inspector);
+        Assert.That(figures.Tree().OfType<TextField>(), Is.EqualTo(before));
+        Assert.That(rays.value, Is.Not.EqualTo(text));
     }
 
     [Test]
@@ -129,6 +141,17 @@ public sealed class InspectorViewTests
         inspector.Raise(new DetachFromPanelEvent());
         ObjectChangeEvents.Raise();
         Assert.That(look.Delays, Is.EqualTo(attached + 1));
+    }
+
+    RadarController MakeRadarBeforeAPlate()
+    {
+        var radar = (RadarController)Make(typeof(RadarController));
+        GameObject plate = Keep(GameObject.CreatePrimitive(PrimitiveType.Quad));
+        (plate.transform.position, plate.transform.localScale) = (new Vector3(0, 0, 20), new Vector3(4, 4, 1));
+        (radar.Settings, radar.Kernel) = (TestRadar.Settings(), TestKernels.Trace);
+        radar.Receiver = MeshFileScene.MakeReceiver(radar.transform, false);
+        radar.Roots.Add(plate.transform);
+        return radar;
     }
 
     Component Make(Type type) => Keep(new GameObject(type.Name)).AddComponent(type);

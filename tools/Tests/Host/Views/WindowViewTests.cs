@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
+using Glint.Editor;
 using Glint.Editor.Views;
 using NUnit.Framework;
 using UnityEditor;
@@ -120,6 +121,31 @@ public sealed class WindowViewTests
         EditorHooks.FileDialog = asked => asked == "results.csv" ? copy : "";
         Menu("Export", "results.csv");
         Assert.That(File.ReadAllText(copy), Is.EqualTo(File.ReadAllText(Path.Combine(_folder, "run", "results.csv"))));
+    }
+
+    // Neither where the window is nor whether it is seen has any part in it.
+    [Test]
+    public void Chart_IsExportedFromItsDataAndNotFromTheScreen()
+    {
+        Sweep();
+        var pictures = new List<byte[]>();
+        foreach (Rect place in new[] { new Rect(0, 0, 900, 600), new Rect(-5000, 7000, 480, 300) })
+        {
+            _window.position = place;
+            string path = Path.Combine(_folder, $"chart{pictures.Count}.png");
+            EditorHooks.FileDialog = asked => asked == "chart.png" ? path : "";
+            Menu("Export", "Chart as PNG");
+            pictures.Add(File.ReadAllBytes(path));
+        }
+        Assert.That(pictures[1], Is.EqualTo(pictures[0]));
+        (int width, int height, Color32[] pixels) = PngFile.Read(pictures[0]);
+        Assert.That((width, height > 800), Is.EqualTo((1600, true)));
+        // Two poses: a line across the whole chart.
+        Color32 line = ChartColours.Light.Line(0);
+        Assert.That(pixels.Count(pixel => pixel.Equals(line)), Is.GreaterThan(1300));
+        _tree.Find<ToolbarToggle>(toggle => toggle.text == "Decibels").value = true;
+        Menu("Export", "Chart as PNG");
+        Assert.That(File.ReadAllBytes(Path.Combine(_folder, "chart1.png")), Is.Not.EqualTo(pictures[0]));
     }
 
     [Test]

@@ -31,17 +31,29 @@ namespace Glint.Editor.Views
                 bindingPath = name + "." + it.field, label = it.label, tooltip = it.tooltip
             }).ToArray());
 
-        /// <summary>Shows figures in the columns of the fields, as selectable text.</summary>
+        /// <summary>
+        /// Shows figures in the columns of the fields, as selectable text. Fields that are there stay, with what a user
+        /// has selected in them.
+        /// </summary>
         public static void ShowRows(VisualElement parent,
             IEnumerable<(string label, string value, string tooltip)> rows)
         {
-            parent.Clear();
-            foreach (var (label, value, tooltip) in rows)
+            var figures = rows.ToArray();
+            var fields = parent.Children().OfType<TextField>().ToList();
+            if (!fields.Select(field => field.label).SequenceEqual(figures.Select(figure => figure.label)))
             {
-                var row = new TextField(label) { value = value, tooltip = tooltip, isReadOnly = true };
-                row.AddToClassList(TextField.alignedFieldUssClassName);
-                parent.Add(row);
+                parent.Clear();
+                fields.Clear();
+                foreach (var (label, _, _) in figures)
+                {
+                    var field = new TextField(label) { isReadOnly = true };
+                    field.AddToClassList(TextField.alignedFieldUssClassName);
+                    parent.Add(field);
+                    fields.Add(field);
+                }
             }
+            for (int i = 0; i < figures.Length; i++)
+                (fields[i].value, fields[i].tooltip) = (figures[i].value, figures[i].tooltip);
         }
 
         /// <summary>Shows findings, each with the button of its fix.</summary>

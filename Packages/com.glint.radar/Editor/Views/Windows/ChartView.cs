@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Linq;
 using Glint.Core;
 using UnityEngine;
 using UnityEngine.UIElements;
@@ -12,20 +11,14 @@ namespace Glint.Editor.Views
     /// </summary>
     sealed class ChartView : VisualElement
     {
-        const float TickGap = 5;
-
-        // Above this number of poses the markers would hide the lines.
-        const int MaxMarkers = 400;
-
-        readonly ChartColours _colours;
         SweepChart _chart;
         StoredRow _marked;
 
         public ChartView()
         {
             AddToClassList("glint-plot");
-            _colours = new ChartColours(this);
-            generateVisualContent = Draw;
+            generateVisualContent =
+                context => Drawing?.Draw(new PainterCanvas(context.painter2D), ChartColours.Skin, _marked);
             RegisterCallback<GeometryChangedEvent>(changed => Write());
             RegisterCallback<PointerMoveEvent>(
                 move => Find(move.localPosition, (series, point) => Hovered?.Invoke(series, point)));
@@ -46,6 +39,10 @@ namespace Glint.Editor.Views
         /// <summary>Raised with the index of the clicked pose, from 0.</summary>
         public event Action<int> Chosen;
 
+        // Null while there is nothing to draw, or no room.
+        ChartDrawing Drawing => _chart != null && contentRect.width > 1 && contentRect.height > 1
+            ? new ChartDrawing(_chart, contentRect) : null;
+
         /// <param name="marked">The chosen pose; may be null.</param>
         public void Show(SweepChart chart, StoredRow marked)
         {
@@ -53,10 +50,6 @@ namespace Glint.Editor.Views
             Write();
             MarkDirtyRepaint();
         }
-
-        // From chart coordinates, 0 to 1 with y up, to the element's.
-        Vector2 At(double x, double y) => new Vector2(contentRect.x + contentRect.width * (float)x,
-            contentRect.yMax - contentRect.height * (float)y);
 
         void Find(Vector2 position, Action<ChartSeries, ChartPoint> act)
         {
@@ -66,87 +59,52 @@ namespace Glint.Editor.Views
                 act(nearest.Value.Series, nearest.Value.Point);
         }
 
-        void Draw(MeshGenerationContext context)
-        {
-            if (_chart == null || !(contentRect.width > 1 && contentRect.height > 1))
-                return;
-            var painter = context.painter2D;
-            painter.lineWidth = 1;
-            painter.strokeColor = _colours.Grid;
-            foreach (var (position, _) in _chart.Y.Ticks)
-                DrawLine(painter, At(0, position), At(1, position));
-            foreach (var (position, _) in _chart.X.Ticks)
-                DrawLine(painter, At(position, 0), At(position, 1));
-            painter.strokeColor = _colours.Frame;
-            DrawLine(painter, At(0, 0), At(1, 0));
-            DrawLine(painter, At(0, 0), At(0, 1));
-            bool hasMarkers = _chart.Series.Sum(series => series.Runs.Sum(run => run.Count)) <= MaxMarkers;
-            for (int i = 0; i < _chart.Series.Count; i++)
-                foreach (var run in _chart.Series[i].Runs)
-                {
-                    DrawBand(painter, run, _colours.Line(i));
-                    painter.strokeColor = _colours.Line(i);
-                    painter.lineWidth = 1.5f;
-                    DrawLine(painter, run.Select(point => At(point.X, point.Y)).ToArray());
-                    // A single pose has no line.
-                    if (hasMarkers || run.Count == 1)
-                        foreach (var point in run)
-                            Markers.Draw(painter, At(point.X, point.Y), i, 3, _colours.Line(i),
-                                _chart.Series[i].IsCompared);
-                    foreach (var point in run.Where(point => point.Pose.IsUndersampled))
-                        Markers.Draw(painter, At(point.X, point.Y), 1, 7, _colours.Uncertainty, true);
-                    foreach (var point in run.Where(point => point.Pose == _marked))
-                        Markers.Draw(painter, At(point.X, point.Y), 0, 6, _colours.Mark, true);
-                }
-        }
-
-        void DrawBand(Painter2D painter, IReadOnlyList<ChartPoint> run, Color colour)
-        {
-            if (run.All(point => point.Lower == point.Upper))
-                return;
-            colour.a = 0.2f;
-            painter.fillColor = colour;
-            Trace(painter, run.Select(point => At(point.X, point.Upper))
-                .Concat(run.Reverse().Select(point => At(point.X, point.Lower))).ToArray());
-            painter.ClosePath();
-            painter.Fill();
-        }
-
-        static void DrawLine(Painter2D painter, params Vector2[] corners)
-        {
-            Trace(painter, corners);
-            painter.Stroke();
-        }
-
-        static void Trace(Painter2D painter, Vector2[] corners)
-        {
-            painter.BeginPath();
-            painter.MoveTo(corners[0]);
-            foreach (var corner in corners.Skip(1))
-                painter.LineTo(corner);
-        }
-
         void Write()
         {
             Clear();
-            if (_chart == null || !(contentRect.width > 1))
-                return;
-            foreach (var (position, label) in _chart.Y.Ticks)
-                Put(label, "glint-tick", At(0, position) + TickGap * Vector2.left, -100, -50);
-            foreach (var (position, label) in _chart.X.Ticks)
-                Put(label, "glint-tick", At(position, 0) + TickGap * Vector2.up, -50, 0);
-            Put(_chart.YTitle, "glint-axis-title", At(0, 1) + 2 * TickGap * Vector2.down, 0, -60);
-            Put(_chart.XTitle, "glint-axis-title", At(0.5, 0) + 4 * TickGap * Vector2.up, -50, 0);
+            foreach (var text in Drawing?.Texts() ?? Array.Empty<ChartText>())
+            {
+                var label = new Label(text.Text) { pickingMode = PickingMode.Ignore };
+                label.AddToClassList(text.IsTitle ? "glint-axis-title" : "glint-tick");
+                (label.style.left, label.style.top) = (text.Position.x, text.Position.y);
+                label.style.translate =
+                    new Translate(Length.Percent(-100 * text.Anchor.x), Length.Percent(-100 * text.Anchor.y));
+                label.style.color = ChartColours.Skin.Frame;
+                Add(label);
+            }
+        }
+    }
+
+    /// <summary>UI Toolkit's painter.</summary>
+    sealed class PainterCanvas : IChartCanvas
+    {
+        readonly Painter2D _painter;
+
+        public PainterCanvas(Painter2D painter) => _painter = painter;
+
+        public void Line(IReadOnlyList<Vector2> corners, bool isClosed, float width, Color colour)
+        {
+            (_painter.lineWidth, _painter.strokeColor) = (width, colour);
+            Trace(corners);
+            if (isClosed)
+                _painter.ClosePath();
+            _painter.Stroke();
         }
 
-        // Right and down: shift of the label in percent of its size; -50 centres it.
-        void Put(string text, string kind, Vector2 at, float right, float down)
+        public void Area(IReadOnlyList<Vector2> outline, Color colour)
         {
-            var label = new Label(text) { pickingMode = PickingMode.Ignore };
-            label.AddToClassList(kind);
-            (label.style.left, label.style.top) = (at.x, at.y);
-            label.style.translate = new Translate(Length.Percent(right), Length.Percent(down));
-            Add(label);
+            _painter.fillColor = colour;
+            Trace(outline);
+            _painter.ClosePath();
+            _painter.Fill();
+        }
+
+        void Trace(IReadOnlyList<Vector2> corners)
+        {
+            _painter.BeginPath();
+            _painter.MoveTo(corners[0]);
+            for (int i = 1; i < corners.Count; i++)
+                _painter.LineTo(corners[i]);
         }
     }
 }

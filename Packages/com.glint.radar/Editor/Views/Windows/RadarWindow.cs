@@ -185,12 +185,8 @@ namespace Glint.Editor.Views
                 write(path);
         });
 
-        // After the menu has closed, so that it is not in the picture.
-        void SavePicture() => rootVisualElement.schedule.Execute(() =>
-        {
-            var png = WindowPicture.Png(this, _results.Charts);
-            Save("", "chart.png", path => Export.Picture(png, path));
-        }).StartingIn(300);
+        void SavePicture() => Save("", "chart.png", path => Export.Picture(
+            ChartPicture.Draw(_choice.Chart(_rows, _comparison), _choice.Chosen(_rows)).Png(), path));
 
         // Shows errors in the window.
         void Attempt(Action act)
@@ -205,29 +201,6 @@ namespace Glint.Editor.Views
             }
             catch (OperationCanceledException)
             {
-            }
-        }
-    }
-
-    /// <summary>Picture of a part of a window.</summary>
-    static class WindowPicture
-    {
-        /// <summary>PNG of an element in its size on the screen.</summary>
-        public static byte[] Png(EditorWindow window, VisualElement element)
-        {
-            var (rect, bound, scale) = (window.position, element.worldBound, EditorGUIUtility.pixelsPerPoint);
-            int width = Mathf.RoundToInt(bound.width * scale), height = Mathf.RoundToInt(bound.height * scale);
-            var picture = new Texture2D(width, height, TextureFormat.RGB24, false);
-            try
-            {
-                picture.SetPixels(InternalEditorUtility.ReadScreenPixel(
-                    (rect.position + bound.position - window.rootVisualElement.worldBound.position) * scale,
-                    width, height));
-                return picture.EncodeToPNG();
-            }
-            finally
-            {
-                UnityEngine.Object.DestroyImmediate(picture);
             }
         }
     }

@@ -75,13 +75,13 @@ namespace Glint.Editor.Views
             _readout.AddToClassList("glint-readout");
             _differences.AddToClassList("glint-words");
             Add(_readout);
-            Charts = new ScrollView { style = { flexGrow = 1 } };
-            Charts.Add(_chart);
-            Charts.Add(_legend);
-            Charts.Add(_differences);
             Preview = new RadarPreviewView(look);
-            Charts.Add(Preview);
-            Add(Charts);
+            var charts = new ScrollView { style = { flexGrow = 1 } };
+            charts.Add(_chart);
+            charts.Add(_legend);
+            charts.Add(_differences);
+            charts.Add(Preview);
+            Add(charts);
             _chart.Hovered += (series, point) => _readout.text =
                 series.Name.Length > 0 ? $"{series.Name}: {point.Pose.Text()}" : point.Pose.Text();
             _chart.Left += () => _readout.text = _chosen?.Text() ?? "";
@@ -90,9 +90,6 @@ namespace Glint.Editor.Views
 
         /// <summary>The radar's view.</summary>
         public RadarPreviewView Preview { get; }
-
-        /// <summary>The part below the toolbar, for a picture of it.</summary>
-        public ScrollView Charts { get; }
 
         /// <param name="comparison">The compared run; may be null.</param>
         public void Show(IReadOnlyList<StoredRow> rows, Comparison comparison)
@@ -130,20 +127,19 @@ namespace Glint.Editor.Views
                 for (int i = 0; i < chart.Series.Count; i++)
                     Add(Entry(chart.Series[i], i));
             if (chart.LeftOut > 0)
-                Add(new Label($"{chart.LeftOut} more are not shown"));
+                Add(new Label(chart.LeftOutText));
         }
 
         static VisualElement Entry(ChartSeries series, int number)
         {
             var key = new VisualElement();
             key.AddToClassList("glint-legend-key");
-            var colours = new ChartColours(key);
-            key.generateVisualContent = context =>
-                Markers.Draw(context.painter2D, new Vector2(8, 8), number, 5, colours.Line(number), series.IsCompared);
+            key.generateVisualContent = context => Markers.Draw(new PainterCanvas(context.painter2D),
+                new Vector2(8, 8), number, 5, ChartColours.Skin.Line(number), series.IsCompared);
             var entry = new VisualElement();
             entry.AddToClassList("glint-legend-entry");
             entry.Add(key);
-            entry.Add(new Label(series.Name.Length > 0 ? series.Name : "this run"));
+            entry.Add(new Label(series.Label));
             return entry;
         }
     }
