@@ -33,7 +33,7 @@ namespace Glint.Core
                 GatherMs = Time(row, "gather_ms"), BuildMs = Time(row, "build_ms"), UploadMs = Time(row, "upload_ms"),
                 TraceMs = Time(row, "trace_ms"), ReadBackMs = Time(row, "read_back_ms"),
             };
-            PhaseHistogram = row["phase_histogram"]?.ToObject<int[]>();
+            PhaseHistogram = ((JArray)row["phase_histogram"])?.Select(bin => (int)bin).ToArray();
         }
 
         /// <summary>A row of which only some columns are known.</summary>

@@ -27,30 +27,31 @@ namespace Glint.Core
         /// <summary>The numbers of a sea, in the order of the declaration, without the height factor.</summary>
         public static readonly IReadOnlyList<Measure> Measures = new[]
         {
-            Of(nameof(SignificantWaveHeight), "Wave Height", "m", Heights,
+            Of(nameof(SignificantWaveHeight), it => it.SignificantWaveHeight, "Wave Height", "m", Heights,
                 "Significant wave height: four standard deviations of the height, of all snapshots together."),
-            Of(nameof(WindSpeed), "Wind", "m/s", Winds,
+            Of(nameof(WindSpeed), it => it.WindSpeed, "Wind", "m/s", Winds,
                 "Wind speed 10 m above the sea. It shapes the spectrum and leaves the height alone: more wind, "
                 + "longer waves."),
-            Of(nameof(WindDirectionDegrees), "Wind Direction", "deg", Directions,
+            Of(nameof(WindDirectionDegrees), it => it.WindDirectionDegrees, "Wind Direction", "deg", Directions,
                 "Where wind and waves run to, as a rotation about Y: 0 to +Z, 90 to +X."),
-            Of(nameof(Choppiness), "Choppiness", "", Choppinesses,
+            Of(nameof(Choppiness), it => it.Choppiness, "Choppiness", "", Choppinesses,
                 "Horizontal displacement over that of waves in deep water: 0 none, 1 theirs. Crests of steep waves "
                 + "curl over from there on."),
-            Of(nameof(TileSize), "Tile", "m", Tiles,
+            Of(nameof(TileSize), it => it.TileSize, "Tile", "m", Tiles,
                 "Side of the tile that repeats: a multiple of 1/1024 m. No wave is longer."),
-            Of(nameof(GridSize), "Grid", "", Grids,
+            Of(nameof(GridSize), it => it.GridSize, "Grid", "", Grids,
                 "Points of the wave grid along a side, a power of two: waves down to nearly twice the tile over "
                 + "them are there."),
-            Of(nameof(Cells), "Cells", "", CellCounts,
+            Of(nameof(Cells), it => it.Cells, "Cells", "", CellCounts,
                 "Cells of the mesh along a side of the tile, of two triangles each. They sample the sea and do not "
                 + "change it."),
-            Of(nameof(ShortestWave), "Shortest Wave", "m", s_shortest,
+            Of(nameof(ShortestWave), it => it.ShortestWave, "Shortest Wave", "m", s_shortest,
                 "Shorter waves are left out; at most half the tile. 0: none are."),
-            Of(nameof(Fetch), "Fetch", "m", Fetches, "Water that the wind has blown over. JONSWAP only."),
-            Of(nameof(PeakEnhancement), "Peak Enhancement", "", PeakEnhancements,
+            Of(nameof(Fetch), it => it.Fetch, "Fetch", "m", Fetches,
+                "Water that the wind has blown over. JONSWAP only."),
+            Of(nameof(PeakEnhancement), it => it.PeakEnhancement, "Peak Enhancement", "", PeakEnhancements,
                 "How much higher the peak is than that of a fully risen sea. JONSWAP only."),
-            Of(nameof(Seed), "Seed", "", s_seeds,
+            Of(nameof(Seed), it => it.Seed, "Seed", "", s_seeds,
                 "Which of all seas with this spectrum. The same number gives the same sea.")
         };
 
@@ -143,8 +144,9 @@ namespace Glint.Core
             Check(subject, "height factor", HeightFactor, s_factors, "", "1 leaves the height as asked for");
         }
 
-        static Measure Of(string field, string title, string unit, Interval range, string help) =>
-            new Measure(typeof(SeaSettings), field, title, unit, range, help);
+        static Measure Of(string field, Func<SeaSettings, double> value, string title,
+            string unit, Interval range, string help) =>
+            new Measure(field, settings => value((SeaSettings)settings), title, unit, range, help);
 
         static void Check(string subject, string name, double value, Interval range, string unit, string wayOut)
         {

@@ -12,31 +12,37 @@ namespace Glint.Core
         /// <summary>Every field, in the order of the declaration.</summary>
         public static readonly IReadOnlyList<Measure> Measures = new[]
         {
-            Of(nameof(Length), "Length", "m", 55, 90, "From the stern to the tip of the bow."),
-            Of(nameof(Beam), "Beam", "m", 11, 16, "Greatest width of the deck."),
-            Of(nameof(Freeboard), "Freeboard", "m", 1.5, 6, "Height above the water of the deck aft of the deckhouse."),
-            Of(nameof(Forecastle), "Forecastle", "m", 0, 3,
+            Of(nameof(Length), it => it.Length, "Length", "m", 55, 90, "From the stern to the tip of the bow."),
+            Of(nameof(Beam), it => it.Beam, "Beam", "m", 11, 16, "Greatest width of the deck."),
+            Of(nameof(Freeboard), it => it.Freeboard, "Freeboard", "m", 1.5, 6,
+                "Height above the water of the deck aft of the deckhouse."),
+            Of(nameof(Forecastle), it => it.Forecastle, "Forecastle", "m", 0, 3,
                 "How much higher the deck lies before the deckhouse than aft of it."),
-            Of(nameof(Draught), "Draught", "m", 2, 8, "How far the keel lies below the water."),
-            Of(nameof(Sheer), "Sheer", "m", 0, 3, "How much the deck rises from before the deckhouse to the bow."),
-            Of(nameof(Rake), "Rake", "m", 0, 6, "How far the tip of the bow reaches out over the stem at the water."),
-            Of(nameof(Flare), "Flare", "", 0, 0.8,
+            Of(nameof(Draught), it => it.Draught, "Draught", "m", 2, 8, "How far the keel lies below the water."),
+            Of(nameof(Sheer), it => it.Sheer, "Sheer", "m", 0, 3,
+                "How much the deck rises from before the deckhouse to the bow."),
+            Of(nameof(Rake), it => it.Rake, "Rake", "m", 0, 6,
+                "How far the tip of the bow reaches out over the stem at the water."),
+            Of(nameof(Flare), it => it.Flare, "Flare", "", 0, 0.8,
                 "How much finer the bow is at the keel than at the deck: 0 is as upright as amidships."),
-            Of(nameof(Transom), "Transom", "of the beam", 0.4, 1, "Width of the flat transom at the deck."),
-            Of(nameof(HouseFront), "House Front", "of the length", 0.28, 0.36,
+            Of(nameof(Transom), it => it.Transom, "Transom", "of the beam", 0.4, 1,
+                "Width of the flat transom at the deck."),
+            Of(nameof(HouseFront), it => it.HouseFront, "House Front", "of the length", 0.28, 0.36,
                 "From the middle of the ship forward to the flat front of the deckhouse. With the deck before it "
                 + "it is a dihedral: the peak bow-on."),
-            Of(nameof(HouseAft), "House Aft", "of the length", 0.2, 0.34,
+            Of(nameof(HouseAft), it => it.HouseAft, "House Aft", "of the length", 0.2, 0.34,
                 "From the middle of the ship aft to the flat end of the deckhouse. With the deck behind it it is a "
                 + "dihedral: the peak stern-on."),
-            Of(nameof(StoreyHeight), "Storey Height", "m", 2, 4,
+            Of(nameof(StoreyHeight), it => it.StoreyHeight, "Storey Height", "m", 2, 4,
                 "Height of each of the three storeys: deckhouse, upper house and bridge."),
-            Of(nameof(Windows), "Windows", "", 1, 15,
+            Of(nameof(Windows), it => it.Windows, "Windows", "", 1, 15,
                 "Windows across the bridge's front; each side has two thirds as many."),
-            Of(nameof(WindowDepth), "Window Depth", "m", 0.02, 0.5,
+            Of(nameof(WindowDepth), it => it.WindowDepth, "Window Depth", "m", 0.02, 0.5,
                 "How deep the windows are set into the bridge. Sill, jambs and pane are small corner reflectors."),
-            Of(nameof(MastHeight), "Mast Height", "m", 5, 20, "Height of the mast's top over the bridge's roof."),
-            Of(nameof(Triangles), "Triangles", "", 15000, 200000, "Triangles of the whole ship, met within 2 %.")
+            Of(nameof(MastHeight), it => it.MastHeight, "Mast Height", "m", 5, 20,
+                "Height of the mast's top over the bridge's roof."),
+            Of(nameof(Triangles), it => it.Triangles, "Triangles", "", 15000, 200000,
+                "Triangles of the whole ship, met within 2 %.")
         };
 
         /// <summary>From the stern to the tip of the bow, metres: 55 to 90.</summary>
@@ -133,7 +139,8 @@ namespace Glint.Core
                 }
         }
 
-        static Measure Of(string field, string title, string unit, double from, double to, string help) =>
-            new Measure(typeof(ShipSettings), field, title, unit, Interval.Closed(from, to), help);
+        static Measure Of(string field, Func<ShipSettings, double> value, string title,
+            string unit, double from, double to, string help) =>
+            new Measure(field, settings => value((ShipSettings)settings), title, unit, Interval.Closed(from, to), help);
     }
 }
