@@ -35,17 +35,7 @@ public sealed class PlayerTests
     public void RunThePlayer()
     {
         _folder = Directory.CreateTempSubdirectory("glint-player-").FullName;
-        var start = new ProcessStartInfo("dotnet", [Path.Combine(s_player, "glint-player.dll"), $"{Poses + 1}"])
-        {
-            RedirectStandardOutput = true, RedirectStandardError = true, WorkingDirectory = _folder,
-            Environment = { ["XDG_CONFIG_HOME"] = _folder },
-        };
-        using var player = Process.Start(start);
-        var log = player.StandardError.ReadToEndAsync();
-        _screens = player.StandardOutput.ReadToEnd().TrimEnd('\n').Split('\n');
-        player.WaitForExit();
-        _log = log.Result.TrimEnd('\n').Split('\n');
-        Assert.That(player.ExitCode, Is.Zero, log.Result);
+        (_screens, _log) = Run(_folder, Poses + 1);
     }
 
     [OneTimeTearDown]
@@ -78,6 +68,16 @@ public sealed class PlayerTests
             + FormattableString.Invariant($" | amplitude {(double)row["amplitude"]:g6}")
             + $" | {row["rays_received"]} of {row["rays_hit"]} rays that hit were received").ToArray();
         Assert.That(_screens, Is.EqualTo(shown.Append(shown[^1])));
+    }
+
+    [Test]
+    public void Screen_WhereResultsCannotBeWritten_ShowsWhy()
+    {
+        string data = Directory.CreateDirectory(Path.Combine(_folder, "data")).FullName,
+            file = Path.Combine(data, "DefaultCompany");
+        File.WriteAllText(file, "");
+        Assert.That(Run(data, 1).screens, Is.EqualTo(new[] { "0 of 0 poses | "
+            + $"{file}/Glint/Results/Player: {file} is a file, not a folder: choose another results folder" }));
     }
 
     [Test]
@@ -114,6 +114,21 @@ public sealed class PlayerTests
     [Test]
     public void Scene_OfThePlayer_IsTheFirstOfABuildAndTheOnlyOne() =>
         Assert.That(SceneLoads.BuildScenes, Is.EqualTo(new[] { "Packages/com.glint.scenes/Player.unity" }));
+
+    static (string[] screens, string[] log) Run(string dataFolder, int frames)
+    {
+        var start = new ProcessStartInfo("dotnet", [Path.Combine(s_player, "glint-player.dll"), $"{frames}"])
+        {
+            RedirectStandardOutput = true, RedirectStandardError = true,
+            Environment = { ["XDG_CONFIG_HOME"] = dataFolder },
+        };
+        using var player = Process.Start(start);
+        var log = player.StandardError.ReadToEndAsync();
+        var screens = player.StandardOutput.ReadToEnd().TrimEnd('\n').Split('\n');
+        player.WaitForExit();
+        Assert.That(player.ExitCode, Is.Zero, log.Result);
+        return (screens, log.Result.TrimEnd('\n').Split('\n'));
+    }
 
     // Without the time of each pose.
     static string[][] Rows(string folder)
