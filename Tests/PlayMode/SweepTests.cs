@@ -54,6 +54,8 @@ namespace Glint.Tests
             while (_sweep.IsRunning && frames < 20);
 
             Assert.That(frames, Is.InRange(3, 5), "one pose a frame");
+            Assert.That((_sweep.PosesDone, _sweep.Poses, _sweep.ResultsPath, _sweep.Problem),
+                Is.EqualTo((3, 3, _folder, (string)null)));
             Assert.That(Quaternion.Angle(_target.rotation, initial), Is.LessThan(1e-3f));
             var lines = File.ReadAllLines(Path.Combine(_folder, "results.csv"));
             Assert.That(lines.Length, Is.EqualTo(4));
@@ -87,6 +89,7 @@ namespace Glint.Tests
             _sweep.gameObject.SetActive(true);
             yield return null;
             yield return null;
+            Assert.That(_sweep.Problem, Does.Contain("'Test sweep' has no target"));
             Assert.That(_sweep.IsRunning, Is.False);
             Assert.That(Directory.Exists(_folder), Is.False);
         }

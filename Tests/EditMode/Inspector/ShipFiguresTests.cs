@@ -1,3 +1,5 @@
+using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
 using Glint.Core;
@@ -5,6 +7,7 @@ using Glint.Editor;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace Glint.Tests
 {
@@ -32,6 +35,25 @@ namespace Glint.Tests
             Assert.That(ShipSettings.Measures.Select(it => it.Row),
                 Has.All.Matches<(string field, string label, string tooltip)>(
                 it => it.label.Length > 0 && it.tooltip.EndsWith(".")));
+        }
+
+        [Test]
+        public void Measures_EachOfThem_HaveTheValueOfTheirField()
+        {
+            CheckValues(default(ShipSettings), ShipSettings.Measures);
+            CheckValues(default(SeaSettings), SeaSettings.Measures);
+        }
+
+        // Each field in turn is the only one that is not 0.
+        static void CheckValues(object settings, IReadOnlyList<Measure> measures)
+        {
+            foreach (var set in measures)
+            {
+                var field = settings.GetType().GetField(set.Field);
+                field.SetValue(settings, Convert.ChangeType(7, field.FieldType));
+                Assert.That(measures.Where(measure => measure.Of(settings) == 7), Is.EqualTo(new[] { set }), set.Field);
+                field.SetValue(settings, Convert.ChangeType(0, field.FieldType));
+            }
         }
 
         [Test]

@@ -1,6 +1,4 @@
 using System;
-using System.Globalization;
-using System.Reflection;
 
 namespace Glint.Core
 {
@@ -10,17 +8,22 @@ namespace Glint.Core
     /// </summary>
     public sealed class Measure
     {
-        readonly FieldInfo _field;
+        readonly Func<object, double> _value;
 
-        /// <param name="field">The field among the settings.</param>
+        /// <param name="field">Name of the field that holds it, a double or an int.</param>
+        /// <param name="value">The field's value among settings.</param>
         /// <param name="title">"Storey Height": "storey height" in messages, --storey-height on a command line.</param>
         /// <param name="unit">Empty for a plain number.</param>
         /// <param name="help">A sentence or more.</param>
-        internal Measure(FieldInfo field, string title, string unit, Interval range, string help)
+        internal Measure(string field, Func<object, double> value, string title, string unit, Interval range,
+            string help)
         {
-            _field = field;
-            (Title, Unit, Range, Help) = (title, unit, range, help);
+            _value = value;
+            (Field, Title, Unit, Range, Help) = (field, title, unit, range, help);
         }
+
+        /// <summary>Name of the field.</summary>
+        public string Field { get; }
 
         /// <summary>Its label, in title case.</summary>
         public string Title { get; }
@@ -34,19 +37,11 @@ namespace Glint.Core
         /// <summary>The allowed range.</summary>
         public Interval Range { get; }
 
-        /// <summary>Whether it is a whole number.</summary>
-        public bool IsWhole => _field.FieldType == typeof(int);
-
         /// <summary>Name of the field, label and tooltip, as an inspector shows them.</summary>
         public (string field, string label, string tooltip) Row =>
-            (_field.Name, Unit.Length == 0 ? Title : $"{Title} ({Unit})", $"{Help} Allowed: {Range}.");
+            (Field, Unit.Length == 0 ? Title : $"{Title} ({Unit})", $"{Help} Allowed: {Range}.");
 
         /// <summary>The value among settings.</summary>
-        public double Of(object settings) =>
-            Convert.ToDouble(_field.GetValue(settings), CultureInfo.InvariantCulture);
-
-        /// <summary>Sets it.</summary>
-        /// <param name="value">A double, of a whole number an int.</param>
-        public void Set(object settings, object value) => _field.SetValue(settings, value);
+        public double Of(object settings) => _value(settings);
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using System.Reflection;
 using Glint.Core;
 using Unity.Mathematics;
 
@@ -302,11 +303,18 @@ namespace Glint.Editor
             string name = measure.Title.ToLowerInvariant().Replace(' ', '-');
             string text = Numbers.Format(measure.Of(standard)),
                 help = measure.Unit.Length == 0 ? measure.Help : $"{measure.Help} Unit: {measure.Unit}.";
-            if (measure.IsWhole)
+            if (FieldOf(measure, standard).FieldType == typeof(int))
                 return Whole(name, "N", text, measure.Range, group, help);
             return Number(name, measure.Unit.Length == 0 || measure.Unit.Contains(' ') ? "X"
                 : measure.Unit.ToUpperInvariant(), text, measure.Range, group, InputKind.Any, help);
         }
+
+        /// <summary>Sets a measure among settings.</summary>
+        /// <param name="value">A double, of a whole number an int.</param>
+        internal static void Set(Measure measure, object settings, object value) =>
+            FieldOf(measure, settings).SetValue(settings, value);
+
+        static FieldInfo FieldOf(Measure measure, object settings) => settings.GetType().GetField(measure.Field);
 
         static Option<bool> Switch(string name, string group, string help) =>
             new Option<bool>(name, "", Values.Given)

@@ -79,7 +79,7 @@ namespace Glint.Editor
                     + $"{Options.AssetFolder.Flag} Assets/Seas/Breeze; without any option the stored seas are made");
             object measured = SeaSettings.Default;
             for (int i = 0; i < s_measures.Length; i++)
-                SeaSettings.Measures[i].Set(measured, line.ValueOf(s_measures[i]));
+                Options.Set(SeaSettings.Measures[i], measured, line.ValueOf(s_measures[i]));
             var settings = (SeaSettings)measured;
             settings.Kind = line.Get(Spectrum);
             if (line.IsGiven(State))

@@ -26,7 +26,7 @@ namespace Glint.Editor
                     + $"such as {Options.AssetFolder.Flag} Assets/Ships; without any option the stored ship is made");
             object settings = ShipSettings.Default;
             for (int i = 0; i < s_measures.Length; i++)
-                ShipSettings.Measures[i].Set(settings, line.ValueOf(s_measures[i]));
+                Options.Set(ShipSettings.Measures[i], settings, line.ValueOf(s_measures[i]));
             return (ShipSettings)settings;
         }
     }

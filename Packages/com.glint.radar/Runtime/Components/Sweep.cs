@@ -40,8 +40,8 @@ namespace Glint
             + "FROM:TO:STEP or a list with commas; everything else is traced for each. Empty: the sea is unchanged.")]
         string _snapshots = "";
 
-        [SerializeField, Tooltip("Folder for results.csv and results.json, relative to the project. Empty: "
-            + "Results/<scene> beside Assets.")]
+        [SerializeField, Tooltip("Folder for results.csv and results.json, relative to the project, in a player to "
+            + "Application.persistentDataPath. Empty: Results/<scene>.")]
         string _outputFolder = "";
 
         readonly LogProgress _progress = new LogProgress();
@@ -78,12 +78,25 @@ namespace Glint
         public string Snapshots { get => _snapshots; set => _snapshots = value; }
 
         /// <summary>
-        /// Folder for the result files, relative to the project; empty: Results/&lt;scene&gt; beside Assets.
+        /// Folder for the result files, relative to the project or, in a player, to Application.persistentDataPath;
+        /// empty: Results/&lt;scene&gt;.
         /// </summary>
         public string OutputFolder { get => _outputFolder; set => _outputFolder = value; }
 
         /// <summary>True from the first pose until all poses are written.</summary>
         public bool IsRunning => _run != null;
+
+        /// <summary>Poses of the sweep last begun; 0 before it.</summary>
+        public int Poses { get; private set; }
+
+        /// <summary>Poses of this sweep that are done.</summary>
+        public int PosesDone { get; private set; }
+
+        /// <summary>Folder of its result files; null before it.</summary>
+        public string ResultsPath { get; private set; }
+
+        /// <summary>Why the sweep could not begin or continue; null if nothing was wrong.</summary>
+        public string Problem { get; private set; }
 
         /// <summary>Name for messages of searches for a radar or a sea.</summary>
         public string Searcher => $"scene of Sweep '{name}'";
@@ -149,12 +162,14 @@ namespace Glint
                 : RunDescription.InProject(_outputFolder));
             _run = new SweepRun(
                 new SweepSetup(_radar, plan) { Target = _target, Sea = sea, Scene = gameObject.scene.path }, folder);
+            (Poses, ResultsPath) = (plan.Count, folder.FolderPath);
             _progress.Start(scene, plan.Count);
         }
 
         void Continue()
         {
             var row = _run.Step();
+            PosesDone = _run.Done;
             _progress.Advance(_run.Done,
                 FormattableString.Invariant($"{row.Pose}, amplitude {row.Result.Amplitude:g6}"));
             if (_run.IsComplete)
@@ -177,11 +192,13 @@ namespace Glint
             catch (GlintException problem)
             {
                 End();
-                Debug.LogError(problem.Message, this);
+                Problem = problem.Message;
+                Debug.LogError(Problem, this);
             }
             catch (Exception fault)
             {
                 End();
+                Problem = fault.Message;
                 Debug.LogException(fault, this);
             }
         }

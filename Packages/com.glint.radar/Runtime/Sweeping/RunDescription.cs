@@ -13,11 +13,15 @@ namespace Glint
     /// <summary>Describes a run for results.json, and chooses its folder.</summary>
     public static class RunDescription
     {
-        /// <summary>Results/<paramref name="name"/> beside the project's Assets.</summary>
+        /// <summary>Results/<paramref name="name"/> in the folder of <see cref="InProject"/>.</summary>
         public static string DefaultFolder(string name) => InProject(Path.Combine("Results", name));
 
-        /// <summary>Resolves a path relative to the folder that holds Assets.</summary>
-        public static string InProject(string path) => Path.Combine(Path.GetDirectoryName(Application.dataPath), path);
+        /// <summary>
+        /// Resolves a path relative to the folder that holds Assets. A player has no project, and its own folder may be
+        /// read-only: there the path is relative to Application.persistentDataPath.
+        /// </summary>
+        public static string InProject(string path) => Path.Combine(
+            Application.isEditor ? Path.GetDirectoryName(Application.dataPath) : Application.persistentDataPath, path);
 
         /// <summary>The description of a run; its scene is gathered.</summary>
         /// <exception cref="GlintException">The radar or a mesh is not fit to be traced.</exception>

@@ -1,6 +1,7 @@
 using System;
 using System.Collections;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 
 namespace Glint.Host;
 
@@ -12,6 +13,9 @@ public static class Engine
 
     /// <summary>The Vulkan device to open: null for the preferred one, else its index or a part of its name.</summary>
     public static string DeviceSelector { get; set; }
+
+    /// <summary>Whether the host is a player build, which has a screen, instead of the editor in batch mode.</summary>
+    public static bool IsPlayer { get; private set; }
 
     public static bool IsPlaying { get; private set; }
 
@@ -25,6 +29,16 @@ public static class Engine
     internal static event Action FrameBegins;
 
     internal static event Action<PlayModeStep> PlayModeChanged;
+
+    /// <summary>Begins as a player does: with the first scene of the build settings.</summary>
+    public static void StartPlayer()
+    {
+        if (SceneLoads.BuildScenes.Count == 0)
+            throw new UnityException("ProjectSettings/EditorBuildSettings.asset enables no scene: a player needs one");
+        IsPlayer = true;
+        EnterPlayMode();
+        SceneLoads.Load(SceneLoads.BuildScenes[0], LoadSceneMode.Single);
+    }
 
     /// <summary>Reloads the open scenes as play mode does and wakes them.</summary>
     public static void EnterPlayMode()
@@ -81,6 +95,9 @@ public static class Engine
         Coroutines.Resume(ResumePoint.Update);
         PlayerLoop.Send("LateUpdate");
         Destruction.Flush();
+        ScreenText.Clear();
+        if (IsPlayer)
+            PlayerLoop.Send("OnGUI");
         Coroutines.Resume(ResumePoint.EndOfFrame);
         FollowRequest();
     }

@@ -5,7 +5,10 @@ using Glint.Host;
 
 namespace UnityEngine;
 
-/// <summary>The host acts as the editor in batch mode: it compiles the product with the editor's symbols.</summary>
+/// <summary>
+/// The host presents itself as the editor in batch mode, for the product compiled with the editor's symbols, or as a
+/// player on a desktop (<see cref="Engine.IsPlayer"/>).
+/// </summary>
 public class Application
 {
     static readonly StackTraceLogType[] _stackTraces =
@@ -23,9 +26,9 @@ public class Application
 
     public static bool isPlaying => Engine.IsPlaying;
 
-    public static bool isEditor => true;
+    public static bool isEditor => !Engine.IsPlayer;
 
-    public static bool isBatchMode => true;
+    public static bool isBatchMode => !Engine.IsPlayer;
 
     public static bool isFocused => true;
 
@@ -41,7 +44,9 @@ public class Application
 
     public static string version => ProjectVersion.Version;
 
-    public static string dataPath => Path.Combine(ProjectVersion.Root, "Assets");
+    public static string dataPath => Engine.IsPlayer
+        ? Path.Combine(AppContext.BaseDirectory, productName + "_Data")
+        : Path.Combine(ProjectVersion.Root, "Assets");
 
     public static string streamingAssetsPath => Path.Combine(dataPath, "StreamingAssets");
 
@@ -51,9 +56,9 @@ public class Application
     public static string temporaryCachePath => Folder(Path.GetTempPath());
 
     public static RuntimePlatform platform =>
-        OperatingSystem.IsWindows() ? RuntimePlatform.WindowsEditor
-        : OperatingSystem.IsMacOS() ? RuntimePlatform.OSXEditor
-        : RuntimePlatform.LinuxEditor;
+        OperatingSystem.IsWindows() ? isEditor ? RuntimePlatform.WindowsEditor : RuntimePlatform.WindowsPlayer
+        : OperatingSystem.IsMacOS() ? isEditor ? RuntimePlatform.OSXEditor : RuntimePlatform.OSXPlayer
+        : isEditor ? RuntimePlatform.LinuxEditor : RuntimePlatform.LinuxPlayer;
 
     public static StackTraceLogType GetStackTraceLogType(LogType logType) => _stackTraces[(int)logType];
 
