@@ -128,6 +128,21 @@ namespace Glint.Tests
             Assert.That(Triangles(), Is.EqualTo(2 * triangles));
         }
 
+        // A player does not store hide flags.
+        [Test]
+        public void Copy_OfASeaThatLostItsHideFlags_RebuildsItsTilesOnce()
+        {
+            Rebuild(64, 64);
+            int triangles = Triangles();
+            var parent = _scene.Empty("Parent");
+            parent.gameObject.SetActive(false); // the copy wakes after the flags are lost
+            var copy = Object.Instantiate(_sea.gameObject, parent);
+            foreach (var below in copy.GetComponentsInChildren<Transform>(true))
+                below.hideFlags = below.gameObject.hideFlags = HideFlags.None;
+            parent.gameObject.SetActive(true);
+            Assert.That(Triangles(), Is.EqualTo(2 * triangles));
+        }
+
         [TestCase(0, 64, "a side of 0 m")]
         [TestCase(-5, 64, "a side of -5 m")]
         [TestCase(float.NaN, 64, "a side of NaN m")]

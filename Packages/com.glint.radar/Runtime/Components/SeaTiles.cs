@@ -83,9 +83,8 @@ namespace Glint
         {
             _tiles.Clear();
             for (int i = 0; i < parent.childCount; i++)
-                if (parent.GetChild(i).hideFlags == Made
-                    && parent.GetChild(i).TryGetComponent<MeshFilter>(out var tile))
-                    _tiles.Add(tile);
+                if (parent.GetChild(i).TryGetComponent<SeaTile>(out var tile))
+                    _tiles.Add(tile.GetComponent<MeshFilter>());
         }
 
         static int Count(float extent, double size, string subject)
@@ -99,11 +98,12 @@ namespace Glint
 
         static MeshFilter MakeTile(Transform parent)
         {
-            var tile = new GameObject("Tile", typeof(MeshFilter),
-                typeof(MeshRenderer))
-            { layer = parent.gameObject.layer };
+            var tile = new GameObject("Tile", typeof(MeshFilter), typeof(MeshRenderer), typeof(SeaTile))
+            {
+                layer = parent.gameObject.layer
+            };
+            tile.hideFlags = tile.transform.hideFlags = Made; // before it gets a parent, which would count as changed
             tile.transform.SetParent(parent, false);
-            tile.hideFlags = tile.transform.hideFlags = Made;
             return tile.GetComponent<MeshFilter>();
         }
     }
