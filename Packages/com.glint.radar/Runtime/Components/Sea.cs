@@ -115,8 +115,19 @@ namespace Glint
                 FormattableString.Invariant($"{Subject}: {value} seconds a snapshot: must be above 0"));
         }
 
-        /// <summary>Material of the tiles. Call <see cref="Rebuild"/> after a change.</summary>
-        public Material Material { set => _material = value; }
+        /// <summary>
+        /// Material of the tiles; if none is assigned, that of new objects in the current render pipeline, or null.
+        /// Call <see cref="Rebuild"/> after a change.
+        /// </summary>
+        public Material Material
+        {
+            get => _material != null ? _material : PipelineMaterial.Default;
+            set => _material = value;
+        }
+
+        /// <summary>Message about a sea without material.</summary>
+        public string HasNoMaterial => $"{Subject} has no material: Unity draws it magenta or not at all, "
+            + "though it is traced: assign one to its field Material";
 
         /// <summary>The snapshot shown; null if there is none of that number.</summary>
         public SeaSnapshot CurrentSnapshot =>
@@ -136,7 +147,7 @@ namespace Glint
             _localCentre = LocalCentre();
             Check();
             var tile = Tile(out double size);
-            _tiles.Rebuild(transform, tile, _material, size, _extent, _localCentre, Subject);
+            _tiles.Rebuild(transform, tile, Material, size, _extent, _localCentre, Subject);
         }
 
         /// <summary>Refuses invalid settings.</summary>
@@ -190,6 +201,14 @@ namespace Glint
         {
             if (isActiveAndEnabled)
                 Rebuild();
+        }
+
+        // In the editor, when the component is added or reset. The built-in pipeline's material is among the default
+        // references of this script.
+        void Reset()
+        {
+            if (PipelineMaterial.Default != null)
+                (_material, _isStale) = (PipelineMaterial.Default, true);
         }
 
         void OnEnable() => Attempt();

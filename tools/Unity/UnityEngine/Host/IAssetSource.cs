@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine.SceneManagement;
 using Object = UnityEngine.Object;
 
@@ -18,6 +19,9 @@ public interface IAssetSource
 
     /// <summary>The asset's main object of that type; null when there is none.</summary>
     Object LoadAsset(string assetPath, Type type);
+
+    /// <summary>The fields of a script, by name, that its .meta file gives a new component in edit mode.</summary>
+    IEnumerable<KeyValuePair<string, Object>> DefaultReferences(Type script);
 
     string GuidToPath(string guid);
 

@@ -33,6 +33,8 @@ public class Material : Object
         }
     }
 
+    public bool enableInstancing { get; set; }
+
     /// <summary>The renderer whose material property made this copy.</summary>
     internal Renderer InstanceOf { get; init; }
 
@@ -40,5 +42,6 @@ public class Material : Object
     {
         base.CopyFrom(source, map);
         _shader = ((Material)source)._shader;
+        enableInstancing = ((Material)source).enableInstancing;
     }
 }
