@@ -11,8 +11,9 @@ namespace Glint
     {
         const int MaxTiles = 100_000;
 
-        // Visible in the Hierarchy and traced, but neither saved nor editable: the sea recreates them.
-        const HideFlags Made = HideFlags.DontSaveInEditor | HideFlags.DontSaveInBuild | HideFlags.NotEditable;
+        // Neither listed, saved nor editable: the sea recreates them.
+        const HideFlags Made = HideFlags.HideInHierarchy | HideFlags.DontSaveInEditor | HideFlags.DontSaveInBuild
+            | HideFlags.NotEditable;
 
         readonly List<MeshFilter> _tiles = new List<MeshFilter>();
 
@@ -56,6 +57,13 @@ namespace Glint
                     renderer.sharedMaterial = material;
             }
             Hide(across * along);
+        }
+
+        /// <summary>Whether the tiles are drawn. Their renderers stay enabled, so that they are traced.</summary>
+        public void Draw(bool draws)
+        {
+            foreach (var tile in _tiles)
+                tile.GetComponent<MeshRenderer>().forceRenderingOff = !draws;
         }
 
         /// <summary>Position of a tile in a grid of tiles centred on the origin.</summary>

@@ -38,6 +38,8 @@ public class Material : Object
     /// <summary>The renderer whose material property made this copy.</summary>
     internal Renderer InstanceOf { get; init; }
 
+    public void CopyPropertiesFromMaterial(Material mat) => enableInstancing = mat.enableInstancing;
+
     internal override void CopyFrom(Object source, CloneMap map)
     {
         base.CopyFrom(source, map);

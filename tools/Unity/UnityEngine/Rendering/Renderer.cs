@@ -28,6 +28,9 @@ public class Renderer : Component
     /// <summary>Nothing is drawn here.</summary>
     public bool isVisible => false;
 
+    /// <summary>Not drawn, though enabled. No file holds it.</summary>
+    public bool forceRenderingOff { get; set; }
+
     public bool isPartOfStaticBatch
     {
         get
