@@ -18,7 +18,7 @@ public sealed class AssemblyTests
         s_bin = Path.Combine(s_root, "tools/artifacts/bin");
 
     static readonly string[] s_product =
-            ["Glint.Core", "Glint", "Glint.Reference", "Glint.Editor", "Glint.Editor.Views"],
+            ["Glint.Core", "Glint", "Glint.Reference", "Glint.Editor"],
         s_tests = ["Glint.Tests.EditMode", "Glint.Tests.PlayMode"];
 
     // Assemblies of packages.
