@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Linq;
 using Glint.Core;
 using NUnit.Framework;
 using UnityEngine;
@@ -16,6 +17,9 @@ namespace Glint.Tests
             yield return PlayScene.Load("ShipLargeSea");
             var radar = Object.FindFirstObjectByType<RadarController>();
             var sea = Object.FindFirstObjectByType<Sea>();
+
+            Assert.That(sea.GetComponentsInChildren<MeshRenderer>().Select(tile => tile.forceRenderingOff),
+                Has.All.True, "33 million triangles in every repaint");
 
             var large = Trace(radar);
             Assert.That(large.Statistics.Triangles, Is.GreaterThan(30_000_000));

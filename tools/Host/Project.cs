@@ -115,6 +115,15 @@ public sealed class Project : IAssetSource, IAssetStore
 
     public void Refresh() => _files.Guids.Forget();
 
+    public IEnumerable<KeyValuePair<string, Object>> DefaultReferences(Type script)
+    {
+        foreach ((string field, ObjectReference reference) in _scripts.DefaultsOf(script))
+        {
+            if (_assets.Find(reference, out _) is Object asset)
+                yield return new KeyValuePair<string, Object>(field, asset);
+        }
+    }
+
     public string GuidToPath(string guid) => _files.Guids.PathOf(guid.ToLowerInvariant());
 
     public string PathToGuid(string assetPath) => _files.Guids.GuidOf(assetPath);

@@ -58,6 +58,9 @@ public sealed unsafe class VulkanDevice : IDisposable
     internal nint Handle => _handle;
     internal bool IsAbandoned { get; private set; }
 
+    /// <summary>Buffers that are not disposed.</summary>
+    internal IReadOnlyCollection<GpuBuffer> Buffers => _buffers;
+
     internal CommandRecorder Recorder
     {
         get

@@ -67,6 +67,19 @@ namespace Glint.Tests
             Assert.That(SeaFigures.Check(_sea).Text, Is.EqualTo(refused.Message));
         }
 
+        [Test]
+        public void Check_SeaWithoutMaterial_WarnsAndAssignsUnitysOwn()
+        {
+            _sea.Material = null;
+            var finding = SeaFigures.Check(_sea);
+            Assert.That(finding.Severity, Is.EqualTo(Severity.Warning));
+            Assert.That(finding.Text, Does.StartWith("Sea of 'Sea' has no material"));
+            finding.Fix.Apply();
+            Assert.That(_sea.Material, Is.EqualTo(ProjectAssets.StandardMaterial));
+            Assert.That(_sea.GetComponentInChildren<MeshRenderer>().sharedMaterial != null);
+            Assert.That(SeaFigures.Check(_sea), Is.Null);
+        }
+
         string Row(string label) => SeaFigures.Rows(_sea).Single(row => row.label == label).value;
     }
 }

@@ -128,6 +128,72 @@ namespace Glint.Tests
             Assert.That(Triangles(), Is.EqualTo(2 * triangles));
         }
 
+        // A player does not store hide flags.
+        [Test]
+        public void Copy_OfASeaThatLostItsHideFlags_RebuildsItsTilesOnce()
+        {
+            Rebuild(64, 64);
+            int triangles = Triangles();
+            var parent = _scene.Empty("Parent");
+            parent.gameObject.SetActive(false); // the copy wakes after the flags are lost
+            var copy = Object.Instantiate(_sea.gameObject, parent);
+            foreach (var below in copy.GetComponentsInChildren<Transform>(true))
+                below.hideFlags = below.gameObject.hideFlags = HideFlags.None;
+            parent.gameObject.SetActive(true);
+            Assert.That(Triangles(), Is.EqualTo(2 * triangles));
+        }
+
+        [Test]
+        public void Tiles_AreTracedThoughHidden_AndOtherHiddenObjectsAreNot()
+        {
+            Rebuild(64, 64);
+            int triangles = Triangles();
+            var hidden = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            hidden.transform.SetParent(_scene.Root);
+            hidden.hideFlags = HideFlags.HideInHierarchy;
+            Assert.That(Tiles().Select(tile => tile.gameObject.hideFlags & HideFlags.HideInHierarchy),
+                Is.Not.Empty.And.All.EqualTo(HideFlags.HideInHierarchy));
+            var loaded = new VisibleRenderers().Find(~0, new Transform[0], null)
+                .Where(renderer => renderer.transform.IsChildOf(_scene.Root));
+            Assert.That(loaded, Is.EquivalentTo(Tiles()));
+            Assert.That(triangles, Is.EqualTo(4 * 2 * Cells * Cells));
+        }
+
+        [Test]
+        public void DrawInScene_Off_OmitsTheTilesFromThePictureOnly()
+        {
+            Rebuild(64, 64);
+            int triangles = Triangles();
+            Assert.That(Tiles().Select(tile => tile.forceRenderingOff), Has.All.False);
+            _sea.DrawInScene = false;
+            _sea.Rebuild();
+            Assert.That(Tiles().Select(tile => tile.forceRenderingOff), Has.All.True);
+            Assert.That(Triangles(), Is.EqualTo(triangles));
+            _sea.DrawInScene = true;
+            _sea.Rebuild();
+            Assert.That(Tiles().Select(tile => tile.forceRenderingOff), Has.All.False);
+        }
+
+        [Test]
+        public void Material_WithoutInstancing_IsReplacedByOneCopyThatHasIt()
+        {
+            var material = new Material(Shader.Find("Hidden/Internal-Colored"));
+            _sea.Material = material;
+            Rebuild(64, 64);
+            var copy = Tiles().Select(tile => tile.sharedMaterial).Distinct().Single();
+            Assert.That((copy.enableInstancing, copy.shader, material.enableInstancing),
+                Is.EqualTo((true, material.shader, false)));
+            _sea.Rebuild();
+            Assert.That(Tiles()[0].sharedMaterial, Is.SameAs(copy));
+
+            material.enableInstancing = true;
+            _sea.Rebuild();
+            Assert.That(Tiles().Select(tile => tile.sharedMaterial), Has.All.SameAs(material));
+            Object.DestroyImmediate(_sea);
+            Assert.That(copy == null, "it goes with the sea");
+            Object.DestroyImmediate(material);
+        }
+
         [TestCase(0, 64, "a side of 0 m")]
         [TestCase(-5, 64, "a side of -5 m")]
         [TestCase(float.NaN, 64, "a side of NaN m")]
@@ -173,6 +239,9 @@ namespace Glint.Tests
             _sea.Extent = new Vector2(x, z);
             _sea.Rebuild();
         }
+
+        MeshRenderer[] Tiles() =>
+            _sea.GetComponentsInChildren<MeshRenderer>().Where(tile => tile.enabled).ToArray();
 
         int Triangles() => _scene.Gather(_gatherer).Instances.Sum(instance => instance.Mesh.TriangleCount);
 

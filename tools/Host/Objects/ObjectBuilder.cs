@@ -65,7 +65,7 @@ internal sealed class ObjectBuilder
         item.ActiveSelf = fields.Flag("m_IsActive", true);
 
         Attach(item, typeof(Transform), node.Transform);
-        item.transform.SetParent(parent, false);
+        item.transform.Reparent(parent, false);
         ComponentReader.Fill(item.transform, node.Transform.Fields);
         foreach (ObjectRecord record in node.Components)
         {

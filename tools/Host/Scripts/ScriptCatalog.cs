@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Reflection;
@@ -17,7 +18,8 @@ internal sealed partial class ScriptCatalog
     readonly ProjectFiles _files;
     readonly AssemblyDefinitions _assemblies;
     readonly Dictionary<string, (Type Type, string Problem)> _byGuid = new();
-    readonly Dictionary<Type, string> _guids = new();
+    readonly Dictionary<Type, string> _guids = new(); // null: in no file
+    readonly Dictionary<Type, List<(string, ObjectReference)>> _defaults = new();
 
     internal ScriptCatalog(ProjectFiles files)
     {
@@ -46,12 +48,34 @@ internal sealed partial class ScriptCatalog
     /// <exception cref="UnityException">Unity would find the class in no file.</exception>
     internal string GuidOf(Type type)
     {
+        return Look(type)
+            ?? throw new UnityException($"the script {type.FullName} is in no file {type.Name}.cs of the project: "
+                + "give the class its own file of that name");
+    }
+
+    /// <summary>The default references of a class; none where it is in no file of the project.</summary>
+    internal IReadOnlyList<(string Field, ObjectReference Reference)> DefaultsOf(Type type)
+    {
+        if (_defaults.TryGetValue(type, out List<(string, ObjectReference)> defaults))
+            return defaults;
+        defaults = new List<(string, ObjectReference)>();
+        if (Look(type) is string guid)
+        {
+            string meta = File.ReadAllText(_files.Physical(_files.PathOf(guid)) + MetaFile.Extension);
+            foreach (Match match in DefaultReference().Matches(meta))
+                defaults.Add((match.Groups[1].Value, new ObjectReference(
+                    long.Parse(match.Groups[2].Value, CultureInfo.InvariantCulture), match.Groups[3].Value)));
+        }
+        _defaults.Add(type, defaults);
+        return defaults;
+    }
+
+    string Look(Type type)
+    {
         if (_guids.TryGetValue(type, out string guid))
             return guid;
         guid = _files.Guids.Paths.Where(path => Path.GetFileName(path) == type.Name + ".cs" && _files.Exists(path))
-            .Select(_files.Guids.GuidOf).FirstOrDefault(found => Find(found).Type == type)
-            ?? throw new UnityException($"the script {type.FullName} is in no file {type.Name}.cs of the project: "
-                + "give the class its own file of that name");
+            .Select(_files.Guids.GuidOf).FirstOrDefault(found => Find(found).Type == type);
         _guids.Add(type, guid);
         return guid;
     }
@@ -111,6 +135,9 @@ internal sealed partial class ScriptCatalog
         if (match.Success && int.TryParse(match.Groups[1].Value, out int order) && order != 0)
             Messages.Of(type).Order = order;
     }
+
+    [GeneratedRegex(@"^  - (\w+): \{fileID: (-?\d+), guid: (\w+), type: \d\}", RegexOptions.Multiline)]
+    private static partial Regex DefaultReference();
 
     [GeneratedRegex(@"^[ \t]*executionOrder:[ \t]*(-?\d+)[ \t\r]*$", RegexOptions.Multiline)]
     private static partial Regex ExecutionOrder();

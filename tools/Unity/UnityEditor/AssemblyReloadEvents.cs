@@ -1,6 +1,8 @@
+using Glint.Host;
+
 namespace UnityEditor;
 
-/// <summary>Scripts are never reloaded here; a test raises the events itself.</summary>
+/// <summary>Scripts are never reloaded here; a test says when Unity would.</summary>
 public static class AssemblyReloadEvents
 {
     public delegate void AssemblyReloadCallback();
@@ -9,7 +11,13 @@ public static class AssemblyReloadEvents
 
     public static event AssemblyReloadCallback afterAssemblyReload;
 
-    internal static void RaiseBefore() => beforeAssemblyReload?.Invoke();
-
-    internal static void RaiseAfter() => afterAssemblyReload?.Invoke();
+    /// <summary>
+    /// The events and messages of a reload: OnDisable before it and OnEnable after it. All fields keep their values.
+    /// </summary>
+    internal static void Reload()
+    {
+        beforeAssemblyReload?.Invoke();
+        PlayerLoop.Restart();
+        afterAssemblyReload?.Invoke();
+    }
 }

@@ -16,9 +16,9 @@ namespace Glint.Editor
         /// <summary>The kernel of every radar; null if its import failed.</summary>
         public static ComputeShader Kernel => AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath);
 
-        /// <summary>Unity's default material of new objects.</summary>
-        public static Material StandardMaterial =>
-            AssetDatabase.GetBuiltinExtraResource<Material>("Default-Material.mat");
+        /// <summary>Unity's material of new objects in the current render pipeline.</summary>
+        public static Material StandardMaterial => PipelineMaterial.Default != null ? PipelineMaterial.Default
+            : AssetDatabase.GetBuiltinExtraResource<Material>("Default-Material.mat");
 
         /// <summary>
         /// The asset path of a folder given by a user; created, with its parents, if it does not exist.

@@ -11,8 +11,7 @@ namespace Glint.Editor
 {
     /// <summary>
     /// Traces poses of a radar at the press of a button, with a bar that cancels. The device's buffers are kept for the
-    /// next pose until this is disposed or <see cref="ReleaseBuffers"/> releases them; in play mode the scene owns
-    /// them.
+    /// next pose until this is disposed or the radar is disabled; in play mode the scene owns them.
     /// </summary>
     sealed class RadarTracing : IDisposable
     {

@@ -15,8 +15,15 @@ namespace Glint.Editor
             .Append(("HeightFactor", "Height Factor",
                 "Multiplies the height, 0.001 to 1000: 1, or the scale of a stored sea.")).ToArray();
 
-        /// <summary>Why the sea cannot be shown; null if it can.</summary>
-        public static Finding Check(Sea sea) => Finding.Of(sea.Check);
+        /// <summary>Why the sea cannot be shown, or looks wrong; null if neither.</summary>
+        public static Finding Check(Sea sea) => Finding.Of(sea.Check) ?? (sea.Material != null ? null
+            : new Finding(Severity.Warning, sea.HasNoMaterial, AssignMaterial(sea)));
+
+        static Fix AssignMaterial(Sea sea) => new Fix("Assign Unity's material", () =>
+        {
+            Fix.Change(sea, "Assign Unity's material", it => it.Material = ProjectAssets.StandardMaterial);
+            sea.Rebuild();
+        });
 
         /// <summary>The figures: label, value, meaning.</summary>
         public static IEnumerable<(string label, string value, string tooltip)> Rows(Sea sea)

@@ -20,6 +20,7 @@ namespace Glint
     [AddComponentMenu("Glint/Radar Controller")]
     [HelpPage("editor.md")]
     [RequireComponent(typeof(Camera))]
+    [ExecuteAlways] // for OnDisable and OnDestroy in edit mode, which release the buffers
     [DisallowMultipleComponent]
     public sealed class RadarController : MonoBehaviour
     {
@@ -394,6 +395,8 @@ namespace Glint
 
         void Start()
         {
+            if (!Application.IsPlaying(gameObject))
+                return;
             try
             {
                 var result = Trace();

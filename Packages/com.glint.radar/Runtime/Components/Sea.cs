@@ -14,6 +14,7 @@ namespace Glint
     [AddComponentMenu("Glint/Sea")]
     [HelpPage("sea.md")]
     [ExecuteAlways]
+    [SelectionBase] // a click on a tile selects the sea
     [DisallowMultipleComponent]
     public sealed class Sea : MonoBehaviour
     {
@@ -47,9 +48,14 @@ namespace Glint
         [SerializeField, Tooltip("Appearance of the sea; the radar ignores it.")]
         Material _material;
 
+        [SerializeField, Tooltip("Draws the tiles in Scene and Game view. They are traced either way; "
+            + "a large sea takes long to draw.")]
+        bool _drawInScene = true;
+
         readonly SeaTiles _tiles = new SeaTiles();
         SeaSurface _surface;
         Mesh _made;
+        Material _instanced;
         Vector3 _localCentre;
         bool _isStale;
 
@@ -115,8 +121,25 @@ namespace Glint
                 FormattableString.Invariant($"{Subject}: {value} seconds a snapshot: must be above 0"));
         }
 
-        /// <summary>Material of the tiles. Call <see cref="Rebuild"/> after a change.</summary>
-        public Material Material { set => _material = value; }
+        /// <summary>
+        /// Material of the tiles; if none is assigned, that of new objects in the current render pipeline, or null.
+        /// Call <see cref="Rebuild"/> after a change.
+        /// </summary>
+        public Material Material
+        {
+            get => _material != null ? _material : PipelineMaterial.Default;
+            set => _material = value;
+        }
+
+        /// <summary>
+        /// Draws the tiles in Scene and Game view; they are traced either way. Call <see cref="Rebuild"/> after a
+        /// change.
+        /// </summary>
+        public bool DrawInScene { get => _drawInScene; set => _drawInScene = value; }
+
+        /// <summary>Message about a sea without material.</summary>
+        public string HasNoMaterial => $"{Subject} has no material: Unity draws it magenta or not at all, "
+            + "though it is traced: assign one to its field Material";
 
         /// <summary>The snapshot shown; null if there is none of that number.</summary>
         public SeaSnapshot CurrentSnapshot =>
@@ -136,7 +159,8 @@ namespace Glint
             _localCentre = LocalCentre();
             Check();
             var tile = Tile(out double size);
-            _tiles.Rebuild(transform, tile, _material, size, _extent, _localCentre, Subject);
+            _tiles.Rebuild(transform, tile, Instanced(), size, _extent, _localCentre, Subject);
+            _tiles.Draw(_drawInScene);
         }
 
         /// <summary>Refuses invalid settings.</summary>
@@ -184,12 +208,35 @@ namespace Glint
             return _made;
         }
 
+        // The editor draws many tiles in one call by GPU instancing: by a copy of a material without it. Not in a player,
+        // which lacks the shader's variant where no stored material has it.
+        Material Instanced()
+        {
+            var material = Material;
+            if (material == null || material.enableInstancing || !Application.isEditor)
+                return material;
+            if (_instanced == null)
+                _instanced = new Material(material);
+            _instanced.shader = material.shader;
+            _instanced.CopyPropertiesFromMaterial(material);
+            (_instanced.enableInstancing, _instanced.hideFlags) = (true, HideFlags.DontSave);
+            return _instanced;
+        }
+
         Vector3 LocalCentre() => _centre == null ? Vector3.zero : transform.InverseTransformPoint(_centre.position);
 
         void Show()
         {
             if (isActiveAndEnabled)
                 Rebuild();
+        }
+
+        // In the editor, when the component is added or reset. The built-in pipeline's material is among the default
+        // references of this script.
+        void Reset()
+        {
+            if (PipelineMaterial.Default != null)
+                (_material, _isStale) = (PipelineMaterial.Default, true);
         }
 
         void OnEnable() => Attempt();
@@ -237,12 +284,16 @@ namespace Glint
 
         void OnDestroy()
         {
-            if (_made == null)
-                return;
+            Free(_made);
+            Free(_instanced);
+        }
+
+        static void Free(UnityEngine.Object made)
+        {
             if (Application.isPlaying)
-                Destroy(_made);
+                Destroy(made);
             else
-                DestroyImmediate(_made);
+                DestroyImmediate(made);
         }
     }
 

@@ -11,8 +11,9 @@ namespace Glint
     {
         const int MaxTiles = 100_000;
 
-        // Visible in the Hierarchy and traced, but neither saved nor editable: the sea recreates them.
-        const HideFlags Made = HideFlags.DontSaveInEditor | HideFlags.DontSaveInBuild | HideFlags.NotEditable;
+        // Neither listed, saved nor editable: the sea recreates them.
+        const HideFlags Made = HideFlags.HideInHierarchy | HideFlags.DontSaveInEditor | HideFlags.DontSaveInBuild
+            | HideFlags.NotEditable;
 
         readonly List<MeshFilter> _tiles = new List<MeshFilter>();
 
@@ -58,6 +59,13 @@ namespace Glint
             Hide(across * along);
         }
 
+        /// <summary>Whether the tiles are drawn. Their renderers stay enabled, so that they are traced.</summary>
+        public void Draw(bool draws)
+        {
+            foreach (var tile in _tiles)
+                tile.GetComponent<MeshRenderer>().forceRenderingOff = !draws;
+        }
+
         /// <summary>Position of a tile in a grid of tiles centred on the origin.</summary>
         public static Vector3 PositionOf(int x, int z, int2 tiles, double size) =>
             new Vector3((float)(size * (x - (tiles.x - 1) / 2.0)), 0, (float)(size * (z - (tiles.y - 1) / 2.0)));
@@ -83,9 +91,8 @@ namespace Glint
         {
             _tiles.Clear();
             for (int i = 0; i < parent.childCount; i++)
-                if (parent.GetChild(i).hideFlags == Made
-                    && parent.GetChild(i).TryGetComponent<MeshFilter>(out var tile))
-                    _tiles.Add(tile);
+                if (parent.GetChild(i).TryGetComponent<SeaTile>(out var tile))
+                    _tiles.Add(tile.GetComponent<MeshFilter>());
         }
 
         static int Count(float extent, double size, string subject)
@@ -99,11 +106,12 @@ namespace Glint
 
         static MeshFilter MakeTile(Transform parent)
         {
-            var tile = new GameObject("Tile", typeof(MeshFilter),
-                typeof(MeshRenderer))
-            { layer = parent.gameObject.layer };
+            var tile = new GameObject("Tile", typeof(MeshFilter), typeof(MeshRenderer), typeof(SeaTile))
+            {
+                layer = parent.gameObject.layer
+            };
+            tile.hideFlags = tile.transform.hideFlags = Made; // before it gets a parent, which would count as changed
             tile.transform.SetParent(parent, false);
-            tile.hideFlags = tile.transform.hideFlags = Made;
             return tile.GetComponent<MeshFilter>();
         }
     }

@@ -108,12 +108,13 @@ namespace Glint
             return false;
         }
 
-        // The editor's hidden objects are not part of the scene.
+        // The editor's hidden objects are not part of the scene; the hidden tiles of a sea are.
         void AddVisible(GameObject root)
         {
             root.GetComponentsInChildren(_below);
             foreach (var renderer in _below)
-                if ((renderer.gameObject.hideFlags & HideFlags.HideInHierarchy) == 0)
+                if ((renderer.gameObject.hideFlags & HideFlags.HideInHierarchy) == 0
+                    || renderer.TryGetComponent<SeaTile>(out _))
                     _renderers.Add(renderer);
         }
     }

@@ -100,6 +100,13 @@ namespace Glint
             orbit._restore = () =>
             {
                 radar.SetParent(parent, false);
+                if (radar.parent == aim)
+                {
+                    // It has its pose again, below the aim, which must not be destroyed with it.
+                    Debug.LogWarning($"RadarController of '{radar.name}' stays below '{aim.name}', where the sweep "
+                        + "put it: Unity moves no object while the one above it is deactivated", radar);
+                    return;
+                }
                 radar.SetSiblingIndex(order);
                 (radar.localPosition, radar.localRotation) = (position, rotation);
                 Object.DestroyImmediate(aim.gameObject);

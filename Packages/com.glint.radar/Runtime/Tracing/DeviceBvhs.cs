@@ -19,6 +19,9 @@ namespace Glint
         const int MaxSlack = 4;
         const long SpareRows = 1 << 16;
 
+        // Most that firmware usually reserves for an integrated GPU; GPUs with that little of their own are rare.
+        const int MaxReservedMebibytes = 2048;
+
         readonly BvhLayout _layout;
         readonly string _owner;
         readonly long _maxRowsPerPage;
@@ -148,8 +151,15 @@ namespace Glint
 
         bool IsMostlyEmpty => Capacity > MaxSlack * _bvhs.Values.Sum(allocation => allocation.Rows) + SpareRows;
 
-        double MaxBytes =>
-            Math.Min((double)MaxPages * _maxRowsPerPage * 16, SystemInfo.graphicsMemorySize * 1048576.0);
+        double MaxBytes => Math.Min((double)MaxPages * _maxRowsPerPage * 16,
+            UsableMebibytes(SystemInfo.graphicsMemorySize, SystemInfo.systemMemorySize) * 1048576.0);
+
+        /// <summary>
+        /// Mebibytes that BVHs may take. A GPU without memory of its own uses the computer's, of which Unity reports
+        /// only the part reserved for it.
+        /// </summary>
+        public static int UsableMebibytes(int graphicsMemory, int systemMemory) =>
+            graphicsMemory > MaxReservedMebibytes ? graphicsMemory : Math.Max(graphicsMemory, systemMemory / 2);
 
         /// <summary>Minimum bytes of the BVHs over some meshes: every triangle reflects and has a partner.</summary>
         public static double MinBytes(IEnumerable<TriangleMesh> meshes, BvhLayout layout) =>

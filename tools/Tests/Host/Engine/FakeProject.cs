@@ -26,6 +26,9 @@ internal sealed class FakeProject : IAssetSource
     public Object LoadAsset(string assetPath, Type type) =>
         Assets.TryGetValue(assetPath, out Object asset) && type.IsInstanceOfType(asset) ? asset : null;
 
+    public IEnumerable<KeyValuePair<string, Object>> DefaultReferences(Type script) =>
+        Enumerable.Empty<KeyValuePair<string, Object>>();
+
     public string GuidToPath(string guid) => Assets.Keys.FirstOrDefault(path => PathToGuid(path) == guid);
 
     public string PathToGuid(string assetPath) => assetPath.GetHashCode(StringComparison.Ordinal).ToString("x32");

@@ -106,6 +106,22 @@ public sealed class MessageOrderTests : EngineFixture
     }
 
     [Test]
+    public void SetParent_WhileTheParentIsDeactivated_IsRefusedWithUnitysMessage()
+    {
+        Play();
+        var parent = new GameObject("p", typeof(Mover)).transform;
+        var child = new GameObject("c").transform;
+        child.SetParent(parent);
+        parent.GetComponent<Mover>().Disabled = () => child.SetParent(null);
+        parent.gameObject.SetActive(false);
+        Assert.That(child.parent, Is.SameAs(parent));
+        Assert.That(Errors, Is.EqualTo(new[] { "Cannot set the parent of the GameObject 'c' while activating or "
+            + "deactivating the parent GameObject 'p'." }));
+        child.SetParent(null);
+        Assert.That(child.parent == null, "it has been deactivated");
+    }
+
+    [Test]
     public void Parent_Deactivated_DisablesChildrenAndBackAgain()
     {
         Play();

@@ -50,6 +50,13 @@ internal sealed class OnlyStart : MonoBehaviour
     void Start() => Started();
 }
 
+internal sealed class Mover : MonoBehaviour
+{
+    internal Action Disabled;
+
+    void OnDisable() => Disabled?.Invoke();
+}
+
 [DefaultExecutionOrder(-10)]
 internal sealed class EarlyBird : MonoBehaviour
 {

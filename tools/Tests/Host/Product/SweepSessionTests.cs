@@ -123,7 +123,7 @@ public sealed class SweepSessionTests
         else if (what == "close the window")
             session.Dispose();
         else if (what == "reload scripts")
-            AssemblyReloadEvents.RaiseBefore();
+            AssemblyReloadEvents.Reload();
         else
             EditorSceneManager.RaiseSaving(SceneManager.GetActiveScene());
         Assert.That((session.IsRunning, session.Problem), Is.EqualTo((false, problem)));

@@ -57,6 +57,7 @@ internal static class Activation
     internal static void Deactivate(GameObject item)
     {
         item.ActiveCached = false;
+        item.IsDeactivating = true;
         foreach (Transform child in item.Node.Children.ToArray())
         {
             if (child.Owner.ActiveCached)
@@ -67,6 +68,7 @@ internal static class Activation
             behaviour.Disable();
             behaviour.StopAllCoroutines();
         }
+        item.IsDeactivating = false;
     }
 
     static bool ShouldBeActive(GameObject item)

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Reflection;
 using UnityEngine;
+using Object = UnityEngine.Object;
 
 namespace Glint.Host;
 
@@ -44,11 +45,21 @@ internal static class ComponentAdder
 
     static void Begin(MonoBehaviour behaviour)
     {
+        if (!Engine.IsPlaying)
+            FillDefaults(behaviour);
         Messages.Call(behaviour, "OnValidate");
         if (behaviour.Owner.ActiveCached)
             behaviour.Wake();
         if (!Engine.IsPlaying)
             Messages.Call(behaviour, "Reset");
+    }
+
+    static void FillDefaults(MonoBehaviour behaviour)
+    {
+        if (Engine.Assets is null)
+            return;
+        foreach ((string name, Object value) in Engine.Assets.DefaultReferences(behaviour.GetType()))
+            SerializedFields.Of(behaviour.GetType()).Single(field => field.Name == name).SetValue(behaviour, value);
     }
 
     // At most one component of the attribute's owner and its subclasses.

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine.SceneManagement;
 using Object = UnityEngine.Object;
 
@@ -16,6 +17,9 @@ public interface IAssetSource
 
     /// <summary>The asset's main object of a type; null if there is none.</summary>
     Object LoadAsset(string assetPath, Type type);
+
+    /// <summary>The fields of a script, by name, that its .meta file gives a new component in edit mode.</summary>
+    IEnumerable<KeyValuePair<string, Object>> DefaultReferences(Type script);
 
     string GuidToPath(string guid);
 

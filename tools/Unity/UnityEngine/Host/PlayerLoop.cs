@@ -19,6 +19,16 @@ internal static class PlayerLoop
 
     internal static void Remove(MonoBehaviour behaviour) => _running.Remove(behaviour);
 
+    /// <summary>OnDisable to all that run, then OnEnable: scripts are reloaded.</summary>
+    internal static void Restart()
+    {
+        MonoBehaviour[] running = _running.ToArray();
+        foreach (MonoBehaviour behaviour in running)
+            behaviour.Disable();
+        foreach (MonoBehaviour behaviour in running)
+            behaviour.Enable();
+    }
+
     internal static void StartPending()
     {
         foreach (MonoBehaviour behaviour in _running.ToArray())

@@ -141,6 +141,9 @@ public sealed partial class GameObject : Object
     /// <summary>Active with all its ancestors, as of the last activation that reached this object.</summary>
     internal bool ActiveCached { get; set; }
 
+    /// <summary>OnDisable is being sent to its scripts: no parent is set or left meanwhile.</summary>
+    internal bool IsDeactivating { get; set; }
+
     internal IReadOnlyList<Component> Components => _components;
 
     public static GameObject CreatePrimitive(PrimitiveType type) => Primitives.Create(type);

@@ -49,8 +49,13 @@ public partial class Transform
 
     public void SetParent(Transform parent, bool worldPositionStays)
     {
-        if (Reparent(parent, worldPositionStays))
-            Activation.Refresh(Owner);
+        if (Refuses(_parent) || Refuses(parent))
+            return;
+        if (!Reparent(parent, worldPositionStays))
+            return;
+        if (!Engine.IsPlaying && Owner.SceneData is { } scene && (Owner.Flags & HideFlags.DontSaveInEditor) == 0)
+            scene.IsDirty = true;
+        Activation.Refresh(Owner);
     }
 
     public void DetachChildren()
@@ -156,6 +161,15 @@ public partial class Transform
     {
         Siblings?.Remove(this);
         _parent = null;
+    }
+
+    bool Refuses(Transform parent)
+    {
+        if (IsNull(parent) || !parent.Owner.IsDeactivating)
+            return false;
+        Debug.LogError($"Cannot set the parent of the GameObject '{Owner.Name}' while activating or deactivating "
+            + $"the parent GameObject '{parent.Owner.Name}'.", this);
+        return true;
     }
 
     void Attach(Transform target)

@@ -33,12 +33,17 @@ public class Material : Object
         }
     }
 
+    public bool enableInstancing { get; set; }
+
     /// <summary>The renderer whose material property made this copy.</summary>
     internal Renderer InstanceOf { get; init; }
+
+    public void CopyPropertiesFromMaterial(Material mat) => enableInstancing = mat.enableInstancing;
 
     internal override void CopyFrom(Object source, CloneMap map)
     {
         base.CopyFrom(source, map);
         _shader = ((Material)source)._shader;
+        enableInstancing = ((Material)source).enableInstancing;
     }
 }

@@ -28,6 +28,9 @@ public class Renderer : Component
     /// <summary>Without effect in the host.</summary>
     public bool isVisible => false;
 
+    /// <summary>Not drawn, though enabled. No file holds it.</summary>
+    public bool forceRenderingOff { get; set; }
+
     public bool isPartOfStaticBatch
     {
         get

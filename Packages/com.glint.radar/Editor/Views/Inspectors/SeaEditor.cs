@@ -23,7 +23,8 @@ namespace Glint.Editor.Views
             inspector.Add(Parts.Group("Without snapshots", Parts.Struct("_waves", "Waves", SeaFigures.Waves),
                 Parts.Field("_timeSeconds", "Time (s)")));
             inspector.Add(Parts.Group("Extent and look", Parts.Field("_extent", "Extent (m)"),
-                Parts.Field("_centre", "Centre"), Parts.Field("_material", "Material")));
+                Parts.Field("_centre", "Centre"), Parts.Field("_material", "Material"),
+                Parts.Field("_drawInScene", "Draw In Scene")));
             inspector.Add(Parts.Group("While the scene plays", Parts.Field("_motion", "Motion"),
                 Parts.Field("_secondsPerSnapshot", "Seconds a Snapshot")));
         }
