@@ -168,8 +168,9 @@ public sealed class CommandRunTests
         int code = new Shell(terminal).Run(line.Replace("PLATE", Plate).Split(' '));
 
         Assert.That(code, Is.EqualTo(1));
-        Assert.That(error.ToString(),
-            Is.EqualTo("glint: standard output cannot be written: no space" + System.Environment.NewLine));
+        // A slow machine shows progress before.
+        Assert.That(error.ToString().Split(System.Environment.NewLine).SkipWhile(text => !text.StartsWith("glint: ")),
+            Is.EqualTo(new[] { "glint: standard output cannot be written: no space", "" }));
     }
 
     [Test]

@@ -12,6 +12,7 @@ namespace Glint.Host.Tests;
 public sealed class TemporaryProject : IDisposable
 {
     readonly IAssetSource _before = Engine.Assets;
+    readonly Func<ComputeShader> _wideShaderBefore = SoftwareDevice.LoadWideShader;
     readonly List<string> _warnings = new();
     Project _project;
 
@@ -76,6 +77,7 @@ public sealed class TemporaryProject : IDisposable
         Application.logMessageReceived -= Listen;
         Engine.Reset();
         Engine.Assets = null;
+        SoftwareDevice.LoadWideShader = _wideShaderBefore;
         if (_before is not null)
             Project.Open(_before.ProjectRoot);
         Directory.Delete(Root, true);
