@@ -314,7 +314,10 @@ namespace Glint.Editor
         internal static void Set(Measure measure, object settings, object value) =>
             FieldOf(measure, settings).SetValue(settings, value);
 
-        static FieldInfo FieldOf(Measure measure, object settings) => settings.GetType().GetField(measure.Field);
+        // A trimmed program keeps the fields of types that are named.
+        static FieldInfo FieldOf(Measure measure, object settings) => settings is SeaSettings
+            ? typeof(SeaSettings).GetField(measure.Field)
+            : typeof(ShipSettings).GetField(measure.Field);
 
         static Option<bool> Switch(string name, string group, string help) =>
             new Option<bool>(name, "", Values.Given)
