@@ -39,8 +39,9 @@ namespace Glint.Core
             try
             {
                 _file = Take(path);
-                // A full disk may still have room for an empty file.
+                // A full disk may still have room for an empty file. Mono keeps a byte until it is flushed.
                 _file.WriteByte((byte)'\n');
+                _file.Flush();
             }
             catch (Exception error)
             {
