@@ -38,6 +38,9 @@ public readonly struct Matrix4x4
 
     public Vector4 GetColumn(int index) => index switch
     {
-        0 => _column0, 1 => _column1, 2 => _column2, _ => _column3
+        0 => _column0,
+        1 => _column1,
+        2 => _column2,
+        _ => _column3
     };
 }
