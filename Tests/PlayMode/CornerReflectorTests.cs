@@ -62,6 +62,7 @@ namespace Glint.Tests
         static float Pitch(Transform turned) => Mathf.Asin(-turned.forward.y) * Mathf.Rad2Deg;
 
         [Test]
+        [Timeout(600000)]
         public void Sweep_AllAngles_AgreesWithTheRecoveredAndWithThePublishedTable()
         {
             var recovered = ReferenceTable.Load("corner_reflector_recovered");

@@ -12,6 +12,7 @@ namespace Glint.Tests
     public sealed class LargeSeaTests
     {
         [UnityTest]
+        [Timeout(600000)]
         public IEnumerator ShipLargeSea_TensOfMillionsOfTriangles_TakesTheMemoryOfOneTile()
         {
             yield return PlayScene.Load("ShipLargeSea");

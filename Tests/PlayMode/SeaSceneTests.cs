@@ -13,6 +13,7 @@ namespace Glint.Tests
     public sealed class SeaSceneTests
     {
         [UnityTest]
+        [Timeout(600000)]
         public IEnumerator SeaState5_OverItsSnapshots_ReturnsNothing()
         {
             yield return PlayScene.Load("SeaState5");
@@ -20,6 +21,7 @@ namespace Glint.Tests
         }
 
         [UnityTest]
+        [Timeout(600000)]
         public IEnumerator SeaState6_OverItsSnapshots_ReturnsInSomeAndNotInAll()
         {
             yield return PlayScene.Load("SeaState6");

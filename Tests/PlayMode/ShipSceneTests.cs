@@ -23,6 +23,7 @@ namespace Glint.Tests
         List<RadarResult> _freeSpace;
 
         [UnityTest]
+        [Timeout(600000)]
         public IEnumerator FreeSpace_Hits_AreThePublishedShipsWithin15Percent()
         {
             yield return TraceFreeSpace();
@@ -32,6 +33,7 @@ namespace Glint.Tests
         }
 
         [UnityTest]
+        [Timeout(600000)]
         public IEnumerator FreeSpace_BowAndStern_AreFiveTimesTheMedian()
         {
             yield return TraceFreeSpace();
@@ -44,6 +46,7 @@ namespace Glint.Tests
         // The published ship hardly changed on sea state 5. Ours does, only by rays that met the sea: its vertical
         // sides and a level sea are dihedrals (experiments.md).
         [UnityTest]
+        [Timeout(600000)]
         public IEnumerator SeaState5_RaysOfTheShipAlone_AreThoseOfFreeSpace()
         {
             yield return TraceFreeSpace();
@@ -68,6 +71,7 @@ namespace Glint.Tests
         }
 
         [UnityTest]
+        [Timeout(600000)]
         public IEnumerator SeaState6_RaysReceived_AreMoreThanInFreeSpaceAtTwoThirdsOfTheAngles()
         {
             yield return TraceFreeSpace();

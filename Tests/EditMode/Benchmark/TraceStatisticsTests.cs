@@ -131,6 +131,7 @@ namespace Glint.Tests
         }
 
         [Test]
+        [Timeout(600000)]
         public void Trace_MeshOfTwoAndAHalfMillionTriangles_InSeveralBvhsAndBuffers_EqualsTheReference()
         {
             var scene = new RadarScene(new SeaAndShip(2, 2_500_000, 1000).Sea);

@@ -25,6 +25,7 @@ namespace Glint.Tests
         };
 
         [Test]
+        [Timeout(600000)]
         public void RaysAtCornersAndAlongEdges_NoneEscapes(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {

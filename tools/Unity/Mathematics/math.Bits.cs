@@ -8,15 +8,15 @@ public static partial class math
     public static int asint(uint x) => (int)x;
     public static int asint(float x) => BitConverter.SingleToInt32Bits(x);
     public static uint asuint(int x) => (uint)x;
-    public static uint asuint(float x) => BitConverter.SingleToUInt32Bits(x);
+    public static uint asuint(float x) => (uint)BitConverter.SingleToInt32Bits(x);
     public static long aslong(ulong x) => (long)x;
     public static long aslong(double x) => BitConverter.DoubleToInt64Bits(x);
     public static ulong asulong(long x) => (ulong)x;
-    public static ulong asulong(double x) => BitConverter.DoubleToUInt64Bits(x);
+    public static ulong asulong(double x) => (ulong)BitConverter.DoubleToInt64Bits(x);
     public static float asfloat(int x) => BitConverter.Int32BitsToSingle(x);
-    public static float asfloat(uint x) => BitConverter.UInt32BitsToSingle(x);
+    public static float asfloat(uint x) => BitConverter.Int32BitsToSingle((int)x);
     public static double asdouble(long x) => BitConverter.Int64BitsToDouble(x);
-    public static double asdouble(ulong x) => BitConverter.UInt64BitsToDouble(x);
+    public static double asdouble(ulong x) => BitConverter.Int64BitsToDouble((long)x);
 
     /// <summary>Bit 0 is x.</summary>
     public static int bitmask(bool4 value) =>

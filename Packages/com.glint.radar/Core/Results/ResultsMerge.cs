@@ -99,9 +99,10 @@ namespace Glint.Core
         {
             var info = parts[parts.Length - 1].Info;
             // Time from the first start to the last end.
-            var ended = parts.Max(part => part.Info.StartedUtc.AddMilliseconds(part.Info.ElapsedMs));
             info.StartedUtc = parts.Min(part => part.Info.StartedUtc);
-            info.ElapsedMs = (ended - info.StartedUtc).TotalMilliseconds;
+            // Not with DateTime.AddMilliseconds, which rounds to milliseconds in Mono.
+            info.ElapsedMs = parts.Max(part =>
+                (part.Info.StartedUtc - info.StartedUtc).TotalMilliseconds + part.Info.ElapsedMs);
             info.Sweep = info.Sweep.WithShard(null);
             using (var folder = ResultsFolder.Open(output))
             {

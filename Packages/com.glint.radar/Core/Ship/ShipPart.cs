@@ -151,9 +151,17 @@ namespace Glint.Core
         // Cut along the shorter diagonal. A cell with an edge of length 0 gives one triangle.
         void AddCell(int a, int b, int c, int d)
         {
-            bool alongAc = math.distancesq(_vertices[a], _vertices[c]) <= math.distancesq(_vertices[b], _vertices[d]);
+            bool alongAc = DistanceSquared(_vertices[a], _vertices[c]) <= DistanceSquared(_vertices[b], _vertices[d]);
             AddTriangle(a, b, alongAc ? c : d);
             AddTriangle(alongAc ? a : b, c, d);
+        }
+
+        // Each step rounded to float32, so that equal diagonals are cut alike everywhere: Unity's Mono computes floats
+        // in double precision.
+        static float DistanceSquared(float3 a, float3 b)
+        {
+            float3 to = b - a, squares = to * to;
+            return (float)((float)(squares.x + squares.y) + squares.z);
         }
 
         void AddTriangle(int a, int b, int c)

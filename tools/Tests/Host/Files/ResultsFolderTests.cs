@@ -61,6 +61,63 @@ public sealed class ResultsFolderTests
         }
     }
 
+    /// <summary>
+    /// Unity's Mono knows share modes within its process only. Without file locking .NET knows none, so that only the
+    /// lock by bytes is left between the processes.
+    /// </summary>
+    [TestCase(true)]
+    [TestCase(false)]
+    public void Open_WhileAProcessWithoutShareModesHasTheFolder_IsRefused(bool otherFirst)
+    {
+        string path = Directory.CreateTempSubdirectory("glint-tests-").FullName;
+        string swept = Path.Combine(path, "swept"), mesh = Path.Combine(path, "plate.obj");
+        File.WriteAllText(mesh, "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+        try
+        {
+            if (otherFirst)
+            {
+                using var holder = StartSweep(mesh, "0:90:0.001", swept);
+                try
+                {
+                    while (!holder.HasExited && !File.Exists(Path.Combine(swept, "results.csv")))
+                        Thread.Sleep(1);
+                    Assert.That(Assert.Throws<GlintException>(() => ResultsFolder.Open(swept)).Message,
+                        Does.StartWith(swept + ": another run is writing"));
+                }
+                finally
+                {
+                    holder.Kill();
+                    holder.WaitForExit();
+                }
+                ResultsFolder.Open(swept).Dispose();
+            }
+            else
+            {
+                using var results = ResultsFolder.Open(swept);
+                // A second attempt in the same process takes nothing from the first.
+                Assert.Throws<GlintException>(() => ResultsFolder.Open(swept));
+                using var other = StartSweep(mesh, "0", swept);
+                string error = other.StandardError.ReadToEnd();
+                other.WaitForExit();
+                Assert.That(other.ExitCode, Is.EqualTo(1), error);
+                Assert.That(error, Does.Contain($"glint: {swept}: another run is writing"));
+            }
+        }
+        finally
+        {
+            Directory.Delete(path, true);
+        }
+    }
+
+    static Process StartSweep(string mesh, string angles, string folder)
+    {
+        var start = new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), "sweep",
+            mesh, "--angles", angles, "--size", "16x9", "--out", folder])
+        { RedirectStandardError = true };
+        start.Environment["DOTNET_SYSTEM_IO_DISABLEFILELOCKING"] = "1";
+        return Process.Start(start);
+    }
+
     [Test]
     public void Open_ByManyAtOnce_IsGrantedToOneAtATime()
     {
