@@ -17,6 +17,9 @@ public static class EditorHooks
     /// <summary>Where the Scene view would put a new object.</summary>
     public static Vector3 ScenePivot { get; set; }
 
+    /// <summary>Called with position and direction of each handle; returns where the user drags it.</summary>
+    public static Func<Vector3, Vector3, Vector3> Slide { get; set; } = (position, _) => position;
+
     /// <summary>Called with the dialog's title; returns the chosen path, empty for none.</summary>
     public static Func<string, string> FileDialog { get; set; } = _ => "";
 }

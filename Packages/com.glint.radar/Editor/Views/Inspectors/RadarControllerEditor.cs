@@ -38,6 +38,8 @@ namespace Glint.Editor.Views
 
         void OnDisable() => _tracing?.Dispose();
 
+        void OnSceneGUI() => SceneHandles.Draw(Radar);
+
         static void AddSettings(VisualElement inspector)
         {
             inspector.Add(Parts.Group("Signal",

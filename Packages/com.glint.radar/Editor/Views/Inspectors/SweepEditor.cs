@@ -14,6 +14,8 @@ namespace Glint.Editor.Views
     {
         SweepCheck _check;
 
+        void OnSceneGUI() => SceneHandles.Draw((Sweep)target);
+
         protected override void AddFields(VisualElement inspector)
         {
             inspector.Add(Parts.Field("_radar", "Radar"));

@@ -1,0 +1,8 @@
+namespace UnityEngine;
+
+public enum EventType
+{
+    MouseDown = 0,
+    Repaint = 7,
+    Layout = 8,
+}
