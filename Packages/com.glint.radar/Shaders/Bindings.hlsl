@@ -8,7 +8,7 @@
 #ifdef GLINT_INLINE_INSTANCES
 // Up to four instances, traversed in a loop.
 float4 _InlineToLocal[16];                  // per instance: three rows, then InstanceRecord.Stretch and Rounding
-uint4 _InlineFirstRow;
+uint4 _InlineRows[4];                       // FirstRow, FirstRecordRow, FirstIdentityRow and Instance of each
 uint _InstanceCount;
 #else
 StructuredBuffer<uint4> _InstanceBvh;       // binary BVH over the instances
@@ -95,7 +95,10 @@ InstanceRecord LoadInstance(uint instance)
     record.ToLocalZ = _InlineToLocal[4 * instance + 2];
     record.Stretch = _InlineToLocal[4 * instance + 3].x;
     record.Rounding = _InlineToLocal[4 * instance + 3].y;
-    record.FirstRow = _InlineFirstRow[instance];
+    record.FirstRow = _InlineRows[instance].x;
+    record.FirstRecordRow = _InlineRows[instance].y;
+    record.FirstIdentityRow = _InlineRows[instance].z;
+    record.Instance = _InlineRows[instance].w;
     return record;
 #else
     return _Instances[instance];

@@ -31,9 +31,7 @@ uint4 FindRange(uint first, uint count, uint triangleNumber)
 Identity Identify(Hit hit)
 {
     InstanceRecord record = LoadInstance(hit.Instance);
-    uint leaf = (hit.Row - record.FirstRecordRow) / 3;
-    uint4 leaves = LoadBvh(record.Page, record.FirstRow + record.FirstIdentityRow + leaf / 2);
-    uint2 triangles = leaf % 2 == 0 ? leaves.xy : leaves.zw;
+    uint2 triangles = TrianglesOf(record, hit.Row);
     Identity identity;
     identity.Instance = record.Instance;
     identity.Triangle = hit.Second ? triangles.y : triangles.x;

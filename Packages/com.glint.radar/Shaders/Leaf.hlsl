@@ -31,6 +31,7 @@ struct TraversalState
 #else
     // m: smallest distance of a triangle whose edge the ray passes within the edge error
     float AmbiguousDistance;
+    uint2 Tied;              // another triangle at Distance: see NumberOf; its instance is NO_INSTANCE if there is none
 #endif
 };
 
@@ -46,7 +47,26 @@ uint2 NumberOf(uint instance, uint row, bool second)
     return uint2(instance, 2 * row + (second ? 1 : 0));
 }
 
-// Four corners: triangles (0, 1, 2) and (0, 2, 3).
+// Numbers of a leaf's two triangles in the instance's mesh, the lower first.
+uint2 TrianglesOf(InstanceRecord record, uint row)
+{
+    uint leaf = (row - record.FirstRecordRow) / 3;
+    uint4 leaves = LoadBvh(record.Page, record.FirstRow + record.FirstIdentityRow + leaf / 2);
+    return leaf % 2 == 0 ? leaves.xy : leaves.zw;
+}
+
+// Of triangles at equal distance the one of the lower instance is hit, then the lower one of its mesh, whatever the
+// BVH. The triangles are given by NumberOf.
+bool IsBefore(uint2 a, uint2 b)
+{
+    InstanceRecord recordA = LoadInstance(a.x), recordB = LoadInstance(b.x);
+    uint2 trianglesA = TrianglesOf(recordA, a.y / 2), trianglesB = TrianglesOf(recordB, b.y / 2);
+    uint triangleA = (a.y & 1) != 0 ? trianglesA.y : trianglesA.x,
+        triangleB = (b.y & 1) != 0 ? trianglesB.y : trianglesB.x;
+    return recordA.Instance < recordB.Instance || recordA.Instance == recordB.Instance && triangleA < triangleB;
+}
+
+// Four corners: triangles (0, 1, 2) and (0, 2, 3), the one of the lower number first.
 struct Pair
 {
     float3 Corner0, Corner1, Corner2, Corner3;
@@ -112,7 +132,12 @@ void TestPending(TraversalRay ray, uint instance, uint page, uint firstRow, inou
     bool isAtEdge;
     if (!Hits(ray, state.Ray, DistanceError(ray, state.PositionError), pair.Corner0,
         isSecond ? pair.Corner2 : pair.Corner1,
-        isSecond ? pair.Corner3 : pair.Corner2, toHit, isAtEdge) || Rounded(Sub(toHit, state.RefinedDistance)) >= 0.0)
+        isSecond ? pair.Corner3 : pair.Corner2, toHit, isAtEdge))
+        return;
+    float farther = Rounded(Sub(toHit, state.RefinedDistance));
+    bool isTied = farther == 0.0 && state.Instance != NO_INSTANCE
+        && IsBefore(NumberOf(instance, row, isSecond), NumberOf(state.Instance, state.Row, state.Second));
+    if (farther >= 0.0 && !isTied)
         return;
     state.RefinedDistance = toHit;
     state.IsAtEdge = isAtEdge;
@@ -148,14 +173,32 @@ void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint ro
     }
     state.AmbiguousDistance = min(state.AmbiguousDistance, min(ambiguousDistance.x, ambiguousDistance.y));
     float nearer = min(toHit.x, toHit.y);
-    // Among triangles at the same distance the first in the BVH wins, independent of the order of the tests.
-    bool isFirst = instance < state.Instance || instance == state.Instance && row < state.Row;
-    if (nearer < state.Distance || nearer == state.Distance && state.Instance != NO_INSTANCE && isFirst)
+    if (nearer < state.Distance)
     {
         state.Distance = nearer;
         state.Instance = instance;
         state.Row = row;
         state.Second = toHit.y < toHit.x;
+        state.Tied.x = NO_INSTANCE;
+    }
+    else if (nearer == state.Distance && state.Instance != NO_INSTANCE)
+    {
+        // The refine pass decides between more than two.
+        if (state.Tied.x != NO_INSTANCE)
+            state.AmbiguousDistance = min(state.AmbiguousDistance, nearer);
+        state.Tied = NumberOf(instance, row, toHit.y < toHit.x);
+    }
+}
+
+// Decides between two triangles at equal distance. It is left to the end of a traversal because a software device
+// would load the numbers of both for every pair.
+void DecideTie(inout TraversalState state)
+{
+    if (state.Tied.x != NO_INSTANCE && IsBefore(state.Tied, NumberOf(state.Instance, state.Row, state.Second)))
+    {
+        state.Instance = state.Tied.x;
+        state.Row = state.Tied.y / 2;
+        state.Second = (state.Tied.y & 1) != 0;
     }
 }
 

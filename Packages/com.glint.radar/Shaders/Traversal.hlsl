@@ -123,6 +123,7 @@ TraversalState Traverse(Ray ray, float reach, uint firstEntryPoint, bool anyHit)
     state.DirectionError = ray.DirectionError;
     state.PositionError = ray.PositionError + ERROR_PER_SEGMENT * MaxComponent(abs(ray.Start));
     state.AmbiguousDistance = MISS;
+    state.Tied.x = NO_INSTANCE;
 #endif
 #ifdef GLINT_INLINE_INSTANCES
 #ifdef GLINT_SINGLE_INSTANCE
@@ -139,6 +140,9 @@ TraversalState Traverse(Ray ray, float reach, uint firstEntryPoint, bool anyHit)
     }
 #else
     TraverseInstanceBvh(ray, anyHit, state);
+#endif
+#ifndef GLINT_REFINE
+    DecideTie(state);
 #endif
     return state;
 }

@@ -60,7 +60,7 @@ namespace Glint.Tests
                             (int)path.Pixel / settings.RaysAcross);
                     var hit = path.Hits[bounce - 1];
                     compared++;
-                    if (reference.Bounces != bounce || reference.LastTriangle != NumberOf(scene, hit)
+                    if (reference.Bounces != bounce || reference.LastTriangle != TestRadar.NumberOf(scene, hit)
                         || distance(reference.LastHit, hit.Position) > Near
                         || distance(reference.Direction, hit.Direction) > Near)
                         others++;
@@ -148,7 +148,5 @@ namespace Glint.Tests
         }
 
         // A triangle's number over all instances, as in the reference tracer.
-        static int NumberOf(RadarScene scene, in PathHit hit) =>
-            scene.Instances.Take(hit.Instance).Sum(instance => instance.Mesh.TriangleCount) + hit.Triangle;
     }
 }

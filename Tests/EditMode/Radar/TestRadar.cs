@@ -114,5 +114,9 @@ namespace Glint.Tests
         }
 
         public static TriangleMesh Empty => new TriangleMesh(new float3[0], new int[0]);
+
+        /// <summary>Number of a hit triangle in the scene, counted over the instances in order.</summary>
+        public static int NumberOf(RadarScene scene, in PathHit hit) =>
+            scene.Instances.Take(hit.Instance).Sum(instance => instance.Mesh.TriangleCount) + hit.Triangle;
     }
 }

@@ -111,17 +111,21 @@ namespace Glint
             if (scene.HasInlineInstances)
             {
                 var rows = new Vector4[4 * DeviceScene.MaxInlineInstances];
-                var firstRows = new int[DeviceScene.MaxInlineInstances];
+                var inlineRows = new int[4 * DeviceScene.MaxInlineInstances];
                 for (int i = 0; i < scene.InlineInstances.Count; i++)
                 {
                     var record = scene.InlineInstances[i];
                     (rows[4 * i], rows[4 * i + 1], rows[4 * i + 2]) =
                         (record.ToLocalX, record.ToLocalY, record.ToLocalZ);
                     rows[4 * i + 3] = new Vector4(record.Stretch, record.Rounding);
-                    firstRows[i] = (int)record.FirstRow;
+                    new[]
+                    {
+                        (int)record.FirstRow, (int)record.FirstRecordRow, (int)record.FirstIdentityRow,
+                        (int)record.Instance
+                    }.CopyTo(inlineRows, 4 * i);
                 }
                 _shader.SetVectorArray(ShaderIDs._InlineToLocal, rows);
-                _shader.SetInts(ShaderIDs._InlineFirstRow, firstRows);
+                _shader.SetInts(ShaderIDs._InlineRows, inlineRows);
                 _shader.SetInt(ShaderIDs._InstanceCount, scene.InlineInstances.Count);
             }
             SetBvhs(_kernel, scene);
@@ -235,7 +239,7 @@ namespace Glint
         public static readonly int _Instances = Shader.PropertyToID("_Instances");
         public static readonly int _Ranges = Shader.PropertyToID("_Ranges");
         public static readonly int _InlineToLocal = Shader.PropertyToID("_InlineToLocal");
-        public static readonly int _InlineFirstRow = Shader.PropertyToID("_InlineFirstRow");
+        public static readonly int _InlineRows = Shader.PropertyToID("_InlineRows");
         public static readonly int _InstanceCount = Shader.PropertyToID("_InstanceCount");
         public static readonly int _InstanceBvhRoot = Shader.PropertyToID("_InstanceBvhRoot");
 
