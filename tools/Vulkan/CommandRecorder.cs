@@ -71,7 +71,7 @@ sealed unsafe class CommandRecorder : IDisposable
     }
 
     internal void Dispatch(ComputeProgram program, ReadOnlySpan<byte> uniforms,
-        ReadOnlySpan<GpuBuffer> buffers, uint x, uint y, uint z)
+        ReadOnlySpan<GpuBuffer> buffers, GroupCounts groups)
     {
         if (program.UniformBytes > UniformRingBytes - _uniformsUsed)
             Flush();
@@ -82,11 +82,13 @@ sealed unsafe class CommandRecorder : IDisposable
         Native.vkCmdBindPipeline(_commands, ComputeBindPoint, program.Pipeline);
         Native.vkCmdBindDescriptorSets(_commands, ComputeBindPoint, program.Layout, 0, 1, in set, 0, null);
         _device.Clock.Stamp(_commands);
-        Native.vkCmdDispatch(_commands, x, y, z);
+        groups.Dispatch(_commands);
         _device.Clock.Stamp(_commands);
         program.LastBatch = Batch;
         foreach (var buffer in buffers)
             buffer.LastBatch = Batch;
+        if (groups.Buffer != null)
+            groups.Buffer.LastBatch = Batch;
         if (++_dispatches == MaxDispatches)
             Flush();
     }
@@ -188,7 +190,7 @@ sealed unsafe class CommandRecorder : IDisposable
         {
             SType = StructureType.MemoryBarrier, From = Native.MemoryWrite, To = Native.MemoryRead | Native.MemoryWrite
         };
-        const uint Stages = Native.ComputeStage | Native.TransferStage;
+        const uint Stages = Native.ComputeStage | Native.TransferStage | Native.IndirectStage;
         Native.vkCmdPipelineBarrier(_commands, Stages, Stages | Native.HostStage, 0, 1, &barrier, 0, null, 0, null);
     }
 

@@ -14,9 +14,11 @@ static unsafe class Native
     internal const uint UniformBuffer = 6, StorageBuffer = 7;                           // VkDescriptorType
     internal const uint DeviceLocal = 1, HostVisible = 2, HostCoherent = 4, HostCached = 8; // VkMemoryPropertyFlags
     // VkBufferUsageFlags
-    internal const uint TransferSource = 1, TransferTarget = 2, UniformUsage = 16, StorageUsage = 32;
+    internal const uint TransferSource = 1, TransferTarget = 2, UniformUsage = 16, StorageUsage = 32,
+        IndirectUsage = 256;
     // VkPipelineStageFlags
-    internal const uint ComputeStage = 0x800, TransferStage = 0x1000, BottomOfPipe = 0x2000, HostStage = 0x4000;
+    internal const uint IndirectStage = 2, ComputeStage = 0x800, TransferStage = 0x1000, BottomOfPipe = 0x2000,
+        HostStage = 0x4000;
     internal const uint MemoryRead = 0x8000, MemoryWrite = 0x10000;                     // VkAccessFlags
     internal const uint ComputeShader = 0x20;                                           // VkShaderStageFlags
     internal const uint ComputeQueue = 2;                                               // VkQueueFlags
@@ -119,6 +121,7 @@ static unsafe class Native
     internal static extern void vkCmdBindDescriptorSets(nint commands, int bindPoint, ulong layout,
         uint first, uint count, in ulong set, uint dynamicCount, uint* dynamicOffsets);
     [DllImport(Loader)] internal static extern void vkCmdDispatch(nint commands, uint x, uint y, uint z);
+    [DllImport(Loader)] internal static extern void vkCmdDispatchIndirect(nint commands, ulong buffer, ulong offset);
     [DllImport(Loader)]
     internal static extern void vkCmdPipelineBarrier(nint commands, uint from, uint to, uint flags,
         uint memoryCount, MemoryBarrier* memory, uint bufferCount, void* buffers, uint imageCount, void* images);

@@ -22,8 +22,11 @@ internal sealed class StructuredBuffer
     readonly VulkanDevice _device;
     GpuBuffer _buffer;
 
-    internal StructuredBuffer(string kind, int count, int stride, bool isRaw)
+    internal StructuredBuffer(string kind, int count, int stride, BufferUses uses)
     {
+        if (uses.Structured && uses.Arguments)
+            throw new ArgumentException($"a {kind} cannot be both Structured and IndirectArguments: Direct3D 11 "
+                + "has no such buffer; use IndirectArguments | Raw and a RWByteAddressBuffer in the kernel");
         if (count <= 0)
             throw new ArgumentException($"a {kind} needs at least one element, not {count}", nameof(count));
         if (stride <= 0 || stride % 4 != 0 || stride >= StrideLimit)
@@ -39,7 +42,7 @@ internal sealed class StructuredBuffer
         _kind = kind;
         Count = count;
         Stride = stride;
-        IsRaw = isRaw;
+        Uses = uses;
         _buffer = _device.CreateBuffer(bytes);
     }
 
@@ -47,8 +50,7 @@ internal sealed class StructuredBuffer
     internal int Stride { get; }
     internal long Bytes => (long)Count * Stride;
 
-    /// <summary>May be bound to a ByteAddressBuffer.</summary>
-    internal bool IsRaw { get; }
+    internal BufferUses Uses { get; }
 
     internal bool IsValid => _buffer is { IsDisposed: false };
 
