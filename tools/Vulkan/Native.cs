@@ -11,7 +11,7 @@ static unsafe class Native
     /// <summary>File name of the loader on this operating system.</summary>
     internal static readonly string LoaderFile = OperatingSystem.IsWindows() ? "vulkan-1.dll" : "libvulkan.so.1";
 
-    internal const uint UniformBuffer = 6, StorageBuffer = 7;                           // VkDescriptorType
+    internal const uint StorageBuffer = 7, DynamicUniformBuffer = 8;                    // VkDescriptorType
     internal const uint DeviceLocal = 1, HostVisible = 2, HostCoherent = 4, HostCached = 8; // VkMemoryPropertyFlags
     // VkBufferUsageFlags
     internal const uint TransferSource = 1, TransferTarget = 2, UniformUsage = 16, StorageUsage = 32,
@@ -24,7 +24,7 @@ static unsafe class Native
     internal const uint ComputeQueue = 2;                                               // VkQueueFlags
     internal const int TimestampQuery = 2;                                              // VkQueryType
     internal const uint Query64Bit = 1, QueryWait = 2;                                  // VkQueryResultFlags
-    internal const int Timeout = 2, DeviceLost = -4, OutOfPoolMemory = -1000069000, FragmentedPool = -12; // VkResult
+    internal const int NotReady = 1, Timeout = 2, DeviceLost = -4;                      // VkResult
 
     [DllImport(Loader)]
     internal static extern int vkCreateInstance(InstanceCreateInfo* info, void* allocator, out nint instance);
@@ -86,7 +86,6 @@ static unsafe class Native
     internal static extern int vkCreateDescriptorPool(nint device, DescriptorPoolCreateInfo* info,
         void* allocator, out ulong pool);
     [DllImport(Loader)] internal static extern void vkDestroyDescriptorPool(nint device, ulong pool, void* allocator);
-    [DllImport(Loader)] internal static extern int vkResetDescriptorPool(nint device, ulong pool, uint flags);
     [DllImport(Loader)]
     internal static extern int vkAllocateDescriptorSets(nint device, DescriptorSetAllocateInfo* info, out ulong set);
     [DllImport(Loader)]
@@ -114,6 +113,7 @@ static unsafe class Native
         uint count, nuint bytes, void* data, ulong stride, uint flags);
     [DllImport(Loader)]
     internal static extern int vkWaitForFences(nint device, uint count, in ulong fence, uint all, ulong nanoseconds);
+    [DllImport(Loader)] internal static extern int vkGetFenceStatus(nint device, ulong fence);
     [DllImport(Loader)] internal static extern int vkResetFences(nint device, uint count, in ulong fence);
 
     [DllImport(Loader)] internal static extern void vkCmdBindPipeline(nint commands, int bindPoint, ulong pipeline);

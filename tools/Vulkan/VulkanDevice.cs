@@ -197,7 +197,15 @@ public sealed unsafe class VulkanDevice : IDisposable
     }
 
     /// <summary>Runs the recorded commands and waits for their end.</summary>
-    public void Wait() => Recorder.Flush();
+    public void Wait() => Recorder.Finish(Recorder.Batch);
+
+    /// <summary>Waits until a batch has run.</summary>
+    /// <param name="batch">Number that <see cref="GpuBuffer.BeginRead"/> returned.</param>
+    public void Wait(long batch) => Recorder.Finish(batch);
+
+    /// <summary>Whether a batch has run.</summary>
+    /// <param name="batch">Number that <see cref="GpuBuffer.BeginRead"/> returned.</param>
+    public bool HasRun(long batch) => Recorder.HasRun(batch);
 
     /// <summary>Closes the device and disposes its remaining buffers and programs.</summary>
     public void Dispose()
@@ -225,11 +233,11 @@ public sealed unsafe class VulkanDevice : IDisposable
     /// <summary>True if the device does not respond. Its objects may be in use and are never destroyed.</summary>
     internal void Abandon() => IsAbandoned = true;
 
-    /// <summary>Waits if <paramref name="batch"/> has not run yet.</summary>
-    internal void FlushIfPending(long batch)
+    /// <summary>Waits until a batch has run, unless the device does not respond.</summary>
+    internal void FinishIfAlive(long batch)
     {
-        if (!IsAbandoned && batch == Recorder.Batch)
-            Recorder.Flush();
+        if (!IsAbandoned)
+            Recorder.Finish(batch);
     }
 
     internal void Forget(GpuBuffer buffer) => _buffers.Remove(buffer);

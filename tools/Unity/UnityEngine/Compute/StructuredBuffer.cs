@@ -52,6 +52,8 @@ internal sealed class StructuredBuffer
 
     internal BufferUses Uses { get; }
 
+    internal VulkanDevice Device => _device;
+
     internal bool IsValid => _buffer is { IsDisposed: false };
 
     /// <summary>The buffer on the device; throws if it was released.</summary>
@@ -101,6 +103,13 @@ internal sealed class StructuredBuffer
         long end = (long)count * size;
         for (long at = 0; at < end; at += MostBytesAtOnce)
             Gpu.Read(Slice(ref first, (long)dataStart * size + at, end - at), (long)bufferStart * size + at);
+    }
+
+    /// <summary>Copies bytes of the present without waiting: see <see cref="GpuBuffer.BeginRead"/>.</summary>
+    internal unsafe long BeginGet(NativeArray<byte> data, long offset)
+    {
+        fixed (byte* target = data.AsSpan())
+            return Gpu.BeginRead(target, data.Length, offset);
     }
 
     void Set<T>(Span<T> data, int dataStart, int bufferStart, int count) where T : struct
