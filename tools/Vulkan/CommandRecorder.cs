@@ -4,10 +4,10 @@ using System.Collections.Generic;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// Records commands, in order, with a full memory barrier before each, and submits them in batches. A batch is submitted
-/// when the host reads or waits, or when it has <see cref="MaxDispatches"/> dispatches. That is enough to hide the cost
-/// of a submission, and few enough that a batch of short dispatches stays well below a GPU's watchdog limit. Up to
-/// <see cref="Batches"/> batches are in flight: the host waits only for data, or for the oldest of them.
+/// Records commands, in order, with a full memory barrier before each, and submits them in batches. A batch is
+/// submitted when the host reads or waits, or when it has <see cref="MaxDispatches"/> dispatches. That is enough to
+/// hide the cost of a submission, and few enough that a batch of short dispatches stays well below a GPU's watchdog
+/// limit. Up to <see cref="Batches"/> batches are in flight: the host waits only for data, or for the oldest of them.
 /// </summary>
 sealed unsafe class CommandRecorder : IDisposable
 {
@@ -182,7 +182,7 @@ sealed unsafe class CommandRecorder : IDisposable
         Batch++;
     }
 
-    /// <summary>Takes what the oldest batch in flight leaves when it has run, or the error with which it ended.</summary>
+    /// <summary>Takes what the oldest batch in flight leaves, or throws the error with which it ended.</summary>
     void Complete(CommandBatch batch, int result)
     {
         if (result < 0)
@@ -249,7 +249,8 @@ sealed unsafe class CommandRecorder : IDisposable
             SType = StructureType.MemoryBarrier, From = Native.MemoryWrite, To = Native.MemoryRead | Native.MemoryWrite
         };
         const uint Stages = Native.ComputeStage | Native.TransferStage | Native.IndirectStage;
-        Native.vkCmdPipelineBarrier(Current.Commands, Stages, Stages | Native.HostStage, 0, 1, &barrier, 0, null, 0, null);
+        Native.vkCmdPipelineBarrier(
+            Current.Commands, Stages, Stages | Native.HostStage, 0, 1, &barrier, 0, null, 0, null);
     }
 
     void Copy(ulong from, long fromOffset, ulong to, long toOffset, long bytes)

@@ -69,9 +69,9 @@ public sealed unsafe class GpuBuffer : IDisposable
     }
 
     /// <summary>
-    /// Copies bytes as they are after all earlier dispatches, without waiting. They are at <paramref name="target"/>
-    /// once <see cref="VulkanDevice.HasRun"/> or <see cref="VulkanDevice.Wait(long)"/> has said so of the batch whose
-    /// number is returned. The memory must last until then, or until the device is closed.
+    /// Has the device copy bytes as they are after all earlier dispatches, and returns at once. They are at
+    /// <paramref name="target"/> once <see cref="VulkanDevice.HasRun"/> or <see cref="VulkanDevice.Wait(long)"/> has
+    /// said so of the batch whose number is returned. The memory must last until then, or until the device is closed.
     /// </summary>
     public long BeginRead(byte* target, long bytes, long offset = 0)
     {

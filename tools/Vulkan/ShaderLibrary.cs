@@ -51,7 +51,8 @@ public static class ShaderLibrary
     }
 
     /// <summary>
-    /// Names of the byte address buffers that a kernel's source declares. To SPIR-V they are structured buffers of uint.
+    /// Names of the byte address buffers that a kernel's source declares. In SPIR-V they are structured buffers of
+    /// uint.
     /// </summary>
     public static IReadOnlyCollection<string> ByteAddressBuffers(string computePath, string kernel) =>
         Manifest.Read(computePath).ByteAddressBuffers[kernel];

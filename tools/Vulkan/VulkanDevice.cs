@@ -143,7 +143,11 @@ public sealed unsafe class VulkanDevice : IDisposable
         Dispatch(program, uniforms, bound, groupsX, groupsY, groupsZ);
     }
 
-    /// <inheritdoc cref="Dispatch(ComputeProgram, ReadOnlySpan{byte}, IReadOnlyDictionary{string, GpuBuffer}, uint, uint, uint)"/>
+    /// <summary>
+    /// Records a dispatch, to run after the commands recorded before it. It runs at the latest when the host reads or
+    /// waits.
+    /// </summary>
+    /// <param name="uniforms">The program's <see cref="ComputeProgram.UniformBytes"/> bytes; copied.</param>
     /// <param name="buffers">Buffers in the order of <see cref="ComputeProgram.Slots"/>.</param>
     public void Dispatch(ComputeProgram program, ReadOnlySpan<byte> uniforms, ReadOnlySpan<GpuBuffer> buffers,
         uint groupsX, uint groupsY, uint groupsZ)
@@ -169,8 +173,8 @@ public sealed unsafe class VulkanDevice : IDisposable
         Check(program, uniforms, buffers);
         CheckBuffer(program, "with the numbers of groups", arguments);
         if (offset % 4 != 0 || offset < 0 || offset > arguments.Bytes - GroupCounts.Bytes)
-            throw new VulkanException($"kernel {program.Name}: no numbers of groups at byte {offset:N0} of a buffer of "
-                + $"{arguments.Bytes:N0} bytes; the offset is a multiple of 4, with {GroupCounts.Bytes} bytes after it");
+            throw new VulkanException($"kernel {program.Name}: no numbers of groups at byte {offset:N0} of a buffer "
+                + $"of {arguments.Bytes:N0} bytes; use a multiple of 4 with {GroupCounts.Bytes} bytes after it");
         recorder.Dispatch(program, uniforms, buffers, new GroupCounts(arguments, offset));
     }
 

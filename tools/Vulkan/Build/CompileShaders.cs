@@ -13,8 +13,8 @@ using Microsoft.Build.Utilities;
 
 /// <summary>
 /// Compiles every kernel of the given .compute files to SPIR-V with glslangValidator. Each file gets a folder with its
-/// own path below Output. It holds KERNEL.spv for each kernel, and sources.json with the SHA-256 of all source files and
-/// the names of each kernel's byte address buffers, which SPIR-V does not tell from structured buffers of uint.
+/// own path below Output. It holds KERNEL.spv for each kernel, and sources.json with the SHA-256 of all source files
+/// and the names of each kernel's byte address buffers, which SPIR-V does not tell from structured buffers of uint.
 /// </summary>
 public sealed class CompileShaders : Task
 {
@@ -149,7 +149,8 @@ public sealed class CompileShaders : Task
     string Json(List<string> kernels, List<string> byteAddress, SortedSet<string> read)
     {
         var text = new StringBuilder("{\n  \"kernels\": [");
-        text.Append(string.Join(", ", kernels.Select(kernel => '"' + kernel + '"'))).Append("],\n  \"byteAddressBuffers\": {\n");
+        text.Append(string.Join(", ", kernels.Select(kernel => '"' + kernel + '"')));
+        text.Append("],\n  \"byteAddressBuffers\": {\n");
         text.Append(string.Join(",\n",
             kernels.Select((kernel, i) => "    \"" + kernel + "\": [" + byteAddress[i] + ']')));
         text.Append("\n  },\n  \"sources\": {\n");

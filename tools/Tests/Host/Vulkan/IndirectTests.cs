@@ -16,7 +16,8 @@ public sealed class IndirectTests
     [SetUp]
     public void LoadShader()
     {
-        _shader = new ComputeShader("Indirect", Sources.Root, Kernels.Indirect, ShaderLibrary.Kernels(Kernels.Indirect));
+        _shader = new ComputeShader(
+            "Indirect", Sources.Root, Kernels.Indirect, ShaderLibrary.Kernels(Kernels.Indirect));
         (_plan, _mark) = (_shader.FindKernel("Plan"), _shader.FindKernel("Mark"));
         _groups = new GraphicsBuffer(Arguments, 6, 4);
         _marks = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 8, 4);
@@ -69,7 +70,8 @@ public sealed class IndirectTests
     {
         const GraphicsBuffer.Target Both = GraphicsBuffer.Target.Structured | GraphicsBuffer.Target.IndirectArguments;
         var error = Assert.Throws<ArgumentException>(() => new GraphicsBuffer(Both, 3, 4));
-        Assert.That(error.Message, Does.Contain("Structured and IndirectArguments").And.Contain("IndirectArguments | Raw"));
+        Assert.That(error.Message,
+            Does.Contain("Structured and IndirectArguments").And.Contain("IndirectArguments | Raw"));
     }
 
     [Test]

@@ -8,7 +8,7 @@ namespace UnityEngine.Rendering;
 
 public static class AsyncGPUReadback
 {
-    /// <summary>Frames after which a frame waits for the device, like Unity's QualitySettings.maxQueuedFrames.</summary>
+    /// <summary>Frames after which one waits for the device, like Unity's QualitySettings.maxQueuedFrames.</summary>
     const int MaxAge = 2;
 
     static readonly List<Readback> _pending = new();

@@ -95,8 +95,8 @@ public sealed partial class ComputeShader : Object
             throw new ArgumentException($"{What()} was made without IndirectArguments; make it with "
                 + "IndirectArguments | Raw", nameof(argsBuffer));
         if (argsOffset % 4 != 0 || (long)argsOffset + GroupCountBytes > argsBuffer.Bytes)
-            throw new ArgumentException($"{What()} has {argsBuffer.Bytes:N0} bytes; an offset into it is a multiple of 4 "
-                + $"with {GroupCountBytes} bytes after it, not {argsOffset:N0}", nameof(argsOffset));
+            throw new ArgumentException($"{What()} has {argsBuffer.Bytes:N0} bytes; an offset into it is a multiple "
+                + $"of 4 with {GroupCountBytes} bytes after it, not {argsOffset:N0}", nameof(argsOffset));
         if (Bind(kernelIndex))
             kernel.DispatchIndirect(argsBuffer.Gpu, argsOffset);
     }

@@ -105,7 +105,7 @@ internal sealed class StructuredBuffer
             Gpu.Read(Slice(ref first, (long)dataStart * size + at, end - at), (long)bufferStart * size + at);
     }
 
-    /// <summary>Copies bytes of the present without waiting: see <see cref="GpuBuffer.BeginRead"/>.</summary>
+    /// <summary>Has the device copy bytes as they are now: see <see cref="GpuBuffer.BeginRead"/>.</summary>
     internal unsafe long BeginGet(NativeArray<byte> data, long offset)
     {
         fixed (byte* target = data.AsSpan())
