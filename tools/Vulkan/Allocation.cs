@@ -24,7 +24,7 @@ sealed unsafe class Allocation : IDisposable
     /// </summary>
     internal static Allocation ForKernels(VulkanDevice device, long bytes, bool map) =>
         Create(device, bytes, "a buffer",
-            Native.StorageUsage | Native.TransferSource | Native.TransferTarget,
+            Native.StorageUsage | Native.IndirectUsage | Native.TransferSource | Native.TransferTarget,
             map ? [Native.DeviceLocal | Native.HostVisible | Native.HostCoherent | Native.HostCached,
                 Native.DeviceLocal, 0] : [Native.DeviceLocal, 0],
             map);

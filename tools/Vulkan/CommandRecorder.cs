@@ -4,16 +4,17 @@ using System.Collections.Generic;
 namespace Glint.Vulkan;
 
 /// <summary>
-/// Commands that are recorded but not yet run, in order, with a full memory barrier before each. They run as one batch
-/// when the host waits, or when the batch has <see cref="MaxDispatches"/> dispatches. That is enough to hide the cost
-/// of a submission, and few enough that a batch of short dispatches stays well below a GPU's watchdog limit.
+/// Records commands, in order, with a full memory barrier before each, and submits them in batches. A batch is
+/// submitted when the host reads or waits, or when it has <see cref="MaxDispatches"/> dispatches. That is enough to
+/// hide the cost of a submission, and few enough that a batch of short dispatches stays well below a GPU's watchdog
+/// limit. Up to <see cref="Batches"/> batches are in flight: the host waits only for data, or for the oldest of them.
 /// </summary>
 sealed unsafe class CommandRecorder : IDisposable
 {
+    internal const int Batches = 4;
     internal const int MaxDispatches = 16;
-    internal const int UniformRingBytes = 256 << 10;
-    const long StagingBytes = 16 << 20;
-    const uint PoolStorageBuffers = 1024, PoolUniformBuffers = 64;
+    internal const int UniformBytes = 256 << 10; // of a batch
+    const long StagingBytes = 4 << 20; // of a batch
     const int ComputeBindPoint = 1;
 
     /// <summary>Time after which a dispatch is considered to hang.</summary>
@@ -21,12 +22,11 @@ sealed unsafe class CommandRecorder : IDisposable
 
     readonly VulkanDevice _device;
     readonly nint _queue;
+    readonly CommandBatch[] _ring = new CommandBatch[Batches];
     readonly List<GpuBuffer> _uploadTargets = []; // targets of the uploads since the last barrier
-    ulong _commandPool, _descriptorPool, _fence;
-    nint _commands;
-    Allocation _staging, _uniformRing;
-    long _stagingUsed, _uniformsUsed;
-    int _dispatches;
+    ulong _commandPool;
+    Allocation _staging, _uniforms;
+    long _lastRun; // number of the last batch known to have run
     bool _recording;
 
     /// <summary>
@@ -35,8 +35,10 @@ sealed unsafe class CommandRecorder : IDisposable
     /// </summary>
     internal long LastBatch { get; set; } = long.MaxValue;
 
-    /// <summary>Number of the batch being recorded. All batches with smaller numbers have run.</summary>
+    /// <summary>Number of the batch being recorded. All batches with smaller numbers are submitted.</summary>
     internal long Batch { get; private set; } = 1;
+
+    CommandBatch Current => At(Batch);
 
     internal CommandRecorder(VulkanDevice device, nint queue, uint queueFamily)
     {
@@ -49,129 +51,187 @@ sealed unsafe class CommandRecorder : IDisposable
         };
         VulkanException.Check(Native.vkCreateCommandPool(device.Handle, &poolInfo, null, out _commandPool),
             "make a command pool");
-        var bufferInfo = new CommandBufferAllocateInfo
-        {
-            SType = StructureType.CommandBufferAllocateInfo, Pool = _commandPool, Count = 1
-        };
-        VulkanException.Check(Native.vkAllocateCommandBuffers(device.Handle, &bufferInfo, out _commands),
-            "make a command buffer");
-        var fenceInfo = new FenceCreateInfo { SType = StructureType.FenceCreateInfo };
-        VulkanException.Check(Native.vkCreateFence(device.Handle, &fenceInfo, null, out _fence), "make a fence");
-        var sizes = stackalloc DescriptorPoolSize[]
-        {
-            new() { Type = Native.StorageBuffer, Count = PoolStorageBuffers },
-            new() { Type = Native.UniformBuffer, Count = PoolUniformBuffers },
-        };
-        var descriptorInfo = new DescriptorPoolCreateInfo
-        {
-            SType = StructureType.DescriptorPoolCreateInfo, MaxSets = MaxDispatches, SizeCount = 2, Sizes = sizes
-        };
-        VulkanException.Check(Native.vkCreateDescriptorPool(device.Handle, &descriptorInfo, null, out _descriptorPool),
-            "make a descriptor pool");
+        for (int i = 0; i < Batches; i++)
+            _ring[i] = new CommandBatch(device.Handle, _commandPool, i);
     }
 
     internal void Dispatch(ComputeProgram program, ReadOnlySpan<byte> uniforms,
-        ReadOnlySpan<GpuBuffer> buffers, uint x, uint y, uint z)
+        ReadOnlySpan<GpuBuffer> buffers, in GroupCounts groups)
     {
-        if (program.UniformBytes > UniformRingBytes - _uniformsUsed)
-            Flush();
-        ulong set = AllocateSet(program);
-        WriteSet(program, set, uniforms, buffers);
-
+        if (_recording && program.UniformBytes > UniformBytes - Current.UniformsUsed)
+            Submit();
         Begin();
-        Native.vkCmdBindPipeline(_commands, ComputeBindPoint, program.Pipeline);
-        Native.vkCmdBindDescriptorSets(_commands, ComputeBindPoint, program.Layout, 0, 1, in set, 0, null);
-        _device.Clock.Stamp(_commands);
-        Native.vkCmdDispatch(_commands, x, y, z);
-        _device.Clock.Stamp(_commands);
+        var batch = Current;
+        _uniforms ??= Allocation.ForHost(_device, Batches * UniformBytes, Native.UniformUsage);
+        ulong set = program.Sets.Get(buffers, _uniforms.Buffer, Batch);
+        uint at = (uint)(batch.Index * UniformBytes + batch.UniformsUsed);
+        uniforms.CopyTo(new Span<byte>(_uniforms.Mapped + at, uniforms.Length));
+        batch.UniformsUsed += Reflection.Align(uniforms.Length);
+
+        var blocks = program.Blocks;
+        var offsets = stackalloc uint[blocks.Length];
+        for (int i = 0; i < blocks.Length; i++)
+            offsets[i] = at + (uint)blocks[i].Start;
+        nint commands = batch.Commands;
+        Native.vkCmdBindPipeline(commands, ComputeBindPoint, program.Pipeline);
+        Native.vkCmdBindDescriptorSets(
+            commands, ComputeBindPoint, program.Layout, 0, 1, in set, (uint)blocks.Length, offsets);
+        _device.Clock.Stamp(batch);
+        groups.Dispatch(commands);
+        _device.Clock.Stamp(batch);
         program.LastBatch = Batch;
         foreach (var buffer in buffers)
             buffer.LastBatch = Batch;
-        if (++_dispatches == MaxDispatches)
-            Flush();
+        if (groups.Buffer != null)
+            groups.Buffer.LastBatch = Batch;
+        if (++batch.Dispatches == MaxDispatches)
+            Submit();
     }
 
     internal void Fill(ulong buffer)
     {
         Begin();
-        Native.vkCmdFillBuffer(_commands, buffer, 0, ulong.MaxValue, 0);
+        Native.vkCmdFillBuffer(Current.Commands, buffer, 0, ulong.MaxValue, 0);
     }
 
     internal void Upload(ReadOnlySpan<byte> data, GpuBuffer target, long offset)
     {
         while (data.Length > 0)
         {
-            var piece = Stage(data.Length, out long at);
-            data[..piece.Length].CopyTo(piece);
+            int piece = Stage(data.Length, out long at);
+            data[..piece].CopyTo(new Span<byte>(_staging.Mapped + at, piece));
             BeginUpload(target);
-            Copy(_staging.Buffer, at, target.Handle, offset, piece.Length);
+            Copy(_staging.Buffer, at, target.Handle, offset, piece);
             target.LastBatch = Batch;
-            data = data[piece.Length..];
-            offset += piece.Length;
+            data = data[piece..];
+            offset += piece;
         }
     }
 
-    internal void Download(GpuBuffer source, long offset, Span<byte> data)
+    /// <summary>
+    /// Copies bytes as they are after the commands recorded before, and submits. They are at <paramref name="target"/>
+    /// once the batch, whose number is returned, is known to have run; the memory must last until then.
+    /// </summary>
+    internal long Download(GpuBuffer source, long offset, byte* target, long bytes)
     {
-        while (data.Length > 0)
+        while (bytes > 0)
         {
-            var piece = Stage(data.Length, out long at);
+            int piece = Stage(bytes, out long at);
             Begin();
-            Copy(source.Handle, offset, _staging.Buffer, at, piece.Length);
-            Flush();
-            piece.CopyTo(data);
-            data = data[piece.Length..];
-            offset += piece.Length;
+            Copy(source.Handle, offset, _staging.Buffer, at, piece);
+            Current.AddDownload(_staging.Mapped + at, target, piece);
+            source.LastBatch = Batch;
+            target += piece;
+            offset += piece;
+            bytes -= piece;
+        }
+        Submit();
+        return source.LastBatch;
+    }
+
+    /// <summary>Whether a batch has run. Does not wait.</summary>
+    internal bool HasRun(long batch)
+    {
+        while (_lastRun < batch && _lastRun < Batch - 1)
+        {
+            var next = At(_lastRun + 1);
+            int result = Native.vkGetFenceStatus(_device.Handle, next.Fence);
+            if (result == Native.NotReady)
+                return false;
+            Complete(next, result);
+        }
+        return batch <= _lastRun;
+    }
+
+    /// <summary>Waits until a batch and those before it have run.</summary>
+    internal void Finish(long batch)
+    {
+        if (batch >= Batch)
+            Submit();
+        while (_lastRun < batch && _lastRun < Batch - 1)
+        {
+            var next = At(_lastRun + 1);
+            var patience = Patience * Math.Max(1, next.Dispatches);
+            ulong fence = next.Fence;
+            int result =
+                Native.vkWaitForFences(_device.Handle, 1, in fence, 1, (ulong)patience.Ticks * 100);
+            if (result == Native.Timeout)
+            {
+                _device.Abandon();
+                throw new VulkanException($"could not {Run(next)}: no answer in {patience.TotalMinutes:0} minutes; "
+                    + "use smaller dispatches or another device");
+            }
+            Complete(next, result);
         }
     }
 
-    /// <summary>Runs the recorded commands and waits for their end.</summary>
-    internal void Flush()
+    /// <summary>Submits the recorded commands.</summary>
+    void Submit()
     {
         if (!_recording)
             return;
-        int dispatches = _dispatches;
         _recording = false;
-        _dispatches = 0;
         _uploadTargets.Clear();
         Barrier();
-        VulkanException.Check(Native.vkEndCommandBuffer(_commands), "record commands");
-        nint commands = _commands;
+        var batch = Current;
+        nint commands = batch.Commands;
+        VulkanException.Check(Native.vkEndCommandBuffer(commands), "record commands");
         var submit =
             new SubmitInfo { SType = StructureType.SubmitInfo, CommandBufferCount = 1, CommandBuffers = &commands };
-        string run = $"run {dispatches} dispatches on {_device.Info.Name}";
-        VulkanException.Check(
-            Batch > LastBatch ? Native.DeviceLost : Native.vkQueueSubmit(_queue, 1, &submit, _fence), run);
-
-        var patience = Patience * Math.Max(1, dispatches);
-        int result = Native.vkWaitForFences(_device.Handle, 1, in _fence, 1, (ulong)patience.Ticks * 100);
-        if (result == Native.Timeout)
-        {
-            _device.Abandon();
-            throw new VulkanException($"could not {run}: no answer in {patience.TotalMinutes:0} minutes; "
-                + "use smaller dispatches or another device");
-        }
-        VulkanException.Check(result, run);
-        VulkanException.Check(Native.vkResetFences(_device.Handle, 1, in _fence), run);
-        VulkanException.Check(Native.vkResetDescriptorPool(_device.Handle, _descriptorPool, 0), run);
-        _device.Clock.EndBatch();
+        Check(Batch > LastBatch ? Native.DeviceLost : Native.vkQueueSubmit(_queue, 1, &submit, batch.Fence), batch);
         Batch++;
-        _stagingUsed = _uniformsUsed = 0;
+    }
+
+    /// <summary>Takes what the oldest batch in flight leaves, or throws the error with which it ended.</summary>
+    void Complete(CommandBatch batch, int result)
+    {
+        if (result < 0)
+        {
+            string run = Run(batch);
+            _lastRun = Batch - 1; // a lost device runs nothing any more
+            foreach (var lost in _ring)
+                lost.Reset();
+            VulkanException.Check(result, run);
+        }
+        _lastRun++;
+        ulong fence = batch.Fence;
+        Check(Native.vkResetFences(_device.Handle, 1, in fence), batch);
+        _device.Clock.Add(batch);
+        batch.Download();
+    }
+
+    void Check(int result, CommandBatch batch)
+    {
+        if (result < 0)
+            VulkanException.Check(result, Run(batch));
+    }
+
+    string Run(CommandBatch batch) => $"run {batch.Dispatches} dispatches on {_device.Info.Name}";
+
+    CommandBatch At(long batch) => _ring[batch % Batches];
+
+    /// <summary>Begins a batch, unless one is being recorded. Waits for the one whose place it takes.</summary>
+    void Open()
+    {
+        if (_recording)
+            return;
+        Finish(Batch - Batches);
+        var batch = Current;
+        batch.Reset();
+        // Flag 1: each recording is submitted once.
+        var info = new CommandBufferBeginInfo { SType = StructureType.CommandBufferBeginInfo, Flags = 1 };
+        VulkanException.Check(Native.vkBeginCommandBuffer(batch.Commands, &info), "record commands");
+        _recording = true;
+        _device.Clock.Begin(batch);
     }
 
     void Begin()
     {
         _uploadTargets.Clear();
         if (_recording)
-        {
             Barrier();
-            return;
-        }
-        // Flag 1: each recording is submitted once.
-        var info = new CommandBufferBeginInfo { SType = StructureType.CommandBufferBeginInfo, Flags = 1 };
-        VulkanException.Check(Native.vkBeginCommandBuffer(_commands, &info), "record commands");
-        _recording = true;
-        _device.Clock.BeginBatch(_commands);
+        else
+            Open(); // the batch before ended with a barrier
     }
 
     /// <summary>Consecutive uploads to different buffers need no barrier between them.</summary>
@@ -188,91 +248,40 @@ sealed unsafe class CommandRecorder : IDisposable
         {
             SType = StructureType.MemoryBarrier, From = Native.MemoryWrite, To = Native.MemoryRead | Native.MemoryWrite
         };
-        const uint Stages = Native.ComputeStage | Native.TransferStage;
-        Native.vkCmdPipelineBarrier(_commands, Stages, Stages | Native.HostStage, 0, 1, &barrier, 0, null, 0, null);
+        const uint Stages = Native.ComputeStage | Native.TransferStage | Native.IndirectStage;
+        Native.vkCmdPipelineBarrier(
+            Current.Commands, Stages, Stages | Native.HostStage, 0, 1, &barrier, 0, null, 0, null);
     }
 
     void Copy(ulong from, long fromOffset, ulong to, long toOffset, long bytes)
     {
         var copy = new BufferCopy { From = (ulong)fromOffset, To = (ulong)toOffset, Bytes = (ulong)bytes };
-        Native.vkCmdCopyBuffer(_commands, from, to, 1, &copy);
+        Native.vkCmdCopyBuffer(Current.Commands, from, to, 1, &copy);
     }
 
-    /// <summary>Next free part of the staging buffer, up to <paramref name="bytes"/> long.</summary>
-    Span<byte> Stage(int bytes, out long at)
+    /// <summary>
+    /// Takes the next free part of the batch's staging bytes, at most <paramref name="bytes"/>, and returns its length.
+    /// </summary>
+    int Stage(long bytes, out long at)
     {
-        _staging ??= Allocation.ForHost(_device, StagingBytes, Native.TransferSource | Native.TransferTarget);
-        if (_stagingUsed == StagingBytes)
-            Flush();
-        at = _stagingUsed;
-        int piece = (int)Math.Min(bytes, StagingBytes - at);
-        _stagingUsed = Math.Min(StagingBytes, (at + piece + 15) / 16 * 16);
-        return new Span<byte>(_staging.Mapped + at, piece);
-    }
-
-    ulong AllocateSet(ComputeProgram program)
-    {
-        ulong layout = program.SetLayout;
-        var info = new DescriptorSetAllocateInfo
-        {
-            SType = StructureType.DescriptorSetAllocateInfo, Pool = _descriptorPool, Count = 1, Layouts = &layout
-        };
-        int result = Native.vkAllocateDescriptorSets(_device.Handle, &info, out ulong set);
-        if (result is Native.OutOfPoolMemory or Native.FragmentedPool && _recording)
-        {
-            Flush();
-            result = Native.vkAllocateDescriptorSets(_device.Handle, &info, out set);
-        }
-        VulkanException.Check(result, $"bind {program.Slots.Count} buffers to kernel {program.Name}");
-        return set;
-    }
-
-    void WriteSet(ComputeProgram program, ulong set, ReadOnlySpan<byte> uniforms, ReadOnlySpan<GpuBuffer> buffers)
-    {
-        var blocks = program.Blocks;
-        int count = buffers.Length + blocks.Count;
-        if (count == 0)
-            return;
-        var targets = stackalloc DescriptorBufferInfo[count];
-        var writes = stackalloc WriteDescriptorSet[count];
-        for (int i = 0; i < count; i++)
-        {
-            bool isBuffer = i < buffers.Length;
-            targets[i] = isBuffer
-                ? new DescriptorBufferInfo { Buffer = buffers[i].Handle, Range = (ulong)buffers[i].Bytes }
-                : PlaceUniforms(blocks[i - buffers.Length], uniforms);
-            writes[i] = new WriteDescriptorSet
-            {
-                SType = StructureType.WriteDescriptorSet,
-                Set = set,
-                Binding = isBuffer ? program.Slots[i].Binding : blocks[i - buffers.Length].Binding,
-                Count = 1,
-                Type = isBuffer ? Native.StorageBuffer : Native.UniformBuffer,
-                Buffer = targets + i,
-            };
-        }
-        Native.vkUpdateDescriptorSets(_device.Handle, (uint)count, writes, 0, null);
-    }
-
-    DescriptorBufferInfo PlaceUniforms(UniformBlock block, ReadOnlySpan<byte> uniforms)
-    {
-        _uniformRing ??= Allocation.ForHost(_device, UniformRingBytes, Native.UniformUsage);
-        long at = _uniformsUsed;
-        uniforms.Slice(block.Start, block.Bytes).CopyTo(new Span<byte>(_uniformRing.Mapped + at, block.Bytes));
-        _uniformsUsed =
-            (at + block.Bytes + Reflection.BlockAlignment - 1) / Reflection.BlockAlignment * Reflection.BlockAlignment;
-        return new DescriptorBufferInfo
-        {
-            Buffer = _uniformRing.Buffer, Offset = (ulong)at, Range = (ulong)block.Bytes
-        };
+        _staging ??= Allocation.ForHost(
+            _device, Batches * StagingBytes, Native.TransferSource | Native.TransferTarget);
+        if (_recording && Current.StagingUsed == StagingBytes)
+            Submit();
+        Open();
+        var batch = Current;
+        at = batch.Index * StagingBytes + batch.StagingUsed;
+        int piece = (int)Math.Min(bytes, StagingBytes - batch.StagingUsed);
+        batch.StagingUsed = Math.Min(StagingBytes, (batch.StagingUsed + piece + 15) / 16 * 16);
+        return piece;
     }
 
     public void Dispose()
     {
-        _uniformRing?.Dispose();
+        _uniforms?.Dispose();
         _staging?.Dispose();
-        Native.vkDestroyDescriptorPool(_device.Handle, _descriptorPool, null);
-        Native.vkDestroyFence(_device.Handle, _fence, null);
+        foreach (var batch in _ring)
+            batch.Destroy(_device.Handle);
         Native.vkDestroyCommandPool(_device.Handle, _commandPool, null);
     }
 }

@@ -8,6 +8,9 @@ namespace Glint.Vulkan;
 /// <summary>A kernel compiled for one device, and the resources it needs.</summary>
 public sealed unsafe class ComputeProgram : IDisposable
 {
+    /// <summary>Constant buffers of a kernel that every device takes at moving offsets.</summary>
+    const int MaxBlocks = 8;
+
     readonly VulkanDevice _device;
     readonly Reflection _reflection;
     ulong _module, _setLayout, _layout, _pipeline;
@@ -16,6 +19,8 @@ public sealed unsafe class ComputeProgram : IDisposable
     {
         _device = device;
         _reflection = new Reflection(spirv);
+        Blocks = _reflection.Blocks;
+        Sets = new BoundSets(this);
         Buffers = Slots.Select(slot => slot.Name).ToArray();
         CheckLimits(device.Limits);
         try
@@ -50,7 +55,11 @@ public sealed unsafe class ComputeProgram : IDisposable
     public (uint X, uint Y, uint Z) GroupSize => _reflection.GroupSize;
 
     internal VulkanDevice Device => _device;
-    internal IReadOnlyList<UniformBlock> Blocks => _reflection.Blocks;
+
+    /// <summary>Constant buffers in the order of their bindings.</summary>
+    internal UniformBlock[] Blocks { get; }
+
+    internal BoundSets Sets { get; }
     internal ulong SetLayout => _setLayout;
     internal ulong Layout => _layout;
     internal ulong Pipeline => _pipeline != 0
@@ -66,7 +75,7 @@ public sealed unsafe class ComputeProgram : IDisposable
             return;
         try
         {
-            _device.FlushIfPending(LastBatch);
+            _device.FinishIfAlive(LastBatch);
         }
         finally
         {
@@ -79,6 +88,7 @@ public sealed unsafe class ComputeProgram : IDisposable
     {
         if (_device.IsAbandoned)
             return;
+        Sets.Destroy();
         Native.vkDestroyPipeline(_device.Handle, _pipeline, null);
         Native.vkDestroyPipelineLayout(_device.Handle, _layout, null);
         Native.vkDestroyDescriptorSetLayout(_device.Handle, _setLayout, null);
@@ -94,9 +104,12 @@ public sealed unsafe class ComputeProgram : IDisposable
         if (Blocks.FirstOrDefault(block => block.Bytes > limits.MaxUniformBufferRange) is { Bytes: > 0 } large)
             throw new VulkanException($"kernel {Name} has {large.Bytes:N0} bytes of uniforms in one block, "
                 + $"{_device.Info.Name} takes {limits.MaxUniformBufferRange:N0}");
-        if (UniformBytes > CommandRecorder.UniformRingBytes)
+        if (UniformBytes > CommandRecorder.UniformBytes)
             throw new VulkanException($"kernel {Name} has {UniformBytes:N0} bytes of uniforms in all, "
-                + $"at most {CommandRecorder.UniformRingBytes:N0} are supported");
+                + $"at most {CommandRecorder.UniformBytes:N0} are supported");
+        if (Blocks.Length > MaxBlocks)
+            throw new VulkanException($"kernel {Name} has {Blocks.Length} constant buffers, at most {MaxBlocks} are "
+                + "supported; put their members into one");
         var (x, y, z) = GroupSize;
         if (x > limits.MaxGroupSizeX || y > limits.MaxGroupSizeY || z > limits.MaxGroupSizeZ
             || (ulong)x * y * z > limits.MaxGroupInvocations)
@@ -120,7 +133,7 @@ public sealed unsafe class ComputeProgram : IDisposable
     void CreateLayout()
     {
         var bindings = Slots.Select(slot => (slot.Binding, Type: Native.StorageBuffer))
-            .Concat(Blocks.Select(block => (block.Binding, Type: Native.UniformBuffer)))
+            .Concat(Blocks.Select(block => (block.Binding, Type: Native.DynamicUniformBuffer)))
             .Select(binding => new DescriptorSetLayoutBinding
             {
                 Binding = binding.Binding, Type = binding.Type, Count = 1, Stages = Native.ComputeShader

@@ -6,8 +6,8 @@ namespace Glint.Vulkan;
 /// <summary>Device memory that kernels read and write; zero when new.</summary>
 public sealed unsafe class GpuBuffer : IDisposable
 {
-    /// <summary>Up to this size a second copy, into the staging buffer, costs less than a flush.</summary>
-    const int SmallBytes = 64 << 10;
+    /// <summary>Up to this size a second copy, through the staging buffer, costs less than a wait.</summary>
+    const int SmallBytes = 1 << 20;
 
     Allocation _allocation;
 
@@ -45,13 +45,12 @@ public sealed unsafe class GpuBuffer : IDisposable
     public void Write(ReadOnlySpan<byte> data, long offset = 0)
     {
         CheckRange(data.Length, offset);
-        bool isInUse = LastBatch == Device.Recorder.Batch;
-        if (Live.Mapped == null || isInUse && data.Length <= SmallBytes)
+        if (Live.Mapped == null || data.Length <= SmallBytes && !Device.Recorder.HasRun(LastBatch))
         {
             Device.Recorder.Upload(data, this, offset);
             return;
         }
-        Device.FlushIfPending(LastBatch);
+        Device.Recorder.Finish(LastBatch);
         data.CopyTo(new Span<byte>(_allocation.Mapped + offset, data.Length));
     }
 
@@ -61,11 +60,23 @@ public sealed unsafe class GpuBuffer : IDisposable
         CheckRange(data.Length, offset);
         if (Live.Mapped == null)
         {
-            Device.Recorder.Download(this, offset, data);
+            fixed (byte* target = data)
+                Device.Recorder.Finish(Device.Recorder.Download(this, offset, target, data.Length));
             return;
         }
-        Device.FlushIfPending(LastBatch);
+        Device.Recorder.Finish(LastBatch);
         new ReadOnlySpan<byte>(_allocation.Mapped + offset, data.Length).CopyTo(data);
+    }
+
+    /// <summary>
+    /// Has the device copy bytes as they are after all earlier dispatches, and returns at once. They are at
+    /// <paramref name="target"/> once <see cref="VulkanDevice.HasRun"/> or <see cref="VulkanDevice.Wait(long)"/> has
+    /// said so of the batch whose number is returned. The memory must last until then, or until the device is closed.
+    /// </summary>
+    public long BeginRead(byte* target, long bytes, long offset = 0)
+    {
+        CheckRange(bytes, offset);
+        return Device.Recorder.Download(this, offset, target, bytes);
     }
 
     public void Dispose()
@@ -74,7 +85,7 @@ public sealed unsafe class GpuBuffer : IDisposable
             return;
         try
         {
-            Device.FlushIfPending(LastBatch);
+            Device.FinishIfAlive(LastBatch);
         }
         finally
         {
@@ -90,7 +101,7 @@ public sealed unsafe class GpuBuffer : IDisposable
         _allocation = null;
     }
 
-    void CheckRange(int bytes, long offset)
+    void CheckRange(long bytes, long offset)
     {
         if (offset < 0 || bytes > Bytes - offset)
             throw new ArgumentOutOfRangeException(nameof(offset),

@@ -6,11 +6,10 @@ namespace Glint.Vulkan;
 /// </summary>
 public sealed unsafe class GpuClock
 {
-    const int Queries = 2 * CommandRecorder.MaxDispatches;
+    const int Queries = 2 * CommandRecorder.MaxDispatches; // of a batch
 
     readonly VulkanDevice _device;
     ulong _pool;
-    int _stamps;
     double _milliseconds;
     bool _isOn;
 
@@ -50,50 +49,52 @@ public sealed unsafe class GpuClock
         return _milliseconds;
     }
 
-    internal void BeginBatch(nint commands)
+    internal void Begin(CommandBatch batch)
     {
-        _stamps = 0;
         if (!_isOn)
             return;
         if (_pool == 0)
             CreatePool();
-        Native.vkCmdResetQueryPool(commands, _pool, 0, Queries);
+        Native.vkCmdResetQueryPool(batch.Commands, _pool, First(batch), Queries);
     }
 
     /// <summary>
     /// Records a timestamp before or after a dispatch. Its stage is the last, so that all earlier commands, copies
     /// included, are complete.
     /// </summary>
-    internal void Stamp(nint commands)
+    internal void Stamp(CommandBatch batch)
     {
         if (_isOn)
-            Native.vkCmdWriteTimestamp(commands, Native.BottomOfPipe, _pool, (uint)_stamps++);
+            Native.vkCmdWriteTimestamp(
+                batch.Commands, Native.BottomOfPipe, _pool, First(batch) + (uint)batch.Stamps++);
     }
 
     /// <summary>Adds the times of a batch that has run.</summary>
-    internal void EndBatch()
+    internal void Add(CommandBatch batch)
     {
-        if (_stamps == 0)
+        if (batch.Stamps == 0)
             return;
         var ticks = stackalloc ulong[Queries];
         VulkanException.Check(
-            Native.vkGetQueryPoolResults(_device.Handle, _pool, 0, (uint)_stamps, (nuint)(_stamps * sizeof(ulong)),
-                ticks, sizeof(ulong), Native.Query64Bit | Native.QueryWait),
+            Native.vkGetQueryPoolResults(_device.Handle, _pool, First(batch), (uint)batch.Stamps,
+                (nuint)(batch.Stamps * sizeof(ulong)), ticks, sizeof(ulong), Native.Query64Bit | Native.QueryWait),
             "read the device's clock");
         // The clock has this many bits and wraps around.
         ulong mask = ulong.MaxValue >> (64 - _device.Limits.TimestampBits);
-        for (int i = 0; i < _stamps; i += 2)
+        for (int i = 0; i < batch.Stamps; i += 2)
             _milliseconds += ((ticks[i + 1] - ticks[i]) & mask) * (double)_device.Limits.TimestampPeriodNs * 1e-6;
-        _stamps = 0;
     }
 
     internal void Destroy() => Native.vkDestroyQueryPool(_device.Handle, _pool, null);
+
+    static uint First(CommandBatch batch) => (uint)(batch.Index * Queries);
 
     void CreatePool()
     {
         var info = new QueryPoolCreateInfo
         {
-            SType = StructureType.QueryPoolCreateInfo, QueryType = Native.TimestampQuery, Count = Queries
+            SType = StructureType.QueryPoolCreateInfo, QueryType = Native.TimestampQuery,
+            Count = CommandRecorder.Batches * Queries
         };
         VulkanException.Check(Native.vkCreateQueryPool(_device.Handle, &info, null, out _pool), "make a clock");
     }

@@ -11,18 +11,20 @@ static unsafe class Native
     /// <summary>File name of the loader on this operating system.</summary>
     internal static readonly string LoaderFile = OperatingSystem.IsWindows() ? "vulkan-1.dll" : "libvulkan.so.1";
 
-    internal const uint UniformBuffer = 6, StorageBuffer = 7;                           // VkDescriptorType
+    internal const uint StorageBuffer = 7, DynamicUniformBuffer = 8;                    // VkDescriptorType
     internal const uint DeviceLocal = 1, HostVisible = 2, HostCoherent = 4, HostCached = 8; // VkMemoryPropertyFlags
     // VkBufferUsageFlags
-    internal const uint TransferSource = 1, TransferTarget = 2, UniformUsage = 16, StorageUsage = 32;
+    internal const uint TransferSource = 1, TransferTarget = 2, UniformUsage = 16, StorageUsage = 32,
+        IndirectUsage = 256;
     // VkPipelineStageFlags
-    internal const uint ComputeStage = 0x800, TransferStage = 0x1000, BottomOfPipe = 0x2000, HostStage = 0x4000;
+    internal const uint IndirectStage = 2, ComputeStage = 0x800, TransferStage = 0x1000, BottomOfPipe = 0x2000,
+        HostStage = 0x4000;
     internal const uint MemoryRead = 0x8000, MemoryWrite = 0x10000;                     // VkAccessFlags
     internal const uint ComputeShader = 0x20;                                           // VkShaderStageFlags
     internal const uint ComputeQueue = 2;                                               // VkQueueFlags
     internal const int TimestampQuery = 2;                                              // VkQueryType
     internal const uint Query64Bit = 1, QueryWait = 2;                                  // VkQueryResultFlags
-    internal const int Timeout = 2, DeviceLost = -4, OutOfPoolMemory = -1000069000, FragmentedPool = -12; // VkResult
+    internal const int NotReady = 1, Timeout = 2, DeviceLost = -4;                      // VkResult
 
     [DllImport(Loader)]
     internal static extern int vkCreateInstance(InstanceCreateInfo* info, void* allocator, out nint instance);
@@ -84,7 +86,6 @@ static unsafe class Native
     internal static extern int vkCreateDescriptorPool(nint device, DescriptorPoolCreateInfo* info,
         void* allocator, out ulong pool);
     [DllImport(Loader)] internal static extern void vkDestroyDescriptorPool(nint device, ulong pool, void* allocator);
-    [DllImport(Loader)] internal static extern int vkResetDescriptorPool(nint device, ulong pool, uint flags);
     [DllImport(Loader)]
     internal static extern int vkAllocateDescriptorSets(nint device, DescriptorSetAllocateInfo* info, out ulong set);
     [DllImport(Loader)]
@@ -112,6 +113,7 @@ static unsafe class Native
         uint count, nuint bytes, void* data, ulong stride, uint flags);
     [DllImport(Loader)]
     internal static extern int vkWaitForFences(nint device, uint count, in ulong fence, uint all, ulong nanoseconds);
+    [DllImport(Loader)] internal static extern int vkGetFenceStatus(nint device, ulong fence);
     [DllImport(Loader)] internal static extern int vkResetFences(nint device, uint count, in ulong fence);
 
     [DllImport(Loader)] internal static extern void vkCmdBindPipeline(nint commands, int bindPoint, ulong pipeline);
@@ -119,6 +121,7 @@ static unsafe class Native
     internal static extern void vkCmdBindDescriptorSets(nint commands, int bindPoint, ulong layout,
         uint first, uint count, in ulong set, uint dynamicCount, uint* dynamicOffsets);
     [DllImport(Loader)] internal static extern void vkCmdDispatch(nint commands, uint x, uint y, uint z);
+    [DllImport(Loader)] internal static extern void vkCmdDispatchIndirect(nint commands, ulong buffer, ulong offset);
     [DllImport(Loader)]
     internal static extern void vkCmdPipelineBarrier(nint commands, uint from, uint to, uint flags,
         uint memoryCount, MemoryBarrier* memory, uint bufferCount, void* buffers, uint imageCount, void* images);

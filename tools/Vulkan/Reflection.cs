@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 
 namespace Glint.Vulkan;
 
@@ -23,9 +24,15 @@ sealed class Reflection
     internal string EntryPoint => _module.EntryPoint;
     internal (uint X, uint Y, uint Z) GroupSize => _module.GroupSize;
     internal IReadOnlyList<BufferSlot> Buffers => _buffers;
-    internal IReadOnlyList<UniformBlock> Blocks => _blocks;
+
+    /// <summary>In the order of their bindings.</summary>
+    internal UniformBlock[] Blocks => _blocks.OrderBy(block => block.Binding).ToArray();
+
     internal IReadOnlyDictionary<string, UniformField> Uniforms => _uniforms;
     internal int UniformBytes { get; private set; }
+
+    /// <summary>The next multiple of <see cref="BlockAlignment"/>.</summary>
+    internal static int Align(int bytes) => (bytes + BlockAlignment - 1) / BlockAlignment * BlockAlignment;
 
     internal Reflection(ReadOnlySpan<byte> code)
     {
@@ -63,7 +70,7 @@ sealed class Reflection
 
     void AddBlock(uint binding, uint block)
     {
-        int start = (UniformBytes + BlockAlignment - 1) / BlockAlignment * BlockAlignment;
+        int start = Align(UniformBytes);
         uint[] members = _module.Types[block].Operands;
         int end = 0;
         for (int member = 0; member < members.Length; member++)

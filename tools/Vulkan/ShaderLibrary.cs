@@ -9,8 +9,8 @@ namespace Glint.Vulkan;
 
 /// <summary>
 /// The kernels compiled with this program: shaders/COMPUTE/KERNEL.spv beside it, where COMPUTE is the .compute file's
-/// path from the project's root. sources.json in the same folder has the kernels' names and the SHA-256 of every
-/// source file.
+/// path from the project's root. sources.json in the same folder has the kernels' names, their byte address buffers and
+/// the SHA-256 of every source file.
 /// </summary>
 public static class ShaderLibrary
 {
@@ -50,9 +50,17 @@ public static class ShaderLibrary
         return File.ReadAllBytes(Path.Combine(Folder(computePath), kernel + ".spv"));
     }
 
+    /// <summary>
+    /// Names of the byte address buffers that a kernel's source declares. In SPIR-V they are structured buffers of
+    /// uint.
+    /// </summary>
+    public static IReadOnlyCollection<string> ByteAddressBuffers(string computePath, string kernel) =>
+        Manifest.Read(computePath).ByteAddressBuffers[kernel];
+
     static string Folder(string computePath) => Path.Combine(AppContext.BaseDirectory, "shaders", computePath);
 
-    sealed record Manifest(string[] Kernels, Dictionary<string, string> Sources)
+    sealed record Manifest(string[] Kernels, Dictionary<string, string[]> ByteAddressBuffers,
+        Dictionary<string, string> Sources)
     {
         // Written without reflection, which a trimmed publish lacks.
         internal static Manifest Read(string computePath)
@@ -62,9 +70,14 @@ public static class ShaderLibrary
                 throw new VulkanException($"{computePath} was not compiled; {Remedy}");
             using var json = JsonDocument.Parse(File.ReadAllBytes(path));
             return new Manifest(
-                json.RootElement.GetProperty("kernels").EnumerateArray().Select(kernel => kernel.GetString()).ToArray(),
+                Strings(json.RootElement.GetProperty("kernels")),
+                json.RootElement.GetProperty("byteAddressBuffers").EnumerateObject()
+                    .ToDictionary(kernel => kernel.Name, kernel => Strings(kernel.Value)),
                 json.RootElement.GetProperty("sources").EnumerateObject()
                     .ToDictionary(source => source.Name, source => source.Value.GetString()));
         }
+
+        static string[] Strings(JsonElement array) =>
+            array.EnumerateArray().Select(element => element.GetString()).ToArray();
     }
 }

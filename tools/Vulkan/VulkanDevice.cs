@@ -137,34 +137,79 @@ public sealed unsafe class VulkanDevice : IDisposable
         ComputeProgram program, ReadOnlySpan<byte> uniforms, IReadOnlyDictionary<string, GpuBuffer> buffers,
         uint groupsX, uint groupsY, uint groupsZ)
     {
+        var bound = new GpuBuffer[program.Slots.Count];
+        for (int i = 0; i < bound.Length; i++)
+            bound[i] = buffers.GetValueOrDefault(program.Slots[i].Name);
+        Dispatch(program, uniforms, bound, groupsX, groupsY, groupsZ);
+    }
+
+    /// <summary>
+    /// Records a dispatch, to run after the commands recorded before it. It runs at the latest when the host reads or
+    /// waits.
+    /// </summary>
+    /// <param name="uniforms">The program's <see cref="ComputeProgram.UniformBytes"/> bytes; copied.</param>
+    /// <param name="buffers">Buffers in the order of <see cref="ComputeProgram.Slots"/>.</param>
+    public void Dispatch(ComputeProgram program, ReadOnlySpan<byte> uniforms, ReadOnlySpan<GpuBuffer> buffers,
+        uint groupsX, uint groupsY, uint groupsZ)
+    {
         var recorder = Recorder;
+        if (groupsX > Limits.MaxGroupsX || groupsY > Limits.MaxGroupsY || groupsZ > Limits.MaxGroupsZ)
+            throw new VulkanException($"kernel {program.Name}: {groupsX} x {groupsY} x {groupsZ} groups, {Info.Name} "
+                + $"takes {Limits.MaxGroupsX} x {Limits.MaxGroupsY} x {Limits.MaxGroupsZ}; use several dispatches");
+        Check(program, uniforms, buffers);
+        if (groupsX > 0 && groupsY > 0 && groupsZ > 0)
+            recorder.Dispatch(program, uniforms, buffers, new GroupCounts(groupsX, groupsY, groupsZ));
+    }
+
+    /// <summary>
+    /// Records a dispatch whose numbers of groups, three uint, are read from a buffer when it runs. The device does not
+    /// check them.
+    /// </summary>
+    /// <param name="buffers">Buffers in the order of <see cref="ComputeProgram.Slots"/>.</param>
+    public void DispatchIndirect(ComputeProgram program, ReadOnlySpan<byte> uniforms,
+        ReadOnlySpan<GpuBuffer> buffers, GpuBuffer arguments, long offset)
+    {
+        var recorder = Recorder;
+        Check(program, uniforms, buffers);
+        CheckBuffer(program, "with the numbers of groups", arguments);
+        if (offset % 4 != 0 || offset < 0 || offset > arguments.Bytes - GroupCounts.Bytes)
+            throw new VulkanException($"kernel {program.Name}: no numbers of groups at byte {offset:N0} of a buffer "
+                + $"of {arguments.Bytes:N0} bytes; use a multiple of 4 with {GroupCounts.Bytes} bytes after it");
+        recorder.Dispatch(program, uniforms, buffers, new GroupCounts(arguments, offset));
+    }
+
+    void Check(ComputeProgram program, ReadOnlySpan<byte> uniforms, ReadOnlySpan<GpuBuffer> buffers)
+    {
         if (program.Device != this)
             throw new VulkanException($"kernel {program.Name} was made for another device");
         if (uniforms.Length != program.UniformBytes)
             throw new VulkanException($"kernel {program.Name} takes {program.UniformBytes} bytes of uniforms, "
                 + $"{uniforms.Length} are given");
-        if (groupsX > Limits.MaxGroupsX || groupsY > Limits.MaxGroupsY || groupsZ > Limits.MaxGroupsZ)
-            throw new VulkanException($"kernel {program.Name}: {groupsX} x {groupsY} x {groupsZ} groups, {Info.Name} "
-                + $"takes {Limits.MaxGroupsX} x {Limits.MaxGroupsY} x {Limits.MaxGroupsZ}; use several dispatches");
-
-        var bound = new GpuBuffer[program.Slots.Count];
-        for (int i = 0; i < bound.Length; i++)
-        {
-            string name = program.Slots[i].Name;
-            if (!buffers.TryGetValue(name, out bound[i]) || bound[i] == null)
-                throw new VulkanException($"kernel {program.Name}: buffer {name} is not set");
-            if (bound[i].IsDisposed)
-                throw new VulkanException($"kernel {program.Name}: buffer {name} was disposed");
-            if (bound[i].Device != this)
-                throw new VulkanException($"kernel {program.Name}: buffer {name} is on another device");
-        }
+        for (int i = 0; i < buffers.Length; i++)
+            CheckBuffer(program, program.Slots[i].Name, buffers[i]);
         _ = program.Pipeline;
-        if (groupsX > 0 && groupsY > 0 && groupsZ > 0)
-            recorder.Dispatch(program, uniforms, bound, groupsX, groupsY, groupsZ);
+    }
+
+    void CheckBuffer(ComputeProgram program, string name, GpuBuffer buffer)
+    {
+        if (buffer == null)
+            throw new VulkanException($"kernel {program.Name}: buffer {name} is not set");
+        if (buffer.IsDisposed)
+            throw new VulkanException($"kernel {program.Name}: buffer {name} was disposed");
+        if (buffer.Device != this)
+            throw new VulkanException($"kernel {program.Name}: buffer {name} is on another device");
     }
 
     /// <summary>Runs the recorded commands and waits for their end.</summary>
-    public void Wait() => Recorder.Flush();
+    public void Wait() => Recorder.Finish(Recorder.Batch);
+
+    /// <summary>Waits until a batch has run.</summary>
+    /// <param name="batch">Number that <see cref="GpuBuffer.BeginRead"/> returned.</param>
+    public void Wait(long batch) => Recorder.Finish(batch);
+
+    /// <summary>Whether a batch has run.</summary>
+    /// <param name="batch">Number that <see cref="GpuBuffer.BeginRead"/> returned.</param>
+    public bool HasRun(long batch) => Recorder.HasRun(batch);
 
     /// <summary>Closes the device and disposes its remaining buffers and programs.</summary>
     public void Dispose()
@@ -192,11 +237,11 @@ public sealed unsafe class VulkanDevice : IDisposable
     /// <summary>True if the device does not respond. Its objects may be in use and are never destroyed.</summary>
     internal void Abandon() => IsAbandoned = true;
 
-    /// <summary>Waits if <paramref name="batch"/> has not run yet.</summary>
-    internal void FlushIfPending(long batch)
+    /// <summary>Waits until a batch has run, unless the device does not respond.</summary>
+    internal void FinishIfAlive(long batch)
     {
-        if (!IsAbandoned && batch == Recorder.Batch)
-            Recorder.Flush();
+        if (!IsAbandoned)
+            Recorder.Finish(batch);
     }
 
     internal void Forget(GpuBuffer buffer) => _buffers.Remove(buffer);

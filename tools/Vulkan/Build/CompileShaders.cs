@@ -13,7 +13,8 @@ using Microsoft.Build.Utilities;
 
 /// <summary>
 /// Compiles every kernel of the given .compute files to SPIR-V with glslangValidator. Each file gets a folder with its
-/// own path below Output. It holds KERNEL.spv for each kernel, and sources.json with the SHA-256 of all source files.
+/// own path below Output. It holds KERNEL.spv for each kernel, and sources.json with the SHA-256 of all source files
+/// and the names of each kernel's byte address buffers, which SPIR-V does not tell from structured buffers of uint.
 /// </summary>
 public sealed class CompileShaders : Task
 {
@@ -22,6 +23,9 @@ public sealed class CompileShaders : Task
     // "ERROR: Shaders/Trace.compute:12: 'x' : unknown variable"
     static readonly Regex ErrorLine = new Regex(@"^ERROR: (.+?):(\d+): (.*)$");
     static readonly Regex KernelLine = new Regex(@"^\s*#pragma\s+kernel\s+(\w+)((?:\s+\w+(?:=\S+)?)*)\s*(?://.*)?$");
+
+    // "RWByteAddressBuffer Total, Words;" in preprocessed source; a parameter has no semicolon
+    static readonly Regex ByteAddressLine = new Regex(@"\b(?:RW)?ByteAddressBuffer\s+([\w\s,]+);");
 
     [Required] public ITaskItem[] Sources { get; set; }
 
@@ -46,6 +50,7 @@ public sealed class CompileShaders : Task
         string folder = Path.Combine(Output, path);
         var read = new SortedSet<string>(StringComparer.Ordinal) { path };
         var kernels = new List<string>();
+        var byteAddress = new List<string>();
         foreach (var match in File.ReadLines(fullPath).Select(line => KernelLine.Match(line))
             .Where(match => match.Success))
         {
@@ -55,23 +60,19 @@ public sealed class CompileShaders : Task
             if (!CompileKernel(path, kernel, defines, Path.Combine(folder, kernel + ".spv"), read))
                 return;
             kernels.Add(kernel);
+            byteAddress.Add(ByteAddressBuffers(path, defines));
         }
         if (kernels.Count == 0)
             Log.LogError(null, null, null, fullPath, 0, 0, 0, 0, "no kernel; declare one as in: #pragma kernel Trace");
         else
-            File.WriteAllText(Path.Combine(folder, "sources.json"), Json(kernels, read));
+            File.WriteAllText(Path.Combine(folder, "sources.json"), Json(kernels, byteAddress, read));
     }
 
     bool CompileKernel(string path, string kernel, string[] defines, string output, SortedSet<string> read)
     {
         string dependencies = output + ".d";
-        var arguments = new List<string>
-        {
-            "-D", "-V", "-S", "comp", "-e",
-            kernel, "--auto-map-bindings", "--hlsl-iomap", "-I.", "-DSHADER_API_VULKAN=1"
-        };
-        arguments.AddRange(defines.Select(define => "-D" + define));
-        arguments.AddRange(new[] { "--depfile", dependencies, "-o", output, path });
+        var arguments = Arguments(defines, "-V", "-e", kernel, "--auto-map-bindings", "--hlsl-iomap",
+            "--depfile", dependencies, "-o", output, path);
 
         string messages = Run(arguments, out int exitCode);
         if (messages == null)
@@ -87,6 +88,20 @@ public sealed class CompileShaders : Task
             read.Add(Relative(Path.Combine(Root, file.Value.Replace("\\ ", " "))));
         File.Delete(dependencies);
         return true;
+    }
+
+    /// <summary>Names of the byte address buffers that a kernel's source declares, as JSON strings.</summary>
+    string ByteAddressBuffers(string path, string[] defines) => string.Join(", ",
+        ByteAddressLine.Matches(Run(Arguments(defines, "-E", path), out _)).Cast<Match>()
+            .SelectMany(match => match.Groups[1].Value.Split(','))
+            .Select(declared => '"' + Regex.Match(declared, @"\w+").Value + '"').Distinct());
+
+    static List<string> Arguments(string[] defines, params string[] more)
+    {
+        var arguments = new List<string> { "-D", "-S", "comp", "-I.", "-DSHADER_API_VULKAN=1" };
+        arguments.AddRange(defines.Select(define => "-D" + define));
+        arguments.AddRange(more);
+        return arguments;
     }
 
     string Run(List<string> arguments, out int exitCode)
@@ -131,10 +146,14 @@ public sealed class CompileShaders : Task
                 + (messages.Contains("Entry point not found") ? "there is no function of that name" : messages.Trim()));
     }
 
-    string Json(List<string> kernels, SortedSet<string> read)
+    string Json(List<string> kernels, List<string> byteAddress, SortedSet<string> read)
     {
         var text = new StringBuilder("{\n  \"kernels\": [");
-        text.Append(string.Join(", ", kernels.Select(kernel => '"' + kernel + '"'))).Append("],\n  \"sources\": {\n");
+        text.Append(string.Join(", ", kernels.Select(kernel => '"' + kernel + '"')));
+        text.Append("],\n  \"byteAddressBuffers\": {\n");
+        text.Append(string.Join(",\n",
+            kernels.Select((kernel, i) => "    \"" + kernel + "\": [" + byteAddress[i] + ']')));
+        text.Append("\n  },\n  \"sources\": {\n");
         text.Append(
             string.Join(",\n", read.Select(path => "    \"" + path + "\": \"" + Hash(Path.Combine(Root, path)) + '"')));
         return text.Append("\n  }\n}\n").ToString();

@@ -114,6 +114,46 @@ public sealed class DispatchTests
         Assert.That(Kernels.Read<uint>(other)[0], Is.EqualTo(2u));
     }
 
+    [TestCase(1)]
+    [TestCase(2_000_000)] // larger than what is copied instead of waited for
+    public void Writes_WhileASubmittedBatchRuns_KeepTheirOrder(int written)
+    {
+        const int Count = 2_000_000;
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
+        using var state = _device.CreateBuffer(4 * Count);
+        byte[] uniforms = Kernels.Pack(program, ("Count", (uint)Count), ("Increment", 1u));
+        for (int i = 0; i < 3 * CommandRecorder.MaxDispatches / 2; i++)
+            _device.Dispatch(program, uniforms, Kernels.Bind(("State", state)), Count / 32, 1, 1);
+        state.Write(MemoryMarshal.AsBytes(Enumerable.Repeat(7u, written).ToArray().AsSpan()));
+        _device.Dispatch(program, uniforms, Kernels.Bind(("State", state)), Count / 32, 1, 1);
+
+        uint[] result = Kernels.Read<uint>(state);
+        Assert.That(result[0], Is.EqualTo(7u * 1664525u + 1));
+        uint last = 0, kept = (uint)(written == 1 ? 1 : written - 1);
+        for (int i = 0; i < 3 * CommandRecorder.MaxDispatches / 2; i++)
+            last = last * 1664525u + 1 + kept;
+        Assert.That(result[kept], Is.EqualTo((written == 1 ? last : 7u) * 1664525u + 1 + kept));
+    }
+
+    [Test]
+    public void ManyBuffersInTurn_AreEachBound()
+    {
+        const int Rounds = 30;
+        using var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
+        var states = Enumerable.Range(0, 80).Select(_ => _device.CreateBuffer(4)).ToArray();
+        for (uint round = 0; round < Rounds; round++)
+            for (uint i = 0; i < states.Length; i++)
+                _device.Dispatch(program, Kernels.Pack(program, ("Count", 1u), ("Increment", i)),
+                    Kernels.Bind(("State", states[i])), 1, 1, 1);
+        for (uint i = 0; i < states.Length; i++)
+        {
+            uint expected = 0;
+            for (int round = 0; round < Rounds; round++)
+                expected = expected * 1664525u + i;
+            Assert.That(Kernels.Read<uint>(states[i]), Is.EqualTo(new[] { expected }), $"buffer {i}");
+        }
+    }
+
     [Test]
     public void WriteAndRead_LargerThanTheStagingBuffer_AreWhole()
     {

@@ -13,6 +13,8 @@ static class Kernels
     internal const string Structs = "tools/Tests/Host/Shaders/Structs.compute";
     internal const string Buffers = "tools/Tests/Host/Shaders/Buffers.compute";
 
+    internal const string Indirect = "tools/Tests/Host/Shaders/Indirect.compute";
+
     internal static ComputeProgram Create(VulkanDevice device, string computePath, string kernel) =>
         device.CreateProgram(ShaderLibrary.Load(computePath, kernel));
 

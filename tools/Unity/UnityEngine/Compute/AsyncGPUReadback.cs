@@ -8,6 +8,9 @@ namespace UnityEngine.Rendering;
 
 public static class AsyncGPUReadback
 {
+    /// <summary>Frames after which one waits for the device, like Unity's QualitySettings.maxQueuedFrames.</summary>
+    const int MaxAge = 2;
+
     static readonly List<Readback> _pending = new();
     static readonly List<Readback> _completed = new();
 
@@ -54,7 +57,10 @@ public static class AsyncGPUReadback
             Complete(_pending[0]);
     }
 
-    /// <summary>Once a frame: releases the data of completed requests and completes pending ones.</summary>
+    /// <summary>
+    /// Once a frame: releases the data of completed requests and completes those whose data have come. Waits for those
+    /// of <see cref="MaxAge"/> frames.
+    /// </summary>
     internal static void Pump()
     {
         GraphicsDevice.CollectLeaks();
@@ -62,6 +68,14 @@ public static class AsyncGPUReadback
             readback.Expire();
         _completed.Clear();
         foreach (var readback in _pending.ToArray())
+            if (++readback.Age >= MaxAge || readback.IsReady)
+                Complete(readback);
+    }
+
+    /// <summary>Delivers the data if they have come.</summary>
+    internal static void Update(Readback readback)
+    {
+        if (readback is { IsDone: false, IsReady: true })
             Complete(readback);
     }
 
@@ -78,6 +92,9 @@ public static class AsyncGPUReadback
         StructuredBuffer source, long size, long offset,
         Action<NativeArray<byte>> store, Action<AsyncGPUReadbackRequest> callback)
     {
+        if (!SystemInfo.supportsAsyncGPUReadback)
+            throw new NotSupportedException("this device has no asynchronous read-back "
+                + "(SystemInfo.supportsAsyncGPUReadback); use GetData");
         var readback = new Readback(source, size, offset, store, callback);
         _pending.Add(readback);
         return new AsyncGPUReadbackRequest(readback);

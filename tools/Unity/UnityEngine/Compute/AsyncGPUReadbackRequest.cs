@@ -24,7 +24,7 @@ public struct AsyncGPUReadbackRequest
 
     public int depth => 1;
 
-    public void Update() => AsyncGPUReadback.Complete(_readback);
+    public void Update() => AsyncGPUReadback.Update(_readback);
 
     public void WaitForCompletion() => AsyncGPUReadback.Complete(_readback);
 

@@ -22,7 +22,10 @@ public sealed class ComputeBuffer : IDisposable
         if ((type & (ComputeBufferType.Append | ComputeBufferType.Counter)) != 0)
             throw new NotSupportedException("buffers with a hidden counter run in Unity only; "
                 + "count in a buffer of your own with InterlockedAdd");
-        Elements = new StructuredBuffer(nameof(ComputeBuffer), count, stride, (type & ComputeBufferType.Raw) != 0);
+        Elements = new StructuredBuffer(nameof(ComputeBuffer), count, stride, new BufferUses(
+            type == ComputeBufferType.Default || (type & ComputeBufferType.Structured) != 0,
+            (type & ComputeBufferType.Raw) != 0,
+            (type & ComputeBufferType.IndirectArguments) != 0));
     }
 
     ~ComputeBuffer() => Elements?.Leak();

@@ -9,14 +9,17 @@ namespace Glint.Host;
 internal sealed class ComputeKernel : IDisposable
 {
     readonly Func<byte[]> _load;
+    readonly Func<IReadOnlyCollection<string>> _loadByteAddressBuffers;
     readonly Dictionary<int, StructuredBuffer> _set = new();
-    readonly Dictionary<string, GpuBuffer> _bound = new();
-    (int Id, UniformField Field)[] _uniforms;
-    int[] _slotIds;
+    Slot[] _slots;
+    GpuBuffer[] _bound;
+    Uniform[] _uniforms;
+    byte[] _uniformBytes;
     VulkanDevice _device;
     ComputeProgram _program;
 
-    internal ComputeKernel(string name, Func<byte[]> load) => (Name, _load) = (name, load);
+    internal ComputeKernel(string name, Func<byte[]> load, Func<IReadOnlyCollection<string>> loadByteAddressBuffers) =>
+        (Name, _load, _loadByteAddressBuffers) = (name, load, loadByteAddressBuffers);
 
     internal string Name { get; }
 
@@ -29,9 +32,14 @@ internal sealed class ComputeKernel : IDisposable
             {
                 _device = GraphicsDevice.Current;
                 _program = _device.CreateProgram(_load());
-                _uniforms =
-                    _program.Uniforms.Values.Select(uniform => (PropertyIds.Get(uniform.Name), uniform)).ToArray();
-                _slotIds = _program.Slots.Select(slot => PropertyIds.Get(slot.Name)).ToArray();
+                _uniforms = _program.Uniforms.Values
+                    .Select(uniform => new Uniform { Id = PropertyIds.Get(uniform.Name), Field = uniform }).ToArray();
+                _uniformBytes = new byte[_program.UniformBytes];
+                var byteAddressBuffers = _loadByteAddressBuffers();
+                _slots = _program.Slots
+                    .Select(slot => new Slot(PropertyIds.Get(slot.Name), slot, byteAddressBuffers.Contains(slot.Name)))
+                    .ToArray();
+                _bound = new GpuBuffer[_slots.Length];
             }
             return _program;
         }
@@ -39,32 +47,29 @@ internal sealed class ComputeKernel : IDisposable
 
     internal void Set(int id, StructuredBuffer buffer) => _set[id] = buffer;
 
-    /// <summary>Name of the first buffer of the kernel that is not set or was released; null if it can run.</summary>
-    internal string FindMissing()
+    /// <summary>
+    /// Takes the buffers that are set and the values of the uniforms, for the next dispatch. Returns the name of the
+    /// first buffer that is not set or was released; null if the kernel can run.
+    /// </summary>
+    internal string Bind(string shader, Dictionary<int, UniformValue> values)
     {
-        var slots = Program.Slots;
-        for (int i = 0; i < slots.Count; i++)
-            if (!_set.TryGetValue(_slotIds[i], out var buffer) || !buffer.IsValid)
-                return slots[i].Name;
+        _ = Program;
+        for (int i = 0; i < _slots.Length; i++)
+        {
+            if (!_set.TryGetValue(_slots[i].Id, out var buffer) || !buffer.IsValid)
+                return _slots[i].Buffer.Name;
+            CheckUse(shader, _slots[i], buffer);
+            _bound[i] = buffer.Gpu;
+        }
+        for (int i = 0; i < _uniforms.Length; i++)
+            _uniforms[i].Update(values, _uniformBytes);
         return null;
     }
 
-    internal void Dispatch(string shader, Dictionary<int, byte[]> values, uint x, uint y, uint z)
-    {
-        var program = Program;
-        for (int i = 0; i < program.Slots.Count; i++)
-        {
-            var buffer = _set[_slotIds[i]];
-            CheckStride(shader, program.Slots[i], buffer);
-            _bound[program.Slots[i].Name] = buffer.Gpu;
-        }
-        var uniforms = new byte[program.UniformBytes];
-        foreach (var (id, field) in _uniforms)
-            if (values.TryGetValue(id, out byte[] value))
-                value.AsSpan(0, Math.Min(value.Length, field.Bytes)).CopyTo(uniforms.AsSpan(field.Offset));
-        _device.Dispatch(program, uniforms, _bound, x, y, z);
-        _bound.Clear();
-    }
+    internal void Dispatch(uint x, uint y, uint z) => _device.Dispatch(_program, _uniformBytes, _bound, x, y, z);
+
+    internal void DispatchIndirect(GpuBuffer arguments, long offset) =>
+        _device.DispatchIndirect(_program, _uniformBytes, _bound, arguments, offset);
 
     public void Dispose()
     {
@@ -74,15 +79,40 @@ internal sealed class ComputeKernel : IDisposable
     }
 
     /// <summary>
-    /// A wrong stride gives garbage on any device, so it is an error here: it shows a struct with different layouts in
-    /// C# and HLSL. (Compilers differ too: glslang aligns float3 to 16 bytes, Direct3D to 4.)
+    /// Refuses a buffer of another kind. A wrong stride gives garbage on any device, so it is an error here: it shows a
+    /// struct with different layouts in C# and HLSL. (Compilers differ too: glslang aligns float3 to 16 bytes, Direct3D
+    /// to 4.)
     /// </summary>
-    void CheckStride(string shader, BufferSlot slot, StructuredBuffer buffer)
+    void CheckUse(string shader, in Slot slot, StructuredBuffer buffer)
     {
-        bool isRaw = buffer.IsRaw && slot.Stride == 4;
-        if (slot.Stride != buffer.Stride && !isRaw)
+        if (slot.IsByteAddress ? !buffer.Uses.Raw : !buffer.Uses.Structured)
+            throw new InvalidOperationException($"Compute shader ({shader}): kernel {Name} declares {slot.Buffer.Name} "
+                + (slot.IsByteAddress
+                    ? "as a byte address buffer, the buffer was made without Raw; add Raw to its targets"
+                    : "as a structured buffer, the buffer was made without Structured; declare a ByteAddressBuffer "
+                        + "or make it Structured"));
+        if (!slot.IsByteAddress && slot.Buffer.Stride != buffer.Stride)
             throw new InvalidOperationException($"Compute shader ({shader}): "
-                + $"kernel {Name} reads {slot.Name} as {slot.Element} of {slot.Stride} bytes, "
+                + $"kernel {Name} reads {slot.Buffer.Name} as {slot.Buffer.Element} of {slot.Buffer.Stride} bytes, "
                 + $"the buffer's stride is {buffer.Stride}; lay both structs out in rows of 16 bytes");
+    }
+
+    readonly record struct Slot(int Id, BufferSlot Buffer, bool IsByteAddress);
+
+    struct Uniform
+    {
+        internal int Id;
+        internal UniformField Field;
+        UniformValue _value;
+        int _version;
+
+        /// <summary>Copies the value to its place in the bytes of a dispatch, if it was set since.</summary>
+        internal void Update(Dictionary<int, UniformValue> values, byte[] bytes)
+        {
+            if (_value == null && !values.TryGetValue(Id, out _value) || _version == _value.Version)
+                return;
+            _value.Bytes.AsSpan(0, Math.Min(_value.Bytes.Length, Field.Bytes)).CopyTo(bytes.AsSpan(Field.Offset));
+            _version = _value.Version;
+        }
     }
 }

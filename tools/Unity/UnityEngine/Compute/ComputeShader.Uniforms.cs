@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Runtime.InteropServices;
+using Glint.Host;
 
 namespace UnityEngine;
 
@@ -9,7 +10,7 @@ namespace UnityEngine;
 // A name the kernel lacks is ignored.
 public sealed partial class ComputeShader
 {
-    readonly Dictionary<int, byte[]> _values = new();
+    readonly Dictionary<int, UniformValue> _values = new();
 
     public void SetFloat(string name, float val) => SetFloat(Shader.PropertyToID(name), val);
 
@@ -51,9 +52,11 @@ public sealed partial class ComputeShader
     {
         EnsureAlive();
         var bytes = MemoryMarshal.AsBytes(value);
-        if (!_values.TryGetValue(id, out byte[] kept) || kept.Length < bytes.Length)
-            Array.Resize(ref kept, bytes.Length);
-        bytes.CopyTo(kept); // a shorter array leaves the rest unchanged
-        _values[id] = kept;
+        if (!_values.TryGetValue(id, out var kept))
+            _values[id] = kept = new UniformValue();
+        if (kept.Bytes == null || kept.Bytes.Length < bytes.Length)
+            Array.Resize(ref kept.Bytes, bytes.Length);
+        bytes.CopyTo(kept.Bytes); // a shorter array leaves the rest unchanged
+        kept.Version++;
     }
 }

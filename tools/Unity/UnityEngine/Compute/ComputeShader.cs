@@ -9,6 +9,7 @@ namespace UnityEngine;
 public sealed partial class ComputeShader : Object
 {
     const int MaxGroups = 65535; // Direct3D 11's, and the least that Vulkan guarantees
+    const int GroupCountBytes = 12; // three uint: groups along x, y and z
 
     readonly ComputeKernel[] _kernels;
 
@@ -19,7 +20,8 @@ public sealed partial class ComputeShader : Object
     {
         this.name = name;
         _kernels = kernels.Select(
-            kernel => new ComputeKernel(kernel, () => ShaderLibrary.Load(projectRoot, computePath, kernel))).ToArray();
+            kernel => new ComputeKernel(kernel, () => ShaderLibrary.Load(projectRoot, computePath, kernel),
+                () => ShaderLibrary.ByteAddressBuffers(computePath, kernel))).ToArray();
     }
 
     public int FindKernel(string name)
@@ -58,17 +60,55 @@ public sealed partial class ComputeShader : Object
         else if (most > MaxGroups)
             Debug.LogError("Thread group count is above the maximum allowed limit. "
                 + $"Maximum allowed thread group count is {MaxGroups}", this);
-        else if (kernel.FindMissing() is { } missing)
-            Debug.LogError(
-                $"Compute shader ({Name}): Property ({missing}) at kernel index ({kernelIndex}) is not set", this);
-        else
-            kernel.Dispatch(Name, _values, (uint)threadGroupsX, (uint)threadGroupsY, (uint)threadGroupsZ);
+        else if (Bind(kernelIndex))
+            kernel.Dispatch((uint)threadGroupsX, (uint)threadGroupsY, (uint)threadGroupsZ);
     }
+
+    public void DispatchIndirect(int kernelIndex, ComputeBuffer argsBuffer) =>
+        DispatchIndirect(kernelIndex, argsBuffer, 0);
+
+    public void DispatchIndirect(int kernelIndex, ComputeBuffer argsBuffer, uint argsOffset) =>
+        DispatchIndirect(kernelIndex, argsBuffer?.Elements, argsOffset);
+
+    public void DispatchIndirect(int kernelIndex, GraphicsBuffer argsBuffer) =>
+        DispatchIndirect(kernelIndex, argsBuffer, 0);
+
+    public void DispatchIndirect(int kernelIndex, GraphicsBuffer argsBuffer, uint argsOffset) =>
+        DispatchIndirect(kernelIndex, argsBuffer?.Elements, argsOffset);
 
     internal override void OnDestroyed()
     {
         foreach (var kernel in _kernels)
             kernel.Dispose();
+    }
+
+    void DispatchIndirect(int kernelIndex, StructuredBuffer argsBuffer, uint argsOffset)
+    {
+        var kernel = Kernel(kernelIndex);
+        if (argsBuffer == null)
+            throw new ArgumentNullException(nameof(argsBuffer));
+        if (!SystemInfo.supportsIndirectArgumentsBuffer)
+            throw new NotSupportedException("this device has no DispatchIndirect "
+                + "(SystemInfo.supportsIndirectArgumentsBuffer); use Dispatch");
+        string What() => $"Compute shader ({Name}): the argument buffer of kernel {kernel.Name}";
+        if (!argsBuffer.Uses.Arguments)
+            throw new ArgumentException($"{What()} was made without IndirectArguments; make it with "
+                + "IndirectArguments | Raw", nameof(argsBuffer));
+        if (argsOffset % 4 != 0 || (long)argsOffset + GroupCountBytes > argsBuffer.Bytes)
+            throw new ArgumentException($"{What()} has {argsBuffer.Bytes:N0} bytes; an offset into it is a multiple "
+                + $"of 4 with {GroupCountBytes} bytes after it, not {argsOffset:N0}", nameof(argsOffset));
+        if (Bind(kernelIndex))
+            kernel.DispatchIndirect(argsBuffer.Gpu, argsOffset);
+    }
+
+    /// <summary>Gives a kernel its buffers and uniforms. Logs a buffer that is not set and returns false.</summary>
+    bool Bind(int kernelIndex)
+    {
+        string missing = _kernels[kernelIndex].Bind(Name, _values);
+        if (missing != null)
+            Debug.LogError(
+                $"Compute shader ({Name}): Property ({missing}) at kernel index ({kernelIndex}) is not set", this);
+        return missing == null;
     }
 
     int IndexOf(string kernel)

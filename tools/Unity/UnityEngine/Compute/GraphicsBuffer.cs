@@ -19,7 +19,10 @@ public sealed class GraphicsBuffer : IDisposable
                 + "count in a buffer of your own with InterlockedAdd");
         this.target = target;
         this.usageFlags = usageFlags;
-        Elements = new StructuredBuffer(nameof(GraphicsBuffer), count, stride, (target & Target.Raw) != 0);
+        Elements = new StructuredBuffer(nameof(GraphicsBuffer), count, stride, new BufferUses(
+            (target & Target.Structured) != 0,
+            (target & Target.Raw) != 0,
+            (target & Target.IndirectArguments) != 0));
     }
 
     ~GraphicsBuffer() => Elements?.Leak();

@@ -17,6 +17,12 @@ public static class GraphicsDevice
     /// </summary>
     public static GraphicsDeviceType Type { get; set; } = GraphicsDeviceType.Vulkan;
 
+    /// <summary>What SystemInfo reports of asynchronous read-back. For tests of its absence.</summary>
+    public static bool HasAsyncReadback { get; set; } = true;
+
+    /// <summary>What SystemInfo reports of buffers with the group counts of a dispatch. For tests.</summary>
+    public static bool HasIndirectArguments { get; set; } = true;
+
     public static bool IsNull => Type == GraphicsDeviceType.Null;
 
     /// <summary>

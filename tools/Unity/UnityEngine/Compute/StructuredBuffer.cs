@@ -22,8 +22,11 @@ internal sealed class StructuredBuffer
     readonly VulkanDevice _device;
     GpuBuffer _buffer;
 
-    internal StructuredBuffer(string kind, int count, int stride, bool isRaw)
+    internal StructuredBuffer(string kind, int count, int stride, BufferUses uses)
     {
+        if (uses.Structured && uses.Arguments)
+            throw new ArgumentException($"a {kind} cannot be both Structured and IndirectArguments: Direct3D 11 "
+                + "has no such buffer; use IndirectArguments | Raw and a RWByteAddressBuffer in the kernel");
         if (count <= 0)
             throw new ArgumentException($"a {kind} needs at least one element, not {count}", nameof(count));
         if (stride <= 0 || stride % 4 != 0 || stride >= StrideLimit)
@@ -39,7 +42,7 @@ internal sealed class StructuredBuffer
         _kind = kind;
         Count = count;
         Stride = stride;
-        IsRaw = isRaw;
+        Uses = uses;
         _buffer = _device.CreateBuffer(bytes);
     }
 
@@ -47,8 +50,9 @@ internal sealed class StructuredBuffer
     internal int Stride { get; }
     internal long Bytes => (long)Count * Stride;
 
-    /// <summary>May be bound to a ByteAddressBuffer.</summary>
-    internal bool IsRaw { get; }
+    internal BufferUses Uses { get; }
+
+    internal VulkanDevice Device => _device;
 
     internal bool IsValid => _buffer is { IsDisposed: false };
 
@@ -99,6 +103,13 @@ internal sealed class StructuredBuffer
         long end = (long)count * size;
         for (long at = 0; at < end; at += MostBytesAtOnce)
             Gpu.Read(Slice(ref first, (long)dataStart * size + at, end - at), (long)bufferStart * size + at);
+    }
+
+    /// <summary>Has the device copy bytes as they are now: see <see cref="GpuBuffer.BeginRead"/>.</summary>
+    internal unsafe long BeginGet(NativeArray<byte> data, long offset)
+    {
+        fixed (byte* target = data.AsSpan())
+            return Gpu.BeginRead(target, data.Length, offset);
     }
 
     void Set<T>(Span<T> data, int dataStart, int bufferStart, int count) where T : struct

@@ -46,7 +46,10 @@ public sealed class SystemInfo
 
     public static bool supportsComputeShaders => !GraphicsDevice.IsNull;
 
-    public static bool supportsAsyncGPUReadback => !GraphicsDevice.IsNull;
+    public static bool supportsAsyncGPUReadback => !GraphicsDevice.IsNull && GraphicsDevice.HasAsyncReadback;
+
+    public static bool supportsIndirectArgumentsBuffer =>
+        !GraphicsDevice.IsNull && GraphicsDevice.HasIndirectArguments;
 
     public static int maxComputeBufferInputsCompute => GraphicsDevice.IsNull ? 0 : Limits.MaxStorageBuffersPerStage;
 
