@@ -53,17 +53,26 @@ StructuredBuffer<uint4> _EntryPoints;
 uint _Culling;                              // CULL_ flags
 uint _Readback;                             // READBACK_ mode of _Rays
 float _LengthUnits;                         // units of length sums per m: the maximum relative length is 2^30
-uint _FirstCandidate;                       // first of the rays of _Candidates of this dispatch
-uint _CandidateCount;
-uint _SubRays;                              // sub-rays along the side of a pixel: 1 for the ray itself
+uint _HasSubRays;                           // 1: the rays of this dispatch are sub-rays
+StructuredBuffer<uint> _SubRayPixels;       // pixels with sub-rays
+uint _FirstSearched;                        // candidates searched in earlier dispatches
+uint _PathCount;                            // rays of _Candidates whose paths are recorded
+uint _ReceivedCapacity;                     // received rays that _Sums can hold
+uint _FirstReceived;                        // received rays of earlier dispatches
+uint _HasLengths;                           // 1: the lengths of received rays are kept in _Lengths
 
 // Output.
 RWStructuredBuffer<RayData> _Rays;
-RWStructuredBuffer<uint> _Sums;             // see Sums.hlsl
-// Candidates: pixel, index in the order of tiles. The refine kernels replace them by pixel, or NO_PIXEL if not
-// received, and path length less twice _OriginDepth, m. The kernels of paths write bounces, with RAY_RECEIVED if
-// received, and the distance from the last hit to the receiver's plane, m.
+RWStructuredBuffer<uint> _Sums;             // see Sums.hlsl, and COUNT_ in Constants.hlsl
+// Candidates: pixel, then index in the order of tiles or number of the sub-ray. The first MAX_KNOWN are those whose
+// triangles are in _Met. The refine kernels replace them by pixel, or NO_PIXEL if not received, and path length less
+// twice _OriginDepth, m. The kernels of paths write bounces, with RAY_RECEIVED if received, and the distance from the
+// last hit to the receiver's plane, m.
 RWStructuredBuffer<uint2> _Candidates;
+// The triangles that a candidate meets (see NumberOf), _MaxBounces elements each; shorter paths end with NO_INSTANCE.
+RWStructuredBuffer<uint2> _Met;
+// By pixel of the region, row by row: length of a received ray as in _Candidates, else NO_LENGTH.
+RWStructuredBuffer<uint> _Lengths;
 RWStructuredBuffer<HitData> _Hits;            // _MaxBounces elements for each ray of _Candidates
 RWStructuredBuffer<uint4> _FoundEntryPoints;  // output of the kernels EntryPoints and EntryPointsWide
 

@@ -14,6 +14,7 @@ struct Hit
     Real3 Normal;           // unit vector in the scene, towards the ray
     bool IsAmbiguous;       // float32 cannot decide whether this is the closest hit
 #ifndef GLINT_REFINE
+    bool IsSure;            // no other triangle is hit at this distance within its error
     float3 NextStart;       // start of the traversal after it
 #endif
 };
@@ -21,6 +22,14 @@ struct Hit
 bool IsMiss(Hit hit)
 {
     return hit.Instance == NO_INSTANCE;
+}
+
+Hit NoHit()
+{
+    Hit hit = (Hit)0;
+    hit.Instance = NO_INSTANCE;
+    hit.TraversalDistance = MakeReal(MISS, 0.0);
+    return hit;
 }
 
 // Normals transform by the transpose of the inverse.
@@ -140,11 +149,9 @@ Hit LoadHit(TraversalState state, Ray ray)
 
 #endif
 
-// The closest hit of a ray within reach, m.
-// FirstEntryPoint: index into _EntryPoints of the first instance; NO_ENTRY_POINTS: traversal from the roots.
-Hit ClosestHit(Ray ray, float reach, uint firstEntryPoint)
+// The hit that a traversal has found.
+Hit HitOf(TraversalState state, Ray ray)
 {
-    TraversalState state = Traverse(ray, reach, firstEntryPoint, false);
     Hit hit = (Hit)0;
     if (state.Instance != NO_INSTANCE)
     {
@@ -162,15 +169,40 @@ Hit ClosestHit(Ray ray, float reach, uint firstEntryPoint)
     // A triangle whose edge the ray passes within the edge error may be the true hit.
     bool isByEdge = state.AmbiguousDistance < MISS && state.AmbiguousDistance <= state.Distance;
     hit.IsAmbiguous = hit.IsAmbiguous || isByEdge;
+    float upper = IsMiss(hit) ? state.Distance : 2.0 * state.Distance - state.LowerDistance;
+    hit.IsSure = !hit.IsAmbiguous && state.NextLowerDistance > upper;
 #endif
     return hit;
 }
+
+// The closest hit of a ray within reach, m.
+// FirstEntryPoint: index into _EntryPoints of the first instance; NO_ENTRY_POINTS: traversal from the roots.
+Hit ClosestHit(Ray ray, float reach, uint firstEntryPoint)
+{
+    TraversalState state = BeginTraversal(ray, reach, false);
+    Traverse(ray, firstEntryPoint, false, state);
+    return HitOf(state, ray);
+}
+
+#ifdef GLINT_FOLLOW_MET
+// The same if the triangle that float32 has hit is known, or its instance is NO_INSTANCE.
+Hit KnownOrClosestHit(Ray ray, float reach, uint2 met)
+{
+    TraversalState state = BeginTraversal(ray, reach, false);
+    if (met.x != NO_INSTANCE)
+        TestTriangle(met, ray, state);
+    if (state.Instance == NO_INSTANCE)
+        Traverse(ray, NO_ENTRY_POINTS, false, state);
+    return HitOf(state, ray);
+}
+#endif
 
 // The any-hit query of shadow rays: whether the ray hits anything within reach, m.
 // IsAmbiguous: float32 cannot decide.
 bool AnyHit(Ray ray, float reach, out bool isAmbiguous)
 {
-    TraversalState state = Traverse(ray, reach, NO_ENTRY_POINTS, true);
+    TraversalState state = BeginTraversal(ray, reach, true);
+    Traverse(ray, NO_ENTRY_POINTS, true, state);
 #ifdef GLINT_REFINE
     isAmbiguous = false;
 #else

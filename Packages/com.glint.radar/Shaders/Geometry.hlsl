@@ -75,6 +75,9 @@ float SideOf(float3 a, float3 b)
 // Rounding of a corner's coordinates across the ray: 4 float32 steps.
 static const float SEEN_ROUNDING = 2.4e-7;
 
+// Relative rounding of a distance interpolated between corners: 16 float32 steps.
+static const float DISTANCE_ROUNDING = 1.0e-6;
+
 float SumOfSizes(float2 v)
 {
     return abs(v.x) + abs(v.y);
@@ -92,10 +95,10 @@ float MaxComponent(float3 v)
 
 // Distance to a triangle, from its corners in the ray's coordinates and the edge functions opposite to them; MISS
 // outside. A ray through an edge or a corner, where an edge function is 0, is inside. AmbiguousDistance: lower bound of
-// the true distance if an edge function is within its error, else MISS. MaxEdgeError: bound of the errors of all edge
-// functions.
+// the true distance if an edge function is within its error, else MISS. LowerDistance: lower bound of the true distance
+// if the ray hits, else MISS. MaxEdgeError: bound of the errors of all edge functions.
 float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionError, float maxEdgeError,
-    out float ambiguousDistance)
+    out float ambiguousDistance, out float lowerDistance)
 {
     float3 distances = float3(a.z, b.z, c.z);
     float sum = sides.x + sides.y + sides.z;
@@ -122,13 +125,18 @@ float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionErro
                     abs(sum) > edgeError ? max(nearest, toHit - (farthest - nearest) * edgeError / abs(sum)) : nearest);
         }
     }
-    return isInside && toHit > 0.0 ? toHit : MISS;
+    bool isHit = isInside && toHit > 0.0;
+    float nearestCorner = MinComponent(distances), farthestCorner = MaxComponent(distances);
+    float distanceError = 3.0 * maxEdgeError * (farthestCorner - nearestCorner) / abs(sum) + positionError
+        + DISTANCE_ROUNDING * farthestCorner;
+    lowerDistance = isHit ? toHit - distanceError : MISS;
+    return isHit ? toHit : MISS;
 }
 
-// Distances to the triangles (0, 1, 2) and (0, 2, 3) of a pair, and their ambiguous distances. Watertight: no ray
+// Distances to the triangles (0, 1, 2) and (0, 2, 3) of a pair, their ambiguous and lower distances. Watertight: no ray
 // passes between triangles that share corners (after Woop, Benthin and Wald 2013).
 float2 HitPair(TraversalRay ray, float3 corner0, float3 corner1, float3 corner2, float3 corner3,
-    out float2 ambiguousDistance)
+    out float2 ambiguousDistance, out float2 lowerDistance)
 {
     float3 p0 = AsSeen(ray, corner0), p1 = AsSeen(ray, corner1), p2 = AsSeen(ray, corner2), p3 = AsSeen(ray, corner3);
     float diagonal = SideOf(p2, p0);
@@ -139,9 +147,9 @@ float2 HitPair(TraversalRay ray, float3 corner0, float3 corner1, float3 corner2,
     bool isAlone = all(corner2 == corner3);
     float first =
         HitTriangle(p0, p1, p2, float3(SideOf(p1, p2), diagonal, SideOf(p0, p1)), positionError,
-            maxEdgeError, ambiguousDistance.x);
+            maxEdgeError, ambiguousDistance.x, lowerDistance.x);
     float second = HitTriangle(p0, p2, p3, float3(SideOf(p2, p3), SideOf(p3, p0), -diagonal), positionError,
-        isAlone ? -1.0 : maxEdgeError, ambiguousDistance.y);
+        isAlone ? -1.0 : maxEdgeError, ambiguousDistance.y, lowerDistance.y);
     return float2(first, second);
 }
 

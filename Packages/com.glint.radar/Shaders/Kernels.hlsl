@@ -1,7 +1,15 @@
 #ifndef GLINT_KERNELS
 #define GLINT_KERNELS
 
-#include "Bindings.hlsl"
+#ifdef GLINT_STAGE
+#include "Stages.hlsl"
+#else
+
+#if defined(GLINT_REFINE) && !defined(GLINT_NOTE_HITS) && !defined(GLINT_ARITHMETIC)
+#define GLINT_FOLLOW_MET
+#endif
+
+#include "WorkLists.hlsl"
 #include "Geometry.hlsl"
 #include "PathLoop.hlsl"
 #include "EntryPoints.hlsl"
@@ -13,20 +21,22 @@
 #include "Identity.hlsl"
 #endif
 
-// Threads of a group; results do not depend on it.
-#ifndef GLINT_GROUP
-#define GLINT_GROUP 64
-#endif
-
-uint IndexOf(uint3 group, uint thread)
-{
-    return (group.x + group.y * GROUPS_A_ROW) * GLINT_GROUP + thread;
-}
-
 uint2 TilePixel(uint tile)
 {
     uint packed = _Tiles[_FirstTile + min(tile, _TileCount - 1)];
     return uint2(packed & 0xffff, packed >> 16) * TILE_SIDE;
+}
+
+// A point of a pixel, in rays from _ReferencePixel.
+float2 PicturePosition(uint pixel, float2 inPixel)
+{
+    return float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferencePixel.xy + inPixel;
+}
+
+// Place of a sub-ray in its pixel.
+float2 InPixel(uint subRay)
+{
+    return (float2(subRay % SUB_RAYS, subRay / SUB_RAYS) + 0.5) / SUB_RAYS;
 }
 
 void CountWork(uint slot)
@@ -64,7 +74,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint entry = IndexOf(group, thread);
-    if (entry >= _CandidateCount)
+    if (entry >= _PathCount)
         return;
     uint pixel = _Candidates[entry].x;
     Path path = BeginPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferencePixel.xy + 0.5);
@@ -88,79 +98,115 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 
 #elif defined(GLINT_REFINE)
 
-// Refine pass: traces the rays of _Candidates again, or sub-rays of their pixels, and sums received rays.
+// Refine pass: follows the candidates in double-float arithmetic, and sums received rays.
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint index = IndexOf(group, thread);
-    uint subRay = index % (_SubRays * _SubRays), inDispatch = index / (_SubRays * _SubRays),
-        entry = _FirstCandidate + inDispatch;
-    if (inDispatch >= _CandidateCount)
+    uint index = IndexOf(group, thread), entry = CandidateOf(index);
+    if (entry == NO_CANDIDATE)
         return;
     uint pixel = _Candidates[entry].x, rayIndex = _Candidates[entry].y;
-    float2 inPixel = (float2(subRay % _SubRays, subRay / _SubRays) + 0.5) / _SubRays;
-    Path path =
-        FollowPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferencePixel.xy + inPixel, NO_ENTRY_POINTS);
-    // Sub-rays of the same number have their own slot.
-    uint slot = (_SubRays == 1 ? index % SUM_SLOTS : subRay) * SUM_WORDS;
-    AddPath(slot, path.Bounces, Rounded(path.RelativeLength));
-    CountWork(slot);
+    bool isSubRay = _HasSubRays != 0;
+    float2 inPixel = isSubRay ? InPixel(rayIndex) : 0.5;
+    Path path = BeginPath(PicturePosition(pixel, inPixel));
+    path.FirstMet = entry < MAX_KNOWN ? entry * _MaxBounces : NOTHING_MET;
+    FollowPath(path, NO_ENTRY_POINTS);
 
-    RayData ray = DataOf(path, pixel);
     DoubleFloat relativeLength =
         Add(path.RelativeLength, Sub(path.WayBack, MakeDoubleFloat(_OriginDepth.x, _OriginDepth.y)));
+    DoubleFloat whole = Add(Mul(MakeDoubleFloat(_OriginDepth.x, _OriginDepth.y), 2.0), relativeLength);
+    float turns = PartOfTurn(Mul(whole, MakeDoubleFloat(_WaveNumberTurns.x, _WaveNumberTurns.y)));
+    float2 phasor = Phasor(turns);
+    if (isSubRay)
+    {
+        if (path.IsCandidate)
+            AddReceived((SUM_SLOTS + rayIndex) * SUM_WORDS, turns, phasor);
+        return;
+    }
+    uint slot = index % SUM_SLOTS * SUM_WORDS;
+    AddPath(slot, path.Bounces, Rounded(path.RelativeLength));
+    CountWork(slot);
+    RayData ray = DataOf(path, pixel);
     if (path.IsCandidate)
     {
-        DoubleFloat whole = Add(Mul(MakeDoubleFloat(_OriginDepth.x, _OriginDepth.y), 2.0), relativeLength);
-        float turns = PartOfTurn(Mul(whole, MakeDoubleFloat(_WaveNumberTurns.x, _WaveNumberTurns.y)));
-        float2 phasor = Phasor(turns);
         AddReceived(slot, turns, phasor);
         ray.PathLength = whole.Hi;
         ray.PathLengthLo = whole.Lo;
         ray.Bounces |= RAY_RECEIVED;
         ray.InPhase = phasor.x;
         ray.Quadrature = phasor.y;
+        if (_HasLengths != 0)
+            _Lengths[InRegion(pixel)] = asuint(relativeLength.Hi);
+        uint received = ListReceived(pixel, relativeLength.Hi);
+        if (_Readback == READBACK_RECEIVED)
+            _Rays[received - _FirstReceived] = ray;
     }
-    if (_SubRays > 1)
-        return;
     _Candidates[entry] = uint2(path.IsCandidate ? pixel : NO_PIXEL, asuint(relativeLength.Hi));
     if (_Readback == READBACK_ALL)
         _Rays[rayIndex] = ray;
-    else if (_Readback == READBACK_RECEIVED)
-        _Rays[inDispatch] = ray;
 }
 
 #else
+
+// A ray of the picture, or a sub-ray.
+struct EmittedRay
+{
+    uint Pixel;           // NO_PIXEL: none
+    float2 Position;      // in the picture, in rays from _ReferencePixel
+    uint Slot;            // word of its sums
+    uint FirstEntryPoint;
+    uint Number;          // index in the order of tiles, or number of the sub-ray in its pixel
+};
+
+EmittedRay RayOfTile(uint index)
+{
+    uint tile = index / RAYS_A_TILE, inTile = index % RAYS_A_TILE;
+    // Eight consecutive threads trace 4 x 2 rays, which are coherent on devices of that width.
+    uint2 at = TilePixel(tile) + uint2((inTile & 3) | (inTile >> 1 & 4), (inTile >> 2 & 1) | (inTile >> 3 & 6));
+    bool isInside = tile < _TileCount && at.x >= _Region.x && at.x < _Region.y && at.y >= _Region.z && at.y < _Region.w;
+    EmittedRay ray;
+    ray.Pixel = isInside ? at.x + at.y * _RaysAcross : NO_PIXEL;
+    ray.Position = float2(at) + 0.5 - _ReferencePixel.xy;
+    ray.Slot = tile % SUM_SLOTS * SUM_WORDS;
+    ray.FirstEntryPoint = (_Culling & CULL_ENTRY_POINTS) != 0 ? tile * MAX_INLINE_INSTANCES : NO_ENTRY_POINTS;
+    ray.Number = index;
+    return ray;
+}
+
+EmittedRay SubRay(uint index)
+{
+    uint pixel = index / (SUB_RAYS * SUB_RAYS);
+    EmittedRay ray;
+    ray.Pixel = pixel < min(_Sums[COUNT_CHOSEN], MAX_CHOSEN) ? _SubRayPixels[pixel] : NO_PIXEL;
+    ray.Number = index % (SUB_RAYS * SUB_RAYS);
+    ray.Position = PicturePosition(ray.Pixel, InPixel(ray.Number));
+    ray.Slot = 0;
+    ray.FirstEntryPoint = NO_ENTRY_POINTS;
+    return ray;
+}
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    uint tile = index / RAYS_A_TILE, ray = index % RAYS_A_TILE;
-    uint slot = tile % SUM_SLOTS * SUM_WORDS;
-    // Eight consecutive threads trace 4 x 2 rays, which are coherent on devices of that width.
-    uint2 inTile = uint2((ray & 3) | (ray >> 1 & 4), (ray >> 2 & 1) | (ray >> 3 & 6));
-    uint2 at = TilePixel(tile) + inTile;
-    uint pixel = NO_PIXEL;
+    EmittedRay ray = _HasSubRays != 0 ? SubRay(index) : RayOfTile(index);
     Path path = (Path)0;
-    if (tile < _TileCount && at.x >= _Region.x && at.x < _Region.y && at.y >= _Region.z && at.y < _Region.w)
+    if (ray.Pixel != NO_PIXEL)
     {
-        pixel = at.x + at.y * _RaysAcross;
-        path = FollowPath(float2(at) + 0.5 - _ReferencePixel.xy,
-            (_Culling & CULL_ENTRY_POINTS) != 0 ? tile * MAX_INLINE_INSTANCES : NO_ENTRY_POINTS);
-        CountWork(slot);
+        path = BeginPath(ray.Position);
+        FollowPath(path, ray.FirstEntryPoint);
         if (path.IsCandidate)
-        {
-            uint entry;
-            InterlockedAdd(_Sums[SUM_CANDIDATES], 1, entry);
-            _Candidates[entry] = uint2(pixel, index);
-        }
-        else
-            AddPath(slot, path.Bounces, path.RelativeLength);
+            AddCandidate(path, ray.Pixel, ray.Number);
+        else if (_HasSubRays == 0)
+            AddPath(ray.Slot, path.Bounces, path.RelativeLength);
+        if (_HasSubRays == 0)
+            CountWork(ray.Slot);
     }
-    if (_Readback == READBACK_ALL && tile < _TileCount && !path.IsCandidate)
-        _Rays[index] = DataOf(path, pixel);
+    if (_Readback == READBACK_ALL && _HasSubRays == 0 && index / RAYS_A_TILE < _TileCount && !path.IsCandidate)
+        _Rays[index] = DataOf(path, ray.Pixel);
 }
+
+#endif
 
 #endif
 

@@ -31,6 +31,8 @@ struct TraversalState
 #else
     // m: smallest distance of a triangle whose edge the ray passes within the edge error
     float AmbiguousDistance;
+    float LowerDistance;     // m: lower bound of the true Distance,
+    float NextLowerDistance; // and the smallest one of the other triangles that the ray hits
     uint2 Tied;              // another triangle at Distance: see NumberOf; its instance is NO_INSTANCE if there is none
 #endif
 };
@@ -163,22 +165,29 @@ void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint ro
 {
     COUNT_PAIR;
     Pair pair = LoadPair(page, firstRow + row);
-    float2 ambiguousDistance,
-        toHit = HitPair(ray, pair.Corner0, pair.Corner1, pair.Corner2, pair.Corner3, ambiguousDistance);
+    float2 ambiguousDistance, lowerDistance,
+        toHit = HitPair(ray, pair.Corner0, pair.Corner1, pair.Corner2, pair.Corner3, ambiguousDistance, lowerDistance);
     if (instance == state.ExcludedTriangle.x && row == state.ExcludedTriangle.y >> 1)
     {
         bool excludesFirst = (state.ExcludedTriangle.y & 1) == 0;
         toHit = excludesFirst ? float2(MISS, toHit.y) : float2(toHit.x, MISS);
         ambiguousDistance = excludesFirst ? float2(MISS, ambiguousDistance.y) : float2(ambiguousDistance.x, MISS);
+        lowerDistance = excludesFirst ? float2(MISS, lowerDistance.y) : float2(lowerDistance.x, MISS);
     }
     state.AmbiguousDistance = min(state.AmbiguousDistance, min(ambiguousDistance.x, ambiguousDistance.y));
-    float nearer = min(toHit.x, toHit.y);
-    if (nearer < state.Distance)
+    bool isSecond = toHit.y < toHit.x;
+    float nearer = isSecond ? toHit.y : toHit.x, lower = isSecond ? lowerDistance.y : lowerDistance.x,
+        otherLower = isSecond ? lowerDistance.x : lowerDistance.y;
+    bool isNearer = nearer < state.Distance;
+    state.NextLowerDistance =
+        min(state.NextLowerDistance, min(otherLower, isNearer ? state.LowerDistance : lower));
+    if (isNearer)
     {
         state.Distance = nearer;
+        state.LowerDistance = lower;
         state.Instance = instance;
         state.Row = row;
-        state.Second = toHit.y < toHit.x;
+        state.Second = isSecond;
         state.Tied.x = NO_INSTANCE;
     }
     else if (nearer == state.Distance && state.Instance != NO_INSTANCE)
@@ -186,7 +195,7 @@ void TestPair(TraversalRay ray, uint instance, uint page, uint firstRow, uint ro
         // The refine pass decides between more than two.
         if (state.Tied.x != NO_INSTANCE)
             state.AmbiguousDistance = min(state.AmbiguousDistance, nearer);
-        state.Tied = NumberOf(instance, row, toHit.y < toHit.x);
+        state.Tied = NumberOf(instance, row, isSecond);
     }
 }
 

@@ -12,7 +12,14 @@ struct Path
     bool MeetsReceiver;   // the segment meets the receiver unless it hits something
     Real WayBack;         // if so, distance from the last hit to the receiver's plane, m
     bool IsCandidate;     // received; in float32: possibly received, or undecided
+#ifdef GLINT_REFINE
+    uint FirstMet;        // first of its triangles in _Met
+#else
+    bool IsSure;          // float32 is sure of every triangle that the path has met
+#endif
 };
+
+static const uint NOTHING_MET = 0xffffffff;
 
 // Evaluates a linear function of the pixel. Pixels are exact: whole rays, halves or eighths.
 Real3 AtPixel(float2 pixel, float4 value, float4 valueLo, float4 dx, float4 dxLo, float4 dy, float4 dyLo)
@@ -34,6 +41,11 @@ Path BeginPath(float2 pixel)
     path.Ray.Start = Rounded(path.Ray.Origin);
     path.Ray.ExcludedTriangle = NO_INSTANCE;
     path.Ray.DirectionError = ERROR_PER_SEGMENT;
+#ifdef GLINT_REFINE
+    path.FirstMet = NOTHING_MET;
+#else
+    path.IsSure = true;
+#endif
     path.RelativeLength = Mul(MakeReal(_OriginDepth.x, _OriginDepth.y), Sub(size, MakeReal(1.0, 0.0)));
     return path;
 }

@@ -3,6 +3,7 @@
 
 #include "Mirror.hlsl"
 #include "ReceiverPlane.hlsl"
+#include "Candidates.hlsl"
 
 // Traces a path to its next bounce; false if there is none.
 // FirstEntryPoint: index into _EntryPoints for the first segment.
@@ -13,25 +14,33 @@ bool Advance(inout Path path, uint firstEntryPoint, out Hit hit)
     float reach = Reach(path);
     if (reach <= 0.0)
         return false;
+#ifdef GLINT_FOLLOW_MET
+    hit = IsWayBackClear(path) ? NoHit() : KnownOrClosestHit(path.Ray, reach, MetNext(path));
+#else
     hit = ClosestHit(path.Ray, reach, path.Bounces == 0 ? firstEntryPoint : NO_ENTRY_POINTS);
-    if (!Observe(path, hit))
+#endif
+    bool goesOn = Observe(path, hit);
+#ifndef GLINT_REFINE
+    path.IsSure = path.IsSure && hit.IsSure && (goesOn || IsMiss(hit));
+#endif
+    if (!goesOn)
         return false;
     MoveTo(path, hit);
+#ifndef GLINT_REFINE
+    NoteMet(path);
+#endif
     Scatter(path, hit);
     return true;
 }
 
 // Traces a path to its end.
-// Pixel: a point of the picture, in rays from _ReferencePixel.
-Path FollowPath(float2 pixel, uint firstEntryPoint)
+void FollowPath(inout Path path, uint firstEntryPoint)
 {
-    Path path = BeginPath(pixel);
     Hit hit;
     [loop]
     while (Advance(path, firstEntryPoint, hit))
     {
     }
-    return path;
 }
 
 #endif

@@ -33,12 +33,20 @@ void LookAhead(inout Path path)
     path.MeetsReceiver = MeetsReceiver(path.Ray.Origin, path.Ray.Direction, path.WayBack) && path.Bounces > 0;
 }
 
+// Float32 searches farther than the receiver by this fraction of the scene's size, a bound of the errors of distances:
+// so that it is sure of what is before the receiver.
+static const float REACH_MARGIN = 3.0e-5;
+
 // Reach of the query for the next hit, m; 0: no hit can change the result.
 float Reach(Path path)
 {
     if (IsLast(path) && !path.MeetsReceiver && (_Culling & CULL_LAST) != 0)
         return 0.0;
-    return path.MeetsReceiver && (_Culling & CULL_REACH) != 0 ? Rounded(path.WayBack) : MISS;
+    float reach = Rounded(path.WayBack);
+#ifndef GLINT_REFINE
+    reach += REACH_MARGIN * _SceneCentreExtent.w;
+#endif
+    return path.MeetsReceiver && (_Culling & CULL_REACH) != 0 ? reach : MISS;
 }
 
 // False if the path ends: it is received, leaves the scene or has made its last bounce.

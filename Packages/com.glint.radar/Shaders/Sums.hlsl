@@ -77,4 +77,17 @@ void AddReceived(uint slot, float turns, float2 phasor)
     AddTo(slot + SUM_HISTOGRAM + min(PHASE_BINS - 1, (uint)(turns * PHASE_BINS)), 1);
 }
 
+// Adds a received ray to the list behind the counts. Returns its place among all of the slice.
+uint ListReceived(uint pixel, float length)
+{
+    uint at;
+    InterlockedAdd(_Sums[COUNT_RECEIVED], 1, at);
+    if (at < _ReceivedCapacity)
+    {
+        _Sums[RECEIVED_RAYS + 2 * at] = pixel;
+        _Sums[RECEIVED_RAYS + 2 * at + 1] = asuint(length);
+    }
+    return at;
+}
+
 #endif

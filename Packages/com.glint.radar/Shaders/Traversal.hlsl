@@ -55,19 +55,34 @@ struct Ray
     float DirectionError;    // and its growth per metre
 };
 
-void TraverseInstance(uint instance, Ray ray, uint4 entryPoints, bool anyHit, inout TraversalState state)
+// The ray in the frame of an instance's mesh.
+TraversalRay EnterInstance(InstanceRecord record, Ray ray, inout TraversalState state)
 {
-    InstanceRecord record = LoadInstance(instance);
     float positionError = state.PositionError * record.Stretch + record.Rounding;
 #ifdef GLINT_REFINE
     state.Ray.SceneExtent = _SceneCentreExtent.w * record.Stretch;
     state.Ray.Origin = PointToLocal(record, ray.Origin);
     state.Ray.Direction = VectorToLocal(record, ray.Direction);
 #endif
-    TraverseMesh(MakeTraversalRay(PointToLocal(record, ray.Start), VectorToLocal(record, Rounded(ray.Direction)),
-        positionError, state.DirectionError * record.Stretch), instance, record.Page, record.FirstRow, entryPoints,
-        anyHit, state);
+    return MakeTraversalRay(PointToLocal(record, ray.Start), VectorToLocal(record, Rounded(ray.Direction)),
+        positionError, state.DirectionError * record.Stretch);
 }
+
+void TraverseInstance(uint instance, Ray ray, uint4 entryPoints, bool anyHit, inout TraversalState state)
+{
+    InstanceRecord record = LoadInstance(instance);
+    TraverseMesh(EnterInstance(record, ray, state), instance, record.Page, record.FirstRow, entryPoints, anyHit, state);
+}
+
+#ifdef GLINT_FOLLOW_MET
+// Tests a single triangle: see NumberOf.
+void TestTriangle(uint2 number, Ray ray, inout TraversalState state)
+{
+    InstanceRecord record = LoadInstance(number.x);
+    state.PendingLeaf = 4 * (number.y / 2) + ((number.y & 1) != 0 ? 2 : 1);
+    TestPending(EnterInstance(record, ray, state), number.x, record.Page, record.FirstRow, state);
+}
+#endif
 
 #ifndef GLINT_INLINE_INSTANCES
 void TraverseInstanceBvh(Ray ray, bool anyHit, inout TraversalState state)
@@ -106,9 +121,8 @@ void TraverseInstanceBvh(Ray ray, bool anyHit, inout TraversalState state)
 }
 #endif
 
-// Traverses all instances up to reach, m from ray.Start, without the excluded triangle.
-// FirstEntryPoint: index into _EntryPoints of the first instance; NO_ENTRY_POINTS: traversal from the roots.
-TraversalState Traverse(Ray ray, float reach, uint firstEntryPoint, bool anyHit)
+// The state before a traversal up to reach, m from ray.Start.
+TraversalState BeginTraversal(Ray ray, float reach, bool anyHit)
 {
     TraversalState state = (TraversalState)0;
     state.Distance = reach;
@@ -123,8 +137,17 @@ TraversalState Traverse(Ray ray, float reach, uint firstEntryPoint, bool anyHit)
     state.DirectionError = ray.DirectionError;
     state.PositionError = ray.PositionError + ERROR_PER_SEGMENT * MaxComponent(abs(ray.Start));
     state.AmbiguousDistance = MISS;
+    state.LowerDistance = MISS;
+    state.NextLowerDistance = MISS;
     state.Tied.x = NO_INSTANCE;
 #endif
+    return state;
+}
+
+// Traverses all instances, without the excluded triangle.
+// FirstEntryPoint: index into _EntryPoints of the first instance; NO_ENTRY_POINTS: traversal from the roots.
+void Traverse(Ray ray, uint firstEntryPoint, bool anyHit, inout TraversalState state)
+{
 #ifdef GLINT_INLINE_INSTANCES
 #ifdef GLINT_SINGLE_INSTANCE
     uint instance = 0; // a loop of one iteration costs a software device a tenth of its time
@@ -144,7 +167,6 @@ TraversalState Traverse(Ray ray, float reach, uint firstEntryPoint, bool anyHit)
 #ifndef GLINT_REFINE
     DecideTie(state);
 #endif
-    return state;
 }
 
 #endif

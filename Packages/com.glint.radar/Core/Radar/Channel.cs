@@ -15,6 +15,9 @@ namespace Glint.Core
         /// <summary>Slots that the kernels spread their sums over, and 32-bit words in each slot.</summary>
         public const int Slots = 64, WordsPerSlot = 64;
 
+        /// <summary>Further slots behind them, one for each number of a sub-ray in its pixel.</summary>
+        public const int SubRaySlots = SamplingEstimate.SubGrids;
+
         // The polynomial of the cosine may round to slightly above 1.
         const double MaxPhasorPart = 1 + 1.0 / (1 << 20);
 
@@ -28,9 +31,6 @@ namespace Glint.Core
 
         /// <summary>Rays received.</summary>
         public static readonly Channel Received = new Channel("received", 1);
-
-        /// <summary>Candidates: rays for the refine pass. In the first slot only.</summary>
-        public static readonly Channel Candidates = new Channel("candidates", 1);
 
         /// <summary>
         /// Path lengths from the ray's origin to its last hit, as a share of the longest that the scene allows.
@@ -109,7 +109,7 @@ namespace Glint.Core
         /// <exception cref="GlintException">A part exceeds the maximum.</exception>
         public static void CheckOverflow(uint[] words, string owner)
         {
-            for (int slot = 0; slot < Slots; slot++)
+            for (int slot = 0; slot < Slots + SubRaySlots; slot++)
                 foreach (var channel in s_all)
                     if ((words[slot * WordsPerSlot + Overflow.Word] & 1u << channel.Number) != 0)
                         throw new GlintException(FormattableString.Invariant($"{owner}: a ray adds more than ")

@@ -60,20 +60,18 @@ namespace Glint.Core
         /// <summary>Units of length per metre.</summary>
         public float LengthUnits { get; }
 
-        /// <summary>Number of candidates of a dispatch.</summary>
-        public static int CandidatesOf(uint[] words) => (int)words[Channel.Candidates.Word];
-
-        /// <summary>Adds the sums of cos and sin of a dispatch's first slots, slot by slot.</summary>
-        public static void AddPhasors(uint[] words, double[] inPhase, double[] quadrature)
+        /// <summary>Adds the sums of cos and sin of a slice's sub-rays, by number of the sub-ray.</summary>
+        public static void AddSubRays(uint[] words, double[] inPhase, double[] quadrature)
         {
-            for (int slot = 0; slot < inPhase.Length; slot++)
+            for (int subRay = 0; subRay < Channel.SubRaySlots; subRay++)
             {
-                inPhase[slot] += (double)Channel.InPhase.SumOf(words, slot) / Channel.InPhase.Scale;
-                quadrature[slot] += (double)Channel.Quadrature.SumOf(words, slot) / Channel.Quadrature.Scale;
+                int slot = Channel.Slots + subRay;
+                inPhase[subRay] += (double)Channel.InPhase.SumOf(words, slot) / Channel.InPhase.Scale;
+                quadrature[subRay] += (double)Channel.Quadrature.SumOf(words, slot) / Channel.Quadrature.Scale;
             }
         }
 
-        /// <summary>Adds the sums of a dispatch.</summary>
+        /// <summary>Adds the sums of a slice.</summary>
         public void Add(uint[] words)
         {
             for (int slot = 0; slot < Channel.Slots; slot++)

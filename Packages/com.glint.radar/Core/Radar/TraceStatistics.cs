@@ -26,6 +26,9 @@ namespace Glint.Core
         /// <summary>Bytes of all the radar's buffers on the device.</summary>
         public long BytesOnDevice { get; set; }
 
+        /// <summary>Times that the computer waits for the device: read-backs of a slice, or of its rays.</summary>
+        public int RoundTrips { get; set; }
+
         /// <summary>Kernel launches.</summary>
         public int Dispatches { get; set; }
 

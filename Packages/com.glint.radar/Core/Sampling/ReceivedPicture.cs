@@ -91,6 +91,9 @@ namespace Glint.Core
         /// <summary>Pixel of a row without a ray: NO_PIXEL in Shaders/Constants.hlsl.</summary>
         public const uint NoPixel = uint.MaxValue;
 
+        /// <summary>Length of a pixel without a received ray, in bits: NO_LENGTH in Shaders/Constants.hlsl.</summary>
+        public const uint NoLength = uint.MaxValue;
+
         /// <summary>x + y * rays across; x from the left, y from the bottom of the whole picture.</summary>
         public uint Pixel;
 

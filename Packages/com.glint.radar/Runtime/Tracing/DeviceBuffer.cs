@@ -53,6 +53,10 @@ namespace Glint
                 _buffer.SetData(elements);
         }
 
+        /// <summary>Writes some elements; the rest stays.</summary>
+        public void Write(T[] elements, int first, int firstOnDevice, int count) =>
+            _buffer.SetData(elements, first, firstOnDevice, count);
+
         /// <summary>Reads the first elements into an array, after all earlier work has completed.</summary>
         public void ReadBack(T[] elements, int count)
         {

@@ -62,6 +62,9 @@ namespace Glint
         /// <inheritdoc cref="First"/>
         public int Count { get; private set; }
 
+        /// <summary>Whether the slice has all tiles.</summary>
+        public bool IsWhole => Count == _tiles;
+
         /// <summary>Fraction of the tiles up to the end of this slice, 0 to 1.</summary>
         public double Done => (double)(First + Count) / _tiles;
 

@@ -60,11 +60,11 @@ namespace Glint
             Scatter(count);
         }
 
-        /// <summary>Reads back refined candidates if received rays are read back.</summary>
+        /// <summary>Reads back the received rays of a dispatch if these are read back.</summary>
         /// <exception cref="GlintException">This computer's memory does not suffice for the received rays.</exception>
-        public void AddCandidates(DeviceBuffer<RayData> rays, int count, TraceStatistics statistics)
+        public void AddReceived(DeviceBuffer<RayData> rays, int count, TraceStatistics statistics)
         {
-            if (Mode != RayReadback.Received)
+            if (Mode != RayReadback.Received || count == 0)
                 return;
             _receivedCount += count;
             // Two copies, unsorted and sorted, and a sort key each.
@@ -73,8 +73,6 @@ namespace Glint
                 throw TooMany(Received, _receivedCount * (double)bytes, _owner);
             var part = MakeRays(count, Received);
             ReadBack(rays, part, count, statistics);
-            part = Array.FindAll(part, ray => ray.IsReceived);
-            _receivedCount += part.Length - count;
             _received.Add(part);
         }
 
@@ -82,6 +80,7 @@ namespace Glint
         {
             var watch = Stopwatch.StartNew();
             rays.ReadBack(into, count);
+            statistics.RoundTrips++;
             statistics.BytesReadBack += (long)count * s_rayBytes;
             ReadBackMs += watch.Elapsed.TotalMilliseconds;
         }

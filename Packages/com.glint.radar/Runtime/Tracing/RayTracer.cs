@@ -1,5 +1,6 @@
 using System;
 using System.Diagnostics;
+using System.Numerics;
 using System.Threading;
 using Glint.Core;
 using Unity.Mathematics;
@@ -23,12 +24,13 @@ namespace Glint
         readonly DeviceScene _scene;
         readonly DeviceBuffer<uint> _tiles = new DeviceBuffer<uint>("tiles of 64 rays");
         readonly DeviceBuffer<uint4> _entryPoints = new DeviceBuffer<uint4>("tiles of 64 rays");
-        readonly DeviceBuffer<RayData> _rays = new DeviceBuffer<RayData>("rays kept one by one");
-        readonly SumBuffer _sums;
-        readonly RefinePass _refine;
-        readonly SamplingPass _sampling;
+        readonly SliceOutput _output;
+        readonly SlicePass _slices;
         readonly PathPass _paths;
         readonly DispatchPacer _pacer = new DispatchPacer();
+        // The pose whose work was dispatched last: only its lists are still on the device.
+        PoseInFlight _last;
+        ReceivedRayList _received = new ReceivedRayList();
 
         /// <param name="shader">Shaders/Trace.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
@@ -47,9 +49,8 @@ namespace Glint
             _owner = owner;
             _isSoftware = asSoftware;
             _kernel = new TraceKernel(shader, _isSoftware, owner);
-            _sums = new SumBuffer(owner);
-            _refine = new RefinePass(_kernel, _sums, _rays);
-            _sampling = new SamplingPass(_kernel, _sums, _rays);
+            _output = new SliceOutput(owner);
+            _slices = new SlicePass(_kernel, new StageKernels(shader), _output);
             _scene = new DeviceScene(_isSoftware ? BvhLayout.Wide : BvhLayout.Binary, owner, maxRowsPerPage);
             _paths = new PathPass(_kernel, _scene);
         }
@@ -84,47 +85,76 @@ namespace Glint
         /// </exception>
         /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
         public RadarResult Trace(in RadarPose pose, RayReadback readback, IProgress<double> progress = null,
-            CancellationToken cancel = default, TraceStatistics statistics = null)
+            CancellationToken cancel = default, TraceStatistics statistics = null) =>
+            Finish(Start(pose, readback, cancel, statistics), progress, cancel);
+
+        /// <summary>
+        /// Begins a pose: builds missing BVHs and dispatches the first slice. The next pose may start before this one
+        /// is finished.
+        /// </summary>
+        /// <inheritdoc cref="Trace"/>
+        internal PoseInFlight Start(in RadarPose pose, RayReadback readback, CancellationToken cancel = default,
+            TraceStatistics statistics = null)
         {
             Validate(pose);
             DispatchPlan.Check(pose.Settings, readback, _owner);
             statistics ??= new TraceStatistics();
             statistics.Triangles = pose.Scene.TriangleCount;
             SetScene(pose.Scene, statistics, cancel);
-
-            var watch = Stopwatch.StartNew();
             using (s_trace.Auto())
             {
+                if (_output.IsTooSmall(_received.Count))
+                {
+                    _last?.Slice?.Wait();
+                    _output.Grow(_received.Count);
+                }
                 var grid = new RayGrid(pose.Settings, pose.View, _scene.Min, _scene.Max);
-                var sums = new ChannelSums(grid);
-                var readbackBuffer = new RayReadbackBuffer(readback, pose.Settings, _owner);
-                var plan = UploadTiles(pose, readback, statistics);
-                Bind(pose, grid, sums.LengthUnits, plan.UsesEntryPoints);
-                _refine.Begin();
-                while (plan.Next())
+                var inFlight = new PoseInFlight
+                {
+                    Pose = pose, Readback = readback, Grid = grid, Sums = new ChannelSums(grid),
+                    Rays = new RayReadbackBuffer(readback, pose.Settings, _owner),
+                    Plan = UploadTiles(pose, readback, statistics), Statistics = statistics
+                };
+                Bind(inFlight);
+                if (inFlight.Plan.Next())
+                    Dispatch(inFlight);
+                return _last = inFlight;
+            }
+        }
+
+        /// <summary>Finishes a pose: reads back its slices, and dispatches those after the first.</summary>
+        /// <inheritdoc cref="Trace"/>
+        internal RadarResult Finish(PoseInFlight inFlight, IProgress<double> progress = null,
+            CancellationToken cancel = default)
+        {
+            using (s_trace.Auto())
+            {
+                var (pose, statistics) = (inFlight.Pose, inFlight.Statistics);
+                uint[] words = null;
+                for (bool more = inFlight.Slice != null; more; more = inFlight.Plan.Next())
                 {
                     cancel.ThrowIfCancellationRequested();
-                    FindEntryPoints(plan, statistics);
-                    int candidates = TraceSlice(plan, sums, readbackBuffer, statistics);
-                    plan.Traced();
-                    _refine.Follow(candidates, sums, readbackBuffer, statistics, cancel);
-                    readbackBuffer.AddTiles(_rays, plan.Count, statistics);
-                    progress?.Report(plan.Done);
+                    if (words != null)
+                        Dispatch(inFlight);
+                    words = _output.WordsOf(inFlight.Slice);
+                    if (!IsLast(inFlight) && NeedsLists(inFlight, new WorkCounts(words)))
+                        return Trace(pose, inFlight.Readback, progress, cancel, statistics);
+                    inFlight.Plan.Traced();
+                    words = AddSlice(inFlight, words, cancel);
+                    progress?.Report(inFlight.Plan.Done);
                 }
 
-                var total = sums.ToSums(pose.Settings, pose.View);
-                SamplingReport? sampling = pose.Settings.SkipSamplingError
-                    ? (SamplingReport?)null
-                    : _sampling.Estimate(pose.Settings, _refine.Received, _refine.ReceivedCount, 2 * grid.OriginDepth,
-                        total, statistics, cancel);
-                var rays = readbackBuffer.ToArray();
-                Complete(statistics, sums, watch.Elapsed.TotalMilliseconds, readbackBuffer.ReadBackMs);
+                var total = inFlight.Sums.ToSums(pose.Settings, pose.View);
+                var sampling = EstimateSampling(inFlight, total, words, cancel);
+                var rays = inFlight.Rays.ToArray();
+                Complete(inFlight);
+                _received = inFlight.Received;
                 return new RadarResult(total, sampling, rays, statistics);
             }
         }
 
         /// <summary>Pixels of the rays received in the pose last traced, in ascending order.</summary>
-        public uint[] ReceivedPixels() => _refine.ReceivedPixels();
+        public uint[] ReceivedPixels() => _received.Pixels();
 
         /// <summary>
         /// Traces the paths of single rays in double-float arithmetic, in the order of the given pixels.
@@ -153,11 +183,12 @@ namespace Glint
         /// <summary>Releases all buffers on the device.</summary>
         public void Dispose()
         {
+            // The device writes into a buffer that is read back until it has arrived.
+            _last?.Slice?.Wait();
+            _last = null;
             _paths.Dispose();
-            _sampling.Dispose();
-            _refine.Dispose();
-            _rays.Dispose();
-            _sums.Dispose();
+            _slices.Dispose();
+            _output.Dispose();
             _entryPoints.Dispose();
             _tiles.Dispose();
             _scene.Dispose();
@@ -214,13 +245,91 @@ namespace Glint
             return new DispatchPlan(pose.Settings, readback, tiles.Length, usesEntryPoints, _pacer, TilesADispatch);
         }
 
-        void Bind(in RadarPose pose, RayGrid grid, float lengthUnits, bool usesEntryPoints)
+        void Bind(PoseInFlight inFlight)
         {
+            var pose = inFlight.Pose;
             _kernel.Choose(_scene, CountVisits);
-            _kernel.SetRadar(pose.Settings, pose.View, grid, pose.Scene.Origin, lengthUnits,
-                usesEntryPoints ? Culling : Culling & ~Culling.EntryPoints);
+            _kernel.SetRadar(pose.Settings, pose.View, inFlight.Grid, pose.Scene.Origin, inFlight.Sums.LengthUnits,
+                inFlight.Plan.UsesEntryPoints ? Culling : Culling & ~Culling.EntryPoints);
             _kernel.SetScene(_scene);
-            _kernel.SetBuffers(_tiles, _sums.Buffer);
+        }
+
+        // Dispatches the plan's slice, and requests what it leaves.
+        void Dispatch(PoseInFlight inFlight)
+        {
+            var (plan, statistics, settings) = (inFlight.Plan, inFlight.Statistics, inFlight.Pose.Settings);
+            inFlight.HasSubRays =
+                plan.IsWhole && !settings.SkipSamplingError && SlicePass.CanChooseSubRays(settings);
+            _slices.Begin(settings, _tiles, plan.Count, inFlight.Readback, inFlight.HasSubRays);
+            FindEntryPoints(plan, statistics);
+            _slices.TraceTiles(plan.First, plan.Count, statistics);
+            if (inFlight.HasSubRays)
+                _slices.ChooseAndTraceSubRays(settings, statistics);
+            inFlight.Slice = _output.Request(statistics);
+        }
+
+        bool IsLast(PoseInFlight inFlight) => inFlight == _last;
+
+        // Whether more is to be read from, or dispatched with, the slice's lists on the device.
+        bool NeedsLists(PoseInFlight inFlight, WorkCounts counts) =>
+            !inFlight.Plan.IsWhole || inFlight.Readback != RayReadback.None || counts.Received > _output.Capacity
+            || CandidateList.FirstSearched(counts.Known, counts.Searched) < counts.Searched
+            || !inFlight.Pose.Settings.SkipSamplingError && !HasAllSubRays(inFlight, counts);
+
+        static bool HasAllSubRays(PoseInFlight inFlight, WorkCounts counts) =>
+            inFlight.HasSubRays && counts.Chosen <= SlicePass.MaxChosen
+            && CandidateList.Threads(counts.Known, counts.Searched) < CandidateList.MaxRefined;
+
+        // Adds the slice to the pose. Returns its words after the last of its dispatches.
+        uint[] AddSlice(PoseInFlight inFlight, uint[] words, CancellationToken cancel)
+        {
+            var statistics = inFlight.Statistics;
+            var counts = new WorkCounts(words);
+            inFlight.Rays.AddReceived(_slices.Rays, counts.Received, statistics);
+            int done = CandidateList.FirstSearched(counts.Known, counts.Searched);
+            for (; done < counts.Searched; done += CandidateList.MaxRefined)
+            {
+                cancel.ThrowIfCancellationRequested();
+                int received = counts.Received;
+                _slices.RefineRest(done, counts.Searched - done, received, statistics);
+                words = _output.WordsOf(_output.Request(statistics));
+                counts = new WorkCounts(words);
+                inFlight.Rays.AddReceived(_slices.Rays, counts.Received - received, statistics);
+            }
+            inFlight.Rays.AddTiles(_slices.Rays, inFlight.Plan.Count, statistics);
+            inFlight.Sums.Add(words);
+            if (counts.Received <= _output.Capacity)
+                inFlight.Received.Add(words, counts.Received);
+            else
+                inFlight.Received.Add(_slices.ReadReceived(counts, statistics));
+            statistics.RaysRefined += Math.Min(counts.Known, CandidateList.MaxKnown) + counts.Searched;
+            return words;
+        }
+
+        // Estimates the sampling error by sub-rays: those of the slice, or of pixels chosen here.
+        SamplingReport? EstimateSampling(PoseInFlight inFlight, RadarSums total, uint[] words, CancellationToken cancel)
+        {
+            var (settings, statistics) = (inFlight.Pose.Settings, inFlight.Statistics);
+            if (settings.SkipSamplingError)
+                return null;
+            var estimate = new SamplingEstimate(settings, inFlight.Received.Rays, inFlight.Received.Count,
+                2 * inFlight.Grid.OriginDepth);
+            var pixels = estimate.PixelsToRefine;
+            double[] inPhase = new double[SamplingEstimate.SubGrids],
+                quadrature = new double[SamplingEstimate.SubGrids];
+            if (words != null && HasAllSubRays(inFlight, new WorkCounts(words)))
+                ChannelSums.AddSubRays(words, inPhase, quadrature);
+            else
+                for (int first = 0; first < pixels.Length; first += SlicePass.MaxChosen)
+                {
+                    cancel.ThrowIfCancellationRequested();
+                    _slices.TraceSubRays(settings, pixels, first, Math.Min(pixels.Length - first, SlicePass.MaxChosen),
+                        statistics);
+                    ChannelSums.AddSubRays(_output.WordsOf(_output.Request(statistics)), inPhase, quadrature);
+                }
+            statistics.SubRays = pixels.Length * (long)SamplingEstimate.SubGrids;
+            return estimate.Finish(new Complex(total.InPhase, total.Quadrature), total.RaysOfPicture, inPhase,
+                quadrature);
         }
 
         void FindEntryPoints(DispatchPlan plan, TraceStatistics statistics)
@@ -233,28 +342,17 @@ namespace Glint
             statistics.Dispatches++;
         }
 
-        // Returns the number of candidates.
-        int TraceSlice(DispatchPlan plan, ChannelSums sums, RayReadbackBuffer readback, TraceStatistics statistics)
+        void Complete(PoseInFlight inFlight)
         {
-            _refine.Reserve(plan.Count);
-            readback.Reserve(_rays, plan.Count);
-            _sums.Clear(statistics);
-            _kernel.Dispatch(plan.First, plan.Count, readback.Mode, _refine.Candidates, _rays);
-            var words = _sums.ReadBack(statistics);
-            sums.Add(words);
-            return ChannelSums.CandidatesOf(words);
-        }
-
-        void Complete(TraceStatistics statistics, ChannelSums sums, double traceMs, double readBackMs)
-        {
+            var statistics = inFlight.Statistics;
             if (CountVisits)
                 (statistics.NodesVisited, statistics.PairsTested) =
-                    (sums.Units(Channel.Nodes), sums.Units(Channel.Pairs));
-            statistics.BytesOnDevice = _scene.Bytes + _tiles.Bytes + _entryPoints.Bytes
-                + _sums.Buffer.Bytes + _rays.Bytes
-                + _refine.Bytes + _sampling.Bytes;
+                    (inFlight.Sums.Units(Channel.Nodes), inFlight.Sums.Units(Channel.Pairs));
+            statistics.BytesOnDevice = _scene.Bytes + _tiles.Bytes + _entryPoints.Bytes + _output.Buffer.Bytes
+                + _slices.Bytes;
             var timings = statistics.Timings;
-            (timings.TraceMs, timings.ReadBackMs) = (traceMs, readBackMs);
+            (timings.TraceMs, timings.ReadBackMs) =
+                (inFlight.Watch.Elapsed.TotalMilliseconds, inFlight.Rays.ReadBackMs);
             statistics.Timings = timings;
         }
     }

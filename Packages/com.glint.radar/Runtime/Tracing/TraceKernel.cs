@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -22,6 +21,7 @@ namespace Glint
         readonly string _refineName;
         readonly int _entryPointsKernel, _pathsKernel;
         int _kernel, _refineKernel;
+        bool _hasLengths;
 
         /// <param name="shader">Shaders/Trace.compute.</param>
         /// <param name="isWide">Take the kernels of <see cref="SoftwareDevice.WideShader"/> instead.</param>
@@ -98,9 +98,7 @@ namespace Glint
             _shader.SetVector(ShaderIDs._SceneCentreExtent,
                 new Vector4((float)centre.x, (float)centre.y, (float)centre.z, (float)grid.SceneExtent));
             _shader.SetInt(ShaderIDs._RaysAcross, settings.RaysAcross);
-            var region = settings.TracedRegion;
-            _shader.SetInts(ShaderIDs._Region,
-                region.Left, region.Left + region.Width, region.Bottom, region.Bottom + region.Height);
+            _shader.SetInts(ShaderIDs._Region, RegionOf(settings));
             _shader.SetInt(ShaderIDs._MaxBounces, settings.MaxBounces);
             _shader.SetFloat(ShaderIDs._LengthUnits, lengthUnits);
             _shader.SetInt(ShaderIDs._Culling, (int)culling);
@@ -132,11 +130,35 @@ namespace Glint
             SetBvhs(_refineKernel, scene);
         }
 
-        public void SetBuffers(DeviceBuffer<uint> tiles, DeviceBuffer<uint> sums)
+        /// <summary>Threads of a group of the kernel that traces, and of the one that refines.</summary>
+        public int TraceGroup => GroupOf(_kernel);
+
+        /// <inheritdoc cref="TraceGroup"/>
+        public int RefineGroup => GroupOf(_refineKernel);
+
+        /// <summary>First and end column, first and end row of the rays traced.</summary>
+        public static int[] RegionOf(in RadarSettings settings)
+        {
+            var region = settings.TracedRegion;
+            return new[] { region.Left, region.Left + region.Width, region.Bottom, region.Bottom + region.Height };
+        }
+
+        /// <summary>Sets the buffers of a slice.</summary>
+        /// <param name="lengths">Lengths by pixel; null: they are not kept.</param>
+        public void SetBuffers(DeviceBuffer<uint> tiles, SliceOutput output, DeviceBuffer<RayData> rays,
+            DeviceBuffer<uint> subRayPixels, DeviceBuffer<uint> lengths, RayReadback readback)
         {
             _shader.SetBuffer(_kernel, ShaderIDs._Tiles, tiles.Buffer);
-            _shader.SetBuffer(_kernel, ShaderIDs._Sums, sums.Buffer);
-            _shader.SetBuffer(_refineKernel, ShaderIDs._Sums, sums.Buffer);
+            _shader.SetBuffer(_kernel, ShaderIDs._SubRayPixels, subRayPixels.Buffer);
+            _shader.SetBuffer(_refineKernel, ShaderIDs._Lengths, (lengths ?? subRayPixels).Buffer);
+            foreach (int kernel in new[] { _kernel, _refineKernel })
+            {
+                _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer.Buffer);
+                _shader.SetBuffer(kernel, ShaderIDs._Rays, rays.Buffer);
+            }
+            _shader.SetInt(ShaderIDs._Readback, (int)readback);
+            _shader.SetInt(ShaderIDs._ReceivedCapacity, output.Capacity);
+            _hasLengths = lengths != null;
         }
 
         public void SetEntryPoints(DeviceBuffer<uint4> entryPoints) =>
@@ -155,27 +177,41 @@ namespace Glint
         }
 
         /// <summary>Traces the rays of some tiles and lists candidates.</summary>
-        /// <param name="rays">Receives the other rays if all are read back.</param>
-        public void Dispatch(int firstTile, int count, RayReadback readback, DeviceBuffer<ReceivedRay> candidates,
-            DeviceBuffer<RayData> rays)
+        public void TraceTiles(int firstTile, int count, CandidateList candidates)
         {
             _shader.SetInt(ShaderIDs._FirstTile, firstTile);
             _shader.SetInt(ShaderIDs._TileCount, count);
-            SetOutput(_kernel, readback, candidates, rays);
+            SetCandidates(_kernel, candidates, hasSubRays: false);
             DispatchThreads(_kernel, (long)count * PictureTiles.Rays);
         }
 
-        /// <summary>Traces listed rays again in double-float arithmetic.</summary>
-        /// <param name="subRays">Sub-rays along the side of a pixel: 1 for the ray itself, or 2 to 8.</param>
-        public void DispatchRefine(int first, int count, int subRays, RayReadback readback,
-            DeviceBuffer<ReceivedRay> candidates,
-            DeviceBuffer<RayData> rays)
+        /// <summary>Traces the sub-rays of chosen pixels and lists candidates.</summary>
+        /// <param name="pixels">Number of pixels; null: that of the device, by <paramref name="arguments"/>.</param>
+        public void TraceSubRays(CandidateList candidates, GraphicsBuffer arguments, int? pixels = null)
         {
-            _shader.SetInt(ShaderIDs._FirstCandidate, first);
-            _shader.SetInt(ShaderIDs._CandidateCount, count);
-            _shader.SetInt(ShaderIDs._SubRays, subRays);
-            SetOutput(_refineKernel, readback, candidates, rays);
-            DispatchThreads(_refineKernel, (long)count * subRays * subRays);
+            SetCandidates(_kernel, candidates, hasSubRays: true);
+            if (pixels.HasValue)
+                DispatchThreads(_kernel, (long)pixels.Value * SamplingEstimate.SubGrids);
+            else
+                _shader.DispatchIndirect(_kernel, arguments, SliceArguments.SubRays);
+        }
+
+        /// <summary>Follows candidates in double-float arithmetic.</summary>
+        /// <param name="first">The candidates to search before it were followed by earlier dispatches.</param>
+        /// <param name="firstReceived">Rays received by these.</param>
+        /// <param name="threads">Number of threads; null: by <paramref name="arguments"/>.</param>
+        public void Refine(CandidateList candidates, bool areSubRays, GraphicsBuffer arguments, int? threads = null,
+            int first = 0, int firstReceived = 0)
+        {
+            SetCandidates(_refineKernel, candidates, areSubRays);
+            _shader.SetInt(ShaderIDs._FirstSearched, first);
+            _shader.SetInt(ShaderIDs._FirstReceived, firstReceived);
+            _shader.SetInt(ShaderIDs._HasLengths, _hasLengths && first == 0 ? 1 : 0);
+            if (threads.HasValue)
+                DispatchThreads(_refineKernel, threads.Value);
+            else
+                _shader.DispatchIndirect(_refineKernel, arguments,
+                    areSubRays ? SliceArguments.RefineSubRays : SliceArguments.Refine);
         }
 
         /// <summary>Traces listed rays in double-float arithmetic and records their reflections.</summary>
@@ -187,7 +223,7 @@ namespace Glint
         public void DispatchPaths(DeviceScene scene, int count, DeviceBuffer<uint2> listed, DeviceBuffer<HitData> hits)
         {
             SetBvhs(_pathsKernel, scene);
-            _shader.SetInt(ShaderIDs._CandidateCount, count);
+            _shader.SetInt(ShaderIDs._PathCount, count);
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Candidates, listed.Buffer);
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Hits, hits.Buffer);
             DispatchThreads(_pathsKernel, count);
@@ -205,19 +241,24 @@ namespace Glint
                     scene.Pages[page < scene.Pages.Count ? page : 0].Rows.Buffer);
         }
 
-        void SetOutput(int kernel, RayReadback readback, DeviceBuffer<ReceivedRay> candidates,
-            DeviceBuffer<RayData> rays)
+        void SetCandidates(int kernel, CandidateList candidates, bool hasSubRays)
         {
-            _shader.SetInt(ShaderIDs._Readback, (int)readback);
-            _shader.SetBuffer(kernel, ShaderIDs._Candidates, candidates.Buffer);
-            _shader.SetBuffer(kernel, ShaderIDs._Rays, rays.Buffer);
+            _shader.SetInt(ShaderIDs._HasSubRays, hasSubRays ? 1 : 0);
+            _shader.SetBuffer(kernel, ShaderIDs._Candidates, candidates.Rays.Buffer);
+            _shader.SetBuffer(kernel, ShaderIDs._Met, candidates.Met.Buffer);
+        }
+
+        int GroupOf(int kernel)
+        {
+            _shader.GetKernelThreadGroupSizes(kernel, out uint size, out _, out _);
+            return (int)size;
         }
 
         void DispatchThreads(int kernel, long threads)
         {
-            _shader.GetKernelThreadGroupSizes(kernel, out uint size, out _, out _);
-            int groups = (int)((threads + size - 1) / size);
-            _shader.Dispatch(kernel, math.min(groups, GroupsARow), (groups + GroupsARow - 1) / GroupsARow, 1);
+            int size = GroupOf(kernel), groups = (int)((threads + size - 1) / size);
+            if (groups > 0)
+                _shader.Dispatch(kernel, math.min(groups, GroupsARow), (groups + GroupsARow - 1) / GroupsARow, 1);
         }
 
         void SetVector((int value, int lo) id, double3 v)
@@ -228,57 +269,5 @@ namespace Glint
 
         void SetNumber(int id, double value) =>
             _shader.SetVector(id, new Vector4((float)value, DoubleFloat.Lo(value), 0, 0));
-    }
-
-    // Names as in Shaders/Bindings.hlsl.
-    static class ShaderIDs
-    {
-        public static readonly int[] _Bvh = Enumerable.Range(0, DeviceBvhs.MaxPages)
-            .Select(page => Shader.PropertyToID("_Bvh" + page)).ToArray();
-        public static readonly int _InstanceBvh = Shader.PropertyToID("_InstanceBvh");
-        public static readonly int _Instances = Shader.PropertyToID("_Instances");
-        public static readonly int _Ranges = Shader.PropertyToID("_Ranges");
-        public static readonly int _InlineToLocal = Shader.PropertyToID("_InlineToLocal");
-        public static readonly int _InlineRows = Shader.PropertyToID("_InlineRows");
-        public static readonly int _InstanceCount = Shader.PropertyToID("_InstanceCount");
-        public static readonly int _InstanceBvhRoot = Shader.PropertyToID("_InstanceBvhRoot");
-
-        public static readonly (int value, int lo) _Origin = WithLo(nameof(_Origin));
-        public static readonly (int value, int lo) _OriginDx = WithLo(nameof(_OriginDx));
-        public static readonly (int value, int lo) _OriginDy = WithLo(nameof(_OriginDy));
-        public static readonly (int value, int lo) _Direction = WithLo(nameof(_Direction));
-        public static readonly (int value, int lo) _DirectionDx = WithLo(nameof(_DirectionDx));
-        public static readonly (int value, int lo) _DirectionDy = WithLo(nameof(_DirectionDy));
-        public static readonly (int value, int lo) _ReceiverCentre = WithLo(nameof(_ReceiverCentre));
-        public static readonly (int value, int lo) _ReceiverRight = WithLo(nameof(_ReceiverRight));
-        public static readonly (int value, int lo) _ReceiverUp = WithLo(nameof(_ReceiverUp));
-        public static readonly (int value, int lo) _ReceiverForward = WithLo(nameof(_ReceiverForward));
-        public static readonly int _ReceiverHalfSize = Shader.PropertyToID("_ReceiverHalfSize");
-        public static readonly int _OriginDepth = Shader.PropertyToID("_OriginDepth");
-        public static readonly int _ReferencePixel = Shader.PropertyToID("_ReferencePixel");
-        public static readonly int _SceneCentreExtent = Shader.PropertyToID("_SceneCentreExtent");
-        public static readonly int _RaysAcross = Shader.PropertyToID("_RaysAcross");
-        public static readonly int _Region = Shader.PropertyToID("_Region");
-        public static readonly int _MaxBounces = Shader.PropertyToID("_MaxBounces");
-        public static readonly int _WaveNumberTurns = Shader.PropertyToID("_WaveNumberTurns");
-
-        public static readonly int _Tiles = Shader.PropertyToID("_Tiles");
-        public static readonly int _EntryPoints = Shader.PropertyToID("_EntryPoints");
-        public static readonly int _FoundEntryPoints = Shader.PropertyToID("_FoundEntryPoints");
-        public static readonly int _Hits = Shader.PropertyToID("_Hits");
-        public static readonly int _FirstTile = Shader.PropertyToID("_FirstTile");
-        public static readonly int _TileCount = Shader.PropertyToID("_TileCount");
-        public static readonly int _Culling = Shader.PropertyToID("_Culling");
-        public static readonly int _Readback = Shader.PropertyToID("_Readback");
-        public static readonly int _FirstCandidate = Shader.PropertyToID("_FirstCandidate");
-        public static readonly int _CandidateCount = Shader.PropertyToID("_CandidateCount");
-        public static readonly int _SubRays = Shader.PropertyToID("_SubRays");
-        public static readonly int _LengthUnits = Shader.PropertyToID("_LengthUnits");
-
-        public static readonly int _Candidates = Shader.PropertyToID("_Candidates");
-        public static readonly int _Rays = Shader.PropertyToID("_Rays");
-        public static readonly int _Sums = Shader.PropertyToID("_Sums");
-
-        static (int, int) WithLo(string name) => (Shader.PropertyToID(name), Shader.PropertyToID(name + "Lo"));
     }
 }

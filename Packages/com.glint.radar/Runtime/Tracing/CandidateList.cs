@@ -1,0 +1,59 @@
+using System;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint
+{
+    /// <summary>
+    /// Rays that the refine pass follows: first those whose triangles float32 knows, then those to search. Their number
+    /// is on the device (<see cref="WorkCounts"/>).
+    /// </summary>
+    sealed class CandidateList : IDisposable
+    {
+        /// <summary>Maximum number of those with known triangles: MAX_KNOWN in Shaders/Constants.hlsl.</summary>
+        public const int MaxKnown = 1 << 17;
+
+        /// <summary>Maximum number of candidates of a dispatch: MAX_REFINED in Shaders/Constants.hlsl.</summary>
+        public const int MaxRefined = DispatchPlan.MaxRefinedRays;
+
+        // CANDIDATE_PADDING in Shaders/WorkLists.hlsl.
+        const int Padding = 64;
+
+        public DeviceBuffer<ReceivedRay> Rays { get; } = new DeviceBuffer<ReceivedRay>("rays that may be received");
+
+        /// <summary>The triangles that they meet.</summary>
+        public DeviceBuffer<uint2> Met { get; } = new DeviceBuffer<uint2>("triangles of rays that may be received");
+
+        public long Bytes => Rays.Bytes + Met.Bytes;
+
+        /// <summary>Ensures the capacity for some rays, all of which may be candidates.</summary>
+        public void Reserve(long rays, int maxBounces)
+        {
+            Rays.Reserve(MaxKnown + rays);
+            Met.Reserve((long)MaxKnown * maxBounces);
+        }
+
+        /// <summary>Of the candidates to search those that the first dispatch takes.</summary>
+        public static int FirstSearched(int known, int searched) =>
+            Math.Min(searched, MaxRefined - (Math.Min(known, MaxKnown) + Padding - 1) / Padding * Padding);
+
+        /// <summary>Threads of the first dispatch.</summary>
+        public static int Threads(int known, int searched) =>
+            (Math.Min(known, MaxKnown) + Padding - 1) / Padding * Padding + FirstSearched(known, searched);
+
+        public void Dispose()
+        {
+            Rays.Dispose();
+            Met.Dispose();
+        }
+    }
+
+    /// <summary>Byte offsets of the indirect dispatches' numbers of groups.</summary>
+    static class SliceArguments
+    {
+        public const uint Refine = 0, SubRays = 12, RefineSubRays = 24;
+
+        /// <summary>Words in all.</summary>
+        public const int Words = 9;
+    }
+}

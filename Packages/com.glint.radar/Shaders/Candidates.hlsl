@@ -1,0 +1,61 @@
+#ifndef GLINT_CANDIDATES
+#define GLINT_CANDIDATES
+
+#include "WorkLists.hlsl"
+#include "Path.hlsl"
+
+// Candidates: rays that the refine pass follows. Where float32 is sure of every triangle that a ray meets, the refine
+// pass intersects these instead of searching.
+
+#ifndef GLINT_REFINE
+
+// Triangles that this thread's path has met: see NumberOf.
+static uint2 s_met[MAX_BOUNCES];
+
+// Notes the triangle of a path's last hit.
+void NoteMet(Path path)
+{
+    s_met[path.Bounces - 1] = path.Ray.ExcludedTriangle;
+}
+
+// Adds a ray to the list for the refine pass.
+// Number: index in the order of tiles, or number of the sub-ray.
+void AddCandidate(Path path, uint pixel, uint number)
+{
+    uint entry;
+    if (path.IsSure)
+    {
+        InterlockedAdd(_Sums[_HasSubRays != 0 ? COUNT_SUB_KNOWN : COUNT_KNOWN], 1, entry);
+        if (entry < MAX_KNOWN)
+        {
+            _Candidates[entry] = uint2(pixel, number);
+            [loop]
+            for (uint bounce = 0; bounce < _MaxBounces; bounce++)
+                _Met[entry * _MaxBounces + bounce] = bounce < path.Bounces ? s_met[bounce] : uint2(NO_INSTANCE, 0);
+            return;
+        }
+    }
+    InterlockedAdd(_Sums[_HasSubRays != 0 ? COUNT_SUB_SEARCHED : COUNT_SEARCHED], 1, entry);
+    _Candidates[MAX_KNOWN + entry] = uint2(pixel, number);
+}
+
+#endif
+
+#ifdef GLINT_FOLLOW_MET
+
+// The triangle that a path meets next; its instance is NO_INSTANCE if float32 does not know.
+uint2 MetNext(Path path)
+{
+    bool isNoted = path.FirstMet != NOTHING_MET && path.Bounces < _MaxBounces;
+    return isNoted ? _Met[path.FirstMet + path.Bounces] : uint2(NO_INSTANCE, 0);
+}
+
+// Whether float32 is sure that nothing is between the last hit and the receiver.
+bool IsWayBackClear(Path path)
+{
+    return path.FirstMet != NOTHING_MET && path.MeetsReceiver && MetNext(path).x == NO_INSTANCE;
+}
+
+#endif
+
+#endif

@@ -1,0 +1,91 @@
+#ifndef GLINT_SUB_RAY_CHOICE
+#define GLINT_SUB_RAY_CHOICE
+
+#include "WorkLists.hlsl"
+#include "DoubleFloat.hlsl"
+
+// The pixels that get sub-rays, the same as Core/Sampling/RefinedPixels.cs: received ones around which the phase is not
+// smooth, and all neighbours of received ones.
+
+// Maximum differences of lengths around a smooth pixel, m, double-floats (Core/Sampling/PixelPhase.cs).
+float4 _MaxSlope, _MaxBend, _MaxTwist;
+
+RWStructuredBuffer<uint> _ChosenPixels;
+
+// Length of the received ray of a place in the picture; NO_LENGTH if there is none.
+uint LengthAt(int2 place)
+{
+    bool isInside = place.x >= (int)_Region.x && place.x < (int)_Region.y && place.y >= (int)_Region.z
+        && place.y < (int)_Region.w;
+    return isInside ? _Lengths[InRegion((uint)place.x + (uint)place.y * _RaysAcross)] : NO_LENGTH;
+}
+
+// The eight neighbours of a place: below it from the left, beside it, above it from the left.
+static const int2 NEIGHBOURS[8] =
+{
+    int2(-1, -1), int2(0, -1), int2(1, -1), int2(-1, 0), int2(1, 0), int2(-1, 1), int2(0, 1), int2(1, 1)
+};
+
+bool IsWithin(DoubleFloat a, float4 maximum)
+{
+    DoubleFloat excess = Sub(a.Hi < 0.0 ? Mul(a, -1.0) : a, MakeDoubleFloat(maximum.x, maximum.y));
+    return excess.Hi < 0.0 || excess.Hi == 0.0 && excess.Lo <= 0.0;
+}
+
+// Whether the phase over the pixel is a parabola through its neighbours (Core/Sampling/PixelPhase.cs).
+bool IsSmooth(float centre, float around[8])
+{
+    float twice = -2.0 * centre;
+    DoubleFloat twist = Sub(TwoSum(around[7], -around[5]), TwoSum(around[2], -around[0]));
+    return IsWithin(TwoSum(around[4], -around[3]), _MaxSlope) && IsWithin(TwoSum(around[6], -around[1]), _MaxSlope)
+        && IsWithin(Add(TwoSum(around[4], around[3]), MakeDoubleFloat(twice, 0.0)), _MaxBend)
+        && IsWithin(Add(TwoSum(around[6], around[1]), MakeDoubleFloat(twice, 0.0)), _MaxBend)
+        && IsWithin(twist, _MaxTwist);
+}
+
+void Choose(int2 place)
+{
+    uint at;
+    InterlockedAdd(_Sums[COUNT_CHOSEN], 1, at);
+    if (at < MAX_CHOSEN)
+        _ChosenPixels[at] = (uint)place.x + (uint)place.y * _RaysAcross;
+}
+
+// Whether a received ray is the first around a pixel without one, which is chosen only once.
+bool IsFirstAround(int2 place, int2 received)
+{
+    [loop]
+    for (uint i = 0; i < 8; i++)
+    {
+        int2 other = place + NEIGHBOURS[i];
+        if (LengthAt(other) != NO_LENGTH)
+            return all(other == received);
+    }
+    return false;
+}
+
+// Chooses among the pixel of a received ray and its neighbours.
+void ChooseAround(uint pixel)
+{
+    int2 place = int2(pixel % _RaysAcross, pixel / _RaysAcross);
+    float around[8];
+    bool isSurrounded = true;
+    [loop]
+    for (uint i = 0; i < 8; i++)
+    {
+        int2 neighbour = place + NEIGHBOURS[i];
+        uint there = LengthAt(neighbour);
+        around[i] = asfloat(there);
+        if (there != NO_LENGTH)
+            continue;
+        isSurrounded = false;
+        bool isInside = neighbour.x >= (int)_Region.x && neighbour.x < (int)_Region.y
+            && neighbour.y >= (int)_Region.z && neighbour.y < (int)_Region.w;
+        if (isInside && IsFirstAround(neighbour, place))
+            Choose(neighbour);
+    }
+    if (!isSurrounded || !IsSmooth(asfloat(LengthAt(place)), around))
+        Choose(place);
+}
+
+#endif

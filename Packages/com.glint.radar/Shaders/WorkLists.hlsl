@@ -1,0 +1,55 @@
+#ifndef GLINT_WORK_LISTS
+#define GLINT_WORK_LISTS
+
+#include "Bindings.hlsl"
+
+// The lists that one kernel of a slice leaves to the next, on the device. Their counts are words of _Sums.
+
+// Threads of a group; results do not depend on it.
+#ifndef GLINT_GROUP
+#define GLINT_GROUP 64
+#endif
+
+// Threads after the last known candidate that get none: the searched ones, which take longer, begin a group.
+static const uint CANDIDATE_PADDING = 64;
+
+static const uint NO_CANDIDATE = 0xffffffff;
+
+// Element of a pixel in _Lengths.
+uint InRegion(uint pixel)
+{
+    return pixel % _RaysAcross - _Region.x + (pixel / _RaysAcross - _Region.z) * (_Region.y - _Region.x);
+}
+
+uint IndexOf(uint3 group, uint thread)
+{
+    return (group.x + group.y * GROUPS_A_ROW) * GLINT_GROUP + thread;
+}
+
+// Candidates of this slice, or of its sub-rays: those known, and those to search.
+uint2 CandidateCounts(bool areSubRays)
+{
+    return areSubRays ? uint2(min(_Sums[COUNT_SUB_KNOWN], MAX_KNOWN), _Sums[COUNT_SUB_SEARCHED])
+        : uint2(min(_Sums[COUNT_KNOWN], MAX_KNOWN), _Sums[COUNT_SEARCHED]);
+}
+
+// Threads of a dispatch that takes the known candidates and, up to the maximum, those to search.
+uint CandidateThreads(uint2 counts)
+{
+    uint known = (counts.x + CANDIDATE_PADDING - 1) / CANDIDATE_PADDING * CANDIDATE_PADDING;
+    return min(known + counts.y, MAX_REFINED);
+}
+
+// The candidate of a thread; NO_CANDIDATE if it has none. Later dispatches take the rest of those to search.
+uint CandidateOf(uint index)
+{
+    uint2 counts = CandidateCounts(_HasSubRays != 0);
+    if (_FirstSearched > 0)
+        return index < min(counts.y - _FirstSearched, MAX_REFINED) ? MAX_KNOWN + _FirstSearched + index : NO_CANDIDATE;
+    if (index < counts.x)
+        return index;
+    uint known = (counts.x + CANDIDATE_PADDING - 1) / CANDIDATE_PADDING * CANDIDATE_PADDING;
+    return index >= known && index < CandidateThreads(counts) ? MAX_KNOWN + index - known : NO_CANDIDATE;
+}
+
+#endif
