@@ -26,7 +26,7 @@ void AddCandidate(Path path, uint pixel, uint number)
     if (path.IsSure)
     {
         InterlockedAdd(_Sums[_HasSubRays != 0 ? COUNT_SUB_KNOWN : COUNT_KNOWN], 1, entry);
-        if (entry < MAX_KNOWN)
+        if (entry < SearchedList())
         {
             _Candidates[entry] = uint2(pixel, number);
             [loop]
@@ -36,7 +36,7 @@ void AddCandidate(Path path, uint pixel, uint number)
         }
     }
     InterlockedAdd(_Sums[_HasSubRays != 0 ? COUNT_SUB_SEARCHED : COUNT_SEARCHED], 1, entry);
-    _Candidates[MAX_KNOWN + entry] = uint2(pixel, number);
+    _Candidates[SearchedList() + entry] = uint2(pixel, number);
 }
 
 #endif

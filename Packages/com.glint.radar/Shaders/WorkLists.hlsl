@@ -26,11 +26,17 @@ uint IndexOf(uint3 group, uint thread)
     return (group.x + group.y * GROUPS_A_ROW) * GLINT_GROUP + thread;
 }
 
+// First of the candidates to search.
+uint SearchedList()
+{
+    return _HasSubRays != 0 ? _KnownCapacity.y : _KnownCapacity.x;
+}
+
 // Candidates of this slice, or of its sub-rays: those known, and those to search.
 uint2 CandidateCounts(bool areSubRays)
 {
-    return areSubRays ? uint2(min(_Sums[COUNT_SUB_KNOWN], MAX_KNOWN), _Sums[COUNT_SUB_SEARCHED])
-        : uint2(min(_Sums[COUNT_KNOWN], MAX_KNOWN), _Sums[COUNT_SEARCHED]);
+    return areSubRays ? uint2(min(_Sums[COUNT_SUB_KNOWN], _KnownCapacity.y), _Sums[COUNT_SUB_SEARCHED])
+        : uint2(min(_Sums[COUNT_KNOWN], _KnownCapacity.x), _Sums[COUNT_SEARCHED]);
 }
 
 // Threads of a dispatch that takes the known candidates and, up to the maximum, those to search.
@@ -45,11 +51,11 @@ uint CandidateOf(uint index)
 {
     uint2 counts = CandidateCounts(_HasSubRays != 0);
     if (_FirstSearched > 0)
-        return index < min(counts.y - _FirstSearched, MAX_REFINED) ? MAX_KNOWN + _FirstSearched + index : NO_CANDIDATE;
+        return index < min(counts.y - _FirstSearched, MAX_REFINED) ? SearchedList() + _FirstSearched + index : NO_CANDIDATE;
     if (index < counts.x)
         return index;
     uint known = (counts.x + CANDIDATE_PADDING - 1) / CANDIDATE_PADDING * CANDIDATE_PADDING;
-    return index >= known && index < CandidateThreads(counts) ? MAX_KNOWN + index - known : NO_CANDIDATE;
+    return index >= known && index < CandidateThreads(counts) ? SearchedList() + index - known : NO_CANDIDATE;
 }
 
 #endif

@@ -10,8 +10,8 @@ namespace Glint
     /// </summary>
     sealed class CandidateList : IDisposable
     {
-        /// <summary>Maximum number of those with known triangles: MAX_KNOWN in Shaders/Constants.hlsl.</summary>
-        public const int MaxKnown = 1 << 17;
+        // Maximum number of those with known triangles.
+        const int MaxKnown = 1 << 17;
 
         /// <summary>Maximum number of candidates of a dispatch: MAX_REFINED in Shaders/Constants.hlsl.</summary>
         public const int MaxRefined = DispatchPlan.MaxRefinedRays;
@@ -24,22 +24,29 @@ namespace Glint
         /// <summary>The triangles that they meet.</summary>
         public DeviceBuffer<uint2> Met { get; } = new DeviceBuffer<uint2>("triangles of rays that may be received");
 
+        /// <summary>Capacity for those with known triangles, from the list's start.</summary>
+        public int KnownCapacity { get; private set; }
+
         public long Bytes => Rays.Bytes + Met.Bytes;
 
         /// <summary>Ensures the capacity for some rays, all of which may be candidates.</summary>
         public void Reserve(long rays, int maxBounces)
         {
-            Rays.Reserve(MaxKnown + rays);
-            Met.Reserve((long)MaxKnown * maxBounces);
+            KnownCapacity = (int)Math.Min(rays, MaxKnown);
+            Rays.Reserve(KnownCapacity + rays);
+            Met.Reserve((long)KnownCapacity * maxBounces);
         }
 
         /// <summary>Of the candidates to search those that the first dispatch takes.</summary>
-        public static int FirstSearched(int known, int searched) =>
-            Math.Min(searched, MaxRefined - (Math.Min(known, MaxKnown) + Padding - 1) / Padding * Padding);
+        public int FirstSearched(int known, int searched) => Math.Min(searched, MaxRefined - Padded(known));
 
         /// <summary>Threads of the first dispatch.</summary>
-        public static int Threads(int known, int searched) =>
-            (Math.Min(known, MaxKnown) + Padding - 1) / Padding * Padding + FirstSearched(known, searched);
+        public int Threads(int known, int searched) => Padded(known) + FirstSearched(known, searched);
+
+        /// <summary>Candidates in all.</summary>
+        public int Count(int known, int searched) => Math.Min(known, KnownCapacity) + searched;
+
+        int Padded(int known) => (Math.Min(known, KnownCapacity) + Padding - 1) / Padding * Padding;
 
         public void Dispose()
         {

@@ -264,7 +264,7 @@ namespace Glint
             FindEntryPoints(plan, statistics);
             _slices.TraceTiles(plan.First, plan.Count, statistics);
             if (inFlight.HasSubRays)
-                _slices.ChooseAndTraceSubRays(settings, statistics);
+                _slices.ChooseAndTraceSubRays(statistics);
             inFlight.Slice = _output.Request(statistics);
         }
 
@@ -273,12 +273,12 @@ namespace Glint
         // Whether more is to be read from, or dispatched with, the slice's lists on the device.
         bool NeedsLists(PoseInFlight inFlight, WorkCounts counts) =>
             !inFlight.Plan.IsWhole || inFlight.Readback != RayReadback.None || counts.Received > _output.Capacity
-            || CandidateList.FirstSearched(counts.Known, counts.Searched) < counts.Searched
+            || _slices.Candidates.FirstSearched(counts.Known, counts.Searched) < counts.Searched
             || !inFlight.Pose.Settings.SkipSamplingError && !HasAllSubRays(inFlight, counts);
 
-        static bool HasAllSubRays(PoseInFlight inFlight, WorkCounts counts) =>
+        bool HasAllSubRays(PoseInFlight inFlight, WorkCounts counts) =>
             inFlight.HasSubRays && counts.Chosen <= SlicePass.MaxChosen
-            && CandidateList.Threads(counts.Known, counts.Searched) < CandidateList.MaxRefined;
+            && _slices.Candidates.Threads(counts.Known, counts.Searched) < CandidateList.MaxRefined;
 
         // Adds the slice to the pose. Returns its words after the last of its dispatches.
         uint[] AddSlice(PoseInFlight inFlight, uint[] words, CancellationToken cancel)
@@ -286,7 +286,7 @@ namespace Glint
             var statistics = inFlight.Statistics;
             var counts = new WorkCounts(words);
             inFlight.Rays.AddReceived(_slices.Rays, counts.Received, statistics);
-            int done = CandidateList.FirstSearched(counts.Known, counts.Searched);
+            int done = _slices.Candidates.FirstSearched(counts.Known, counts.Searched);
             for (; done < counts.Searched; done += CandidateList.MaxRefined)
             {
                 cancel.ThrowIfCancellationRequested();
@@ -302,7 +302,7 @@ namespace Glint
                 inFlight.Received.Add(words, counts.Received);
             else
                 inFlight.Received.Add(_slices.ReadReceived(counts, statistics));
-            statistics.RaysRefined += Math.Min(counts.Known, CandidateList.MaxKnown) + counts.Searched;
+            statistics.RaysRefined += _slices.Candidates.Count(counts.Known, counts.Searched);
             return words;
         }
 
@@ -323,7 +323,7 @@ namespace Glint
                 for (int first = 0; first < pixels.Length; first += SlicePass.MaxChosen)
                 {
                     cancel.ThrowIfCancellationRequested();
-                    _slices.TraceSubRays(settings, pixels, first, Math.Min(pixels.Length - first, SlicePass.MaxChosen),
+                    _slices.TraceSubRays(pixels, first, Math.Min(pixels.Length - first, SlicePass.MaxChosen),
                         statistics);
                     ChannelSums.AddSubRays(_output.WordsOf(_output.Request(statistics)), inPhase, quadrature);
                 }

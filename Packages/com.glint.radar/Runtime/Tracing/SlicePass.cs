@@ -30,7 +30,7 @@ namespace Glint
         public SlicePass(TraceKernel kernel, StageKernels stages, SliceOutput output)
         {
             (_kernel, _stages, _output) = (kernel, stages, output);
-            _chosen.Reserve(MaxChosen);
+            _chosen.Reserve(1);
             if (IsIndirect)
                 // Direct3D 11 has no structured argument buffers.
                 _arguments = new GraphicsBuffer(GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw,
@@ -39,6 +39,9 @@ namespace Glint
 
         /// <summary>Whether the device counts its own work; else each list costs a round trip.</summary>
         public static bool IsIndirect => SystemInfo.supportsIndirectArgumentsBuffer;
+
+        /// <summary>The candidates of the slice.</summary>
+        public CandidateList Candidates => _candidates;
 
         /// <summary>The rays kept one by one.</summary>
         public DeviceBuffer<RayData> Rays => _rays;
@@ -53,9 +56,16 @@ namespace Glint
         {
             _candidates.Reserve((long)tileCount * PictureTiles.Rays, settings.MaxBounces);
             _rays.Reserve(readback == RayReadback.All ? (long)tileCount * PictureTiles.Rays
-                : readback == RayReadback.Received ? CandidateList.MaxRefined : 1);
+                : readback == RayReadback.Received
+                    ? Math.Min((long)tileCount * PictureTiles.Rays, CandidateList.MaxRefined)
+                    : 1);
             if (choosesSubRays)
                 ReserveLengths(settings.RaysEmitted);
+            int pixels = (int)Math.Min(settings.RaysEmitted, MaxChosen);
+            _chosen.Reserve(pixels);
+            _subRays.Reserve((long)pixels * SamplingEstimate.SubGrids, settings.MaxBounces);
+            _kernel.SetKnownCapacity(_candidates.KnownCapacity, _subRays.KnownCapacity);
+            _stages.SetKnownCapacity(_candidates.KnownCapacity, _subRays.KnownCapacity);
             _kernel.SetBuffers(tiles, _output, _rays, _chosen, choosesSubRays ? _lengths : null, readback);
             _stages.Set(settings, _kernel.TraceGroup, _kernel.RefineGroup);
             _stages.ClearSums(_output.Buffer);
@@ -85,9 +95,8 @@ namespace Glint
         }
 
         /// <summary>Chooses pixels for sub-rays on the device, and traces these.</summary>
-        public void ChooseAndTraceSubRays(in RadarSettings settings, TraceStatistics statistics)
+        public void ChooseAndTraceSubRays(TraceStatistics statistics)
         {
-            ReserveSubRays(settings);
             _stages.ChooseSubRays(_output.Buffer, _candidates, _lengths, _chosen, _arguments);
             _stages.CountGroups(_output.Buffer, _arguments);
             _kernel.TraceSubRays(_subRays, _arguments);
@@ -98,10 +107,8 @@ namespace Glint
 
         /// <summary>Traces the sub-rays of given pixels, a slice of its own.</summary>
         /// <param name="pixels">At most <see cref="MaxChosen"/>.</param>
-        public void TraceSubRays(in RadarSettings settings, uint[] pixels, int first, int count,
-            TraceStatistics statistics)
+        public void TraceSubRays(uint[] pixels, int first, int count, TraceStatistics statistics)
         {
-            ReserveSubRays(settings);
             _stages.ClearSums(_output.Buffer);
             _output.SetChosen(count);
             _chosen.Write(pixels, first, 0, count);
@@ -114,13 +121,13 @@ namespace Glint
         /// <summary>The received rays of a slice if the output's list does not hold all.</summary>
         public ReceivedRay[] ReadReceived(WorkCounts counts, TraceStatistics statistics)
         {
-            var candidates = new ReceivedRay[CandidateList.MaxKnown + counts.Searched];
+            int capacity = _candidates.KnownCapacity, known = Math.Min(counts.Known, capacity), count = 0;
+            var candidates = new ReceivedRay[capacity + counts.Searched];
             _candidates.Rays.ReadBack(candidates, candidates.Length);
             statistics.RoundTrips++;
             statistics.BytesReadBack += candidates.Length * (long)_candidates.Rays.Stride;
-            int known = Math.Min(counts.Known, CandidateList.MaxKnown), count = 0;
             for (int i = 0; i < candidates.Length; i++)
-                if ((i < known || i >= CandidateList.MaxKnown) && candidates[i].Pixel != ReceivedRay.NoPixel)
+                if ((i < known || i >= capacity) && candidates[i].Pixel != ReceivedRay.NoPixel)
                     candidates[count++] = candidates[i];
             Array.Resize(ref candidates, count);
             return candidates;
@@ -149,12 +156,9 @@ namespace Glint
             }
             var counts = _output.ReadCounts(statistics);
             _kernel.Refine(candidates, areSubRays, null, areSubRays
-                ? CandidateList.Threads(counts.SubKnown, counts.SubSearched)
-                : CandidateList.Threads(counts.Known, counts.Searched));
+                ? candidates.Threads(counts.SubKnown, counts.SubSearched)
+                : candidates.Threads(counts.Known, counts.Searched));
         }
-
-        void ReserveSubRays(in RadarSettings settings) =>
-            _subRays.Reserve(MaxChosen * SamplingEstimate.SubGrids, settings.MaxBounces);
 
         // The lengths of a new buffer are unknown.
         void ReserveLengths(long rays)

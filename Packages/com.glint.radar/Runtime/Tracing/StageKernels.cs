@@ -32,6 +32,10 @@ namespace Glint
             SetNumber(ShaderIDs._MaxTwist, PixelPhase.MaxSlopeDifference(settings.Wavelength));
         }
 
+        /// <summary>Sets the capacities for candidates whose triangles are known.</summary>
+        public void SetKnownCapacity(int ofRays, int ofSubRays) =>
+            _shader.SetInts(ShaderIDs._KnownCapacity, ofRays, ofSubRays, 0, 0);
+
         /// <summary>Clears sums and counts.</summary>
         public void ClearSums(DeviceBuffer<uint> sums)
         {

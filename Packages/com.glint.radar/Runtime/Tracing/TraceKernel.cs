@@ -130,6 +130,10 @@ namespace Glint
             SetBvhs(_refineKernel, scene);
         }
 
+        /// <summary>Sets the capacities for candidates whose triangles are known.</summary>
+        public void SetKnownCapacity(int ofRays, int ofSubRays) =>
+            _shader.SetInts(ShaderIDs._KnownCapacity, ofRays, ofSubRays, 0, 0);
+
         /// <summary>Threads of a group of the kernel that traces, and of the one that refines.</summary>
         public int TraceGroup => GroupOf(_kernel);
 
