@@ -77,6 +77,36 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Trace_StoredMeshChangedByAScript_IsHashedBesideAndSeen()
+        {
+            // In play mode scripts change a stored mesh without marking it dirty.
+            var mesh = PlayAsset.Load<Mesh>("Packages/com.glint.meshes/Ship/Ship.asset");
+            var stored = mesh.vertices;
+            _plate.GetComponent<MeshFilter>().sharedMesh = mesh;
+            _plate.transform.localScale = Vector3.one * 0.1f;
+            _radar.Trace();
+            var before = _radar.Trace();
+            Assert.That((before.Statistics.BytesHashed, before.Statistics.BytesHashedBeside),
+                Is.EqualTo((0L, 12L * mesh.vertexCount + 4L * mesh.GetIndexCount(0))));
+            try
+            {
+                var moved = mesh.vertices;
+                for (int i = 0; i < moved.Length; i++)
+                    moved[i] += new Vector3(0, 0, 0.1f * moved[i].y);
+                mesh.vertices = moved;
+                var after = _radar.Trace();
+                _radar.Release();
+                var fresh = _radar.Trace();
+                Assert.That(after.PathLengthMeters, Is.Not.EqualTo(before.PathLengthMeters));
+                Assert.That(after.PathLengthMeters, Is.EqualTo(fresh.PathLengthMeters).Within(1e-6 * fresh.RaysHit));
+            }
+            finally
+            {
+                mesh.vertices = stored;
+            }
+        }
+
+        [Test]
         public void Trace_PlateTurnedAway_IsHitAndNotReceived()
         {
             _plate.transform.rotation = Quaternion.Euler(0, 30, 0);

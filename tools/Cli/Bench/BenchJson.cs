@@ -65,6 +65,8 @@ static class BenchJson
             ["dispatches"] = work.Dispatches,
             ["trees_built"] = sums.Statistics.BvhsBuilt,
             ["triangles_built"] = sums.Statistics.TrianglesBuilt,
+            ["bytes_hashed"] = work.BytesHashed,
+            ["bytes_hashed_beside"] = work.BytesHashedBeside,
             ["first_bytes_uploaded"] = sums.Statistics.BytesUploaded,
             ["bytes_uploaded"] = work.BytesUploaded,
             ["bytes_read_back"] = work.BytesReadBack,

@@ -73,6 +73,7 @@ sealed class BenchTables(Terminal terminal)
         Add("triangle pairs tested", result.PairsTested, Each(result.PairsTested, sums.Segments, "a segment"));
         Add("tiles traced", work.TilesTraced, Text($"{work.TilesSkipped:N0} skipped"));
         Add("dispatches", work.Dispatches);
+        Add("bytes hashed", work.BytesHashed, Text($"{work.BytesHashedBeside:N0} beside the trace"));
         Add("bytes uploaded", work.BytesUploaded, Text($"{first.BytesUploaded:N0} for the first pose"));
         Add("bytes read back", work.BytesReadBack);
         Add("bytes on the device", work.BytesOnDevice,

@@ -56,6 +56,7 @@ public sealed class AssetDatabase
             throw new UnityException($"Creating asset at path {path} failed: "
                 + $"'{asset.name}' is the asset {asset.AssetPath} already: copy it first (Object.Instantiate)");
         OpenStore.CreateAsset(asset, path);
+        GlobalArtifactDependencyVersion++;
     }
 
     /// <summary>
@@ -83,7 +84,8 @@ public sealed class AssetDatabase
         if (Object.IsNull(obj) || !obj.IsDirty || !Contains(obj))
             return;
         OpenStore.SaveAsset(obj);
-        obj.IsDirty = false;
+        obj.DirtyCount = 0;
+        GlobalArtifactDependencyVersion++;
     }
 
     public static void SaveAssets()
@@ -94,6 +96,9 @@ public sealed class AssetDatabase
     }
 
     public static void Refresh() => (Engine.Assets as IAssetStore)?.Refresh();
+
+    /// <summary>Changes whenever an asset is written.</summary>
+    public static uint GlobalArtifactDependencyVersion { get; private set; }
 
     internal static IAssetStore OpenStore =>
         Engine.Assets as IAssetStore ?? throw new UnityException("No project is open that assets could be written to.");

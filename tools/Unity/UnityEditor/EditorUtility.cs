@@ -27,11 +27,13 @@ public class EditorUtility
     public static void ClearProgressBar() => EditorHooks.ProgressBar(null);
 
     /// <summary>AssetDatabase writes the asset when it next saves.</summary>
-    public static void SetDirty(Object target) => target.IsDirty = true;
+    public static void SetDirty(Object target) => target.DirtyCount++;
 
     public static bool IsDirty(Object target) => !Object.IsNull(target) && target.IsDirty;
 
-    public static void ClearDirty(Object target) => target.IsDirty = false;
+    public static int GetDirtyCount(Object target) => Object.IsNull(target) ? 0 : target.DirtyCount;
+
+    public static void ClearDirty(Object target) => target.DirtyCount = 0;
 
     /// <summary>Copies all serialized content including the name; the target becomes dirty.</summary>
     public static void CopySerialized(Object source, Object dest)
@@ -42,7 +44,7 @@ public class EditorUtility
             return;
         }
         dest.CopyFrom(source, new CloneMap());
-        dest.IsDirty = true;
+        dest.DirtyCount++;
     }
 
     public static void SetDefaultParentObject(GameObject defaultParentObject) => DefaultParent = defaultParentObject;

@@ -11,6 +11,14 @@ namespace Glint.Core
         /// <inheritdoc cref="Objects"/>
         public long Triangles { get; set; }
 
+        /// <summary>
+        /// Bytes of vertices and indices hashed while the scene was gathered, because a mesh was new or may have changed.
+        /// </summary>
+        public long BytesHashed { get; set; }
+
+        /// <summary>Bytes hashed beside the trace, of watched meshes.</summary>
+        public long BytesHashedBeside { get; set; }
+
         /// <summary>BVHs built because a mesh was new or had changed.</summary>
         public long BvhsBuilt { get; set; }
 

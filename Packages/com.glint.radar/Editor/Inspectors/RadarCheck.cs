@@ -39,7 +39,7 @@ namespace Glint.Editor
         public double Seconds { get; private set; }
 
         /// <summary>
-        /// Updates the findings. It reads every mesh once, as <see cref="RadarController.Gather()"/>.
+        /// Updates the findings. It gathers the scene, as <see cref="RadarController.Gather()"/> does.
         /// </summary>
         public void Update()
         {

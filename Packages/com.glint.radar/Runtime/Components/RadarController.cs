@@ -62,6 +62,10 @@ namespace Glint
         [SerializeField, Tooltip("Objects to trace, with their children. Empty: everything in the loaded scenes.")]
         List<Transform> _roots = new List<Transform>();
 
+        [SerializeField, Tooltip("Watched: meshes that scripts make at run time are read beside each pose, and a change "
+            + "is always seen. Declared: they are not read, and a script that changes a mesh calls MarkChanged.")]
+        MeshChanges _meshChanges;
+
         [SerializeField, Tooltip("Rays that a result stores one by one. All takes 48 bytes a ray.")]
         RayReadback _keptRays = RayReadback.Received;
 
@@ -131,6 +135,12 @@ namespace Glint
         /// <summary>Objects to trace, with all below them; empty: everything in the loaded scenes.</summary>
         public List<Transform> Roots => _roots;
 
+        /// <summary>
+        /// How a pose learns that a mesh has changed. Its identity, counts and bounds are always compared, and <see
+        /// cref="MarkChanged"/> is always heard.
+        /// </summary>
+        public MeshChanges MeshChanges { get => _meshChanges; set => _meshChanges = value; }
+
         /// <summary>Rays that a result carries.</summary>
         public RayReadback RayReadback { get => _keptRays; set => _keptRays = value; }
 
@@ -190,17 +200,13 @@ namespace Glint
             if (!IsFitted)
                 DispatchPlan.Check(settings, readback, Subject);
 
-            var watch = Stopwatch.StartNew();
-            RadarPose pose;
-            using (s_gather.Auto())
-                pose = Gather();
-            var statistics = new TraceStatistics
-            {
-                Objects = _gatherer.ObjectCount,
-                Timings = new Timings { GatherMs = watch.Elapsed.TotalMilliseconds }
-            };
-            _tracer.CountVisits = CountVisits;
-            var result = _tracer.Trace(pose, readback, progress, cancel, statistics);
+            var result = TraceOnce(readback, progress, cancel, out var pose);
+            bool isCurrent = _gatherer.ConfirmMeshes();
+            long bytesHashedBeside = _gatherer.BytesHashed - result.Statistics.BytesHashed;
+            // Once only: the second gather reads what has changed, and all else was just confirmed.
+            if (!isCurrent)
+                result = TraceOnce(readback, progress, cancel, out pose);
+            result.Statistics.BytesHashedBeside = bytesHashedBeside;
             (_traced.Settings, _traced.View, _tracedContent) = (pose.Settings, pose.View, _gatherer.Content());
             Result = result;
             Traced?.Invoke(this);
@@ -262,17 +268,34 @@ namespace Glint
         public void ExpectMotion(Transform transform) => _gatherer.ExpectMotion(transform);
 
         /// <summary>
+        /// Announces that a script has changed the vertices or indices of a mesh. Every radar reads it in its next pose.
+        /// Needed for a mesh of <see cref="MeshMaker"/> that another script changes, for a stored mesh that is changed
+        /// in edit mode without EditorUtility.SetDirty, and for every changed mesh if <see cref="MeshChanges"/> is
+        /// Declared. A change of its counts or bounds is seen without it.
+        /// </summary>
+        /// <exception cref="GlintException">There is no mesh.</exception>
+        public static void MarkChanged(Mesh mesh) => MeshWatch.MarkChanged(mesh);
+
+        /// <summary>
         /// The pose of the scene in its current state: scene, settings and view.
         /// Scene and view are in the axes and metres of the world, relative to the nearest common ancestor of the
         /// radar, its receiver and all traced objects; without one, relative to the world's origin. Unchanged meshes
         /// are the same objects as in the last call.
         /// </summary>
         /// <exception cref="GlintException">The radar or a mesh cannot be traced.</exception>
-        public RadarPose Gather()
+        public RadarPose Gather() => Gather(confirmLater: false);
+
+        /// <summary>
+        /// The same by another gatherer, which warns of objects that are not traced. This radar's own gatherer is not
+        /// changed.
+        /// </summary>
+        public RadarPose Gather(SceneGatherer gatherer) => Gather(gatherer, false);
+
+        RadarPose Gather(bool confirmLater)
         {
             try
             {
-                return Gather(_gatherer);
+                return Gather(_gatherer, confirmLater);
             }
             finally
             {
@@ -282,16 +305,13 @@ namespace Glint
             }
         }
 
-        /// <summary>
-        /// The same by another gatherer, which warns of objects that are not traced. This radar's own gatherer is not
-        /// changed.
-        /// </summary>
-        public RadarPose Gather(SceneGatherer gatherer)
+        RadarPose Gather(SceneGatherer gatherer, bool confirmLater)
         {
             var pose = Describe();
             if (_roots.Exists(root => root == null))
                 throw new GlintException(HasEmptyRoot);
-            pose.Scene = gatherer.Gather(_layers, _roots, _receiver, transform);
+            gatherer.MeshChanges = _meshChanges;
+            pose.Scene = gatherer.Gather(_layers, _roots, _receiver, transform, confirmLater);
             var radarFrame = PoseOf(gatherer, transform, "the radar");
             (pose.View.Position, pose.View.Right, pose.View.Up, pose.View.Forward) =
                 (radarFrame.Origin, radarFrame.X, radarFrame.Y, radarFrame.Z);
@@ -346,6 +366,22 @@ namespace Glint
 
         /// <summary>Whether the aperture is fitted for each pose.</summary>
         public bool IsFitted => _fitAperture && GetComponent<Camera>().orthographic;
+
+        // The scene as the gatherer takes it; watched meshes are not confirmed yet.
+        RadarResult TraceOnce(RayReadback readback, IProgress<double> progress, CancellationToken cancel,
+            out RadarPose pose)
+        {
+            var watch = Stopwatch.StartNew();
+            using (s_gather.Auto())
+                pose = Gather(confirmLater: true);
+            var statistics = new TraceStatistics
+            {
+                Objects = _gatherer.ObjectCount, BytesHashed = _gatherer.BytesHashed,
+                Timings = new Timings { GatherMs = watch.Elapsed.TotalMilliseconds }
+            };
+            _tracer.CountVisits = CountVisits;
+            return _tracer.Trace(pose, readback, progress, cancel, statistics);
+        }
 
         RadarPose GatherForTracer()
         {

@@ -9,8 +9,9 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// A 64-bit hash of a mesh's content, because Unity does not say when a mesh changes. A change of one number always
-    /// changes the hash, other changes with a probability of 1 - 10^-19. Valid within one run only.
+    /// A 64-bit hash of a mesh's content, because Unity does not say when a mesh changes (<see cref="MeshWatch"/>). A
+    /// change of one number always changes the hash, other changes with a probability of 1 - 10^-19. Valid within one
+    /// run only.
     /// </summary>
     struct ContentHash
     {
@@ -27,6 +28,13 @@ namespace Glint
         public void Add(int number) => _a = Mix(_a, (ulong)(uint)number + 1);
 
         public void Add(ulong bits) => _a = Mix(_a, bits);
+
+        public void Add(float3 v)
+        {
+            Add(math.asint(v.x));
+            Add(math.asint(v.y));
+            Add(math.asint(v.z));
+        }
 
         public void Add(in Affine transform)
         {

@@ -31,6 +31,9 @@ namespace Glint
 
         public void End() => _before.Clear();
 
+        /// <summary>The values of the last gather.</summary>
+        public IEnumerable<TValue> Values => _now.Values;
+
         public void Clear()
         {
             _now.Clear();

@@ -5,7 +5,10 @@ using UnityEngine.Rendering;
 
 namespace Glint
 {
-    /// <summary>Makes Unity meshes from triangles.</summary>
+    /// <summary>
+    /// Makes Unity meshes from triangles. It marks what it fills, so that no pose reads these meshes again. A script that
+    /// changes one by other means calls <see cref="RadarController.MarkChanged"/>.
+    /// </summary>
     public static class MeshMaker
     {
         const int Max16BitVertices = 65535;
@@ -29,6 +32,7 @@ namespace Glint
                     end = i + 1 < file.Surfaces.Count ? file.Surfaces[i + 1].FirstTriangle : file.TriangleCount;
                 mesh.SetIndices(file.Indices, 3 * first, 3 * (end - first), MeshTopology.Triangles, i);
             }
+            MeshWatch.MarkFilled(mesh);
             return mesh;
         }
 
@@ -40,6 +44,7 @@ namespace Glint
             mesh.SetVertices(System.Array.ConvertAll(vertices, v => new Vector3(v.x, v.y, v.z)));
             mesh.SetIndices(indices, MeshTopology.Triangles, 0);
             mesh.RecalculateNormals();
+            MeshWatch.MarkFilled(mesh);
         }
     }
 }

@@ -9,8 +9,13 @@ namespace Glint
     /// <summary>Reads meshes through reused lists, so that checking an unchanged mesh allocates nothing.</summary>
     sealed class MeshReader
     {
+        const int BytesPerVertex = 12, BytesPerIndex = 4;
+
         readonly List<Vector3> _vertices = new List<Vector3>();
         readonly List<int> _indices = new List<int>();
+
+        /// <summary>Bytes of vertices and indices hashed so far.</summary>
+        public long BytesHashed { get; private set; }
 
         /// <summary>Hash of everything that determines a mesh's triangles.</summary>
         public ulong Hash(Mesh mesh)
@@ -18,6 +23,7 @@ namespace Glint
             var hash = new ContentHash();
             mesh.GetVertices(_vertices);
             hash.Add(_vertices);
+            BytesHashed += BytesPerVertex * (long)_vertices.Count;
             int submeshes = mesh.subMeshCount;
             hash.Add(submeshes);
             for (int submesh = 0; submesh < submeshes; submesh++)
@@ -25,6 +31,7 @@ namespace Glint
                 hash.Add((int)mesh.GetTopology(submesh));
                 mesh.GetIndices(_indices, submesh);
                 hash.Add(_indices);
+                BytesHashed += BytesPerIndex * (long)_indices.Count;
             }
             return hash.Value;
         }

@@ -14,7 +14,8 @@ namespace Glint
         // far from its origin.
         const double FarInHalves = 3;
 
-        bool _isKnown, _hasFrame;
+        bool _isKnown, _isUnconfirmed, _hasFrame;
+        ulong? _signs; // null: the content must be hashed
         TriangleMesh _triangles;
         VertexFrame _frame;
 
@@ -41,16 +42,41 @@ namespace Glint
         /// <summary>Number of objects of this gather with the mesh.</summary>
         public int ObjectCount { get; private set; }
 
-        /// <summary>Checks whether the mesh has changed.</summary>
+        /// <summary>
+        /// Reads the mesh if it has changed. Its content is hashed if its signs differ, or if it is watched.
+        /// </summary>
         /// <param name="owner">Renderer of the mesh, for messages.</param>
+        /// <param name="isWatched">Whether the mesh may change without a change of its signs.</param>
+        /// <param name="confirmLater">A watched mesh is not hashed here, but in <see cref="Confirm"/>.</param>
         /// <exception cref="GlintException">The mesh cannot be traced.</exception>
-        public void Update(Mesh mesh, MeshReader reader, Renderer owner)
+        public void Update(Mesh mesh, MeshReader reader, Renderer owner, bool isWatched, bool confirmLater)
         {
             (Mesh, ObjectCount, _hasFrame) = (mesh, 0, false);
-            ulong hash = reader.Hash(mesh);
-            if (_isKnown && hash == Hash)
+            ulong signs = MeshWatch.Signs(mesh);
+            bool hasSameSigns = _signs == signs;
+            _isUnconfirmed = hasSameSigns && isWatched && confirmLater;
+            if (_isUnconfirmed || hasSameSigns && !isWatched)
                 return;
+            ulong hash = reader.Hash(mesh);
+            if (!_isKnown || hash != Hash)
+                Read(mesh, hash, reader, owner);
+            _signs = signs; // not of a mesh that was refused
+        }
 
+        /// <summary>
+        /// Hashes the mesh if the last gather took it as unchanged without reading it.
+        /// </summary>
+        /// <returns>False if it has changed; the next gather reads it.</returns>
+        public bool Confirm(MeshReader reader)
+        {
+            if (_isUnconfirmed && (Mesh == null || reader.Hash(Mesh) != Hash))
+                _signs = null;
+            _isUnconfirmed = false;
+            return _signs != null;
+        }
+
+        void Read(Mesh mesh, ulong hash, MeshReader reader, Renderer owner)
+        {
             SubmeshTriangles = reader.CountTriangles(mesh, owner);
             TriangleCount = SubmeshTriangles.Sum();
             VertexCount = mesh.vertexCount;

@@ -37,6 +37,14 @@ namespace Glint
         readonly List<string> _warnings = new List<string>();
         MeshReader _reader = new MeshReader();
         RadarScene _scene;
+        long _hashedBefore;
+        bool _confirmsLater;
+
+        /// <summary>How changed meshes are found.</summary>
+        public MeshChanges MeshChanges { get; set; }
+
+        /// <summary>Bytes of vertices and indices hashed since the last gather began.</summary>
+        public long BytesHashed => _reader.BytesHashed - _hashedBefore;
 
         /// <summary>Number of objects with a mesh in the last gather.</summary>
         public int ObjectCount => _objects.Count;
@@ -61,13 +69,17 @@ namespace Glint
         /// Not traced, with all below it: it is neither target nor obstacle. May be null.
         /// </param>
         /// <param name="radar">Transform of the radar; null: the scene's origin is the world's.</param>
+        /// <param name="confirmLater">
+        /// Watched meshes are not hashed here; the caller traces the scene and then calls <see cref="ConfirmMeshes"/>.
+        /// </param>
         /// <returns>The scene; the same object as before if nothing has changed.</returns>
         /// <exception cref="GlintException">
         /// A mesh that cannot be traced; the message names it and the remedy.
         /// </exception>
         public RadarScene Gather(LayerMask layers, IReadOnlyList<Transform> roots,
-            Transform receiver, Transform radar = null)
+            Transform receiver, Transform radar = null, bool confirmLater = false)
         {
+            (_hashedBefore, _confirmsLater) = (_reader.BytesHashed, confirmLater);
             _transforms.Begin();
             _sources.Begin();
             _mergedMeshes.Begin();
@@ -85,6 +97,19 @@ namespace Glint
             if (_scene == null || !origin.Equals(_scene.Origin) || !scene.IsSame(_scene))
                 _scene = scene;
             return _scene;
+        }
+
+        /// <summary>
+        /// Hashes the meshes that the last gather left for later. It needs the main thread and no result of the trace, so
+        /// that it can run while the device works.
+        /// </summary>
+        /// <returns>False if one has changed: gather and trace again, the next gather reads it.</returns>
+        public bool ConfirmMeshes()
+        {
+            bool areUnchanged = true;
+            foreach (var source in _sources.Values)
+                areUnchanged &= source.Confirm(_reader);
+            return areUnchanged;
         }
 
         /// <summary>
@@ -124,7 +149,7 @@ namespace Glint
             _cells.Clear();
             _objects.Clear();
             _pieces.Clear();
-            _reader = new MeshReader();
+            (_reader, _hashedBefore) = (new MeshReader(), 0);
             _scene = null;
         }
 
@@ -167,7 +192,8 @@ namespace Glint
 
             var source = _sources.Get(mesh, out bool first);
             if (first)
-                source.Update(mesh, _reader, renderer);
+                source.Update(mesh, _reader, renderer,
+                    MeshChanges == MeshChanges.Watched && MeshWatch.IsWatched(mesh), _confirmsLater);
             source.AddObject();
             node.SetSource(source);
             node.ObjectNumber = _objects.Count;

@@ -150,6 +150,30 @@ public sealed class MeshWritingTests : WritingFixture
         Assert.That(Reopened<Mesh>("Assets/A.asset").vertices[1], Is.EqualTo(2f * Vector3.up));
     }
 
+    // Saving resets the dirty count, by which a gatherer knows that a stored mesh has changed.
+    [Test]
+    public void SaveAssets_AfterAChange_IsSeenByTheNextGather()
+    {
+        AssetDatabase.CreateAsset(Triangle(), "Assets/A.asset");
+        Mesh mesh = Reopened<Mesh>("Assets/A.asset");
+        var shown = new GameObject("A", typeof(MeshFilter), typeof(MeshRenderer));
+        shown.GetComponent<MeshFilter>().sharedMesh = mesh;
+        var gatherer = new SceneGatherer();
+        try
+        {
+            var before = gatherer.Gather(~0, [shown.transform], null);
+            mesh.vertices = [Vector3.zero, 2f * Vector3.up, Vector3.right];
+            EditorUtility.SetDirty(mesh);
+            AssetDatabase.SaveAssets();
+            Assert.That(EditorUtility.GetDirtyCount(mesh), Is.Zero);
+            Assert.That(gatherer.Gather(~0, [shown.transform], null), Is.Not.SameAs(before));
+        }
+        finally
+        {
+            UnityEngine.Object.DestroyImmediate(shown);
+        }
+    }
+
     [Test]
     public void CopySerialized_OntoAnAsset_IsWrittenBySaveAssets_AndTheGuidStays()
     {

@@ -47,8 +47,10 @@ public partial class Object
     /// <summary>The object's id within its asset's file.</summary>
     internal long FileId { get; set; }
 
-    /// <summary>True if marked as changed since its asset was last written.</summary>
-    internal bool IsDirty { get; set; }
+    /// <summary>How often it was marked as changed since its asset was last written.</summary>
+    internal int DirtyCount { get; set; }
+
+    internal bool IsDirty => DirtyCount > 0;
 
     internal virtual string Name
     {

@@ -57,7 +57,8 @@ namespace Glint.Editor.Views
                 Parts.Field("_receiverSize", "Receiver Size (m)")));
             inspector.Add(Parts.Group("What is traced",
                 Parts.Field("_layers", "Layers"),
-                Parts.Field("_roots", "Roots")));
+                Parts.Field("_roots", "Roots"),
+                Parts.Field("_meshChanges", "Mesh Changes")));
             inspector.Add(Parts.Group("Results",
                 Parts.Field("_skipSamplingError", "Skip Sampling Error"),
                 Parts.Field("_keptRays", "Kept Rays"),
