@@ -76,7 +76,10 @@ sealed class ExperimentRuns(IProgressSink progress)
     IReadOnlyList<SweepRow> Trace(string title, LoadedScene loaded, SweepPlan plan, Sea sea, RayReadback readback)
     {
         using var run = new SweepRun(
-            new SweepSetup(loaded.Radar, plan) { Target = loaded.Target, Sea = sea, Scene = loaded.Scene });
+            new SweepSetup(loaded.Radar, plan) { Target = loaded.Target, Sea = sea, Scene = loaded.Scene })
+        {
+            Overlaps = true
+        };
         var rows = new List<SweepRow>();
         progress.Start(title, run.Count);
         try

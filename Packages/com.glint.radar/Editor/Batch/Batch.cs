@@ -59,7 +59,10 @@ namespace Glint.Editor
                     WarnOfUnfinished(line, folder);
                     var setup = loaded.Sweep(plan);
                     setup.Command = ArgumentsOf(line);
-                    using (var run = new SweepRun(setup, folder, line.Get(Options.Shard), line.Get(Options.Resume)))
+                    using (var run = new SweepRun(setup, folder, line.Get(Options.Shard), line.Get(Options.Resume))
+                    {
+                        Overlaps = true
+                    })
                         return Trace(run, loaded, folder, plan, progress);
                 }
             }

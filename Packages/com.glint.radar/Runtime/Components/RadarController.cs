@@ -192,7 +192,14 @@ namespace Glint
         /// </exception>
         /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
         public RadarResult Trace(RayReadback readback, IProgress<double> progress = null,
-            CancellationToken cancel = default)
+            CancellationToken cancel = default) =>
+            FinishTrace(StartTrace(readback, cancel), progress, cancel);
+
+        /// <summary>
+        /// Begins to trace the scene in its current state. The scene may change, and the next pose start, before it is
+        /// finished.
+        /// </summary>
+        internal PoseInFlight StartTrace(RayReadback readback, CancellationToken cancel = default)
         {
             // Before the scene is gathered, which may take long.
             var settings = Describe().Settings;
@@ -200,18 +207,32 @@ namespace Glint
             if (!IsFitted)
                 DispatchPlan.Check(settings, readback, Subject);
 
-            var result = TraceOnce(readback, progress, cancel, out var pose);
+            var inFlight = StartOnce(readback, cancel);
+            // Beside the device's work.
             bool isCurrent = _gatherer.ConfirmMeshes();
-            long bytesHashedBeside = _gatherer.BytesHashed - result.Statistics.BytesHashed;
+            long bytesHashedBeside = _gatherer.BytesHashed - inFlight.Statistics.BytesHashed;
             // Once only: the second gather reads what has changed, and all else was just confirmed.
             if (!isCurrent)
-                result = TraceOnce(readback, progress, cancel, out pose);
-            result.Statistics.BytesHashedBeside = bytesHashedBeside;
-            (_traced.Settings, _traced.View, _tracedContent) = (pose.Settings, pose.View, _gatherer.Content());
+                inFlight = StartOnce(readback, cancel);
+            inFlight.Statistics.BytesHashedBeside = bytesHashedBeside;
+            inFlight.Content = _gatherer.Content();
+            return inFlight;
+        }
+
+        /// <summary>Waits for a pose; it becomes <see cref="Result"/>.</summary>
+        internal RadarResult FinishTrace(PoseInFlight inFlight, IProgress<double> progress = null,
+            CancellationToken cancel = default)
+        {
+            var result = inFlight.Tracer.Finish(inFlight, progress, cancel);
+            (_traced.Settings, _traced.View) = (inFlight.Pose.Settings, inFlight.Pose.View);
+            _tracedContent = inFlight.Content;
             Result = result;
             Traced?.Invoke(this);
             return result;
         }
+
+        /// <summary>Whether somebody looks at the scene after each pose, which must then not have changed.</summary>
+        internal bool HasListeners => Traced != null;
 
         /// <summary>
         /// Pixels of the rays received in the last pose, in ascending order: x + y * rays across, from the lower left
@@ -368,10 +389,10 @@ namespace Glint
         public bool IsFitted => _fitAperture && GetComponent<Camera>().orthographic;
 
         // The scene as the gatherer takes it; watched meshes are not confirmed yet.
-        RadarResult TraceOnce(RayReadback readback, IProgress<double> progress, CancellationToken cancel,
-            out RadarPose pose)
+        PoseInFlight StartOnce(RayReadback readback, CancellationToken cancel)
         {
             var watch = Stopwatch.StartNew();
+            RadarPose pose;
             using (s_gather.Auto())
                 pose = Gather(confirmLater: true);
             var statistics = new TraceStatistics
@@ -380,7 +401,7 @@ namespace Glint
                 Timings = new Timings { GatherMs = watch.Elapsed.TotalMilliseconds }
             };
             _tracer.CountVisits = CountVisits;
-            return _tracer.Trace(pose, readback, progress, cancel, statistics);
+            return _tracer.Start(pose, readback, cancel, statistics);
         }
 
         RadarPose GatherForTracer()

@@ -161,7 +161,10 @@ namespace Glint
                 ? RunDescription.DefaultFolder(scene)
                 : RunDescription.InProject(_outputFolder));
             _run = new SweepRun(
-                new SweepSetup(_radar, plan) { Target = _target, Sea = sea, Scene = gameObject.scene.path }, folder);
+                new SweepSetup(_radar, plan) { Target = _target, Sea = sea, Scene = gameObject.scene.path }, folder)
+            {
+                Overlaps = true
+            };
             (Poses, ResultsPath) = (plan.Count, folder.FolderPath);
             _progress.Start(scene, plan.Count);
         }

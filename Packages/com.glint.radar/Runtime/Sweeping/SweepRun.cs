@@ -18,6 +18,7 @@ namespace Glint
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
         SweepIdentity _identity;
+        PoseInFlight _current; // started by the step before
 
         /// <summary>
         /// Begins or resumes a sweep; nothing is traced before the first <see cref="Step"/>.
@@ -59,6 +60,13 @@ namespace Glint
         /// <summary>Number of poses done, including those before a resumption.</summary>
         public int Done { get; private set; }
 
+        /// <summary>
+        /// Whether the next pose is gathered, and given to the device, before the row of the current one is made. The
+        /// sweep is faster, and after a <see cref="Step"/> the scene shows the next pose. Poses do not overlap while a
+        /// script listens to <see cref="RadarController.Traced"/>, or when single rays are kept.
+        /// </summary>
+        public bool Overlaps { get; set; }
+
         /// <summary>True if all poses are done.</summary>
         public bool IsComplete => Done == Count;
 
@@ -75,11 +83,15 @@ namespace Glint
         public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default,
             RayReadback readback = RayReadback.None)
         {
-            var pose = _setup.Plan[_first + Done];
-            _motions.Show(pose);
-            var row = new SweepRow(pose, _setup.Radar.Trace(readback, progress, cancel));
+            // Taken out first: a pose that fails starts anew.
+            var current = _current ?? Start(0, readback, cancel);
+            _current = null;
+            bool overlaps = Overlaps && current.MayOverlap && !_setup.Radar.HasListeners && Done + 1 < Count;
+            var next = overlaps ? StartNext(cancel) : null;
+            var row = new SweepRow(_setup.Plan[_first + Done], _setup.Radar.FinishTrace(current, progress, cancel));
             _folder?.Append(row);
             Done++;
+            _current = next;
             if (IsComplete)
                 WriteJson();
             return row;
@@ -90,6 +102,25 @@ namespace Glint
         {
             _folder?.Dispose();
             _motions.Dispose();
+        }
+
+        PoseInFlight Start(int ahead, RayReadback readback, CancellationToken cancel)
+        {
+            _motions.Show(_setup.Plan[_first + Done + ahead]);
+            return _setup.Radar.StartTrace(readback, cancel);
+        }
+
+        // Null if the next pose cannot start: its own step says why, after the current row is written.
+        PoseInFlight StartNext(CancellationToken cancel)
+        {
+            try
+            {
+                return Start(1, RayReadback.None, cancel);
+            }
+            catch (Exception problem) when (problem is GlintException || problem is OperationCanceledException)
+            {
+                return null;
+            }
         }
 
         void Begin(SweepIdentity identity, SweepShard? shard, bool resume)

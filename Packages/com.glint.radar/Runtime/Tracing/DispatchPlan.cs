@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics;
 using System.Linq;
 using System.Runtime.InteropServices;
 using Glint.Core;
@@ -37,7 +36,6 @@ namespace Glint
         readonly RadarSettings _settings;
         readonly RayReadback _keep;
         readonly int _tiles, _tilesADispatch;
-        readonly Stopwatch _watch = new Stopwatch();
 
         /// <param name="tiles">Tiles to trace.</param>
         /// <param name="usesEntryPoints">Whether the scene has few enough instances for entry points.</param>
@@ -80,12 +78,11 @@ namespace Glint
                 ? Math.Min(left, _tilesADispatch)
                 : _pacer.NextTiles(left, _settings.MaxBounces);
             Count = (int)Math.Min(paced, MaxTiles(_keep));
-            _watch.Restart();
             return true;
         }
 
         /// <summary>Records that the slice is traced; its time decides the size of the next one.</summary>
-        public void Traced() => _pacer.Took(Count, _watch.Elapsed.TotalSeconds);
+        public void Traced(double seconds) => _pacer.Took(Count, seconds);
 
         /// <summary>Number of rays whose paths one dispatch records.</summary>
         public static int PathRays(in RadarSettings settings) =>

@@ -1,4 +1,4 @@
-using System.Diagnostics;
+using System;
 using Glint.Core;
 
 namespace Glint
@@ -6,6 +6,7 @@ namespace Glint
     /// <summary>A pose whose work the device has, from <see cref="RayTracer.Start"/> to its result.</summary>
     sealed class PoseInFlight
     {
+        public RayTracer Tracer;
         public RadarPose Pose;
         public RayReadback Readback;
         public RayGrid Grid;
@@ -23,6 +24,14 @@ namespace Glint
         /// <summary>Whether the slice has sub-rays of pixels that the device chose.</summary>
         public bool HasSubRays;
 
-        public readonly Stopwatch Watch = Stopwatch.StartNew();
+        /// <summary>Whether the next pose may be given to the device before this one is finished.</summary>
+        public bool MayOverlap => Readback == RayReadback.None && (Slice == null || Plan.IsWhole)
+            && !Tracer.NeededLists;
+
+        /// <summary>Hash of its meshes and their transforms.</summary>
+        public ulong Content;
+
+        /// <summary>When the pose started, and when its current slice was dispatched, by the tracer's clock.</summary>
+        public TimeSpan Started, Dispatched;
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.Numerics;
 using System.Threading;
@@ -28,8 +29,11 @@ namespace Glint
         readonly SlicePass _slices;
         readonly PathPass _paths;
         readonly DispatchPacer _pacer = new DispatchPacer();
+        readonly List<PoseInFlight> _inFlight = new List<PoseInFlight>();
+        readonly Stopwatch _clock = Stopwatch.StartNew();
         // The pose whose work was dispatched last: only its lists are still on the device.
         PoseInFlight _last;
+        TimeSpan _lastFinished;
         ReceivedRayList _received = new ReceivedRayList();
 
         /// <param name="shader">Shaders/Trace.compute.</param>
@@ -105,12 +109,13 @@ namespace Glint
             {
                 if (_output.IsTooSmall(_received.Count))
                 {
-                    _last?.Slice?.Wait();
+                    Wait();
                     _output.Grow(_received.Count);
                 }
                 var grid = new RayGrid(pose.Settings, pose.View, _scene.Min, _scene.Max);
                 var inFlight = new PoseInFlight
                 {
+                    Tracer = this, Started = _clock.Elapsed,
                     Pose = pose, Readback = readback, Grid = grid, Sums = new ChannelSums(grid),
                     Rays = new RayReadbackBuffer(readback, pose.Settings, _owner),
                     Plan = UploadTiles(pose, readback, statistics), Statistics = statistics
@@ -118,6 +123,7 @@ namespace Glint
                 Bind(inFlight);
                 if (inFlight.Plan.Next())
                     Dispatch(inFlight);
+                _inFlight.Add(inFlight);
                 return _last = inFlight;
             }
         }
@@ -127,6 +133,7 @@ namespace Glint
         internal RadarResult Finish(PoseInFlight inFlight, IProgress<double> progress = null,
             CancellationToken cancel = default)
         {
+            _inFlight.Remove(inFlight);
             using (s_trace.Auto())
             {
                 var (pose, statistics) = (inFlight.Pose, inFlight.Statistics);
@@ -137,9 +144,10 @@ namespace Glint
                     if (words != null)
                         Dispatch(inFlight);
                     words = _output.WordsOf(inFlight.Slice);
-                    if (!IsLast(inFlight) && NeedsLists(inFlight, new WorkCounts(words)))
+                    NeededLists = NeedsLists(inFlight, new WorkCounts(words));
+                    if (NeededLists && inFlight != _last)
                         return Trace(pose, inFlight.Readback, progress, cancel, statistics);
-                    inFlight.Plan.Traced();
+                    inFlight.Plan.Traced(SecondsSince(inFlight.Dispatched));
                     words = AddSlice(inFlight, words, cancel);
                     progress?.Report(inFlight.Plan.Done);
                 }
@@ -148,10 +156,17 @@ namespace Glint
                 var sampling = EstimateSampling(inFlight, total, words, cancel);
                 var rays = inFlight.Rays.ToArray();
                 Complete(inFlight);
+                _lastFinished = _clock.Elapsed;
                 _received = inFlight.Received;
                 return new RadarResult(total, sampling, rays, statistics);
             }
         }
+
+        /// <summary>
+        /// Whether the pose finished last needed more from the device's lists than its read-back; the next one is likely
+        /// to need it too.
+        /// </summary>
+        internal bool NeededLists { get; private set; }
 
         /// <summary>Pixels of the rays received in the pose last traced, in ascending order.</summary>
         public uint[] ReceivedPixels() => _received.Pixels();
@@ -175,6 +190,7 @@ namespace Glint
                         + $"{settings.RaysAcross} x {settings.RaysDown} rays: "
                         + "pixels count from 0, row by row");
             SetScene(pose.Scene, new TraceStatistics(), cancel);
+            _last = null; // the uniforms of an earlier pose change
             var grid = new RayGrid(settings, pose.View, _scene.Min, _scene.Max);
             _kernel.SetRadar(settings, pose.View, grid, pose.Scene.Origin, 0, Culling & ~Culling.EntryPoints);
             return _paths.Follow(pose, grid, pixels, progress, cancel);
@@ -183,8 +199,7 @@ namespace Glint
         /// <summary>Releases all buffers on the device.</summary>
         public void Dispose()
         {
-            // The device writes into a buffer that is read back until it has arrived.
-            _last?.Slice?.Wait();
+            Wait();
             _last = null;
             _paths.Dispose();
             _slices.Dispose();
@@ -266,9 +281,19 @@ namespace Glint
             if (inFlight.HasSubRays)
                 _slices.ChooseAndTraceSubRays(statistics);
             inFlight.Slice = _output.Request(statistics);
+            inFlight.Dispatched = _clock.Elapsed;
         }
 
-        bool IsLast(PoseInFlight inFlight) => inFlight == _last;
+        // Waits for all poses in flight, before a buffer that is read back is released.
+        void Wait()
+        {
+            foreach (var inFlight in _inFlight)
+                inFlight.Slice?.Wait();
+        }
+
+        // Time that a pose or slice took by itself: it begins at the end of the one before.
+        double SecondsSince(TimeSpan start) =>
+            (_clock.Elapsed - (start > _lastFinished ? start : _lastFinished)).TotalSeconds;
 
         // Whether more is to be read from, or dispatched with, the slice's lists on the device.
         bool NeedsLists(PoseInFlight inFlight, WorkCounts counts) =>
@@ -352,7 +377,7 @@ namespace Glint
                 + _slices.Bytes;
             var timings = statistics.Timings;
             (timings.TraceMs, timings.ReadBackMs) =
-                (inFlight.Watch.Elapsed.TotalMilliseconds, inFlight.Rays.ReadBackMs);
+                (1000 * SecondsSince(inFlight.Started), inFlight.Rays.ReadBackMs);
             statistics.Timings = timings;
         }
     }
