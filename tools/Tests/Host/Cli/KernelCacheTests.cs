@@ -31,18 +31,18 @@ public sealed class KernelCacheTests
     public void Run_OnASoftwareDevice_KeepsAllOfItsKernels()
     {
         Run(_folder);
-        string[] kept = Kept();
+        string[] cached = CachedFiles();
         if (SoftwareDevice.IsInUse)
-            Assert.That(kept, Has.Length.EqualTo(KernelsOfARun));
+            Assert.That(cached, Has.Length.EqualTo(KernelsOfARun));
         Run(_folder);
-        Assert.That(Kept(), Is.EqualTo(kept), "the second run adds none");
+        Assert.That(CachedFiles(), Is.EqualTo(cached), "the second run adds none");
     }
 
     [Test]
     public void Run_WithADamagedCache_GivesTheSameFigures()
     {
         string first = Run(_folder);
-        foreach (string file in Kept())
+        foreach (string file in CachedFiles())
         {
             byte[] bytes = File.ReadAllBytes(file);
             for (int i = bytes.Length / 2; i < bytes.Length * 3 / 4; i++)
@@ -51,7 +51,7 @@ public sealed class KernelCacheTests
         }
         Assert.That(Run(_folder), Is.EqualTo(first), "changed");
 
-        foreach (string file in Kept())
+        foreach (string file in CachedFiles())
             File.WriteAllBytes(file, File.ReadAllBytes(file)[..100]);
         Assert.That(Run(_folder), Is.EqualTo(first), "cut off");
     }
@@ -64,7 +64,7 @@ public sealed class KernelCacheTests
         Assert.That(Run(file), Is.EqualTo(Run(_folder)));
     }
 
-    string[] Kept() => Directory.GetFiles(_folder, "*", SearchOption.AllDirectories)
+    string[] CachedFiles() => Directory.GetFiles(_folder, "*", SearchOption.AllDirectories)
         .Where(file => Path.GetFileName(file) != "index").Order(StringComparer.Ordinal).ToArray();
 
     static string Run(string cache)
