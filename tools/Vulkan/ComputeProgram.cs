@@ -27,7 +27,6 @@ public sealed unsafe class ComputeProgram : IDisposable
         {
             CreateModule(spirv);
             CreateLayout();
-            CreatePipeline();
         }
         catch
         {
@@ -62,16 +61,28 @@ public sealed unsafe class ComputeProgram : IDisposable
     internal BoundSets Sets { get; }
     internal ulong SetLayout => _setLayout;
     internal ulong Layout => _layout;
-    internal ulong Pipeline => _pipeline != 0
-        ? _pipeline
-        : throw new ObjectDisposedException(nameof(ComputeProgram), $"kernel {Name} was disposed");
+
+    /// <summary>
+    /// Made when first used: a driver takes tens of milliseconds to compile a large kernel, and few runs use all.
+    /// </summary>
+    internal ulong Pipeline
+    {
+        get
+        {
+            if (_module == 0)
+                throw new ObjectDisposedException(nameof(ComputeProgram), $"kernel {Name} was disposed");
+            if (_pipeline == 0)
+                CreatePipeline();
+            return _pipeline;
+        }
+    }
 
     /// <summary>Batch of the last recorded dispatch of this kernel.</summary>
     internal long LastBatch { get; set; }
 
     public void Dispose()
     {
-        if (_pipeline == 0)
+        if (_module == 0)
             return;
         try
         {

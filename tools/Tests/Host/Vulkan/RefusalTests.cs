@@ -91,6 +91,20 @@ public sealed class RefusalTests
         Assert.That(error.Message, Does.Contain("State").And.Contain("disposed"));
     }
 
+    [TestCase(false)]
+    [TestCase(true)] // its pipeline is made
+    public void Dispatch_OfADisposedKernel_NamesIt(bool hasRun)
+    {
+        var program = Kernels.Create(_device, Kernels.Arithmetic, "Step");
+        using var buffer = _device.CreateBuffer(4);
+        void Run() => _device.Dispatch(
+            program, new byte[program.UniformBytes], Kernels.Bind(("State", buffer)), 1, 1, 1);
+        if (hasRun)
+            Run();
+        program.Dispose();
+        Assert.That(Assert.Throws<ObjectDisposedException>(Run).Message, Does.Contain("Step was disposed"));
+    }
+
     [Test]
     public void Dispatch_OfTooManyGroups_NamesTheLimit()
     {

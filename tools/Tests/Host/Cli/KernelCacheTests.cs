@@ -1,0 +1,86 @@
+using System;
+using System.Diagnostics;
+using System.IO;
+using System.Linq;
+using Glint.Host.Tests.Vulkan;
+using NUnit.Framework;
+
+namespace Glint.Host.Tests;
+
+/// <summary>
+/// The driver keeps compiled kernels in the user's cache folder; glint adds no cache of its own. Every run is a process
+/// with a cache folder of the test's.
+/// </summary>
+[Platform("Linux")]
+[Category("Slow")]
+public sealed class KernelCacheTests
+{
+    // Arithmetic, EntryPointsWide, TraceWideSingleInstance, RefineWide.
+    const int KernelsOfARun = 4;
+
+    string _folder;
+
+    [SetUp]
+    public void MakeCache() => _folder = Directory.CreateTempSubdirectory("glint-cache-").FullName;
+
+    [TearDown]
+    public void RemoveCache() => Directory.Delete(_folder, true);
+
+    /// <summary>Mesa writes them on a thread of low priority, which may be late.</summary>
+    [Test]
+    public void Run_OnASoftwareDevice_KeepsAllOfItsKernels()
+    {
+        Run(_folder);
+        string[] cached = CachedFiles();
+        if (SoftwareDevice.IsInUse)
+            Assert.That(cached, Has.Length.EqualTo(KernelsOfARun));
+        Run(_folder);
+        Assert.That(CachedFiles(), Is.EqualTo(cached), "the second run adds none");
+    }
+
+    [Test]
+    public void Run_WithADamagedCache_GivesTheSameFigures()
+    {
+        string first = Run(_folder);
+        foreach (string file in CachedFiles())
+        {
+            byte[] bytes = File.ReadAllBytes(file);
+            for (int i = bytes.Length / 2; i < bytes.Length * 3 / 4; i++)
+                bytes[i] ^= 0x5a;
+            File.WriteAllBytes(file, bytes);
+        }
+        Assert.That(Run(_folder), Is.EqualTo(first), "changed");
+
+        foreach (string file in CachedFiles())
+            File.WriteAllBytes(file, File.ReadAllBytes(file)[..100]);
+        Assert.That(Run(_folder), Is.EqualTo(first), "cut off");
+    }
+
+    [Test]
+    public void Run_WithoutAFolderForItsCache_GivesTheSameFigures()
+    {
+        string file = Path.Combine(_folder, "file");
+        File.WriteAllText(file, "");
+        Assert.That(Run(file), Is.EqualTo(Run(_folder)));
+    }
+
+    string[] CachedFiles() => Directory.GetFiles(_folder, "*", SearchOption.AllDirectories)
+        .Where(file => Path.GetFileName(file) != "index").Order(StringComparer.Ordinal).ToArray();
+
+    static string Run(string cache)
+    {
+        var start = new ProcessStartInfo("dotnet", [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"),
+            "run", Path.Combine(Sources.Root, "Scenes/CornerReflector.unity"), "--size", "480x270"])
+        {
+            RedirectStandardOutput = true, RedirectStandardError = true
+        };
+        start.Environment["XDG_CACHE_HOME"] = cache;
+        using var process = Process.Start(start);
+        var error = process.StandardError.ReadToEndAsync();
+        string output = process.StandardOutput.ReadToEnd();
+        process.WaitForExit();
+        Assert.That(process.ExitCode, Is.EqualTo(0), error.Result);
+        // Before the table Mesa may have printed that it has no folder for its cache.
+        return output[output.IndexOf("  angle", StringComparison.Ordinal)..];
+    }
+}
