@@ -5,6 +5,10 @@
 
 #ifndef GLINT_WIDE // Wide~/TraceWide.compute includes another traversal
 #include "TraverseBinary.hlsl"
+#ifndef GLINT_REFINE
+#include "Horizon.hlsl"
+#define GLINT_HORIZONS
+#endif
 #endif
 
 float3 VectorToLocal(InstanceRecord record, float3 v)
@@ -64,9 +68,16 @@ void TraverseInstance(uint instance, Ray ray, uint4 entryPoints, bool anyHit, in
     state.Ray.Origin = PointToLocal(record, ray.Origin);
     state.Ray.Direction = VectorToLocal(record, ray.Direction);
 #endif
-    TraverseMesh(MakeTraversalRay(PointToLocal(record, ray.Start), VectorToLocal(record, Rounded(ray.Direction)),
-        positionError, state.DirectionError * record.Stretch), instance, record.Page, record.FirstRow, entryPoints,
-        anyHit, state);
+    TraversalRay traversalRay = MakeTraversalRay(PointToLocal(record, ray.Start),
+        VectorToLocal(record, Rounded(ray.Direction)), positionError, state.DirectionError * record.Stretch);
+#ifdef GLINT_HORIZONS
+    if (instance == ray.ExcludedTriangle.x && (_Culling & CULL_HORIZONS) != 0
+        && IsAboveHorizon(traversalRay, PointToLocal(record, ray.Origin), record.Page, record.FirstRow,
+            ray.ExcludedTriangle.y >> 1, (ray.ExcludedTriangle.y & 1) != 0,
+            record.Stretch * length(ray.Start - ray.Origin)))
+        return;
+#endif
+    TraverseMesh(traversalRay, instance, record.Page, record.FirstRow, entryPoints, anyHit, state);
 }
 
 #ifndef GLINT_INLINE_INSTANCES

@@ -26,7 +26,13 @@ namespace Glint
         /// </summary>
         EntryPoints = 8,
 
+        /// <summary>
+        /// A ray that leaves a triangle above the triangle's horizon does not traverse the BVH of its mesh again.
+        /// The BVH gets horizons when it is traced for the second time; not on software devices.
+        /// </summary>
+        Horizons = 16,
+
         /// <summary>All that is skipped in a pose.</summary>
-        All = Reach | LastSegment | Tiles | EntryPoints,
+        All = Reach | LastSegment | Tiles | EntryPoints | Horizons,
     }
 }

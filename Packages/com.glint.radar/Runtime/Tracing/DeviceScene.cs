@@ -88,6 +88,25 @@ namespace Glint
             return hasBuilt;
         }
 
+        /// <summary>
+        /// Finds the horizons of BVHs that are traced for the second time. They cost as much as a few poses, which a
+        /// single pose would not earn back.
+        /// </summary>
+        public void FindHorizons(TraceKernel kernel, TraceStatistics statistics)
+        {
+            foreach (var allocation in _bvhs.All)
+            {
+                if (allocation.IsTraced && !allocation.HasHorizons)
+                {
+                    for (int part = 0; part < allocation.Bvh.Parts.Length; part++)
+                        statistics.Dispatches += kernel.FindHorizons(_bvhs.Pages[allocation.PageOf(part)],
+                            allocation.FirstRowOf(part), allocation.Bvh.Parts[part]);
+                    allocation.HasHorizons = true;
+                }
+                allocation.IsTraced = true;
+            }
+        }
+
         /// <summary>Adds the tiles that may see the scene.</summary>
         public void AddTo(PictureTiles tiles)
         {

@@ -99,6 +99,8 @@ namespace Glint
                 var sums = new ChannelSums(grid);
                 var readbackBuffer = new RayReadbackBuffer(readback, pose.Settings, _owner);
                 var plan = UploadTiles(pose, readback, statistics);
+                if (!_isSoftware && (Culling & Culling.Horizons) != 0)
+                    _scene.FindHorizons(_kernel, statistics);
                 Bind(pose, grid, sums.LengthUnits, plan.UsesEntryPoints);
                 _refine.Begin();
                 while (plan.Next())

@@ -13,6 +13,9 @@ namespace Glint
         // GROUPS_A_ROW in Shaders/Constants.hlsl.
         internal const int GroupsARow = 64;
 
+        // Leaves whose horizons one dispatch finds: well below a second on a slow GPU.
+        const int LeavesADispatch = 1 << 15;
+
         /// <summary>Maximum tiles of one dispatch, by the limit of thread groups.</summary>
         public const int MaxTiles = 65535 * GroupsARow;
 
@@ -150,6 +153,24 @@ namespace Glint
             DispatchThreads(_entryPointsKernel, (long)count * scene.InlineInstances.Count);
         }
 
+        /// <summary>Finds the horizons of a BVH in the binary layout and returns the number of dispatches.</summary>
+        public int FindHorizons(BvhPage page, int firstRow, BvhPart part)
+        {
+            int kernel = _shader.FindKernel("FindHorizons"), dispatches = 0;
+            _shader.SetBuffer(kernel, ShaderIDs._Bvh[0], page.Rows.Buffer);
+            _shader.SetInt(ShaderIDs._BvhFirstRow, firstRow);
+            _shader.SetInt(ShaderIDs._BvhFirstLeafRow, part.FirstRecordRow);
+            _shader.SetFloat(ShaderIDs._HorizonMargin, (float)part.Margin);
+            for (int first = 0; first < part.LeafCount; first += LeavesADispatch, dispatches++)
+            {
+                int count = math.min(LeavesADispatch, part.LeafCount - first);
+                _shader.SetInt(ShaderIDs._FirstLeaf, first);
+                _shader.SetInt(ShaderIDs._LeafCount, count);
+                DispatchThreads(kernel, 2L * count);
+            }
+            return dispatches;
+        }
+
         /// <summary>Traces the rays of some tiles and lists candidates.</summary>
         /// <param name="rays">Receives the other rays if all are read back.</param>
         public void Dispatch(int firstTile, int count, RayReadback readback, DeviceBuffer<ReceivedRay> candidates,
@@ -231,6 +252,11 @@ namespace Glint
     {
         public static readonly int[] _Bvh = Enumerable.Range(0, DeviceBvhs.MaxPages)
             .Select(page => Shader.PropertyToID("_Bvh" + page)).ToArray();
+        public static readonly int _BvhFirstRow = Shader.PropertyToID("_BvhFirstRow");
+        public static readonly int _BvhFirstLeafRow = Shader.PropertyToID("_BvhFirstLeafRow");
+        public static readonly int _FirstLeaf = Shader.PropertyToID("_FirstLeaf");
+        public static readonly int _LeafCount = Shader.PropertyToID("_LeafCount");
+        public static readonly int _HorizonMargin = Shader.PropertyToID("_HorizonMargin");
         public static readonly int _InstanceBvh = Shader.PropertyToID("_InstanceBvh");
         public static readonly int _Instances = Shader.PropertyToID("_Instances");
         public static readonly int _Ranges = Shader.PropertyToID("_Ranges");
