@@ -17,6 +17,10 @@ static const float PLANE_ROUNDING = 1.0e-5;
 
 static const uint SECTORS = 8;
 
+// Nodes and leaves after which a search ends without a result, so that a dispatch ends in time. Software devices end
+// a loop after 65,535 steps.
+static const uint MAX_HORIZON_STEPS = 8192;
+
 // A triangle and the horizon found so far.
 struct HorizonSearch
 {
@@ -45,6 +49,7 @@ HorizonSearch BeginSearch(TriangleFrame frame, float margin)
     search.P1 = InPlane(search, b);
     search.P2 = InPlane(search, c);
     search.Margin = margin;
+    [unroll]
     for (uint sector = 0; sector < SECTORS; sector++)
         search.Sine[sector] = MIN_HORIZON;
     search.Lowest = MIN_HORIZON;
@@ -84,7 +89,7 @@ void Raise(inout HorizonSearch search, float slope, float2 axis, float2 directio
 {
     float limit = halfAngle.x < -0.99 ? -2.0 : CosSum(halfAngle, HALF_SECTOR);
     search.Lowest = NO_SKY;
-    [loop]
+    [unroll]
     for (uint sector = 0; sector < SECTORS; sector++)
     {
         float2 centre = SectorCentre(sector);
@@ -105,9 +110,9 @@ bool MayRaise(HorizonSearch search, float sine, float2 direction, float2 halfAng
         return false;
     float limit = halfAngle.x < -0.99 ? -2.0 : CosSum(halfAngle, HALF_SECTOR);
     bool raises = false;
-    [loop]
-    for (uint sector = 0; sector < SECTORS && !raises; sector++)
-        raises = sine > search.Sine[sector] && dot(direction, SectorCentre(sector)) >= limit;
+    [unroll]
+    for (uint sector = 0; sector < SECTORS; sector++)
+        raises = raises || sine > search.Sine[sector] && dot(direction, SectorCentre(sector)) >= limit;
     return raises;
 }
 
@@ -132,6 +137,7 @@ float SlopeAlong(float2 axis, float offset, float radius, float3 heights, float2
 {
     float3 distances = float3(dot(axis, q0), dot(axis, q1), dot(axis, q2)) - offset;
     float slope = 0.0;
+    [unroll]
     for (uint i = 0; i < 3; i++)
     {
         if (distances[i] < -PLANE_ROUNDING * radius || heights[i] > 0.0 && distances[i] <= PLANE_ROUNDING * radius)
@@ -215,7 +221,7 @@ uint2 FindHorizon(uint firstRow, uint ownRow, bool second, float margin)
     stack[0] = DONE;
     uint top = 0, current = ROOT;
     [loop]
-    while (current != DONE && search.Lowest < 1.0)
+    for (uint steps = 0; steps < MAX_HORIZON_STEPS && current != DONE && search.Lowest < 1.0; steps++)
     {
         if ((current & LEAF) != 0)
         {
@@ -239,6 +245,9 @@ uint2 FindHorizon(uint firstRow, uint ownRow, bool second, float margin)
             current = stack[top--];
     }
     uint2 bytes = 0;
+    if (current != DONE)
+        return bytes;
+    [unroll]
     for (uint sector = 0; sector < SECTORS; sector++)
     {
         uint byte = (uint)(255.0 * saturate(1.0 - search.Sine[sector] - HORIZON_SLACK));
