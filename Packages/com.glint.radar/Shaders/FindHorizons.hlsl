@@ -63,7 +63,7 @@ float2 SectorCentre(uint sector)
 }
 
 // Cosine and sine of half a sector with its overlap: pi / 8 + SECTOR_OVERLAP.
-static const float2 HALF_SECTOR = float2(0.85631786, 0.51644914);
+static const float2 HALF_SECTOR = float2(0.76952514, 0.63861652);
 
 // Cosine of the sum of two angles, given by cosine and sine, up to pi.
 float CosSum(float2 a, float2 b)

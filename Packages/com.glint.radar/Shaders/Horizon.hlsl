@@ -6,11 +6,11 @@
 
 // Horizons. A ray that leaves the front of a triangle above the triangle's horizon meets nothing else in the same BVH,
 // so that its traversal is skipped. Most rays leave a sea or a ship above it; without horizons their traversal visits
-// all nodes around their start. Kernel FindHorizons computes them after a BVH is uploaded. Each triangle has eight
-// bytes, one for each sector of azimuth about its normal: 255 * (1 - sine of the horizon's elevation); 0 if unknown.
+// all nodes around their start. Each triangle has eight bytes, one for each sector of azimuth about its normal:
+// 255 * (1 - sine of the horizon's elevation); 0 until the kernel FindHorizons finds it.
 
 // Radians by which a sector overlaps its neighbours.
-static const float SECTOR_OVERLAP = 0.15;
+static const float SECTOR_OVERLAP = 0.3;
 
 // A triangle's own frame.
 struct TriangleFrame
@@ -66,10 +66,11 @@ bool IsAboveHorizon(TraversalRay ray, float3 origin, uint page, uint firstRow, u
     float inside = MinComponent(float3(DistanceToEdge(frame, origin, frame.Corner0, frame.Corner1),
         DistanceToEdge(frame, origin, frame.Corner1, frame.Corner2),
         DistanceToEdge(frame, origin, frame.Corner2, frame.Corner0)));
-    // The errors within the largest triangles; those at a distance are within HORIZON_SLACK.
+    // An ambiguous triangle is within sqrt(2) times the position error of the ray's line (HitTriangle). The error grows
+    // with the distance and with the triangle's size; what grows with the distance is within HORIZON_SLACK.
     float largest = asfloat(LoadBvh(page, firstRow + ROOT + 2).w);
     float error = ray.PositionError + (ray.DirectionError / size + 2.0 * SEEN_ROUNDING) * 2.0 * largest;
-    return min(sine - horizon, SECTOR_OVERLAP) * inside > 2.0 * error + displacement;
+    return min(sine - horizon, SECTOR_OVERLAP) * inside > 1.5 * error + displacement;
 }
 
 #endif

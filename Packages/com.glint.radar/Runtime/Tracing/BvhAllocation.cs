@@ -19,8 +19,8 @@ namespace Glint
 
         public MeshBvh Bvh { get; }
 
-        /// <summary>A pose has traced it, since it was written.</summary>
-        public bool IsTraced { get; set; }
+        /// <summary>Rays of the poses that traced it, since it was written.</summary>
+        public long RaysTraced { get; set; }
 
         /// <summary>Its horizons are known.</summary>
         public bool HasHorizons { get; set; }
@@ -45,7 +45,8 @@ namespace Glint
         /// </summary>
         public bool Allocate(IReadOnlyList<BvhPage> pages)
         {
-            IsTraced = HasHorizons = false;
+            RaysTraced = 0;
+            HasHorizons = false;
             for (int part = 0; part < Bvh.Parts.Length; part++)
                 if (!Allocate(pages, part))
                 {

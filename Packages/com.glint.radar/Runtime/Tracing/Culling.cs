@@ -28,7 +28,7 @@ namespace Glint
 
         /// <summary>
         /// A ray that leaves a triangle above the triangle's horizon does not traverse the BVH of its mesh again.
-        /// The BVH gets horizons when it is traced for the second time; not on software devices.
+        /// A BVH gets horizons when some hundred rays a triangle have traced it; not on software devices.
         /// </summary>
         Horizons = 16,
 

@@ -89,21 +89,22 @@ namespace Glint
         }
 
         /// <summary>
-        /// Finds the horizons of BVHs that are traced for the second time. They cost as much as a few poses, which a
-        /// single pose would not earn back.
+        /// Finds the horizons of BVHs that a number of rays a triangle has traced before this pose. A triangle's
+        /// horizon costs as much as some hundred rays, which few poses would not earn back.
         /// </summary>
-        public void FindHorizons(TraceKernel kernel, TraceStatistics statistics)
+        /// <param name="rays">Rays of this pose.</param>
+        public void FindHorizons(TraceKernel kernel, long rays, long raysATriangle, TraceStatistics statistics)
         {
             foreach (var allocation in _bvhs.All)
             {
-                if (allocation.IsTraced && !allocation.HasHorizons)
+                if (!allocation.HasHorizons && allocation.RaysTraced >= raysATriangle * allocation.Bvh.TriangleCount)
                 {
                     for (int part = 0; part < allocation.Bvh.Parts.Length; part++)
                         statistics.Dispatches += kernel.FindHorizons(_bvhs.Pages[allocation.PageOf(part)],
                             allocation.FirstRowOf(part), allocation.Bvh.Parts[part]);
                     allocation.HasHorizons = true;
                 }
-                allocation.IsTraced = true;
+                allocation.RaysTraced += rays;
             }
         }
 
