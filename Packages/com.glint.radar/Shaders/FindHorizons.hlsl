@@ -17,12 +17,12 @@ static const float PLANE_ROUNDING = 1.0e-5;
 
 static const uint SECTORS = 8;
 
-// Nodes and leaves after which a search ends without a result, so that a dispatch ends in time. Software devices end
+// Nodes and leaves after which a traversal ends without a result, so that a dispatch ends in time. Software devices end
 // a loop after 65,535 steps.
 static const uint MAX_HORIZON_STEPS = 8192;
 
 // A triangle and the horizon found so far.
-struct HorizonSearch
+struct HorizonState
 {
     TriangleFrame Frame;
     float3 Centre;
@@ -33,27 +33,27 @@ struct HorizonSearch
     float Lowest;         // of the sines
 };
 
-float2 InPlane(HorizonSearch search, float3 fromCentre)
+float2 InPlane(HorizonState state, float3 fromCentre)
 {
-    return float2(dot(fromCentre, search.Frame.AxisX), dot(fromCentre, search.Frame.AxisY));
+    return float2(dot(fromCentre, state.Frame.AxisX), dot(fromCentre, state.Frame.AxisY));
 }
 
-HorizonSearch BeginSearch(TriangleFrame frame, float margin)
+HorizonState BeginHorizon(TriangleFrame frame, float margin)
 {
-    HorizonSearch search;
-    search.Frame = frame;
-    search.Centre = (frame.Corner0 + frame.Corner1 + frame.Corner2) / 3.0;
-    float3 a = frame.Corner0 - search.Centre, b = frame.Corner1 - search.Centre, c = frame.Corner2 - search.Centre;
-    search.Radius = sqrt(max(dot(a, a), max(dot(b, b), dot(c, c))));
-    search.P0 = InPlane(search, a);
-    search.P1 = InPlane(search, b);
-    search.P2 = InPlane(search, c);
-    search.Margin = margin;
+    HorizonState state;
+    state.Frame = frame;
+    state.Centre = (frame.Corner0 + frame.Corner1 + frame.Corner2) / 3.0;
+    float3 a = frame.Corner0 - state.Centre, b = frame.Corner1 - state.Centre, c = frame.Corner2 - state.Centre;
+    state.Radius = sqrt(max(dot(a, a), max(dot(b, b), dot(c, c))));
+    state.P0 = InPlane(state, a);
+    state.P1 = InPlane(state, b);
+    state.P2 = InPlane(state, c);
+    state.Margin = margin;
     [unroll]
     for (uint sector = 0; sector < SECTORS; sector++)
-        search.Sine[sector] = MIN_HORIZON;
-    search.Lowest = MIN_HORIZON;
-    return search;
+        state.Sine[sector] = MIN_HORIZON;
+    state.Lowest = MIN_HORIZON;
+    return state;
 }
 
 float2 SectorCentre(uint sector)
@@ -85,10 +85,10 @@ float SineOf(float slope)
 
 // Raises the horizon of the sectors within a half angle of a direction. The slope is that along an axis and decreases
 // with the cosine of the angle to it; MISS: no sky is left.
-void Raise(inout HorizonSearch search, float slope, float2 axis, float2 direction, float2 halfAngle)
+void Raise(inout HorizonState state, float slope, float2 axis, float2 direction, float2 halfAngle)
 {
     float limit = halfAngle.x < -0.99 ? -2.0 : CosSum(halfAngle, HALF_SECTOR);
-    search.Lowest = NO_SKY;
+    state.Lowest = NO_SKY;
     [unroll]
     for (uint sector = 0; sector < SECTORS; sector++)
     {
@@ -98,41 +98,41 @@ void Raise(inout HorizonSearch search, float slope, float2 axis, float2 directio
         float nearest = cosine >= HALF_SECTOR.x || slope >= MISS ? 1.0
             : cosine * HALF_SECTOR.x + sqrt(max(0.0, 1.0 - cosine * cosine)) * HALF_SECTOR.y;
         if (dot(direction, centre) >= limit && nearest > 0.0)
-            search.Sine[sector] = max(search.Sine[sector], slope >= MISS ? NO_SKY : SineOf(slope * nearest));
-        search.Lowest = min(search.Lowest, search.Sine[sector]);
+            state.Sine[sector] = max(state.Sine[sector], slope >= MISS ? NO_SKY : SineOf(slope * nearest));
+        state.Lowest = min(state.Lowest, state.Sine[sector]);
     }
 }
 
 // Whether something with this bound would raise a sector.
-bool MayRaise(HorizonSearch search, float sine, float2 direction, float2 halfAngle)
+bool MayRaise(HorizonState state, float sine, float2 direction, float2 halfAngle)
 {
-    if (sine <= search.Lowest)
+    if (sine <= state.Lowest)
         return false;
     float limit = halfAngle.x < -0.99 ? -2.0 : CosSum(halfAngle, HALF_SECTOR);
     bool raises = false;
     [unroll]
     for (uint sector = 0; sector < SECTORS; sector++)
-        raises = raises || sine > search.Sine[sector] && dot(direction, SectorCentre(sector)) >= limit;
+        raises = raises || sine > state.Sine[sector] && dot(direction, SectorCentre(sector)) >= limit;
     return raises;
 }
 
-bool MayRaise(HorizonSearch search, float3 centre, float3 halfSize)
+bool MayRaise(HorizonState state, float3 centre, float3 halfSize)
 {
-    float3 fromCentre = centre - search.Centre;
-    float height = dot(fromCentre, search.Frame.Normal),
-        top = height + dot(abs(search.Frame.Normal), halfSize) + search.Margin;
+    float3 fromCentre = centre - state.Centre;
+    float height = dot(fromCentre, state.Frame.Normal),
+        top = height + dot(abs(state.Frame.Normal), halfSize) + state.Margin;
     if (top <= 0.0)
         return false;
-    float2 inPlane = InPlane(search, fromCentre);
-    float distance = length(inPlane), radius = length(halfSize) + search.Radius;
+    float2 inPlane = InPlane(state, fromCentre);
+    float distance = length(inPlane), radius = length(halfSize) + state.Radius;
     if (distance <= radius)
         return true;
-    return MayRaise(search, SineOf(top / (distance - radius)), inPlane / distance, HalfAngle(radius, distance));
+    return MayRaise(state, SineOf(top / (distance - radius)), inPlane / distance, HalfAngle(radius, distance));
 }
 
-// Maximum slope from any point of the searched triangle to any point of another one, given by heights and positions
-// in the plane, along an axis on which nothing of the searched triangle is beyond its offset; MISS if the other one is
-// not beyond it. Height and distance along the axis are linear, so that a corner has the maximum.
+// Maximum slope from any point of the triangle to any point of another one, given by heights and positions
+// in the plane, along an axis on which nothing of the triangle is past the offset; MISS if the other one is not past it.
+// Height and distance along the axis are linear, so that a corner has the maximum.
 float SlopeAlong(float2 axis, float offset, float radius, float3 heights, float2 q0, float2 q1, float2 q2)
 {
     float3 distances = float3(dot(axis, q0), dot(axis, q1), dot(axis, q2)) - offset;
@@ -148,10 +148,10 @@ float SlopeAlong(float2 axis, float offset, float radius, float3 heights, float2
     return slope;
 }
 
-void TryAxis(HorizonSearch search, float2 axis, float offset, float3 heights, float2 q0, float2 q1, float2 q2,
+void TryAxis(HorizonState state, float2 axis, float offset, float3 heights, float2 q0, float2 q1, float2 q2,
     inout float slope, inout float2 best)
 {
-    float along = SlopeAlong(axis, offset, search.Radius, heights, q0, q1, q2);
+    float along = SlopeAlong(axis, offset, state.Radius, heights, q0, q1, q2);
     if (along < slope)
     {
         slope = along;
@@ -166,66 +166,66 @@ float2 EdgeAxis(float2 from, float2 to)
     return dot(normal, from) < 0.0 ? -normal : normal;
 }
 
-// Height and position of another triangle's corner: those of the searched triangle's corner if they are the same.
-float3 CornerOf(HorizonSearch search, float3 corner)
+// Height and position of another triangle's corner: those of the triangle's own corner if they are the same.
+float3 CornerOf(HorizonState state, float3 corner)
 {
-    if (all(corner == search.Frame.Corner0))
-        return float3(search.P0, 0.0);
-    if (all(corner == search.Frame.Corner1))
-        return float3(search.P1, 0.0);
-    if (all(corner == search.Frame.Corner2))
-        return float3(search.P2, 0.0);
-    float3 fromCentre = corner - search.Centre;
-    return float3(InPlane(search, fromCentre), dot(fromCentre, search.Frame.Normal) + search.Margin);
+    if (all(corner == state.Frame.Corner0))
+        return float3(state.P0, 0.0);
+    if (all(corner == state.Frame.Corner1))
+        return float3(state.P1, 0.0);
+    if (all(corner == state.Frame.Corner2))
+        return float3(state.P2, 0.0);
+    float3 fromCentre = corner - state.Centre;
+    return float3(InPlane(state, fromCentre), dot(fromCentre, state.Frame.Normal) + state.Margin);
 }
 
-void AddTriangle(inout HorizonSearch search, float3 corner0, float3 corner1, float3 corner2)
+void AddTriangle(inout HorizonState state, float3 corner0, float3 corner1, float3 corner2)
 {
-    float3 q0 = CornerOf(search, corner0), q1 = CornerOf(search, corner1), q2 = CornerOf(search, corner2);
+    float3 q0 = CornerOf(state, corner0), q1 = CornerOf(state, corner1), q2 = CornerOf(state, corner2);
     float3 heights = float3(q0.z, q1.z, q2.z);
     if (MaxComponent(heights) <= 0.0)
         return;
     float2 middle = (q0.xy + q1.xy + q2.xy) / 3.0;
     float distance = length(middle);
-    float radius = max(length(q0.xy - middle), max(length(q1.xy - middle), length(q2.xy - middle))) + search.Radius;
+    float radius = max(length(q0.xy - middle), max(length(q1.xy - middle), length(q2.xy - middle))) + state.Radius;
     float2 direction = distance > 0.0 ? middle / distance : float2(1.0, 0.0);
 
     float slope = MISS;
-    float2 axis = direction, p0 = search.P0, p1 = search.P1, p2 = search.P2;
+    float2 axis = direction, p0 = state.P0, p1 = state.P1, p2 = state.P2;
     float2 edge0 = EdgeAxis(p0, p1), edge1 = EdgeAxis(p1, p2), edge2 = EdgeAxis(p2, p0);
-    TryAxis(search, edge0, dot(edge0, p0), heights, q0.xy, q1.xy, q2.xy, slope, axis);
-    TryAxis(search, edge1, dot(edge1, p1), heights, q0.xy, q1.xy, q2.xy, slope, axis);
-    TryAxis(search, edge2, dot(edge2, p2), heights, q0.xy, q1.xy, q2.xy, slope, axis);
-    TryAxis(search, direction, max(dot(direction, p0), max(dot(direction, p1), dot(direction, p2))), heights,
+    TryAxis(state, edge0, dot(edge0, p0), heights, q0.xy, q1.xy, q2.xy, slope, axis);
+    TryAxis(state, edge1, dot(edge1, p1), heights, q0.xy, q1.xy, q2.xy, slope, axis);
+    TryAxis(state, edge2, dot(edge2, p2), heights, q0.xy, q1.xy, q2.xy, slope, axis);
+    TryAxis(state, direction, max(dot(direction, p0), max(dot(direction, p1), dot(direction, p2))), heights,
         q0.xy, q1.xy, q2.xy, slope, axis);
     float2 halfAngle = HalfAngle(radius, distance);
-    Raise(search, slope, axis, direction, halfAngle);
+    Raise(state, slope, axis, direction, halfAngle);
 }
 
-void AddLeaf(inout HorizonSearch search, uint firstRow, uint leafRow, uint ownRow, bool ownSecond)
+void AddLeaf(inout HorizonState state, uint firstRow, uint leafRow, uint ownRow, bool ownSecond)
 {
     Pair pair = LoadPair(0, firstRow + leafRow);
     bool isOwn = leafRow == ownRow;
     if (!isOwn || ownSecond)
-        AddTriangle(search, pair.Corner0, pair.Corner1, pair.Corner2);
+        AddTriangle(state, pair.Corner0, pair.Corner1, pair.Corner2);
     if ((!isOwn || !ownSecond) && any(pair.Corner2 != pair.Corner3))
-        AddTriangle(search, pair.Corner0, pair.Corner2, pair.Corner3);
+        AddTriangle(state, pair.Corner0, pair.Corner2, pair.Corner3);
 }
 
 // The eight bytes of a triangle.
 uint2 FindHorizon(uint firstRow, uint ownRow, bool second, float margin)
 {
-    HorizonSearch search = BeginSearch(MakeTriangleFrame(LoadPair(0, firstRow + ownRow), second), margin);
+    HorizonState state = BeginHorizon(MakeTriangleFrame(LoadPair(0, firstRow + ownRow), second), margin);
     float3 bvhCentre = asfloat(LoadBvh(0, firstRow).xyz);
     uint stack[1 + BINARY_LEVELS];
     stack[0] = DONE;
     uint top = 0, current = ROOT;
     [loop]
-    for (uint steps = 0; steps < MAX_HORIZON_STEPS && current != DONE && search.Lowest < 1.0; steps++)
+    for (uint steps = 0; steps < MAX_HORIZON_STEPS && current != DONE && state.Lowest < 1.0; steps++)
     {
         if ((current & LEAF) != 0)
         {
-            AddLeaf(search, firstRow, current & ~LEAF, ownRow, second);
+            AddLeaf(state, firstRow, current & ~LEAF, ownRow, second);
             current = stack[top--];
             continue;
         }
@@ -233,10 +233,10 @@ uint2 FindHorizon(uint firstRow, uint ownRow, bool second, float margin)
         uint4 a = LoadBvh(0, row), b = LoadBvh(0, row + 1);
         uint3 halfSizes = LoadBvh(0, row + 2).xyz;
         float3 centreA = bvhCentre + asfloat(a.xyz), centreB = bvhCentre + asfloat(b.xyz);
-        bool opensA = MayRaise(search, centreA, HalfSizeA(halfSizes)),
-            opensB = b.w != a.w && MayRaise(search, centreB, HalfSizeB(halfSizes));
+        bool opensA = MayRaise(state, centreA, HalfSizeA(halfSizes)),
+            opensB = b.w != a.w && MayRaise(state, centreB, HalfSizeB(halfSizes));
         // The nearer child first: it raises the horizon most.
-        bool isBFirst = opensB && (!opensA || length(centreB - search.Centre) < length(centreA - search.Centre));
+        bool isBFirst = opensB && (!opensA || length(centreB - state.Centre) < length(centreA - state.Centre));
         if (opensA && opensB)
             stack[++top] = isBFirst ? a.w : b.w;
         if (opensA || opensB)
@@ -250,7 +250,7 @@ uint2 FindHorizon(uint firstRow, uint ownRow, bool second, float margin)
     [unroll]
     for (uint sector = 0; sector < SECTORS; sector++)
     {
-        uint byte = (uint)(255.0 * saturate(1.0 - search.Sine[sector] - HORIZON_SLACK));
+        uint byte = (uint)(255.0 * saturate(1.0 - state.Sine[sector] - HORIZON_SLACK));
         if (sector < 4)
             bytes.x |= byte << (8 * sector);
         else
