@@ -131,7 +131,7 @@ bool MayRaise(HorizonState state, float3 centre, float3 halfSize)
 }
 
 // Maximum slope from any point of the triangle to any point of another one, given by heights and positions
-// in the plane, along an axis on which nothing of the triangle is past the offset; MISS if the other one is not past it.
+// in the plane, along an axis on which nothing of the triangle is past the offset; MISS if the other one is not.
 // Height and distance along the axis are linear, so that a corner has the maximum.
 float SlopeAlong(float2 axis, float offset, float radius, float3 heights, float2 q0, float2 q1, float2 q2)
 {
