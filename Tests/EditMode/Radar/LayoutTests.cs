@@ -86,7 +86,7 @@ namespace Glint.Tests
                 ["IN_PHASE_OVERFLOW"] = 1u << Channel.InPhase.Number,
                 ["QUADRATURE_OVERFLOW"] = 1u << Channel.Quadrature.Number,
                 ["CULL_REACH"] = (int)Culling.Reach, ["CULL_LAST"] = (int)Culling.LastSegment,
-                ["CULL_ENTRY_POINTS"] = (int)Culling.EntryPoints,
+                ["CULL_ENTRY_POINTS"] = (int)Culling.EntryPoints, ["CULL_HORIZONS"] = (int)Culling.Horizons,
                 ["READBACK_NONE"] = (int)RayReadback.None, ["READBACK_RECEIVED"] = (int)RayReadback.Received,
                 ["READBACK_ALL"] = (int)RayReadback.All,
                 ["NO_PIXEL"] = ReceivedRay.NoPixel, ["RAY_RECEIVED"] = RayData.Received,

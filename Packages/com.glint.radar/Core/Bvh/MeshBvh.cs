@@ -57,7 +57,8 @@ namespace Glint.Core
                 var rows = BvhRows.Encode(bvh, roots[part], layout, writer, out int firstRecord, out int identity);
                 parts[part] = new BvhPart
                 {
-                    Rows = rows, FirstRecordRow = firstRecord, FirstIdentityRow = identity, Min = box.Min, Max = box.Max
+                    Rows = rows, FirstRecordRow = firstRecord, FirstIdentityRow = identity, Min = box.Min, Max = box.Max,
+                    Margin = bvh.Margin, LeafCount = bvh.LeafCount(roots[part])
                 };
             });
             var cover = Cover(bvh);
@@ -155,6 +156,8 @@ namespace Glint.Core
         }
 
         public int IdentityRows(int records) => (records + 1) / 2;
+
+        public bool HasHorizons => true;
 
         public void Write(int item, uint4[] rows, int row, int record, int firstIdentityRow)
         {
