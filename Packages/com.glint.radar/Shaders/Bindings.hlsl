@@ -55,7 +55,7 @@ uint _Readback;                             // READBACK_ mode of _Rays
 float _LengthUnits;                         // units of length sums per m: the maximum relative length is 2^30
 uint _HasSubRays;                           // 1: the rays of this dispatch are sub-rays
 StructuredBuffer<uint> _SubRayPixels;       // pixels with sub-rays
-uint4 _KnownCapacity;                       // candidates whose triangles are kept; x: of rays, y: of sub-rays
+uint4 _KnownCapacity;                       // candidates with known triangles; x: of rays, y: of sub-rays
 uint _FirstSearched;                        // candidates searched in earlier dispatches
 uint _PathCount;                            // rays of _Candidates whose paths are recorded
 uint _ReceivedCapacity;                     // received rays that _Sums can hold
@@ -65,12 +65,13 @@ uint _HasLengths;                           // 1: the lengths of received rays a
 // Output.
 RWStructuredBuffer<RayData> _Rays;
 RWStructuredBuffer<uint> _Sums;             // see Sums.hlsl, and COUNT_ in Constants.hlsl
-// Candidates: pixel, then index in the order of tiles or number of the sub-ray. The first ones, up to
-// _KnownCapacity, are those whose triangles are in _Met. The refine kernels replace them by pixel, or NO_PIXEL if not received, and path length less
+// Candidates: pixel, then index in the order of tiles or number of the sub-ray. The first _KnownCapacity
+// are those of which float32 knows every triangle; behind them are those to search. The refine kernels replace them by pixel, or NO_PIXEL if not received, and path length less
 // twice _OriginDepth, m. The kernels of paths write bounces, with RAY_RECEIVED if received, and the distance from the
 // last hit to the receiver's plane, m.
 RWStructuredBuffer<uint2> _Candidates;
-// The triangles that a candidate meets (see NumberOf), _MaxBounces elements each; shorter paths end with NO_INSTANCE.
+// The triangles that a candidate meets first (see NumberOf), _MaxBounces elements each; fewer end with NO_INSTANCE.
+// The first 2 * _KnownCapacity candidates have them.
 RWStructuredBuffer<uint2> _Met;
 // By pixel of the region, row by row: length of a received ray as in _Candidates, else NO_LENGTH.
 RWStructuredBuffer<uint> _Lengths;

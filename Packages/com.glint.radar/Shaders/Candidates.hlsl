@@ -4,8 +4,8 @@
 #include "WorkLists.hlsl"
 #include "Path.hlsl"
 
-// Candidates: rays that the refine pass follows. Where float32 is sure of every triangle that a ray meets, the refine
-// pass intersects these instead of searching.
+// Candidates: rays that the refine pass follows. It intersects the triangles of which float32 is sure instead of
+// searching: all that a known candidate meets, and the first ones of the others.
 
 #ifndef GLINT_REFINE
 
@@ -13,30 +13,30 @@
 static uint2 s_met[MAX_BOUNCES];
 
 // Notes the triangle of a path's last hit.
-void NoteMet(Path path)
+void NoteMet(inout Path path)
 {
     s_met[path.Bounces - 1] = path.Ray.ExcludedTriangle;
+    path.SureBounces = path.Bounces;
 }
 
 // Adds a ray to the list for the refine pass.
 // Number: index in the order of tiles, or number of the sub-ray.
 void AddCandidate(Path path, uint pixel, uint number)
 {
-    uint entry;
+    uint entry = 0;
     if (path.IsSure)
-    {
         InterlockedAdd(_Sums[_HasSubRays != 0 ? COUNT_SUB_KNOWN : COUNT_KNOWN], 1, entry);
-        if (entry < SearchedList())
-        {
-            _Candidates[entry] = uint2(pixel, number);
-            [loop]
-            for (uint bounce = 0; bounce < _MaxBounces; bounce++)
-                _Met[entry * _MaxBounces + bounce] = bounce < path.Bounces ? s_met[bounce] : uint2(NO_INSTANCE, 0);
-            return;
-        }
+    if (!path.IsSure || entry >= SearchedList())
+    {
+        InterlockedAdd(_Sums[_HasSubRays != 0 ? COUNT_SUB_SEARCHED : COUNT_SEARCHED], 1, entry);
+        entry += SearchedList();
     }
-    InterlockedAdd(_Sums[_HasSubRays != 0 ? COUNT_SUB_SEARCHED : COUNT_SEARCHED], 1, entry);
-    _Candidates[SearchedList() + entry] = uint2(pixel, number);
+    _Candidates[entry] = uint2(pixel, number);
+    if (!HasMet(entry))
+        return;
+    [loop]
+    for (uint bounce = 0; bounce < _MaxBounces; bounce++)
+        _Met[entry * _MaxBounces + bounce] = bounce < path.SureBounces ? s_met[bounce] : uint2(NO_INSTANCE, 0);
 }
 
 #endif
@@ -53,7 +53,7 @@ uint2 MetNext(Path path)
 // Whether float32 is sure that nothing is between the last hit and the receiver.
 bool IsWayBackClear(Path path)
 {
-    return path.FirstMet != NOTHING_MET && path.MeetsReceiver && MetNext(path).x == NO_INSTANCE;
+    return path.IsKnown && path.MeetsReceiver && MetNext(path).x == NO_INSTANCE;
 }
 
 #endif

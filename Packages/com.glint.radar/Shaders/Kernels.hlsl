@@ -131,7 +131,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     bool isSubRay = _HasSubRays != 0;
     float2 inPixel = isSubRay ? InPixel(rayIndex) : 0.5;
     Path path = BeginPath(PicturePosition(pixel, inPixel));
-    path.FirstMet = entry < SearchedList() ? entry * _MaxBounces : NOTHING_MET;
+    path.FirstMet = HasMet(entry) ? entry * _MaxBounces : NOTHING_MET;
+    path.IsKnown = entry < SearchedList();
     FollowPath(path, NO_ENTRY_POINTS);
 
     DoubleFloat relativeLength =

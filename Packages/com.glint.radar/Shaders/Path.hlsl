@@ -14,8 +14,10 @@ struct Path
     bool IsCandidate;     // received; in float32: possibly received, or undecided
 #ifdef GLINT_REFINE
     uint FirstMet;        // first of its triangles in _Met
+    bool IsKnown;         // all of them are there
 #else
     bool IsSure;          // float32 is sure of every triangle that the path has met
+    uint SureBounces;     // bounces off the first ones of which it is sure
 #endif
 };
 

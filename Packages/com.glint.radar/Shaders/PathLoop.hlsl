@@ -27,7 +27,8 @@ bool Advance(inout Path path, uint firstEntryPoint, out Hit hit)
         return false;
     MoveTo(path, hit);
 #ifndef GLINT_REFINE
-    NoteMet(path);
+    if (path.IsSure)
+        NoteMet(path);
 #endif
     Scatter(path, hit);
     return true;

@@ -32,6 +32,12 @@ uint SearchedList()
     return _HasSubRays != 0 ? _KnownCapacity.y : _KnownCapacity.x;
 }
 
+// Whether the triangles of a candidate are in _Met.
+bool HasMet(uint entry)
+{
+    return entry < 2 * SearchedList();
+}
+
 // Candidates of this slice, or of its sub-rays: those known, and those to search.
 uint2 CandidateCounts(bool areSubRays)
 {

@@ -34,7 +34,7 @@ namespace Glint
         {
             KnownCapacity = (int)Math.Min(rays, MaxKnown);
             Rays.Reserve(KnownCapacity + rays);
-            Met.Reserve((long)KnownCapacity * maxBounces);
+            Met.Reserve(2L * KnownCapacity * maxBounces); // as many of those to search have some known triangles
         }
 
         /// <summary>Of the candidates to search those that the first dispatch takes.</summary>
