@@ -121,6 +121,7 @@ namespace Glint
                     Plan = UploadTiles(pose, readback, statistics), Statistics = statistics
                 };
                 Bind(inFlight);
+                inFlight.Dispatching = _clock.Elapsed - inFlight.Started;
                 if (inFlight.Plan.Next())
                     Dispatch(inFlight);
                 _inFlight.Add(inFlight);
@@ -134,6 +135,7 @@ namespace Glint
             CancellationToken cancel = default)
         {
             _inFlight.Remove(inFlight);
+            var (begin, dispatching) = (_clock.Elapsed, inFlight.Dispatching);
             using (s_trace.Auto())
             {
                 var (pose, statistics) = (inFlight.Pose, inFlight.Statistics);
@@ -143,7 +145,7 @@ namespace Glint
                     cancel.ThrowIfCancellationRequested();
                     if (words != null)
                         Dispatch(inFlight);
-                    words = _output.WordsOf(inFlight.Slice);
+                    words = WordsOf(inFlight, inFlight.Slice);
                     NeededLists = NeedsLists(inFlight, new WorkCounts(words));
                     if (NeededLists && inFlight != _last)
                         return Trace(pose, inFlight.Readback, progress, cancel, statistics);
@@ -155,6 +157,8 @@ namespace Glint
                 var total = inFlight.Sums.ToSums(pose.Settings, pose.View);
                 var sampling = EstimateSampling(inFlight, total, words, cancel);
                 var rays = inFlight.Rays.ToArray();
+                inFlight.Finishing =
+                    _clock.Elapsed - begin - (inFlight.Dispatching - dispatching) - inFlight.ReadingBack;
                 Complete(inFlight);
                 _lastFinished = _clock.Elapsed;
                 _received = inFlight.Received;
@@ -273,6 +277,7 @@ namespace Glint
         void Dispatch(PoseInFlight inFlight)
         {
             var (plan, statistics, settings) = (inFlight.Plan, inFlight.Statistics, inFlight.Pose.Settings);
+            var begin = _clock.Elapsed;
             inFlight.HasSubRays =
                 plan.IsWhole && !settings.SkipSamplingError && SlicePass.CanChooseSubRays(settings);
             _slices.Begin(settings, _tiles, plan.Count, inFlight.Readback, inFlight.HasSubRays);
@@ -282,6 +287,15 @@ namespace Glint
                 _slices.ChooseAndTraceSubRays(statistics);
             inFlight.Slice = _output.Request(statistics);
             inFlight.Dispatched = _clock.Elapsed;
+            inFlight.Dispatching += inFlight.Dispatched - begin;
+        }
+
+        uint[] WordsOf(PoseInFlight inFlight, Readback slice)
+        {
+            var begin = _clock.Elapsed;
+            slice.Wait();
+            inFlight.ReadingBack += _clock.Elapsed - begin;
+            return _output.WordsOf(slice);
         }
 
         // Waits for all poses in flight, before a buffer that is read back is released.
@@ -317,7 +331,7 @@ namespace Glint
                 cancel.ThrowIfCancellationRequested();
                 int received = counts.Received;
                 _slices.RefineRest(done, counts.Searched - done, received, statistics);
-                words = _output.WordsOf(_output.Request(statistics));
+                words = WordsOf(inFlight, _output.Request(statistics));
                 counts = new WorkCounts(words);
                 inFlight.Rays.AddReceived(_slices.Rays, counts.Received - received, statistics);
             }
@@ -350,7 +364,7 @@ namespace Glint
                     cancel.ThrowIfCancellationRequested();
                     _slices.TraceSubRays(pixels, first, Math.Min(pixels.Length - first, SlicePass.MaxChosen),
                         statistics);
-                    ChannelSums.AddSubRays(_output.WordsOf(_output.Request(statistics)), inPhase, quadrature);
+                    ChannelSums.AddSubRays(WordsOf(inFlight, _output.Request(statistics)), inPhase, quadrature);
                 }
             statistics.SubRays = pixels.Length * (long)SamplingEstimate.SubGrids;
             return estimate.Finish(new Complex(total.InPhase, total.Quadrature), total.RaysOfPicture, inPhase,
@@ -378,6 +392,8 @@ namespace Glint
             var timings = statistics.Timings;
             (timings.TraceMs, timings.ReadBackMs) =
                 (1000 * SecondsSince(inFlight.Started), inFlight.Rays.ReadBackMs);
+            (timings.DispatchMs, timings.WaitMs, timings.FinishMs) = (inFlight.Dispatching.TotalMilliseconds,
+                inFlight.ReadingBack.TotalMilliseconds, inFlight.Finishing.TotalMilliseconds);
             statistics.Timings = timings;
         }
     }
