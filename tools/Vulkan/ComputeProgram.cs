@@ -13,12 +13,15 @@ public sealed unsafe class ComputeProgram : IDisposable
 
     readonly VulkanDevice _device;
     readonly Reflection _reflection;
+    readonly PipelineCacheFile _cacheFile;
     ulong _module, _setLayout, _layout, _pipeline;
 
     internal ComputeProgram(VulkanDevice device, ReadOnlySpan<byte> spirv)
     {
         _device = device;
         _reflection = new Reflection(spirv);
+        _cacheFile = new PipelineCacheFile(device.PipelineCacheFolder, device.Physical.PipelineCacheHeader,
+            device.Physical.DriverVersion, spirv);
         Blocks = _reflection.Blocks;
         Sets = new BoundSets(this);
         Buffers = Slots.Select(slot => slot.Name).ToArray();
@@ -183,8 +186,44 @@ public sealed unsafe class ComputeProgram : IDisposable
                 },
                 Layout = _layout,
             };
-            VulkanException.Check(Native.vkCreateComputePipelines(_device.Handle, 0, 1, &info, null, out _pipeline),
-                $"compile kernel {Name} on {_device.Info.Name}");
+            ulong cache = CreateCache();
+            try
+            {
+                VulkanException.Check(
+                    Native.vkCreateComputePipelines(_device.Handle, cache, 1, &info, null, out _pipeline),
+                    $"compile kernel {Name} on {_device.Info.Name}");
+                if (cache != 0)
+                    SaveCache(cache);
+            }
+            finally
+            {
+                Native.vkDestroyPipelineCache(_device.Handle, cache, null);
+            }
         }
+    }
+
+    // 0 if the driver makes none: the kernel is then compiled.
+    ulong CreateCache()
+    {
+        var loaded = _cacheFile.Load();
+        fixed (byte* data = loaded)
+        {
+            var info = new PipelineCacheCreateInfo
+            {
+                SType = StructureType.PipelineCacheCreateInfo, DataBytes = (nuint)loaded.Length, Data = data
+            };
+            return Native.vkCreatePipelineCache(_device.Handle, &info, null, out ulong cache) < 0 ? 0 : cache;
+        }
+    }
+
+    void SaveCache(ulong cache)
+    {
+        nuint bytes = 0;
+        if (Native.vkGetPipelineCacheData(_device.Handle, cache, ref bytes, null) < 0)
+            return;
+        var data = new byte[bytes];
+        fixed (byte* start = data)
+            if (Native.vkGetPipelineCacheData(_device.Handle, cache, ref bytes, start) == 0)
+                _cacheFile.Save(data.AsSpan(0, (int)bytes));
     }
 }

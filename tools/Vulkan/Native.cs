@@ -78,6 +78,12 @@ static unsafe class Native
         void* allocator, out ulong layout);
     [DllImport(Loader)] internal static extern void vkDestroyPipelineLayout(nint device, ulong layout, void* allocator);
     [DllImport(Loader)]
+    internal static extern int vkCreatePipelineCache(nint device, PipelineCacheCreateInfo* info,
+        void* allocator, out ulong cache);
+    [DllImport(Loader)]
+    internal static extern int vkGetPipelineCacheData(nint device, ulong cache, ref nuint bytes, void* data);
+    [DllImport(Loader)] internal static extern void vkDestroyPipelineCache(nint device, ulong cache, void* allocator);
+    [DllImport(Loader)]
     internal static extern int vkCreateComputePipelines(nint device, ulong cache, uint count,
         ComputePipelineCreateInfo* infos, void* allocator, out ulong pipeline);
     [DllImport(Loader)] internal static extern void vkDestroyPipeline(nint device, ulong pipeline, void* allocator);

@@ -12,7 +12,7 @@ static class StructureType
     internal const int ApplicationInfo = 0, InstanceCreateInfo = 1, DeviceQueueCreateInfo = 2,
         DeviceCreateInfo = 3, SubmitInfo = 4,
         MemoryAllocateInfo = 5, FenceCreateInfo = 8, QueryPoolCreateInfo = 11, BufferCreateInfo = 12,
-        ShaderModuleCreateInfo = 16, PipelineShaderStageCreateInfo = 18,
+        ShaderModuleCreateInfo = 16, PipelineCacheCreateInfo = 17, PipelineShaderStageCreateInfo = 18,
         ComputePipelineCreateInfo = 29, PipelineLayoutCreateInfo = 30,
         DescriptorSetLayoutCreateInfo = 32, DescriptorPoolCreateInfo = 33,
         DescriptorSetAllocateInfo = 34, WriteDescriptorSet = 35,
@@ -59,6 +59,7 @@ unsafe struct PhysicalDeviceProperties2
     [FieldOffset(28)] internal uint DeviceId;
     [FieldOffset(32)] internal int DeviceType;
     [FieldOffset(36)] internal fixed byte DeviceName[256];
+    [FieldOffset(292)] internal fixed byte PipelineCacheUuid[16];
     [FieldOffset(336)] internal uint MaxUniformBufferRange;
     [FieldOffset(340)] internal uint MaxStorageBufferRange;
     [FieldOffset(388)] internal uint MaxStorageBuffersPerStage;
@@ -122,6 +123,11 @@ unsafe struct QueryPoolCreateInfo
 {
     internal int SType; internal void* Next; internal uint Flags;
     internal int QueryType; internal uint Count, Statistics;
+}
+
+unsafe struct PipelineCacheCreateInfo
+{
+    internal int SType; internal void* Next; internal uint Flags; internal nuint DataBytes; internal void* Data;
 }
 
 unsafe struct ShaderModuleCreateInfo

@@ -16,6 +16,10 @@ sealed unsafe class PhysicalDevice
     internal DeviceLimits Limits { get; }
     internal MemoryProperties Memory { get; }
     internal uint ApiVersion { get; }
+    internal uint DriverVersion { get; }
+
+    /// <summary>Header of the device's pipeline cache data.</summary>
+    internal byte[] PipelineCacheHeader { get; }
 
     /// <summary>First queue family that runs kernels; -1 if there is none.</summary>
     internal int QueueFamily { get; }
@@ -36,6 +40,10 @@ sealed unsafe class PhysicalDevice
             allocation.Next = &driver;
         properties.Next = &allocation;
         Native.vkGetPhysicalDeviceProperties2(handle, &properties);
+
+        DriverVersion = properties.DriverVersion;
+        PipelineCacheHeader = PipelineCacheFile.Header(properties.VendorId, properties.DeviceId,
+            new ReadOnlySpan<byte>(properties.PipelineCacheUuid, 16));
 
         Native.vkGetPhysicalDeviceMemoryProperties(handle, out var memory);
         Memory = memory;

@@ -58,6 +58,10 @@ public sealed unsafe class VulkanDevice : IDisposable
     internal nint Handle => _handle;
     internal bool IsAbandoned { get; private set; }
 
+    /// <summary>Folder of the kernels' <see cref="PipelineCacheFile"/>s; null: none.</summary>
+    internal string PipelineCacheFolder { get; set; } =
+        PipelineCacheFile.UserFolder(Environment.GetEnvironmentVariable);
+
     /// <summary>Buffers that are not disposed.</summary>
     internal IReadOnlyCollection<GpuBuffer> Buffers => _buffers;
 

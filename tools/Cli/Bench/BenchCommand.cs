@@ -53,6 +53,7 @@ sealed class BenchCommand(Terminal terminal)
     {
         var device = GraphicsDevice.Current;
         var peers = (line.Get(Options.Peers) ?? []).Select(peer => new Peer(peer)).ToArray();
+        bool isSweep = line.IsGiven(Options.TimedSweep);
         var result = new BenchResult
         {
             Subject = loaded.Name,
@@ -60,10 +61,12 @@ sealed class BenchCommand(Terminal terminal)
             Device = device.Info,
             Settings = loaded.Radar.Gather().Settings,
             Rounds = line.Get(Options.Rounds),
-            Poses = new PoseBench(loaded.Radar, loaded.Target, device.Clock),
+            Poses = isSweep ? null : new PoseBench(loaded.Radar, loaded.Target, device.Clock),
+            Sweep = isSweep ? new SweepBench(loaded, line.Get(Options.TimedSweep), device.Clock) : null,
             Peers = peers,
         };
-        Step("first poses", progress, () => result.Poses.RunFirst(progress, progress.Cancel));
+        if (!isSweep)
+            Step("first poses", progress, () => result.Poses.RunFirst(progress, progress.Cancel));
 
         var pose = loaded.Radar.Gather();
         var scene = pose.Scene;
@@ -80,6 +83,8 @@ sealed class BenchCommand(Terminal terminal)
             if (sceneFile == null && peerScene != null)
                 File.Delete(peerScene);
         }
+        if (isSweep)
+            return result;
         result.Poses.End();
         using var tracer = new RayTracer(loaded.Radar.Kernel, loaded.Name);
         Step("counted pose", progress, () => Count(result, tracer, pose, progress));
@@ -91,13 +96,18 @@ sealed class BenchCommand(Terminal terminal)
     static void RunRounds(BenchResult result, string scene, IProgressSink progress)
     {
         int parts = 1 + result.Peers.Count;
-        progress.Start(result.Peers.Count == 0 ? "poses" : "poses and peers", result.Rounds + 1);
+        string own = result.Sweep == null ? "poses" : "sweeps";
+        progress.Start(result.Peers.Count == 0 ? own : $"{own} and peers", result.Rounds + 1);
         try
         {
             for (int round = 0; round <= result.Rounds; round++)
             {
                 progress.Cancel.ThrowIfCancellationRequested();
-                result.Poses.RunRound(round > 0, new Part(progress, 0, parts), progress.Cancel);
+                var part = new Part(progress, 0, parts);
+                if (result.Sweep == null)
+                    result.Poses.RunRound(round > 0, part, progress.Cancel);
+                else
+                    result.Sweep.RunRound(round > 0, part, progress.Cancel);
                 for (int i = 0; i < result.Peers.Count; i++)
                 {
                     result.Peers[i].Run(scene, round > 0, progress.Cancel);

@@ -18,9 +18,7 @@ static class BenchJson
 
     static JObject Root(BenchResult result)
     {
-        var poses = result.Poses;
-        var (sums, work) = (poses.First, poses.Statistics);
-        return new JObject
+        var root = new JObject
         {
             ["subject"] = result.Subject,
             ["scene"] = result.Scene,
@@ -29,7 +27,41 @@ static class BenchJson
             ["glint"] = GlintVersion.Text,
             ["rounds"] = result.Rounds,
             ["settings"] = Settings(result.Settings),
+        };
+        root.Merge(result.Sweep == null ? Poses(result) : Sweep(result.Sweep));
+        root["peers"] = new JArray(result.Peers.SelectMany(peer => peer.Labels.Select(label =>
+            Time(peer, label, result))));
+        return root;
+    }
 
+    static JObject Sweep(SweepBench sweep)
+    {
+        var figures = new JObject
+        {
+            ["poses"] = sweep.Poses,
+            ["rows"] = sweep.Rows,
+            ["poses_a_second"] = Number(1000 / sweep.Wall.Median),
+            ["wall_ms"] = Number(sweep.Wall.Median),
+            ["wall_lowest_ms"] = Number(sweep.Wall.Lowest),
+            ["kernels_ms"] = Number(sweep.Kernels.Median),
+            ["kernels_lowest_ms"] = Number(sweep.Kernels.Lowest),
+            ["wall_over_kernels"] = Number(sweep.Wall.Median / sweep.Kernels.Median),
+            ["dispatches"] = sweep.Mean(pose => pose.Dispatches),
+            ["round_trips"] = sweep.Mean(pose => pose.RoundTrips),
+            ["bytes_uploaded"] = sweep.Mean(pose => pose.BytesUploaded),
+            ["bytes_read_back"] = sweep.Mean(pose => pose.BytesReadBack),
+        };
+        foreach (var (name, _, time) in sweep.Parts)
+            figures[$"{name}_ms"] = Number(time.Median);
+        return figures;
+    }
+
+    static JObject Poses(BenchResult result)
+    {
+        var poses = result.Poses;
+        var (sums, work) = (poses.First, poses.Statistics);
+        return new JObject
+        {
             ["pose_ms"] = Number(poses.Pose.Median),
             ["pose_lowest_ms"] = Number(poses.Pose.Lowest),
             ["pose_gpu_ms"] = Number(poses.PoseGpu.Median),
@@ -73,8 +105,6 @@ static class BenchJson
             ["bytes_on_device"] = work.BytesOnDevice,
 
             ["errors"] = result.Errors == null ? null : Errors(result.Errors),
-            ["peers"] =
-                new JArray(result.Peers.SelectMany(peer => peer.Labels.Select(label => Time(peer, label, poses)))),
         };
     }
 
@@ -103,7 +133,7 @@ static class BenchJson
         ["phase_rad"] = errors.Phase,
     };
 
-    static JObject Time(Peer peer, string label, PoseBench poses)
+    static JObject Time(Peer peer, string label, BenchResult result)
     {
         var starts = peer.SeriesOf(label);
         return new JObject
@@ -114,10 +144,10 @@ static class BenchJson
             ["starts"] = starts.Count,
             ["median_ms"] = Number(starts.Median),
             ["lowest_ms"] = Number(starts.Lowest),
-            ["over_pose"] = Number(starts.Median / poses.Pose.Median),
-            ["lowest_over_lowest_pose"] = Number(starts.Lowest / poses.Pose.Lowest),
-            ["over_pose_gpu"] = Number(starts.Median / poses.PoseGpu.Median),
-            ["lowest_over_lowest_pose_gpu"] = Number(starts.Lowest / poses.PoseGpu.Lowest),
+            ["over_pose"] = Number(starts.Median / result.Pose.Median),
+            ["lowest_over_lowest_pose"] = Number(starts.Lowest / result.Pose.Lowest),
+            ["over_pose_gpu"] = Number(starts.Median / result.Kernels.Median),
+            ["lowest_over_lowest_pose_gpu"] = Number(starts.Lowest / result.Kernels.Lowest),
             ["last_line"] = peer.LastLine,
         };
     }

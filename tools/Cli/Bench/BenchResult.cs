@@ -15,7 +15,17 @@ sealed class BenchResult
 
     public RadarSettings Settings { get; init; }
     public int Rounds { get; init; }
+
+    /// <summary>Single poses; null if sweeps were timed.</summary>
     public PoseBench Poses { get; init; }
+
+    /// <summary>Sweeps; null if single poses were timed.</summary>
+    public SweepBench Sweep { get; init; }
+
+    /// <summary>Wall time of a pose, and device time of its kernels.</summary>
+    public Series Pose => Sweep?.Wall ?? Poses.Pose;
+    public Series Kernels => Sweep?.Kernels ?? Poses.PoseGpu;
+
     public IReadOnlyList<Peer> Peers { get; init; }
 
     /// <summary>

@@ -18,8 +18,10 @@ sealed class BenchTables(Terminal terminal)
         yield return Text($"{result.Subject} on {result.Device.Name}, driver {result.Device.Driver}");
         yield return Text(
             $"{settings.RaysAcross} x {settings.RaysDown} rays{RegionText(settings.Region)}, at most {settings.MaxBounces} bounces, {settings.FrequencyHz / 1e9:g6} GHz; medians and lowest of {result.Rounds} rounds");
-        foreach (var table in new[] { Times(result), Statistics(result), Errors(result), Peers(result) }
-            .Where(table => table != null))
+        var tables = result.Sweep == null
+            ? new[] { Times(result), Statistics(result), Errors(result), Peers(result) }
+            : [SweepTimes(result.Sweep), SweepStatistics(result.Sweep), Peers(result)];
+        foreach (var table in tables.Where(table => table != null))
         {
             yield return "";
             foreach (string line in _text.Lines(table))
@@ -51,6 +53,32 @@ sealed class BenchTables(Terminal terminal)
             Add("next pose: kernels, by the device's clock", poses.PoseGpu);
         Add(poses.PoseGpu.Count > 0 ? "next pose: all but the kernels" : "next pose: all but trace and sum",
             poses.Other);
+        return table;
+    }
+
+    Table SweepTimes(SweepBench sweep)
+    {
+        var table = _text.New(1, Text($"sweep of {sweep.Poses:N0} poses, ms a pose"), "median", "lowest");
+        void Add(string what, Series series) => table.AddRow(Escaped(what, Ms(series.Median), Ms(series.Lowest)));
+        Add("from the first row to the last", sweep.Wall);
+        foreach (var (_, title, time) in sweep.Parts)
+            Add("  " + title, time);
+        if (sweep.Kernels.Count > 0)
+            Add("kernels, by the device's clock", sweep.Kernels);
+        return table;
+    }
+
+    Table SweepStatistics(SweepBench sweep)
+    {
+        var table = _text.New(1, "a pose", "");
+        void Add(string what, double mean) => table.AddRow(Escaped(what, Text($"{mean:#,0.##}")));
+        Add("poses a second", 1000 / sweep.Wall.Median);
+        if (sweep.Kernels.Count > 0)
+            Add("wall time over kernels", sweep.Wall.Median / sweep.Kernels.Median);
+        Add("dispatches", sweep.Mean(pose => pose.Dispatches));
+        Add("round trips", sweep.Mean(pose => pose.RoundTrips));
+        Add("bytes uploaded", sweep.Mean(pose => pose.BytesUploaded));
+        Add("bytes read back", sweep.Mean(pose => pose.BytesReadBack));
         return table;
     }
 
@@ -101,7 +129,7 @@ sealed class BenchTables(Terminal terminal)
     {
         if (result.Peers.Count == 0)
             return null;
-        bool hasClock = result.Poses.PoseGpu.Count > 0;
+        bool hasClock = result.Kernels.Count > 0;
         var table = _text.New(2, ["peer", "time", "median ms", "lowest ms", "/ pose",
             .. hasClock ? ["/ its kernels"] : Array.Empty<string>()]);
         foreach (var peer in result.Peers)
@@ -109,8 +137,8 @@ sealed class BenchTables(Terminal terminal)
             {
                 var starts = peer.SeriesOf(label);
                 string[] cells =
-                    [peer.Name, label, Ms(starts.Median), Ms(starts.Lowest), Ratios(starts, result.Poses.Pose),
-                        .. hasClock ? [Ratios(starts, result.Poses.PoseGpu)] : Array.Empty<string>()];
+                    [peer.Name, label, Ms(starts.Median), Ms(starts.Lowest), Ratios(starts, result.Pose),
+                        .. hasClock ? [Ratios(starts, result.Kernels)] : Array.Empty<string>()];
                 table.AddRow(Escaped(cells));
             }
         return table;

@@ -10,8 +10,10 @@ namespace Glint.Cli;
 /// <summary>Times a radar's poses: the first, which builds the BVHs, and later ones as in a sweep.</summary>
 sealed class PoseBench(RadarController radar, Transform target, GpuClock clock)
 {
+    /// <summary>Turn of the target from one pose to the next.</summary>
+    public const double StepDegrees = 0.001;
+
     const int FirstPoses = 3, PosesARound = 6;
-    const double StepDegrees = 0.001;
 
     static readonly TimeSpan FirstPosesTime = TimeSpan.FromSeconds(10), RoundTime = TimeSpan.FromSeconds(2);
 

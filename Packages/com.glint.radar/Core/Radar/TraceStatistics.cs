@@ -79,5 +79,14 @@ namespace Glint.Core
 
         /// <summary>Reading back single rays.</summary>
         public double ReadBackMs;
+
+        /// <summary>Listing tiles, and recording and submitting the device's work.</summary>
+        public double DispatchMs;
+
+        /// <summary>Blocked until the device's sums arrive.</summary>
+        public double WaitMs;
+
+        /// <summary>Sums and sampling error from what was read back; dispatches and waits not included.</summary>
+        public double FinishMs;
     }
 }

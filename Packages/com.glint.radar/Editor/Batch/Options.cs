@@ -33,6 +33,7 @@ namespace Glint.Editor
         static readonly Interval RaysOfAxis = Interval.Closed(1, RadarSettings.RaysPerAxisLimit);
         static readonly Interval RaysFromEdge = Interval.Closed(0, RadarSettings.RaysPerAxisLimit);
         static readonly Interval Triangles = Interval.Closed(1000, 50000000);
+        static readonly Interval TimedPoses = Interval.Closed(3, 100000);
 
         // The lists of a sweep, in the order of SweepAxis.All.
         static readonly Option<double[]>[] s_axes = SweepAxis.All.Select(axis =>
@@ -248,6 +249,20 @@ namespace Glint.Editor
                     + "Without it: all, when rays and triangles are at most 4 million each."
             };
 
+        /// <summary>Poses of a timed sweep.</summary>
+        public static readonly Option<int> TimedSweep =
+            new Option<int>("sweep", "N", text => Values.Whole(text, TimedPoses))
+            {
+                Group = BenchGroup,
+                Inputs = InputKind.MeshFile | InputKind.BuiltIn,
+                Refusal = "a scene has no target to turn: give a mesh file, or leave INPUT out",
+                Range = TimedPoses.ToString(),
+                Excludes = new (Option, string)[] { (Reference, "a sweep is timed, and not compared") },
+                Help = "Instead: sweeps of N poses, with poses in flight and rows written to a temporary folder, as "
+                    + "glint sweep works. A round is a sweep by the wall clock, another by the device's clock, and "
+                    + "each peer once."
+            };
+
         /// <summary>About as many rays are compared with the reference tracer's.</summary>
         public static readonly Option<int> Rays = Whole("rays", "N", "100000",
             Interval.Closed(1, 1000000000), VerifyGroup,
@@ -281,8 +296,8 @@ namespace Glint.Editor
             ImpliedText = "accuracy.svg",
             Excludes = new Option[]
             {
-                Reference, Peers, WriteScene, Seed, SeaTriangles,
-                ShipTriangles, Size, Region, Frequency, Bounces, NoSamplingError, Receiver
+                Reference, Peers, TimedSweep, WriteScene, Seed, SeaTriangles, ShipTriangles,
+                Size, Region, Frequency, Bounces, NoSamplingError, Receiver
             }
                 .Select(option => (option, "it has its own scenes and radars")).ToArray(),
             Help = "Instead: error against run time in built-in scenes, each traced with increasing numbers of rays "

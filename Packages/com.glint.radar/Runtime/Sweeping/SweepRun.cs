@@ -67,6 +67,12 @@ namespace Glint
         /// </summary>
         public bool Overlaps { get; set; }
 
+        /// <summary>When the row of the last pose was written, since the run began.</summary>
+        public TimeSpan RowWritten { get; private set; }
+
+        /// <summary>Time spent on writing rows.</summary>
+        public TimeSpan Writing { get; private set; }
+
         /// <summary>True if all poses are done.</summary>
         public bool IsComplete => Done == Count;
 
@@ -89,7 +95,10 @@ namespace Glint
             bool overlaps = Overlaps && current.MayOverlap && !_setup.Radar.HasListeners && Done + 1 < Count;
             var next = overlaps ? StartNext(cancel) : null;
             var row = new SweepRow(_setup.Plan[_first + Done], _setup.Radar.FinishTrace(current, progress, cancel));
+            var begin = _watch.Elapsed;
             _folder?.Append(row);
+            RowWritten = _watch.Elapsed;
+            Writing += RowWritten - begin;
             Done++;
             _current = next;
             if (IsComplete)

@@ -33,5 +33,8 @@ namespace Glint
 
         /// <summary>When the pose started, and when its current slice was dispatched, by the tracer's clock.</summary>
         public TimeSpan Started, Dispatched;
+
+        /// <summary>Time spent so far on dispatches, on read-backs of slices, and on sums.</summary>
+        public TimeSpan Dispatching, ReadingBack, Finishing;
     }
 }

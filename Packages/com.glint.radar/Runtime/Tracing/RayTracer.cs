@@ -127,6 +127,7 @@ namespace Glint
                     _scene.FindHorizons(_kernel, statistics.TilesTraced * PictureTiles.Rays, HorizonRaysATriangle,
                         statistics);
                 Bind(inFlight);
+                inFlight.Dispatching = _clock.Elapsed - inFlight.Started;
                 if (inFlight.Plan.Next())
                     Dispatch(inFlight);
                 _inFlight.Add(inFlight);
@@ -140,6 +141,7 @@ namespace Glint
             CancellationToken cancel = default)
         {
             _inFlight.Remove(inFlight);
+            var (begin, dispatching) = (_clock.Elapsed, inFlight.Dispatching);
             using (s_trace.Auto())
             {
                 var (pose, statistics) = (inFlight.Pose, inFlight.Statistics);
@@ -149,7 +151,7 @@ namespace Glint
                     cancel.ThrowIfCancellationRequested();
                     if (words != null)
                         Dispatch(inFlight);
-                    words = _output.WordsOf(inFlight.Slice);
+                    words = WordsOf(inFlight, inFlight.Slice);
                     NeededLists = NeedsLists(inFlight, new WorkCounts(words));
                     if (NeededLists && inFlight != _last)
                         return Trace(pose, inFlight.Readback, progress, cancel, statistics);
@@ -161,6 +163,8 @@ namespace Glint
                 var total = inFlight.Sums.ToSums(pose.Settings, pose.View);
                 var sampling = EstimateSampling(inFlight, total, words, cancel);
                 var rays = inFlight.Rays.ToArray();
+                inFlight.Finishing =
+                    _clock.Elapsed - begin - (inFlight.Dispatching - dispatching) - inFlight.ReadingBack;
                 Complete(inFlight);
                 _lastFinished = _clock.Elapsed;
                 _received = inFlight.Received;
@@ -279,6 +283,7 @@ namespace Glint
         void Dispatch(PoseInFlight inFlight)
         {
             var (plan, statistics, settings) = (inFlight.Plan, inFlight.Statistics, inFlight.Pose.Settings);
+            var begin = _clock.Elapsed;
             inFlight.HasSubRays =
                 plan.IsWhole && !settings.SkipSamplingError && SlicePass.CanChooseSubRays(settings);
             _slices.Begin(settings, _tiles, plan.Count, inFlight.Readback, inFlight.HasSubRays);
@@ -288,6 +293,15 @@ namespace Glint
                 _slices.ChooseAndTraceSubRays(statistics);
             inFlight.Slice = _output.Request(statistics);
             inFlight.Dispatched = _clock.Elapsed;
+            inFlight.Dispatching += inFlight.Dispatched - begin;
+        }
+
+        uint[] WordsOf(PoseInFlight inFlight, Readback slice)
+        {
+            var begin = _clock.Elapsed;
+            slice.Wait();
+            inFlight.ReadingBack += _clock.Elapsed - begin;
+            return _output.WordsOf(slice);
         }
 
         // Waits for all poses in flight, before a buffer that is read back is released.
@@ -323,7 +337,7 @@ namespace Glint
                 cancel.ThrowIfCancellationRequested();
                 int received = counts.Received;
                 _slices.RefineRest(done, counts.Searched - done, received, statistics);
-                words = _output.WordsOf(_output.Request(statistics));
+                words = WordsOf(inFlight, _output.Request(statistics));
                 counts = new WorkCounts(words);
                 inFlight.Rays.AddReceived(_slices.Rays, counts.Received - received, statistics);
             }
@@ -356,7 +370,7 @@ namespace Glint
                     cancel.ThrowIfCancellationRequested();
                     _slices.TraceSubRays(pixels, first, Math.Min(pixels.Length - first, SlicePass.MaxChosen),
                         statistics);
-                    ChannelSums.AddSubRays(_output.WordsOf(_output.Request(statistics)), inPhase, quadrature);
+                    ChannelSums.AddSubRays(WordsOf(inFlight, _output.Request(statistics)), inPhase, quadrature);
                 }
             statistics.SubRays = pixels.Length * (long)SamplingEstimate.SubGrids;
             return estimate.Finish(new Complex(total.InPhase, total.Quadrature), total.RaysOfPicture, inPhase,
@@ -384,6 +398,8 @@ namespace Glint
             var timings = statistics.Timings;
             (timings.TraceMs, timings.ReadBackMs) =
                 (1000 * SecondsSince(inFlight.Started), inFlight.Rays.ReadBackMs);
+            (timings.DispatchMs, timings.WaitMs, timings.FinishMs) = (inFlight.Dispatching.TotalMilliseconds,
+                inFlight.ReadingBack.TotalMilliseconds, inFlight.Finishing.TotalMilliseconds);
             statistics.Timings = timings;
         }
     }

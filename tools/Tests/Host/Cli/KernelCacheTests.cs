@@ -8,8 +8,8 @@ using NUnit.Framework;
 namespace Glint.Host.Tests;
 
 /// <summary>
-/// The driver keeps compiled kernels in the user's cache folder; glint adds no cache of its own. Every run is a process
-/// with a cache folder of the test's.
+/// The user's cache folder holds compiled kernels: the driver's own files, and glint's where the driver hands out what
+/// it compiled (<see cref="PipelineCacheTests"/>). Every run is a process with a cache folder of the test's.
 /// </summary>
 [Platform("Linux")]
 [Category("Slow")]
