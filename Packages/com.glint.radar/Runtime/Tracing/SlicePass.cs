@@ -51,7 +51,7 @@ namespace Glint
 
         /// <summary>Prepares the buffers for a slice.</summary>
         /// <param name="choosesSubRays">The device chooses the pixels with sub-rays after this slice.</param>
-        public void Begin(in RadarSettings settings, DeviceBuffer<uint> tiles, int tileCount, RayReadback readback,
+        public void Begin(in RadarSettings settings, DeviceBuffer<uint> cells, int tileCount, RayReadback readback,
             bool choosesSubRays)
         {
             _candidates.Reserve((long)tileCount * PictureTiles.Rays, settings.MaxBounces);
@@ -66,7 +66,7 @@ namespace Glint
             _subRays.Reserve((long)pixels * SamplingEstimate.SubGrids, settings.MaxBounces);
             _kernel.SetKnownCapacity(_candidates.KnownCapacity, _subRays.KnownCapacity);
             _stages.SetKnownCapacity(_candidates.KnownCapacity, _subRays.KnownCapacity);
-            _kernel.SetBuffers(tiles, _output, _rays, _chosen, choosesSubRays ? _lengths : null, readback);
+            _kernel.SetBuffers(cells, _output, _rays, _chosen, choosesSubRays ? _lengths : null, readback);
             _stages.Set(settings, _kernel.TraceGroup, _kernel.RefineGroup);
             _stages.ClearSums(_output.Buffer);
         }
