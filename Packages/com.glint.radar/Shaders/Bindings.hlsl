@@ -45,7 +45,8 @@ uint _MaxBounces;
 float4 _WaveNumberTurns;                    // x: 1 / wavelength, turns per m; y: Lo
 
 // Input: the work of this dispatch.
-StructuredBuffer<uint> _Tiles;              // 8 x 8 rays each: column | row << 16
+StructuredBuffer<uint> _Cells;              // first tile (8 x 8 rays) of each: column | row << 16
+uint4 _CellSize;                            // x: tiles across a cell, y: down
 uint _FirstTile;
 uint _TileCount;                            // of this dispatch
 // entry points of each tile, four elements a tile: one per instance

@@ -24,10 +24,12 @@
 #include "FindHorizons.hlsl"
 #endif
 
+// First pixel of a tile. The tiles of a cell go from its top down, as the cells do on a GPU.
 uint2 TilePixel(uint tile)
 {
-    uint packed = _Tiles[_FirstTile + min(tile, _TileCount - 1)];
-    return uint2(packed & 0xffff, packed >> 16) * TILE_SIDE;
+    uint index = _FirstTile + min(tile, _TileCount - 1), tilesPerCell = _CellSize.x * _CellSize.y;
+    uint corner = _Cells[index / tilesPerCell], inCell = tilesPerCell - 1 - index % tilesPerCell;
+    return (uint2(corner & 0xffff, corner >> 16) + uint2(inCell % _CellSize.x, inCell / _CellSize.x)) * TILE_SIDE;
 }
 
 // A point of a pixel, in rays from _ReferencePixel.

@@ -12,15 +12,15 @@ float4 _MaxSlope, _MaxBend, _MaxTwist;
 
 RWStructuredBuffer<uint> _ChosenPixels;
 
-// Length of the received ray of a place in the picture; NO_LENGTH if there is none.
-uint LengthAt(int2 place)
+// Length of the received ray of a position in the picture; NO_LENGTH if there is none.
+uint LengthAt(int2 at)
 {
-    bool isInside = place.x >= (int)_Region.x && place.x < (int)_Region.y && place.y >= (int)_Region.z
-        && place.y < (int)_Region.w;
-    return isInside ? _Lengths[InRegion((uint)place.x + (uint)place.y * _RaysAcross)] : NO_LENGTH;
+    bool isInside = at.x >= (int)_Region.x && at.x < (int)_Region.y && at.y >= (int)_Region.z
+        && at.y < (int)_Region.w;
+    return isInside ? _Lengths[InRegion((uint)at.x + (uint)at.y * _RaysAcross)] : NO_LENGTH;
 }
 
-// The eight neighbours of a place: below it from the left, beside it, above it from the left.
+// The eight neighbours of a position: below it from the left, beside it, above it from the left.
 static const int2 NEIGHBOURS[8] =
 {
     int2(-1, -1), int2(0, -1), int2(1, -1), int2(-1, 0), int2(1, 0), int2(-1, 1), int2(0, 1), int2(1, 1)
@@ -43,21 +43,21 @@ bool IsSmooth(float centre, float around[8])
         && IsWithin(twist, _MaxTwist);
 }
 
-void Choose(int2 place)
+void Choose(int2 at)
 {
-    uint at;
-    InterlockedAdd(_Sums[COUNT_CHOSEN], 1, at);
-    if (at < MAX_CHOSEN)
-        _ChosenPixels[at] = (uint)place.x + (uint)place.y * _RaysAcross;
+    uint entry;
+    InterlockedAdd(_Sums[COUNT_CHOSEN], 1, entry);
+    if (entry < MAX_CHOSEN)
+        _ChosenPixels[entry] = (uint)at.x + (uint)at.y * _RaysAcross;
 }
 
 // Whether a received ray is the first around a pixel without one, which is chosen only once.
-bool IsFirstAround(int2 place, int2 received)
+bool IsFirstAround(int2 at, int2 received)
 {
     [loop]
     for (uint i = 0; i < 8; i++)
     {
-        int2 other = place + NEIGHBOURS[i];
+        int2 other = at + NEIGHBOURS[i];
         if (LengthAt(other) != NO_LENGTH)
             return all(other == received);
     }
@@ -67,13 +67,13 @@ bool IsFirstAround(int2 place, int2 received)
 // Chooses among the pixel of a received ray and its neighbours.
 void ChooseAround(uint pixel)
 {
-    int2 place = int2(pixel % _RaysAcross, pixel / _RaysAcross);
+    int2 at = int2(pixel % _RaysAcross, pixel / _RaysAcross);
     float around[8];
     bool isSurrounded = true;
     [loop]
     for (uint i = 0; i < 8; i++)
     {
-        int2 neighbour = place + NEIGHBOURS[i];
+        int2 neighbour = at + NEIGHBOURS[i];
         uint there = LengthAt(neighbour);
         around[i] = asfloat(there);
         if (there != NO_LENGTH)
@@ -81,11 +81,11 @@ void ChooseAround(uint pixel)
         isSurrounded = false;
         bool isInside = neighbour.x >= (int)_Region.x && neighbour.x < (int)_Region.y
             && neighbour.y >= (int)_Region.z && neighbour.y < (int)_Region.w;
-        if (isInside && IsFirstAround(neighbour, place))
+        if (isInside && IsFirstAround(neighbour, at))
             Choose(neighbour);
     }
-    if (!isSurrounded || !IsSmooth(asfloat(LengthAt(place)), around))
-        Choose(place);
+    if (!isSurrounded || !IsSmooth(asfloat(LengthAt(at)), around))
+        Choose(at);
 }
 
 #endif

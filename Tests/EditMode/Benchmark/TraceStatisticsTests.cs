@@ -119,6 +119,7 @@ namespace Glint.Tests
                 // Rays that may be received are traced again, with smaller ones around them.
                 Assert.That(second.Dispatches, Is.EqualTo(asSoftware ? 4 : 3));
                 Assert.That(second.BytesReadBack, Is.EqualTo(3 * SumBytes + 8 * second.RaysRefined));
+                // Cells of one tile each, as the picture is less than 128 tiles across.
                 // Two records of 144 bytes with a range of triangles each,
                 // and a node of the BVH over them with its leaves.
                 Assert.That(second.BytesUploaded,

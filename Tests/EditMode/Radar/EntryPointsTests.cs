@@ -42,21 +42,22 @@ namespace Glint.Tests
         {
             var kernel = new TraceKernel(TestKernels.Trace, asSoftware, "test");
             using (var scene = new DeviceScene(asSoftware ? BvhLayout.Wide : BvhLayout.Binary, "test", long.MaxValue))
-            using (var tiles = new DeviceBuffer<uint>("tiles"))
+            using (var cells = new DeviceBuffer<uint>("cells"))
             using (var starts = new DeviceBuffer<uint4>("starts"))
             {
                 scene.Set(new RadarScene(mesh), new TraceStatistics(), (some, layout) => MeshBvh.Build(some, layout));
                 var picture = new PictureTiles(s_settings, s_view);
                 scene.AddTo(picture);
-                var traced = picture.ToArray(asSoftware);
-                tiles.Upload(traced);
-                starts.Reserve(traced.Length * DeviceScene.MaxInlineInstances);
+                var traced = picture.ToCells(asSoftware);
+                cells.Upload(traced.Corners);
+                starts.Reserve(traced.TileCount * DeviceScene.MaxInlineInstances);
                 kernel.Choose(scene, false);
                 kernel.SetRadar(s_settings, s_view, new RayGrid(s_settings, s_view, scene.Min, scene.Max),
                     scene.Scene.Origin, 1, Culling.All);
                 kernel.SetScene(scene);
-                kernel.FindEntryPoints(scene, tiles, 0, traced.Length, starts);
-                var found = new uint4[traced.Length * DeviceScene.MaxInlineInstances];
+                kernel.SetCellSize(traced.Size);
+                kernel.FindEntryPoints(scene, cells, 0, traced.TileCount, starts);
+                var found = new uint4[traced.TileCount * DeviceScene.MaxInlineInstances];
                 starts.ReadBack(found, found.Length);
                 return found.Where((_, i) => i % DeviceScene.MaxInlineInstances == 0).ToArray();
             }

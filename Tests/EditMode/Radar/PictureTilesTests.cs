@@ -13,7 +13,19 @@ namespace Glint.Tests
 
         static readonly RadarView s_view = TestRadar.LookAt(double3(1, 6, -9), double3(0, 1, 2));
 
-        static HashSet<uint> Tiles(PictureTiles tiles) => new HashSet<uint>(tiles.ToArray(spread: false));
+        static HashSet<uint> Tiles(PictureTiles picture)
+        {
+            var cells = picture.ToCells(spread: false);
+            var tiles = new HashSet<uint>(TilesOf(cells));
+            Assert.That(tiles.Count, Is.EqualTo(cells.TileCount), "no tile twice");
+            return tiles;
+        }
+
+        static IEnumerable<uint> TilesOf(TileCells cells) =>
+            from corner in cells.Corners
+            from y in Enumerable.Range(0, cells.Size.y)
+            from x in Enumerable.Range(0, cells.Size.x)
+            select corner + (uint)x + ((uint)y << 16);
 
         static uint TileOf(int pixel) =>
             (uint)(pixel % s_settings.RaysAcross / 8) | (uint)(pixel / s_settings.RaysAcross / 8) << 16;
@@ -100,16 +112,71 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void ToArray_Spread_HasEveryTileOnceAndBothHalvesSeeTheWholePicture()
+        public void ToCells_Spread_HasEveryCellOnceAndBothHalvesSeeTheWholePicture()
         {
             var picture = new PictureTiles(TestRadar.Settings(1920, 1080), s_view);
             picture.AddAll();
-            var inOrder = picture.ToArray(spread: false);
-            var spread = picture.ToArray(spread: true);
+            var inOrder = picture.ToCells(spread: false).Corners;
+            var spread = picture.ToCells(spread: true).Corners;
             Assert.That(inOrder, Is.Ordered.Descending, "from the top down");
-            Assert.That(spread.OrderByDescending(tile => tile), Is.EqualTo(inOrder));
-            int upper = spread.Take(spread.Length / 2).Count(tile => tile >> 16 >= 135 / 2);
+            Assert.That(spread.OrderByDescending(cell => cell), Is.EqualTo(inOrder));
+            int upper = spread.Take(spread.Length / 2).Count(cell => cell >> 16 >= 135 / 2);
             Assert.That(upper, Is.EqualTo(spread.Length / 4).Within(spread.Length / 40));
+        }
+
+        [TestCase(1024, 1024, 1)]
+        [TestCase(1920, 1080, 2)]
+        [TestCase(7680, 4320, 8)]
+        [TestCase(100000, 8, 98)]
+        public void ToCells_AnyPicture_ListIsBoundedAndHoldsEveryTileOnce(int across, int down, int sizeAcross)
+        {
+            var settings = TestRadar.Settings(across, down);
+            var picture = new PictureTiles(settings, s_view);
+            picture.AddAll();
+            var cells = picture.ToCells(spread: true);
+            // The smallest cells of which 128 reach from side to side.
+            Assert.That(cells.Size, Is.EqualTo(int2(sizeAcross, max(1, (down / 8 + 127) / 128))));
+            Assert.That(cells.Corners.Length * sizeof(uint), Is.LessThanOrEqualTo(128 * 128 * 4));
+            Assert.That(cells.TilesInRegion, Is.EqualTo(picture.Count));
+            var inPicture = TilesOf(cells).Where(tile => (tile & 0xffff) < across / 8 && tile >> 16 < down / 8);
+            Assert.That(inPicture.Distinct().Count(), Is.EqualTo(across / 8 * (down / 8)));
+            Assert.That(inPicture.Count(), Is.EqualTo(across / 8 * (down / 8)));
+        }
+
+        [Test]
+        public void ToCells_SmallBoxesFarApart_TakesLessThanACellMoreAroundEach()
+        {
+            // At 7680 x 4320 a single small box has cells of one tile: its exact cover.
+            var settings = TestRadar.Settings(7680, 4320);
+            var random = new System.Random(7);
+            for (int trial = 0; trial < 20; trial++)
+            {
+                var all = new PictureTiles(settings, s_view);
+                var exact = new HashSet<uint>();
+                var boxes = new List<int2>();
+                for (int i = 0; i < 5; i++)
+                {
+                    double3 centre = s_view.Position + 100 * s_view.Forward
+                        + 90 * (2 * random.NextDouble() - 1) * s_view.Right
+                        + 50 * (2 * random.NextDouble() - 1) * s_view.Up;
+                    float half = (float)(2 * random.NextDouble());
+                    var one = new PictureTiles(settings, s_view);
+                    one.Add((float3)centre - half, (float3)centre + half, Affine.Identity);
+                    all.Add((float3)centre - half, (float3)centre + half, Affine.Identity);
+                    Assert.That(one.ToCells(spread: false).Size, Is.EqualTo(int2(1, 1)));
+                    var own = Tiles(one);
+                    exact.UnionWith(own);
+                    boxes.Add(int2((int)(own.Max(tile => tile & 0xffff) - own.Min(tile => tile & 0xffff)),
+                        (int)(own.Max(tile => tile >> 16) - own.Min(tile => tile >> 16))) + 1);
+                }
+                var cells = all.ToCells(spread: false);
+                Assert.That(cmax(cells.Size), Is.InRange(2, 8));
+                var tiles = Tiles(all);
+                Assert.That(exact.Except(tiles), Is.Empty);
+                // n tiles in a row touch cells of at most n + 2 (c - 1) tiles, c tiles each.
+                int most = boxes.Sum(box => (box.x + 2 * (cells.Size.x - 1)) * (box.y + 2 * (cells.Size.y - 1)));
+                Assert.That(tiles.Count, Is.InRange(exact.Count, most));
+            }
         }
     }
 }

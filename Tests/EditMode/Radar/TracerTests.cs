@@ -280,7 +280,7 @@ namespace Glint.Tests
                 Assert.That(second.Statistics.BvhsBuilt, Is.Zero);
                 Assert.That(second.Statistics.BytesUploaded, Is.EqualTo(4 * second.Statistics.TilesTraced
                         + 3 * 4 * Channel.Slots * Channel.WordsPerSlot + 8 * second.Statistics.SubRays / 16),
-                    "tiles, zeros, and where to trace smaller rays");
+                    "cells of one tile each, zeros, and where to trace smaller rays");
 
                 var turned = Affine.FromTransform(0, double4(0, sin(0.1), 0, cos(0.1)), 1);
                 var third = tracer.Trace(

@@ -1,11 +1,11 @@
-using System;
+using System.Collections.Generic;
 using Unity.Mathematics;
 
 namespace Glint.Core
 {
     /// <summary>
-    /// The tiles of 8 x 8 rays that may see the scene: those that the outlines of its boxes cover.
-    /// The rays of other tiles hit nothing and are not traced.
+    /// The tiles of 8 x 8 rays that may see the scene: those of the cells (<see cref="TileCells"/>) that the outlines
+    /// of its boxes touch. The rays of other tiles hit nothing and are not traced.
     /// </summary>
     public sealed class PictureTiles
     {
@@ -19,16 +19,13 @@ namespace Glint.Core
         // save, and there may be thousands of such meshes.
         const int FewTiles = 64;
 
-        // Consecutive tiles that stay together when the order is spread over processors: they share BVH nodes.
-        const int Run = 32;
-
         readonly RadarSettings _settings;
         readonly RadarView _view;
         readonly double2 _halfSize; // of the picture
         readonly int2 _first, _end; // tiles of the region, first and one past the last
         readonly double3[] _corners = new double3[8];
-        // 2-D differences of the number of boxes over each tile; null before the first box
-        int[] _steps;
+        // first and last tile of each outline in the region
+        readonly List<(int2 from, int2 to)> _outlines = new List<(int2 from, int2 to)>();
 
         /// <summary>The tiles of a picture; none is taken.</summary>
         /// <param name="settings">Rays and region.</param>
@@ -40,8 +37,6 @@ namespace Glint.Core
             _halfSize = view.HalfSize(settings);
             Range(settings, out _first, out _end);
         }
-
-        int Stride => _end.x - _first.x + 1;
 
         /// <summary>Tiles of the region.</summary>
         public long Count => (long)(_end.x - _first.x) * (_end.y - _first.y);
@@ -133,37 +128,9 @@ namespace Glint.Core
             return isSeen;
         }
 
-        /// <summary>The tiles taken: column | row shifted by 16 bits.</summary>
-        /// <param name="spread">
-        /// Interleave all parts of the picture, so that every long section of the list has the same cost: a software
-        /// device gives each processor one section. Otherwise tiles go from the top of the picture down: distant tiles
-        /// take longest, and a GPU that begins them last ends with most of its groups idle.
-        /// </param>
-        public uint[] ToArray(bool spread)
-        {
-            if (_steps == null)
-                return Array.Empty<uint>();
-            int width = _end.x - _first.x, height = _end.y - _first.y;
-            var tiles = new uint[width * height];
-            var above = new int[width];
-            int count = 0;
-            for (int row = 0; row < height; row++)
-            {
-                int covered = 0;
-                for (int column = 0; column < width; column++)
-                {
-                    above[column] += _steps[row * Stride + column];
-                    covered += above[column];
-                    if (covered > 0)
-                        tiles[count++] = (uint)(_first.x + column) | (uint)(_first.y + row) << 16;
-                }
-            }
-            Array.Resize(ref tiles, count);
-            if (spread)
-                return Spread(tiles);
-            Array.Reverse(tiles);
-            return tiles;
-        }
+        /// <summary>The cells of the tiles taken.</summary>
+        /// <param name="spread">Their order: see <see cref="TileCells"/>.</param>
+        public TileCells ToCells(bool spread) => new TileCells(_outlines, _end, spread);
 
         // Camera axes: x and y so that the picture reaches from -1 to 1, at z = 1 in perspective.
         double3 Seen(double3 point)
@@ -182,35 +149,10 @@ namespace Glint.Core
 
         void Cover(int2 from, int2 to)
         {
-            from = math.max(from, _first) - _first;
-            to = math.min(to, _end - 1) - _first + 1;
-            if (math.any(from >= to))
-                return;
-            _steps ??= new int[(_end.y - _first.y + 1) * Stride];
-            _steps[from.y * Stride + from.x]++;
-            _steps[from.y * Stride + to.x]--;
-            _steps[to.y * Stride + from.x]--;
-            _steps[to.y * Stride + to.x]++;
+            from = math.max(from, _first);
+            to = math.min(to, _end - 1);
+            if (math.all(from <= to))
+                _outlines.Add((from, to));
         }
-
-        // Runs of neighbouring tiles, taken with a stride of about 0.6 of their number that is coprime to it.
-        static uint[] Spread(uint[] tiles)
-        {
-            int runs = (tiles.Length + Run - 1) / Run;
-            int stride = math.max(1, (int)(0.6 * runs));
-            while (Divisor(stride, runs) != 1)
-                stride++;
-            var spread = new uint[tiles.Length];
-            int count = 0;
-            for (int i = 0, run = 0; i < runs; i++, run = (run + stride) % runs)
-            {
-                int length = math.min(Run, tiles.Length - run * Run);
-                Array.Copy(tiles, run * Run, spread, count, length);
-                count += length;
-            }
-            return spread;
-        }
-
-        static int Divisor(int a, int b) => b == 0 ? a : Divisor(b, a % b);
     }
 }

@@ -24,8 +24,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Candidates of which float32 knows every triangle, those beyond the list's end included; these are also
-        /// among <see cref="Searched"/>.
+        /// Candidates of which float32 knows every triangle. Those that the list does not hold are also among
+        /// <see cref="Searched"/>.
         /// </summary>
         public int Known { get; }
 

@@ -60,7 +60,7 @@ namespace Glint
     {
         public const uint Refine = 0, SubRays = 12, RefineSubRays = 24;
 
-        /// <summary>Words in all.</summary>
-        public const int Words = 9;
+        /// <summary>32-bit numbers in all.</summary>
+        public const int Count = 9;
     }
 }

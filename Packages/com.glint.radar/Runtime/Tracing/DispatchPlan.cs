@@ -4,7 +4,6 @@ using System.Linq;
 using System.Runtime.InteropServices;
 using Glint.Core;
 using Unity.Mathematics;
-using UnityEngine;
 
 namespace Glint
 {
@@ -92,18 +91,9 @@ namespace Glint
         public static bool EntryPointsPay(long tiles, bool isSoftware) => isSoftware || tiles >= TilesToFillAGpu;
 
         /// <summary>Refuses a pose that does not fit, before its scene is gathered or built.</summary>
-        /// <exception cref="GlintException">
-        /// The device cannot hold the tiles, or this computer the rays read back.
-        /// </exception>
-        public static void Check(in RadarSettings settings, RayReadback readback, string owner)
-        {
+        /// <exception cref="GlintException">This computer cannot hold the rays read back.</exception>
+        public static void Check(in RadarSettings settings, RayReadback readback, string owner) =>
             RayReadbackBuffer.Refuse(readback, settings, owner);
-            long tiles = PictureTiles.CountIn(settings), max = DeviceBuffer<uint>.MaxCount;
-            if (tiles > max)
-                throw new GlintException($"{owner}: the list of the picture's {tiles} tiles of 64 rays takes "
-                    + $"{Text.Mebibytes(tiles * 4.0)}, and {SystemInfo.graphicsDeviceName} holds "
-                    + $"{Text.Mebibytes(max * 4.0)} in one buffer: trace a region or fewer rays");
-        }
 
         /// <summary>
         /// Estimated bytes of a pose: of all buffers on the device, and on this computer. BVHs have their minimum size,
@@ -121,7 +111,7 @@ namespace Glint
             bool usesEntryPoints = instances.Length <= DeviceScene.MaxInlineInstances
                 && EntryPointsPay(tiles, isSoftware);
             double rays = readback == RayReadback.All ? pose.Settings.RaysEmitted * (double)Size<RayData>() : 0;
-            return (trees + positions + tiles * (double)sizeof(uint) + SliceBytes(tiles, readback, usesEntryPoints),
+            return (trees + positions + Math.Min(tiles, TileCells.Max) * (double)sizeof(uint) + SliceBytes(tiles, readback, usesEntryPoints),
                 trees + BytesOf(meshes) + rays);
         }
 

@@ -23,7 +23,7 @@ namespace Glint
         readonly TraceKernel _kernel;
         readonly bool _isSoftware;
         readonly DeviceScene _scene;
-        readonly DeviceBuffer<uint> _tiles = new DeviceBuffer<uint>("tiles of 64 rays");
+        readonly DeviceBuffer<uint> _cells = new DeviceBuffer<uint>("cells of tiles");
         readonly DeviceBuffer<uint4> _entryPoints = new DeviceBuffer<uint4>("tiles of 64 rays");
         readonly SliceOutput _output;
         readonly SlicePass _slices;
@@ -215,7 +215,7 @@ namespace Glint
             _slices.Dispose();
             _output.Dispose();
             _entryPoints.Dispose();
-            _tiles.Dispose();
+            _cells.Dispose();
             _scene.Dispose();
         }
 
@@ -249,25 +249,25 @@ namespace Glint
             statistics.Timings = timings;
         }
 
-        // Uploads the list of tiles to trace.
+        // Uploads the cells of the tiles to trace.
         DispatchPlan UploadTiles(in RadarPose pose, RayReadback readback, TraceStatistics statistics)
         {
             var picture = new PictureTiles(pose.Settings, pose.View);
-            // Reading back all rays includes misses.
-            if (readback == RayReadback.All || (Culling & Culling.Tiles) == 0)
+            // Reading back all rays includes misses. Otherwise an empty scene needs no kernel, whose compilation is
+            // slow on a software device.
+            if (readback == RayReadback.All || (Culling & Culling.Tiles) == 0 && !_scene.IsEmpty)
                 picture.AddAll();
             else
                 _scene.AddTo(picture);
-            // An empty scene needs no kernel, whose compilation is slow on a software device.
-            var tiles =
-                _scene.IsEmpty && readback != RayReadback.All ? Array.Empty<uint>() : picture.ToArray(_isSoftware);
-            statistics.TilesTraced = tiles.Length;
-            statistics.TilesSkipped = picture.Count - tiles.Length;
-            _tiles.Upload(tiles);
-            statistics.BytesUploaded += tiles.Length * (long)_tiles.Stride;
+            var cells = picture.ToCells(_isSoftware);
+            statistics.TilesTraced = cells.TilesInRegion;
+            statistics.TilesSkipped = picture.Count - cells.TilesInRegion;
+            _cells.Upload(cells.Corners);
+            _kernel.SetCellSize(cells.Size);
+            statistics.BytesUploaded += cells.Corners.Length * (long)_cells.Stride;
             bool usesEntryPoints = _scene.HasInlineInstances && !CountVisits && (Culling & Culling.EntryPoints) != 0
-                && DispatchPlan.EntryPointsPay(tiles.Length, _isSoftware);
-            return new DispatchPlan(pose.Settings, readback, tiles.Length, usesEntryPoints, _pacer, TilesADispatch);
+                && DispatchPlan.EntryPointsPay(cells.TileCount, _isSoftware);
+            return new DispatchPlan(pose.Settings, readback, cells.TileCount, usesEntryPoints, _pacer, TilesADispatch);
         }
 
         void Bind(PoseInFlight inFlight)
@@ -286,7 +286,7 @@ namespace Glint
             var begin = _clock.Elapsed;
             inFlight.HasSubRays =
                 plan.IsWhole && !settings.SkipSamplingError && SlicePass.CanChooseSubRays(settings);
-            _slices.Begin(settings, _tiles, plan.Count, inFlight.Readback, inFlight.HasSubRays);
+            _slices.Begin(settings, _cells, plan.Count, inFlight.Readback, inFlight.HasSubRays);
             FindEntryPoints(plan, statistics);
             _slices.TraceTiles(plan.First, plan.Count, statistics);
             if (inFlight.HasSubRays)
@@ -383,7 +383,7 @@ namespace Glint
             _kernel.SetEntryPoints(_entryPoints);
             if (!plan.UsesEntryPoints)
                 return;
-            _kernel.FindEntryPoints(_scene, _tiles, plan.First, plan.Count, _entryPoints);
+            _kernel.FindEntryPoints(_scene, _cells, plan.First, plan.Count, _entryPoints);
             statistics.Dispatches++;
         }
 
@@ -393,7 +393,7 @@ namespace Glint
             if (CountVisits)
                 (statistics.NodesVisited, statistics.PairsTested) =
                     (inFlight.Sums.Units(Channel.Nodes), inFlight.Sums.Units(Channel.Pairs));
-            statistics.BytesOnDevice = _scene.Bytes + _tiles.Bytes + _entryPoints.Bytes + _output.Buffer.Bytes
+            statistics.BytesOnDevice = _scene.Bytes + _cells.Bytes + _entryPoints.Bytes + _output.Buffer.Bytes
                 + _slices.Bytes;
             var timings = statistics.Timings;
             (timings.TraceMs, timings.ReadBackMs) =

@@ -40,7 +40,8 @@ namespace Glint
         public static readonly int _MaxBounces = Shader.PropertyToID("_MaxBounces");
         public static readonly int _WaveNumberTurns = Shader.PropertyToID("_WaveNumberTurns");
 
-        public static readonly int _Tiles = Shader.PropertyToID("_Tiles");
+        public static readonly int _Cells = Shader.PropertyToID("_Cells");
+        public static readonly int _CellSize = Shader.PropertyToID("_CellSize");
         public static readonly int _EntryPoints = Shader.PropertyToID("_EntryPoints");
         public static readonly int _FoundEntryPoints = Shader.PropertyToID("_FoundEntryPoints");
         public static readonly int _Hits = Shader.PropertyToID("_Hits");

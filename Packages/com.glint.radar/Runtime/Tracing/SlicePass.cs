@@ -34,7 +34,7 @@ namespace Glint
             if (IsIndirect)
                 // Direct3D 11 has no structured argument buffers.
                 _arguments = new GraphicsBuffer(GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw,
-                    SliceArguments.Words, sizeof(uint));
+                    SliceArguments.Count, sizeof(uint));
         }
 
         /// <summary>Whether the device counts its own work; else each list costs a round trip.</summary>
@@ -47,11 +47,11 @@ namespace Glint
         public DeviceBuffer<RayData> Rays => _rays;
 
         public long Bytes => _candidates.Bytes + _subRays.Bytes + _rays.Bytes + _chosen.Bytes + _lengths.Bytes
-            + SliceArguments.Words * sizeof(uint);
+            + SliceArguments.Count * sizeof(uint);
 
         /// <summary>Prepares the buffers for a slice.</summary>
         /// <param name="choosesSubRays">The device chooses the pixels with sub-rays after this slice.</param>
-        public void Begin(in RadarSettings settings, DeviceBuffer<uint> tiles, int tileCount, RayReadback readback,
+        public void Begin(in RadarSettings settings, DeviceBuffer<uint> cells, int tileCount, RayReadback readback,
             bool choosesSubRays)
         {
             _candidates.Reserve((long)tileCount * PictureTiles.Rays, settings.MaxBounces);
@@ -66,7 +66,7 @@ namespace Glint
             _subRays.Reserve((long)pixels * SamplingEstimate.SubGrids, settings.MaxBounces);
             _kernel.SetKnownCapacity(_candidates.KnownCapacity, _subRays.KnownCapacity);
             _stages.SetKnownCapacity(_candidates.KnownCapacity, _subRays.KnownCapacity);
-            _kernel.SetBuffers(tiles, _output, _rays, _chosen, choosesSubRays ? _lengths : null, readback);
+            _kernel.SetBuffers(cells, _output, _rays, _chosen, choosesSubRays ? _lengths : null, readback);
             _stages.Set(settings, _kernel.TraceGroup, _kernel.RefineGroup);
             _stages.ClearSums(_output.Buffer);
         }

@@ -150,12 +150,15 @@ namespace Glint
             return new[] { region.Left, region.Left + region.Width, region.Bottom, region.Bottom + region.Height };
         }
 
+        /// <summary>Sets the number of tiles across and down a cell.</summary>
+        public void SetCellSize(int2 size) => _shader.SetInts(ShaderIDs._CellSize, size.x, size.y, 0, 0);
+
         /// <summary>Sets the buffers of a slice.</summary>
         /// <param name="lengths">Lengths by pixel; null: they are not kept.</param>
-        public void SetBuffers(DeviceBuffer<uint> tiles, SliceOutput output, DeviceBuffer<RayData> rays,
+        public void SetBuffers(DeviceBuffer<uint> cells, SliceOutput output, DeviceBuffer<RayData> rays,
             DeviceBuffer<uint> subRayPixels, DeviceBuffer<uint> lengths, RayReadback readback)
         {
-            _shader.SetBuffer(_kernel, ShaderIDs._Tiles, tiles.Buffer);
+            _shader.SetBuffer(_kernel, ShaderIDs._Cells, cells.Buffer);
             _shader.SetBuffer(_kernel, ShaderIDs._SubRayPixels, subRayPixels.Buffer);
             _shader.SetBuffer(_refineKernel, ShaderIDs._Lengths, (lengths ?? subRayPixels).Buffer);
             foreach (int kernel in new[] { _kernel, _refineKernel })
@@ -172,11 +175,11 @@ namespace Glint
             _shader.SetBuffer(_kernel, ShaderIDs._EntryPoints, entryPoints.Buffer);
 
         /// <summary>Finds the entry points of some tiles.</summary>
-        public void FindEntryPoints(DeviceScene scene, DeviceBuffer<uint> tiles, int firstTile, int count,
+        public void FindEntryPoints(DeviceScene scene, DeviceBuffer<uint> cells, int firstTile, int count,
             DeviceBuffer<uint4> entryPoints)
         {
             _shader.SetBuffer(_entryPointsKernel, ShaderIDs._Bvh[0], scene.Pages[0].Rows.Buffer);
-            _shader.SetBuffer(_entryPointsKernel, ShaderIDs._Tiles, tiles.Buffer);
+            _shader.SetBuffer(_entryPointsKernel, ShaderIDs._Cells, cells.Buffer);
             _shader.SetBuffer(_entryPointsKernel, ShaderIDs._FoundEntryPoints, entryPoints.Buffer);
             _shader.SetInt(ShaderIDs._FirstTile, firstTile);
             _shader.SetInt(ShaderIDs._TileCount, count);
