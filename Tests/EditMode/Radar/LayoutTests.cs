@@ -80,7 +80,7 @@ namespace Glint.Tests
         {
             var expected = new Dictionary<string, double>
             {
-                ["SUM_SLOTS"] = Channel.Slots, ["SUM_WORDS"] = Channel.WordsPerSlot, ["PHASE_BINS"] = Signal.PhaseBins,
+                ["SUM_SLOTS"] = Channel.Slots, ["SUB_RAY_SLOTS"] = Channel.SubRaySlots, ["SUM_WORDS"] = Channel.WordsPerSlot, ["PHASE_BINS"] = Signal.PhaseBins,
                 ["LENGTH_UNITS"] = Channel.Length.Scale, ["PHASOR_UNITS"] = Channel.InPhase.Scale,
                 ["MAX_PHASOR_PART"] = Channel.InPhase.MaxPart, ["LENGTH_OVERFLOW"] = 1u << Channel.Length.Number,
                 ["IN_PHASE_OVERFLOW"] = 1u << Channel.InPhase.Number,
@@ -89,7 +89,15 @@ namespace Glint.Tests
                 ["CULL_ENTRY_POINTS"] = (int)Culling.EntryPoints, ["CULL_HORIZONS"] = (int)Culling.Horizons,
                 ["READBACK_NONE"] = (int)RayReadback.None, ["READBACK_RECEIVED"] = (int)RayReadback.Received,
                 ["READBACK_ALL"] = (int)RayReadback.All,
-                ["NO_PIXEL"] = ReceivedRay.NoPixel, ["RAY_RECEIVED"] = RayData.Received,
+                ["COUNT_KNOWN"] = WorkCounts.First, ["COUNT_SEARCHED"] = WorkCounts.First + 1,
+                ["COUNT_SUB_KNOWN"] = WorkCounts.First + 2, ["COUNT_SUB_SEARCHED"] = WorkCounts.First + 3,
+                ["COUNT_RECEIVED"] = WorkCounts.First + 4, ["COUNT_CHOSEN"] = WorkCounts.ChosenWord,
+                ["RECEIVED_RAYS"] = WorkCounts.ReceivedRays, ["MAX_REFINED"] = CandidateList.MaxRefined,
+                ["MAX_CHOSEN"] = SlicePass.MaxChosen, ["REFINE_ARGUMENTS"] = SliceArguments.Refine,
+                ["SUB_RAY_ARGUMENTS"] = SliceArguments.SubRays,
+                ["REFINE_SUB_RAY_ARGUMENTS"] = SliceArguments.RefineSubRays,
+                ["SUB_RAYS"] = SamplingEstimate.SubRays, ["MAX_BOUNCES"] = RadarSettings.BounceLimit,
+                ["NO_LENGTH"] = ReceivedRay.NoLength, ["NO_PIXEL"] = ReceivedRay.NoPixel, ["RAY_RECEIVED"] = RayData.Received,
                 ["TILE_SIDE"] = PictureTiles.Side, ["RAYS_A_TILE"] = PictureTiles.Rays,
                 ["GROUPS_A_ROW"] = TraceKernel.GroupsARow, ["MAX_INLINE_INSTANCES"] = DeviceScene.MaxInlineInstances,
                 ["ROOT"] = DeviceScene.InstanceBvhRootRow, ["BINARY_LEVELS"] = BinaryBvhBuilder.MaxLevels,

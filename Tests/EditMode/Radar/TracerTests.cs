@@ -88,18 +88,63 @@ namespace Glint.Tests
                 Assert.That(Visits(off), Is.GreaterThan(all), off.ToString());
         }
 
+        /// <summary>
+        /// Sums cleared; rays, their number, refine pass; pixels chosen, their number; sub-rays, their number, refine
+        /// pass; lengths forgotten.
+        /// </summary>
+        public const int DispatchesOfAPose = 10;
+
+#if GLINT_HOST
+        [Test]
+        public void Trace_OnADeviceWithoutIndirectDispatch_GivesTheSameInMoreRoundTrips()
+        {
+            var expected = Pose(tracer => tracer.TilesADispatch = int.MaxValue);
+            Host.GraphicsDevice.HasIndirectArguments = false;
+            try
+            {
+                var result = Pose(tracer => tracer.TilesADispatch = int.MaxValue);
+                AssertSame(result, expected);
+                Assert.That(result.SamplingError, Is.EqualTo(expected.SamplingError), "by pixels chosen here");
+                Assert.That(result.Statistics.SubRays, Is.EqualTo(expected.Statistics.SubRays));
+                Assert.That((expected.Statistics.RoundTrips, result.Statistics.RoundTrips), Is.EqualTo((1, 4)));
+            }
+            finally
+            {
+                Host.GraphicsDevice.HasIndirectArguments = true;
+            }
+        }
+
+        [Test]
+        public void Trace_OnADeviceWithoutAsyncReadback_GivesTheSame()
+        {
+            var expected = Pose();
+            Host.GraphicsDevice.HasAsyncReadback = false;
+            try
+            {
+                var result = Pose();
+                AssertSame(result, expected);
+                Assert.That(result.SamplingError, Is.EqualTo(expected.SamplingError));
+            }
+            finally
+            {
+                Host.GraphicsDevice.HasAsyncReadback = true;
+            }
+        }
+#endif
+
         [Test]
         public void Trace_InManyDispatches_SumsAndRaysAreThoseOfOne()
         {
             var inOne = Pose(tracer => tracer.TilesADispatch = int.MaxValue, RayReadback.Received);
             var inMany = Pose(tracer => tracer.TilesADispatch = 37, RayReadback.Received);
-            // The tiles' entry points, the rays, candidates traced again, and smaller rays around these.
             // A GPU does not search entry points for this few tiles.
-            int everySlice = TestKernels.HasWide ? 2 : 1;
-            Assert.That(inOne.Statistics.Dispatches, Is.EqualTo(everySlice + 2));
+            int entryPoints = TestKernels.HasWide ? 1 : 0;
+            Assert.That(inOne.Statistics.Dispatches, Is.EqualTo(DispatchesOfAPose + entryPoints));
+            Assert.That(inOne.Statistics.RoundTrips, Is.EqualTo(2), "sums, and the rays kept");
             long slices = (inMany.Statistics.TilesTraced + 36) / 37;
-            Assert.That(inMany.Statistics.Dispatches,
-                Is.InRange(everySlice * slices + 2, (everySlice + 1) * slices + 1));
+            // Sums cleared, rays, their number, refine pass; the same for the sub-rays of pixels chosen at the end.
+            Assert.That(inMany.Statistics.Dispatches, Is.EqualTo((4 + entryPoints) * slices + 4));
+            Assert.That(inMany.Statistics.RoundTrips, Is.InRange(slices + 2, 2 * slices + 1));
             Assert.That(inMany.Statistics.RaysRefined, Is.EqualTo(inOne.Statistics.RaysRefined));
             Assert.That(inMany.Statistics.SubRays, Is.EqualTo(inOne.Statistics.SubRays));
             AssertSame(inMany, inOne);
@@ -177,11 +222,11 @@ namespace Glint.Tests
             long mayReturn = none.Statistics.RaysRefined;
             Assert.That(mayReturn, Is.InRange(none.RaysReceived, 1.1 * none.RaysReceived + 1e-3 * none.RaysEmitted),
                 "few more than are received: those that pass an edge");
-            Assert.That(none.Statistics.BytesReadBack,
-                Is.EqualTo(3 * Channel.Slots * Channel.WordsPerSlot * 4 + 8 * mayReturn),
-                "sums, and pixel and length of what is received");
+            Assert.That((none.Statistics.RoundTrips, none.Statistics.BytesReadBack),
+                Is.EqualTo((1, 4L * WorkCounts.ReceivedRays + 8 * 4096)),
+                "sums, and a list with pixel and length of what is received");
             Assert.That(received.Statistics.BytesReadBack - none.Statistics.BytesReadBack,
-                Is.EqualTo(48 * mayReturn), "and these rays only");
+                Is.EqualTo(48 * none.RaysReceived), "and these rays only");
         }
 
         [Test]
@@ -278,9 +323,8 @@ namespace Glint.Tests
                 var second = tracer.Trace(PoseOf(new RadarScene(mesh)), RayReadback.None);
                 AssertSame(second, first);
                 Assert.That(second.Statistics.BvhsBuilt, Is.Zero);
-                Assert.That(second.Statistics.BytesUploaded, Is.EqualTo(4 * second.Statistics.TilesTraced
-                        + 3 * 4 * Channel.Slots * Channel.WordsPerSlot + 8 * second.Statistics.SubRays / 16),
-                    "cells of one tile each, zeros, and where to trace smaller rays");
+                Assert.That(second.Statistics.BytesUploaded, Is.EqualTo(4 * second.Statistics.TilesTraced),
+                    "cells of one tile each");
 
                 var turned = Affine.FromTransform(0, double4(0, sin(0.1), 0, cos(0.1)), 1);
                 var third = tracer.Trace(

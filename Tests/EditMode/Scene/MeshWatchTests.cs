@@ -74,16 +74,15 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Trace_MeshThatChangesDuringEveryTrace_Ends()
+        public void Trace_MeshThatChangesDuringATrace_ShowsInTheNext()
         {
             var mesh = RunTimeTent();
             Show(mesh);
             _radar.Trace();
             int reports = 0;
             _radar.Trace(new OnReport(() => MoveTop(mesh, 0.1f * (1 + reports++ % 5))));
-            Assert.That(reports, Is.GreaterThan(1));
-            MoveTop(mesh, 0.25f);
-            AssertTop(_radar.Trace(), 0.25f);
+            Assert.That(reports, Is.GreaterThan(0));
+            AssertTop(_radar.Trace(), 0.1f * (1 + (reports - 1) % 5));
         }
 
         [Test]

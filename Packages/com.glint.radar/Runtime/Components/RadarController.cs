@@ -223,7 +223,7 @@ namespace Glint
         internal RadarResult FinishTrace(PoseInFlight inFlight, IProgress<double> progress = null,
             CancellationToken cancel = default)
         {
-            var result = inFlight.Tracer.Finish(inFlight, progress, cancel);
+            var result = _tracer.Finish(inFlight, progress, cancel);
             (_traced.Settings, _traced.View) = (inFlight.Pose.Settings, inFlight.Pose.View);
             _tracedContent = inFlight.Content;
             Result = result;
@@ -231,8 +231,14 @@ namespace Glint
             return result;
         }
 
-        /// <summary>Whether somebody looks at the scene after each pose, which must then not have changed.</summary>
-        internal bool HasListeners => Traced != null;
+        /// <summary>Whether a pose was started and its buffers were not released since.</summary>
+        internal bool IsInFlight(PoseInFlight inFlight) => _tracer != null && _tracer.IsInFlight(inFlight);
+
+        /// <summary>
+        /// Whether the next pose may start before this one is finished. A script that listens to <see cref="Traced"/>
+        /// finds the scene as it was traced.
+        /// </summary>
+        internal bool MayOverlap(PoseInFlight inFlight) => Traced == null && _tracer.MayOverlap(inFlight);
 
         /// <summary>
         /// Pixels of the rays received in the last pose, in ascending order: x + y * rays across, from the lower left

@@ -90,11 +90,12 @@ namespace Glint
             RayReadback readback = RayReadback.None)
         {
             // Taken out first: a pose that fails starts anew.
-            var current = _current ?? Start(0, readback, cancel);
+            var radar = _setup.Radar;
+            var current = radar.IsInFlight(_current) ? _current : Start(0, readback, cancel);
             _current = null;
-            bool overlaps = Overlaps && current.MayOverlap && !_setup.Radar.HasListeners && Done + 1 < Count;
+            bool overlaps = Overlaps && radar.MayOverlap(current) && Done + 1 < Count;
             var next = overlaps ? StartNext(cancel) : null;
-            var row = new SweepRow(_setup.Plan[_first + Done], _setup.Radar.FinishTrace(current, progress, cancel));
+            var row = new SweepRow(_setup.Plan[_first + Done], radar.FinishTrace(current, progress, cancel));
             var begin = _watch.Elapsed;
             _folder?.Append(row);
             RowWritten = _watch.Elapsed;

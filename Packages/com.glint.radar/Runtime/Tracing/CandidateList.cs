@@ -32,10 +32,17 @@ namespace Glint
         /// <summary>Ensures the capacity for some rays, all of which may be candidates.</summary>
         public void Reserve(long rays, int maxBounces)
         {
-            KnownCapacity = (int)Math.Min(rays, MaxKnown);
+            KnownCapacity = KnownOf(rays);
             Rays.Reserve(KnownCapacity + rays);
-            Met.Reserve(2L * KnownCapacity * maxBounces); // as many of those to search have some known triangles
+            Met.Reserve(MetOf(rays, maxBounces));
         }
+
+        /// <summary>Maximum number of rays whose candidates one buffer holds.</summary>
+        public static long MaxRays => DeviceBuffer<ReceivedRay>.MaxCount - MaxKnown;
+
+        /// <summary>Bytes for as many rays.</summary>
+        public static double BytesFor(long rays, int maxBounces) =>
+            8.0 * (KnownOf(rays) + rays) + 8.0 * MetOf(rays, maxBounces);
 
         /// <summary>Of the candidates to search those that the first dispatch takes.</summary>
         public int FirstSearched(int known, int searched) => Math.Min(searched, MaxRefined - Padded(known));
@@ -45,6 +52,11 @@ namespace Glint
 
         /// <summary>Candidates in all.</summary>
         public int Count(int known, int searched) => Math.Min(known, KnownCapacity) + searched;
+
+        static int KnownOf(long rays) => (int)Math.Min(rays, MaxKnown);
+
+        // As many of those to search have some known triangles.
+        static long MetOf(long rays, int maxBounces) => 2L * KnownOf(rays) * maxBounces;
 
         int Padded(int known) => (Math.Min(known, KnownCapacity) + Padding - 1) / Padding * Padding;
 

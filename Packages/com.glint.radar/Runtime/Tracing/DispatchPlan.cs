@@ -111,31 +111,23 @@ namespace Glint
             bool usesEntryPoints = instances.Length <= DeviceScene.MaxInlineInstances
                 && EntryPointsPay(tiles, isSoftware);
             double rays = readback == RayReadback.All ? pose.Settings.RaysEmitted * (double)Size<RayData>() : 0;
-            return (trees + positions + Math.Min(tiles, TileCells.Max) * (double)sizeof(uint) + SliceBytes(tiles, readback, usesEntryPoints),
+            double cells = Math.Min(tiles, TileCells.Max) * (double)sizeof(uint);
+            tiles = Math.Min(tiles, MaxTiles(readback));
+            double entryPoints =
+                usesEntryPoints ? tiles * (double)DeviceScene.MaxInlineInstances * Size<uint4>() : 0;
+            return (trees + positions + cells + entryPoints + SliceOutput.MinBytes
+                + SlicePass.Bytes(pose.Settings, tiles * PictureTiles.Rays, readback),
                 trees + BytesOf(meshes) + rays);
         }
 
         static double BytesOf(IEnumerable<TriangleMesh> meshes) => meshes.Sum(mesh =>
             mesh.Vertices.Length * (double)Size<float3>() + mesh.Indices.Length * (double)sizeof(int));
 
-        static double SliceBytes(long tiles, RayReadback readback, bool usesEntryPoints)
-        {
-            tiles = Math.Min(tiles, MaxTiles(readback));
-            double rays = (double)tiles * PictureTiles.Rays;
-            double kept =
-                readback == RayReadback.All ? rays
-                    : readback == RayReadback.Received ? Math.Min(rays, MaxRefinedRays)
-                    : 1;
-            return Channel.Slots * Channel.WordsPerSlot * sizeof(uint)
-                + rays * Size<ReceivedRay>() + kept * Size<RayData>()
-                + (usesEntryPoints ? tiles * (double)DeviceScene.MaxInlineInstances * Size<uint4>() : 0);
-        }
-
         // Maximum tiles of a slice, by the groups of one dispatch, the list of candidates, entry points and rays read
         // back.
         static long MaxTiles(RayReadback readback)
         {
-            long tiles = Math.Min(TraceKernel.MaxTiles, DeviceBuffer<ReceivedRay>.MaxCount / PictureTiles.Rays);
+            long tiles = Math.Min(TraceKernel.MaxTiles, CandidateList.MaxRays / PictureTiles.Rays);
             tiles = Math.Min(tiles, DeviceBuffer<uint4>.MaxCount / DeviceScene.MaxInlineInstances);
             return readback == RayReadback.All
                 ? Math.Min(tiles, Math.Min(DeviceBuffer<RayData>.MaxCount, MaxKeptRays) / PictureTiles.Rays)

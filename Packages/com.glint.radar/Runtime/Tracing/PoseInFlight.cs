@@ -6,7 +6,6 @@ namespace Glint
     /// <summary>A pose whose work the device has, from <see cref="RayTracer.Start"/> to its result.</summary>
     sealed class PoseInFlight
     {
-        public RayTracer Tracer;
         public RadarPose Pose;
         public RayReadback Readback;
         public RayGrid Grid;
@@ -23,10 +22,6 @@ namespace Glint
 
         /// <summary>Whether the slice has sub-rays of pixels that the device chose.</summary>
         public bool HasSubRays;
-
-        /// <summary>Whether the next pose may be given to the device before this one is finished.</summary>
-        public bool MayOverlap => Readback == RayReadback.None && (Slice == null || Plan.IsWhole)
-            && !Tracer.NeededLists;
 
         /// <summary>Hash of its meshes and their transforms.</summary>
         public ulong Content;

@@ -34,6 +34,7 @@ namespace Glint
         // The pose whose work was dispatched last: only its lists are still on the device.
         PoseInFlight _last;
         TimeSpan _lastFinished;
+        bool _neededLists; // by the pose finished last
         ReceivedRayList _received = new ReceivedRayList();
 
         /// <param name="shader">Shaders/Trace.compute.</param>
@@ -55,6 +56,9 @@ namespace Glint
             _kernel = new TraceKernel(shader, _isSoftware, owner);
             _output = new SliceOutput(owner);
             _slices = new SlicePass(_kernel, new StageKernels(shader), _output);
+            if (!SlicePass.IsIndirect)
+                UnityEngine.Debug.LogWarning($"{owner}: {SystemInfo.graphicsDeviceName} does not count its own work "
+                    + "(no indirect dispatch): a pose takes four round trips to the device instead of one");
             _scene = new DeviceScene(_isSoftware ? BvhLayout.Wide : BvhLayout.Binary, owner, maxRowsPerPage);
             _paths = new PathPass(_kernel, _scene);
         }
@@ -118,7 +122,7 @@ namespace Glint
                 var grid = new RayGrid(pose.Settings, pose.View, _scene.Min, _scene.Max);
                 var inFlight = new PoseInFlight
                 {
-                    Tracer = this, Started = _clock.Elapsed,
+                    Started = _clock.Elapsed,
                     Pose = pose, Readback = readback, Grid = grid, Sums = new ChannelSums(grid),
                     Rays = new RayReadbackBuffer(readback, pose.Settings, _owner),
                     Plan = UploadTiles(pose, readback, statistics), Statistics = statistics
@@ -152,8 +156,8 @@ namespace Glint
                     if (words != null)
                         Dispatch(inFlight);
                     words = WordsOf(inFlight, inFlight.Slice);
-                    NeededLists = NeedsLists(inFlight, new WorkCounts(words));
-                    if (NeededLists && inFlight != _last)
+                    _neededLists = NeedsLists(inFlight, new WorkCounts(words));
+                    if (_neededLists && inFlight != _last)
                         return Trace(pose, inFlight.Readback, progress, cancel, statistics);
                     inFlight.Plan.Traced(SecondsSince(inFlight.Dispatched));
                     words = AddSlice(inFlight, words, cancel);
@@ -172,11 +176,15 @@ namespace Glint
             }
         }
 
+        /// <summary>Whether a pose was started and not finished, and the tracer's buffers are those of its start.</summary>
+        internal bool IsInFlight(PoseInFlight inFlight) => _inFlight.Contains(inFlight);
+
         /// <summary>
-        /// Whether the pose finished last needed more from the device's lists than its read-back; the next one is likely
-        /// to need it too.
+        /// Whether the next pose may start before this one is finished: it needs no more than its read-back, nor did
+        /// the pose finished last.
         /// </summary>
-        internal bool NeededLists { get; private set; }
+        internal bool MayOverlap(PoseInFlight inFlight) => inFlight.Readback == RayReadback.None
+            && (inFlight.Slice == null || inFlight.Plan.IsWhole) && !_neededLists;
 
         /// <summary>Pixels of the rays received in the pose last traced, in ascending order.</summary>
         public uint[] ReceivedPixels() => _received.Pixels();
@@ -210,6 +218,7 @@ namespace Glint
         public void Dispose()
         {
             Wait();
+            _inFlight.Clear();
             _last = null;
             _paths.Dispose();
             _slices.Dispose();
@@ -355,6 +364,7 @@ namespace Glint
         SamplingReport? EstimateSampling(PoseInFlight inFlight, RadarSums total, uint[] words, CancellationToken cancel)
         {
             var (settings, statistics) = (inFlight.Pose.Settings, inFlight.Statistics);
+            cancel.ThrowIfCancellationRequested();
             if (settings.SkipSamplingError)
                 return null;
             var estimate = new SamplingEstimate(settings, inFlight.Received.Rays, inFlight.Received.Count,
@@ -394,7 +404,7 @@ namespace Glint
                 (statistics.NodesVisited, statistics.PairsTested) =
                     (inFlight.Sums.Units(Channel.Nodes), inFlight.Sums.Units(Channel.Pairs));
             statistics.BytesOnDevice = _scene.Bytes + _cells.Bytes + _entryPoints.Bytes + _output.Buffer.Bytes
-                + _slices.Bytes;
+                + _slices.BytesOnDevice;
             var timings = statistics.Timings;
             (timings.TraceMs, timings.ReadBackMs) =
                 (1000 * SecondsSince(inFlight.Started), inFlight.Rays.ReadBackMs);

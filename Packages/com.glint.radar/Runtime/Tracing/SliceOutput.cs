@@ -15,6 +15,9 @@ namespace Glint
         // Maximum of the list. Those of more received rays are read from the list of candidates.
         const int MaxCapacity = 1 << 20;
 
+        /// <summary>Bytes at first.</summary>
+        public const double MinBytes = (WorkCounts.ReceivedRays + 2.0 * FirstCapacity) * sizeof(uint);
+
         readonly string _owner;
         readonly DeviceBuffer<uint> _buffer = new DeviceBuffer<uint>("sums and received rays");
 

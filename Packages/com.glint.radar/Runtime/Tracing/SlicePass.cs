@@ -1,4 +1,5 @@
 using System;
+using System.Runtime.InteropServices;
 using Glint.Core;
 using UnityEngine;
 
@@ -46,7 +47,7 @@ namespace Glint
         /// <summary>The rays kept one by one.</summary>
         public DeviceBuffer<RayData> Rays => _rays;
 
-        public long Bytes => _candidates.Bytes + _subRays.Bytes + _rays.Bytes + _chosen.Bytes + _lengths.Bytes
+        public long BytesOnDevice => _candidates.Bytes + _subRays.Bytes + _rays.Bytes + _chosen.Bytes + _lengths.Bytes
             + SliceArguments.Count * sizeof(uint);
 
         /// <summary>Prepares the buffers for a slice.</summary>
@@ -54,21 +55,30 @@ namespace Glint
         public void Begin(in RadarSettings settings, DeviceBuffer<uint> cells, int tileCount, RayReadback readback,
             bool choosesSubRays)
         {
-            _candidates.Reserve((long)tileCount * PictureTiles.Rays, settings.MaxBounces);
-            _rays.Reserve(readback == RayReadback.All ? (long)tileCount * PictureTiles.Rays
-                : readback == RayReadback.Received
-                    ? Math.Min((long)tileCount * PictureTiles.Rays, CandidateList.MaxRefined)
-                    : 1);
+            long rays = (long)tileCount * PictureTiles.Rays, pixels = PixelsWithSubRays(settings);
+            _candidates.Reserve(rays, settings.MaxBounces);
+            _rays.Reserve(KeptRays(rays, readback));
             if (choosesSubRays)
                 ReserveLengths(settings.RaysEmitted);
-            int pixels = (int)Math.Min(settings.RaysEmitted, MaxChosen);
             _chosen.Reserve(pixels);
-            _subRays.Reserve((long)pixels * SamplingEstimate.SubGrids, settings.MaxBounces);
+            _subRays.Reserve(pixels * SamplingEstimate.SubGrids, settings.MaxBounces);
             _kernel.SetKnownCapacity(_candidates.KnownCapacity, _subRays.KnownCapacity);
             _stages.SetKnownCapacity(_candidates.KnownCapacity, _subRays.KnownCapacity);
             _kernel.SetBuffers(cells, _output, _rays, _chosen, choosesSubRays ? _lengths : null, readback);
             _stages.Set(settings, _kernel.TraceGroup, _kernel.RefineGroup);
             _stages.ClearSums(_output.Buffer);
+        }
+
+        /// <summary>Bytes on the device for a pose.</summary>
+        /// <param name="rays">Rays of its largest slice.</param>
+        public static double Bytes(in RadarSettings settings, long rays, RayReadback readback)
+        {
+            long pixels = PixelsWithSubRays(settings);
+            bool hasLengths = !settings.SkipSamplingError && CanChooseSubRays(settings);
+            return CandidateList.BytesFor(rays, settings.MaxBounces)
+                + CandidateList.BytesFor(pixels * SamplingEstimate.SubGrids, settings.MaxBounces)
+                + KeptRays(rays, readback) * (double)Marshal.SizeOf<RayData>()
+                + (pixels + (hasLengths ? settings.RaysEmitted : 0)) * (double)sizeof(uint);
         }
 
         /// <summary>Whether one buffer can hold the length of every ray.</summary>
@@ -143,6 +153,15 @@ namespace Glint
             _arguments?.Dispose();
             _arguments = null;
         }
+
+        static long PixelsWithSubRays(in RadarSettings settings) =>
+            settings.SkipSamplingError ? 1 : Math.Min(settings.RaysEmitted, MaxChosen);
+
+        // A binding must not be empty.
+        static long KeptRays(long rays, RayReadback readback) =>
+            readback == RayReadback.All ? rays
+            : readback == RayReadback.Received ? Math.Min(rays, CandidateList.MaxRefined)
+            : 1;
 
         void Refine(CandidateList candidates, bool areSubRays, TraceStatistics statistics)
         {
