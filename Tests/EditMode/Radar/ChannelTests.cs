@@ -23,7 +23,7 @@ namespace Glint.Tests
             // As if all rays but the last 1,024 had been added; and from 0, across the words' limits.
             foreach (long before in new[] { Channel.MaxRays - Threads, 0, -Threads / 2 })
             {
-                var slots = new uint[Channel.Slots * Channel.WordsPerSlot];
+                var slots = new uint[(Channel.Slots + Channel.SubRaySlots) * Channel.WordsPerSlot];
                 Put(slots, Channel.InPhase.Word, 2, sign * before * s_units);
                 Put(slots, FirstWideWord, 3, sign * before * s_wideUnits);
                 Add(slots, sign * (float)Channel.InPhase.MaxPart, sign * WidePart);
@@ -41,7 +41,7 @@ namespace Glint.Tests
         [TestCase(float.NaN)]
         public void Add_LargerPart_IsRefusedByName(float part)
         {
-            var slots = new uint[Channel.Slots * Channel.WordsPerSlot];
+            var slots = new uint[(Channel.Slots + Channel.SubRaySlots) * Channel.WordsPerSlot];
             Add(slots, part, part * 2 * WidePart);
             Assert.That(Channel.InPhase.SumOf(slots, 0), Is.Zero, "not wrapped");
             Assert.That(Channel.SumOf(slots, FirstWideWord, 3), Is.Zero, "not wrapped");
