@@ -7,7 +7,8 @@ namespace Glint.Core
     /// <summary>Parallel loops in blocks.</summary>
     static class Blocks
     {
-        const int Size = 8192;
+        /// <summary>Elements of a block.</summary>
+        public const int Size = 8192;
 
         /// <summary>
         /// Calls <paramref name="action"/> with the first and the end of each block of 0 .. count - 1.

@@ -87,17 +87,18 @@ namespace Glint.Core
         public double MaxPart { get; }
 
         /// <summary>The sum of a slot in units.</summary>
-        internal decimal SumOf(uint[] words, int slot)
+        /// <exception cref="OverflowException">A sum of three words exceeds 64 bits.</exception>
+        internal long SumOf(uint[] words, int slot)
         {
             int first = slot * WordsPerSlot + Word;
-            return Words == 1 ? words[first] : SumOf(words, first, Words);
+            return Words == 1 ? words[first]
+                : Words == 2 ? (long)((ulong)words[first + 1] << 32 | words[first])
+                : (long)SumOf(words, first, Words);
         }
 
         /// <summary>The number of several words, the lowest first, in two's complement.</summary>
         internal static decimal SumOf(uint[] words, int first, int count)
         {
-            if (count == 2)
-                return (long)((ulong)words[first + 1] << 32 | words[first]);
             decimal sum = (int)words[first + count - 1]; // the highest word is signed
             for (int word = count - 2; word >= 0; word--)
                 sum = sum * (1L << 32) + words[first + word];
@@ -109,12 +110,16 @@ namespace Glint.Core
         /// <exception cref="GlintException">A part exceeds the maximum.</exception>
         public static void CheckOverflow(uint[] words, string owner)
         {
+            uint bits = 0;
             for (int slot = 0; slot < Slots + SubRaySlots; slot++)
-                foreach (var channel in s_all)
-                    if ((words[slot * WordsPerSlot + Overflow.Word] & 1u << channel.Number) != 0)
-                        throw new GlintException(FormattableString.Invariant($"{owner}: a ray adds more than ")
-                            + FormattableString.Invariant($"{channel.MaxPart} to the sum '{channel.Name}': ")
-                            + "check the scene for huge or tiny coordinates, and report it if there are none");
+                bits |= words[slot * WordsPerSlot + Overflow.Word];
+            if (bits == 0)
+                return;
+            foreach (var channel in s_all)
+                if ((bits & 1u << channel.Number) != 0)
+                    throw new GlintException(FormattableString.Invariant($"{owner}: a ray adds more than ")
+                        + FormattableString.Invariant($"{channel.MaxPart} to the sum '{channel.Name}': ")
+                        + "check the scene for huge or tiny coordinates, and report it if there are none");
         }
     }
 }

@@ -45,7 +45,8 @@ namespace Glint.Core
     /// <summary>The channels of a pose, summed over its dispatches.</summary>
     public sealed class ChannelSums
     {
-        readonly decimal[] _totals = new decimal[Channel.All.Count];
+        // 2^32 rays with the largest parts take 62 bits.
+        readonly long[] _totals = new long[Channel.All.Count];
         readonly int[] _histogram = new int[Signal.PhaseBins];
         readonly double _startDepth;
 
@@ -74,17 +75,16 @@ namespace Glint.Core
         /// <summary>Adds the sums of a slice.</summary>
         public void Add(uint[] words)
         {
-            for (int slot = 0; slot < Channel.Slots; slot++)
-            {
-                foreach (var channel in Channel.All)
+            foreach (var channel in Channel.All)
+                for (int slot = 0; slot < Channel.Slots; slot++)
                     _totals[channel.Number] += channel.SumOf(words, slot);
+            for (int slot = 0; slot < Channel.Slots; slot++)
                 for (int bin = 0; bin < Signal.PhaseBins; bin++)
                     _histogram[bin] += (int)words[slot * Channel.WordsPerSlot + Channel.Histogram.Word + bin];
-            }
         }
 
         /// <summary>A channel's sum in units.</summary>
-        public long Units(Channel channel) => (long)_totals[channel.Number];
+        public long Units(Channel channel) => _totals[channel.Number];
 
         /// <summary>The sums of a pose.</summary>
         public RadarSums ToSums(in RadarSettings settings, in RadarView view) => new RadarSums

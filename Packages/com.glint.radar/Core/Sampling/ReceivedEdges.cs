@@ -10,15 +10,19 @@ namespace Glint.Core
     sealed class ReceivedEdges
     {
         readonly ReceivedPicture _picture;
-        readonly Complex[] _west, _east; // by column
+        readonly int _firstColumn;
+        readonly Complex[] _west, _east; // by column from the first that has a ray
         Complex _south, _north; // of the current row
         long _row = -1;
         double _squares;
 
-        public ReceivedEdges(ReceivedPicture picture)
+        /// <param name="firstColumn">First column that has a ray.</param>
+        /// <param name="lastColumn">Last column that has a ray.</param>
+        public ReceivedEdges(ReceivedPicture picture, int firstColumn, int lastColumn)
         {
             _picture = picture;
-            _west = new Complex[picture.Right - picture.Left + 1];
+            _firstColumn = firstColumn;
+            _west = new Complex[Math.Max(0, lastColumn - firstColumn + 1)];
             _east = new Complex[_west.Length];
         }
 
@@ -26,10 +30,10 @@ namespace Glint.Core
         /// Adds a ray; rays come in the order of their pixels. A surrounded ray is an edge of its own: a crease may run
         /// through its pixel.
         /// </summary>
-        public void Add(int ray, in ReceivedNeighbours near, Complex phasor)
+        public void Add(in ReceivedNeighbours near, Complex phasor)
         {
-            var at = _picture.PositionOf(ray);
-            int column = at.x, row = at.y;
+            int column = near.Column;
+            long row = near.Row;
             if (row != _row)
                 EndRow(row);
             if (near.South < 0 && row > _picture.Bottom)
@@ -37,9 +41,9 @@ namespace Glint.Core
             if (near.North < 0 && row < _picture.Top)
                 _north += phasor;
             if (near.West < 0 && column > _picture.Left)
-                _west[column - _picture.Left] += phasor;
+                _west[column - _firstColumn] += phasor;
             if (near.East < 0 && column < _picture.Right)
-                _east[column - _picture.Left] += phasor;
+                _east[column - _firstColumn] += phasor;
             if (near.Count == 8)
                 _squares++;
         }

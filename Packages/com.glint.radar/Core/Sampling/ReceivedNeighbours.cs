@@ -9,6 +9,7 @@ namespace Glint.Core
         public int West, East, South, North, SouthWest, SouthEast, NorthWest, NorthEast;
 
         readonly ReceivedPicture _picture;
+        long _rowStart; // first pixel of the row
         int _below, _above; // first rays in the row below and above that may be neighbours
 
         /// <param name="first">The first ray.</param>
@@ -19,9 +20,17 @@ namespace Glint.Core
             if (picture.Count == 0)
                 return;
             long pixel = picture[first].Pixel;
+            Row = picture.RowOf(first);
+            _rowStart = Row * picture.Across;
             _below = picture.FirstFrom(pixel - picture.Across - 1);
             _above = picture.FirstFrom(pixel + picture.Across - 1);
         }
+
+        /// <summary>Column and row of the ray.</summary>
+        public int Column { get; private set; }
+
+        /// <inheritdoc cref="Column"/>
+        public long Row { get; private set; }
 
         /// <summary>Received rays among the eight.</summary>
         public int Count => Has(West) + Has(East) + Has(South) + Has(North) + Has(SouthWest) + Has(SouthEast)
@@ -31,8 +40,10 @@ namespace Glint.Core
         public void MoveTo(int ray)
         {
             uint pixel = _picture[ray].Pixel;
-            int column = _picture.PositionOf(ray).x;
-            bool hasWest = column > 0, hasEast = column + 1 < _picture.Across;
+            for (; pixel >= _rowStart + _picture.Across; _rowStart += _picture.Across)
+                Row++;
+            Column = (int)(pixel - _rowStart);
+            bool hasWest = Column > 0, hasEast = Column + 1 < _picture.Across;
             West = hasWest && ray > 0 && _picture[ray - 1].Pixel == pixel - 1 ? ray - 1 : -1;
             East = hasEast && ray + 1 < _picture.Count && _picture[ray + 1].Pixel == pixel + 1 ? ray + 1 : -1;
             FindRow((long)pixel - _picture.Across, hasWest, hasEast, ref _below, out SouthWest,

@@ -1,5 +1,5 @@
+using System;
 using System.Runtime.InteropServices;
-using Unity.Mathematics;
 
 namespace Glint.Core
 {
@@ -10,13 +10,12 @@ namespace Glint.Core
     {
         const int DigitBits = 11, Digits = 1 << DigitBits;
 
-        readonly RadarSettings _settings;
         readonly ReceivedRay[] _rays;
 
         /// <param name="received">Each pixel at most once, in any order; sorted in place.</param>
         public ReceivedPicture(in RadarSettings settings, ReceivedRay[] received, int count)
         {
-            _settings = settings;
+            Across = (uint)settings.RaysAcross;
             var region = settings.TracedRegion;
             (Left, Right) = (region.Left, region.Left + region.Width - 1);
             (Bottom, Top) = (region.Bottom, region.Bottom + region.Height - 1);
@@ -27,7 +26,7 @@ namespace Glint.Core
         public int Count { get; }
 
         /// <summary>Rays across the whole picture.</summary>
-        public uint Across => (uint)_settings.RaysAcross;
+        public uint Across { get; }
 
         /// <summary>Bounds of the emitted rays: first and last column and row.</summary>
         public long Left { get; }
@@ -37,8 +36,8 @@ namespace Glint.Core
 
         public ReceivedRay this[int ray] => _rays[ray];
 
-        /// <summary>Column and row of a ray.</summary>
-        public int2 PositionOf(int ray) => _settings.PositionOf(_rays[ray].Pixel);
+        /// <summary>Row of a ray.</summary>
+        public long RowOf(int ray) => _rays[ray].Pixel / Across;
 
         /// <summary>First ray at or after a pixel; <see cref="Count"/> if there is none.</summary>
         public int FirstFrom(long pixel)
@@ -60,10 +59,14 @@ namespace Glint.Core
         {
             if (IsOrdered(rays, count))
                 return rays;
+            uint max = 0;
+            for (int i = 0; i < count; i++)
+                max = Math.Max(max, rays[i].Pixel);
             var (from, to) = (rays, new ReceivedRay[count]);
-            for (int shift = 0; shift < 32; shift += DigitBits)
+            var starts = new int[Digits + 1];
+            for (int shift = 0; shift < 32 && max >> shift != 0; shift += DigitBits)
             {
-                var starts = new int[Digits + 1];
+                Array.Clear(starts, 0, starts.Length);
                 for (int i = 0; i < count; i++)
                     starts[(from[i].Pixel >> shift & (Digits - 1)) + 1]++;
                 for (int digit = 0; digit < Digits; digit++)

@@ -13,17 +13,18 @@ namespace Glint.Core
         /// <returns>The pixels in ascending order.</returns>
         public static List<uint> Find(ReceivedPicture picture, bool[] isSmooth)
         {
-            var pixels = new List<uint>();
+            var pixels = new List<uint>(picture.Count);
             if (picture.Count == 0)
                 return pixels;
-            int firstRow = picture.PositionOf(0).y, lastRow = picture.PositionOf(picture.Count - 1).y;
-            var (below, here, above) = (new Row(picture), new Row(picture), new Row(picture));
-            for (long row = Math.Max(firstRow - 1, picture.Bottom); row <= Math.Min(lastRow + 1, picture.Top); row++)
+            long first = Math.Max(picture.RowOf(0) - 1, picture.Bottom),
+                last = Math.Min(picture.RowOf(picture.Count - 1) + 1, picture.Top);
+            var below = new Row(picture, first - 1);
+            var here = below.Next();
+            for (long row = first; row <= last; row++)
             {
-                below.MoveTo(row - 1);
-                here.MoveTo(row);
-                above.MoveTo(row + 1);
+                var above = here.Next();
                 AddRow(picture, isSmooth, row, below, here, above, pixels);
+                (below, here) = (here, above);
             }
             return pixels;
         }
@@ -56,25 +57,31 @@ namespace Glint.Core
         struct Row
         {
             readonly ReceivedPicture _picture;
-            long _start;
+            readonly long _start;
             int _at;
 
-            public Row(ReceivedPicture picture)
-                : this() => _picture = picture;
+            public Row(ReceivedPicture picture, long row)
+                : this(picture, row * picture.Across, picture.FirstFrom(row * picture.Across))
+            {
+            }
 
-            public int First { get; private set; }
+            Row(ReceivedPicture picture, long start, int first)
+            {
+                (_picture, _start, First) = (picture, start, first);
+                End = _at = first;
+                while (End < picture.Count && picture[End].Pixel < start + picture.Across)
+                    End++;
+            }
 
-            public int End { get; private set; }
+            public int First { get; }
+
+            public int End { get; }
+
+            /// <summary>The row above, from its left.</summary>
+            public Row Next() => new Row(_picture, _start + _picture.Across, End);
 
             /// <summary>Column of the current ray; long.MaxValue at the end of the row.</summary>
             public long Column => _at < End ? _picture[_at].Pixel - _start : long.MaxValue;
-
-            public void MoveTo(long row)
-            {
-                _start = row * _picture.Across;
-                _at = First = _picture.FirstFrom(_start);
-                End = _picture.FirstFrom(_start + _picture.Across);
-            }
 
             public void SkipTo(long column)
             {

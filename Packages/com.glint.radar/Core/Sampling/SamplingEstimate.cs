@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 
@@ -69,9 +68,15 @@ namespace Glint.Core
             _picture = new ReceivedPicture(settings, received, count);
             var isSmooth = new bool[count];
             _tally = LookAtAll(isSmooth);
-            _edges = StrengthOfEdges(isSmooth);
-            PixelsToRefine = Choose(RefinedPixels.Find(_picture, isSmooth), settings.RaysEmitted, out _share);
-            _refined = SumRefined();
+            var pixels = RefinedPixels.Find(_picture, isSmooth);
+            uint every = RefineEvery(pixels.Count, settings.RaysEmitted);
+            if (every > 1)
+                pixels.RemoveAll(pixel => !IsChosen(pixel, every));
+            PixelsToRefine = pixels.ToArray();
+            // The errors of the other pixels add up if they are correlated, their squares if they are independent: the
+            // weight is between the two.
+            _share = Math.Sqrt(every);
+            (_edges, _refined) = SumRefined(isSmooth, every);
         }
 
         /// <summary>
@@ -105,16 +110,12 @@ namespace Glint.Core
         // In blocks that are added in a fixed order: the same sum on any machine.
         Tally LookAtAll(bool[] isSmooth)
         {
-            var blocks = new SortedDictionary<int, Tally>();
-            Blocks.For(_picture.Count, (first, end) =>
-            {
-                var tally = LookAt(first, end, isSmooth);
-                lock (blocks)
-                    blocks.Add(first, tally);
-            });
+            var blocks = new Tally[_picture.Count / Blocks.Size + 1];
+            Blocks.For(_picture.Count, (first, end) => blocks[first / Blocks.Size] = LookAt(first, end, isSmooth));
             var total = new Tally();
-            foreach (var block in blocks.Values)
-                total.Add(block);
+            foreach (var block in blocks)
+                if (block != null)
+                    total.Add(block);
             return total;
         }
 
@@ -125,13 +126,16 @@ namespace Glint.Core
             for (int ray = first; ray < end; ray++)
             {
                 near.MoveTo(ray);
-                if (near.Count == 0)
+                tally.FirstColumn = Math.Min(tally.FirstColumn, near.Column);
+                tally.LastColumn = Math.Max(tally.LastColumn, near.Column);
+                int count = near.Count;
+                if (count == 0)
                     tally.Alone++;
                 AddStep(ray, near.East, tally);
                 AddStep(ray, near.NorthWest, tally);
                 AddStep(ray, near.North, tally);
                 AddStep(ray, near.NorthEast, tally);
-                if (near.Count < 8)
+                if (count < 8)
                     continue;
                 var phase = PixelPhase.Of(_picture, ray, near, _wavelength);
                 isSmooth[ray] = phase.IsSmooth;
@@ -152,46 +156,34 @@ namespace Glint.Core
                 tally.Apart++;
         }
 
-        double StrengthOfEdges(bool[] isSmooth)
+        // The strength of the edges, and the sum over the refined pixels' own rays: those that are not smooth.
+        (double edges, Complex refined) SumRefined(bool[] isSmooth, uint every)
         {
-            var edges = new ReceivedEdges(_picture);
+            var edges = new ReceivedEdges(_picture, _tally.FirstColumn, _tally.LastColumn);
             var near = new ReceivedNeighbours(_picture, 0);
+            Complex refined = 0;
             for (int ray = 0; ray < _picture.Count; ray++)
             {
                 if (isSmooth[ray])
                     continue;
                 near.MoveTo(ray);
-                edges.Add(ray, near, PhasorOf(ray));
+                var phasor = PhasorOf(ray);
+                edges.Add(near, phasor);
+                if (IsChosen(_picture[ray].Pixel, every))
+                    refined += phasor;
             }
-            return edges.Strength();
+            return (edges.Strength(), refined);
         }
 
-        // All pixels, or a random selection within the limit.
-        static uint[] Choose(List<uint> pixels, long raysEmitted, out double share)
+        // Of this number of pixels one is refined: 1 within the limit.
+        static uint RefineEvery(long pixels, long raysEmitted)
         {
             long max = Math.Max(RefinedAlways, raysEmitted / SubGrids);
-            uint every = (uint)Math.Max(1, (pixels.Count + max - 1) / max);
-            if (every > 1)
-                pixels.RemoveAll(pixel => Scattered(pixel) % every != 0);
-            // The errors of the other pixels add up if they are correlated, their squares if they are independent: the
-            // weight is between the two.
-            share = Math.Sqrt(every);
-            return pixels.ToArray();
+            return (uint)Math.Max(1, (pixels + max - 1) / max);
         }
 
-        Complex SumRefined()
-        {
-            Complex sum = 0;
-            int ray = 0;
-            foreach (uint pixel in PixelsToRefine)
-            {
-                while (ray < _picture.Count && _picture[ray].Pixel < pixel)
-                    ray++;
-                if (ray < _picture.Count && _picture[ray].Pixel == pixel)
-                    sum += PhasorOf(ray);
-            }
-            return sum;
-        }
+        // A random selection.
+        static bool IsChosen(uint pixel, uint every) => every == 1 || Scattered(pixel) % every == 0;
 
         Complex PhasorOf(int ray) => Phasors.OfTurns(_picture[ray].Length / _wavelength + _referenceTurns);
 
@@ -208,6 +200,7 @@ namespace Glint.Core
             public double LargestStep; // metres
             public long Pairs, Apart, Alone; // neighbours, those half a wavelength apart, rays without neighbours
             public Complex Smooth; // sum over smooth pixels of mean phasor less the ray's phasor
+            public int FirstColumn = int.MaxValue, LastColumn = -1; // of the rays
 
             public void Add(Tally other)
             {
@@ -216,6 +209,8 @@ namespace Glint.Core
                 Apart += other.Apart;
                 Alone += other.Alone;
                 Smooth += other.Smooth;
+                FirstColumn = Math.Min(FirstColumn, other.FirstColumn);
+                LastColumn = Math.Max(LastColumn, other.LastColumn);
             }
         }
     }

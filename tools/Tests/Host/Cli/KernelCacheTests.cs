@@ -15,8 +15,8 @@ namespace Glint.Host.Tests;
 [Category("Slow")]
 public sealed class KernelCacheTests
 {
-    // Arithmetic, EntryPointsWide, TraceWideSingleInstance, RefineWide.
-    const int KernelsOfARun = 4;
+    // Arithmetic, EntryPointsWide, TraceWideSingleInstance, RefineWide, and the four small ones between them.
+    const int KernelsOfARun = 8;
 
     string _folder;
 
