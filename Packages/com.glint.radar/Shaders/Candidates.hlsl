@@ -36,7 +36,7 @@ void AddCandidate(Path path, uint pixel, uint number)
         return;
     [loop]
     for (uint bounce = 0; bounce < _MaxBounces; bounce++)
-        _Met[entry * _MaxBounces + bounce] = bounce < path.SureBounces ? s_met[bounce] : uint2(NO_INSTANCE, 0);
+        _Met[entry * _MaxBounces + bounce] = bounce < path.SureBounces ? s_met[bounce] : NOT_MET;
 }
 
 #endif
@@ -47,7 +47,7 @@ void AddCandidate(Path path, uint pixel, uint number)
 uint2 MetNext(Path path)
 {
     bool isNoted = path.FirstMet != NOTHING_MET && path.Bounces < _MaxBounces;
-    return isNoted ? _Met[path.FirstMet + path.Bounces] : uint2(NO_INSTANCE, 0);
+    return isNoted ? _Met[path.FirstMet + path.Bounces] : NOT_MET;
 }
 
 // Whether float32 is sure that nothing is between the last hit and the receiver.

@@ -149,9 +149,13 @@ Hit LoadHit(TraversalState state, Ray ray)
 
 #endif
 
-// The hit that a traversal has found.
-Hit HitOf(TraversalState state, Ray ray)
+// The closest hit of a ray within reach, m.
+// FirstEntryPoint: index into _EntryPoints of the first instance; NO_ENTRY_POINTS: traversal from the roots.
+// Met: the triangle that is hit, if it is known; else its instance is NO_INSTANCE.
+Hit ClosestHit(Ray ray, float reach, uint firstEntryPoint, uint2 met)
 {
+    TraversalState state = BeginTraversal(ray, reach, false);
+    Traverse(ray, firstEntryPoint, met, false, state);
     Hit hit = (Hit)0;
     if (state.Instance != NO_INSTANCE)
     {
@@ -175,34 +179,12 @@ Hit HitOf(TraversalState state, Ray ray)
     return hit;
 }
 
-// The closest hit of a ray within reach, m.
-// FirstEntryPoint: index into _EntryPoints of the first instance; NO_ENTRY_POINTS: traversal from the roots.
-Hit ClosestHit(Ray ray, float reach, uint firstEntryPoint)
-{
-    TraversalState state = BeginTraversal(ray, reach, false);
-    Traverse(ray, firstEntryPoint, false, state);
-    return HitOf(state, ray);
-}
-
-#ifdef GLINT_FOLLOW_MET
-// The same if the triangle that float32 has hit is known, or its instance is NO_INSTANCE.
-Hit KnownOrClosestHit(Ray ray, float reach, uint2 met)
-{
-    TraversalState state = BeginTraversal(ray, reach, false);
-    if (met.x != NO_INSTANCE)
-        TestTriangle(met, ray, state);
-    if (state.Instance == NO_INSTANCE)
-        Traverse(ray, NO_ENTRY_POINTS, false, state);
-    return HitOf(state, ray);
-}
-#endif
-
 // The any-hit query of shadow rays: whether the ray hits anything within reach, m.
 // IsAmbiguous: float32 cannot decide.
 bool AnyHit(Ray ray, float reach, out bool isAmbiguous)
 {
     TraversalState state = BeginTraversal(ray, reach, true);
-    Traverse(ray, NO_ENTRY_POINTS, true, state);
+    Traverse(ray, NO_ENTRY_POINTS, NOT_MET, true, state);
 #ifdef GLINT_REFINE
     isAmbiguous = false;
 #else

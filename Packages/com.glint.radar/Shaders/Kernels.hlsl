@@ -214,7 +214,11 @@ EmittedRay SubRay(uint index)
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    EmittedRay ray = _HasSubRays != 0 ? SubRay(index) : RayOfTile(index);
+    EmittedRay ray;
+    if (_HasSubRays != 0)
+        ray = SubRay(index);
+    else
+        ray = RayOfTile(index);
     Path path = (Path)0;
     if (ray.Pixel != NO_PIXEL)
     {

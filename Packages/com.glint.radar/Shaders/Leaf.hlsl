@@ -7,6 +7,9 @@
 
 static const uint NO_INSTANCE = 0xffffffff;
 
+// No triangle: see NumberOf.
+static const uint2 NOT_MET = uint2(0xffffffff, 0);
+
 #ifdef GLINT_REFINE
 #include "RefineHit.hlsl"
 #endif

@@ -15,9 +15,11 @@ bool Advance(inout Path path, uint firstEntryPoint, out Hit hit)
     if (reach <= 0.0)
         return false;
 #ifdef GLINT_FOLLOW_MET
-    hit = IsWayBackClear(path) ? NoHit() : KnownOrClosestHit(path.Ray, reach, MetNext(path));
+    hit = NoHit();
+    if (!IsWayBackClear(path))
+        hit = ClosestHit(path.Ray, reach, NO_ENTRY_POINTS, MetNext(path));
 #else
-    hit = ClosestHit(path.Ray, reach, path.Bounces == 0 ? firstEntryPoint : NO_ENTRY_POINTS);
+    hit = ClosestHit(path.Ray, reach, path.Bounces == 0 ? firstEntryPoint : NO_ENTRY_POINTS, NOT_MET);
 #endif
     bool goesOn = Observe(path, hit);
 #ifndef GLINT_REFINE

@@ -28,7 +28,7 @@ static const int2 NEIGHBOURS[8] =
 
 bool IsWithin(DoubleFloat a, float4 maximum)
 {
-    DoubleFloat excess = Sub(a.Hi < 0.0 ? Mul(a, -1.0) : a, MakeDoubleFloat(maximum.x, maximum.y));
+    DoubleFloat size = Mul(a, a.Hi < 0.0 ? -1.0 : 1.0), excess = Sub(size, MakeDoubleFloat(maximum.x, maximum.y));
     return excess.Hi < 0.0 || excess.Hi == 0.0 && excess.Lo <= 0.0;
 }
 

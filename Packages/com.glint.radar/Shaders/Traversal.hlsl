@@ -86,18 +86,10 @@ void TraverseInstance(uint instance, Ray ray, uint4 entryPoints, bool anyHit, in
     TraverseMesh(traversalRay, instance, record.Page, record.FirstRow, entryPoints, anyHit, state);
 }
 
-#ifdef GLINT_FOLLOW_MET
-// Tests a single triangle: see NumberOf.
-void TestTriangle(uint2 number, Ray ray, inout TraversalState state)
-{
-    InstanceRecord record = LoadInstance(number.x);
-    state.PendingLeaf = 4 * (number.y / 2) + ((number.y & 1) != 0 ? 2 : 1);
-    TestPending(EnterInstance(record, ray, state), number.x, record.Page, record.FirstRow, state);
-}
-#endif
-
 #ifndef GLINT_INLINE_INSTANCES
-void TraverseInstanceBvh(Ray ray, bool anyHit, inout TraversalState state)
+// Met: the triangle that float32 has hit, which is tested alone, before a search if the ray misses it; NO_INSTANCE: not
+// known. Both are one call, because the code of the double-float tests is long.
+void TraverseInstanceBvh(Ray ray, uint2 met, bool anyHit, inout TraversalState state)
 {
     TraversalRay traversalRay =
         MakeTraversalRay(ray.Start, Rounded(ray.Direction), state.PositionError, state.DirectionError);
@@ -106,7 +98,8 @@ void TraverseInstanceBvh(Ray ray, bool anyHit, inout TraversalState state)
     stack[0] = DONE;
     stack[1] = DONE;
     uint top = 1;
-    uint current = _InstanceBvhRoot;
+    bool isMet = met.x != NO_INSTANCE;
+    uint current = isMet ? LEAF : _InstanceBvhRoot;
     [loop]
     while (current != DONE)
     {
@@ -126,8 +119,17 @@ void TraverseInstanceBvh(Ray ray, bool anyHit, inout TraversalState state)
         if (current != DONE)
         {
             // A leaf holds the index of an instance.
-            TraverseInstance(_InstanceBvh[current & ~LEAF].x, ray, ROOT_ENTRY_POINTS, anyHit, state);
-            current = IsEnough(state, anyHit) ? DONE : stack[top--];
+            uint instance = isMet ? met.x : _InstanceBvh[current & ~LEAF].x;
+#ifdef GLINT_REFINE
+            if (isMet)
+                state.PendingLeaf = 4 * (met.y / 2) + ((met.y & 1) != 0 ? 2 : 1);
+#endif
+            TraverseInstance(instance, ray, isMet ? (uint4)DONE : ROOT_ENTRY_POINTS, anyHit, state);
+            if (isMet)
+                current = state.Instance == NO_INSTANCE ? _InstanceBvhRoot : DONE;
+            else
+                current = IsEnough(state, anyHit) ? DONE : stack[top--];
+            isMet = false;
         }
     }
 }
@@ -158,7 +160,8 @@ TraversalState BeginTraversal(Ray ray, float reach, bool anyHit)
 
 // Traverses all instances, without the excluded triangle.
 // FirstEntryPoint: index into _EntryPoints of the first instance; NO_ENTRY_POINTS: traversal from the roots.
-void Traverse(Ray ray, uint firstEntryPoint, bool anyHit, inout TraversalState state)
+// Met: a triangle to test first (see TraverseInstanceBvh).
+void Traverse(Ray ray, uint firstEntryPoint, uint2 met, bool anyHit, inout TraversalState state)
 {
 #ifdef GLINT_INLINE_INSTANCES
 #ifdef GLINT_SINGLE_INSTANCE
@@ -174,7 +177,7 @@ void Traverse(Ray ray, uint firstEntryPoint, bool anyHit, inout TraversalState s
         TraverseInstance(instance, ray, entryPoints, anyHit, state);
     }
 #else
-    TraverseInstanceBvh(ray, anyHit, state);
+    TraverseInstanceBvh(ray, met, anyHit, state);
 #endif
 #ifndef GLINT_REFINE
     DecideTie(state);

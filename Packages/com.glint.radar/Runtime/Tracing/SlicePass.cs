@@ -57,7 +57,7 @@ namespace Glint
         {
             long rays = (long)tileCount * PictureTiles.Rays, pixels = PixelsWithSubRays(settings);
             _candidates.Reserve(rays, settings.MaxBounces);
-            _rays.Reserve(KeptRays(rays, readback));
+            _rays.Reserve(RaysReadBack(rays, readback));
             if (choosesSubRays)
                 ReserveLengths(settings.RaysEmitted);
             _chosen.Reserve(pixels);
@@ -77,7 +77,7 @@ namespace Glint
             bool hasLengths = !settings.SkipSamplingError && CanChooseSubRays(settings);
             return CandidateList.BytesFor(rays, settings.MaxBounces)
                 + CandidateList.BytesFor(pixels * SamplingEstimate.SubGrids, settings.MaxBounces)
-                + KeptRays(rays, readback) * (double)Marshal.SizeOf<RayData>()
+                + RaysReadBack(rays, readback) * (double)Marshal.SizeOf<RayData>()
                 + (pixels + (hasLengths ? settings.RaysEmitted : 0)) * (double)sizeof(uint);
         }
 
@@ -158,7 +158,7 @@ namespace Glint
             settings.SkipSamplingError ? 1 : Math.Min(settings.RaysEmitted, MaxChosen);
 
         // A binding must not be empty.
-        static long KeptRays(long rays, RayReadback readback) =>
+        static long RaysReadBack(long rays, RayReadback readback) =>
             readback == RayReadback.All ? rays
             : readback == RayReadback.Received ? Math.Min(rays, CandidateList.MaxRefined)
             : 1;
