@@ -82,14 +82,7 @@ RWStructuredBuffer<uint4> _FoundEntryPoints;  // output of the kernels EntryPoin
 static const uint NO_ENTRY_POINTS = 0xffffffff;
 
 // The mesh BVHs, in rows of 16 bytes: one page, or several if one cannot hold them.
-#if defined(GLINT_FIND_HORIZONS)
-RWStructuredBuffer<uint4> _Bvh0;
-uint _BvhFirstRow;                          // the BVH whose horizons are found,
-uint _BvhFirstLeafRow;
-uint _FirstLeaf;                            // its leaves of this dispatch,
-uint _LeafCount;
-float _HorizonMargin;                       // and the error of positions, m
-#elif defined(GLINT_PAGED)
+#if defined(GLINT_PAGED)
 StructuredBuffer<uint4> _Bvh0;
 StructuredBuffer<uint4> _Bvh1;
 StructuredBuffer<uint4> _Bvh2;

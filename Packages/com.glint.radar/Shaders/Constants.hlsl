@@ -50,7 +50,6 @@ static const uint REFINE_SUB_RAY_ARGUMENTS = 24;
 static const uint CULL_REACH = 1;           // traversal ends at the receiver
 static const uint CULL_LAST = 2;            // no traversal of a last segment that misses the receiver
 static const uint CULL_ENTRY_POINTS = 8;    // first segments start at the entry points of their tile
-static const uint CULL_HORIZONS = 16;       // no traversal of a BVH by rays that leave it above the horizon
 
 // Rays written to _Rays (RayReadback).
 static const uint READBACK_RECEIVED = 0;    // in the order of _Candidates, including those not received

@@ -20,9 +20,6 @@
 #ifdef GLINT_NOTE_HITS
 #include "Identity.hlsl"
 #endif
-#ifdef GLINT_FIND_HORIZONS
-#include "FindHorizons.hlsl"
-#endif
 
 // First pixel of a tile. The tiles of a cell go from its top down, as the cells do on a GPU.
 uint2 TilePixel(uint tile)
@@ -55,25 +52,6 @@ void CountWork(uint slot)
 #if defined(GLINT_ARITHMETIC)
 
 #include "Arithmetic.hlsl"
-
-#elif defined(GLINT_FIND_HORIZONS)
-
-// One thread for each triangle of some leaves.
-[numthreads(GLINT_GROUP, 1, 1)]
-void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
-{
-    uint index = IndexOf(group, thread);
-    if (index >= 2 * _LeafCount)
-        return;
-    uint leafRow = _BvhFirstLeafRow + 3 * (_FirstLeaf + index / 2);
-    bool second = index % 2 != 0;
-    uint2 horizon = FindHorizon(_BvhFirstRow, leafRow, second, _HorizonMargin);
-    uint row = HorizonRow(0, _BvhFirstRow, leafRow);
-    if (second)
-        _Bvh0[row].zw = horizon;
-    else
-        _Bvh0[row].xy = horizon;
-}
 
 #elif defined(GLINT_FIND_ENTRY_POINTS)
 

@@ -5,10 +5,6 @@
 
 #ifndef GLINT_WIDE // Wide~/TraceWide.compute includes another traversal
 #include "TraverseBinary.hlsl"
-#ifndef GLINT_REFINE
-#include "Horizon.hlsl"
-#define GLINT_HORIZONS
-#endif
 #endif
 
 float3 VectorToLocal(InstanceRecord record, float3 v)
@@ -75,15 +71,7 @@ TraversalRay EnterInstance(InstanceRecord record, Ray ray, inout TraversalState 
 void TraverseInstance(uint instance, Ray ray, uint4 entryPoints, bool anyHit, inout TraversalState state)
 {
     InstanceRecord record = LoadInstance(instance);
-    TraversalRay traversalRay = EnterInstance(record, ray, state);
-#ifdef GLINT_HORIZONS
-    if (instance == ray.ExcludedTriangle.x && (_Culling & CULL_HORIZONS) != 0
-        && IsAboveHorizon(traversalRay, PointToLocal(record, ray.Origin), record.Page, record.FirstRow,
-            ray.ExcludedTriangle.y >> 1, (ray.ExcludedTriangle.y & 1) != 0,
-            record.Stretch * length(ray.Start - ray.Origin)))
-        return;
-#endif
-    TraverseMesh(traversalRay, instance, record.Page, record.FirstRow, entryPoints, anyHit, state);
+    TraverseMesh(EnterInstance(record, ray, state), instance, record.Page, record.FirstRow, entryPoints, anyHit, state);
 }
 
 #ifndef GLINT_INLINE_INSTANCES

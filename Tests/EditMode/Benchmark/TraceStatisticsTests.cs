@@ -211,9 +211,9 @@ namespace Glint.Tests
                 var problem = Assert.Throws<GlintException>(() =>
                     tracer.Trace(new RadarPose(Scene(Made), s_settings, s_view), RayReadback.None));
                 // 79,000 triangles of at least 32 bytes in wide BVHs and 48 in binary ones, plus 5 and 4 bytes for
-                // their numbers and 8 in binary ones for their horizons, and 8 buffers of 128 KiB.
+                // their numbers, and 8 buffers of 128 KiB.
                 Assert.That(problem.Message,
-                    Does.Match($@"test: the BVHs over its meshes take at least {(asSoftware ? "2.8" : "4.5")} MiB, "
+                    Does.Match($@"test: the BVHs over its meshes take at least {(asSoftware ? "2.8" : "3.9")} MiB, "
                         + @"and .* holds 1 MiB of them in buffers of 0\.1 MiB"));
             }
         }

@@ -21,7 +21,6 @@ namespace Glint.Tests
         readonly Func<int, Bounds3> _readLeaf;
         readonly bool[] _seen;
         double _margin;
-        bool _hasHorizons;
 
         BvhReader(uint4[] rows, BvhLayout layout, Func<int, Bounds3> readLeaf)
         {
@@ -42,18 +41,13 @@ namespace Glint.Tests
         /// <param name="rows">The BVH.</param>
         /// <param name="layout">Its layout.</param>
         /// <param name="readLeaf">Reads the leaf at a row and returns its content.</param>
-        /// <param name="hasHorizons">
-        /// Last words of the first row and of the root are not 0: <see cref="MeshBvhReader"/> checks them.
-        /// </param>
-        public static BvhReader Read(uint4[] rows, BvhLayout layout, Func<int, Bounds3> readLeaf,
-            bool hasHorizons = false)
+        public static BvhReader Read(uint4[] rows, BvhLayout layout, Func<int, Bounds3> readLeaf)
         {
-            var reader = new BvhReader(rows, layout, readLeaf) { _hasHorizons = hasHorizons };
+            var reader = new BvhReader(rows, layout, readLeaf);
             if (layout == BvhLayout.Binary)
             {
                 reader.Mark(0, BinaryRoot);
-                if (!hasHorizons)
-                    Assert.That(rows[0].w, Is.Zero, "the last word of the first row");
+                Assert.That(rows[0].w, Is.Zero, "the last word of the first row");
             }
             reader.Bounds = reader.ReadNode(layout == BvhLayout.Binary ? BinaryRoot : 0, 1);
             Assert.That(reader._seen.Count(seen => !seen), Is.Zero, "rows that nothing refers to");
@@ -77,7 +71,7 @@ namespace Glint.Tests
         {
             Mark(row, 3);
             uint4 a = _rows[row], b = _rows[row + 1], halves = _rows[row + 2];
-            if (halves.w != 0 && !(_hasHorizons && row == BinaryRoot))
+            if (halves.w != 0)
                 Assert.Fail($"row {row + 2}: the last word is not 0");
             Bounds3 boxA = BinaryBox(a, halves.xyz & 0xffff0000), boxB = BinaryBox(b, halves.xyz << 16);
             if (row == BinaryRoot)

@@ -86,7 +86,7 @@ namespace Glint.Tests
                 ["IN_PHASE_OVERFLOW"] = 1u << Channel.InPhase.Number,
                 ["QUADRATURE_OVERFLOW"] = 1u << Channel.Quadrature.Number,
                 ["CULL_REACH"] = (int)Culling.Reach, ["CULL_LAST"] = (int)Culling.LastSegment,
-                ["CULL_ENTRY_POINTS"] = (int)Culling.EntryPoints, ["CULL_HORIZONS"] = (int)Culling.Horizons,
+                ["CULL_ENTRY_POINTS"] = (int)Culling.EntryPoints,
                 ["READBACK_NONE"] = (int)RayReadback.None, ["READBACK_RECEIVED"] = (int)RayReadback.Received,
                 ["READBACK_ALL"] = (int)RayReadback.All,
                 ["COUNT_KNOWN"] = WorkCounts.First, ["COUNT_SEARCHED"] = WorkCounts.First + 1,

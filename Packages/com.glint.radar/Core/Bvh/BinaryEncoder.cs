@@ -6,26 +6,20 @@ namespace Glint.Core
 {
     /// <summary>
     /// Writes a BVH in <see cref="BvhLayout.Binary"/>: a row with the centre of all boxes,
-    /// nodes of 3 rows from the root on, leaves of 3, identity rows, and a row for the horizons of each leaf.
+    /// nodes of 3 rows from the root on, then leaves of 3.
     /// A node: centre of child a's box, relative to the centre of all, and reference to a; the same of child b;
     /// half sizes of both boxes, x, y, z:
     /// the upper halves of floats, a's above b's. A reference is the row of a child; a leaf's has bit 31 set.
-    /// With horizons, the first row ends with the row of a leaf's horizons less a third of the leaf's row, and the
-    /// root with the diagonal of the largest leaf. Horizons are 0, unknown, until the kernel FindHorizons writes them.
     /// </summary>
     sealed class BinaryEncoder
     {
         const int HeadRows = 1;
         const int NodeRows = 3;
         const int LeafRows = 3;
-        const int HorizonRows = 1;
         const uint LeafBit = 0x80000000;
 
         /// <summary>A leaf and a node: there is one node less than leaves.</summary>
         public const double MinRowsPerLeaf = LeafRows + NodeRows;
-
-        /// <summary>The same of a leaf with a horizon.</summary>
-        public const double MinRowsPerLeafWithHorizon = MinRowsPerLeaf + HorizonRows;
 
         readonly BinaryBvh _bvh;
         readonly ILeafWriter _writer;
@@ -45,17 +39,13 @@ namespace Glint.Core
             var box = bvh.BoxOf(root);
             _centre = (float3)(0.5 * ((double3)box.Min + box.Max));
             _margin = bvh.Margin;
-            _rows = new uint4[FirstHorizonRow + (writer.HasHorizons ? _leafCount : 0)];
+            _rows = new uint4[FirstIdentityRow + writer.IdentityRows(_leafCount)];
         }
 
-        /// <summary>
-        /// Leaves of a BVH of at most this many rows, with half an identity row and a horizon row each.
-        /// </summary>
-        public static int MaxLeaves(int rows) => 2 * (rows - HeadRows + NodeRows - 1) / (2 * (NodeRows + LeafRows + HorizonRows) + 1);
+        /// <summary>Leaves of a BVH of at most this many rows, with half an identity row each.</summary>
+        public static int MaxLeaves(int rows) => 2 * (rows - HeadRows + NodeRows - 1) / (2 * (NodeRows + LeafRows) + 1);
 
         int FirstIdentityRow => LeafRow(_leafCount);
-
-        int FirstHorizonRow => FirstIdentityRow + _writer.IdentityRows(_leafCount);
 
         /// <summary>The rows of a subtree.</summary>
         /// <param name="firstLeafRow">Row of the first leaf.</param>
@@ -85,19 +75,6 @@ namespace Glint.Core
                 for (int leaf = from; leaf < to; leaf++)
                     _writer.Write(_bvh.Leaves[_firstLeaf + leaf].Item, _rows, LeafRow(leaf), leaf, FirstIdentityRow);
             });
-            if (_writer.HasHorizons)
-            {
-                _rows[0].w = (uint)(FirstHorizonRow - LeafRow(0) / LeafRows);
-                _rows[NodeRow(0) + NodeRows - 1].w = asuint(LargestLeaf());
-            }
-        }
-
-        float LargestLeaf()
-        {
-            float largest = 0;
-            for (int leaf = _firstLeaf; leaf < _firstLeaf + _leafCount; leaf++)
-                largest = Math.Max(largest, length(_bvh.Leaves[leaf].Box.Max - _bvh.Leaves[leaf].Box.Min));
-            return largest;
         }
 
         static int NodeRow(int node) => HeadRows + NodeRows * node;

@@ -17,12 +17,6 @@ namespace Glint.Core
         /// <summary>Upper corner of the part's triangles, metres.</summary>
         public float3 Max { get; internal set; }
 
-        /// <summary>Metres by which the boxes of its nodes are larger on each side.</summary>
-        public double Margin { get; internal set; }
-
-        /// <summary>Number of leaves.</summary>
-        public int LeafCount { get; internal set; }
-
         /// <summary>Row of the record that leaves are numbered from, three rows each.</summary>
         public int FirstRecordRow { get; set; }
 

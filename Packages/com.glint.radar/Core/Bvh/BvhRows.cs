@@ -15,11 +15,10 @@ namespace Glint.Core
             layout == BvhLayout.Wide ? WideEncoder.MaxLeaves(MaxRecords) : BinaryEncoder.MaxLeaves(MaxRows);
 
         /// <summary>Minimum number of rows of a leaf, with its share of full nodes.</summary>
-        /// <param name="hasIdentity">With its half of an identity row, and its horizons.</param>
+        /// <param name="hasIdentity">With its half of an identity row.</param>
         public static double MinRowsPerLeaf(BvhLayout layout, bool hasIdentity)
         {
-            double rows = layout == BvhLayout.Wide ? WideEncoder.MinRowsPerLeaf
-                : hasIdentity ? BinaryEncoder.MinRowsPerLeafWithHorizon : BinaryEncoder.MinRowsPerLeaf;
+            double rows = layout == BvhLayout.Wide ? WideEncoder.MinRowsPerLeaf : BinaryEncoder.MinRowsPerLeaf;
             // The wide layout numbers its leaves among all records, of 3 rows each.
             double records = layout == BvhLayout.Wide ? rows / 3 : 1;
             return hasIdentity ? rows + records / 2 : rows;
@@ -56,9 +55,6 @@ namespace Glint.Core
         /// <summary>Rows behind the BVH that name what is in its leaves.</summary>
         /// <param name="records">Records that leaves are numbered among.</param>
         int IdentityRows(int records);
-
-        /// <summary>Whether each leaf of the binary layout has a row for horizons behind the identity rows.</summary>
-        bool HasHorizons { get; }
 
         /// <summary>
         /// Writes item <paramref name="item"/> into three rows from <paramref name="row"/> on; they are 0 before.

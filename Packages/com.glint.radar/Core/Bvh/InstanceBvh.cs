@@ -33,8 +33,6 @@ namespace Glint.Core
     {
         public int IdentityRows(int records) => 0;
 
-        public bool HasHorizons => false;
-
         public void Write(int item, uint4[] rows, int row, int record, int firstIdentityRow) =>
             rows[row].x = (uint)item;
     }

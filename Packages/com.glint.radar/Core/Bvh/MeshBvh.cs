@@ -57,8 +57,7 @@ namespace Glint.Core
                 var rows = BvhRows.Encode(bvh, roots[part], layout, writer, out int firstRecord, out int identity);
                 parts[part] = new BvhPart
                 {
-                    Rows = rows, FirstRecordRow = firstRecord, FirstIdentityRow = identity, Min = box.Min, Max = box.Max,
-                    Margin = bvh.Margin, LeafCount = bvh.LeafCount(roots[part])
+                    Rows = rows, FirstRecordRow = firstRecord, FirstIdentityRow = identity, Min = box.Min, Max = box.Max
                 };
             });
             var cover = Cover(bvh);
@@ -156,8 +155,6 @@ namespace Glint.Core
         }
 
         public int IdentityRows(int records) => (records + 1) / 2;
-
-        public bool HasHorizons => true;
 
         public void Write(int item, uint4[] rows, int row, int record, int firstIdentityRow)
         {

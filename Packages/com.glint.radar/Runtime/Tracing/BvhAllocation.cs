@@ -19,12 +19,6 @@ namespace Glint
 
         public MeshBvh Bvh { get; }
 
-        /// <summary>Rays of the poses that traced it, since it was written.</summary>
-        public long RaysTraced { get; set; }
-
-        /// <summary>Its horizons are known.</summary>
-        public bool HasHorizons { get; set; }
-
         public long Rows
         {
             get
@@ -45,8 +39,6 @@ namespace Glint
         /// </summary>
         public bool Allocate(IReadOnlyList<BvhPage> pages)
         {
-            RaysTraced = 0;
-            HasHorizons = false;
             for (int part = 0; part < Bvh.Parts.Length; part++)
                 if (!Allocate(pages, part))
                 {

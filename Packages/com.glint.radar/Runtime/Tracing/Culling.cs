@@ -26,13 +26,7 @@ namespace Glint
         /// </summary>
         EntryPoints = 8,
 
-        /// <summary>
-        /// A ray that leaves a triangle above the triangle's horizon does not traverse the BVH of its mesh again.
-        /// A BVH gets horizons when some hundred rays a triangle have traced it; not on software devices.
-        /// </summary>
-        Horizons = 16,
-
         /// <summary>All that is skipped in a pose.</summary>
-        All = Reach | LastSegment | Tiles | EntryPoints | Horizons,
+        All = Reach | LastSegment | Tiles | EntryPoints,
     }
 }

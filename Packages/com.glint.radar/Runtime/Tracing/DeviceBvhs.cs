@@ -39,8 +39,6 @@ namespace Glint
 
         public BvhAllocation this[TriangleMesh mesh] => _bvhs[mesh];
 
-        public IEnumerable<BvhAllocation> All => _bvhs.Values;
-
         public IReadOnlyList<BvhPage> Pages => _pages;
 
         /// <summary>Bytes of the device's buffers.</summary>

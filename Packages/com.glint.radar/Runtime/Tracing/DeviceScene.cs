@@ -88,26 +88,6 @@ namespace Glint
             return hasBuilt;
         }
 
-        /// <summary>
-        /// Finds the horizons of BVHs that a number of rays a triangle has traced before this pose. A triangle's
-        /// horizon costs as much as some hundred rays, which few poses would not earn back.
-        /// </summary>
-        /// <param name="rays">Rays of this pose.</param>
-        public void FindHorizons(TraceKernel kernel, long rays, long raysATriangle, TraceStatistics statistics)
-        {
-            foreach (var allocation in _bvhs.All)
-            {
-                if (!allocation.HasHorizons && allocation.RaysTraced >= raysATriangle * allocation.Bvh.TriangleCount)
-                {
-                    for (int part = 0; part < allocation.Bvh.Parts.Length; part++)
-                        statistics.Dispatches += kernel.FindHorizons(_bvhs.Pages[allocation.PageOf(part)],
-                            allocation.FirstRowOf(part), allocation.Bvh.Parts[part]);
-                    allocation.HasHorizons = true;
-                }
-                allocation.RaysTraced += rays;
-            }
-        }
-
         /// <summary>Adds the tiles that may see the scene.</summary>
         public void AddTo(PictureTiles tiles)
         {

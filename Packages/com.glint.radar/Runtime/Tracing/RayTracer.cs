@@ -77,9 +77,6 @@ namespace Glint
         /// <summary>Tiles of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
         internal int TilesADispatch { get; set; }
 
-        /// <summary>Rays a triangle after which a BVH gets horizons; fewer in tests.</summary>
-        internal long HorizonRaysATriangle { get; set; } = 256;
-
         /// <summary>Number of pages of the scene's BVHs.</summary>
         internal int PageCount => _scene.Pages.Count;
 
@@ -127,9 +124,6 @@ namespace Glint
                     Rays = new RayReadbackBuffer(readback, pose.Settings, _owner),
                     Plan = UploadTiles(pose, readback, statistics), Statistics = statistics
                 };
-                if (!_isSoftware && (Culling & Culling.Horizons) != 0)
-                    _scene.FindHorizons(_kernel, statistics.TilesTraced * PictureTiles.Rays, HorizonRaysATriangle,
-                        statistics);
                 Bind(inFlight);
                 inFlight.Dispatching = _clock.Elapsed - inFlight.Started;
                 if (inFlight.Plan.Next())

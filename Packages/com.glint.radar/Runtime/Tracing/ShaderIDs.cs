@@ -8,11 +8,6 @@ namespace Glint
     {
         public static readonly int[] _Bvh = Enumerable.Range(0, DeviceBvhs.MaxPages)
             .Select(page => Shader.PropertyToID("_Bvh" + page)).ToArray();
-        public static readonly int _BvhFirstRow = Shader.PropertyToID("_BvhFirstRow");
-        public static readonly int _BvhFirstLeafRow = Shader.PropertyToID("_BvhFirstLeafRow");
-        public static readonly int _FirstLeaf = Shader.PropertyToID("_FirstLeaf");
-        public static readonly int _LeafCount = Shader.PropertyToID("_LeafCount");
-        public static readonly int _HorizonMargin = Shader.PropertyToID("_HorizonMargin");
         public static readonly int _InstanceBvh = Shader.PropertyToID("_InstanceBvh");
         public static readonly int _Instances = Shader.PropertyToID("_Instances");
         public static readonly int _Ranges = Shader.PropertyToID("_Ranges");

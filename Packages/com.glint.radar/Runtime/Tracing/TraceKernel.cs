@@ -12,9 +12,6 @@ namespace Glint
         // GROUPS_A_ROW in Shaders/Constants.hlsl.
         internal const int GroupsARow = 64;
 
-        // Leaves whose horizons one dispatch finds: well below a second on a slow GPU.
-        const int LeavesADispatch = 1 << 15;
-
         /// <summary>Maximum tiles of one dispatch, by the limit of thread groups.</summary>
         public const int MaxTiles = 65535 * GroupsARow;
 
@@ -184,24 +181,6 @@ namespace Glint
             _shader.SetInt(ShaderIDs._FirstTile, firstTile);
             _shader.SetInt(ShaderIDs._TileCount, count);
             DispatchThreads(_entryPointsKernel, (long)count * scene.InlineInstances.Count);
-        }
-
-        /// <summary>Finds the horizons of a BVH in the binary layout and returns the number of dispatches.</summary>
-        public int FindHorizons(BvhPage page, int firstRow, BvhPart part)
-        {
-            int kernel = _shader.FindKernel("FindHorizons"), dispatches = 0;
-            _shader.SetBuffer(kernel, ShaderIDs._Bvh[0], page.Rows.Buffer);
-            _shader.SetInt(ShaderIDs._BvhFirstRow, firstRow);
-            _shader.SetInt(ShaderIDs._BvhFirstLeafRow, part.FirstRecordRow);
-            _shader.SetFloat(ShaderIDs._HorizonMargin, (float)part.Margin);
-            for (int first = 0; first < part.LeafCount; first += LeavesADispatch, dispatches++)
-            {
-                int count = math.min(LeavesADispatch, part.LeafCount - first);
-                _shader.SetInt(ShaderIDs._FirstLeaf, first);
-                _shader.SetInt(ShaderIDs._LeafCount, count);
-                DispatchThreads(kernel, 2L * count);
-            }
-            return dispatches;
         }
 
         /// <summary>Traces the rays of some tiles and lists candidates.</summary>
