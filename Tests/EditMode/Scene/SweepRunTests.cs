@@ -121,6 +121,57 @@ namespace Glint.Tests
             }
         }
 
+        // Between two steps the next pose is in flight.
+        static readonly Action<RadarController>[] s_between =
+        {
+            radar => { }, radar => radar.Release(), radar => radar.Trace(RayReadback.All),
+            radar => radar.TracePaths(new uint[] { 80 + 45 * 160 }), radar => radar.enabled = !radar.enabled
+        };
+
+        [Test]
+        public void Step_OfPosesThatOverlap_GivesTheRowsOfOneAtATime([NUnit.Framework.Range(0, 4)] int between)
+        {
+            var plan = new SweepPlan(new double[] { 0, 1, 2, 3, 4, 20, 40 });
+            var expected = new List<string>();
+            using (var run = Sweep(plan))
+                while (!run.IsComplete)
+                    expected.Add(Describe(run.Step()));
+            var rows = new List<string>();
+            int ahead = 0;
+            using (var run = Sweep(plan))
+            {
+                run.Overlaps = true;
+                while (!run.IsComplete)
+                {
+                    rows.Add(Describe(run.Step()));
+                    if (!run.IsComplete && Math.Abs(_target.transform.eulerAngles.y - plan[rows.Count].AngleDegrees.Value) < 1e-3)
+                        ahead++;
+                    s_between[between](_radar);
+                }
+            }
+            Assert.That(rows, Is.EqualTo(expected));
+            // On a busy machine a pose may have several slices, which do not overlap with the next pose.
+            Assert.That(ahead, Is.GreaterThan(0), "steps after which the scene shows the next pose");
+            Assert.That(_target.transform.rotation, Is.EqualTo(Quaternion.identity), "put back");
+        }
+
+        [Test]
+        public void Step_WhileAScriptListens_LeavesTheSceneAsTraced()
+        {
+            var angles = new List<float>();
+            _radar.Traced += radar => angles.Add(_target.transform.eulerAngles.y);
+            using (var run = Sweep(new SweepPlan(new double[] { 0, 10, 20 })))
+            {
+                run.Overlaps = true;
+                while (!run.IsComplete)
+                    run.Step();
+            }
+            Assert.That(angles, Is.EqualTo(new[] { 0f, 10, 20 }).Within(1e-3f));
+        }
+
+        static string Describe(SweepRow row) => FormattableString.Invariant(
+            $"{row.Pose}: {row.Result.InPhase:r} {row.Result.Quadrature:r} {row.Result.RaysHit} {row.Result.SamplingError:r}");
+
         static string[] Amplitudes(string folder) => Array.ConvertAll(
             File.ReadAllLines(Path.Combine(folder, "results.csv")), line => string.Join(",", line.Split(','), 0, 5));
 

@@ -34,7 +34,7 @@ namespace Glint
         // The pose whose work was dispatched last: only its lists are still on the device.
         PoseInFlight _last;
         TimeSpan _lastFinished;
-        bool _neededLists; // by the pose finished last
+        bool _neededLists; // by the pose finished last, without rays kept
         ReceivedRayList _received = new ReceivedRayList();
 
         /// <param name="shader">Shaders/Trace.compute.</param>
@@ -150,8 +150,9 @@ namespace Glint
                     if (words != null)
                         Dispatch(inFlight);
                     words = WordsOf(inFlight, inFlight.Slice);
-                    _neededLists = NeedsLists(inFlight, new WorkCounts(words));
-                    if (_neededLists && inFlight != _last)
+                    bool needsLists = NeedsLists(inFlight, new WorkCounts(words));
+                    _neededLists = needsLists && inFlight.Readback == RayReadback.None;
+                    if (needsLists && inFlight != _last)
                         return Trace(pose, inFlight.Readback, progress, cancel, statistics);
                     inFlight.Plan.Traced(SecondsSince(inFlight.Dispatched));
                     words = AddSlice(inFlight, words, cancel);
