@@ -144,7 +144,8 @@ namespace Glint.Tests
                 while (!run.IsComplete)
                 {
                     rows.Add(Describe(run.Step()));
-                    if (!run.IsComplete && Math.Abs(_target.transform.eulerAngles.y - plan[rows.Count].AngleDegrees.Value) < 1e-3)
+                    double shown = _target.transform.eulerAngles.y;
+                    if (!run.IsComplete && Math.Abs(shown - plan[rows.Count].AngleDegrees.Value) < 1e-3)
                         ahead++;
                     s_between[between](_radar);
                 }

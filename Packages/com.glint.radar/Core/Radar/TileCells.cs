@@ -56,7 +56,7 @@ namespace Glint.Core
         public int2 Size { get; }
 
         /// <summary>
-        /// Tiles of all cells. Those at the right and upper edge may extend outside of the region; the device skips rays
+        /// Tiles of all cells. Those at the right and upper edge may extend past the region; the device skips rays
         /// outside of it.
         /// </summary>
         public int TileCount => Corners.Length * Size.x * Size.y;

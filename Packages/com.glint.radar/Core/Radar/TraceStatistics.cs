@@ -12,7 +12,8 @@ namespace Glint.Core
         public long Triangles { get; set; }
 
         /// <summary>
-        /// Bytes of vertices and indices hashed while the scene was gathered, because a mesh was new or may have changed.
+        /// Bytes of vertices and indices hashed while the scene was gathered: those of new meshes, and of meshes that may
+        /// have changed.
         /// </summary>
         public long BytesHashed { get; set; }
 
