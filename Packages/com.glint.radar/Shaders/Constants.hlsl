@@ -39,6 +39,7 @@ static const uint RECEIVED_RAYS = 5126;     // first word of the received rays, 
 
 // Maximum work of a slice (DispatchPlan).
 static const uint MAX_REFINED = 262144;     // candidates of a dispatch
+static const uint CANDIDATE_PADDING = 64;   // those to search, which take longer, begin a group of as many threads
 static const uint MAX_CHOSEN = 16000;       // pixels that get sub-rays without another round trip
 
 // Indirect dispatches: byte offsets of their numbers of groups in _Arguments.

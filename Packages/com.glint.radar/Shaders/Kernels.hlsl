@@ -79,7 +79,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (entry >= _PathCount)
         return;
     uint pixel = _Candidates[entry].x;
-    Path path = BeginPath(float2(pixel % _RaysAcross, pixel / _RaysAcross) - _ReferencePixel.xy + 0.5);
+    Path path = BeginPath(PicturePosition(pixel, 0.5));
     Hit hit;
     [loop]
     while (Advance(path, NO_ENTRY_POINTS, hit))
@@ -166,9 +166,8 @@ EmittedRay RayOfTile(uint index)
     uint tile = index / RAYS_A_TILE, inTile = index % RAYS_A_TILE;
     // Eight consecutive threads trace 4 x 2 rays, which are coherent on devices of that width.
     uint2 at = TilePixel(tile) + uint2((inTile & 3) | (inTile >> 1 & 4), (inTile >> 2 & 1) | (inTile >> 3 & 6));
-    bool isInside = tile < _TileCount && at.x >= _Region.x && at.x < _Region.y && at.y >= _Region.z && at.y < _Region.w;
     EmittedRay ray;
-    ray.Pixel = isInside ? at.x + at.y * _RaysAcross : NO_PIXEL;
+    ray.Pixel = tile < _TileCount && IsInRegion((int2)at) ? at.x + at.y * _RaysAcross : NO_PIXEL;
     ray.Position = float2(at) + 0.5 - _ReferencePixel.xy;
     ray.Slot = tile % SUM_SLOTS * SUM_WORDS;
     ray.FirstEntryPoint = (_Culling & CULL_ENTRY_POINTS) != 0 ? tile * MAX_INLINE_INSTANCES : NO_ENTRY_POINTS;

@@ -8,7 +8,7 @@
 static const uint NO_INSTANCE = 0xffffffff;
 
 // No triangle: see NumberOf.
-static const uint2 NOT_MET = uint2(0xffffffff, 0);
+static const uint2 NOT_MET = uint2(NO_INSTANCE, 0);
 
 #ifdef GLINT_REFINE
 #include "RefineHit.hlsl"

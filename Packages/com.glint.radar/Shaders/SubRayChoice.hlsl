@@ -15,9 +15,7 @@ RWStructuredBuffer<uint> _ChosenPixels;
 // Length of the received ray of a position in the picture; NO_LENGTH if there is none.
 uint LengthAt(int2 at)
 {
-    bool isInside = at.x >= (int)_Region.x && at.x < (int)_Region.y && at.y >= (int)_Region.z
-        && at.y < (int)_Region.w;
-    return isInside ? _Lengths[InRegion((uint)at.x + (uint)at.y * _RaysAcross)] : NO_LENGTH;
+    return IsInRegion(at) ? _Lengths[InRegion((uint)at.x + (uint)at.y * _RaysAcross)] : NO_LENGTH;
 }
 
 // The eight neighbours of a position: below it from the left, beside it, above it from the left.
@@ -79,9 +77,7 @@ void ChooseAround(uint pixel)
         if (there != NO_LENGTH)
             continue;
         isSurrounded = false;
-        bool isInside = neighbour.x >= (int)_Region.x && neighbour.x < (int)_Region.y
-            && neighbour.y >= (int)_Region.z && neighbour.y < (int)_Region.w;
-        if (isInside && IsFirstAround(neighbour, at))
+        if (IsInRegion(neighbour) && IsFirstAround(neighbour, at))
             Choose(neighbour);
     }
     if (!isSurrounded || !IsSmooth(asfloat(LengthAt(at)), around))

@@ -10,10 +10,13 @@
 #define GLINT_GROUP 64
 #endif
 
-// Threads after the last known candidate that get none: the searched ones, which take longer, begin a group.
-static const uint CANDIDATE_PADDING = 64;
-
 static const uint NO_CANDIDATE = 0xffffffff;
+
+// Whether the ray of a column and row is traced.
+bool IsInRegion(int2 at)
+{
+    return at.x >= (int)_Region.x && at.x < (int)_Region.y && at.y >= (int)_Region.z && at.y < (int)_Region.w;
+}
 
 // Element of a pixel in _Lengths.
 uint InRegion(uint pixel)
@@ -45,11 +48,16 @@ uint2 CandidateCounts(bool areSubRays)
         : uint2(min(_Sums[COUNT_KNOWN], _KnownCapacity.x), _Sums[COUNT_SEARCHED]);
 }
 
+// Threads for the known candidates.
+uint KnownThreads(uint known)
+{
+    return (known + CANDIDATE_PADDING - 1) / CANDIDATE_PADDING * CANDIDATE_PADDING;
+}
+
 // Threads of a dispatch that takes the known candidates and, up to the maximum, those to search.
 uint CandidateThreads(uint2 counts)
 {
-    uint known = (counts.x + CANDIDATE_PADDING - 1) / CANDIDATE_PADDING * CANDIDATE_PADDING;
-    return min(known + counts.y, MAX_REFINED);
+    return min(KnownThreads(counts.x) + counts.y, MAX_REFINED);
 }
 
 // The candidate of a thread; NO_CANDIDATE if it has none. Later dispatches take the rest of those to search.
@@ -60,7 +68,7 @@ uint CandidateOf(uint index)
         return index < min(counts.y - _FirstSearched, MAX_REFINED) ? SearchedList() + _FirstSearched + index : NO_CANDIDATE;
     if (index < counts.x)
         return index;
-    uint known = (counts.x + CANDIDATE_PADDING - 1) / CANDIDATE_PADDING * CANDIDATE_PADDING;
+    uint known = KnownThreads(counts.x);
     return index >= known && index < CandidateThreads(counts) ? SearchedList() + index - known : NO_CANDIDATE;
 }
 

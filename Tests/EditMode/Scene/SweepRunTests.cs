@@ -157,6 +157,18 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Step_ThatKeepsRaysAfterOneThatOverlapped_CarriesThem()
+        {
+            using (var run = Sweep(new SweepPlan(new double[] { 0, 10, 20 })))
+            {
+                run.Overlaps = true;
+                run.Step();
+                Assert.That(run.Step(readback: RayReadback.All).Result.Rays.Length, Is.EqualTo(160 * 90));
+                Assert.That(run.Step().Result.Rays, Is.Empty);
+            }
+        }
+
+        [Test]
         public void Step_WhileAScriptListens_LeavesTheSceneAsTraced()
         {
             var angles = new List<float>();

@@ -213,7 +213,10 @@ namespace Glint
             long bytesHashedBeside = _gatherer.BytesHashed - inFlight.Statistics.BytesHashed;
             // Once only: the second gather reads what has changed, and all else was just confirmed.
             if (!isCurrent)
+            {
+                Abandon(inFlight);
                 inFlight = StartOnce(readback, cancel);
+            }
             inFlight.Statistics.BytesHashedBeside = bytesHashedBeside;
             inFlight.Content = _gatherer.Content();
             return inFlight;
@@ -230,6 +233,9 @@ namespace Glint
             Traced?.Invoke(this);
             return result;
         }
+
+        /// <summary>Gives up a pose that will not be finished; may be null.</summary>
+        internal void Abandon(PoseInFlight inFlight) => _tracer?.Abandon(inFlight);
 
         /// <summary>Whether a pose was started and its buffers were not released since.</summary>
         internal bool IsInFlight(PoseInFlight inFlight) => _tracer != null && _tracer.IsInFlight(inFlight);

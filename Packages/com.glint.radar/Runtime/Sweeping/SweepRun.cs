@@ -89,17 +89,30 @@ namespace Glint
         public SweepRow Step(IProgress<double> progress = null, CancellationToken cancel = default,
             RayReadback readback = RayReadback.None)
         {
-            // Taken out first: a pose that fails starts anew.
             var radar = _setup.Radar;
-            var current = radar.IsInFlight(_current) ? _current : Start(0, readback, cancel);
-            _current = null;
-            bool overlaps = Overlaps && radar.MayOverlap(current) && Done + 1 < Count;
+            bool isStarted = radar.IsInFlight(_current) && _current.Readback == readback;
+            if (!isStarted)
+            {
+                radar.Abandon(_current);
+                _current = Start(0, readback, cancel);
+            }
+            bool overlaps = Overlaps && radar.MayOverlap(_current) && Done + 1 < Count;
             var next = overlaps ? StartNext(cancel) : null;
-            var row = new SweepRow(_setup.Plan[_first + Done], radar.FinishTrace(current, progress, cancel));
-            var begin = _watch.Elapsed;
-            _folder?.Append(row);
-            RowWritten = _watch.Elapsed;
-            Writing += RowWritten - begin;
+            SweepRow row;
+            try
+            {
+                row = new SweepRow(_setup.Plan[_first + Done], radar.FinishTrace(_current, progress, cancel));
+                var begin = _watch.Elapsed;
+                _folder?.Append(row);
+                RowWritten = _watch.Elapsed;
+                Writing += RowWritten - begin;
+            }
+            catch
+            {
+                // The step that follows starts this pose anew.
+                radar.Abandon(next);
+                throw;
+            }
             Done++;
             _current = next;
             if (IsComplete)
@@ -110,6 +123,7 @@ namespace Glint
         /// <summary>Closes results.csv and restores the scene.</summary>
         public void Dispose()
         {
+            _setup.Radar.Abandon(_current);
             _folder?.Dispose();
             _motions.Dispose();
         }

@@ -16,8 +16,10 @@ namespace Glint
         /// <summary>Maximum number of candidates of a dispatch: MAX_REFINED in Shaders/Constants.hlsl.</summary>
         public const int MaxRefined = DispatchPlan.MaxRefinedRays;
 
-        // CANDIDATE_PADDING in Shaders/WorkLists.hlsl.
-        const int Padding = 64;
+        /// <summary>
+        /// Those to search begin a group of as many threads: CANDIDATE_PADDING in Shaders/Constants.hlsl.
+        /// </summary>
+        public const int Padding = 64;
 
         public DeviceBuffer<ReceivedRay> Rays { get; } = new DeviceBuffer<ReceivedRay>("rays that may be received");
 

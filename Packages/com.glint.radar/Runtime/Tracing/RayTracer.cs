@@ -171,6 +171,13 @@ namespace Glint
             }
         }
 
+        /// <summary>Gives up a pose that will not be finished.</summary>
+        internal void Abandon(PoseInFlight inFlight)
+        {
+            if (_inFlight.Remove(inFlight))
+                inFlight.Slice?.Complete();
+        }
+
         /// <summary>Whether a pose was started and not finished, and the tracer's buffers are those of its start.</summary>
         internal bool IsInFlight(PoseInFlight inFlight) => _inFlight.Contains(inFlight);
 
@@ -312,7 +319,7 @@ namespace Glint
         void Wait()
         {
             foreach (var inFlight in _inFlight)
-                inFlight.Slice?.Wait();
+                inFlight.Slice?.Complete();
         }
 
         // Time that a pose or slice took by itself: it begins at the end of the one before.

@@ -29,18 +29,21 @@ namespace Glint
             }
         }
 
-        /// <summary>Whether the words have arrived.</summary>
-        public bool IsDone => _hasWords;
+        /// <summary>Waits until the device no longer needs the buffer.</summary>
+        public void Complete()
+        {
+            if (_hasWords)
+                return;
+            _request.WaitForCompletion();
+            if (!_hasWords)
+                Take(_request);
+        }
 
         /// <summary>Waits for the words.</summary>
         /// <exception cref="GlintException">The device could not deliver them.</exception>
         public uint[] Wait()
         {
-            if (_hasWords)
-                return _words;
-            _request.WaitForCompletion();
-            if (!_hasWords)
-                Take(_request);
+            Complete();
             return _hasWords
                 ? _words
                 : throw new GlintException($"{SystemInfo.graphicsDeviceName} did not deliver the sums of a pose: "

@@ -1,5 +1,4 @@
 using Glint.Core;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint
@@ -27,9 +26,9 @@ namespace Glint
             _shader.SetInts(ShaderIDs._Region, TraceKernel.RegionOf(settings));
             _shader.SetInt(ShaderIDs._TraceGroup, traceGroup);
             _shader.SetInt(ShaderIDs._RefineGroup, refineGroup);
-            SetNumber(ShaderIDs._MaxSlope, PixelPhase.MaxSlope(settings.Wavelength));
-            SetNumber(ShaderIDs._MaxBend, PixelPhase.MaxSecondDifference(settings.Wavelength));
-            SetNumber(ShaderIDs._MaxTwist, PixelPhase.MaxSlopeDifference(settings.Wavelength));
+            _shader.SetNumber(ShaderIDs._MaxSlope, PixelPhase.MaxSlope(settings.Wavelength));
+            _shader.SetNumber(ShaderIDs._MaxBend, PixelPhase.MaxSecondDifference(settings.Wavelength));
+            _shader.SetNumber(ShaderIDs._MaxTwist, PixelPhase.MaxSlopeDifference(settings.Wavelength));
         }
 
         /// <summary>Sets the capacities for candidates whose triangles are known.</summary>
@@ -40,10 +39,7 @@ namespace Glint
         public void ClearSums(DeviceBuffer<uint> sums)
         {
             _shader.SetBuffer(_clear, ShaderIDs._Sums, sums.Buffer);
-            _shader.GetKernelThreadGroupSizes(_clear, out uint size, out _, out _);
-            int groups = (int)((WorkCounts.ReceivedRays + size - 1) / size);
-            _shader.Dispatch(_clear, math.min(groups, TraceKernel.GroupsARow),
-                (groups + TraceKernel.GroupsARow - 1) / TraceKernel.GroupsARow, 1);
+            _shader.DispatchThreads(_clear, WorkCounts.ReceivedRays);
         }
 
         /// <summary>Writes the groups of the indirect dispatches.</summary>
@@ -76,8 +72,5 @@ namespace Glint
             _shader.SetBuffer(kernel, ShaderIDs._Lengths, lengths.Buffer);
             _shader.DispatchIndirect(kernel, arguments, SliceArguments.Refine);
         }
-
-        void SetNumber(int id, double value) =>
-            _shader.SetVector(id, new Vector4((float)value, DoubleFloat.Lo(value), 0, 0));
     }
 }

@@ -90,8 +90,8 @@ namespace Glint
             double2 half = view.ReceiverSize / 2;
             _shader.SetVector(ShaderIDs._ReceiverHalfSize,
                 new Vector4((float)half.x, DoubleFloat.Lo(half.x), (float)half.y, DoubleFloat.Lo(half.y)));
-            SetNumber(ShaderIDs._OriginDepth, grid.OriginDepth);
-            SetNumber(ShaderIDs._WaveNumberTurns, 1 / settings.Wavelength);
+            _shader.SetNumber(ShaderIDs._OriginDepth, grid.OriginDepth);
+            _shader.SetNumber(ShaderIDs._WaveNumberTurns, 1 / settings.Wavelength);
             _shader.SetVector(ShaderIDs._ReferencePixel,
                 new Vector4(grid.ReferencePixel.x, grid.ReferencePixel.y, 0, 0));
             double3 centre = grid.SceneCentre + origin;
@@ -135,10 +135,10 @@ namespace Glint
             _shader.SetInts(ShaderIDs._KnownCapacity, ofRays, ofSubRays, 0, 0);
 
         /// <summary>Threads of a group of the kernel that traces, and of the one that refines.</summary>
-        public int TraceGroup => GroupOf(_kernel);
+        public int TraceGroup => _shader.GroupOf(_kernel);
 
         /// <inheritdoc cref="TraceGroup"/>
-        public int RefineGroup => GroupOf(_refineKernel);
+        public int RefineGroup => _shader.GroupOf(_refineKernel);
 
         /// <summary>First and end column, first and end row of the rays traced.</summary>
         public static int[] RegionOf(in RadarSettings settings)
@@ -180,7 +180,7 @@ namespace Glint
             _shader.SetBuffer(_entryPointsKernel, ShaderIDs._FoundEntryPoints, entryPoints.Buffer);
             _shader.SetInt(ShaderIDs._FirstTile, firstTile);
             _shader.SetInt(ShaderIDs._TileCount, count);
-            DispatchThreads(_entryPointsKernel, (long)count * scene.InlineInstances.Count);
+            _shader.DispatchThreads(_entryPointsKernel, (long)count * scene.InlineInstances.Count);
         }
 
         /// <summary>Traces the rays of some tiles and lists candidates.</summary>
@@ -189,7 +189,7 @@ namespace Glint
             _shader.SetInt(ShaderIDs._FirstTile, firstTile);
             _shader.SetInt(ShaderIDs._TileCount, count);
             SetCandidates(_kernel, candidates, hasSubRays: false);
-            DispatchThreads(_kernel, (long)count * PictureTiles.Rays);
+            _shader.DispatchThreads(_kernel, (long)count * PictureTiles.Rays);
         }
 
         /// <summary>Traces the sub-rays of chosen pixels and lists candidates.</summary>
@@ -198,7 +198,7 @@ namespace Glint
         {
             SetCandidates(_kernel, candidates, hasSubRays: true);
             if (pixels.HasValue)
-                DispatchThreads(_kernel, (long)pixels.Value * SamplingEstimate.SubGrids);
+                _shader.DispatchThreads(_kernel, (long)pixels.Value * SamplingEstimate.SubGrids);
             else
                 _shader.DispatchIndirect(_kernel, arguments, SliceArguments.SubRays);
         }
@@ -215,7 +215,7 @@ namespace Glint
             _shader.SetInt(ShaderIDs._FirstReceived, firstReceived);
             _shader.SetInt(ShaderIDs._HasLengths, _hasLengths && first == 0 ? 1 : 0);
             if (threads.HasValue)
-                DispatchThreads(_refineKernel, threads.Value);
+                _shader.DispatchThreads(_refineKernel, threads.Value);
             else
                 _shader.DispatchIndirect(_refineKernel, arguments,
                     areSubRays ? SliceArguments.RefineSubRays : SliceArguments.Refine);
@@ -233,7 +233,7 @@ namespace Glint
             _shader.SetInt(ShaderIDs._PathCount, count);
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Candidates, listed.Buffer);
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Hits, hits.Buffer);
-            DispatchThreads(_pathsKernel, count);
+            _shader.DispatchThreads(_pathsKernel, count);
         }
 
         void SetBvhs(int kernel, DeviceScene scene)
@@ -255,26 +255,10 @@ namespace Glint
             _shader.SetBuffer(kernel, ShaderIDs._Met, candidates.Met.Buffer);
         }
 
-        int GroupOf(int kernel)
-        {
-            _shader.GetKernelThreadGroupSizes(kernel, out uint size, out _, out _);
-            return (int)size;
-        }
-
-        void DispatchThreads(int kernel, long threads)
-        {
-            int size = GroupOf(kernel), groups = (int)((threads + size - 1) / size);
-            if (groups > 0)
-                _shader.Dispatch(kernel, math.min(groups, GroupsARow), (groups + GroupsARow - 1) / GroupsARow, 1);
-        }
-
         void SetVector((int value, int lo) id, double3 v)
         {
             _shader.SetVector(id.value, new Vector4((float)v.x, (float)v.y, (float)v.z, 0));
             _shader.SetVector(id.lo, new Vector4(DoubleFloat.Lo(v.x), DoubleFloat.Lo(v.y), DoubleFloat.Lo(v.z), 0));
         }
-
-        void SetNumber(int id, double value) =>
-            _shader.SetVector(id, new Vector4((float)value, DoubleFloat.Lo(value), 0, 0));
     }
 }

@@ -27,7 +27,7 @@ public sealed class BenchTests
     public void Bench_OfTheBuiltInScene_WritesItsFigures()
     {
         string file = Path.Combine(_folder, "figures.json");
-        var (code, output, error) = Run([.. Small, "--json", file]);
+        var (code, output, error) = TestShell.Run([.. Small, "--json", file]);
 
         Assert.That(code, Is.EqualTo(0), error);
         var figures = JObject.Parse(File.ReadAllText(file));
@@ -66,7 +66,7 @@ public sealed class BenchTests
     public void Bench_ComparingEverySeventhRayOfARegion_ComparesThose()
     {
         string file = Path.Combine(_folder, "figures.json");
-        var (code, _, error) = Run([.. Small, "--region", "11,5,60,40", "--reference", "7", "--json", file]);
+        var (code, _, error) = TestShell.Run([.. Small, "--region", "11,5,60,40", "--reference", "7", "--json", file]);
 
         Assert.That(code, Is.EqualTo(0), error);
         var figures = JObject.Parse(File.ReadAllText(file));
@@ -85,7 +85,7 @@ public sealed class BenchTests
         string plate = Path.Combine(_folder, "plate.obj"), scene = Path.Combine(_folder, "it's a scene.bin"),
             file = Path.Combine(_folder, "figures.json");
         File.WriteAllText(plate, "v -0.5 -0.5 0\nv 0.5 -0.5 0\nv 0.5 0.5 0\nv -0.5 0.5 0\nf 1 2 3 4\n");
-        var (code, output, error) = Run("bench", plate, "--grazing", "0", "--fov", "2.29153", "--size", "64x64",
+        var (code, output, error) = TestShell.Run("bench", plate, "--grazing", "0", "--fov", "2.29153", "--size", "64x64",
             "--rounds", "2", "--reference", "none",
             "--write-scene", scene, "--json", file, "--peer", "Bytes=echo size $(wc -c < {scene}) ms", "--peer",
             "Fixed=printf 'build 7 ms\\nframe 5 ms\\nframe 6 ms\\n'");
@@ -108,7 +108,7 @@ public sealed class BenchTests
     {
         string path = Path.Combine(_folder, "path");
         var (code, _, error) =
-            Run([.. Small, "--reference", "none", "--peer", $"P=echo {{scene}} > {path}; echo frame 1 ms"]);
+            TestShell.Run([.. Small, "--reference", "none", "--peer", $"P=echo {{scene}} > {path}; echo frame 1 ms"]);
 
         Assert.That(code, Is.EqualTo(0), error);
         string scene = File.ReadAllText(path).Trim();
@@ -119,7 +119,7 @@ public sealed class BenchTests
     [Test]
     public void Bench_WhosePeerFails_FailsInOneLine()
     {
-        var (code, output, error) = Run([.. Small, "--peer", "Broken=echo out of luck; exit 9"]);
+        var (code, output, error) = TestShell.Run([.. Small, "--peer", "Broken=echo out of luck; exit 9"]);
 
         Assert.That(code, Is.EqualTo(1));
         Assert.That(error.TrimEnd().Split('\n')[^1].TrimEnd(),
@@ -132,7 +132,7 @@ public sealed class BenchTests
     public void Bench_OfAFileThatCannotBeWritten_IsRefusedBeforeTheWork(string flag)
     {
         string file = Path.Combine(_folder, "none", "x");
-        var (code, _, error) = Run("bench", flag, file);
+        var (code, _, error) = TestShell.Run("bench", flag, file);
 
         Assert.That(code, Is.EqualTo(1));
         Assert.That(error, Does.StartWith($"glint: {flag} {file}: cannot be written").And.Contain("name another file"));
@@ -145,7 +145,7 @@ public sealed class BenchTests
         var line = CommandLine.Parse(Commands.Bench, [.. Small[1..], "--json", file, "--peer", "Sleeper=sleep 60"]);
         var progress = new CancelInTheFirstRound();
 
-        Assert.Throws<OperationCanceledException>(() => new BenchCommand(Quiet(TextWriter.Null, TextWriter.Null))
+        Assert.Throws<OperationCanceledException>(() => new BenchCommand(TestShell.Quiet(TextWriter.Null, TextWriter.Null))
             .Execute(line, progress));
         Assert.That(File.Exists(file), Is.False);
     }
@@ -179,15 +179,5 @@ public sealed class BenchTests
         public void Finish() { }
 
         public void Print(string line) { }
-    }
-
-    static Terminal Quiet(TextWriter output, TextWriter error) =>
-        new() { Out = output, Error = error, Live = null, Width = 100, SharesScreen = false };
-
-    static (int code, string output, string error) Run(params string[] arguments)
-    {
-        var (output, error) = (new StringWriter(), new StringWriter());
-        int code = new Shell(Quiet(output, error)).Run(arguments);
-        return (code, output.ToString(), error.ToString());
     }
 }

@@ -39,7 +39,7 @@ public sealed class SweepBenchTests
     public void Sweep_OfTheBuiltInScene_CountsItsRowsAndWork()
     {
         string file = Path.Combine(_folder, "figures.json");
-        var (code, output, error) = Run([.. Small, "--sweep", "5", "--json", file]);
+        var (code, output, error) = TestShell.Run([.. Small, "--sweep", "5", "--json", file]);
 
         Assert.That(code, Is.EqualTo(0), error);
         var figures = JObject.Parse(File.ReadAllText(file));
@@ -68,7 +68,7 @@ public sealed class SweepBenchTests
     {
         string plate = Path.Combine(_folder, "plate.obj"), file = Path.Combine(_folder, "figures.json");
         File.WriteAllText(plate, "v -0.5 -0.5 0\nv 0.5 -0.5 0\nv 0.5 0.5 0\nv -0.5 0.5 0\nf 1 2 3 4\n");
-        var (code, _, error) = Run("bench", plate, "--grazing", "0", "--fov", "2.29153", "--size", "64x64",
+        var (code, _, error) = TestShell.Run("bench", plate, "--grazing", "0", "--fov", "2.29153", "--size", "64x64",
             "--rounds", "2", "--sweep", "3", "--json", file, "--peer", "Plain=test -s {scene} && echo frame 5 ms");
 
         Assert.That(code, Is.EqualTo(0), error);
@@ -91,7 +91,7 @@ public sealed class SweepBenchTests
     [TestCase("--accuracy: not with --sweep", "--sweep", "3", "--accuracy")]
     public void Sweep_CalledWrongly_IsRefused(string message, params string[] arguments)
     {
-        var (code, output, error) = Run(["bench", .. arguments]);
+        var (code, output, error) = TestShell.Run(["bench", .. arguments]);
         Assert.That(code, Is.EqualTo(2));
         Assert.That(error.Replace($"--sweep {arguments[^1]}:", "--sweep:"), Does.StartWith($"glint: {message}"));
         Assert.That(output, Is.Empty);
@@ -102,7 +102,7 @@ public sealed class SweepBenchTests
     {
         var line = CommandLine.Parse(Commands.Bench, [.. Small[1..], "--sweep", "100000"]);
         Assert.Throws<OperationCanceledException>(() =>
-            new BenchCommand(Quiet(TextWriter.Null, TextWriter.Null)).Execute(line, new CancelAfterSomePoses()));
+            new BenchCommand(TestShell.Quiet(TextWriter.Null, TextWriter.Null)).Execute(line, new CancelAfterSomePoses()));
         Assert.That(Directory.GetFileSystemEntries(_temporary), Is.Empty);
     }
 
@@ -138,15 +138,5 @@ public sealed class SweepBenchTests
         public void Finish() { }
 
         public void Print(string line) { }
-    }
-
-    static Terminal Quiet(TextWriter output, TextWriter error) =>
-        new() { Out = output, Error = error, Live = null, Width = 100, SharesScreen = false };
-
-    static (int code, string output, string error) Run(params string[] arguments)
-    {
-        var (output, error) = (new StringWriter(), new StringWriter());
-        int code = new Shell(Quiet(output, error)).Run(arguments);
-        return (code, output.ToString(), error.ToString());
     }
 }
