@@ -1,0 +1,81 @@
+using System;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>The input of a cross section: a scene, one direction of illumination, and what receives.</summary>
+    public sealed class CrossSectionPose
+    {
+        /// <summary>Bend of an edge, degrees, above which it is sharp.</summary>
+        public const double DefaultCreaseDegrees = 20;
+
+        /// <summary>The scene, metres.</summary>
+        public RadarScene Scene { get; set; }
+
+        /// <summary>The radar that illuminates.</summary>
+        public RadarAspect Radar { get; set; }
+
+        /// <summary>Those that receive, at the same range; <see cref="Radar"/> alone is monostatic.</summary>
+        public RadarAspect[] Receivers { get; set; }
+
+        /// <summary>
+        /// The point that phases are relative to, in the scene's frame, metres: the incident wave has phase 0 there.
+        /// </summary>
+        public double3 PhaseCentre { get; set; }
+
+        /// <summary>
+        /// Distance from the phase centre to the radar and to each receiver, metres. Infinite: plane wave and far field.
+        /// </summary>
+        public double Range { get; set; } = double.PositiveInfinity;
+
+        /// <summary>Hertz, in ascending order.</summary>
+        public double[] Frequencies { get; set; }
+
+        /// <summary>Maximum number of bounces of a path, 1 to <see cref="RadarSettings.BounceLimit"/>.</summary>
+        public int MaxBounces { get; set; } = RadarSettings.Default.MaxBounces;
+
+        /// <summary>Above 0: only the contributions of this bounce.</summary>
+        public int OnlyBounce { get; set; }
+
+        /// <summary>Whether edges add their fringe fields.</summary>
+        public bool HasEdges { get; set; } = true;
+
+        /// <summary>Whether the currents of curved conductors fade towards the shadow.</summary>
+        public bool FadesShadows { get; set; } = true;
+
+        /// <summary>Bend of an edge, degrees, above which it is sharp and normals are not smoothed across it.</summary>
+        public double CreaseDegrees { get; set; } = DefaultCreaseDegrees;
+
+        /// <summary>Whether the radar is so far that its wave is plane.</summary>
+        public bool IsFar => double.IsPositiveInfinity(Range);
+    }
+
+    /// <summary>Direction and polarisations of a radar that looks at the phase centre.</summary>
+    public readonly struct RadarAspect
+    {
+        /// <summary>An aspect; the three are unit vectors, across each other.</summary>
+        public RadarAspect(double3 toRadar, double3 up, double3 right) => (ToRadar, Up, Right) = (toRadar, up, right);
+
+        /// <summary>From the target to the radar.</summary>
+        public double3 ToRadar { get; }
+
+        /// <summary>Vertical polarisation: the radar's up.</summary>
+        public double3 Up { get; }
+
+        /// <summary>Horizontal polarisation: the radar's right.</summary>
+        public double3 Right { get; }
+
+        /// <summary>
+        /// The aspect of an upright radar. Azimuth 0 is on the -Z side and grows as Unity's rotation about Y; elevation
+        /// is the angle above the horizontal. Degrees.
+        /// </summary>
+        public static RadarAspect At(double azimuthDegrees, double elevationDegrees)
+        {
+            double azimuth = math.radians(azimuthDegrees), elevation = math.radians(elevationDegrees);
+            double sinA = Math.Sin(azimuth), cosA = Math.Cos(azimuth);
+            double sinE = Math.Sin(elevation), cosE = Math.Cos(elevation);
+            return new RadarAspect(new double3(-sinA * cosE, sinE, -cosA * cosE),
+                new double3(sinA * sinE, cosE, cosA * sinE), new double3(cosA, 0, -sinA));
+        }
+    }
+}
