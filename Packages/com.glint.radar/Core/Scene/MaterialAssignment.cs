@@ -55,30 +55,30 @@ namespace Glint.Core
                 return parts.Length == 1
                     ? PublishedMaterial.Find(parts[0]).ToSurface(name)
                     : throw new FormatException($"begins with {Values.Shown(parts[0])}: must be {Forms}");
-            var rest = new Queue<string>(parts.Skip(1));
+            var remaining = new Queue<string>(parts.Skip(1));
             var layers = new List<MaterialLayer>();
-            while (rest.Count > 0)
+            while (remaining.Count > 0)
             {
-                var medium = ReadMedium(rest);
-                if (rest.Count == 0 && parts[0] == Open)
+                var medium = ReadMedium(remaining);
+                if (remaining.Count == 0 && parts[0] == Open)
                     return new SurfaceMaterial(name, layers, medium);
-                layers.Add(new MaterialLayer(medium, ReadNumber(rest, "the thickness t in metres")));
+                layers.Add(new MaterialLayer(medium, ReadNumber(remaining, "the thickness t in metres")));
             }
             return parts[0] == Metal
                 ? new SurfaceMaterial(name, layers)
                 : throw new FormatException($"the medium of the half-space is missing: must be {Forms}");
         }
 
-        static Medium ReadMedium(Queue<string> rest) => Values.TryReal(rest.Peek(), out _)
-            ? Medium.Constant(ReadNumber(rest, "e'"), ReadNumber(rest, "e''"), ReadNumber(rest, "mu'"),
-                ReadNumber(rest, "mu''"))
-            : PublishedMaterial.Find(rest.Dequeue()).Medium;
+        static Medium ReadMedium(Queue<string> remaining) => Values.TryReal(remaining.Peek(), out _)
+            ? Medium.Constant(ReadNumber(remaining, "e'"), ReadNumber(remaining, "e''"), ReadNumber(remaining, "mu'"),
+                ReadNumber(remaining, "mu''"))
+            : PublishedMaterial.Find(remaining.Dequeue()).Medium;
 
-        static double ReadNumber(Queue<string> rest, string what)
+        static double ReadNumber(Queue<string> remaining, string what)
         {
-            if (rest.Count == 0)
+            if (remaining.Count == 0)
                 throw new FormatException($"{what} is missing: must be {Forms}");
-            string text = rest.Dequeue();
+            string text = remaining.Dequeue();
             return Values.TryReal(text, out double value)
                 ? value
                 : throw new FormatException($"{what} is {Values.Shown(text)}, not a number: must be {Forms}");
