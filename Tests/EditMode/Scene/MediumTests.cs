@@ -69,8 +69,8 @@ namespace Glint.Tests
         public void Constant_ThatNoPassiveMediumHas_IsRefused(double permittivity, double permittivityLoss,
             double permeability, double permeabilityLoss, string message)
         {
-            Assert.That(Assert.Throws<GlintException>(() => Medium.Constant(permittivity, permittivityLoss, permeability,
-                permeabilityLoss)).Message, Is.EqualTo(message));
+            Assert.That(Assert.Throws<GlintException>(() => Medium.Constant(permittivity, permittivityLoss,
+                permeability, permeabilityLoss)).Message, Is.EqualTo(message));
             var sample = new MediumSample(1e9, permittivity, permittivityLoss, permeability, permeabilityLoss);
             Assert.That(Assert.Throws<GlintException>(() => Medium.Table(new[] { sample })).Message,
                 Is.EqualTo(message));

@@ -69,7 +69,8 @@ namespace Glint.Tests
             Assert.That(Refusal(),
                 Is.EqualTo("Radar Material 'hull': the thickness of a layer is -1 m: give 0 or more"));
             (_material.Kind, _material.Published) = (RadarMaterialKind.Published, "");
-            Assert.That(Refusal(), Does.StartWith("Radar Material 'hull': no published material is called \"\": give "));
+            Assert.That(Refusal(),
+                Does.StartWith("Radar Material 'hull': no published material is called \"\": give "));
 
             string Refusal() => Assert.Throws<GlintException>(() => _material.ToSurface()).Message;
         }

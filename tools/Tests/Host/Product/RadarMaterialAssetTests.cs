@@ -19,7 +19,7 @@ public sealed class RadarMaterialAssetTests : WritingFixture
     public void Asset_WithANameOnly_IsAConductor()
     {
         Project.Write("Assets/Steel.asset", Header + "--- !u!114 &11400000\nMonoBehaviour:\n  m_ObjectHideFlags: 0\n"
-            + $"  m_Enabled: 1\n  m_Script: {Asset(11500000, Script)}\n  m_Name: Steel\n  m_EditorClassIdentifier: \n", 4);
+            + $"  m_Enabled: 1\n  m_Script: {Asset(11500000, Script)}\n  m_Name: Steel\n", 4);
         var read = Reopened<RadarMaterial>("Assets/Steel.asset");
         Assert.That(read.ToSurface(), Is.EqualTo(new SurfaceMaterial("Steel")));
         Assert.That((read.Layers.Count, read.HalfSpace.Values.Count), Is.EqualTo((0, 1)));

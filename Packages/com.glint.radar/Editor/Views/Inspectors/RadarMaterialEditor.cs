@@ -4,7 +4,9 @@ using UnityEngine.UIElements;
 
 namespace Glint.Editor.Views
 {
-    /// <summary>The inspector of a Radar Material: values, or a choice of published materials with their source.</summary>
+    /// <summary>
+    /// The inspector of a Radar Material: values, or a choice of published materials with their source.
+    /// </summary>
     [CustomEditor(typeof(RadarMaterial)), CanEditMultipleObjects]
     sealed class RadarMaterialEditor : FiguresEditor
     {
