@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
 using System.Linq;
 using System.Numerics;
-using System.Threading;
 using Glint.Core;
 using NUnit.Framework;
 
@@ -330,21 +328,11 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Text_WhereNumbersHaveACommaForAPoint_IsTheSame()
+        public void Text_InAForeignCulture_IsTheSame()
         {
-            var before = Thread.CurrentThread.CurrentCulture;
-            var comma = (CultureInfo)CultureInfo.InvariantCulture.Clone();
-            comma.NumberFormat.NumberDecimalSeparator = ",";
-            try
-            {
-                Thread.CurrentThread.CurrentCulture = comma;
-                Assert.That(OnMetal(Medium.Constant(4.5, 0.4), 0.0025, "paint").ToString(),
-                    Is.EqualTo("paint: 0.0025 m of e 4.5 - 0.4j mu 1 - 0j on perfect conductor"));
-            }
-            finally
-            {
-                Thread.CurrentThread.CurrentCulture = before;
-            }
+            using (new ForeignCulture())
+                Assert.That(OnMetal(Medium.Constant(-4.5, 0.4), 0.0025, "paint").ToString(),
+                    Is.EqualTo("paint: 0.0025 m of e -4.5 - 0.4j mu 1 - 0j on perfect conductor"));
         }
 
         static SurfaceMaterial HalfSpace(Medium medium) => new SurfaceMaterial("", null, medium);
