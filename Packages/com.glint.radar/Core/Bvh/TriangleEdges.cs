@@ -32,12 +32,12 @@ namespace Glint.Core
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public static int[] Match(int[] corners, int vertexCount, bool[] used, CancellationToken cancel = default)
         {
-            var sorted = Sort(corners, vertexCount, used, out var starts, cancel);
+            var sorted = Sort(corners, vertexCount, used, out var firsts, cancel);
             var across = new int[corners.Length];
             Blocks.For(across.Length, (from, to) => Array.Fill(across, None, from, to - from), cancel);
             Blocks.For(vertexCount, (from, to) =>
             {
-                for (int i = starts[from]; i + 1 < starts[to]; i++)
+                for (int i = firsts[from]; i + 1 < firsts[to]; i++)
                 {
                     int a = sorted[i], b = sorted[i + 1];
                     if (!IsSame(corners, a, b))
@@ -54,9 +54,9 @@ namespace Glint.Core
         /// The edges of the triangles that take part, sorted by the lower of their vertices, the higher one and their
         /// number: edges between the same vertices follow each other.
         /// </summary>
-        /// <param name="starts">For each vertex the place of the first edge whose lower vertex it is.</param>
+        /// <param name="firsts">For each vertex the place of the first edge whose lower vertex it is.</param>
         /// <inheritdoc cref="Match"/>
-        public static int[] Sort(int[] corners, int vertexCount, bool[] used, out int[] starts,
+        public static int[] Sort(int[] corners, int vertexCount, bool[] used, out int[] firsts,
             CancellationToken cancel = default)
         {
             // A counting sort of the edges by the lower of their vertices, in linear time.
@@ -77,7 +77,7 @@ namespace Glint.Core
                 for (int vertex = from; vertex < to; vertex++)
                     SortAround(corners, sorted, places[vertex], places[vertex + 1] - places[vertex], ref keys);
             }, cancel);
-            starts = places;
+            firsts = places;
             return sorted;
         }
 
