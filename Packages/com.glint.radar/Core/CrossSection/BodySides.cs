@@ -6,7 +6,8 @@ namespace Glint.Core
     /// <summary>
     /// On which sides of its triangles a scene has air. Triangles that meet two at an edge are one surface and get the
     /// same orientation, whatever their windings. A surface without borders that encloses a volume has air outside
-    /// only; any other one, and one with a single side (a Moebius strip), has air on both sides.
+    /// only; any other one, and one with a single side (a Moebius strip), has air on both sides. Bodies that share
+    /// whole faces of a mesh count as sheets too: their edges outside are the same, and rays do not reach those inside.
     /// </summary>
     sealed class BodySides
     {

@@ -32,8 +32,8 @@ namespace Glint.Core
     }
 
     /// <summary>
-    /// Joins open edges that lie on each other: faces of CAD meshes that share no vertices, and T-junctions. Each edge is
-    /// cut where an edge that lies on it begins or ends.
+    /// Joins open edges that lie on each other: faces of CAD meshes that share no vertices, and T-junctions. Each edge
+    /// is cut where an edge that lies on it begins or ends.
     /// </summary>
     sealed class OpenEdges
     {
@@ -127,18 +127,18 @@ namespace Glint.Core
                 return;
             double3 along = edge.Along;
             double from = math.dot(other.From - edge.From, along), to = math.dot(other.To - edge.From, along);
-            double low = math.max(0, math.min(from, to)), high = math.min(edge.Length, math.max(from, to));
-            if (high - low <= MinLength * _tolerance)
+            double min = math.max(0, math.min(from, to)), max = math.min(edge.Length, math.max(from, to));
+            if (max - min <= MinLength * _tolerance)
                 return;
-            double3 first = edge.From + low * along, last = edge.From + high * along;
+            double3 first = edge.From + min * along, last = edge.From + max * along;
             double otherFirst = other.Project(first), otherLast = other.Project(last);
             if (math.distance(first, other.At(otherFirst)) > _tolerance
                 || math.distance(last, other.At(otherLast)) > _tolerance)
                 return;
-            _overlaps.Add(new Overlap { Edge = i, Other = j, Low = low, High = high });
+            _overlaps.Add(new Overlap { Edge = i, Other = j, Min = min, Max = max });
             _overlaps.Add(new Overlap
             {
-                Edge = j, Other = i, Low = math.min(otherFirst, otherLast), High = math.max(otherFirst, otherLast),
+                Edge = j, Other = i, Min = math.min(otherFirst, otherLast), Max = math.max(otherFirst, otherLast),
             });
         }
 
@@ -170,7 +170,7 @@ namespace Glint.Core
             for (int i = 0; i + 1 < cuts.Count; i++)
             {
                 double centre = (cuts[i].at + cuts[i + 1].at) / 2;
-                var others = overlaps.FindAll(overlap => overlap.Low < centre && centre < overlap.High);
+                var others = overlaps.FindAll(overlap => overlap.Min < centre && centre < overlap.Max);
                 if (others.Exists(overlap => overlap.Other < number))
                     continue;
                 var faces = new EdgeFace[others.Count + 1];
@@ -181,8 +181,8 @@ namespace Glint.Core
             }
         }
 
-        // Places along the edge, ascending and at least a tolerance apart, from its beginning to its end. The points are
-        // corners of meshes, so that pieces of different edges end at the same point.
+        // Places along the edge, ascending and at least a tolerance apart, from its beginning to its end. The points
+        // are corners of meshes, so that pieces of different edges end at the same point.
         List<(double at, double3 point)> CutsOf(in OpenEdge edge, List<Overlap> overlaps)
         {
             var all = new List<(double at, double3 point)>();
@@ -221,7 +221,7 @@ namespace Glint.Core
         struct Overlap
         {
             public int Edge, Other;
-            public double Low, High;
+            public double Min, Max;
         }
     }
 }

@@ -20,8 +20,8 @@ namespace Glint.Core
 
         const double MaxCreaseDegrees = 90;
 
-        // Maximum distance of a flat patch's corners from its plane, in roundings of a coordinate: of the corner, and of
-        // those that the plane is computed from.
+        // Maximum distance of a flat patch's corners from its plane, in roundings of a coordinate: of the corner, and
+        // of those that the plane is computed from.
         const double FlatRoundings = 8;
 
         readonly int[] _smoothAcross; // the side across a smooth edge, for each side
@@ -46,8 +46,8 @@ namespace Glint.Core
         /// <param name="mesh">Kept, not copied.</param>
         /// <param name="ranges">Its ranges, of which the surfaces matter; null: one surface.</param>
         /// <param name="creaseDegrees">
-        /// Edges bent by more than this angle are sharp, 0 to 90 degrees. Facets that differ by no more than the rounding
-        /// of float32 coordinates are one patch at any angle.
+        /// Edges bent by more than this angle are sharp, 0 to 90 degrees. Facets that differ by no more than the
+        /// rounding of float32 coordinates are one patch at any angle.
         /// </param>
         /// <exception cref="GlintException">The crease angle is out of its range.</exception>
         public static SurfacePatches Find(TriangleMesh mesh, MeshRange[] ranges = null,
@@ -213,21 +213,21 @@ namespace Glint.Core
         readonly WeldedMesh _welded;
         readonly FacetNormals _normals;
         readonly int[] _smoothAcross;
-        readonly float3[] _found;
+        readonly float3[] _means;
         readonly bool[] _visited;
         readonly List<(int corner, int sign)> _fan = new List<(int, int)>();
 
         public CornerNormalFinder(WeldedMesh welded, FacetNormals normals, int[] smoothAcross)
         {
             (_welded, _normals, _smoothAcross) = (welded, normals, smoothAcross);
-            _found = new float3[smoothAcross.Length];
+            _means = new float3[smoothAcross.Length];
             _visited = new bool[smoothAcross.Length];
         }
 
         /// <summary>A unit vector for each corner.</summary>
         public float3[] Find()
         {
-            for (int corner = 0; corner < _found.Length; corner++)
+            for (int corner = 0; corner < _means.Length; corner++)
             {
                 if (_visited[corner])
                     continue;
@@ -238,7 +238,7 @@ namespace Glint.Core
                 Walk(PreviousSide(corner));
                 Store();
             }
-            return _found;
+            return _means;
         }
 
         // From triangle to triangle around the first corner of the fan, out through a side that touches it.
@@ -275,7 +275,7 @@ namespace Glint.Core
             {
                 var own = _normals[corner / 3];
                 var normal = math.dot(sign * mean, own) > 0 ? sign * mean : own;
-                _found[corner] = (float3)math.normalizesafe(normal, new double3(0, 1, 0));
+                _means[corner] = (float3)math.normalizesafe(normal, new double3(0, 1, 0));
             }
         }
 

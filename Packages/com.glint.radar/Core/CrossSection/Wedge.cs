@@ -23,8 +23,8 @@ namespace Glint.Core
     }
 
     /// <summary>
-    /// A straight edge of a conducting body, with the air on one side of it. Directions around it are angles from
-    /// <see cref="First"/>, phi: cos(phi) First.Into + sin(phi) First.Normal, from 0 to the outer angle, where the second
+    /// A straight edge of a conducting body, with the air on one side of it. Directions around it are angles phi from
+    /// <see cref="First"/>: cos(phi) First.Into + sin(phi) First.Normal, from 0 to the outer angle, where the second
     /// face is. First.Normal is cross(Direction, First.Into). A thin plate that ends is one wedge whose two faces are
     /// the two sides of the plate, with outer angle 2 pi.
     /// </summary>

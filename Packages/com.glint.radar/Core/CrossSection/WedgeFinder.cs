@@ -24,12 +24,11 @@ namespace Glint.Core
     /// <remarks>
     /// Edges are those between patches and the open ones. All triangles at an edge are sorted by their direction around
     /// it. Each angle between neighbours is a wedge if it is air: outside a closed body, or on either side of a thin
-    /// sheet. So two thin plates that meet are two wedges, one within the corner and one behind it; the edge of a box is
-    /// one; a plate that ends is one of 2 pi; three plates that meet are three. Angles that differ from pi by no more
-    /// than the crease angle are a smooth surface, and none. Open edges of different triangles that lie on each other
-    /// within <see cref="RelativeTolerance"/> of the scene's size are one edge over the length that they share.
-    /// An open edge that ends within a face of another sheet remains the end of a plate: such edges are not cut into
-    /// the face.
+    /// sheet. So two thin plates that meet are two wedges, one within the corner and one behind it; the edge of a box
+    /// is one; a plate that ends is one of 2 pi; three plates that meet are three. Angles that differ from pi by no
+    /// more than the crease angle are a smooth surface, and none. Open edges of different triangles that lie on each
+    /// other within <see cref="RelativeTolerance"/> of the scene's size are one edge over the length that they share.
+    /// An open edge that lies on a face, away from its edges, remains the end of a plate.
     /// </remarks>
     public sealed class WedgeFinder
     {
@@ -43,7 +42,7 @@ namespace Glint.Core
         readonly bool[][] _isConductor; // for each instance and triangle
         readonly List<EdgePiece> _pieces;
         readonly BodySides _sides;
-        readonly List<FoundWedge> _found = new List<FoundWedge>();
+        readonly List<WedgePiece> _wedges = new List<WedgePiece>();
         readonly List<FaceAtEdge> _around = new List<FaceAtEdge>();
 
         WedgeFinder(RadarScene scene, IReadOnlyList<SurfacePatches> patches, Predicate<SurfaceMaterial> isConductor)
@@ -78,13 +77,13 @@ namespace Glint.Core
             var wedges = new List<Wedge>();
             int coated = 0;
             double coatedLength = 0;
-            foreach (var found in WedgeJoiner.Join(finder._found))
-                if (found.IsConductor)
-                    wedges.Add(found.Wedge);
+            foreach (var piece in WedgeJoiner.Join(finder._wedges))
+                if (piece.IsConductor)
+                    wedges.Add(piece.Wedge);
                 else
                 {
                     coated++;
-                    coatedLength += found.Wedge.Length;
+                    coatedLength += piece.Wedge.Length;
                 }
             return new WedgeSet(wedges.ToArray(), coated, coatedLength);
         }
@@ -172,7 +171,7 @@ namespace Glint.Core
             double crease = math.radians(math.max(firstPatches.CreaseDegrees, secondPatches.CreaseDegrees));
             if (math.abs(angle - math.PI_DBL) <= crease + uncertainty && firstConducts == secondConducts)
                 return;
-            _found.Add(new FoundWedge(
+            _wedges.Add(new WedgePiece(
                 new Wedge(piece.A, piece.B,
                     new WedgeFace(first.Into, firstNormal, first.Face.Instance, first.Face.Triangle),
                     new WedgeFace(second.Into, secondNormal, second.Face.Instance, second.Face.Triangle), angle),

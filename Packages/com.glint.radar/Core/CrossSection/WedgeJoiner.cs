@@ -5,11 +5,11 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>A wedge before collinear ones are joined.</summary>
-    readonly struct FoundWedge
+    readonly struct WedgePiece
     {
         readonly bool _firstConducts, _secondConducts;
 
-        public FoundWedge(Wedge wedge, bool firstConducts, bool secondConducts, double uncertainty) =>
+        public WedgePiece(Wedge wedge, bool firstConducts, bool secondConducts, double uncertainty) =>
             (Wedge, _firstConducts, _secondConducts, Uncertainty) =
                 (wedge, firstConducts, secondConducts, uncertainty);
 
@@ -21,15 +21,15 @@ namespace Glint.Core
         public bool IsConductor => _firstConducts && _secondConducts;
 
         /// <summary>The same wedge, seen from its other end.</summary>
-        public FoundWedge Reversed() => new FoundWedge(
+        public WedgePiece Reversed() => new WedgePiece(
             new Wedge(Wedge.B, Wedge.A, Wedge.Second, Wedge.First, Wedge.OuterAngle), _secondConducts, _firstConducts,
             Uncertainty);
 
         /// <summary>Another wedge with the same surfaces.</summary>
-        public FoundWedge With(Wedge wedge) => new FoundWedge(wedge, _firstConducts, _secondConducts, Uncertainty);
+        public WedgePiece With(Wedge wedge) => new WedgePiece(wedge, _firstConducts, _secondConducts, Uncertainty);
 
         /// <summary>Whether another wedge along the same direction has the same faces.</summary>
-        public bool HasFacesOf(in FoundWedge other, double tolerance)
+        public bool HasFacesOf(in WedgePiece other, double tolerance)
         {
             double turn = tolerance + Uncertainty + other.Uncertainty;
             return _firstConducts == other._firstConducts && _secondConducts == other._secondConducts
@@ -53,24 +53,24 @@ namespace Glint.Core
 
         const int None = -1;
 
-        readonly List<FoundWedge> _found;
-        readonly List<FoundWedge> _joined = new List<FoundWedge>();
-        readonly List<FoundWedge> _chain = new List<FoundWedge>();
+        readonly List<WedgePiece> _pieces;
+        readonly List<WedgePiece> _joined = new List<WedgePiece>();
+        readonly List<WedgePiece> _chain = new List<WedgePiece>();
         readonly int[] _links; // the end that each end continues at; wedge w has ends 2w (A) and 2w + 1 (B)
         readonly bool[] _isDone;
 
-        WedgeJoiner(List<FoundWedge> found)
+        WedgeJoiner(List<WedgePiece> pieces)
         {
-            _found = found;
-            _links = new int[2 * found.Count];
-            _isDone = new bool[found.Count];
+            _pieces = pieces;
+            _links = new int[2 * pieces.Count];
+            _isDone = new bool[pieces.Count];
             Array.Fill(_links, None);
         }
 
         /// <summary>The wedges after joining.</summary>
-        public static List<FoundWedge> Join(List<FoundWedge> found)
+        public static List<WedgePiece> Join(List<WedgePiece> pieces)
         {
-            var joiner = new WedgeJoiner(found);
+            var joiner = new WedgeJoiner(pieces);
             joiner.Link();
             // Chains with ends first, then rings.
             for (int end = 0; end < joiner._links.Length; end++)
@@ -86,7 +86,7 @@ namespace Glint.Core
             var endsAt = new Dictionary<double3, List<int>>();
             for (int end = 0; end < _links.Length; end++)
             {
-                double3 point = end % 2 == 0 ? _found[end / 2].Wedge.A : _found[end / 2].Wedge.B;
+                double3 point = end % 2 == 0 ? _pieces[end / 2].Wedge.A : _pieces[end / 2].Wedge.B;
                 if (!endsAt.TryGetValue(point, out var ends))
                     endsAt.Add(point, ends = new List<int>());
                 int other = ends.FindIndex(candidate => Continues(candidate, end));
@@ -104,13 +104,13 @@ namespace Glint.Core
         // From end to end through the point that they share.
         bool Continues(int end, int other)
         {
-            FoundWedge before = From(end ^ 1), after = From(other);
+            WedgePiece before = From(end ^ 1), after = From(other);
             return math.distance(before.Wedge.Direction, after.Wedge.Direction)
                 <= MaxTurn + before.Uncertainty + after.Uncertainty && before.HasFacesOf(after, MaxTurn);
         }
 
         // The wedge as it begins at one of its ends.
-        FoundWedge From(int end) => end % 2 == 0 ? _found[end / 2] : _found[end / 2].Reversed();
+        WedgePiece From(int end) => end % 2 == 0 ? _pieces[end / 2] : _pieces[end / 2].Reversed();
 
         void Follow(int end)
         {
@@ -169,7 +169,7 @@ namespace Glint.Core
         }
 
         // The faces are those of the longest one, turned to be across the joined edge.
-        FoundWedge Merge(int first, int end)
+        WedgePiece Merge(int first, int end)
         {
             if (end - first == 1)
                 return _chain[first];
