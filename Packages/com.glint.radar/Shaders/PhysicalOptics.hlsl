@@ -62,12 +62,12 @@ bool Radiates(TubePath tube, SurfacePoint at, Receiver receiver)
 }
 
 // Factor of the current towards a curved surface's shadow: over the width in which nature fades it.
-float FadeOf(SurfacePoint at, float cosine)
+float FadeOf(SurfacePoint at)
 {
     float radius = _WaveNumber / max(at.CurvatureAlong, 1.0e-20);
     if (_FadesShadows == 0 || at.CurvatureAlong <= 0.0 || radius < MIN_FADED_RADIUS)
         return 1.0;
-    float x = min(1.0, cosine * pow(0.5 * radius, 1.0 / 3.0));
+    float x = min(1.0, at.Cosine * pow(0.5 * radius, 1.0 / 3.0));
     return x * x * (3.0 - 2.0 * x);
 }
 
@@ -95,7 +95,7 @@ Tube CurrentsAt(TubePath tube, SurfacePoint at, uint index, Receiver receiver)
     float4 reflection = ReflectionOf(at.Surface, cosine);
     float section = abs(Section(tube.PlaceU, tube.PlaceV, d));
     float scale = cosine < MIN_COSINE ? 0.0
-        : receiver.Strength * FadeOf(at, cosine) * sqrt(abs(tube.StartSection) * section) / cosine;
+        : receiver.Strength * FadeOf(at) * sqrt(abs(tube.StartSection) * section) / cosine;
     Tube currents = (Tube)0;
     currents.Phase = receiver.Phase - tube.Path.RelativeLength;
     float3 slope = receiver.Direction - d;

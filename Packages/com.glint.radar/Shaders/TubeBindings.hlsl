@@ -20,12 +20,15 @@ static const uint SUM_TUBE_OVERFLOW = 22;  // 1: a contribution was too large fo
 static const uint MAX_RECEIVERS = 16;
 static const uint REFLECTION_STEPS = 1024; // of a table over the cosine of the incidence angle
 static const uint FLAT = 0xffffffff;       // a facet without a field of normals
+// Rays that one thread traces: a software device ends a thread's loops after 65,535 iterations in all.
+static const uint RAYS_A_THREAD = 4;
 static const uint TUBES_A_GROUP = 256;      // of the kernel that sums
 
 // Byte offsets of the indirect dispatches in _Arguments.
 static const uint BORDER_ARGUMENTS = 0;
 static const uint CELL_ARGUMENTS = 12;
 static const uint TUBE_ARGUMENTS = 24;
+static const uint BISECT_ARGUMENTS = 36;
 
 // GLINT_TUBE: the currents of a piece of a ray tube at one hit, towards one receiver (Runtime/CrossSection/Tube.cs).
 // The piece is a polygon in the plane of the grid, whose unit is a base cell.
@@ -36,7 +39,7 @@ struct Tube
     uint Tag;             // receiver | bounce << 8 | corners << 16; no corners: a square about the ray
     float4 CoPolar;       // p.C times area a base cell, m2: VV, HH
     float4 CrossPolar;    // HV, VH
-    float4 Corners01;     // of the polygon, from the place of the ray; x: side of a square
+    float4 Corners01;     // of the polygon, from the place of the ray; of a square its side and bends, m
     float4 Corners23;
     float2 Corner4;
     float Error;          // magnitude of the error of p.C times area, m2
@@ -52,7 +55,7 @@ struct Cell
     uint4 Signatures;     // of the rays through its corners, in order around it
     uint FirstDifference; // bounces before it are the same at all corners
     uint MustDivide;
-    uint2 Unused;
+    uint2 Crossings;      // of the border with two sides: see BorderOf
 };
 
 // Input: what the tracer does not need.
@@ -72,7 +75,7 @@ uint _IsMonostatic;                        // 1: the only receiver is at the rad
 uint _IsNear;                              // 1: finite range
 float _Range;                              // at which the field is 1 at a finite range, m
 float _WaveNumber;                         // of the highest frequency, rad/m
-float _MaxBentPhase;                       // of a cell that is not divided, rad
+float _CellError;                          // of a cell that is not divided, as a fraction of a base cell
 uint _FadesShadows;
 uint _OnlyBounce;                          // 0: all
 
@@ -81,6 +84,7 @@ uint4 _Grid;                               // base cells across; first and numbe
 uint4 _ListCapacity;                       // x: tubes, y: cells, z: borders
 uint _MaxLevel;                            // cells at it are not divided
 uint _BisectLevel;                         // borders are found to 2^-_BisectLevel base cells
+uint _BisectStep;                          // bisections of earlier dispatches
 uint _Round;                               // 0: the base cells
 uint _FrequencyCount;
 StructuredBuffer<float4> _WaveNumbers;     // per frequency: k rad/m; k / 2 pi: float32 and its Lo part

@@ -4,8 +4,7 @@
 #include "TubeGrid.hlsl"
 #include "Sums.hlsl"
 
-// Cuts border cells in two along the border, which is found by bisection on two sides of the cell, or divides them into
-// four cells of the next round. One thread a border cell.
+// Cuts border cells in two along the border, or divides them into four cells of the next round. One thread a border cell.
 
 // Error of a cell that can be neither cut nor divided, as a fraction of its area.
 static const float CRUDE_ERROR = 0.3;
@@ -15,7 +14,6 @@ struct Piece
 {
     float2 Corners[5];
     uint Count;            // 0: the whole cell
-    uint Signature;        // of the rays in it
 };
 
 float Cross2(float2 a, float2 b)
@@ -89,89 +87,42 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (index >= min(_Sums[TUBE_BORDERS], _ListCapacity.z))
         return;
     Cell cell = _Borders[index];
+    Border border = BorderOf(cell);
     float side = SideOfCell(cell);
-    uint changes[2] = { 0, 0 };
-    uint changeCount = 0;
-    uint firstSignature = cell.Signatures.x, otherSignature = firstSignature;
-    bool areTwo = cell.MustDivide == 0;
-    for (uint corner = 0; corner < 4; corner++)
-    {
-        uint signature = cell.Signatures[corner];
-        if (signature != firstSignature)
-        {
-            areTwo = areTwo && (otherSignature == firstSignature || otherSignature == signature);
-            otherSignature = signature;
-        }
-        if (signature != cell.Signatures[(corner + 1) & 3])
-        {
-            changes[min(changeCount, 1)] = corner;
-            changeCount++;
-        }
-    }
-    bool isCut = areTwo && changeCount == 2, canDivide = cell.Level < _MaxLevel;
-    if (!isCut && canDivide)
+    bool canDivide = cell.Level < _MaxLevel, isStraight = ((cell.Crossings.x | cell.Crossings.y) & NO_CROSSING) == 0;
+    if (canDivide && (!border.IsCut || !isStraight))
     {
         Divide(cell);
         return;
     }
-
-    // Ends of the intervals on two sides: near the corner before and after the change.
-    float2 before[2], after[2];
-    float2 directions[2];
-    uint signatureBefore = cell.Signatures[changes[0]], signatureAfter = cell.Signatures[(changes[0] + 1) & 3];
-    before[0] = side * CornerOf(changes[0]);
-    after[0] = side * CornerOf((changes[0] + 1) & 3);
-    before[1] = side * CornerOf((changes[1] + 1) & 3);
-    after[1] = side * CornerOf(changes[1]);
-    directions[0] = (after[0] - before[0]) / side;
-    directions[1] = (after[1] - before[1]) / side;
-    uint steps = isCut ? max(_BisectLevel, cell.Level + 1) - cell.Level : 0;
-    float width = side * asfloat((127 - steps) << 23);
-    uint checks = 2 * steps, pieces = checks + (isCut ? 2 : 0), end = pieces + (isCut ? 2 : 1);
-    float2 chord = 0.0, checkOffset = 0.0;
+    bool isCut = border.IsCut && isStraight;
+    float fraction = asfloat((127 - BisectionsOf(cell)) << 23), width = side * fraction;
+    float2 first = PlaceOnSide(border, 0, (cell.Crossings.x + 0.5) * fraction, side),
+        second = PlaceOnSide(border, 1, (cell.Crossings.y + 0.5) * fraction, side), chord = second - first;
+    float2 directions[2] = { CornerOf((border.Sides.x + 1) & 3) - CornerOf(border.Sides.x),
+        CornerOf((border.Sides.y + 1) & 3) - CornerOf(border.Sides.y) };
+    float size = length(chord);
+    float2 checkOffset = size > 0.0 ? width * float2(-chord.y, chord.x) / size : 0.0;
     Piece around = (Piece)0, between = (Piece)0;
-    bool isStraight = true;
+    if (isCut)
+    {
+        between = PieceBetween(first, border.Sides.x, second, border.Sides.y, side);
+        around = PieceBetween(second, border.Sides.y, first, border.Sides.x, side);
+    }
+    uint checks = isCut ? 2 : 0, end = isCut ? 4 : 1;
     uint rays = 0;
     [loop]
     for (uint ray = 0; ray < end; ray++)
     {
-        uint which = ray < steps ? 0 : 1;
-        float2 place;
+        if (ray == checks && !isStraight && canDivide)
+            break;
+        // Beside the middle of the chord, to whose right the piece between lies; then in the two pieces.
         Piece piece = around;
+        if (ray > checks)
+            piece = between;
+        float2 place = MiddleOf(piece);
         if (ray < checks)
-            place = 0.5 * (before[which] + after[which]);
-        else
-        {
-            if (ray == checks && isCut)
-            {
-                float2 first = 0.5 * (before[0] + after[0]), second = 0.5 * (before[1] + after[1]);
-                chord = second - first;
-                float size = length(chord);
-                checkOffset = size > 0.0 ? width * float2(-chord.y, chord.x) / size : 0.0;
-                between = PieceBetween(first, changes[0], second, changes[1], side);
-                between.Signature = signatureAfter;
-                around = PieceBetween(second, changes[1], first, changes[0], side);
-                around.Signature = signatureBefore;
-                piece = around;
-            }
-            if (ray < pieces)
-            {
-                // Beside the middle of the chord; the piece between lies to its right.
-                float2 middle = between.Corners[0] + 0.5 * chord;
-                place = middle + (ray == checks ? checkOffset : -checkOffset);
-            }
-            else
-            {
-                if (ray > pieces)
-                    piece = between;
-                if (ray == pieces && !isStraight && canDivide)
-                {
-                    Divide(cell);
-                    break;
-                }
-                place = MiddleOf(piece);
-            }
-        }
+            place = first + 0.5 * chord + (ray == 0 ? checkOffset : -checkOffset);
         TubePath tube = BeginTube(CentreOfCell(cell) + place);
         SurfacePoint at;
         rays++;
@@ -181,8 +132,11 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         {
             uint receivers = ReceiversOf(tube, at), bounce = tube.Path.Bounces - 1;
             Sign(tube, receivers);
+            if (ray < checks && bounce >= cell.FirstBounce)
+                isStraight = isStraight
+                    && BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side) * side * side <= _CellError;
             [loop]
-            for (uint number = 0; number < _ReceiverCount && ray >= pieces && bounce >= cell.FirstBounce; number++)
+            for (uint number = 0; number < _ReceiverCount && ray >= checks && bounce >= cell.FirstBounce; number++)
                 if ((receivers >> number & 1) != 0)
                 {
                     Tube currents = CurrentsAt(tube, at, number, ReceiverFrom(number, tube.Path.Ray.Origin));
@@ -191,7 +145,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     currents.Corners23 = float4(piece.Corners[2] - place, piece.Corners[3] - place);
                     currents.Corner4 = piece.Corners[4] - place;
                     if (piece.Count == 0)
-                        currents.Corners01.x = side;
+                        currents.Corners01 = float4(side, 0.0, 0.0, 0.0);
                     float area = isCut && isStraight
                         ? AreaError(chord, directions, width, currents.Gradient)
                         : CRUDE_ERROR * AreaOf(piece, side);
@@ -201,20 +155,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             goesOn = ScatterTube(tube, at);
         }
         if (ray < checks)
-        {
-            if (tube.Signature == signatureBefore)
-                before[which] = place;
-            else if (tube.Signature == signatureAfter)
-                after[which] = place;
-            else
-            {
-                isStraight = false;
-                after[which] = place;
-            }
-        }
-        else if (ray < pieces)
-            isStraight = isStraight && tube.Signature == (ray == checks ? signatureBefore : signatureAfter);
+            isStraight = isStraight && tube.Signature == (ray == 0 ? border.SignatureBefore : border.SignatureAfter);
     }
+    if (!isStraight && canDivide)
+        Divide(cell);
     AddUnsigned(TUBE_RAYS, rays);
 }
 

@@ -6,15 +6,21 @@
 
 // Sums the cells whose corners see the same, as one tube each, and lists the others as borders. One thread a cell.
 
-// Relative error of a tube by a phase that is bent by this much between centre and corners, rad: after the correction
-// of its mean, half the variance of what is left, for equal bends along both axes.
-static const float BENT_ERROR = 0.022;
+// Relative error of the shape of a square whose phase is bent at its corners by these, rad (SquareIntegral): their third
+// power is left out.
+float BentError(float3 bends)
+{
+    float sum = abs(bends.x) + abs(bends.y) + abs(bends.z);
+    return min(1.0, 0.05 * sum * sum * sum);
+}
 
 // What the rays through the corners have met at a bounce.
 struct Bounce
 {
     uint Signature;
-    float4 Bend;           // sums over the corners of the differential of place and length towards them, m
+    // Sums over the corners of the differentials of place and length by u and v, times the way to the corner, m.
+    float4 AlongU, AlongV, Twist;
+    float Fade;            // largest of the corners
 };
 
 bool LoadCell(uint index, out Cell cell)
@@ -53,10 +59,24 @@ bool IsMarked(Cell cell)
     return bits != 0;
 }
 
-// Phase between the centre and the corners, less the linear one, averaged, m.
-float BendTowards(float4 bend, Receiver receiver)
+// Phases that the corners have beyond the linear one, m: of the curvature by u, by v, and of the twist. A corner's
+// gradient differs from that at the centre by the second derivatives.
+float3 BendsOf(Bounce bounce, Receiver receiver)
 {
-    return 0.125 * (dot(bend.xyz, receiver.Direction) - bend.w);
+    float3 direction = receiver.Direction;
+    return float3(0.125 * (dot(bounce.AlongU.xyz, direction) - bounce.AlongU.w),
+        0.125 * (dot(bounce.AlongV.xyz, direction) - bounce.AlongV.w),
+        0.25 * (dot(bounce.Twist.xyz, direction) - bounce.Twist.w));
+}
+
+// The differential of place and length of a corner by u or v; at a finite range, where the receiver's direction differs
+// from corner to corner, the gradient of the phase instead.
+float4 DifferentialOf(TubePath tube, float3 place)
+{
+    float3 d = tube.Path.Ray.Direction;
+    if (_IsNear != 0)
+        return float4(0.0, 0.0, 0.0, dot(d - ReceiverFrom(0, tube.Path.Ray.Origin).Direction, place));
+    return float4(place, dot(place, d));
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
@@ -109,10 +129,10 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     {
                         Receiver receiver = ReceiverFrom(index, place);
                         Tube currents = CurrentsAt(tube, at, index, receiver);
-                        float bend = BendTowards(bounces[bounce].Bend, receiver), phase = bend * _WaveNumber;
-                        currents.Phase += bend / 3.0;
-                        currents.Corners01.x = side;
-                        currents.Bent = BENT_ERROR * phase * phase;
+                        float3 bends = BendsOf(bounces[bounce], receiver);
+                        currents.Phase += bends.x + bends.y;
+                        currents.Corners01 = float4(side, bends);
+                        currents.Bent = BentError(_WaveNumber * bends);
                         if ((receivers >> index & 1) != 0)
                             AddTube(currents);
                     }
@@ -120,15 +140,23 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             }
             else
             {
-                float3 step = fromCentre.x * tube.PlaceU + fromCentre.y * tube.PlaceV;
-                float4 bend = float4(step, dot(step, tube.Path.Ray.Direction));
+                float4 byU = DifferentialOf(tube, tube.PlaceU), byV = DifferentialOf(tube, tube.PlaceV);
+                float fade = FadeOf(at);
                 if (ray == 0)
                 {
+                    bounces[bounce].Fade = fade;
                     bounces[bounce].Signature = tube.Signature;
-                    bounces[bounce].Bend = bend;
+                    bounces[bounce].AlongU = fromCentre.x * byU;
+                    bounces[bounce].AlongV = fromCentre.y * byV;
+                    bounces[bounce].Twist = fromCentre.y * byU;
                 }
                 else if (bounce < cornerBounces && bounces[bounce].Signature == tube.Signature)
-                    bounces[bounce].Bend += bend;
+                {
+                    bounces[bounce].AlongU += fromCentre.x * byU;
+                    bounces[bounce].AlongV += fromCentre.y * byV;
+                    bounces[bounce].Twist += fromCentre.y * byU;
+                    bounces[bounce].Fade = max(bounces[bounce].Fade, fade);
+                }
                 else
                     firstDifference = min(firstDifference, bounce);
             }
@@ -155,8 +183,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             for (uint bounce = 0; bounce < cornerBounces && isSame; bounce++)
                 for (uint index = 0; index < _ReceiverCount; index++)
                 {
-                    float bent = _WaveNumber * BendTowards(bounces[bounce].Bend, ReceiverFrom(index, 0.0));
-                    if (bounce < firstBad && abs(bent) > _MaxBentPhase && cell.Level < _MaxLevel)
+                    float3 bends = _WaveNumber * BendsOf(bounces[bounce], ReceiverFrom(index, 0.0));
+                    if (bounce < firstBad && bounces[bounce].Fade * BentError(bends) * side * side > _CellError && cell.Level < _MaxLevel)
                         firstBad = bounce;
                 }
         }

@@ -30,4 +30,71 @@ uint ReceiversOf(TubePath tube, SurfacePoint at)
     return receivers;
 }
 
+// Relative error of a piece of a cell by the curvatures of surface and wave at a hit: its phase is taken as linear.
+float BentErrorAt(TubePath tube, SurfacePoint at, Receiver receiver, float side)
+{
+    float3 d = tube.Path.Ray.Direction;
+    float surface = (1.0 - dot(receiver.Direction, d)) / dot(at.Normal, d);
+    float bendU = surface * dot(at.NormalU, tube.PlaceU) - dot(tube.DirectionU, tube.PlaceU),
+        bendV = surface * dot(at.NormalV, tube.PlaceV) - dot(tube.DirectionV, tube.PlaceV);
+    return FadeOf(at) * min(1.0, 0.03 * _WaveNumber * side * side * (abs(bendU) + abs(bendV)));
+}
+
+// The border through a cell, which cuts two of its sides.
+struct Border
+{
+    bool IsCut;            // the corners see two things, and the border separates them once
+    uint2 Sides;           // first corner of each side cut
+    uint SignatureBefore;  // at the first corner of the first side
+    uint SignatureAfter;   // at its second corner
+};
+
+// Bits of Cell.Crossings, which is the number of intervals before that of the border, a bit a bisection.
+static const uint NO_CROSSING = 0x80000000;
+
+Border BorderOf(Cell cell)
+{
+    Border border = (Border)0;
+    uint first = cell.Signatures.x, other = first, changes = 0;
+    bool areTwo = cell.MustDivide == 0;
+    [unroll]
+    for (uint corner = 0; corner < 4; corner++)
+    {
+        uint signature = cell.Signatures[corner];
+        if (signature != first)
+        {
+            areTwo = areTwo && (other == first || other == signature);
+            other = signature;
+        }
+        if (signature != cell.Signatures[(corner + 1) & 3])
+        {
+            if (changes == 0)
+            {
+                border.Sides.x = corner;
+                border.SignatureBefore = signature;
+                border.SignatureAfter = cell.Signatures[(corner + 1) & 3];
+            }
+            else
+                border.Sides.y = corner;
+            changes++;
+        }
+    }
+    border.IsCut = areTwo && changes == 2;
+    return border;
+}
+
+// Bisections of the sides of a cell.
+uint BisectionsOf(Cell cell)
+{
+    return max(_BisectLevel, cell.Level + 1) - cell.Level;
+}
+
+// A place on a side, from the centre of the cell, at a fraction of its length from its end at the first signature.
+float2 PlaceOnSide(Border border, uint which, float fraction, float side)
+{
+    uint corner = which == 0 ? border.Sides.x : border.Sides.y;
+    float2 start = CornerOf(corner), end = CornerOf((corner + 1) & 3);
+    return side * (which == 0 ? lerp(start, end, fraction) : lerp(end, start, fraction));
+}
+
 #endif

@@ -7,6 +7,8 @@
 #include "TubeSums.hlsl"
 #elif defined(GLINT_CELLS)
 #include "TubeCells.hlsl"
+#elif defined(GLINT_BISECT)
+#include "TubeBisect.hlsl"
 #else
 #include "TubeBorders.hlsl"
 #endif

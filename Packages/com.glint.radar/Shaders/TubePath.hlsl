@@ -26,6 +26,7 @@ struct SurfacePoint
     float3 NormalV;
     float3 FacetNormal;    // towards the ray
     float CurvatureAlong;  // of the surface along the ray, 1/m; above 0: convex
+    float Cosine;          // of the incidence angle on the patch; 0 where the patch looks away
     uint Patch;
     uint Surface;
     uint2 Triangle;        // see NumberOf
@@ -103,6 +104,7 @@ SurfacePoint PointOf(TubePath tube, Hit hit, float3 facetNormal, float3 placeU, 
     at.Triangle = NumberOf(hit.Instance, hit.Row, hit.Second);
     at.FacetNormal = facetNormal;
     at.Normal = facetNormal;
+    at.Cosine = -dot(facetNormal, tube.Path.Ray.Direction);
     at.NextStart = hit.NextStart;
     if (facet.y == FLAT)
         return at;
@@ -115,9 +117,7 @@ SurfacePoint PointOf(TubePath tube, Hit hit, float3 facetNormal, float3 placeU, 
         dot(z.xyz, from) + z.w));
     float size = length(mean) * (dot(mean, facetNormal) < 0.0 ? -1.0 : 1.0);
     float3 normal = mean / size, d = tube.Path.Ray.Direction;
-    if (dot(normal, d) >= 0.0)
-        return at;
-    at.Normal = normal;
+    bool looksAway = dot(normal, d) >= 0.0;
     // Derivatives along the facet, on which the hit lies.
     float3 along = d - normal * dot(normal, d);
     float alongSize = length(along);
@@ -131,8 +131,13 @@ SurfacePoint PointOf(TubePath tube, Hit hit, float3 facetNormal, float3 placeU, 
         float3 change = NormalFromLocal(record, float3(dot(x.xyz, local), dot(y.xyz, local), dot(z.xyz, local))) / size;
         derivatives[i] = change - normal * dot(normal, change);
     }
-    at.NormalU = derivatives[0];
-    at.NormalV = derivatives[1];
+    at.Cosine = max(0.0, -dot(normal, d));
+    if (!looksAway)
+    {
+        at.Normal = normal;
+        at.NormalU = derivatives[0];
+        at.NormalV = derivatives[1];
+    }
     at.CurvatureAlong = dot(derivatives[2], directions[2]);
     return at;
 }

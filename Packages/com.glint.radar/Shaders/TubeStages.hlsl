@@ -66,6 +66,7 @@ void MarkVertices(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 void PrepareBorders()
 {
     StoreGroups(BORDER_ARGUMENTS, GroupsOf(_Sums[TUBE_BORDERS], _ListCapacity.z, GLINT_GROUP), 1);
+    StoreGroups(BISECT_ARGUMENTS, GroupsOf(2 * _Sums[TUBE_BORDERS], 2 * _ListCapacity.z, GLINT_GROUP), 1);
     _Sums[TUBE_CELLS] = 0;
 }
 

@@ -65,6 +65,36 @@ float Sinc(float x)
     return abs(x) < 0.5 ? 1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0)) : PhasorOf(x).y / x;
 }
 
+// (sin x - x cos x) / x^3
+float SecondBessel(float x, float2 wave)
+{
+    float s = x * x;
+    return abs(x) < 1.0 ? 1.0 / 3.0 - s * (1.0 / 30.0 - s * (1.0 / 840.0 - s / 45360.0))
+        : (wave.y - x * wave.x) / (s * x);
+}
+
+// ((3 - x^2) sin x - 3 x cos x) / x^5
+float ThirdBessel(float x, float2 wave)
+{
+    float s = x * x;
+    return abs(x) < 1.0 ? 1.0 / 15.0 - s * (1.0 / 210.0 - s * (1.0 / 7560.0 - s / 498960.0))
+        : ((3.0 - s) * wave.y - 3.0 * x * wave.x) / (s * s * x);
+}
+
+// Integral of exp(j phase) over a square about its centre, by its area, for a phase that is linear but for terms of second
+// order: x half the linear phase over a side, bends the phases that curvatures and twist add at the corners. The phases
+// at the corners are exact, so that neighbouring squares meet; what bends between them is expanded to second order.
+float2 SquareIntegral(float2 x, float3 bends)
+{
+    float2 waveU = PhasorOf(x.x), waveV = PhasorOf(x.y);
+    float zeroU = Sinc(x.x), firstU = SecondBessel(x.x, waveU), zeroV = Sinc(x.y), firstV = SecondBessel(x.y, waveV);
+    float2 u = float2(zeroU - 4.0 * bends.x * bends.x * ThirdBessel(x.x, waveU), -2.0 * bends.x * firstU);
+    float2 v = float2(zeroV - 4.0 * bends.y * bends.y * ThirdBessel(x.y, waveV), -2.0 * bends.y * firstV);
+    float2 twist = float2(-0.5 * bends.z * bends.z * (zeroU - 2.0 * firstU) * (zeroV - 2.0 * firstV),
+        -bends.z * x.x * firstU * x.y * firstV);
+    return Product(u, v) + twist;
+}
+
 // Integral of exp(j w.x) over a convex polygon (Gordon 1975), w rad a base cell.
 float2 PolygonIntegral(float2 corners[5], uint count, float2 w)
 {
@@ -121,7 +151,7 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             if (count == 0)
             {
                 float side = tube.Corners01.x;
-                shape = float2(side * side * Sinc(0.5 * side * w.x) * Sinc(0.5 * side * w.y), 0.0);
+                shape = side * side * SquareIntegral(0.5 * side * w, k * tube.Corners01.yzw);
             }
             else
             {

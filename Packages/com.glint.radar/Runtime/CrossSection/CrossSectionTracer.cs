@@ -57,7 +57,9 @@ namespace Glint
             _kernels.SetScene(_scene, _surfaces);
             _kernels.SetPose(pose, grid);
             var sums = new TubeSums(pose, grid);
-            _kernels.SetAccuracy(sums.WaveNumber, 0.4, BisectLevel / 2 + 1, BisectLevel, sums.UnitsPerMetre,
+            double cellError = 0.2 * Math.Pow(2, -BisectLevel);
+            int maxLevel = (int)Math.Ceiling(-0.5 * Math.Log(cellError, 2));
+            _kernels.SetAccuracy(sums.WaveNumber, cellError, maxLevel, BisectLevel, sums.UnitsPerMetre,
                 sums.UnitsPerSquareMetre);
             int words = TubeKernels.FirstSum + TubeKernels.SumWords * pose.Receivers.Length * pose.Frequencies.Length;
             _output.Reserve(words);
@@ -78,7 +80,7 @@ namespace Glint
                 int count = (int)Math.Min(left, (long)tiles * TileCells);
                 var watch = System.Diagnostics.Stopwatch.StartNew();
                 _kernels.Clear(words);
-                _kernels.Trace(grid, first, count, BisectLevel / 2 + 2);
+                _kernels.Trace(grid, first, count, maxLevel + 1, BisectLevel);
                 var read = new uint[words];
                 _output.ReadBack(read, words);
                 if (read[3] != 0)

@@ -71,7 +71,7 @@ namespace Glint
                 }
                 firsts.Add(new uint2(firstFacet, patchCount));
                 patchCount += (uint)patches.PatchCount;
-                foreach (float3 corner in CornersOf(instance.Mesh, patches))
+                foreach (float3 corner in PatchCorners.Of(patches))
                     vertices.Add(new float4((float3)(instance.ToWorld.Point(corner) - centre), 0));
             }
             VertexCount = vertices.Count;
@@ -80,9 +80,6 @@ namespace Glint
             NormalFields.Upload(fields.ToArray());
             InstanceFacets.Upload(firsts.ToArray());
         }
-
-        // All vertices, until patches know their corners.
-        static IEnumerable<float3> CornersOf(TriangleMesh mesh, SurfacePatches patches) => mesh.Vertices;
 
         SurfacePatches PatchesOf(in MeshInstance instance, double creaseDegrees)
         {
@@ -99,8 +96,9 @@ namespace Glint
             for (int triangle = 0; triangle < mesh.TriangleCount; triangle++)
             {
                 int patch = patches.PatchOf[triangle];
-                facets.Add(new uint2((uint)patch, patches.IsFlat(patch) ? Flat : (uint)fields.Count));
-                if (!patches.IsFlat(patch))
+                bool isFlat = patch == SurfacePatches.NoPatch || patches.IsFlat(patch);
+                facets.Add(new uint2((uint)patch, isFlat ? Flat : (uint)fields.Count));
+                if (!isFlat)
                     AddField(mesh, triangle, patches.CornerNormals, fields);
             }
         }
@@ -125,7 +123,11 @@ namespace Glint
         static IEnumerable<float4> TableOf(SurfaceMaterial surface, double frequency)
         {
             for (int i = 0; i <= ReflectionSteps; i++)
-                yield return new float4(-1, 0, 1, 0);
+            {
+                var reflection = surface.Reflection((double)i / ReflectionSteps, frequency);
+                yield return new float4((float)reflection.S.Real, (float)reflection.S.Imaginary,
+                    (float)reflection.P.Real, (float)reflection.P.Imaginary);
+            }
         }
     }
 }

@@ -23,6 +23,6 @@ namespace Glint
         public uint Level, FirstBounce;
         public uint4 Signatures;
         public uint FirstDifference, MustDivide;
-        public uint2 Unused;
+        public uint2 Crossings;
     }
 }

@@ -19,7 +19,7 @@ namespace Glint
         public static readonly int _IsNear = Shader.PropertyToID("_IsNear");
         public static readonly int _Range = Shader.PropertyToID("_Range");
         public static readonly int _WaveNumber = Shader.PropertyToID("_WaveNumber");
-        public static readonly int _MaxBentPhase = Shader.PropertyToID("_MaxBentPhase");
+        public static readonly int _CellError = Shader.PropertyToID("_CellError");
         public static readonly int _FadesShadows = Shader.PropertyToID("_FadesShadows");
         public static readonly int _OnlyBounce = Shader.PropertyToID("_OnlyBounce");
         public static readonly int _Grid = Shader.PropertyToID("_Grid");
@@ -45,5 +45,6 @@ namespace Glint
         public static readonly int _Marks = Shader.PropertyToID("_Marks");
         public static readonly int _WrittenMarks = Shader.PropertyToID("_WrittenMarks");
         public static readonly int _MarkWords = Shader.PropertyToID("_MarkWords");
+        public static readonly int _BisectStep = Shader.PropertyToID("_BisectStep");
     }
 }

@@ -16,14 +16,15 @@ namespace Glint
         public const int FirstSum = 16, SumWords = 32;
 
         const int Group = 64;              // GLINT_GROUP
-        const int ArgumentWords = 9;
-        const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24;
+        const int ArgumentWords = 12;
+        const int RaysAThread = 4;         // RAYS_A_THREAD
+        const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
 
         readonly ComputeShader _shader;
         readonly int _clear, _clearMarks, _mark, _prepareBorders, _prepareCells, _sums;
         readonly GraphicsBuffer _arguments = new GraphicsBuffer(
             GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
-        int _cells, _borders;
+        int _cells, _bisect, _borders;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
@@ -42,9 +43,10 @@ namespace Glint
         {
             string suffix = scene.Pages.Count > 1 ? "Paged" : "";
             _cells = _shader.FindKernel("TubeCells" + suffix);
+            _bisect = _shader.FindKernel("TubeBisect" + suffix);
             _borders = _shader.FindKernel("TubeBorders" + suffix);
             _shader.SetInt(ShaderIDs._InstanceBvhRoot, (int)scene.InstanceBvhRoot);
-            foreach (int kernel in new[] { _cells, _borders })
+            foreach (int kernel in new[] { _cells, _bisect, _borders })
             {
                 _shader.SetBuffer(kernel, ShaderIDs._InstanceBvh, scene.InstanceBvhRows.Buffer);
                 _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
@@ -101,11 +103,11 @@ namespace Glint
         }
 
         /// <summary>Sets how finely cells are divided and borders found.</summary>
-        public void SetAccuracy(double waveNumber, double maxBentPhase, int maxLevel, int bisectLevel,
+        public void SetAccuracy(double waveNumber, double cellError, int maxLevel, int bisectLevel,
             double unitsPerMetre, double unitsPerSquareMetre)
         {
             _shader.SetFloat(TubeIDs._WaveNumber, (float)waveNumber);
-            _shader.SetFloat(TubeIDs._MaxBentPhase, (float)maxBentPhase);
+            _shader.SetFloat(TubeIDs._CellError, (float)cellError);
             _shader.SetInt(TubeIDs._MaxLevel, maxLevel);
             _shader.SetInt(TubeIDs._BisectLevel, bisectLevel);
             _shader.SetFloat(TubeIDs._UnitsPerMetre, (float)unitsPerMetre);
@@ -116,11 +118,11 @@ namespace Glint
         public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<TubeCell> cells,
             DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers)
         {
-            foreach (int kernel in new[] { _clear, _cells, _prepareBorders, _borders, _prepareCells, _sums })
+            foreach (int kernel in new[] { _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _sums })
                 _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
-            foreach (int kernel in new[] { _cells, _borders, _sums })
+            foreach (int kernel in new[] { _cells, _bisect, _borders, _sums })
                 _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
-            foreach (int kernel in new[] { _cells, _borders })
+            foreach (int kernel in new[] { _cells, _bisect, _borders })
             {
                 _shader.SetBuffer(kernel, TubeIDs._TubeCells, cells.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._Borders, borders.Buffer);
@@ -158,7 +160,7 @@ namespace Glint
         }
 
         /// <summary>Traces base cells, in rounds the parts of those that are divided, and sums the tubes.</summary>
-        public void Trace(TubeGrid grid, long first, int count, int rounds)
+        public void Trace(TubeGrid grid, long first, int count, int rounds, int bisections)
         {
             _shader.SetInts(TubeIDs._Grid, grid.Cells.x, (int)first, count, 0);
             for (int round = 0; round < rounds; round++)
@@ -169,6 +171,11 @@ namespace Glint
                 else
                     _shader.DispatchIndirect(_cells, _arguments, CellArguments);
                 _shader.Dispatch(_prepareBorders, 1, 1, 1);
+                for (int step = 0; step < bisections - round; step += RaysAThread)
+                {
+                    _shader.SetInt(TubeIDs._BisectStep, step);
+                    _shader.DispatchIndirect(_bisect, _arguments, BisectArguments);
+                }
                 _shader.DispatchIndirect(_borders, _arguments, BorderArguments);
                 _shader.Dispatch(_prepareCells, 1, 1, 1);
             }

@@ -1,0 +1,50 @@
+#ifndef GLINT_TUBE_BISECT
+#define GLINT_TUBE_BISECT
+
+#include "TubeGrid.hlsl"
+#include "Sums.hlsl"
+
+// Finds where borders cross the sides of their cells. One thread a side, RAYS_A_THREAD bisections a dispatch.
+
+[numthreads(GLINT_GROUP, 1, 1)]
+void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint index = IndexOf(group, thread), which = index & 1;
+    if (index >= 2 * min(_Sums[TUBE_BORDERS], _ListCapacity.z))
+        return;
+    Cell cell = _Borders[index / 2];
+    Border border = BorderOf(cell);
+    uint crossing = which == 0 ? cell.Crossings.x : cell.Crossings.y, end = BisectionsOf(cell), rays = 0;
+    float side = SideOfCell(cell);
+    [loop]
+    for (uint step = _BisectStep; step < min(end, _BisectStep + RAYS_A_THREAD); step++)
+    {
+        if (!border.IsCut || (crossing & NO_CROSSING) != 0)
+            break;
+        float fraction = (crossing + 0.5) * asfloat((127 - step) << 23);
+        TubePath tube = BeginTube(CentreOfCell(cell) + PlaceOnSide(border, which, fraction, side));
+        SurfacePoint at;
+        rays++;
+        bool goesOn = true;
+        [loop]
+        while (goesOn && AdvanceTube(tube, at))
+        {
+            Sign(tube, ReceiversOf(tube, at));
+            goesOn = ScatterTube(tube, at);
+        }
+        if (tube.Signature == border.SignatureBefore)
+            crossing = 2 * crossing + 1;
+        else if (tube.Signature == border.SignatureAfter)
+            crossing = 2 * crossing;
+        else
+            crossing |= NO_CROSSING;
+    }
+    if (which == 0)
+        _Borders[index / 2].Crossings.x = crossing;
+    else
+        _Borders[index / 2].Crossings.y = crossing;
+    if (rays > 0)
+        AddUnsigned(TUBE_RAYS, rays);
+}
+
+#endif
