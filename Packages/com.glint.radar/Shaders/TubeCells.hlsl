@@ -14,6 +14,9 @@ float BentError(float3 bends)
     return min(1.0, 0.05 * sum * sum * sum);
 }
 
+// Above it the expansion of a bent phase is worse than none: phases of 1.5 rad.
+static const float MAX_BENT_ERROR = 0.17;
+
 // What the rays through the corners have met at a bounce.
 struct Bounce
 {
@@ -130,9 +133,11 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                         Receiver receiver = ReceiverFrom(index, place);
                         Tube currents = CurrentsAt(tube, at, index, receiver);
                         float3 bends = BendsOf(bounces[bounce], receiver);
-                        currents.Phase += bends.x + bends.y;
-                        currents.Corners01 = float4(side, bends);
                         currents.Bent = BentError(_WaveNumber * bends);
+                        // Where the expansion fails, on cells too small to matter, the mean phase remains.
+                        bool isBent = currents.Bent < MAX_BENT_ERROR;
+                        currents.Phase += (bends.x + bends.y) * (isBent ? 1.0 : 1.0 / 3.0);
+                        currents.Corners01 = float4(side, isBent ? bends : (float3)0);
                         if ((receivers >> index & 1) != 0)
                             AddTube(currents);
                     }
