@@ -32,56 +32,79 @@ namespace Glint.Core
         /// <exception cref="OperationCanceledException">Cancelled.</exception>
         public static int[] Match(int[] corners, int vertexCount, bool[] used, CancellationToken cancel = default)
         {
-            // A counting sort of the edges by the lower of their vertices, in linear time.
-            var starts = new int[vertexCount + 1];
-            for (int edge = 0; edge < corners.Length; edge++)
-                if (used[edge / 3])
-                    starts[LowerVertex(corners, edge)]++;
-            cancel.ThrowIfCancellationRequested();
-            for (int vertex = 0; vertex < vertexCount; vertex++)
-                starts[vertex + 1] += starts[vertex];
-            var gathered = new int[starts[vertexCount]];
-            for (int edge = corners.Length - 1; edge >= 0; edge--)
-                if (used[edge / 3])
-                    gathered[--starts[LowerVertex(corners, edge)]] = edge;
-
+            var sorted = Sort(corners, vertexCount, used, out var firsts, cancel);
             var across = new int[corners.Length];
             Blocks.For(across.Length, (from, to) => Array.Fill(across, None, from, to - from), cancel);
             Blocks.For(vertexCount, (from, to) =>
             {
-                var keys = new ulong[MaxInsertionSort];
-                for (int vertex = from; vertex < to; vertex++)
-                    MatchAround(corners, gathered, starts[vertex],
-                        starts[vertex + 1] - starts[vertex], ref keys, across);
+                for (int i = firsts[from]; i + 1 < firsts[to]; i++)
+                {
+                    int a = sorted[i], b = sorted[i + 1];
+                    if (!IsSame(corners, a, b))
+                        continue;
+                    across[a] = b;
+                    across[b] = a;
+                    i++;
+                }
             }, cancel);
             return across;
         }
 
+        /// <summary>
+        /// The edges of the triangles that take part, sorted by the lower of their vertices, the higher one and their
+        /// number: edges between the same vertices follow each other.
+        /// </summary>
+        /// <param name="firsts">For each vertex the place of the first edge whose lower vertex it is.</param>
+        /// <inheritdoc cref="Match"/>
+        public static int[] Sort(int[] corners, int vertexCount, bool[] used, out int[] firsts,
+            CancellationToken cancel = default)
+        {
+            // A counting sort of the edges by the lower of their vertices, in linear time.
+            var places = new int[vertexCount + 1];
+            for (int edge = 0; edge < corners.Length; edge++)
+                if (used[edge / 3])
+                    places[LowerVertex(corners, edge)]++;
+            cancel.ThrowIfCancellationRequested();
+            for (int vertex = 0; vertex < vertexCount; vertex++)
+                places[vertex + 1] += places[vertex];
+            var sorted = new int[places[vertexCount]];
+            for (int edge = corners.Length - 1; edge >= 0; edge--)
+                if (used[edge / 3])
+                    sorted[--places[LowerVertex(corners, edge)]] = edge;
+            Blocks.For(vertexCount, (from, to) =>
+            {
+                var keys = new ulong[MaxInsertionSort];
+                for (int vertex = from; vertex < to; vertex++)
+                    SortAround(corners, sorted, places[vertex], places[vertex + 1] - places[vertex], ref keys);
+            }, cancel);
+            firsts = places;
+            return sorted;
+        }
+
+        /// <summary>Whether two edges run between the same vertices.</summary>
+        public static bool IsSame(int[] corners, int a, int b) =>
+            LowerVertex(corners, a) == LowerVertex(corners, b) && HigherVertex(corners, a) == HigherVertex(corners, b);
+
         static int LowerVertex(int[] corners, int edge) => Math.Min(corners[edge], corners[End(edge)]);
 
-        // Sorts the edges of one vertex by their other vertex and matches equal neighbours.
-        static void MatchAround(int[] corners, int[] gathered, int first, int count, ref ulong[] keys, int[] across)
+        static int HigherVertex(int[] corners, int edge) => Math.Max(corners[edge], corners[End(edge)]);
+
+        // Sorts the edges of one vertex by their other vertex.
+        static void SortAround(int[] corners, int[] sorted, int first, int count, ref ulong[] keys)
         {
             if (keys.Length < count)
                 keys = new ulong[Math.Max(count, 2 * keys.Length)];
             for (int i = 0; i < count; i++)
             {
-                int edge = gathered[first + i];
-                keys[i] = (ulong)Math.Max(corners[edge], corners[End(edge)]) << 32 | (uint)edge;
+                int edge = sorted[first + i];
+                keys[i] = (ulong)HigherVertex(corners, edge) << 32 | (uint)edge;
             }
             if (count <= MaxInsertionSort)
                 SortByInsertion(keys, count);
             else
                 Array.Sort(keys, 0, count);
-            for (int i = 0; i + 1 < count; i++)
-            {
-                if (keys[i] >> 32 != keys[i + 1] >> 32)
-                    continue;
-                int a = (int)(uint)keys[i], b = (int)(uint)keys[i + 1];
-                across[a] = b;
-                across[b] = a;
-                i++;
-            }
+            for (int i = 0; i < count; i++)
+                sorted[first + i] = (int)(uint)keys[i];
         }
 
         static void SortByInsertion(ulong[] keys, int count)

@@ -1,0 +1,188 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>The wedges of a scene.</summary>
+    public sealed class WedgeSet
+    {
+        internal WedgeSet(Wedge[] wedges, int coatedCount, double coatedLength) =>
+            (Wedges, CoatedCount, CoatedLength) = (wedges, coatedCount, coatedLength);
+
+        /// <summary>Wedges whose faces both are perfect conductors.</summary>
+        public IReadOnlyList<Wedge> Wedges { get; }
+
+        /// <summary>Wedges, and borders in a plane, that are left out because a face is no perfect conductor.</summary>
+        public int CoatedCount { get; }
+
+        /// <summary>Their length, metres.</summary>
+        public double CoatedLength { get; }
+    }
+
+    /// <summary>Finds the edges of a scene that diffract.</summary>
+    /// <remarks>
+    /// Edges are those between patches and the open ones. All triangles at an edge are sorted by their direction around
+    /// it. Each angle between neighbours is a wedge if it is air: outside a closed body, or on either side of a thin
+    /// sheet. So two thin plates that meet are two wedges, one within the corner and one behind it; the edge of a box
+    /// is one; a plate that ends is one of 2 pi; three plates that meet are three. Angles that differ from pi by no
+    /// more than the crease angle are a smooth surface, and none. Open edges of different triangles that lie on each
+    /// other within <see cref="RelativeTolerance"/> of the scene's size are one edge over the length that they share.
+    /// An open edge that lies on a face, away from its edges, remains the end of a plate.
+    /// </remarks>
+    public sealed class WedgeFinder
+    {
+        /// <summary>Maximum distance of edges that are one, in the diagonal of the scene's box.</summary>
+        public const double RelativeTolerance = 2e-5;
+
+        // Faces that are nearer to each other, in radians, are two sides of one sheet.
+        const double MinAngle = 1e-3;
+
+        readonly PlacedPatches[] _placed;
+        readonly bool[][] _isConductor; // for each instance and triangle
+        readonly List<EdgePiece> _pieces;
+        readonly BodySides _sides;
+        readonly List<WedgePiece> _wedges = new List<WedgePiece>();
+        readonly List<FaceAtEdge> _around = new List<FaceAtEdge>();
+
+        WedgeFinder(RadarScene scene, IReadOnlyList<SurfacePatches> patches, Predicate<SurfaceMaterial> isConductor)
+        {
+            _placed = PlacedPatches.Of(scene, patches);
+            var surfaces = new bool[scene.Surfaces.Count];
+            for (int i = 0; i < surfaces.Length; i++)
+                surfaces[i] = isConductor(scene.Surfaces[i]);
+            _isConductor = Array.ConvertAll(scene.Instances, instance => Array.ConvertAll(
+                SurfacePatches.SurfacesOf(instance.Mesh, instance.Ranges), surface => surfaces[surface]));
+            var (boxMin, boxMax) = Bound();
+            double3 centre = (boxMin + boxMax) / 2;
+            double size = math.distance(boxMin, boxMax);
+            _pieces = OpenEdges.Join(_placed, RelativeTolerance * size, centre);
+            AddCreases();
+            _sides = new BodySides(_placed, _pieces, size, centre);
+        }
+
+        /// <summary>Finds the wedges of all instances and between them.</summary>
+        /// <param name="scene">The scene.</param>
+        /// <param name="patches">The patches of each instance's mesh.</param>
+        /// <param name="isConductor">Whether a surface is a perfect conductor; null: all are.</param>
+        /// <exception cref="GlintException">The patches are not those of the scene's meshes.</exception>
+        public static WedgeSet Find(RadarScene scene, IReadOnlyList<SurfacePatches> patches,
+            Predicate<SurfaceMaterial> isConductor = null)
+        {
+            if (scene.TriangleCount == 0)
+                return new WedgeSet(Array.Empty<Wedge>(), 0, 0);
+            var finder = new WedgeFinder(scene, patches, isConductor ?? (surface => true));
+            foreach (var piece in finder._pieces)
+                finder.AddWedges(piece);
+            var wedges = new List<Wedge>();
+            int coated = 0;
+            double coatedLength = 0;
+            foreach (var piece in WedgeJoiner.Join(finder._wedges))
+                if (piece.IsConductor)
+                    wedges.Add(piece.Wedge);
+                else
+                {
+                    coated++;
+                    coatedLength += piece.Wedge.Length;
+                }
+            return new WedgeSet(wedges.ToArray(), coated, coatedLength);
+        }
+
+        (double3, double3) Bound()
+        {
+            double3 boxMin = double.PositiveInfinity, boxMax = double.NegativeInfinity;
+            foreach (var placed in _placed)
+                for (int corner = 0; corner < placed.Welded.Corners.Length; corner++)
+                {
+                    double3 point = placed.Point(corner);
+                    (boxMin, boxMax) = (math.min(boxMin, point), math.max(boxMax, point));
+                }
+            return (boxMin, boxMax);
+        }
+
+        void AddCreases()
+        {
+            for (int i = 0; i < _placed.Length; i++)
+            {
+                var welded = _placed[i].Welded;
+                for (int edge = 0; edge < welded.EdgeCount; edge++)
+                {
+                    var sides = welded.SidesOf(edge);
+                    if (sides.Length == 1 || _placed[i].Patches.IsSmooth(sides[0]))
+                        continue;
+                    double3 a = _placed[i].Point(sides[0]), b = _placed[i].Point(WeldedMesh.EndOf(sides[0]));
+                    var faces = new EdgeFace[sides.Length];
+                    for (int k = 0; k < faces.Length; k++)
+                        faces[k] = new EdgeFace(i, sides[k]);
+                    if (math.distance(a, b) > 0)
+                        _pieces.Add(new EdgePiece(a, b, faces));
+                }
+            }
+        }
+
+        void AddWedges(in EdgePiece piece)
+        {
+            _around.Clear();
+            double3 along = piece.Along, reference = 0;
+            foreach (var face in piece.Faces)
+            {
+                double3 into = Into(face, along);
+                if (math.lengthsq(into) == 0)
+                    continue;
+                if (_around.Count == 0)
+                    reference = into;
+                double angle = math.atan2(math.dot(into, math.cross(along, reference)), math.dot(into, reference));
+                _around.Add(new FaceAtEdge
+                {
+                    Face = face, Into = into, Angle = angle < 0 ? angle + 2 * math.PI_DBL : angle,
+                    Outward = _sides.Outward(face),
+                });
+            }
+            _around.Sort((a, b) => a.Angle.CompareTo(b.Angle));
+            for (int i = 0; i < _around.Count; i++)
+            {
+                bool last = i == _around.Count - 1;
+                FaceAtEdge first = _around[i], second = _around[last ? 0 : i + 1];
+                AddWedge(piece, first, second, second.Angle - first.Angle + (last ? 2 * math.PI_DBL : 0));
+            }
+        }
+
+        // The direction into a face from its edge, across the edge; by the normal, since needles have no other.
+        double3 Into(EdgeFace face, double3 along)
+        {
+            var placed = _placed[face.Instance];
+            double3 into = math.cross(placed.Normal(face.Triangle), placed.Along(face.Side));
+            return math.normalizesafe(into - math.dot(into, along) * along);
+        }
+
+        void AddWedge(in EdgePiece piece, in FaceAtEdge first, in FaceAtEdge second, double angle)
+        {
+            double3 along = piece.Along, firstNormal = math.cross(along, first.Into),
+                secondNormal = -math.cross(along, second.Into);
+            if (angle < MinAngle || math.dot(first.Outward, firstNormal) < 0
+                || math.dot(second.Outward, secondNormal) < 0)
+                return;
+            bool firstConducts = _isConductor[first.Face.Instance][first.Face.Triangle],
+                secondConducts = _isConductor[second.Face.Instance][second.Face.Triangle];
+            SurfacePatches firstPatches = _placed[first.Face.Instance].Patches,
+                secondPatches = _placed[second.Face.Instance].Patches;
+            double uncertainty = firstPatches.Normals.Uncertainty(first.Face.Triangle)
+                + secondPatches.Normals.Uncertainty(second.Face.Triangle);
+            double crease = math.radians(math.max(firstPatches.CreaseDegrees, secondPatches.CreaseDegrees));
+            if (math.abs(angle - math.PI_DBL) <= crease + uncertainty && firstConducts == secondConducts)
+                return;
+            _wedges.Add(new WedgePiece(
+                new Wedge(piece.A, piece.B,
+                    new WedgeFace(first.Into, firstNormal, first.Face.Instance, first.Face.Triangle),
+                    new WedgeFace(second.Into, secondNormal, second.Face.Instance, second.Face.Triangle), angle),
+                firstConducts, secondConducts, uncertainty));
+        }
+
+        struct FaceAtEdge
+        {
+            public EdgeFace Face;
+            public double3 Into, Outward;
+            public double Angle;
+        }
+    }
+}

@@ -1,0 +1,122 @@
+using System;
+using System.Threading;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// A mesh whose corners at equal positions are one vertex, and its edges with the triangles at each.
+    /// Side 3t + k of triangle t runs from its corner k to the next one; sides and corners have the same numbers.
+    /// </summary>
+    public sealed class WeldedMesh
+    {
+        /// <summary>The edge of a side of a degenerate triangle.</summary>
+        public const int None = TriangleEdges.None;
+
+        readonly int[] _sides;  // grouped by edge
+        readonly int[] _firsts; // for each edge its first place in _sides, and the end
+
+        /// <summary>Welds a mesh and finds its edges.</summary>
+        /// <param name="mesh">Kept, not copied.</param>
+        /// <param name="cancel">Ends the work early.</param>
+        /// <exception cref="OperationCanceledException">Cancelled.</exception>
+        public WeldedMesh(TriangleMesh mesh, CancellationToken cancel = default)
+        {
+            Mesh = mesh;
+            Corners = Weld(mesh, cancel);
+            var used = new bool[mesh.TriangleCount];
+            Blocks.For(used.Length, (from, to) =>
+            {
+                for (int t = from; t < to; t++)
+                    used[t] = !IsDegenerate(t);
+            }, cancel);
+            _sides = TriangleEdges.Sort(Corners, mesh.Vertices.Length, used, out _, cancel);
+            EdgeOf = new int[Corners.Length];
+            Array.Fill(EdgeOf, None);
+            var firsts = new int[_sides.Length + 1];
+            for (int i = 0; i < _sides.Length; i++)
+            {
+                if (i == 0 || !TriangleEdges.IsSame(Corners, _sides[i - 1], _sides[i]))
+                    firsts[EdgeCount++] = i;
+                EdgeOf[_sides[i]] = EdgeCount - 1;
+            }
+            firsts[EdgeCount] = _sides.Length;
+            Array.Resize(ref firsts, EdgeCount + 1);
+            _firsts = firsts;
+            for (int edge = 0; edge < EdgeCount; edge++)
+            {
+                int count = SidesOf(edge).Length;
+                OpenEdgeCount += count == 1 ? 1 : 0;
+                NonManifoldEdgeCount += count > 2 ? 1 : 0;
+            }
+        }
+
+        /// <summary>The mesh.</summary>
+        public TriangleMesh Mesh { get; }
+
+        /// <summary>
+        /// Vertex of each corner, three a triangle: the lowest number of a vertex of the mesh at that position.
+        /// </summary>
+        public int[] Corners { get; }
+
+        /// <summary>Number of edges.</summary>
+        public int EdgeCount { get; }
+
+        /// <summary>Edges of one triangle: borders of an open mesh.</summary>
+        public int OpenEdgeCount { get; }
+
+        /// <summary>Edges of more than two triangles.</summary>
+        public int NonManifoldEdgeCount { get; }
+
+        /// <summary>The edge of each side; <see cref="None"/> for sides of degenerate triangles.</summary>
+        public int[] EdgeOf { get; }
+
+        /// <summary>
+        /// The sides that are an edge, ascending, each of another triangle: one at an open edge, more than two at a
+        /// non-manifold one.
+        /// </summary>
+        public ReadOnlySpan<int> SidesOf(int edge) =>
+            _sides.AsSpan(_firsts[edge], _firsts[edge + 1] - _firsts[edge]);
+
+        /// <summary>
+        /// The side of the only other triangle at this one's edge; <see cref="None"/> at open and non-manifold edges
+        /// and for degenerate triangles.
+        /// </summary>
+        public int Across(int side)
+        {
+            int edge = EdgeOf[side];
+            if (edge == None || _firsts[edge + 1] - _firsts[edge] != 2)
+                return None;
+            int first = _sides[_firsts[edge]];
+            return first == side ? _sides[_firsts[edge] + 1] : first;
+        }
+
+        /// <summary>Whether two corners of a triangle are one vertex. Such triangles have no edges.</summary>
+        public bool IsDegenerate(int triangle)
+        {
+            int a = Corners[3 * triangle], b = Corners[3 * triangle + 1], c = Corners[3 * triangle + 2];
+            return a == b || b == c || c == a;
+        }
+
+        /// <summary>The corner that a side runs to.</summary>
+        public static int EndOf(int side) => TriangleEdges.End(side);
+
+        /// <summary>The corner that a side does not touch.</summary>
+        public static int Opposite(int side) => TriangleEdges.Opposite(side);
+
+        /// <summary>
+        /// Whether two sides of an edge run in opposite directions: the triangles are then wound the same way.
+        /// </summary>
+        public bool AreOpposed(int side, int other) => Corners[side] != Corners[other];
+
+        static int[] Weld(TriangleMesh mesh, CancellationToken cancel)
+        {
+            // -0 becomes 0: the same position, but other bits.
+            var positions = new float3[mesh.Vertices.Length];
+            for (int i = 0; i < positions.Length; i++)
+                positions[i] = mesh.Vertices[i] + 0f;
+            var welded = VertexWelder.Weld(positions, cancel);
+            return Array.ConvertAll(mesh.Indices, index => welded[index]);
+        }
+    }
+}

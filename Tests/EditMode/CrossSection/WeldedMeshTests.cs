@@ -1,0 +1,69 @@
+using System;
+using System.Diagnostics;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Glint.Tests
+{
+    public sealed class WeldedMeshTests
+    {
+        [Test]
+        public void Box_WithoutSharedVertices_HasEighteenEdgesOfTwoTriangles()
+        {
+            var welded = new WeldedMesh(
+                TestMeshes.Soup(new TriangleMesh(Solid.BoxVertices(1, 2, 3), Solid.BoxIndices)));
+
+            // 12 of the box and 6 diagonals.
+            Assert.That(welded.EdgeCount, Is.EqualTo(18));
+            Assert.That(welded.OpenEdgeCount + welded.NonManifoldEdgeCount, Is.Zero);
+            Assert.That(welded.Corners.Distinct().Count(), Is.EqualTo(8));
+            for (int side = 0; side < 36; side++)
+            {
+                int across = welded.Across(side);
+                Assert.That(across / 3, Is.Not.EqualTo(side / 3));
+                Assert.That(welded.Across(across), Is.EqualTo(side));
+                Assert.That(welded.AreOpposed(side, across));
+                Assert.That(welded.Corners[across], Is.EqualTo(welded.Corners[WeldedMesh.EndOf(side)]));
+            }
+        }
+
+        // Three pages of a book on one spine, the middle one between -0 and 0; a triangle whose corners are one point
+        // twice; a triangle of its own.
+        [Test]
+        public void Edges_OfABook_AreTheSpineAndOpenOnes()
+        {
+            float3 foot = 0, top = new float3(0, 1, 0);
+            var vertices = new[]
+            {
+                foot, top, new float3(1, 0, 0), new float3(-0f, -0f, 0), new float3(-1, 0, 0), new float3(0, 0, 1),
+                new float3(5, 0, 0), new float3(6, 0, 0), new float3(5, 1, 0),
+            };
+            var welded = new WeldedMesh(
+                new TriangleMesh(vertices, new[] { 0, 1, 2, 3, 1, 4, 1, 3, 5, 0, 3, 5, 6, 7, 8 }));
+
+            Assert.That(welded.NonManifoldEdgeCount, Is.EqualTo(1));
+            Assert.That(welded.OpenEdgeCount, Is.EqualTo(9));
+            Assert.That(welded.EdgeCount, Is.EqualTo(10));
+            Assert.That(welded.SidesOf(welded.EdgeOf[0]).ToArray(), Is.EqualTo(new[] { 0, 3, 6 }));
+            Assert.That(welded.IsDegenerate(3));
+            Assert.That(welded.EdgeOf.Skip(9).Take(3), Is.All.EqualTo(WeldedMesh.None));
+            Assert.That(Enumerable.Range(0, 15).Select(welded.Across), Is.All.EqualTo(WeldedMesh.None));
+        }
+
+        // The limit is twice what is asked of one thread, since tests share the machine.
+        [Test]
+        public void HalfAMillionTriangles_WithoutSharedVertices_AreWeldedInASecond()
+        {
+            var soup = TestMeshes.Soup(TestMeshes.Sea(500, 500));
+            var clock = Stopwatch.StartNew();
+            var welded = new WeldedMesh(soup);
+            var time = clock.Elapsed;
+            TestContext.WriteLine($"{soup.TriangleCount} triangles: {time.TotalMilliseconds:0} ms");
+            Assert.That(welded.OpenEdgeCount, Is.EqualTo(2000));
+            Assert.That(welded.EdgeCount, Is.EqualTo(500 * 501 * 2 + 500 * 500));
+            Assert.That(time, Is.LessThan(TimeSpan.FromSeconds(1)));
+        }
+    }
+}
