@@ -6,19 +6,6 @@ using Unity.Mathematics;
 
 namespace Glint.Reference
 {
-    /// <summary>A straight edge between two faces of a conductor, or the rim of one.</summary>
-    public struct ReferenceWedge
-    {
-        /// <summary>Ends of the edge, in the scene's coordinates, metres.</summary>
-        public double3 Start, End;
-
-        /// <summary>Unit vector from the edge into the first face, across the edge, and that face's normal into the air.</summary>
-        public double3 Face, Normal;
-
-        /// <summary>Angle through the air from the first face to the second, radians: 2 pi for a rim.</summary>
-        public double OuterAngle;
-    }
-
     /// <summary>Fringe fields of edges: what the field has beside that of physical optics.</summary>
     sealed class FringeField
     {
@@ -36,10 +23,10 @@ namespace Glint.Reference
         readonly ReferenceBvh _bvh;
         readonly CrossSectionReceiver[] _receivers;
         readonly CrossSectionReceiver _radar;
-        readonly IReadOnlyList<ReferenceWedge> _wedges;
+        readonly IReadOnlyList<Wedge> _wedges;
 
         public FringeField(CrossSectionPose pose, ReferenceBvh bvh, CrossSectionReceiver[] receivers,
-            IReadOnlyList<ReferenceWedge> wedges)
+            IReadOnlyList<Wedge> wedges)
         {
             _pose = pose;
             _bvh = bvh;
@@ -55,16 +42,20 @@ namespace Glint.Reference
             double longest = Signal.SpeedOfLight / _pose.Frequencies[_pose.Frequencies.Length - 1];
             foreach (var wedge in _wedges)
             {
-                int pieces = (int)Math.Ceiling(math.length(wedge.End - wedge.Start) / longest);
+                // Rays bounce on the inside of a corner; its edge adds nothing.
+                if (wedge.IsConcave)
+                    continue;
+                int pieces = (int)Math.Ceiling(wedge.Length / longest);
+                double3 edge = (wedge.B - wedge.A) / pieces;
                 for (int i = 0; i < pieces; i++)
-                    AddPiece(wedge, (wedge.End - wedge.Start) / pieces,
-                        wedge.Start + (i + 0.5) / pieces * (wedge.End - wedge.Start) - _bvh.Centre, sums);
+                    AddPiece(wedge, edge, wedge.A + (i + 0.5) * edge - _bvh.Centre, sums);
             }
         }
 
-        void AddPiece(in ReferenceWedge wedge, double3 edge, double3 middle, ScatteringMatrix[,] sums)
+        void AddPiece(Wedge wedge, double3 edge, double3 middle, ScatteringMatrix[,] sums)
         {
-            double3 outside = Math.Cos(wedge.OuterAngle / 2) * wedge.Face + Math.Sin(wedge.OuterAngle / 2) * wedge.Normal;
+            double3 outside = Math.Cos(wedge.OuterAngle / 2) * wedge.First.Into
+                + Math.Sin(wedge.OuterAngle / 2) * wedge.First.Normal;
             double3 start = middle + Beside * _bvh.Radius * outside;
             if (!Sees(start, _radar, wedge, out double3 toRadar, out double arrives))
                 return;
@@ -93,11 +84,11 @@ namespace Glint.Reference
 
         // Whether a point beside the edge sees the radar or a receiver, in which direction, and at which angle from the
         // first face.
-        bool Sees(double3 from, CrossSectionReceiver receiver, in ReferenceWedge wedge, out double3 direction,
+        bool Sees(double3 from, CrossSectionReceiver receiver, Wedge wedge, out double3 direction,
             out double angle)
         {
             direction = receiver.From(from, out double reach);
-            angle = Math.Atan2(math.dot(direction, wedge.Normal), math.dot(direction, wedge.Face));
+            angle = Math.Atan2(math.dot(direction, wedge.First.Normal), math.dot(direction, wedge.First.Into));
             if (angle < 0)
                 angle += 2 * math.PI_DBL;
             return angle <= wedge.OuterAngle && !_bvh.AnyHit(from, direction, reach);

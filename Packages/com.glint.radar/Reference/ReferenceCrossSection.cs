@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using System.Threading.Tasks;
@@ -29,68 +30,71 @@ namespace Glint.Reference
     /// </summary>
     public sealed class ReferenceCrossSection
     {
-        readonly CrossSectionPose _pose;
-        readonly TubeSettings _settings;
+        readonly RadarScene _scene;
+        readonly double _creaseDegrees;
+        readonly IReadOnlyList<ReferenceSurface> _surfaces;
         readonly ReferenceBvh _bvh;
-        readonly CrossSectionReceiver[] _receivers;
-        readonly WavefrontGrid _grid;
-        readonly TubeTracer _tracer;
-        readonly TubeBorder _border;
-        readonly TubeField _field;
-        readonly FringeField _fringes;
-        readonly double _maxWavenumber;
+        readonly SmoothedSurface _smoothed;
+        readonly IReadOnlyList<Wedge> _wedges;
 
-        /// <summary>The cross section of a pose.</summary>
-        /// <param name="patches">Patch of each triangle, in the scene's order.</param>
-        /// <param name="cornerNormals">Mean normals at the corners, three a triangle; null: all patches are flat.</param>
-        /// <param name="surfaces">For each surface of the scene.</param>
-        /// <param name="wedges">Edges with fringe fields.</param>
-        public ReferenceCrossSection(CrossSectionPose pose, in TubeSettings settings, int[] patches,
-            double3[] cornerNormals, IReadOnlyList<ReferenceSurface> surfaces, IReadOnlyList<ReferenceWedge> wedges)
+        /// <summary>The cross sections of a scene.</summary>
+        /// <param name="creaseDegrees">Bend of an edge above which it is sharp.</param>
+        /// <param name="surfaces">For each surface of the scene; null: all are perfect conductors.</param>
+        public ReferenceCrossSection(RadarScene scene, double creaseDegrees = CrossSectionPose.DefaultCreaseDegrees,
+            IReadOnlyList<ReferenceSurface> surfaces = null)
         {
-            _pose = pose;
-            _settings = settings;
-            _bvh = new ReferenceBvh(pose.Scene);
-            _receivers = pose.Receivers.Select(at => new CrossSectionReceiver(at, pose, _bvh.Centre)).ToArray();
-            _grid = new WavefrontGrid(pose, _bvh);
-            _tracer = new TubeTracer(pose, _grid, _bvh, new SmoothedSurface(_bvh, patches, cornerNormals), _receivers);
-            _field = new TubeField(pose, _receivers, surfaces);
-            _fringes = new FringeField(pose, _bvh, _receivers, wedges);
-            _maxWavenumber = Wavenumber(pose.Frequencies.Max());
-            _border = new TubeBorder(_receivers, settings.MaxPhaseError / _maxWavenumber);
+            _scene = scene;
+            _creaseDegrees = creaseDegrees;
+            _surfaces = surfaces ?? scene.Surfaces.Select(_ => ReferenceSurface.Conductor).ToArray();
+            _bvh = new ReferenceBvh(scene);
+            var patches = Array.ConvertAll(scene.Instances,
+                instance => SurfacePatches.Find(instance.Mesh, instance.Ranges, creaseDegrees));
+            _smoothed = new SmoothedSurface(_bvh, scene, patches);
+            var conductors = scene.Surfaces.Where((_, i) => _surfaces[i].IsConductor).ToArray();
+            _wedges = WedgeFinder.Find(scene, patches, conductors.Contains).Wedges;
         }
 
         internal static double Wavenumber(double frequency) => 2 * math.PI_DBL * frequency / Signal.SpeedOfLight;
 
         /// <summary>Scattering matrices by receiver and frequency.</summary>
-        public ScatteringMatrix[,] Compute()
+        /// <exception cref="ArgumentException">The pose has another scene or crease angle.</exception>
+        /// <exception cref="GlintException">The radar is within or beside the target.</exception>
+        public ScatteringMatrix[,] Compute(CrossSectionPose pose, in TubeSettings settings)
         {
-            double size = 2 * math.PI_DBL / _maxWavenumber / _settings.CellsPerWavelength;
-            var blocks = (int2)math.ceil((_grid.Max - _grid.Min) / (TubeBlock.Cells * size));
-            var sums = new ScatteringMatrix[blocks.x * blocks.y][,];
-            Parallel.For(0, sums.Length, i =>
-            {
-                double2 corner = _grid.Min + TubeBlock.Cells * size * new double2(i % blocks.x, i / blocks.x);
-                sums[i] = NewSums();
-                new TubeBlock(_tracer, _border, corner, size).Add(_settings.MaxDepth, _field, sums[i]);
-            });
-
-            // In the order of the blocks, whichever core was first.
-            var total = NewSums();
-            foreach (var sum in sums)
-                Add(sum, total);
-            if (_pose.HasEdges)
-                _fringes.Add(total);
+            if (pose.Scene != _scene || pose.CreaseDegrees != _creaseDegrees)
+                throw new ArgumentException("the pose has another scene or crease angle than the tracer", nameof(pose));
+            var receivers = pose.Receivers.Select(at => new CrossSectionReceiver(at, pose, _bvh.Centre)).ToArray();
+            var total = new ScatteringMatrix[receivers.Length, pose.Frequencies.Length];
+            AddTubes(pose, settings, receivers, total);
+            if (pose.HasEdges)
+                new FringeField(pose, _bvh, receivers, _wedges).Add(total);
             return total;
         }
 
-        ScatteringMatrix[,] NewSums() => new ScatteringMatrix[_receivers.Length, _pose.Frequencies.Length];
-
-        static void Add(ScatteringMatrix[,] part, ScatteringMatrix[,] sums)
+        void AddTubes(CrossSectionPose pose, in TubeSettings settings, CrossSectionReceiver[] receivers,
+            ScatteringMatrix[,] total)
         {
-            for (int r = 0; r < sums.GetLength(0); r++)
-                for (int f = 0; f < sums.GetLength(1); f++)
-                    sums[r, f] += part[r, f];
+            double maxWavenumber = Wavenumber(pose.Frequencies.Max());
+            double size = 2 * math.PI_DBL / maxWavenumber / settings.CellsPerWavelength;
+            var grid = new WavefrontGrid(pose, _bvh);
+            var tracer = new TubeTracer(pose, grid, _bvh, _smoothed, receivers);
+            var border = new TubeBorder(receivers, settings.MaxPhaseError / maxWavenumber);
+            var field = new TubeField(pose, receivers, _surfaces);
+            int maxDepth = settings.MaxDepth;
+            var blocks = (int2)math.ceil((grid.Max - grid.Min) / (TubeBlock.Cells * size));
+            var sums = new ScatteringMatrix[blocks.x * blocks.y][,];
+            Parallel.For(0, sums.Length, i =>
+            {
+                double2 corner = grid.Min + TubeBlock.Cells * size * new double2(i % blocks.x, i / blocks.x);
+                sums[i] = new ScatteringMatrix[receivers.Length, pose.Frequencies.Length];
+                new TubeBlock(tracer, border, corner, size).Add(maxDepth, field, sums[i]);
+            });
+
+            // In the order of the blocks, whichever core was first.
+            foreach (var sum in sums)
+                for (int r = 0; r < receivers.Length; r++)
+                    for (int f = 0; f < pose.Frequencies.Length; f++)
+                        total[r, f] += sum[r, f];
         }
     }
 }

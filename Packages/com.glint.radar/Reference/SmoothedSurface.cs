@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+using Glint.Core;
 using Unity.Mathematics;
 
 namespace Glint.Reference
@@ -6,16 +8,38 @@ namespace Glint.Reference
     sealed class SmoothedSurface
     {
         readonly ReferenceBvh _bvh;
-        readonly int[] _patches;
-        readonly double3[] _cornerNormals;
 
-        /// <param name="patches">Patch of each triangle, in the scene's order.</param>
-        /// <param name="cornerNormals">Three unit normals a triangle; null: all patches are flat.</param>
-        public SmoothedSurface(ReferenceBvh bvh, int[] patches, double3[] cornerNormals)
+        // Of each triangle in the scene's order: its patch, counted over all instances, and whether that is flat.
+        readonly List<int> _patches = new List<int>();
+        readonly List<bool> _isFlat = new List<bool>();
+
+        // Three a triangle, in the scene's frame.
+        readonly List<double3> _cornerNormals = new List<double3>();
+
+        /// <param name="patches">For each instance of the scene.</param>
+        public SmoothedSurface(ReferenceBvh bvh, RadarScene scene, IReadOnlyList<SurfacePatches> patches)
         {
             _bvh = bvh;
-            _patches = patches;
-            _cornerNormals = cornerNormals;
+            int firstPatch = 0;
+            for (int i = 0; i < patches.Count; i++)
+            {
+                var placed = scene.Instances[i].ToWorld;
+                // Normals transform like areas.
+                var areas = new Affine
+                {
+                    X = math.cross(placed.Y, placed.Z), Y = math.cross(placed.Z, placed.X),
+                    Z = math.cross(placed.X, placed.Y)
+                };
+                foreach (int patch in patches[i].PatchOf)
+                {
+                    _patches.Add(firstPatch + patch);
+                    // A triangle without area is in no patch, and no ray hits it.
+                    _isFlat.Add(patch == SurfacePatches.NoPatch || patches[i].IsFlat(patch));
+                }
+                foreach (var normal in patches[i].CornerNormals)
+                    _cornerNormals.Add(math.normalizesafe(areas.Vector(normal)));
+                firstPatch += patches[i].PatchCount;
+            }
         }
 
         /// <summary>Patch of a triangle of the BVH.</summary>
@@ -29,11 +53,9 @@ namespace Glint.Reference
                 facet = -facet;
             var flat = new SurfaceNormal { Facet = facet, Normal = facet };
             int first = 3 * _bvh.Number(triangle);
-            if (_cornerNormals == null)
+            if (_isFlat[_bvh.Number(triangle)])
                 return flat;
             double3 na = _cornerNormals[first], nb = _cornerNormals[first + 1], nc = _cornerNormals[first + 2];
-            if (na.Equals(nb) && nb.Equals(nc))
-                return flat;
 
             // Weights of the corners at the point are 1 - b - c, b and c; across the facet they change by their
             // gradients.
