@@ -46,7 +46,9 @@ namespace Glint.Tests
             Assert.That(welded.NonManifoldEdgeCount, Is.EqualTo(1));
             Assert.That(welded.OpenEdgeCount, Is.EqualTo(9));
             Assert.That(welded.EdgeCount, Is.EqualTo(10));
-            Assert.That(welded.SidesOf(welded.EdgeOf[0]).ToArray(), Is.EqualTo(new[] { 0, 3, 6 }));
+            int spine = welded.EdgeOf[0];
+            Assert.That(Enumerable.Range(0, welded.SideCount(spine)).Select(i => welded.SideOf(spine, i)),
+                Is.EqualTo(new[] { 0, 3, 6 }));
             Assert.That(welded.IsDegenerate(3));
             Assert.That(welded.EdgeOf.Skip(9).Take(3), Is.All.EqualTo(WeldedMesh.None));
             Assert.That(Enumerable.Range(0, 15).Select(welded.Across), Is.All.EqualTo(WeldedMesh.None));

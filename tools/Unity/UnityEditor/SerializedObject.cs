@@ -9,13 +9,13 @@ namespace UnityEditor;
 
 /// <summary>
 /// An object's fields by their serialized names. Supports only whether scripts may read a mesh, and the whole numbers
-/// of a script; null for others.
+/// and texts of a script; null for others.
 /// </summary>
 public class SerializedObject : IDisposable
 {
     SerializedProperty _readable;
-    SerializedProperty _number;
-    FieldInfo _numberField;
+    SerializedProperty _value;
+    FieldInfo _valueField;
 
     public SerializedObject(Object obj) => targetObject = obj;
 
@@ -23,13 +23,13 @@ public class SerializedObject : IDisposable
 
     public SerializedProperty FindProperty(string propertyPath) => targetObject is Mesh mesh
         && propertyPath == "m_IsReadable"
-        ? _readable ??= new SerializedProperty { boolValue = mesh.isReadable } : FindNumber(propertyPath);
+        ? _readable ??= new SerializedProperty { boolValue = mesh.isReadable } : FindValue(propertyPath);
 
     /// <summary>Writes changes as an undo step; false without changes.</summary>
     public bool ApplyModifiedProperties()
     {
-        if (_number is not null)
-            return ApplyNumber();
+        if (_value is not null)
+            return ApplyValue();
         if (targetObject is not Mesh mesh || _readable is null || _readable.boolValue == mesh.isReadable)
             return false;
         Undo.RecordObject(mesh, "Modified Property in " + mesh.name);
@@ -43,21 +43,21 @@ public class SerializedObject : IDisposable
     }
 
     // One at a time.
-    SerializedProperty FindNumber(string path)
+    SerializedProperty FindValue(string path)
     {
-        _numberField = SerializedFields.Of(targetObject.GetType())
-            .FirstOrDefault(field => field.Name == path && field.FieldType == typeof(int));
-        return _number = _numberField is null
+        _valueField = SerializedFields.Of(targetObject.GetType()).FirstOrDefault(field => field.Name == path
+            && (field.FieldType == typeof(int) || field.FieldType == typeof(string)));
+        return _value = _valueField is null
             ? null
-            : new SerializedProperty { intValue = (int)_numberField.GetValue(targetObject) };
+            : new SerializedProperty { Value = _valueField.GetValue(targetObject) };
     }
 
-    bool ApplyNumber()
+    bool ApplyValue()
     {
-        if (_number.intValue == (int)_numberField.GetValue(targetObject))
+        if (Equals(_value.Value, _valueField.GetValue(targetObject)))
             return false;
         Undo.RecordObject(targetObject, "Modified Property in " + targetObject.name);
-        _numberField.SetValue(targetObject, _number.intValue);
+        _valueField.SetValue(targetObject, _value.Value);
         Messages.Call(targetObject, "OnValidate");
         EditorUtility.SetDirty(targetObject);
         return true;
@@ -72,5 +72,9 @@ public class SerializedProperty
 
     public bool boolValue { get; set; }
 
-    public int intValue { get; set; }
+    public int intValue { get => (int)Value; set => Value = value; }
+
+    public string stringValue { get => (string)Value; set => Value = value; }
+
+    internal object Value { get; set; }
 }

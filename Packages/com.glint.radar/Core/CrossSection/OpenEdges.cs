@@ -68,7 +68,7 @@ namespace Glint.Core
         }
 
         static bool IsOpen(WeldedMesh welded, int side) =>
-            welded.EdgeOf[side] != WeldedMesh.None && welded.SidesOf(welded.EdgeOf[side]).Length == 1;
+            welded.EdgeOf[side] != WeldedMesh.None && welded.SideCount(welded.EdgeOf[side]) == 1;
 
         void Add(in PlacedPatches placed, int instance, int side)
         {

@@ -107,13 +107,13 @@ namespace Glint.Core
                 var welded = _placed[i].Welded;
                 for (int edge = 0; edge < welded.EdgeCount; edge++)
                 {
-                    var sides = welded.SidesOf(edge);
-                    if (sides.Length == 1 || _placed[i].Patches.IsSmooth(sides[0]))
+                    int count = welded.SideCount(edge), side = welded.SideOf(edge, 0);
+                    if (count == 1 || _placed[i].Patches.IsSmooth(side))
                         continue;
-                    double3 a = _placed[i].Point(sides[0]), b = _placed[i].Point(WeldedMesh.EndOf(sides[0]));
-                    var faces = new EdgeFace[sides.Length];
-                    for (int k = 0; k < faces.Length; k++)
-                        faces[k] = new EdgeFace(i, sides[k]);
+                    double3 a = _placed[i].Point(side), b = _placed[i].Point(WeldedMesh.EndOf(side));
+                    var faces = new EdgeFace[count];
+                    for (int k = 0; k < count; k++)
+                        faces[k] = new EdgeFace(i, welded.SideOf(edge, k));
                     if (math.distance(a, b) > 0)
                         _pieces.Add(new EdgePiece(a, b, faces));
                 }

@@ -45,7 +45,7 @@ namespace Glint.Core
             _firsts = firsts;
             for (int edge = 0; edge < EdgeCount; edge++)
             {
-                int count = SidesOf(edge).Length;
+                int count = SideCount(edge);
                 OpenEdgeCount += count == 1 ? 1 : 0;
                 NonManifoldEdgeCount += count > 2 ? 1 : 0;
             }
@@ -72,11 +72,13 @@ namespace Glint.Core
         public int[] EdgeOf { get; }
 
         /// <summary>
-        /// The sides that are an edge, ascending, each of another triangle: one at an open edge, more than two at a
+        /// Number of sides that are an edge, each of another triangle: one at an open edge, more than two at a
         /// non-manifold one.
         /// </summary>
-        public ReadOnlySpan<int> SidesOf(int edge) =>
-            _sides.AsSpan(_firsts[edge], _firsts[edge + 1] - _firsts[edge]);
+        public int SideCount(int edge) => _firsts[edge + 1] - _firsts[edge];
+
+        /// <summary>One of the sides that are an edge; they ascend with <paramref name="number"/>.</summary>
+        public int SideOf(int edge, int number) => _sides[_firsts[edge] + number];
 
         /// <summary>
         /// The side of the only other triangle at this one's edge; <see cref="None"/> at open and non-manifold edges
@@ -85,10 +87,10 @@ namespace Glint.Core
         public int Across(int side)
         {
             int edge = EdgeOf[side];
-            if (edge == None || _firsts[edge + 1] - _firsts[edge] != 2)
+            if (edge == None || SideCount(edge) != 2)
                 return None;
-            int first = _sides[_firsts[edge]];
-            return first == side ? _sides[_firsts[edge] + 1] : first;
+            int first = SideOf(edge, 0);
+            return first == side ? SideOf(edge, 1) : first;
         }
 
         /// <summary>Whether two corners of a triangle are one vertex. Such triangles have no edges.</summary>

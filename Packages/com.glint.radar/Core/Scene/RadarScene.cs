@@ -42,29 +42,4 @@ namespace Glint.Core
         /// <summary>Triangles of all instances.</summary>
         public long TriangleCount => Instances.Sum(instance => (long)instance.Mesh.TriangleCount);
     }
-
-    /// <summary>The reflection properties of a surface: a perfect conductor so far, distinguished by name.</summary>
-    public sealed class SurfaceMaterial : IEquatable<SurfaceMaterial>
-    {
-        /// <summary>The material of triangles that are given none.</summary>
-        public static readonly SurfaceMaterial PerfectConductor = new SurfaceMaterial("perfect conductor");
-
-        /// <summary>A material.</summary>
-        public SurfaceMaterial(string name) => Name = name;
-
-        /// <summary>For messages and results.</summary>
-        public string Name { get; }
-
-        /// <summary>Everything of the material in one line: equal materials have equal lines.</summary>
-        public override string ToString() => Name;
-
-        /// <inheritdoc/>
-        public bool Equals(SurfaceMaterial other) => other?.ToString() == ToString();
-
-        /// <inheritdoc/>
-        public override bool Equals(object other) => Equals(other as SurfaceMaterial);
-
-        /// <inheritdoc/>
-        public override int GetHashCode() => ToString().GetHashCode();
-    }
 }

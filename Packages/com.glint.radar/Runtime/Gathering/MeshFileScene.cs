@@ -86,8 +86,7 @@ namespace Glint
                 if (file.Surfaces[i].Material is string name)
                 {
                     var surface = made.AddComponent<RadarSurface>();
-                    surface.Material = ScriptableObject.CreateInstance<RadarMaterial>();
-                    surface.Material.name = name;
+                    surface.Material = RadarMaterial.Of(new SurfaceMaterial(name));
                     surface.Submesh = i;
                 }
             return made.transform;

@@ -62,7 +62,7 @@ namespace Glint
             var surface = Array.Find(_surfaces, own => own.Submesh == submesh) ?? _surface;
             return surface == null || surface.Material == null
                 ? SurfaceMaterial.PerfectConductor
-                : surface.Material.Material;
+                : surface.Material.ToSurface();
         }
 
         /// <summary>The parent of roots.</summary>

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Runtime.CompilerServices;
 using System.Text.RegularExpressions;
+using Glint.Core;
 using NUnit.Framework;
 using UnityEditor;
 using UnityEditor.SceneManagement;
@@ -38,6 +39,19 @@ public sealed class DocumentationTests
         foreach (string page in Directory.GetFiles(s_pages, "*.md").Select(Path.GetFileName)
             .Where(name => name != "index.md"))
             Assert.That(index, Does.Contain($"]({page})"));
+    }
+
+    [Test]
+    public void Materials_OfTheLibrary_AreInItsTableWithTheirRange()
+    {
+        string page = File.ReadAllText(Path.Combine(s_pages, "materials.md"));
+        IEnumerable<(string, string)> rows = Regex.Matches(page, @"(?m)^\| `(\w+)` \|[^|]*\|[^|]*\| ([^|]*) GHz \|")
+            .Select(match => (match.Groups[1].Value, match.Groups[2].Value));
+        Assert.That(rows, Is.EqualTo(PublishedMaterial.All.Select(published => (published.Name, Gigahertz(published)))));
+
+        static string Gigahertz(PublishedMaterial published) => string.Join(" to ",
+            Regex.Matches(published.Medium.Frequencies.ToString(), @"[\d.]+e\d+")
+                .Select(match => (double.Parse(match.Value) / 1e9).ToString("R")));
     }
 
     // "..." in a quote matches any text.

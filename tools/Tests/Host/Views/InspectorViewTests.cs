@@ -47,9 +47,13 @@ public sealed class InspectorViewTests
     }
 
     [Test]
-    public void Inspectors_AreThereForEveryComponentOfTheScene() =>
+    public void Inspectors_AreThereForComponentsAndMaterials() =>
         Assert.That(Inspected, Is.SupersetOf(
-            new[] { typeof(RadarController), typeof(RayPaths), typeof(Sweep), typeof(Sea), typeof(Ship) }));
+            new[]
+            {
+                typeof(RadarController), typeof(RadarMaterial), typeof(RayPaths), typeof(Sweep), typeof(Sea),
+                typeof(Ship)
+            }));
 
     [TestCaseSource(nameof(Inspected))]
     public void Inspector_OfOneObject_BuildsATreeAndLooksAtTheObject(Type type)
@@ -128,6 +132,27 @@ public sealed class InspectorViewTests
     }
 
     [Test]
+    public void Published_ChosenInTheMaterialsInspector_IsTheMaterialUntilUndone()
+    {
+        var material = (RadarMaterial)Make(typeof(RadarMaterial));
+        VisualElement inspector = Inspect(material);
+        Run(inspector);
+        var published = inspector.Find<DropdownField>(field => field.label == "Published");
+        Assert.That(published.enabledSelf, Is.False);
+        material.Kind = RadarMaterialKind.Published;
+        Run(inspector);
+        Assert.That(published.enabledSelf);
+        Assert.That(inspector.Tree().OfType<HelpBox>().Single().text, Does.Contain("no published material"));
+        published.value = "itu_brick";
+        Assert.That(material.Published, Is.EqualTo("itu_brick"));
+        Run(inspector);
+        Assert.That(inspector.Tree().OfType<HelpBox>(), Is.Empty);
+        Assert.That(inspector.Find<TextField>(row => row.label == "Source").value, Does.Contain("P.2040-3"));
+        Undo.PerformUndo();
+        Assert.That(material.Published, Is.Empty);
+    }
+
+    [Test]
     public void Change_InTheScene_IsLookedAtWhileTheInspectorIsShown()
     {
         VisualElement inspector = Inspect(Make(typeof(Ship)));
@@ -154,7 +179,9 @@ public sealed class InspectorViewTests
         return radar;
     }
 
-    Component Make(Type type) => Keep(new GameObject(type.Name)).AddComponent(type);
+    Object Make(Type type) => type.IsSubclassOf(typeof(ScriptableObject))
+        ? Keep(ScriptableObject.CreateInstance(type))
+        : Keep(new GameObject(type.Name)).AddComponent(type);
 
     T Keep<T>(T made)
         where T : Object

@@ -1,0 +1,122 @@
+using System;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// The grid of ray tubes on the wavefront: square cells, turned against edges that are level or upright, that cover
+    /// the box around the scene.
+    /// </summary>
+    public sealed class TubeGrid
+    {
+        /// <summary>Turn against the radar's axes, degrees: rows along an edge would take it in or out as a whole.</summary>
+        public const double TurnDegrees = 27.3;
+
+        // Maximum side of a cell at a finite range, as a fraction of sqrt(wavelength x range).
+        const double MaxNearSide = 0.22;
+
+        readonly double _range;
+
+        /// <summary>A grid of cells of a side, over a box, in the scene's frame, metres.</summary>
+        public TubeGrid(CrossSectionPose pose, double side, double3 boxMin, double3 boxMax)
+        {
+            Side = side;
+            _range = pose.Range;
+            double turn = math.radians(TurnDegrees), cos = Math.Cos(turn), sin = Math.Sin(turn);
+            double3 right = cos * pose.Radar.Right + sin * pose.Radar.Up;
+            double3 up = cos * pose.Radar.Up - sin * pose.Radar.Right;
+            double2 lower = double.PositiveInfinity, upper = double.NegativeInfinity;
+            double depth = 0;
+            for (int corner = 0; corner < 8; corner++)
+            {
+                double3 at = new double3((corner & 1) == 0 ? boxMin.x : boxMax.x, (corner & 2) == 0 ? boxMin.y : boxMax.y,
+                    (corner & 4) == 0 ? boxMin.z : boxMax.z) - pose.PhaseCentre;
+                double towards = math.dot(at, pose.Radar.ToRadar);
+                double scale = pose.IsFar ? 1 : pose.Range / Math.Max(pose.Range - towards, 1e-3 * pose.Range);
+                double2 place = scale * new double2(math.dot(at, right), math.dot(at, up));
+                lower = math.min(lower, place);
+                upper = math.max(upper, place);
+                depth = Math.Max(depth, towards);
+            }
+            double2 centre = (lower + upper) / 2;
+            if (!pose.IsFar)
+            {
+                upper = math.max(math.abs(lower), math.abs(upper));
+                (lower, centre) = (-upper, 0);
+            }
+            Cells = (int2)math.max(1, math.ceil((upper - lower) / side + 1));
+            double distance = pose.IsFar ? depth + side : pose.Range;
+            double height = Cells.y * side;
+            View = new RadarView
+            {
+                Position = pose.PhaseCentre + distance * pose.Radar.ToRadar + centre.x * right + centre.y * up,
+                Right = right, Up = up, Forward = -pose.Radar.ToRadar,
+                ApertureHeight = pose.IsFar ? height : 0,
+                VerticalFovDegrees = pose.IsFar ? 60 : math.degrees(2 * Math.Atan(height / (2 * pose.Range)))
+            };
+            Settings = new RadarSettings
+            {
+                FrequencyHz = pose.Frequencies[pose.Frequencies.Length - 1], RaysAcross = Cells.x, RaysDown = Cells.y,
+                MaxBounces = pose.MaxBounces
+            };
+            Rays = new RayGrid(Settings, View, boxMin, boxMax);
+        }
+
+        /// <summary>Side of a cell, metres; at a finite range, at that range.</summary>
+        public double Side { get; }
+
+        /// <summary>Cells across and up.</summary>
+        public int2 Cells { get; }
+
+        /// <summary>Number of cells.</summary>
+        public long Count => (long)Cells.x * Cells.y;
+
+        /// <summary>The grid as a picture whose pixels are its cells.</summary>
+        public RadarSettings Settings { get; }
+
+        /// <summary>The view of that picture.</summary>
+        public RadarView View { get; }
+
+        /// <summary>Its rays.</summary>
+        public RayGrid Rays { get; }
+
+        /// <summary>
+        /// The base cell of a place relative to the scene's centre: x and y, each the product of place and vector plus
+        /// its constant, over those of the depth.
+        /// </summary>
+        public (double3 Vector, double Constant)[] ToCell()
+        {
+            double3 from = View.Position - Rays.SceneCentre;
+            double3 depth = View.IsParallel ? 0 : View.Forward / _range;
+            double depthFrom = View.IsParallel ? 1 : -math.dot(depth, from);
+            (double3, double) Along(double3 axis, double middle)
+            {
+                double3 vector = axis / Side;
+                return (vector + middle * depth, middle * depthFrom - math.dot(vector, from));
+            }
+            return new[] { Along(View.Right, Cells.x / 2.0), Along(View.Up, Cells.y / 2.0), (depth, depthFrom) };
+        }
+
+        /// <summary>
+        /// Side of a cell: a wavelength, less for a target of few wavelengths, or where the wave is curved.
+        /// </summary>
+        public static double SideFor(CrossSectionPose pose, double3 boxMin, double3 boxMax)
+        {
+            double wavelength = Signal.Wavelength(pose.Frequencies[pose.Frequencies.Length - 1]);
+            double side = Math.Min(wavelength, math.length(boxMax - boxMin) / 16);
+            return pose.IsFar ? side : Math.Min(side, MaxNearSide * Math.Sqrt(wavelength * pose.Range));
+        }
+
+        /// <summary>
+        /// What the phases of the kernels lack, metres: distance to a receiver less path length, of the origin of the
+        /// kernels' coordinates.
+        /// </summary>
+        public double PhaseOf(CrossSectionPose pose, RadarAspect receiver)
+        {
+            double3 centre = Rays.SceneCentre - pose.PhaseCentre;
+            if (!pose.IsFar)
+                return 2 * pose.Range - math.length(pose.Range * receiver.ToRadar - centre) - Rays.OriginDepth;
+            return math.dot(receiver.ToRadar, centre) + math.dot(pose.Radar.ToRadar, Rays.Origin + centre);
+        }
+    }
+}

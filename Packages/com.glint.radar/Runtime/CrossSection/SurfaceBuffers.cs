@@ -1,0 +1,131 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint
+{
+    /// <summary>
+    /// Smooth patches and materials of a scene's triangles on the device: what the tracing of rays does not need.
+    /// </summary>
+    sealed class SurfaceBuffers : IDisposable
+    {
+        const uint Flat = uint.MaxValue;   // FLAT in Shaders/TubeBindings.hlsl
+        const int ReflectionSteps = 1024;  // REFLECTION_STEPS
+
+        readonly Dictionary<(TriangleMesh, double), (MeshRange[] Ranges, SurfacePatches Patches)> _patches =
+            new Dictionary<(TriangleMesh, double), (MeshRange[], SurfacePatches)>();
+        RadarScene _scene;
+        double _creaseDegrees, _frequency;
+
+        public DeviceBuffer<uint2> Facets { get; } = new DeviceBuffer<uint2>("facets");
+        public DeviceBuffer<float4> NormalFields { get; } = new DeviceBuffer<float4>("normals of curved facets");
+        public DeviceBuffer<uint2> InstanceFacets { get; } = new DeviceBuffer<uint2>("instances");
+        public DeviceBuffer<float4> Reflections { get; } = new DeviceBuffer<float4>("reflection coefficients");
+
+        public DeviceBuffer<float4> Vertices { get; } = new DeviceBuffer<float4>("corners of patches");
+
+        public int VertexCount { get; private set; }
+
+        public long Bytes => Vertices.Bytes + Facets.Bytes + NormalFields.Bytes + InstanceFacets.Bytes + Reflections.Bytes;
+
+        /// <summary>Uploads what has changed.</summary>
+        /// <param name="frequency">Of the reflection coefficients, hertz.</param>
+        public void Set(RadarScene scene, double3 centre, double creaseDegrees, double frequency)
+        {
+            bool isSame = _scene != null && scene.IsSame(_scene);
+            if (!isSame || creaseDegrees != _creaseDegrees)
+                SetPatches(scene, centre, creaseDegrees);
+            if (!isSame || frequency != _frequency)
+                Reflections.Upload(scene.Surfaces.SelectMany(surface => TableOf(surface, frequency)).ToArray());
+            (_scene, _creaseDegrees, _frequency) = (scene, creaseDegrees, frequency);
+        }
+
+        public void Dispose()
+        {
+            Facets.Dispose();
+            Vertices.Dispose();
+            NormalFields.Dispose();
+            InstanceFacets.Dispose();
+            Reflections.Dispose();
+            _patches.Clear();
+            _scene = null;
+        }
+
+        void SetPatches(RadarScene scene, double3 centre, double creaseDegrees)
+        {
+            var facets = new List<uint2>();
+            var fields = new List<float4>();
+            var firsts = new List<uint2>();
+            var first = new Dictionary<SurfacePatches, uint>();
+            uint patchCount = 0;
+            var vertices = new List<float4>();
+            foreach (var instance in scene.Instances)
+            {
+                var patches = PatchesOf(instance, creaseDegrees);
+                if (!first.TryGetValue(patches, out uint firstFacet))
+                {
+                    first.Add(patches, firstFacet = (uint)facets.Count);
+                    AddFacets(instance.Mesh, patches, facets, fields);
+                }
+                firsts.Add(new uint2(firstFacet, patchCount));
+                patchCount += (uint)patches.PatchCount;
+                foreach (float3 corner in CornersOf(instance.Mesh, patches))
+                    vertices.Add(new float4((float3)(instance.ToWorld.Point(corner) - centre), 0));
+            }
+            VertexCount = vertices.Count;
+            Vertices.Upload(vertices.ToArray());
+            Facets.Upload(facets.ToArray());
+            NormalFields.Upload(fields.ToArray());
+            InstanceFacets.Upload(firsts.ToArray());
+        }
+
+        // All vertices, until patches know their corners.
+        static IEnumerable<float3> CornersOf(TriangleMesh mesh, SurfacePatches patches) => mesh.Vertices;
+
+        SurfacePatches PatchesOf(in MeshInstance instance, double creaseDegrees)
+        {
+            var key = (instance.Mesh, creaseDegrees);
+            if (_patches.TryGetValue(key, out var known) && known.Ranges.SequenceEqual(instance.Ranges))
+                return known.Patches;
+            var patches = SurfacePatches.Find(instance.Mesh, instance.Ranges, creaseDegrees);
+            _patches[key] = (instance.Ranges, patches);
+            return patches;
+        }
+
+        static void AddFacets(TriangleMesh mesh, SurfacePatches patches, List<uint2> facets, List<float4> fields)
+        {
+            for (int triangle = 0; triangle < mesh.TriangleCount; triangle++)
+            {
+                int patch = patches.PatchOf[triangle];
+                facets.Add(new uint2((uint)patch, patches.IsFlat(patch) ? Flat : (uint)fields.Count));
+                if (!patches.IsFlat(patch))
+                    AddField(mesh, triangle, patches.CornerNormals, fields);
+            }
+        }
+
+        // The normal is linear over the facet: its gradient, and its value at the centroid, a row a component.
+        static void AddField(TriangleMesh mesh, int triangle, float3[] normals, List<float4> fields)
+        {
+            mesh.GetTriangle(triangle, out var a, out var b, out var c);
+            double3 side1 = (double3)b - a, side2 = (double3)c - a, normal = math.cross(side1, side2);
+            double square = math.dot(normal, normal);
+            double3 na = normals[3 * triangle], nb = normals[3 * triangle + 1], nc = normals[3 * triangle + 2];
+            // Gradients of the second and third barycentric coordinates.
+            double3 gradient1 = math.cross(side2, normal) / square, gradient2 = math.cross(normal, side1) / square;
+            double3 middle = (na + nb + nc) / 3;
+            for (int i = 0; i < 3; i++)
+            {
+                double3 gradient = square > 0 ? (nb[i] - na[i]) * gradient1 + (nc[i] - na[i]) * gradient2 : 0;
+                fields.Add(new float4((float3)gradient, (float)middle[i]));
+            }
+        }
+
+        static IEnumerable<float4> TableOf(SurfaceMaterial surface, double frequency)
+        {
+            for (int i = 0; i <= ReflectionSteps; i++)
+                yield return new float4(-1, 0, 1, 0);
+        }
+    }
+}

@@ -1,0 +1,28 @@
+using System.Runtime.InteropServices;
+using Unity.Mathematics;
+
+namespace Glint
+{
+    // GLINT_TUBE: Shaders/TubeBindings.hlsl, where the fields are explained.
+    [StructLayout(LayoutKind.Sequential)]
+    struct Tube
+    {
+        public float2 Gradient;
+        public float Phase;
+        public uint Tag;
+        public float4 CoPolar, CrossPolar, Corners01, Corners23;
+        public float2 Corner4;
+        public float Error, Bent;
+    }
+
+    // GLINT_CELL: Shaders/TubeBindings.hlsl, where the fields are explained.
+    [StructLayout(LayoutKind.Sequential)]
+    struct TubeCell
+    {
+        public uint2 Position;
+        public uint Level, FirstBounce;
+        public uint4 Signatures;
+        public uint FirstDifference, MustDivide;
+        public uint2 Unused;
+    }
+}

@@ -1,0 +1,49 @@
+using UnityEngine;
+
+namespace Glint
+{
+    // Names as in Shaders/TubeBindings.hlsl, TubeStages.hlsl and TubeSums.hlsl.
+    static class TubeIDs
+    {
+        public static readonly int _Facets = Shader.PropertyToID("_Facets");
+        public static readonly int _NormalFields = Shader.PropertyToID("_NormalFields");
+        public static readonly int _InstanceFacets = Shader.PropertyToID("_InstanceFacets");
+        public static readonly int _Reflections = Shader.PropertyToID("_Reflections");
+        public static readonly int _SentV = Shader.PropertyToID("_SentV");
+        public static readonly int _SentH = Shader.PropertyToID("_SentH");
+        public static readonly int _Receivers = Shader.PropertyToID("_Receivers");
+        public static readonly int _ReceiversV = Shader.PropertyToID("_ReceiversV");
+        public static readonly int _ReceiversH = Shader.PropertyToID("_ReceiversH");
+        public static readonly int _ReceiverCount = Shader.PropertyToID("_ReceiverCount");
+        public static readonly int _IsMonostatic = Shader.PropertyToID("_IsMonostatic");
+        public static readonly int _IsNear = Shader.PropertyToID("_IsNear");
+        public static readonly int _Range = Shader.PropertyToID("_Range");
+        public static readonly int _WaveNumber = Shader.PropertyToID("_WaveNumber");
+        public static readonly int _MaxBentPhase = Shader.PropertyToID("_MaxBentPhase");
+        public static readonly int _FadesShadows = Shader.PropertyToID("_FadesShadows");
+        public static readonly int _OnlyBounce = Shader.PropertyToID("_OnlyBounce");
+        public static readonly int _Grid = Shader.PropertyToID("_Grid");
+        public static readonly int _ListCapacity = Shader.PropertyToID("_ListCapacity");
+        public static readonly int _MaxLevel = Shader.PropertyToID("_MaxLevel");
+        public static readonly int _BisectLevel = Shader.PropertyToID("_BisectLevel");
+        public static readonly int _Round = Shader.PropertyToID("_Round");
+        public static readonly int _FrequencyCount = Shader.PropertyToID("_FrequencyCount");
+        public static readonly int _WaveNumbers = Shader.PropertyToID("_WaveNumbers");
+        public static readonly int _Tubes = Shader.PropertyToID("_Tubes");
+        public static readonly int _TubeCells = Shader.PropertyToID("_TubeCells");
+        public static readonly int _Borders = Shader.PropertyToID("_Borders");
+        public static readonly int _ClearedWords = Shader.PropertyToID("_ClearedWords");
+        public static readonly int _FrequencyGroups = Shader.PropertyToID("_FrequencyGroups");
+        public static readonly int _FrequenciesAGroup = Shader.PropertyToID("_FrequenciesAGroup");
+        public static readonly int _UnitsPerMetre = Shader.PropertyToID("_UnitsPerMetre");
+        public static readonly int _UnitsPerSquareMetre = Shader.PropertyToID("_UnitsPerSquareMetre");
+        public static readonly int _Vertices = Shader.PropertyToID("_Vertices");
+        public static readonly int _VertexCount = Shader.PropertyToID("_VertexCount");
+        public static readonly int _GridX = Shader.PropertyToID("_GridX");
+        public static readonly int _GridY = Shader.PropertyToID("_GridY");
+        public static readonly int _GridDepth = Shader.PropertyToID("_GridDepth");
+        public static readonly int _Marks = Shader.PropertyToID("_Marks");
+        public static readonly int _WrittenMarks = Shader.PropertyToID("_WrittenMarks");
+        public static readonly int _MarkWords = Shader.PropertyToID("_MarkWords");
+    }
+}

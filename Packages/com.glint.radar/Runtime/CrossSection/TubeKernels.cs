@@ -1,0 +1,192 @@
+using System;
+using System.Linq;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>The kernels of Shaders/Tubes.compute and their inputs.</summary>
+    sealed class TubeKernels : IDisposable
+    {
+        /// <summary>Maximum receivers of a trace: MAX_RECEIVERS in Shaders/TubeBindings.hlsl.</summary>
+        public const int MaxReceivers = 16;
+
+        /// <summary>Words of the output before the sums, and of each sum: TUBE_SUMS, TUBE_SUM_WORDS.</summary>
+        public const int FirstSum = 16, SumWords = 32;
+
+        const int Group = 64;              // GLINT_GROUP
+        const int ArgumentWords = 9;
+        const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24;
+
+        readonly ComputeShader _shader;
+        readonly int _clear, _clearMarks, _mark, _prepareBorders, _prepareCells, _sums;
+        readonly GraphicsBuffer _arguments = new GraphicsBuffer(
+            GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
+        int _cells, _borders;
+
+        /// <param name="shader">Shaders/Tubes.compute.</param>
+        public TubeKernels(ComputeShader shader)
+        {
+            _shader = shader;
+            _clear = shader.FindKernel("ClearTubes");
+            _clearMarks = shader.FindKernel("ClearMarks");
+            _mark = shader.FindKernel("MarkVertices");
+            _prepareBorders = shader.FindKernel("PrepareBorders");
+            _prepareCells = shader.FindKernel("PrepareCells");
+            _sums = shader.FindKernel("TubeSums");
+        }
+
+        /// <summary>Sets the scene.</summary>
+        public void SetScene(DeviceScene scene, SurfaceBuffers surfaces)
+        {
+            string suffix = scene.Pages.Count > 1 ? "Paged" : "";
+            _cells = _shader.FindKernel("TubeCells" + suffix);
+            _borders = _shader.FindKernel("TubeBorders" + suffix);
+            _shader.SetInt(ShaderIDs._InstanceBvhRoot, (int)scene.InstanceBvhRoot);
+            foreach (int kernel in new[] { _cells, _borders })
+            {
+                _shader.SetBuffer(kernel, ShaderIDs._InstanceBvh, scene.InstanceBvhRows.Buffer);
+                _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
+                _shader.SetBuffer(kernel, ShaderIDs._Ranges, scene.Ranges.Buffer);
+                for (int page = 0; page < DeviceBvhs.MaxPages; page++)
+                    _shader.SetBuffer(kernel, ShaderIDs._Bvh[page],
+                        scene.Pages[page < scene.Pages.Count ? page : 0].Rows.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._NormalFields, surfaces.NormalFields.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._InstanceFacets, surfaces.InstanceFacets.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._Reflections, surfaces.Reflections.Buffer);
+            }
+        }
+
+        /// <summary>Sets illumination and receivers.</summary>
+        public void SetPose(CrossSectionPose pose, TubeGrid grid)
+        {
+            var rays = grid.Rays;
+            SetVector(ShaderIDs._Origin, rays.Origin);
+            SetVector(ShaderIDs._OriginDx, rays.OriginDx);
+            SetVector(ShaderIDs._OriginDy, rays.OriginDy);
+            SetVector(ShaderIDs._Direction, rays.Direction);
+            SetVector(ShaderIDs._DirectionDx, rays.DirectionDx);
+            SetVector(ShaderIDs._DirectionDy, rays.DirectionDy);
+            _shader.SetNumber(ShaderIDs._OriginDepth, rays.OriginDepth);
+            _shader.SetVector(ShaderIDs._ReferencePixel, new Vector4(rays.ReferencePixel.x, rays.ReferencePixel.y));
+            _shader.SetVector(ShaderIDs._SceneCentreExtent, ToVector(rays.SceneCentre, (float)rays.SceneExtent));
+            _shader.SetInt(ShaderIDs._MaxBounces, pose.MaxBounces);
+
+            _shader.SetVector(TubeIDs._SentV, ToVector(pose.Radar.Up));
+            _shader.SetVector(TubeIDs._SentH, ToVector(pose.Radar.Right));
+            double3 from = pose.PhaseCentre - rays.SceneCentre;
+            _shader.SetVectorArray(TubeIDs._Receivers, Padded(pose, receiver =>
+            {
+                double3 at = pose.IsFar ? receiver.ToRadar : from + pose.Range * receiver.ToRadar;
+                return ToVector(at, (float)math.length(at));
+            }));
+            _shader.SetVectorArray(TubeIDs._ReceiversV, Padded(pose, receiver => ToVector(receiver.Up)));
+            _shader.SetVectorArray(TubeIDs._ReceiversH, Padded(pose, receiver => ToVector(receiver.Right)));
+            _shader.SetInt(TubeIDs._ReceiverCount, pose.Receivers.Length);
+            bool isMonostatic =
+                pose.Receivers.Length == 1 && pose.Receivers[0].ToRadar.Equals(pose.Radar.ToRadar);
+            _shader.SetInt(TubeIDs._IsMonostatic, isMonostatic ? 1 : 0);
+            _shader.SetInt(TubeIDs._IsNear, pose.IsFar ? 0 : 1);
+            _shader.SetFloat(TubeIDs._Range, pose.IsFar ? 0 : (float)pose.Range);
+            _shader.SetInt(TubeIDs._FadesShadows, pose.FadesShadows ? 1 : 0);
+            _shader.SetInt(TubeIDs._OnlyBounce, pose.OnlyBounce);
+            _shader.SetInt(TubeIDs._FrequencyCount, pose.Frequencies.Length);
+            int together = 1;
+            while (together < pose.Frequencies.Length && together < Group)
+                together *= 2;
+            _shader.SetInt(TubeIDs._FrequenciesAGroup, together);
+            _shader.SetInt(TubeIDs._FrequencyGroups, (pose.Frequencies.Length + together - 1) / together);
+        }
+
+        /// <summary>Sets how finely cells are divided and borders found.</summary>
+        public void SetAccuracy(double waveNumber, double maxBentPhase, int maxLevel, int bisectLevel,
+            double unitsPerMetre, double unitsPerSquareMetre)
+        {
+            _shader.SetFloat(TubeIDs._WaveNumber, (float)waveNumber);
+            _shader.SetFloat(TubeIDs._MaxBentPhase, (float)maxBentPhase);
+            _shader.SetInt(TubeIDs._MaxLevel, maxLevel);
+            _shader.SetInt(TubeIDs._BisectLevel, bisectLevel);
+            _shader.SetFloat(TubeIDs._UnitsPerMetre, (float)unitsPerMetre);
+            _shader.SetFloat(TubeIDs._UnitsPerSquareMetre, (float)unitsPerSquareMetre);
+        }
+
+        /// <summary>Sets the lists that the kernels leave to each other.</summary>
+        public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<TubeCell> cells,
+            DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers)
+        {
+            foreach (int kernel in new[] { _clear, _cells, _prepareBorders, _borders, _prepareCells, _sums })
+                _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
+            foreach (int kernel in new[] { _cells, _borders, _sums })
+                _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
+            foreach (int kernel in new[] { _cells, _borders })
+            {
+                _shader.SetBuffer(kernel, TubeIDs._TubeCells, cells.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._Borders, borders.Buffer);
+            }
+            foreach (int kernel in new[] { _prepareBorders, _prepareCells })
+                _shader.SetBuffer(kernel, ShaderIDs._Arguments, _arguments);
+            _shader.SetBuffer(_sums, TubeIDs._WaveNumbers, waveNumbers.Buffer);
+            _shader.SetInts(TubeIDs._ListCapacity, tubes.Capacity, cells.Capacity, borders.Capacity, 0);
+        }
+
+        /// <summary>Marks the cells in which corners of patches are seen.</summary>
+        public void Mark(TubeGrid grid, SurfaceBuffers surfaces, DeviceBuffer<uint> marks)
+        {
+            var toCell = grid.ToCell();
+            _shader.SetVector(TubeIDs._GridX, ToVector(toCell[0].Vector, (float)toCell[0].Constant));
+            _shader.SetVector(TubeIDs._GridY, ToVector(toCell[1].Vector, (float)toCell[1].Constant));
+            _shader.SetVector(TubeIDs._GridDepth, ToVector(toCell[2].Vector, (float)toCell[2].Constant));
+            int words = 2 * (int)grid.Count;
+            _shader.SetInt(TubeIDs._MarkWords, words);
+            _shader.SetInt(TubeIDs._VertexCount, surfaces.VertexCount);
+            _shader.SetInts(TubeIDs._Grid, grid.Cells.x, 0, 0, 0);
+            foreach (int kernel in new[] { _clearMarks, _mark })
+                _shader.SetBuffer(kernel, TubeIDs._WrittenMarks, marks.Buffer);
+            _shader.SetBuffer(_mark, TubeIDs._Vertices, surfaces.Vertices.Buffer);
+            _shader.SetBuffer(_cells, TubeIDs._Marks, marks.Buffer);
+            _shader.DispatchThreads(_clearMarks, words);
+            _shader.DispatchThreads(_mark, surfaces.VertexCount);
+        }
+
+        /// <summary>Clears counts and sums.</summary>
+        public void Clear(int words)
+        {
+            _shader.SetInt(TubeIDs._ClearedWords, words);
+            _shader.DispatchThreads(_clear, words);
+        }
+
+        /// <summary>Traces base cells, in rounds the parts of those that are divided, and sums the tubes.</summary>
+        public void Trace(TubeGrid grid, long first, int count, int rounds)
+        {
+            _shader.SetInts(TubeIDs._Grid, grid.Cells.x, (int)first, count, 0);
+            for (int round = 0; round < rounds; round++)
+            {
+                _shader.SetInt(TubeIDs._Round, round);
+                if (round == 0)
+                    _shader.DispatchThreads(_cells, count);
+                else
+                    _shader.DispatchIndirect(_cells, _arguments, CellArguments);
+                _shader.Dispatch(_prepareBorders, 1, 1, 1);
+                _shader.DispatchIndirect(_borders, _arguments, BorderArguments);
+                _shader.Dispatch(_prepareCells, 1, 1, 1);
+            }
+            _shader.DispatchIndirect(_sums, _arguments, TubeArguments);
+        }
+
+        public void Dispose() => _arguments.Dispose();
+
+        static Vector4[] Padded(CrossSectionPose pose, Func<RadarAspect, Vector4> value) =>
+            pose.Receivers.Select(value).Concat(Enumerable.Repeat(Vector4.zero, MaxReceivers - pose.Receivers.Length))
+                .ToArray();
+
+        static Vector4 ToVector(double3 v, float w = 0) => new Vector4((float)v.x, (float)v.y, (float)v.z, w);
+
+        void SetVector((int value, int lo) id, double3 v)
+        {
+            _shader.SetVector(id.value, ToVector(v));
+            _shader.SetVector(id.lo, new Vector4(DoubleFloat.Lo(v.x), DoubleFloat.Lo(v.y), DoubleFloat.Lo(v.z)));
+        }
+    }
+}

@@ -1,0 +1,132 @@
+#ifndef GLINT_PHYSICAL_OPTICS
+#define GLINT_PHYSICAL_OPTICS
+
+#include "TubePath.hlsl"
+
+// The currents that a tube paints on the surface at each hit, and what they radiate (Documentation~/rcs.md).
+
+// Minimum cosine of the incidence angle of hits that radiate.
+static const float MIN_COSINE = 1.0e-4;
+
+// Curvature times wavelength below which shadow edges fade: k R above 50.
+static const float MIN_FADED_RADIUS = 50.0;
+
+struct Receiver
+{
+    float3 Direction;      // unit vector from the hit
+    float3 V, H;
+    float Distance;        // to the receiver, m; MISS: far
+    float Phase;           // the way from the scene's centre to the receiver less that from the hit, m
+    float Strength;        // of what arrives, relative to that from the scene's centre
+};
+
+Receiver ReceiverFrom(uint index, float3 place)
+{
+    Receiver receiver;
+    receiver.Direction = _Receivers[index].xyz;
+    receiver.V = _ReceiversV[index].xyz;
+    receiver.H = _ReceiversH[index].xyz;
+    receiver.Distance = MISS;
+    receiver.Phase = dot(place, receiver.Direction);
+    receiver.Strength = 1.0;
+    if (_IsNear != 0)
+    {
+        float3 way = _Receivers[index].xyz - place;
+        receiver.Distance = length(way);
+        receiver.Direction = way / receiver.Distance;
+        // the difference of both distances, without cancellation
+        receiver.Phase = dot(place, _Receivers[index].xyz + way) / (receiver.Distance + _Receivers[index].w);
+        receiver.V -= receiver.Direction * dot(receiver.Direction, receiver.V);
+        receiver.H -= receiver.Direction * dot(receiver.Direction, receiver.H);
+        receiver.Strength = _Range / receiver.Distance;
+    }
+    return receiver;
+}
+
+// Whether the current at a hit radiates to a receiver: that of the first bounce also makes the shadow behind the
+// surface, later ones do not pass through it.
+bool Radiates(TubePath tube, SurfacePoint at, Receiver receiver)
+{
+    bool isFacing = dot(at.FacetNormal, receiver.Direction) > 0.0, isFirst = tube.Path.Bounces == 1;
+    if (isFirst && (!isFacing || _IsMonostatic != 0))
+        return true;
+    if (!isFacing)
+        return false;
+    Ray ray = (Ray)0;
+    ray.Origin = at.NextStart;
+    ray.Start = at.NextStart;
+    ray.Direction = receiver.Direction;
+    ray.ExcludedTriangle = at.Triangle;
+    bool isAmbiguous;
+    return !AnyHit(ray, receiver.Distance, isAmbiguous);
+}
+
+// Factor of the current towards a curved surface's shadow: over the width in which nature fades it.
+float FadeOf(SurfacePoint at, float cosine)
+{
+    float radius = _WaveNumber / max(at.CurvatureAlong, 1.0e-20);
+    if (_FadesShadows == 0 || at.CurvatureAlong <= 0.0 || radius < MIN_FADED_RADIUS)
+        return 1.0;
+    float x = min(1.0, cosine * pow(0.5 * radius, 1.0 / 3.0));
+    return x * x * (3.0 - 2.0 * x);
+}
+
+// p.C of the field of one sent polarisation (see ReflectField) for a received polarisation.
+float2 Radiated(float3 received, float4 field, float3 toReceiver, float3 direction, float3 normal, float3 v, float3 h,
+    float4 reflection)
+{
+    float3 s = AcrossIncidence(direction, normal, v), p = cross(s, direction), next = Mirrored(direction, normal),
+        reflectedP = cross(s, next);
+    float2 alongS = field.xy * dot(s, v) + field.zw * dot(s, h), alongP = field.xy * dot(p, v) + field.zw * dot(p, h);
+    float3 magnetic = cross(toReceiver, cross(s, normal));
+    float incidentS = dot(received, cross(normal, cross(direction, s)) - magnetic),
+        reflectedS = dot(received, cross(normal, cross(next, s)) - magnetic),
+        incidentP = dot(received, cross(normal, cross(direction, p)) - cross(toReceiver, cross(p, normal))),
+        reflected = dot(received, cross(normal, cross(next, reflectedP)) - cross(toReceiver, cross(reflectedP, normal)));
+    return Times(alongS, float2(incidentS, 0.0) + reflectedS * reflection.xy)
+        + Times(alongP, float2(incidentP, 0.0) + reflected * reflection.zw);
+}
+
+// The currents at a hit, towards a receiver: a tube without its polygon.
+Tube CurrentsAt(TubePath tube, SurfacePoint at, uint index, Receiver receiver)
+{
+    float3 d = tube.Path.Ray.Direction;
+    float cosine = -dot(d, at.Normal);
+    float4 reflection = ReflectionOf(at.Surface, cosine);
+    float section = abs(Section(tube.PlaceU, tube.PlaceV, d));
+    float scale = cosine < MIN_COSINE ? 0.0
+        : receiver.Strength * FadeOf(at, cosine) * sqrt(abs(tube.StartSection) * section) / cosine;
+    Tube currents = (Tube)0;
+    currents.Phase = receiver.Phase - tube.Path.RelativeLength;
+    float3 slope = receiver.Direction - d;
+    currents.Gradient = float2(dot(slope, tube.PlaceU), dot(slope, tube.PlaceV));
+    currents.Tag = index | tube.Path.Bounces << 8;
+    currents.CoPolar = scale * float4(
+        Radiated(receiver.V, tube.FieldV, receiver.Direction, d, at.Normal, tube.V, tube.H, reflection),
+        Radiated(receiver.H, tube.FieldH, receiver.Direction, d, at.Normal, tube.V, tube.H, reflection));
+    currents.CrossPolar = scale * float4(
+        Radiated(receiver.H, tube.FieldV, receiver.Direction, d, at.Normal, tube.V, tube.H, reflection),
+        Radiated(receiver.V, tube.FieldH, receiver.Direction, d, at.Normal, tube.V, tube.H, reflection));
+    return currents;
+}
+
+// Largest magnitude of p.C times area a base cell of the four pairs of polarisations, m2.
+float MagnitudeOf(Tube tube)
+{
+    float2 co = max(tube.CoPolar.xy * tube.CoPolar.xy, tube.CoPolar.zw * tube.CoPolar.zw);
+    float2 cross = max(tube.CrossPolar.xy * tube.CrossPolar.xy, tube.CrossPolar.zw * tube.CrossPolar.zw);
+    float2 largest = max(co, cross);
+    return sqrt(largest.x + largest.y);
+}
+
+void AddTube(Tube tube)
+{
+    if ((tube.Tag >> 8 & 0xff) != _OnlyBounce && _OnlyBounce != 0)
+        return;
+    uint at;
+    InterlockedAdd(_Sums[TUBE_COUNT], 1, at);
+    if (at < _ListCapacity.x)
+        _Tubes[at] = tube;
+}
+
+#endif

@@ -1,0 +1,101 @@
+#ifndef GLINT_TUBE_BINDINGS
+#define GLINT_TUBE_BINDINGS
+
+#include "WorkLists.hlsl"
+
+// Words of _Sums: the counts, then the sums of each receiver and frequency.
+static const uint TUBE_COUNT = 0;          // tubes; may exceed _Capacity
+static const uint TUBE_CELLS = 1;          // cells of the next round
+static const uint TUBE_BORDERS = 2;        // border cells of this round
+static const uint TUBE_OVERFLOW = 3;       // 1: a list was full
+static const uint TUBE_RAYS = 4;           // rays traced, 64 bits
+static const uint TUBE_BOUNCES = 6;        // maximum bounces of a path
+static const uint TUBE_SUMS = 16;
+static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
+static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each
+static const uint SUM_BENT = 16;           // S of the error of bent phases, 64 bits each part
+static const uint SUM_ERROR = 20;          // sum of squared errors of borders, 64 bits
+static const uint SUM_TUBE_OVERFLOW = 22;  // 1: a contribution was too large for a sum
+
+static const uint MAX_RECEIVERS = 16;
+static const uint REFLECTION_STEPS = 1024; // of a table over the cosine of the incidence angle
+static const uint FLAT = 0xffffffff;       // a facet without a field of normals
+static const uint TUBES_A_GROUP = 256;      // of the kernel that sums
+
+// Byte offsets of the indirect dispatches in _Arguments.
+static const uint BORDER_ARGUMENTS = 0;
+static const uint CELL_ARGUMENTS = 12;
+static const uint TUBE_ARGUMENTS = 24;
+
+// GLINT_TUBE: the currents of a piece of a ray tube at one hit, towards one receiver (Runtime/CrossSection/Tube.cs).
+// The piece is a polygon in the plane of the grid, whose unit is a base cell.
+struct Tube
+{
+    float2 Gradient;      // of the phase along the grid, m a base cell
+    float Phase;          // distance to the receiver less path length at the place of the ray, m
+    uint Tag;             // receiver | bounce << 8 | corners << 16; no corners: a square about the ray
+    float4 CoPolar;       // p.C times area a base cell, m2: VV, HH
+    float4 CrossPolar;    // HV, VH
+    float4 Corners01;     // of the polygon, from the place of the ray; x: side of a square
+    float4 Corners23;
+    float2 Corner4;
+    float Error;          // magnitude of the error of p.C times area, m2
+    float Bent;           // relative error by the bent phase, at the highest frequency
+};
+
+// A cell of the grid.
+struct Cell
+{
+    uint2 Position;       // in cells of its level
+    uint Level;           // its side is 2^-Level base cells
+    uint FirstBounce;     // bounces before it are summed already
+    uint4 Signatures;     // of the rays through its corners, in order around it
+    uint FirstDifference; // bounces before it are the same at all corners
+    uint MustDivide;
+    uint2 Unused;
+};
+
+// Input: what the tracer does not need.
+StructuredBuffer<uint2> _Facets;           // per triangle: patch, first row in _NormalFields or FLAT
+StructuredBuffer<float4> _NormalFields;    // three rows a facet: gradient of a component of the normal; its value at
+                                           // the centroid
+StructuredBuffer<uint2> _InstanceFacets;   // per instance: first element of _Facets, first patch
+StructuredBuffer<float4> _Reflections;     // per surface REFLECTION_STEPS + 1 elements: R_s, R_p over the cosine
+
+// Input: the radar and the receivers. At a finite range places are relative to the scene's centre.
+float4 _SentV, _SentH;
+float4 _Receivers[MAX_RECEIVERS];          // far: unit vector to the receiver; near: its place, w: its distance from 0
+float4 _ReceiversV[MAX_RECEIVERS];
+float4 _ReceiversH[MAX_RECEIVERS];
+uint _ReceiverCount;
+uint _IsMonostatic;                        // 1: the only receiver is at the radar
+uint _IsNear;                              // 1: finite range
+float _Range;                              // at which the field is 1 at a finite range, m
+float _WaveNumber;                         // of the highest frequency, rad/m
+float _MaxBentPhase;                       // of a cell that is not divided, rad
+uint _FadesShadows;
+uint _OnlyBounce;                          // 0: all
+
+// Input: the work.
+uint4 _Grid;                               // base cells across; first and number of this dispatch
+uint4 _ListCapacity;                       // x: tubes, y: cells, z: borders
+uint _MaxLevel;                            // cells at it are not divided
+uint _BisectLevel;                         // borders are found to 2^-_BisectLevel base cells
+uint _Round;                               // 0: the base cells
+uint _FrequencyCount;
+StructuredBuffer<float4> _WaveNumbers;     // per frequency: k rad/m; k / 2 pi: float32 and its Lo part
+
+// Places where borders may turn, which rays through corners of cells can miss: corners of patches, relative to the scene's
+// centre, m; and bits of the base cells that they fall into, MARKS x MARKS a cell.
+static const uint MARK_LEVEL = 3;
+static const uint MARKS = 8;
+uint _VertexCount;
+float4 _GridX, _GridY, _GridDepth;         // base cell of a place: (X.place) / (Depth.place), w constant
+StructuredBuffer<float4> _Vertices;
+StructuredBuffer<uint> _Marks;             // two words a base cell
+
+RWStructuredBuffer<Tube> _Tubes;
+RWStructuredBuffer<Cell> _TubeCells;
+RWStructuredBuffer<Cell> _Borders;
+
+#endif

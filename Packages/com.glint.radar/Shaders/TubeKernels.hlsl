@@ -1,0 +1,14 @@
+#ifndef GLINT_TUBE_KERNELS
+#define GLINT_TUBE_KERNELS
+
+#if defined(GLINT_TUBE_STAGE)
+#include "TubeStages.hlsl"
+#elif defined(GLINT_SUM_TUBES)
+#include "TubeSums.hlsl"
+#elif defined(GLINT_CELLS)
+#include "TubeCells.hlsl"
+#else
+#include "TubeBorders.hlsl"
+#endif
+
+#endif

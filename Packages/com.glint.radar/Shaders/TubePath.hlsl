@@ -1,0 +1,224 @@
+#ifndef GLINT_TUBE_PATH
+#define GLINT_TUBE_PATH
+
+#include "TubeBindings.hlsl"
+#include "Path.hlsl"
+#include "Identity.hlsl"
+
+// A ray with its differentials by the coordinates u, v of the grid (Igehy 1999), and the field that it carries.
+
+struct TubePath
+{
+    Path Path;
+    float3 PlaceU, PlaceV;          // m a base cell, in the tangent plane of the last hit
+    float3 DirectionU, DirectionV;  // a base cell
+    float3 V, H;                    // the polarisations sent, mirrored with the ray
+    float4 FieldV, FieldH;          // complex parts along V and H of the field for V sent, for H sent; without spread
+    float StartSection;             // where the field is 1, m2 a base cell
+    uint Signature;                 // of the patches met, and who sees them
+};
+
+// What a tube meets.
+struct SurfacePoint
+{
+    float3 Normal;         // smoothed, towards the ray
+    float3 NormalU;        // its derivatives
+    float3 NormalV;
+    float3 FacetNormal;    // towards the ray
+    float CurvatureAlong;  // of the surface along the ray, 1/m; above 0: convex
+    uint Patch;
+    uint Surface;
+    uint2 Triangle;        // see NumberOf
+    float3 NextStart;      // of shadow rays
+};
+
+// Section of the tube across its direction, m2 a base cell, signed.
+float Section(float3 placeU, float3 placeV, float3 direction)
+{
+    return dot(cross(placeU, placeV), direction);
+}
+
+TubePath BeginTube(float2 position)
+{
+    TubePath tube = (TubePath)0;
+    tube.Path = BeginPath(position - _ReferencePixel.xy);
+    float3 d = tube.Path.Ray.Direction;
+    tube.PlaceU = _OriginDx.xyz;
+    tube.PlaceV = _OriginDy.xyz;
+    float3 whole = _Direction.xyz + (position.x - _ReferencePixel.x) * _DirectionDx.xyz
+        + (position.y - _ReferencePixel.y) * _DirectionDy.xyz;
+    tube.DirectionU = (_DirectionDx.xyz - d * dot(d, _DirectionDx.xyz)) / length(whole);
+    tube.DirectionV = (_DirectionDy.xyz - d * dot(d, _DirectionDy.xyz)) / length(whole);
+    tube.V = normalize(_SentV.xyz - d * dot(d, _SentV.xyz));
+    tube.H = _SentH.xyz - d * dot(d, _SentH.xyz);
+    tube.H = normalize(tube.H - tube.V * dot(tube.V, tube.H));
+    tube.FieldV = float4(1.0, 0.0, 0.0, 0.0);
+    tube.FieldH = float4(0.0, 0.0, 1.0, 0.0);
+    tube.StartSection = _IsNear != 0
+        ? _Range * _Range * Section(tube.DirectionU, tube.DirectionV, d) : Section(tube.PlaceU, tube.PlaceV, d);
+    tube.Signature = 2166136261u;
+    return tube;
+}
+
+float2 Times(float2 a, float2 b)
+{
+    return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
+// Product with j.
+float2 Quarter(float2 a)
+{
+    return float2(-a.y, a.x);
+}
+
+void Sign(inout TubePath tube, uint value)
+{
+    uint mixed = (tube.Signature ^ value) * 16777619u;
+    tube.Signature = (mixed ^ (mixed >> 13)) * 2246822519u;
+}
+
+// Caustic lines that the tube passes over a distance: roots of its section, a quadratic function of the distance.
+uint CausticsWithin(TubePath tube, float distance)
+{
+    float3 d = tube.Path.Ray.Direction;
+    float a = Section(tube.DirectionU, tube.DirectionV, d);
+    float b = Section(tube.PlaceU, tube.DirectionV, d) + Section(tube.DirectionU, tube.PlaceV, d);
+    float c = Section(tube.PlaceU, tube.PlaceV, d);
+    float root = b * b - 4.0 * a * c;
+    if (root <= 0.0 || a == 0.0 && b == 0.0)
+        return 0;
+    float q = -0.5 * (b + (b < 0.0 ? -sqrt(root) : sqrt(root)));
+    float first = c / q, second = a == 0.0 ? -1.0 : q / a;
+    return (first > 0.0 && first < distance ? 1 : 0) + (second > 0.0 && second < distance ? 1 : 0);
+}
+
+// The normal at a hit: that of the facet, or of its patch.
+SurfacePoint PointOf(TubePath tube, Hit hit, float3 facetNormal, float3 placeU, float3 placeV)
+{
+    SurfacePoint at = (SurfacePoint)0;
+    Identity identity = Identify(hit);
+    uint2 first = _InstanceFacets[identity.Instance], facet = _Facets[first.x + identity.Triangle];
+    at.Patch = first.y + facet.x;
+    at.Surface = identity.Surface;
+    at.Triangle = NumberOf(hit.Instance, hit.Row, hit.Second);
+    at.FacetNormal = facetNormal;
+    at.Normal = facetNormal;
+    at.NextStart = hit.NextStart;
+    if (facet.y == FLAT)
+        return at;
+    float4 x = _NormalFields[facet.y], y = _NormalFields[facet.y + 1], z = _NormalFields[facet.y + 2];
+    InstanceRecord record = LoadInstance(hit.Instance);
+    Pair pair = LoadPair(record.Page, record.FirstRow + hit.Row);
+    float3 middle = (pair.Corner0 + pair.Corner2 + (hit.Second ? pair.Corner3 : pair.Corner1)) / 3.0;
+    float3 from = PointToLocal(record, tube.Path.Ray.Origin) - middle;
+    float3 mean = NormalFromLocal(record, float3(dot(x.xyz, from) + x.w, dot(y.xyz, from) + y.w,
+        dot(z.xyz, from) + z.w));
+    float size = length(mean) * (dot(mean, facetNormal) < 0.0 ? -1.0 : 1.0);
+    float3 normal = mean / size, d = tube.Path.Ray.Direction;
+    if (dot(normal, d) >= 0.0)
+        return at;
+    at.Normal = normal;
+    // Derivatives along the facet, on which the hit lies.
+    float3 along = d - normal * dot(normal, d);
+    float alongSize = length(along);
+    float3x3 directions = float3x3(placeU, placeV, alongSize > 1.0e-6 ? along / alongSize : (float3)0);
+    float3 derivatives[3];
+    [unroll]
+    for (uint i = 0; i < 3; i++)
+    {
+        float3 step = directions[i] - d * dot(directions[i], facetNormal) / dot(d, facetNormal);
+        float3 local = VectorToLocal(record, i < 2 ? step : directions[i]);
+        float3 change = NormalFromLocal(record, float3(dot(x.xyz, local), dot(y.xyz, local), dot(z.xyz, local))) / size;
+        derivatives[i] = change - normal * dot(normal, change);
+    }
+    at.NormalU = derivatives[0];
+    at.NormalV = derivatives[1];
+    at.CurvatureAlong = dot(derivatives[2], directions[2]);
+    return at;
+}
+
+// Traces a tube to its next hit; false if there is none.
+bool AdvanceTube(inout TubePath tube, out SurfacePoint at)
+{
+    at = (SurfacePoint)0;
+    if (IsLast(tube.Path))
+        return false;
+    Hit hit = ClosestHit(tube.Path.Ray, MISS, NO_ENTRY_POINTS, NOT_MET);
+    if (IsMiss(hit))
+        return false;
+    uint caustics = CausticsWithin(tube, hit.Distance);
+    if ((caustics & 1) != 0)
+    {
+        tube.FieldV = float4(Quarter(tube.FieldV.xy), Quarter(tube.FieldV.zw));
+        tube.FieldH = float4(Quarter(tube.FieldH.xy), Quarter(tube.FieldH.zw));
+    }
+    if ((caustics & 2) != 0)
+    {
+        tube.FieldV = -tube.FieldV;
+        tube.FieldH = -tube.FieldH;
+    }
+    MoveTo(tube.Path, hit);
+    float3 d = tube.Path.Ray.Direction;
+    float3 placeU = tube.PlaceU + hit.Distance * tube.DirectionU, placeV = tube.PlaceV + hit.Distance * tube.DirectionV;
+    at = PointOf(tube, hit, hit.Normal, placeU, placeV);
+    tube.PlaceU = placeU - d * (dot(placeU, at.Normal) / dot(d, at.Normal));
+    tube.PlaceV = placeV - d * (dot(placeV, at.Normal) / dot(d, at.Normal));
+    Sign(tube, at.Patch);
+    return true;
+}
+
+// Reflection coefficients R_s, R_p of a surface.
+float4 ReflectionOf(uint surface, float cosine)
+{
+    float place = saturate(cosine) * REFLECTION_STEPS;
+    uint step = min((uint)place, REFLECTION_STEPS - 1), first = surface * (REFLECTION_STEPS + 1) + step;
+    return lerp(_Reflections[first], _Reflections[first + 1], place - step);
+}
+
+// Unit vector across direction and normal: along the s polarisation.
+float3 AcrossIncidence(float3 direction, float3 normal, float3 fallback)
+{
+    float3 across = cross(direction, normal);
+    float size = length(across);
+    return size > 1.0e-4 ? across / size : fallback;
+}
+
+// The field after a reflection, in the mirrored polarisations: R_s along s, -R_p along the mirrored p.
+float4 ReflectField(float4 field, float2 along, float4 reflection)
+{
+    // along: components of s in V and H
+    float2 s = field.xy * along.x + field.zw * along.y, p = field.xy * -along.y + field.zw * along.x;
+    s = Times(s, reflection.xy);
+    p = -Times(p, reflection.zw);
+    return float4(s * along.x - p * along.y, s * along.y + p * along.x);
+}
+
+float3 Mirrored(float3 v, float3 normal)
+{
+    return v - 2.0 * dot(v, normal) * normal;
+}
+
+// Reflects a tube; false if it would dive into its facet.
+bool ScatterTube(inout TubePath tube, SurfacePoint at)
+{
+    float3 d = tube.Path.Ray.Direction, n = at.Normal;
+    float along = dot(d, n);
+    float3 next = Mirrored(d, n);
+    if (dot(next, at.FacetNormal) <= 0.0)
+        return false;
+    float3 s = AcrossIncidence(d, n, tube.V);
+    float4 reflection = ReflectionOf(at.Surface, -along);
+    float2 components = float2(dot(s, tube.V), dot(s, tube.H));
+    tube.FieldV = ReflectField(tube.FieldV, components, reflection);
+    tube.FieldH = ReflectField(tube.FieldH, components, reflection);
+    tube.V = Mirrored(tube.V, n);
+    tube.H = Mirrored(tube.H, n);
+    tube.DirectionU = Mirrored(tube.DirectionU, n)
+        - 2.0 * (along * at.NormalU + dot(d, at.NormalU) * n);
+    tube.DirectionV = Mirrored(tube.DirectionV, n)
+        - 2.0 * (along * at.NormalV + dot(d, at.NormalV) * n);
+    Leave(tube.Path, next);
+    return true;
+}
+
+#endif

@@ -1,0 +1,81 @@
+#ifndef GLINT_TUBE_STAGES
+#define GLINT_TUBE_STAGES
+
+#include "TubeBindings.hlsl"
+
+// The small kernels between those that trace tubes.
+
+RWByteAddressBuffer _Arguments;            // groups of the indirect dispatches
+uint _ClearedWords;
+uint _FrequencyGroups;                     // of the kernel that sums
+
+[numthreads(GLINT_GROUP, 1, 1)]
+void ClearTubes(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint word = IndexOf(group, thread);
+    if (word < _ClearedWords)
+        _Sums[word] = 0;
+}
+
+void StoreGroups(uint offset, uint groups, uint deep)
+{
+    _Arguments.Store3(offset, uint3(min(groups, GROUPS_A_ROW), (groups + GROUPS_A_ROW - 1) / GROUPS_A_ROW, deep));
+}
+
+uint GroupsOf(uint count, uint list, uint size)
+{
+    if (count > list)
+        _Sums[TUBE_OVERFLOW] = 1;
+    return (min(count, list) + size - 1) / size;
+}
+
+RWStructuredBuffer<uint> _WrittenMarks;    // _Marks
+uint _MarkWords;
+
+[numthreads(GLINT_GROUP, 1, 1)]
+void ClearMarks(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint word = IndexOf(group, thread);
+    if (word < _MarkWords)
+        _WrittenMarks[word] = 0;
+}
+
+// Marks the parts of base cells in which corners of patches are seen.
+[numthreads(GLINT_GROUP, 1, 1)]
+void MarkVertices(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint index = IndexOf(group, thread);
+    if (index >= _VertexCount)
+        return;
+    float3 place = _Vertices[index].xyz;
+    float2 at = float2(dot(place, _GridX.xyz) + _GridX.w, dot(place, _GridY.xyz) + _GridY.w)
+        / (dot(place, _GridDepth.xyz) + _GridDepth.w);
+    // The corner may round into the neighbouring part.
+    for (uint i = 0; i < 4; i++)
+    {
+        int2 part = (int2)floor(at * MARKS + 0.05 * float2((i & 1) != 0 ? 1.0 : -1.0, i >= 2 ? 1.0 : -1.0));
+        uint2 cell = (uint2)(part >> MARK_LEVEL), bit = (uint2)(part & (MARKS - 1));
+        uint word = 2 * (cell.x + cell.y * _Grid.x) + (bit.y >> 2);
+        if (all(part >= 0) && cell.x < _Grid.x && word < _MarkWords)
+            InterlockedOr(_WrittenMarks[word], 1u << (bit.x + 8 * (bit.y & 3)));
+    }
+}
+
+// Groups for the border cells of this round; a new list of cells begins.
+[numthreads(1, 1, 1)]
+void PrepareBorders()
+{
+    StoreGroups(BORDER_ARGUMENTS, GroupsOf(_Sums[TUBE_BORDERS], _ListCapacity.z, GLINT_GROUP), 1);
+    _Sums[TUBE_CELLS] = 0;
+}
+
+// Groups for the cells of the next round, and for the tubes so far; a new list of borders begins.
+[numthreads(1, 1, 1)]
+void PrepareCells()
+{
+    StoreGroups(CELL_ARGUMENTS, GroupsOf(_Sums[TUBE_CELLS], _ListCapacity.y, GLINT_GROUP), 1);
+    StoreGroups(TUBE_ARGUMENTS, GroupsOf(_Sums[TUBE_COUNT], _ListCapacity.x, TUBES_A_GROUP), _FrequencyGroups);
+    _Sums[TUBE_BORDERS] = 0;
+}
+
+#endif

@@ -1,0 +1,152 @@
+#ifndef GLINT_TUBE_SUMS
+#define GLINT_TUBE_SUMS
+
+#include "TubeBindings.hlsl"
+#include "Sums.hlsl"
+#include "Phasor.hlsl"
+
+// Sums what the tubes radiate, at each receiver and frequency. A group takes TUBES_A_GROUP tubes; its threads take
+// frequencies, and share the tubes if there are fewer frequencies than threads. Sums are whole numbers: the same in any
+// order.
+
+uint _FrequenciesAGroup;                   // a power of two up to the size of a group
+float _UnitsPerMetre;                      // of S
+float _UnitsPerSquareMetre;                // of squared errors
+
+static const float MAX_UNITS = 4.0e18;
+static const float SQRT_4_PI = 3.54490770181103205;
+
+// A sum of a thread, 64 bits in two's complement.
+struct Sum
+{
+    uint Lower;
+    uint Upper;
+};
+
+void Accumulate(inout Sum sum, float units, inout uint overflow)
+{
+    float whole = round(units), magnitude = abs(whole);
+    if (IsNaN(units) || magnitude > MAX_UNITS)
+    {
+        overflow = 1;
+        return;
+    }
+    uint upper = (uint)(magnitude / TWO_TO_32), lower = (uint)(magnitude - upper * TWO_TO_32);
+    if (whole < 0.0)
+    {
+        upper = lower == 0 ? 0 - upper : ~upper;
+        lower = 0 - lower;
+    }
+    sum.Lower += lower;
+    sum.Upper += upper + (sum.Lower < lower ? 1 : 0);
+}
+
+void Accumulate(inout Sum real, inout Sum imaginary, float2 units, inout uint overflow)
+{
+    Accumulate(real, units.x, overflow);
+    Accumulate(imaginary, units.y, overflow);
+}
+
+float2 Product(float2 a, float2 b)
+{
+    return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
+// Cosine and sine of an angle, rad.
+float2 PhasorOf(float angle)
+{
+    float turns = angle / TWO_PI;
+    return Phasor(turns - floor(turns));
+}
+
+float Sinc(float x)
+{
+    float square = x * x;
+    return abs(x) < 0.5 ? 1.0 - square / 6.0 * (1.0 - square / 20.0 * (1.0 - square / 42.0)) : PhasorOf(x).y / x;
+}
+
+// Integral of exp(j w.x) over a convex polygon (Gordon 1975), w rad a base cell.
+float2 PolygonIntegral(float2 corners[5], uint count, float2 w)
+{
+    float2 sum = 0.0, moment = 0.0;
+    float area = 0.0;
+    [loop]
+    for (uint i = 0; i < count; i++)
+    {
+        float2 a = corners[i], b = corners[i + 1 == count ? 0 : i + 1], edge = b - a, middle = 0.5 * (a + b);
+        float twice = a.x * b.y - a.y * b.x;
+        area += 0.5 * twice;
+        moment += twice * (a + b) / 6.0;
+        sum += (w.x * edge.y - w.y * edge.x) * Sinc(0.5 * dot(w, edge)) * PhasorOf(dot(w, middle));
+    }
+    float size = dot(w, w);
+    // The polygon may go round either way.
+    float sense = area < 0.0 ? -1.0 : 1.0;
+    if (size < 4.0e-4)
+        return sense * (area * float2(1.0, 0.0) + dot(w, moment) * float2(0.0, 1.0));
+    return sense * float2(sum.y, -sum.x) / size;
+}
+
+[numthreads(GLINT_GROUP, 1, 1)]
+void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint frequency = group.z * _FrequenciesAGroup + thread % _FrequenciesAGroup;
+    uint share = thread / _FrequenciesAGroup, shares = GLINT_GROUP / _FrequenciesAGroup;
+    uint first = (group.x + group.y * GROUPS_A_ROW) * TUBES_A_GROUP;
+    uint end = min(first + TUBES_A_GROUP, min(_Sums[TUBE_COUNT], _ListCapacity.x));
+    if (frequency >= _FrequencyCount)
+        return;
+    float4 waveNumber = _WaveNumbers[frequency];
+    float k = waveNumber.x;
+    [loop]
+    for (uint receiver = 0; receiver < _ReceiverCount; receiver++)
+    {
+        Sum sums[11];
+        for (uint clear = 0; clear < 11; clear++)
+        {
+            sums[clear].Lower = 0;
+            sums[clear].Upper = 0;
+        }
+        uint overflow = 0;
+        [loop]
+        for (uint i = first + share; i < end; i += shares)
+        {
+            Tube tube = _Tubes[i];
+            if ((tube.Tag & 0xff) != receiver)
+                continue;
+            float turns = PartOfTurn(Mul(MakeDoubleFloat(waveNumber.y, waveNumber.z), tube.Phase));
+            float2 w = k * tube.Gradient;
+            uint count = tube.Tag >> 16;
+            float2 shape;
+            if (count == 0)
+            {
+                float side = tube.Corners01.x;
+                shape = float2(side * side * Sinc(0.5 * side * w.x) * Sinc(0.5 * side * w.y), 0.0);
+            }
+            else
+            {
+                float2 corners[5] = { tube.Corners01.xy, tube.Corners01.zw, tube.Corners23.xy, tube.Corners23.zw,
+                    tube.Corner4 };
+                shape = PolygonIntegral(corners, count, w);
+            }
+            // - j k / sqrt(4 pi)
+            float scale = _UnitsPerMetre * k / SQRT_4_PI;
+            float2 wave = scale * Product(Product(shape, Phasor(turns)), float2(0.0, -1.0));
+            float2 vv = Product(wave, tube.CoPolar.xy), hh = Product(wave, tube.CoPolar.zw);
+            Accumulate(sums[0], sums[1], vv, overflow);
+            Accumulate(sums[2], sums[3], Product(wave, tube.CrossPolar.xy), overflow);
+            Accumulate(sums[4], sums[5], Product(wave, tube.CrossPolar.zw), overflow);
+            Accumulate(sums[6], sums[7], hh, overflow);
+            Accumulate(sums[8], sums[9], tube.Bent * (dot(vv, vv) > dot(hh, hh) ? vv : hh), overflow);
+            float error = tube.Error * k / SQRT_4_PI;
+            Accumulate(sums[10], _UnitsPerSquareMetre * error * error, overflow);
+        }
+        uint slot = TUBE_SUMS + (receiver * _FrequencyCount + frequency) * TUBE_SUM_WORDS;
+        for (uint sum = 0; sum < 11; sum++)
+            AddWords(slot + SUM_S + 2 * sum, 2, sums[sum].Lower, sums[sum].Upper, 0);
+        if (overflow != 0)
+            InterlockedOr(_Sums[slot + SUM_TUBE_OVERFLOW], 1);
+    }
+}
+
+#endif
