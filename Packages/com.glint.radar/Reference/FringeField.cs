@@ -52,11 +52,11 @@ namespace Glint.Reference
             }
         }
 
-        void AddPiece(Wedge wedge, double3 edge, double3 middle, ScatteringMatrix[,] sums)
+        void AddPiece(Wedge wedge, double3 edge, double3 centre, ScatteringMatrix[,] sums)
         {
             double3 outside = Math.Cos(wedge.OuterAngle / 2) * wedge.First.Into
                 + Math.Sin(wedge.OuterAngle / 2) * wedge.First.Normal;
-            double3 start = middle + Beside * _bvh.Radius * outside;
+            double3 start = centre + Beside * _bvh.Radius * outside;
             if (!Sees(start, _radar, wedge, out double3 toRadar, out double arrives))
                 return;
             for (int r = 0; r < _receivers.Length; r++)
@@ -69,8 +69,8 @@ namespace Glint.Reference
                     continue;
                 var (f, g) = Coefficients(wedge.OuterAngle, arrives + AngleOffset, leaves);
                 var dyad = Dyad(toRadar, toReceiver, t, _receivers[r], f, g);
-                double amplitude = _radar.Amplitude(middle) * _receivers[r].Amplitude(middle) * math.length(edge);
-                double length = _radar.Length(middle) + _receivers[r].Length(middle);
+                double amplitude = _radar.Amplitude(centre) * _receivers[r].Amplitude(centre) * math.length(edge);
+                double length = _radar.Length(centre) + _receivers[r].Length(centre);
                 for (int i = 0; i < _pose.Frequencies.Length; i++)
                 {
                     double k = ReferenceCrossSection.Wavenumber(_pose.Frequencies[i]);
@@ -112,7 +112,8 @@ namespace Glint.Reference
         // Coefficients of the edge's field less those of physical optics, for E and H along the edge.
         static (double f, double g) Coefficients(double outerAngle, double arrives, double leaves)
         {
-            double n = outerAngle / math.PI_DBL, factor = Math.Sin(math.PI_DBL / n) / n, cos = Math.Cos(math.PI_DBL / n);
+            double n = outerAngle / math.PI_DBL, cos = Math.Cos(math.PI_DBL / n);
+            double factor = Math.Sin(math.PI_DBL / n) / n;
             double minus = factor / (cos - Math.Cos((leaves - arrives) / n));
             double plus = factor / (cos - Math.Cos((leaves + arrives) / n));
             double f = minus - plus, g = minus + plus;

@@ -10,9 +10,9 @@ namespace Glint.Reference
     /// <summary>How finely a cross section is integrated.</summary>
     public struct TubeSettings
     {
-        /// <summary>1 tube a wavelength, cut up to 6 times; phases linear within 0.1 rad.</summary>
+        /// <summary>2 tubes a wavelength, cut up to 6 times; phases linear within 0.03 rad.</summary>
         public static TubeSettings Default =>
-            new TubeSettings { CellsPerWavelength = 1, MaxDepth = 6, MaxPhaseError = 0.1 };
+            new TubeSettings { CellsPerWavelength = 2, MaxDepth = 6, MaxPhaseError = 0.03 };
 
         /// <summary>Undivided tubes along a wavelength of the highest frequency.</summary>
         public double CellsPerWavelength { get; set; }
@@ -32,33 +32,30 @@ namespace Glint.Reference
     {
         readonly RadarScene _scene;
         readonly double _creaseDegrees;
-        readonly IReadOnlyList<ReferenceSurface> _surfaces;
         readonly ReferenceBvh _bvh;
         readonly SmoothedSurface _smoothed;
         readonly IReadOnlyList<Wedge> _wedges;
 
         /// <summary>The cross sections of a scene.</summary>
         /// <param name="creaseDegrees">Bend of an edge above which it is sharp.</param>
-        /// <param name="surfaces">For each surface of the scene; null: all are perfect conductors.</param>
-        public ReferenceCrossSection(RadarScene scene, double creaseDegrees = CrossSectionPose.DefaultCreaseDegrees,
-            IReadOnlyList<ReferenceSurface> surfaces = null)
+        public ReferenceCrossSection(RadarScene scene, double creaseDegrees = CrossSectionPose.DefaultCreaseDegrees)
         {
             _scene = scene;
             _creaseDegrees = creaseDegrees;
-            _surfaces = surfaces ?? scene.Surfaces.Select(_ => ReferenceSurface.Conductor).ToArray();
             _bvh = new ReferenceBvh(scene);
             var patches = Array.ConvertAll(scene.Instances,
                 instance => SurfacePatches.Find(instance.Mesh, instance.Ranges, creaseDegrees));
             _smoothed = new SmoothedSurface(_bvh, scene, patches);
-            var conductors = scene.Surfaces.Where((_, i) => _surfaces[i].IsConductor).ToArray();
-            _wedges = WedgeFinder.Find(scene, patches, conductors.Contains).Wedges;
+            _wedges = WedgeFinder.Find(scene, patches, material => material.IsConductor).Wedges;
         }
 
         internal static double Wavenumber(double frequency) => 2 * math.PI_DBL * frequency / Signal.SpeedOfLight;
 
         /// <summary>Scattering matrices by receiver and frequency.</summary>
         /// <exception cref="ArgumentException">The pose has another scene or crease angle.</exception>
-        /// <exception cref="GlintException">The radar is within or beside the target.</exception>
+        /// <exception cref="GlintException">
+        /// The radar is within or beside the target, or a material has no data at a frequency.
+        /// </exception>
         public ScatteringMatrix[,] Compute(CrossSectionPose pose, in TubeSettings settings)
         {
             if (pose.Scene != _scene || pose.CreaseDegrees != _creaseDegrees)
@@ -79,7 +76,7 @@ namespace Glint.Reference
             var grid = new WavefrontGrid(pose, _bvh);
             var tracer = new TubeTracer(pose, grid, _bvh, _smoothed, receivers);
             var border = new TubeBorder(receivers, settings.MaxPhaseError / maxWavenumber);
-            var field = new TubeField(pose, receivers, _surfaces);
+            var field = new TubeField(pose, receivers);
             int maxDepth = settings.MaxDepth;
             var blocks = (int2)math.ceil((grid.Max - grid.Min) / (TubeBlock.Cells * size));
             var sums = new ScatteringMatrix[blocks.x * blocks.y][,];

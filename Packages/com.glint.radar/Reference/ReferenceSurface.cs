@@ -1,61 +1,56 @@
 using System;
+using System.Linq;
 using System.Numerics;
+using Glint.Core;
 using Unity.Mathematics;
 
 namespace Glint.Reference
 {
     /// <summary>
-    /// Fresnel reflection from a perfect conductor, a conductor behind one layer, or a half-space (rcs: permittivity
-    /// e' - j e'', permeability mu' - j mu'', both relative). It shares no code with the materials of the product.
+    /// Reflection from a material at one frequency, written from Fresnel's formulas. It takes the values of the media
+    /// from <see cref="SurfaceMaterial"/>, and shares no formula with it.
     /// </summary>
-    public sealed class ReferenceSurface
+    sealed class ReferenceSurface
     {
         // Sine of the incidence below which any polarisation is that normal to the plane of incidence.
         const double NormalIncidence = 1e-9;
 
-        readonly Complex _permittivity, _permeability;
+        readonly (Complex permittivity, Complex permeability, double thickness)[] _innerFirst;
+        readonly (Complex permittivity, Complex permeability)? _halfSpace;
+        readonly double _wavenumber;
 
-        // metres; infinite: a half-space
-        readonly double _thickness;
-
-        ReferenceSurface(Complex permittivity, Complex permeability, double thickness) =>
-            (_permittivity, _permeability, _thickness) = (permittivity, permeability, thickness);
-
-        /// <summary>The perfect conductor.</summary>
-        public static ReferenceSurface Conductor { get; } = new ReferenceSurface(1, 1, 0);
-
-        /// <summary>A conductor behind a layer.</summary>
-        /// <param name="thickness">Metres.</param>
-        public static ReferenceSurface Layer(Complex permittivity, Complex permeability, double thickness) =>
-            new ReferenceSurface(permittivity, permeability, thickness);
-
-        /// <summary>A half-space.</summary>
-        public static ReferenceSurface HalfSpace(Complex permittivity, Complex permeability) =>
-            new ReferenceSurface(permittivity, permeability, double.PositiveInfinity);
-
-        /// <summary>Whether it is a perfect conductor.</summary>
-        public bool IsConductor => _thickness == 0;
+        public ReferenceSurface(SurfaceMaterial material, double frequency)
+        {
+            material.RequireData(frequency);
+            _wavenumber = ReferenceCrossSection.Wavenumber(frequency);
+            _innerFirst = material.Layers.Reverse().Select(layer =>
+            {
+                var (permittivity, permeability) = layer.Medium.At(frequency);
+                return (permittivity, permeability, layer.Thickness);
+            }).ToArray();
+            if (material.HalfSpace != null)
+                _halfSpace = material.HalfSpace.At(frequency);
+        }
 
         /// <summary>
         /// Reflection coefficients of E normal to the plane of incidence (s) and in it (p); a conductor has -1 and 1.
         /// </summary>
-        /// <param name="wavenumber">Radians a metre, in air.</param>
-        /// <param name="cosine">Of the angle of incidence from the normal.</param>
-        public (Complex s, Complex p) Coefficients(double wavenumber, double cosine)
+        public (Complex s, Complex p) Coefficients(double cosine)
         {
-            if (IsConductor)
-                return (-1, 1);
-            Complex q = Complex.Sqrt(_permittivity * _permeability - (1 - cosine * cosine));
-            // The wave in the material decays away from the surface.
-            if (q.Imaginary > 0 || q.Imaginary == 0 && q.Real < 0)
-                q = -q;
             // Impedances of the surface over that of air.
-            Complex s = _permeability / q, p = q / _permittivity;
-            if (!double.IsInfinity(_thickness))
+            Complex s = 0, p = 0;
+            if (_halfSpace is var (permittivity, permeability))
             {
-                Complex through = Complex.ImaginaryOne * Complex.Tan(wavenumber * _thickness * q);
-                s *= through;
-                p *= through;
+                var q = Across(permittivity * permeability, cosine);
+                (s, p) = (permeability / q, q / permittivity);
+            }
+            foreach (var layer in _innerFirst)
+            {
+                var q = Across(layer.permittivity * layer.permeability, cosine);
+                // There and back through the layer.
+                var path = Complex.Exp(-2 * Complex.ImaginaryOne * _wavenumber * layer.thickness * q);
+                s = Through(s, layer.permeability / q, path);
+                p = Through(p, q / layer.permittivity, path);
             }
             return ((s * cosine - 1) / (s * cosine + 1), -(p - cosine) / (p + cosine));
         }
@@ -64,10 +59,10 @@ namespace Glint.Reference
         /// <param name="field">The arriving field.</param>
         /// <param name="direction">In which it arrives.</param>
         /// <param name="normal">Unit normal towards the side of arrival.</param>
-        internal ComplexVector Reflect(in ComplexVector field, double3 direction, double3 normal, double wavenumber)
+        public ComplexVector Reflect(in ComplexVector field, double3 direction, double3 normal)
         {
             double along = math.dot(direction, normal);
-            if (IsConductor)
+            if (_halfSpace == null && _innerFirst.Length == 0)
                 return 2 * field.Dot(normal) * (ComplexVector)normal - field;
             double3 mirrored = direction - 2 * along * normal;
             double3 s = math.cross(direction, normal);
@@ -78,9 +73,20 @@ namespace Glint.Reference
                 sine = math.length(s);
             }
             s /= sine;
-            var (ofS, ofP) = Coefficients(wavenumber, Math.Abs(along));
+            var (ofS, ofP) = Coefficients(Math.Abs(along));
             return ofS * field.Dot(s) * (ComplexVector)s
                 + ofP * field.Dot(math.cross(s, direction)) * (ComplexVector)math.cross(s, mirrored);
         }
+
+        // Component of the wave vector across the surface over the wavenumber in air; the wave decays inwards.
+        static Complex Across(Complex squaredIndex, double cosine)
+        {
+            var q = Complex.Sqrt(squaredIndex - (1 - cosine * cosine));
+            return q.Imaginary > 0 ? -q : q;
+        }
+
+        // Impedance before a layer, with j tan(k q t) = (1 - path) / (1 + path).
+        static Complex Through(Complex behind, Complex layer, Complex path) =>
+            layer * (behind * (1 + path) + layer * (1 - path)) / (layer * (1 + path) + behind * (1 - path));
     }
 }

@@ -95,7 +95,9 @@ namespace Glint.Reference
         /// <summary>Gradients of the weights of the second and third corner.</summary>
         public double3 GradientB, GradientC;
 
-        /// <summary>Change of the normal per change of these weights, before its component along the normal goes.</summary>
+        /// <summary>
+        /// Change of the normal per change of these weights, with a component along the normal.
+        /// </summary>
         public double3 ChangeB, ChangeC;
 
         /// <summary>Derivative of the unit normal along a vector of the facet's plane.</summary>

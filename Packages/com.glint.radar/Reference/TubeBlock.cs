@@ -19,8 +19,8 @@ namespace Glint.Reference
         readonly double2 _corner;
         readonly double _size;
 
-        // Paths of the tubes of a level and of the level above, by position in half tubes of that level: corners at even
-        // positions, centres at odd ones.
+        // Paths of the tubes of a level and of the level above, by position in half tubes of that level: corners are at
+        // even positions, centres at odd ones.
         Dictionary<(int, int), TubePath> _paths = new Dictionary<(int, int), TubePath>(), _pathsAbove;
         int _depth;
 

@@ -13,7 +13,9 @@ namespace Glint.Reference
         public TubeBorder(CrossSectionReceiver[] receivers, double maxBend) =>
             (_receivers, _maxBend) = (receivers, maxBend);
 
-        /// <summary>Whether a border, or a phase that is not linear, is between the centre of a tube and a corner.</summary>
+        /// <summary>
+        /// Whether a border, or a phase that is not linear, is between the centre of a tube and a corner.
+        /// </summary>
         /// <param name="step">From the centre to the corner on the grid, metres.</param>
         public bool IsBetween(in TubePath centre, in TubePath corner, double2 step)
         {

@@ -1,5 +1,5 @@
 using System;
-using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using Glint.Core;
 using Unity.Mathematics;
@@ -14,14 +14,14 @@ namespace Glint.Reference
 
         readonly CrossSectionPose _pose;
         readonly CrossSectionReceiver[] _receivers;
-        readonly IReadOnlyList<ReferenceSurface> _surfaces;
+        readonly ReferenceSurface[][] _surfaces; // of each material, by frequency
 
-        public TubeField(CrossSectionPose pose, CrossSectionReceiver[] receivers,
-            IReadOnlyList<ReferenceSurface> surfaces)
+        public TubeField(CrossSectionPose pose, CrossSectionReceiver[] receivers)
         {
             _pose = pose;
             _receivers = receivers;
-            _surfaces = surfaces;
+            _surfaces = pose.Scene.Surfaces.Select(material =>
+                Array.ConvertAll(pose.Frequencies, frequency => new ReferenceSurface(material, frequency))).ToArray();
         }
 
         /// <summary>Adds a tube to the sums of each receiver, frequency by frequency.</summary>
@@ -38,9 +38,9 @@ namespace Glint.Reference
                 for (int i = 0; i < path.Hits.Count; i++)
                 {
                     var hit = path.Hits[i];
-                    var surface = _surfaces[hit.Surface];
-                    var reflectedV = surface.Reflect(v, hit.Direction, hit.Normal, k);
-                    var reflectedH = surface.Reflect(h, hit.Direction, hit.Normal, k);
+                    var surface = _surfaces[hit.Surface][f];
+                    var reflectedV = surface.Reflect(v, hit.Direction, hit.Normal);
+                    var reflectedH = surface.Reflect(h, hit.Direction, hit.Normal);
                     if (_pose.OnlyBounce == 0 || _pose.OnlyBounce == i + 1)
                         for (int r = 0; r < _receivers.Length; r++)
                             if (hit.Radiates[r])

@@ -11,6 +11,9 @@ namespace Glint.Reference
         // Cosine of incidence below which a surface is seen edge-on: the ray ends.
         const double EdgeOn = 1e-6;
 
+        // Most rays of most grids hit nothing.
+        static readonly List<TubeHit> s_noHits = new List<TubeHit>();
+
         readonly WavefrontGrid _grid;
         readonly ReferenceBvh _bvh;
         readonly SmoothedSurface _surface;
@@ -31,7 +34,7 @@ namespace Glint.Reference
         public TubePath Trace(double2 at)
         {
             var ray = _grid.Start(at);
-            var path = new TubePath { Hits = new List<TubeHit>(), Direction = ray.Direction };
+            var path = new TubePath { Hits = s_noHits, Direction = ray.Direction };
             int caustics = 0;
             for (int bounce = 1; bounce <= _maxBounces; bounce++)
             {
@@ -45,6 +48,8 @@ namespace Glint.Reference
                     break;
                 var hit = Hit(ray, triangle, normal, bounce);
                 hit.Caustics = caustics;
+                if (bounce == 1)
+                    path.Hits = new List<TubeHit>();
                 path.Hits.Add(hit);
                 Mirror(ref ray, normal);
                 // The mirrored ray would go through its own facet.
