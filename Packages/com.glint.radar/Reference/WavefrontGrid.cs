@@ -75,7 +75,8 @@ namespace Glint.Reference
                 double depth = _range - math.dot(from, _toRadar);
                 if (!(depth > 0))
                     throw new GlintException(
-                        FormattableString.Invariant($"the radar, {_range} m from the phase centre, is ") + "beside or within the target: choose a greater range, or the far field");
+                        FormattableString.Invariant($"the radar, {_range} m from the phase centre, is ")
+                        + "beside or within the target: choose a greater range, or the far field");
                 at *= _range / depth;
             }
             (Min, Max) = (math.min(Min, at), math.max(Max, at));

@@ -221,6 +221,37 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Range_VeryLarge_IsTheFarField()
+        {
+            var pose = Pose(CrossSectionTargets.Dihedral(0.3, 0.2), 83, 31, 77, 12);
+            pose.HasEdges = true;
+            var s = Compute(pose);
+            // The wave's curvature changes phases by k (0.2 m)^2 / R = 8e-5 at the rim.
+            pose.Range = 1e5;
+            AssertSame(Compute(pose), s, 1e-3);
+        }
+
+        // Radii of the wavefront; negative: it diverges.
+        [TestCase(3, 5, 2, 0)]
+        [TestCase(3, 5, 4, 1)]
+        [TestCase(3, 5, 6, 2)]
+        [TestCase(3, 3, 6, 2)]
+        [TestCase(3, -5, 6, 1)]
+        [TestCase(-3, -5, 6, 0)]
+        [TestCase(3, double.PositiveInfinity, 6, 1)]
+        [TestCase(double.PositiveInfinity, double.PositiveInfinity, 6, 0)]
+        public void Wavefront_AfterItsCentresOfCurvature_HasPassedCaustics(double radiusU, double radiusV,
+            double distance, int expected)
+        {
+            var ray = new TubeRay
+            {
+                Direction = double3(0, 0, 1), Pu = double3(1, 0, 0), Pv = double3(0, 1, 0),
+                Du = double3(-1 / radiusU, 0, 0), Dv = double3(0, -1 / radiusV, 0)
+            };
+            Assert.That(ray.CausticsWithin(distance), Is.EqualTo(expected));
+        }
+
+        [Test]
         public void Radar_WithinTheTarget_IsRefused()
         {
             var pose = Pose(CrossSectionTargets.Sphere(1, 8), 90, 0);
