@@ -34,7 +34,7 @@ namespace Glint.Reference
         readonly double _creaseDegrees;
         readonly ReferenceBvh _bvh;
         readonly SmoothedSurface _smoothed;
-        readonly IReadOnlyList<Wedge> _wedges;
+        readonly Lazy<IReadOnlyList<Wedge>> _wedges;
 
         /// <summary>The cross sections of a scene.</summary>
         /// <param name="creaseDegrees">Bend of an edge above which it is sharp.</param>
@@ -46,7 +46,8 @@ namespace Glint.Reference
             var patches = Array.ConvertAll(scene.Instances,
                 instance => SurfacePatches.Find(instance.Mesh, instance.Ranges, creaseDegrees));
             _smoothed = new SmoothedSurface(_bvh, scene, patches);
-            _wedges = WedgeFinder.Find(scene, patches, material => material.IsConductor).Wedges;
+            _wedges = new Lazy<IReadOnlyList<Wedge>>(
+                () => WedgeFinder.Find(scene, patches, material => material.IsConductor).Wedges);
         }
 
         internal static double Wavenumber(double frequency) => 2 * math.PI_DBL * frequency / Signal.SpeedOfLight;
@@ -64,7 +65,7 @@ namespace Glint.Reference
             var total = new ScatteringMatrix[receivers.Length, pose.Frequencies.Length];
             AddTubes(pose, settings, receivers, total);
             if (pose.HasEdges)
-                new FringeField(pose, _bvh, receivers, _wedges).Add(total);
+                new FringeField(pose, _bvh, receivers, _wedges.Value).Add(total);
             return total;
         }
 
