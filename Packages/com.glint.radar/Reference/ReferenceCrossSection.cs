@@ -10,9 +10,12 @@ namespace Glint.Reference
     /// <summary>How finely a cross section is integrated.</summary>
     public struct TubeSettings
     {
-        /// <summary>2 tubes a wavelength, cut up to 6 times; phases linear within 0.03 rad.</summary>
+        /// <summary>
+        /// 2 tubes a wavelength, cut up to 7 times; phases linear within 0.02 rad. Enough for each of the published
+        /// cases, a sphere with abrupt shadows included.
+        /// </summary>
         public static TubeSettings Default =>
-            new TubeSettings { CellsPerWavelength = 2, MaxDepth = 6, MaxPhaseError = 0.03 };
+            new TubeSettings { CellsPerWavelength = 2, MaxDepth = 7, MaxPhaseError = 0.02 };
 
         /// <summary>Undivided tubes along a wavelength of the highest frequency.</summary>
         public double CellsPerWavelength { get; set; }

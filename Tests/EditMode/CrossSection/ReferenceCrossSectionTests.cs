@@ -23,6 +23,10 @@ namespace Glint.Tests
         // the order of the triangles.
         const double FringeAngle = 1e-5;
 
+        // Enough for the rows below.
+        static readonly TubeSettings s_fine =
+            new TubeSettings { CellsPerWavelength = 2, MaxDepth = 6, MaxPhaseError = 0.03 };
+
         // Enough for integrals that must be equal however fine the tubes.
         static readonly TubeSettings s_coarse =
             new TubeSettings { CellsPerWavelength = 1, MaxDepth = 3, MaxPhaseError = 0.1 };
@@ -204,14 +208,14 @@ namespace Glint.Tests
             pose.HasEdges = true;
             pose.Frequencies = new[] { 9.5e9, 9.8e9, TenGigahertz };
             var reference = new ReferenceCrossSection(pose.Scene);
-            var together = reference.Compute(pose, TubeSettings.Default);
+            var together = reference.Compute(pose, s_fine);
             for (int f = 0; f < pose.Frequencies.Length; f++)
             {
                 var alone = Pose(pose.Scene.Instances[0].Mesh, 85, 30);
                 alone.Scene = pose.Scene;
                 alone.HasEdges = true;
                 alone.Frequencies = new[] { pose.Frequencies[f] };
-                var s = reference.Compute(alone, TubeSettings.Default)[0, 0];
+                var s = reference.Compute(alone, s_fine)[0, 0];
                 Assert.That(Complex.Abs(together[0, f].VV - s.VV), Is.LessThan(1e-3), $"VV, frequency {f}");
                 Assert.That(Complex.Abs(together[0, f].HH - s.HH), Is.LessThan(1e-3), $"HH, frequency {f}");
             }
@@ -275,7 +279,7 @@ namespace Glint.Tests
                 MaxBounces = 3, HasEdges = false
             };
 
-        static ScatteringMatrix Compute(CrossSectionPose pose) => Compute(pose, TubeSettings.Default);
+        static ScatteringMatrix Compute(CrossSectionPose pose) => Compute(pose, s_fine);
 
         static ScatteringMatrix Compute(CrossSectionPose pose, in TubeSettings settings) =>
             new ReferenceCrossSection(pose.Scene).Compute(pose, settings)[0, 0];
