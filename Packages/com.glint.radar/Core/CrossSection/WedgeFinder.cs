@@ -90,15 +90,15 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// A material of a surface with air on both sides, which bounds no volume, and which is no perfect conductor;
-        /// null if there is none.
+        /// A material that is a half-space and is given to a surface with air on both sides, which bounds none; null if
+        /// there is none.
         /// </summary>
         /// <inheritdoc cref="Find" path="/param|/exception"/>
         public static SurfaceMaterial FindOpenDielectric(RadarScene scene, IReadOnlyList<SurfacePatches> patches)
         {
-            if (scene.Surfaces.All(surface => surface.IsConductor))
+            if (scene.Surfaces.All(surface => surface.HalfSpace == null))
                 return null;
-            var finder = new WedgeFinder(scene, patches, surface => surface.IsConductor);
+            var finder = new WedgeFinder(scene, patches, surface => surface.HalfSpace == null);
             for (int i = 0; i < finder._placed.Length; i++)
             {
                 var welded = finder._placed[i].Welded;

@@ -54,7 +54,8 @@ namespace Glint.Core
         /// <see cref="AnySurface"/> if that is given.
         /// </summary>
         /// <exception cref="GlintException">
-        /// A surface is given twice or is not in the scene; the message names those that are.
+        /// A surface is given twice (a <see cref="UsageException"/>) or is not in the scene; the message names those
+        /// that are.
         /// </exception>
         public static RadarScene Apply(RadarScene scene, IReadOnlyList<MaterialAssignment> assignments)
         {
@@ -69,7 +70,7 @@ namespace Glint.Core
                             : $"material to: the surfaces are {string.Join(", ", names.Select(Values.Shown))}, "
                                 + $"and {AnySurface} for all others"));
                 if (!bySurface.TryAdd(assignment.Surface, assignment.Material))
-                    throw new GlintException($"the surface {Values.Shown(assignment.Surface)} is given two materials: "
+                    throw new UsageException($"the surface {Values.Shown(assignment.Surface)} is given two materials: "
                         + "give one");
             }
             // The first surface is the perfect conductor, of triangles that name none.

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using System.Linq;
+using System.Numerics;
 using Glint.Core;
 using UnityEditor;
 using UnityEngine;
@@ -168,7 +169,11 @@ namespace Glint.Editor
                 ? FormattableString.Invariant($"  {row.Place.ReceiverAzimuthDegrees,11:0.###}")
                 : "")
             + string.Concat(setup.Polarisations.Select(polarisation =>
-                FormattableString.Invariant($"{ScatteringMatrix.Dbsm(polarisation.Of(row.S)),10:0.000}")))
+                $"{Level(polarisation.Of(row.S)),10}"))
             + FormattableString.Invariant($"  {row.Accuracy.ErrorDb,8:0.000}") + (row.MeetsTolerance ? "" : " !");
+
+        static string Level(Complex amplitude) => amplitude == Complex.Zero
+            ? "-"
+            : FormattableString.Invariant($"{ScatteringMatrix.Dbsm(amplitude):0.000}");
     }
 }
