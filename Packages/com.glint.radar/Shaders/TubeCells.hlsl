@@ -62,7 +62,7 @@ bool IsMarked(Cell cell)
     return bits != 0;
 }
 
-// Phases that the corners have beyond the linear one, m: of the curvature by u, by v, and of the twist. A corner's
+// Phases of the corners less the linear ones, m: of the curvature by u, by v, and of the twist. A corner's
 // gradient differs from that at the centre by the second derivatives.
 float3 BendsOf(Bounce bounce, Receiver receiver)
 {
@@ -74,12 +74,12 @@ float3 BendsOf(Bounce bounce, Receiver receiver)
 
 // The differential of place and length of a corner by u or v; at a finite range, where the receiver's direction differs
 // from corner to corner, the gradient of the phase instead.
-float4 DifferentialOf(TubePath tube, float3 place)
+float4 DifferentialOf(TubePath tube, float3 step)
 {
     float3 d = tube.Path.Ray.Direction;
     if (_IsNear != 0)
-        return float4(0.0, 0.0, 0.0, dot(d - ReceiverFrom(0, tube.Path.Ray.Origin).Direction, place));
-    return float4(place, dot(place, d));
+        return float4(0.0, 0.0, 0.0, dot(d - ReceiverFrom(0, tube.Path.Ray.Origin).Direction, step));
+    return float4(step, dot(step, d));
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]

@@ -49,6 +49,9 @@ namespace Glint
         /// </summary>
         internal int BisectLevel { get; set; }
 
+        /// <summary>Cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
+        internal int CellsADispatch { get; set; }
+
         /// <summary>Traces one pose to its tolerance.</summary>
         /// <param name="progress">Receives the fraction done, 0 to 1, of each attempt.</param>
         /// <param name="cancel">Cancels while BVHs are built, or after the current slice.</param>
@@ -60,6 +63,10 @@ namespace Glint
             _scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
             if (_scene.IsEmpty)
                 return new CrossSectionResult(pose.Receivers.Length, pose.Frequencies.Length) { IsMet = true };
+            if (_scene.Pages.Count > 1)
+                throw new GlintException($"{_owner}: the BVHs of {pose.Scene.TriangleCount} triangles take "
+                    + $"{_scene.Pages.Count} buffers of {UnityEngine.SystemInfo.graphicsDeviceName}, and a cross section "
+                    + "takes one: trace fewer triangles");
             _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.Frequencies.Last());
             var grid = new TubeGrid(pose, TubeGrid.SideFor(pose, _scene.Min, _scene.Max), _scene.Min, _scene.Max);
             Bind(pose, grid);
@@ -93,7 +100,7 @@ namespace Glint
         {
             _kernels.SetScene(_scene, _surfaces);
             _kernels.SetPose(pose, grid);
-            _output.Reserve(Words(pose));
+            _output.Reserve(OutputSize(pose));
             _tubes.Reserve(ListCapacity);
             _cells.Reserve(ListCapacity);
             _borders.Reserve(ListCapacity);
@@ -103,7 +110,7 @@ namespace Glint
             _kernels.Mark(grid, _surfaces, _marks);
         }
 
-        static int Words(CrossSectionPose pose) =>
+        static int OutputSize(CrossSectionPose pose) =>
             TubeKernels.FirstSum + TubeKernels.SumWords * pose.Receivers.Length * pose.Frequencies.Length;
 
         // Traces all cells, with borders to a level, slice by slice.
@@ -115,8 +122,7 @@ namespace Glint
             int maxLevel = (int)Math.Ceiling(-0.5 * Math.Log(cellError, 2));
             _kernels.SetAccuracy(sums.WaveNumber, cellError, maxLevel, level, sums.UnitsPerMetre,
                 sums.UnitsPerSquareMetre);
-            int words = Words(pose);
-            var read = new uint[words];
+            var read = new uint[OutputSize(pose)];
             long max = long.MaxValue;
             for (long first = 0; first < grid.Count;)
             {
@@ -124,11 +130,11 @@ namespace Glint
                 long left = Math.Min(grid.Count - first, max);
                 int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (left + TileCells - 1) / TileCells),
                     pose.MaxBounces);
-                int count = (int)Math.Min(left, (long)tiles * TileCells);
+                int count = (int)Math.Min(left, CellsADispatch > 0 ? CellsADispatch : (long)tiles * TileCells);
                 var watch = Stopwatch.StartNew();
-                _kernels.Clear(words);
+                _kernels.Clear(read.Length);
                 _kernels.Trace(grid, first, count, maxLevel + 1, level);
-                _output.ReadBack(read, words);
+                _output.ReadBack(read, read.Length);
                 _pacer.Took(tiles, watch.Elapsed.TotalSeconds);
                 if (TubeSums.HasOverflown(read))
                 {

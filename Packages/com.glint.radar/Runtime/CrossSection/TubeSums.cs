@@ -40,22 +40,22 @@ namespace Glint
         public double UnitsPerSquareMetre { get; }
 
         /// <summary>Whether a list was full: the sums are not complete.</summary>
-        public static bool HasOverflown(uint[] words) => words[Overflow] != 0;
+        public static bool HasOverflown(uint[] output) => output[Overflow] != 0;
 
         /// <summary>Adds a slice.</summary>
         /// <exception cref="GlintException">A contribution is too large for a sum.</exception>
-        public void Add(uint[] words, string owner)
+        public void Add(uint[] output, string owner)
         {
-            _tubes += words[Count];
-            _rays += words[Rays] + ((long)words[Rays + 1] << 32);
+            _tubes += output[Count];
+            _rays += output[Rays] + ((long)output[Rays + 1] << 32);
             for (int i = 0; i < _sums.Length; i++)
             {
                 int first = TubeKernels.FirstSum + i / SumCount * TubeKernels.SumWords;
-                if (words[first + TooLarge] != 0)
+                if (output[first + TooLarge] != 0)
                     throw new GlintException($"{owner}: a contribution to the cross section is not finite or too large: "
                         + "the mesh may have coordinates that float32 does not resolve");
                 int at = first + 2 * (i % SumCount);
-                _sums[i] += (long)((ulong)words[at + 1] << 32 | words[at]);
+                _sums[i] += (long)((ulong)output[at + 1] << 32 | output[at]);
             }
         }
 
