@@ -144,7 +144,8 @@ namespace Glint.Core
             if (value is double number && (double.IsNaN(number) || double.IsInfinity(number)))
                 throw new GlintException($"{Name} is not finite{(where.Length == 0 ? "" : " at " + where)}: "
                     + "check the scene for huge coordinates, and report it if there are none");
-            return value;
+            // -0 becomes 0, as it is read from the files.
+            return value + 0.0;
         }
 
         /// <summary>The column of an axis.</summary>
