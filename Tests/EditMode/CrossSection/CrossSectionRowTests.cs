@@ -78,7 +78,7 @@ namespace Glint.Tests
         [TestCase(0, 174, true)]
         [TestCase(0, 174.5, false)]
         [TestCase(0, 180, false)]
-        public void BistaticAngle_BeyondA120DegreesButForward_IsOutsidePhysicalOptics(double azimuth, double receiver,
+        public void BistaticAngle_Above120DegreesButForward_IsOutsidePhysicalOptics(double azimuth, double receiver,
             bool isOutside) => Assert.That(RowOf(azimuth, receiver).IsOutsidePhysicalOptics, Is.EqualTo(isOutside));
 
         [Test]

@@ -24,11 +24,11 @@ namespace Glint.Tests
             Assert.That(NumpyReader.Names(path), Is.EqualTo(new[] { "angle.npy", "S.npy" }));
             var angle = NumpyReader.Read(path, "angle");
             Assert.That(angle.Type, Is.EqualTo("<f8"));
-            Assert.That(angle.Shape, Is.EqualTo(new[] { 3 }));
+            Assert.That(angle.Sizes, Is.EqualTo(new[] { 3 }));
             Assert.That(angle.Numbers, Is.EqualTo(new[] { 0, -1.5, double.NaN }));
             var s = NumpyReader.Read(path, "S");
             Assert.That(s.Type, Is.EqualTo("<c16"));
-            Assert.That(s.Shape, Is.EqualTo(new[] { 2, 1 }));
+            Assert.That(s.Sizes, Is.EqualTo(new[] { 2, 1 }));
             Assert.That(s.Numbers, Is.EqualTo(new[] { 1, 2, -3, 1e-300 }));
         }
 

@@ -10,11 +10,11 @@ namespace Glint.Tests
     /// <summary>An array of a .npz file, read by the description of NPY format 1.0.</summary>
     sealed class NumpyReader
     {
-        NumpyReader(string type, int[] shape, double[] numbers) => (Type, Shape, Numbers) = (type, shape, numbers);
+        NumpyReader(string type, int[] sizes, double[] numbers) => (Type, Sizes, Numbers) = (type, sizes, numbers);
 
         public string Type { get; }
 
-        public int[] Shape { get; }
+        public int[] Sizes { get; }
 
         /// <summary>All numbers in the order of the file, a complex one as two.</summary>
         public double[] Numbers { get; }
@@ -46,11 +46,11 @@ namespace Glint.Tests
                 @"^\{'descr': '(<[a-z0-9]+)', 'fortran_order': False, 'shape': \(((?:\d+,)*)\), \} *\n$");
             if (!match.Success || start % 64 != 0)
                 throw new FormatException(header);
-            var shape = match.Groups[2].Value.Split(new[] { ',' }, StringSplitOptions.RemoveEmptyEntries)
+            var sizes = match.Groups[2].Value.Split(new[] { ',' }, StringSplitOptions.RemoveEmptyEntries)
                 .Select(int.Parse).ToArray();
             var numbers = new double[(bytes.Length - start) / sizeof(double)];
             Buffer.BlockCopy(bytes, start, numbers, 0, bytes.Length - start);
-            return new NumpyReader(match.Groups[1].Value, shape, numbers);
+            return new NumpyReader(match.Groups[1].Value, sizes, numbers);
         }
     }
 }

@@ -9,20 +9,20 @@ namespace Glint.Core
     /// <summary>The cross section of a scene in one direction, at one frequency, for one receiver.</summary>
     public sealed class CrossSectionRow
     {
-        /// <summary>Angle between radar and receiver, degrees, beyond which physical optics does not hold.</summary>
+        /// <summary>Angle between radar and receiver, degrees, above which physical optics does not hold.</summary>
         public const double MaxBistaticDegrees = 120;
 
         readonly IReadOnlyList<Polarisation> _polarisations;
 
         /// <summary>A row.</summary>
-        /// <param name="place">Directions and frequency.</param>
+        /// <param name="planned">Directions and frequency.</param>
         /// <param name="s">Scattering matrix, metres.</param>
         /// <param name="polarisations">The elements of the matrix that were asked for.</param>
-        public CrossSectionRow(in PlannedCrossSection place, in ScatteringMatrix s,
-            IReadOnlyList<Polarisation> polarisations) => (Place, S, _polarisations) = (place, s, polarisations);
+        public CrossSectionRow(in PlannedCrossSection planned, in ScatteringMatrix s,
+            IReadOnlyList<Polarisation> polarisations) => (Planned, S, _polarisations) = (planned, s, polarisations);
 
         /// <summary>Directions and frequency.</summary>
-        public PlannedCrossSection Place { get; }
+        public PlannedCrossSection Planned { get; }
 
         /// <summary>Scattering matrix, metres.</summary>
         public ScatteringMatrix S { get; }
@@ -59,7 +59,7 @@ namespace Glint.Core
         public bool MeetsTolerance => Accuracy.Excess(ToleranceDb) <= 1;
 
         /// <summary>
-        /// Whether radar and receiver are so far apart that physical optics does not hold: beyond
+        /// Whether radar and receiver are so far apart that physical optics does not hold: above
         /// <see cref="MaxBistaticDegrees"/>, except in the forward lobe. This is the target's shadow, as wide as the
         /// pattern of an aperture of the sphere's diameter.
         /// </summary>
@@ -67,14 +67,14 @@ namespace Glint.Core
         {
             get
             {
-                double3 radar = Place.Radar.ToRadar, receiver = Place.ReceiverAspect.ToRadar;
+                double3 radar = Planned.Radar.ToRadar, receiver = Planned.ReceiverAspect.ToRadar;
                 double angle = math.atan2(math.length(math.cross(radar, receiver)), math.dot(radar, receiver));
-                double lobe = Signal.Wavelength(Place.Frequency) / (2 * Radius);
+                double lobe = Signal.Wavelength(Planned.Frequency) / (2 * Radius);
                 return angle > math.radians(MaxBistaticDegrees) && Math.PI - angle > lobe;
             }
         }
 
         /// <summary>Directions and frequency in a few words.</summary>
-        public override string ToString() => Place.ToString();
+        public override string ToString() => Planned.ToString();
     }
 }

@@ -26,25 +26,25 @@ namespace Glint.Core
         public NumpyArchive(Stream output) => _zip = new ZipArchive(output, ZipArchiveMode.Create, leaveOpen: true);
 
         /// <summary>Adds an array of doubles.</summary>
-        /// <param name="values">As many as the shape has, the last index changing fastest.</param>
-        public void Add(string name, int[] shape, IEnumerable<double> values) => Write(name, "<f8", shape, values);
+        /// <param name="values">As many as the sizes have, the last index changing fastest.</param>
+        public void Add(string name, int[] sizes, IEnumerable<double> values) => Write(name, "<f8", sizes, values);
 
         /// <summary>Adds an array of complex numbers of two doubles each.</summary>
         /// <inheritdoc cref="Add(string, int[], IEnumerable{double})" path="/param"/>
-        public void Add(string name, int[] shape, IEnumerable<Complex> values) =>
-            Write(name, "<c16", shape, values.SelectMany(value => new[] { value.Real, value.Imaginary }));
+        public void Add(string name, int[] sizes, IEnumerable<Complex> values) =>
+            Write(name, "<c16", sizes, values.SelectMany(value => new[] { value.Real, value.Imaginary }));
 
         /// <summary>Ends the archive.</summary>
         public void Dispose() => _zip.Dispose();
 
-        void Write(string name, string type, int[] shape, IEnumerable<double> numbers)
+        void Write(string name, string type, int[] sizes, IEnumerable<double> numbers)
         {
             var entry = _zip.CreateEntry(name + ".npy", CompressionLevel.NoCompression);
             entry.LastWriteTime = s_time;
             using (var file = new BinaryWriter(new BufferedStream(entry.Open(), 1 << 16)))
             {
                 string header = $"{{'descr': '{type}', 'fortran_order': False, 'shape': "
-                    + $"({string.Concat(shape.Select(size => size + ","))}), }}";
+                    + $"({string.Concat(sizes.Select(size => size + ","))}), }}";
                 int length = (PrefixLength + header.Length + Alignment) / Alignment * Alignment - PrefixLength;
                 file.Write(new byte[] { 0x93, (byte)'N', (byte)'U', (byte)'M', (byte)'P', (byte)'Y', 1, 0 });
                 file.Write((ushort)length);

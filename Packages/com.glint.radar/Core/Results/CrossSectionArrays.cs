@@ -24,8 +24,8 @@ namespace Glint.Core
                 arrays.Add("azimuth", new[] { poses.Length }, poses.Select(pose => pose.AzimuthDegrees));
                 arrays.Add("elevation", new[] { poses.Length }, poses.Select(pose => pose.ElevationDegrees));
                 arrays.Add("frequency", new[] { frequencies }, plan.Frequencies);
-                arrays.Add("receiver", new[] { receivers, 2 }, received.SelectMany(place => new[]
-                    { place.ReceiverAzimuthDegrees ?? double.NaN, place.ReceiverElevationDegrees ?? double.NaN }));
+                arrays.Add("receiver", new[] { receivers, 2 }, received.SelectMany(planned => new[]
+                    { planned.ReceiverAzimuthDegrees ?? double.NaN, planned.ReceiverElevationDegrees ?? double.NaN }));
                 arrays.Add("S", new[] { poses.Length, frequencies, receivers, 2, 2 }, rows.SelectMany(Matrix));
                 arrays.Add("error", new[] { poses.Length, frequencies, receivers },
                     rows.Select(row => row[CrossSectionColumn.Error].Value));

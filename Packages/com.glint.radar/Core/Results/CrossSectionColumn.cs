@@ -10,23 +10,23 @@ namespace Glint.Core
     {
         /// <summary>Direction of the radar.</summary>
         public static readonly ResultColumn Azimuth =
-            Of("azimuth_deg", "Azimuth", "deg", row => row.Place.AzimuthDegrees);
+            Of("azimuth_deg", "Azimuth", "deg", row => row.Planned.AzimuthDegrees);
 
         /// <inheritdoc cref="Azimuth"/>
         public static readonly ResultColumn Elevation =
-            Of("elevation_deg", "Elevation", "deg", row => row.Place.ElevationDegrees);
+            Of("elevation_deg", "Elevation", "deg", row => row.Planned.ElevationDegrees);
 
         /// <summary>Frequency.</summary>
         public static readonly ResultColumn Frequency =
-            Of("frequency_hz", "Frequency", "Hz", row => row.Place.Frequency);
+            Of("frequency_hz", "Frequency", "Hz", row => row.Planned.Frequency);
 
         /// <summary>Direction of the receiver; none where the radar receives.</summary>
         public static readonly ResultColumn ReceiverAzimuth = MayBeMissing(
-            Of("receiver_azimuth_deg", "Azimuth of the receiver", "deg", row => row.Place.ReceiverAzimuthDegrees));
+            Of("receiver_azimuth_deg", "Azimuth of the receiver", "deg", row => row.Planned.ReceiverAzimuthDegrees));
 
         /// <inheritdoc cref="ReceiverAzimuth"/>
         public static readonly ResultColumn ReceiverElevation = MayBeMissing(Of("receiver_elevation_deg",
-            "Elevation of the receiver", "deg", row => row.Place.ReceiverElevationDegrees));
+            "Elevation of the receiver", "deg", row => row.Planned.ReceiverElevationDegrees));
 
         /// <summary>Standard error of the integration in decibels of VV or HH, whichever has the larger one.</summary>
         public static readonly ResultColumn ErrorDb =
@@ -75,9 +75,9 @@ namespace Glint.Core
                 ? ScatteringMatrix.Dbsm(amplitude)
                 : (double?)null));
 
-        static ResultColumn Of(Polarisation polarisation, string part, string words, Func<Complex, double> value) =>
-            MayBeMissing(Of($"{polarisation.Name}_{part}_m", $"S {polarisation.Name.ToUpperInvariant()}, {words}", "m",
-                row => row.Amplitude(polarisation) is Complex amplitude ? value(amplitude) : (double?)null));
+        static ResultColumn Of(Polarisation polarisation, string part, string partTitle, Func<Complex, double> value) =>
+            MayBeMissing(Of($"{polarisation.Name}_{part}_m",
+                $"S {polarisation.Name.ToUpperInvariant()}, {partTitle}", "m", row => row.Amplitude(polarisation) is Complex amplitude ? value(amplitude) : (double?)null));
 
         static ResultColumn Of(string name, string title, string unit, Func<CrossSectionRow, double?> value) =>
             ResultColumn.Of(name, title, unit, value);

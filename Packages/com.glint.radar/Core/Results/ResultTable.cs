@@ -36,7 +36,9 @@ namespace Glint.Core
         /// <summary>Whether each row has timings.</summary>
         public bool HasTimings { get; private set; }
 
-        /// <summary>File of the rows as arrays; null for none. A part of a sweep has none, its merged whole has.</summary>
+        /// <summary>
+        /// File of the rows as arrays; null for none. A part of a sweep does not have it, its merged whole does.
+        /// </summary>
         public string ArraysName { get; private set; }
 
         /// <summary>Writes the arrays of a whole sweep from its identity and rows.</summary>

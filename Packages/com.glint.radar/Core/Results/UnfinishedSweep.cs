@@ -50,7 +50,8 @@ namespace Glint.Core
                     {
                         StoredRun.CheckSchema(json, path);
                         sweep = new UnfinishedSweep(StoredRun.TableOf(json), StoredRun.Time(json),
-                            StoredRun.Identity(json["sweep"] as JObject ?? throw new FormatException("it names no sweep")));
+                            StoredRun.Identity(json["sweep"] as JObject
+                                ?? throw new FormatException("it names no sweep")));
                     }
                     else
                         sweep.Rows.Add(new StoredRow(json, sweep._table));

@@ -74,7 +74,8 @@ namespace Glint.Editor
 
         /// <summary>Joins the parts of a sweep.</summary>
         public static readonly Command Merge =
-            new Command("merge", "Merge the parts of a sweep or of cross sections (--shard) into the files of the whole.")
+            new Command("merge",
+                "Merge the parts of a sweep or of cross sections (--shard) into the files of the whole.")
             {
                 Inputs = InputKind.Folders,
                 Options = new Option[] { Options.Out },
@@ -110,8 +111,8 @@ namespace Glint.Editor
             };
 
         /// <summary>Computes cross sections.</summary>
-        public static readonly Command Rcs = new Command("rcs", "Compute radar cross sections of a scene or a mesh file "
-            + "in dBsm, to an accuracy that is asked for, and write rcs.csv, rcs.npz and results.json.")
+        public static readonly Command Rcs = new Command("rcs", "Compute radar cross sections of a scene or a mesh "
+            + "file in dBsm, to an accuracy that is asked for, and write rcs.csv, rcs.npz and results.json.")
         {
             Options = CrossSectionOptions.All,
             Notes = new[]
@@ -323,7 +324,10 @@ namespace Glint.Editor
 
         /// <summary>Every command.</summary>
         public static IReadOnlyList<Command> All { get; } =
-            new[] { Sweep, Merge, Run, Rcs, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info, Completion };
+            new[]
+            {
+                Sweep, Merge, Run, Rcs, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info, Completion
+            };
 
         /// <summary>Description of INPUT for a command.</summary>
         public static string InputHelpOf(Command command) => command.Inputs == InputKind.Folders ? FoldersHelp

@@ -157,16 +157,17 @@ namespace Glint.Editor
     {
         /// <summary>Heading of the columns.</summary>
         public static string Header(CrossSectionSetup setup) => "azimuth  elevation"
-            + (setup.Plan.Frequencies.Count > 1 ? "     frequency" : "") + (setup.Plan.IsBistatic ? "  received at" : "")
+            + (setup.Plan.Frequencies.Count > 1 ? "     frequency" : "")
+            + (setup.Plan.IsBistatic ? "  received at" : "")
             + string.Concat(setup.Polarisations.Select(polarisation =>
                 $"{polarisation.Name.ToUpperInvariant() + " dBsm",10}")) + "  error dB";
 
         /// <summary>The line of a row.</summary>
         public static string Row(CrossSectionSetup setup, CrossSectionRow row) =>
-            FormattableString.Invariant($"{row.Place.AzimuthDegrees,7:0.###}  {row.Place.ElevationDegrees,9:0.###}")
-            + (setup.Plan.Frequencies.Count > 1 ? FormattableString.Invariant($"  {row.Place.Frequency,12:g6}") : "")
+            FormattableString.Invariant($"{row.Planned.AzimuthDegrees,7:0.###}  {row.Planned.ElevationDegrees,9:0.###}")
+            + (setup.Plan.Frequencies.Count > 1 ? FormattableString.Invariant($"  {row.Planned.Frequency,12:g6}") : "")
             + (setup.Plan.IsBistatic
-                ? FormattableString.Invariant($"  {row.Place.ReceiverAzimuthDegrees,11:0.###}")
+                ? FormattableString.Invariant($"  {row.Planned.ReceiverAzimuthDegrees,11:0.###}")
                 : "")
             + string.Concat(setup.Polarisations.Select(polarisation =>
                 $"{Level(polarisation.Of(row.S)),10}"))

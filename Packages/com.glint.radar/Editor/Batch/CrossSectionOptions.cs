@@ -30,7 +30,8 @@ namespace Glint.Editor
 
         /// <summary>Frequencies, hertz.</summary>
         public static readonly Option<double[]> Frequency = List("frequency", SweepAxis.Frequency.List, "10e9",
-            "Frequencies in hertz, as a range or list. One trace gives all of them, unless a surface has a material.");
+            "Frequencies in hertz, as a range or list. One trace gives those within 10 %, "
+                + "unless a surface has a material.");
 
         /// <summary>Elements of the scattering matrix.</summary>
         public static readonly Option<Polarisation[]> Polarisations =
@@ -111,7 +112,8 @@ namespace Glint.Editor
 
         /// <summary>Materials of surfaces; null when not given.</summary>
         public static readonly Option<MaterialAssignment[]> Material =
-            new Option<MaterialAssignment[]>("material", "NAME=MATERIAL", text => new[] { MaterialAssignment.Read(text) })
+            new Option<MaterialAssignment[]>("material", "NAME=MATERIAL",
+                text => new[] { MaterialAssignment.Read(text) })
             {
                 Group = Group,
                 Join = (before, more) => before.Concat(more).ToArray(),

@@ -9,16 +9,20 @@ using UnityEngine;
 namespace Glint
 {
     /// <summary>
-    /// Cross sections, row by row. One trace gives the rows of up to 16 receivers and, if all surfaces are perfect
-    /// conductors, of all frequencies.
+    /// Cross sections, row by row. One trace gives the rows of up to 16 receivers in the far field and, if all surfaces
+    /// are perfect conductors, of neighbouring frequencies.
     /// </summary>
     public sealed class CrossSectionRun : IDisposable
     {
+        // Of the frequencies of a trace: the width of its shadow edges, of the highest one, is right within 3 %.
+        const double MaxFrequencyRatio = 1.1;
+
         readonly CrossSectionSetup _setup;
         readonly ResultsFolder _folder;
         readonly CrossSectionTracer _tracer;
         readonly int _first;
-        readonly bool _tracesAllFrequencies;
+        readonly int[] _firstFrequencies; // of the trace of each frequency
+        readonly int _receiversOfTrace;
         readonly DateTime _startedUtc = DateTime.UtcNow;
         readonly Stopwatch _watch = Stopwatch.StartNew();
         readonly SweepIdentity _identity;
@@ -45,8 +49,8 @@ namespace Glint
             int rows = setup.Plan.Count;
             _first = shard?.First(rows) ?? 0;
             Count = (shard?.End(rows) ?? rows) - _first;
-            // The device has reflection coefficients of one frequency.
-            _tracesAllFrequencies = setup.UsedMaterials().All(material => material.IsConductor);
+            _firstFrequencies = DivideFrequencies(setup);
+            _receiversOfTrace = double.IsPositiveInfinity(setup.Range) ? TubeKernels.MaxReceivers : 1;
             if (folder != null)
             {
                 _identity = CrossSectionDescription.IdentityOf(setup);
@@ -76,15 +80,15 @@ namespace Glint
         /// <exception cref="OperationCanceledException">The trace was cancelled; earlier rows are kept.</exception>
         public CrossSectionRow Step(IProgress<double> progress = null, CancellationToken cancel = default)
         {
-            var place = _setup.Plan[_first + Done];
-            if (place.Pose != _pose)
+            var planned = _setup.Plan[_first + Done];
+            if (planned.Pose != _pose)
                 _traces.Clear();
-            _pose = place.Pose;
-            int frequency = _tracesAllFrequencies ? 0 : place.FrequencyIndex;
-            int receiver = place.Receiver / TubeKernels.MaxReceivers * TubeKernels.MaxReceivers;
+            _pose = planned.Pose;
+            int frequency = _firstFrequencies[planned.FrequencyIndex];
+            int receiver = planned.Receiver / _receiversOfTrace * _receiversOfTrace;
             if (!_traces.TryGetValue((frequency, receiver), out var trace))
-                _traces.Add((frequency, receiver), trace = Trace(place, frequency, receiver, progress, cancel));
-            var row = RowOf(place, trace, place.Receiver - receiver, place.FrequencyIndex - frequency);
+                _traces.Add((frequency, receiver), trace = Trace(planned, frequency, receiver, progress, cancel));
+            var row = RowOf(planned, trace, planned.Receiver - receiver, planned.FrequencyIndex - frequency);
             _folder?.Append(row);
             Done++;
             if (IsComplete)
@@ -99,23 +103,37 @@ namespace Glint
             _folder?.Dispose();
         }
 
-        CrossSectionResult Trace(in PlannedCrossSection place, int frequency, int receiver,
+        CrossSectionResult Trace(in PlannedCrossSection planned, int frequency, int receiver,
             IProgress<double> progress, CancellationToken cancel)
         {
             var plan = _setup.Plan;
-            int receivers = Math.Min(TubeKernels.MaxReceivers, plan.Receivers - receiver);
-            int row = _first + Done - place.Receiver;
+            int receivers = Math.Min(_receiversOfTrace, plan.Receivers - receiver);
+            int row = _first + Done - planned.Receiver;
             var aspects = Enumerable.Range(receiver, receivers).Select(i => plan[row + i].ReceiverAspect).ToArray();
-            var frequencies = _tracesAllFrequencies ? plan.Frequencies.ToArray() : new[] { plan.Frequencies[frequency] };
-            return _tracer.Trace(_setup.PoseOf(place, aspects, frequencies), progress, cancel);
+            var frequencies = plan.Frequencies.Where((_, i) => _firstFrequencies[i] == frequency).ToArray();
+            return _tracer.Trace(_setup.PoseOf(planned, aspects, frequencies), progress, cancel);
         }
 
-        CrossSectionRow RowOf(in PlannedCrossSection place, CrossSectionResult trace, int receiver, int frequency) =>
-            new CrossSectionRow(place, trace.S[receiver, frequency], _setup.Polarisations)
+        static int[] DivideFrequencies(CrossSectionSetup setup)
+        {
+            // The device has reflection coefficients of one frequency.
+            bool areConductors = setup.UsedMaterials().All(material => material.IsConductor);
+            var frequencies = setup.Plan.Frequencies;
+            var firsts = new int[frequencies.Count];
+            for (int i = 1; i < firsts.Length; i++)
+            {
+                int first = firsts[i - 1];
+                firsts[i] = areConductors && frequencies[i] <= MaxFrequencyRatio * frequencies[first] ? first : i;
+            }
+            return firsts;
+        }
+
+        CrossSectionRow RowOf(in PlannedCrossSection planned, CrossSectionResult trace, int receiver, int frequency) =>
+            new CrossSectionRow(planned, trace.S[receiver, frequency], _setup.Polarisations)
             {
                 Error = trace.Errors[receiver, frequency], FloorDbsm = _setup.FloorDbsm,
                 ToleranceDb = _setup.ToleranceDb, Radius = _setup.Radius,
-                CoarseShare = _setup.Quality.Share(Signal.Wavelength(place.Frequency)),
+                CoarseShare = _setup.Quality.Share(Signal.Wavelength(planned.Frequency)),
                 Tubes = trace.Tubes, Rays = trace.Rays
             };
 

@@ -12,6 +12,7 @@ namespace Glint
         // Radians of phase over the scene that float32 sums hold: its rounding of 6e-8 is 0.1 rad there.
         const double MaxPhase = 2e6;
 
+        readonly Lazy<SurfacePatches[]> _patches;
         readonly Lazy<MeshQuality> _quality;
 
         /// <summary>The setup of a scene.</summary>
@@ -21,7 +22,8 @@ namespace Glint
         {
             (Scene, Plan) = (scene, plan);
             (BoxMin, BoxMax) = scene.Bound();
-            _quality = new Lazy<MeshQuality>(() => MeshQuality.Find(Scene, Patches()));
+            _patches = new Lazy<SurfacePatches[]>(Patches);
+            _quality = new Lazy<MeshQuality>(() => MeshQuality.Find(Scene, _patches.Value));
         }
 
         /// <summary>The scene.</summary>
@@ -79,10 +81,11 @@ namespace Glint
         public MeshQuality Quality => _quality.Value;
 
         /// <summary>The pose of a row, with some receivers and frequencies.</summary>
-        internal CrossSectionPose PoseOf(in PlannedCrossSection place, RadarAspect[] receivers, double[] frequencies) =>
+        internal CrossSectionPose PoseOf(in PlannedCrossSection planned, RadarAspect[] receivers,
+            double[] frequencies) =>
             new CrossSectionPose
             {
-                Scene = Scene, Radar = place.Radar, Receivers = receivers, PhaseCentre = PhaseCentre, Range = Range,
+                Scene = Scene, Radar = planned.Radar, Receivers = receivers, PhaseCentre = PhaseCentre, Range = Range,
                 Frequencies = frequencies, MaxBounces = MaxBounces, HasEdges = HasEdges,
                 CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb, FloorDbsm = FloorDbsm
             };
@@ -106,7 +109,7 @@ namespace Glint
             if (Range <= farthest)
                 throw new GlintException(FormattableString.Invariant(
                     $"{subject}: a range of {Range:g6} m is inside of it: its farthest corner is {farthest:g6} m from the phase centre; give a larger range"));
-            if (WedgeFinder.FindOpenDielectric(Scene, Patches()) is SurfaceMaterial open)
+            if (WedgeFinder.FindOpenDielectric(Scene, _patches.Value) is SurfaceMaterial open)
                 throw new GlintException($"{subject}: the surface with material '{open.Name}' is open, with air on "
                     + "both sides, but nothing is followed into a dielectric: close the mesh, or make it a perfect "
                     + "conductor (metal)");

@@ -72,7 +72,7 @@ namespace Glint
             Bind(pose, grid);
             double floor = pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max);
             long rays = 0;
-            for (int level = BisectLevel > 0 ? BisectLevel : FirstBisectLevel;;)
+            for (int level = BisectLevel > 0 ? BisectLevel : FirstBisectLevel; ;)
             {
                 var result = TraceTo(level, pose, grid, progress, cancel);
                 result.Rays = rays += result.Rays;

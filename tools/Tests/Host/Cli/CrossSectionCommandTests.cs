@@ -80,11 +80,11 @@ public sealed class CrossSectionCommandTests
         Assert.That(NumpyReader.Read(arrays, "azimuth").Numbers, Is.EqualTo(new[] { 0, 20 }));
         Assert.That(NumpyReader.Read(arrays, "elevation").Numbers, Is.EqualTo(new[] { 0, 0 }));
         Assert.That(NumpyReader.Read(arrays, "frequency").Numbers, Is.EqualTo(new[] { 9e9, 10e9 }));
-        Assert.That(NumpyReader.Read(arrays, "receiver").Shape, Is.EqualTo(new[] { 18, 2 }));
+        Assert.That(NumpyReader.Read(arrays, "receiver").Sizes, Is.EqualTo(new[] { 18, 2 }));
         Assert.That(NumpyReader.Read(arrays, "error").Numbers,
             Is.EqualTo(rows.Select(row => Number(row, "integration_error_m"))));
         var s = NumpyReader.Read(arrays, "S");
-        Assert.That(s.Shape, Is.EqualTo(new[] { 2, 2, 18, 2, 2 }));
+        Assert.That(s.Sizes, Is.EqualTo(new[] { 2, 2, 18, 2, 2 }));
         Assert.That(s.Type, Is.EqualTo("<c16"));
         for (int i = 0; i < rows.Count; i++)
         {
@@ -104,8 +104,30 @@ public sealed class CrossSectionCommandTests
             Is.EqualTo(10 * Math.Log10(4 * Math.PI * Math.Pow(area / Wavelength, 2))).Within(0.05));
     }
 
+    /// <summary>
+    /// At a finite range a receiver is a trace of its own; so is a frequency far from the others, or with a material.
+    /// </summary>
+    [TestCase("20,25", "10e9,9.5e9", "--range", "5")]
+    [TestCase("20,25", "10e9,5e9")]
+    [TestCase("20", "10e9,9.5e9", "--material", "*=metal,4,0.4,1,0,0.002")]
+    public void Rows_OfSeveralTraces_AreThoseOfSingleRuns(string receivers, string frequencies, params string[] options)
+    {
+        string[] rcs = [At("plate.obj"), "--azimuth", "10", "--tolerance", "0.02", .. options];
+        Run([.. rcs, "--receivers", receivers, "--frequency", frequencies, "--out", At("all")]);
+        foreach (string receiver in receivers.Split(','))
+            foreach (string frequency in frequencies.Split(','))
+            {
+                Run([.. rcs, "--receivers", receiver, "--frequency", frequency, "--out", At("one")]);
+                var one = Rows("one").Single();
+                var same = Rows("all").Single(row => row["receiver_azimuth_deg"] == one["receiver_azimuth_deg"]
+                    && row["frequency_hz"] == one["frequency_hz"]);
+                Assert.That(Number(same, "vv_dbsm"), Is.EqualTo(Number(one, "vv_dbsm")).Within(0.04));
+                Assert.That(Number(same, "hh_dbsm"), Is.EqualTo(Number(one, "hh_dbsm")).Within(0.04));
+            }
+    }
+
     [Test]
-    public void Receiver_BeyondA120Degrees_IsFlagged()
+    public void Receiver_MoreThan120DegreesAway_IsFlagged()
     {
         var (_, _, error) = Execute(At("plate.obj"), "--receivers", "100,130,180", "--tolerance", "1",
             "--out", At("rcs"));
@@ -121,8 +143,8 @@ public sealed class CrossSectionCommandTests
         Assert.That(code, Is.Zero, error);
         var row = Rows("rcs")[1];
         Assert.That(row["tolerance_met"], Is.EqualTo("0"));
-        Assert.That(error, Does.Match(@"the tolerance of 0\.001 dB was not met in [12] of 2 rows \(column tolerance_met\)"
-            + @": the largest standard error reached is [0-9.]+ dB, at azimuth 44 deg"));
+        Assert.That(error, Does.Match(@"the tolerance of 0\.001 dB was not met in [12] of 2 rows "
+            + @"\(column tolerance_met\): the largest standard error reached is [0-9.]+ dB, at azimuth 44 deg"));
         Assert.That(output, Does.Match(@"(?m)^ +44 .* !\r?$"));
     }
 
@@ -190,7 +212,8 @@ public sealed class CrossSectionCommandTests
         int seed = Environment.TickCount;
         KillAt(5000 + new Random(seed).Next(12000), [.. rcs, "--out", At("killed")]);
         Assert.That(File.Exists(At("killed/results.partial")), "killed before its end");
-        Assert.That(Run([.. rcs, "--out", At("killed"), "--resume"]), Does.Match("resumed: [0-9]+ of 41 rows are done"));
+        Assert.That(Run([.. rcs, "--out", At("killed"), "--resume"]),
+            Does.Match("resumed: [0-9]+ of 41 rows are done"));
         AssertSame("killed", $"seed {seed}");
     }
 
@@ -240,21 +263,23 @@ public sealed class CrossSectionCommandTests
     {
         // A cylinder of 24 facets, 15 degrees each: their width is 0.26 m and their sagitta 0.26 x 15 deg / 8 = 8.6 mm.
         const int facets = 24;
-        var lines = Enumerable.Range(0, facets).SelectMany(i => new[] { 0.0, 1 }.Select(y => FormattableString.Invariant(
-            $"v {Math.Cos(2 * Math.PI * i / facets)} {y} {Math.Sin(2 * Math.PI * i / facets)}"))).Concat(
+        var lines = Enumerable.Range(0, facets).SelectMany(i => new[] { 0.0, 1 }.Select(y =>
+            FormattableString.Invariant($"v {Math.Cos(2 * Math.PI * i / facets)} {y} {Math.Sin(2 * Math.PI * i / facets)}"))).Concat(
             Enumerable.Range(0, facets).Select(i =>
                 $"f {2 * i + 1} {2 * i + 2} {2 * (i + 1) % (2 * facets) + 2} {2 * (i + 1) % (2 * facets) + 1}"));
         File.WriteAllLines(At("cylinder.obj"), lines);
         var (code, output, error) = Execute(At("cylinder.obj"), "--frequency", "0.5e9,3e9", "--tolerance", "1",
             "--out", At("rcs"));
         Assert.That(code, Is.Zero, error);
-        Assert.That(error, Does.Match("the facets are too coarse for curved surfaces on 100 % of the area at 3e\\+09 Hz")
+        Assert.That(error, Does.Contain("facets are too coarse for curved surfaces on 100 % of the area at 3e+09 Hz")
             .And.Contain("column coarse_area_share"));
-        double good = (double)JObject.Parse(File.ReadAllText(At("rcs/results.json")))["settings"]["mesh_good_up_to"]["value"];
+        var settings = JObject.Parse(File.ReadAllText(At("rcs/results.json")))["settings"];
+        double good = (double)settings["mesh_good_up_to"]["value"];
         // Facets are cut into triangles, each of which has one of the two edges along the cylinder.
         double width = 2 * Math.Sin(Math.PI / facets), sagitta = width * (2 * Math.PI / facets) / 8;
         Assert.That(good, Is.EqualTo(299792458 / (50 * sagitta)).Within(0.01 * good));
-        Assert.That(Rows("rcs").Select(row => Number(row, "coarse_area_share")), Is.EqualTo(new[] { 0.0, 1 }).Within(1e-6));
+        Assert.That(Rows("rcs").Select(row => Number(row, "coarse_area_share")),
+            Is.EqualTo(new[] { 0.0, 1 }).Within(1e-6));
         Assert.That(output, Does.Contain("open edges"), "both ends");
     }
 
@@ -267,8 +292,8 @@ public sealed class CrossSectionCommandTests
         foreach (string words in new[]
         {
             "Units: angles in degrees, frequencies in hertz, lengths in metres, cross sections in dBsm",
-            "the error of the integration, not of physical optics", "Frequencies in hertz", "Azimuths of the radar in degrees",
-            "Distance in metres", "--unit"
+            "the error of the integration, not of physical optics", "Frequencies in hertz",
+            "Azimuths of the radar in degrees", "Distance in metres", "--unit"
         })
             Assert.That(help, Does.Contain(words));
     }
@@ -333,7 +358,8 @@ public sealed class CrossSectionCommandTests
     List<Dictionary<string, string>> Rows(string folder)
     {
         var lines = File.ReadAllLines(At($"{folder}/rcs.csv")).Select(line => line.Split(',')).ToArray();
-        return [.. lines.Skip(1).Select(cells => lines[0].Zip(cells).ToDictionary(cell => cell.First, cell => cell.Second))];
+        return [.. lines.Skip(1).Select(cells =>
+            lines[0].Zip(cells).ToDictionary(cell => cell.First, cell => cell.Second))];
     }
 
     static double Number(Dictionary<string, string> row, string column) =>
