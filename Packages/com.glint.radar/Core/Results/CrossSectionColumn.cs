@@ -77,7 +77,8 @@ namespace Glint.Core
 
         static ResultColumn Of(Polarisation polarisation, string part, string partTitle, Func<Complex, double> value) =>
             MayBeMissing(Of($"{polarisation.Name}_{part}_m",
-                $"S {polarisation.Name.ToUpperInvariant()}, {partTitle}", "m", row => row.Amplitude(polarisation) is Complex amplitude ? value(amplitude) : (double?)null));
+                $"S {polarisation.Name.ToUpperInvariant()}, {partTitle}", "m",
+                row => row.Amplitude(polarisation) is Complex amplitude ? value(amplitude) : (double?)null));
 
         static ResultColumn Of(string name, string title, string unit, Func<CrossSectionRow, double?> value) =>
             ResultColumn.Of(name, title, unit, value);
