@@ -56,7 +56,7 @@ uint KnownThreads(uint known)
 
 // Threads a candidate to search. Those of a wave wait for each other's steps. As long as they do not fill the device,
 // they take less time if each has several threads, of which one works.
-uint SearchSpread(uint searched)
+uint SpreadOf(uint searched)
 {
     return clamp(SPREAD_THREADS / max(searched, 1), 1, _MaxSpread);
 }
@@ -64,7 +64,7 @@ uint SearchSpread(uint searched)
 // Threads of a dispatch that takes the known candidates and, up to the maximum, those to search.
 uint CandidateThreads(uint2 counts)
 {
-    return min(KnownThreads(counts.x) + counts.y * SearchSpread(counts.y), MAX_REFINED);
+    return min(KnownThreads(counts.x) + counts.y * SpreadOf(counts.y), MAX_REFINED);
 }
 
 // The candidate of a thread; NO_CANDIDATE if it has none. Later dispatches take the rest of those to search.
@@ -75,7 +75,7 @@ uint CandidateOf(uint index)
         return index < min(counts.y - _FirstSearched, MAX_REFINED) ? SearchedList() + _FirstSearched + index : NO_CANDIDATE;
     if (index < counts.x)
         return index;
-    uint known = KnownThreads(counts.x), searched = index - known, spread = SearchSpread(counts.y);
+    uint known = KnownThreads(counts.x), searched = index - known, spread = SpreadOf(counts.y);
     return index >= known && index < CandidateThreads(counts) && searched % spread == 0
         ? SearchedList() + searched / spread
         : NO_CANDIDATE;
