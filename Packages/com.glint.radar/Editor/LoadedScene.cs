@@ -68,18 +68,36 @@ namespace Glint.Editor
                 sea.Rebuild();
         }
 
-        static LoadedScene OpenScene(CommandLine line)
+        /// <summary>Opens a scene of the project; returns its asset path.</summary>
+        /// <exception cref="GlintException">There is no such scene, or one of its seas cannot be shown.</exception>
+        internal static string OpenSceneFile(string input)
         {
             var paths = new ProjectPaths(Path.GetDirectoryName(Application.dataPath));
-            var readings = paths.Readings(line.Input, Directory.GetCurrentDirectory());
+            var readings = paths.Readings(input, Directory.GetCurrentDirectory());
             if (!readings.Any(File.Exists) && readings.FirstOrDefault(Directory.Exists) is string folder)
-                throw new GlintException($"{line.Input}: {folder} is a folder: give a scene in it");
+                throw new GlintException($"{input}: {folder} is a folder: give a scene in it");
             if (!readings.Any(File.Exists))
-                throw new GlintException($"{line.Input}: there is no such scene; "
+                throw new GlintException($"{input}: there is no such scene; "
                     + $"it was looked for at {string.Join(" and ", readings)}");
-            string scene = paths.ToAssetPath(line.Input, Directory.GetCurrentDirectory());
+            string scene = paths.ToAssetPath(input, Directory.GetCurrentDirectory());
             EditorSceneManager.OpenScene(scene, OpenSceneMode.Single);
             RebuildSeas();
+            return scene;
+        }
+
+        /// <summary>Opens a new scene that has only the mesh of a file.</summary>
+        /// <exception cref="GlintException">The file cannot be read.</exception>
+        internal static MeshFile OpenMeshFileAlone(CommandLine line)
+        {
+            var file = ReadMeshFile(line);
+            EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
+            MeshFileScene.MakeObject(file);
+            return file;
+        }
+
+        static LoadedScene OpenScene(CommandLine line)
+        {
+            OpenSceneFile(line.Input);
             var radar = SceneSearch.FindRadar(line.Input);
             if (line.IsGiven(Options.Size) && radar.IsFitted)
                 throw new GlintException($"{line.Input}: its radar fits its aperture to the scene by Ray Spacing, "
@@ -95,14 +113,16 @@ namespace Glint.Editor
             return InOpenScene(radar, target, sea);
         }
 
-        static LoadedScene OpenMeshFile(CommandLine line)
+        static LoadedScene OpenMeshFile(CommandLine line) => Show(ReadMeshFile(line), line);
+
+        static MeshFile ReadMeshFile(CommandLine line)
         {
             var file = MeshFileReader.Read(line.Input, line.Get(Options.Unit), line.Get(Options.Up));
             int flat = file.CountDegenerate();
             if (flat > 0)
                 Debug.LogWarning($"{line.Input}: {flat} of {file.TriangleCount} triangles have no area; "
                     + "they reflect nothing");
-            return Show(file, line);
+            return file;
         }
 
         // Mesh options are refused: their defaults are the published experiment's camera.

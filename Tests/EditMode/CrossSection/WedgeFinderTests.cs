@@ -26,6 +26,30 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void HalfSpace_OfAnOpenSurface_IsFound()
+        {
+            var wood = PublishedMaterial.Find("itu_wood").ToSurface("wood");
+            var coated = new SurfaceMaterial("coated", new[] { new MaterialLayer(wood.HalfSpace, 0.001) });
+            TriangleMesh plate = CrossSectionTargets.Plate(0.3, 0.2), box = CrossSectionTargets.Box(0.3, 0.2, 0.01);
+            Assert.That(FindOpen(plate, wood), Is.EqualTo(wood));
+            Assert.That(FindOpen(box, wood), Is.Null, "closed");
+            Assert.That(FindOpen(plate, coated), Is.Null, "a coated conductor has two sides");
+            var withoutFace = new TriangleMesh(box.Vertices, box.Indices.Skip(6).ToArray());
+            Assert.That(FindOpen(withoutFace, wood), Is.EqualTo(wood), "a box without a face");
+        }
+
+        static SurfaceMaterial FindOpen(TriangleMesh mesh, SurfaceMaterial material)
+        {
+            var scene = new RadarScene(new MeshInstance
+            {
+                Mesh = mesh, ToWorld = Affine.Identity, Ranges = new[] { new MeshRange(0, 0, 1) }
+            })
+            { Surfaces = new[] { SurfaceMaterial.PerfectConductor, material } };
+            return WedgeFinder.FindOpenDielectric(scene,
+                new[] { SurfacePatches.Find(mesh, scene.Instances[0].Ranges) });
+        }
+
+        [Test]
         public void Plate_HasFourHalfPlanes()
         {
             var set = Find(CrossSectionTargets.Plate(0.3, 0.2));

@@ -57,6 +57,49 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Apply_GivesANameItsMaterialAndTheOthersThatOfAny()
+        {
+            SurfaceMaterial hull = new SurfaceMaterial("hull"), mast = new SurfaceMaterial("mast");
+            var scene = SceneOf(SurfaceMaterial.PerfectConductor, hull, mast);
+            Assert.That(Materials(scene), Is.EqualTo(Materials(Apply(scene))), "none given");
+
+            var applied = Apply(scene, "hull=open,4,0.4,1,0", "*=metal,4,0.4,1,0,0.002");
+            Assert.That(Materials(applied), Is.EqualTo(new[]
+                { "metal,4,0.4,1,0,0.002", "hull", "metal,4,0.4,1,0,0.002" }));
+            Assert.That(applied.Surfaces[0], Is.EqualTo(SurfaceMaterial.PerfectConductor));
+            Assert.That(Materials(Apply(scene, "mast=itu_wood")),
+                Is.EqualTo(new[] { "perfect conductor", "hull", "mast" }));
+        }
+
+        [Test]
+        public void Apply_OfAnUnknownNameOrTwice_IsRefused()
+        {
+            var scene = SceneOf(SurfaceMaterial.PerfectConductor, new SurfaceMaterial("hull"));
+            Assert.That(() => Apply(scene, "hul=metal"), Throws.TypeOf<GlintException>().With.Message.EqualTo(
+                "there is no surface hul to give a material to: the surfaces are hull, and * for all others"));
+            Assert.That(() => Apply(SceneOf(SurfaceMaterial.PerfectConductor), "hull=metal"),
+                Throws.TypeOf<GlintException>().With.Message.Contain("the triangles name none, give * for all"));
+            Assert.That(() => Apply(scene, "hull=metal", "hull=itu_wood"),
+                Throws.TypeOf<UsageException>().With.Message.Contain("the surface hull is given two materials"));
+        }
+
+        // A triangle of each surface.
+        static RadarScene SceneOf(params SurfaceMaterial[] surfaces) => new RadarScene(new MeshInstance
+        {
+            Mesh = new TriangleMesh(new Unity.Mathematics.float3[3],
+                Enumerable.Range(0, 3 * surfaces.Length).Select(i => i % 3).ToArray()),
+            ToWorld = Affine.Identity,
+            Ranges = surfaces.Select((_, i) => new MeshRange(i, 0, i)).ToArray()
+        })
+        { Surfaces = surfaces };
+
+        static RadarScene Apply(RadarScene scene, params string[] texts) =>
+            MaterialAssignment.Apply(scene, texts.Select(MaterialAssignment.Read).ToArray());
+
+        static string[] Materials(RadarScene scene) =>
+            scene.Instances[0].Ranges.Select(range => scene.Surfaces[range.Surface].Name).ToArray();
+
+        [Test]
         public void Read_ANameWithAnEqualsSign_IsSplitAtTheLast() =>
             Assert.That(MaterialAssignment.Read("a=b=metal").Surface, Is.EqualTo("a=b"));
 

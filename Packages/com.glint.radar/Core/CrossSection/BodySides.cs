@@ -59,6 +59,10 @@ namespace Glint.Core
             return flipped == _volumes[root] > 0 ? -normal : normal;
         }
 
+        /// <summary>Whether there is air on both sides of a face.</summary>
+        public bool IsOpen(EdgeFace face) =>
+            _hasBorder[_surfaces.Find(_firsts[face.Instance] + face.Triangle, out _)];
+
         void JoinWithin(List<int> oneSided)
         {
             for (int i = 0; i < _placed.Length; i++)

@@ -1,3 +1,5 @@
+using System;
+
 namespace Glint.Core
 {
     /// <summary>The cross section of a pose.</summary>
@@ -27,5 +29,28 @@ namespace Glint.Core
 
         /// <summary>Rays traced, those that only look for borders included.</summary>
         public long Rays { get; set; }
+    }
+
+    /// <summary>The error of a scattering matrix beside its amplitudes.</summary>
+    public readonly struct CrossSectionAccuracy
+    {
+        // Standard errors that the tolerance must hold: 95 % of complex amplitudes are within.
+        const double Confidence = 1.75;
+
+        readonly double _relativeError;
+
+        /// <summary>The error of a matrix.</summary>
+        /// <param name="s">The matrix, metres.</param>
+        /// <param name="error">Its standard error, metres.</param>
+        /// <param name="floorDbsm">The floor, which replaces amplitudes below it.</param>
+        public CrossSectionAccuracy(in ScatteringMatrix s, double error, double floorDbsm) => _relativeError =
+            error / Math.Max(Math.Pow(10, floorDbsm / 20), Math.Min(s.VV.Magnitude, s.HH.Magnitude));
+
+        /// <summary>The standard error in decibels, of VV or HH: the one with the larger error.</summary>
+        public double ErrorDb => 20 * Math.Log10(1 + _relativeError);
+
+        /// <summary>Ratio of the error, which 95 % of amplitudes do not exceed, to that of a tolerance.</summary>
+        public double Excess(double toleranceDb) =>
+            Confidence * _relativeError / (Math.Pow(10, toleranceDb / 20) - 1);
     }
 }

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Unity.Mathematics;
 
 namespace Glint.Core
@@ -86,6 +87,28 @@ namespace Glint.Core
                     coatedLength += piece.Wedge.Length;
                 }
             return new WedgeSet(wedges.ToArray(), coated, coatedLength);
+        }
+
+        /// <summary>
+        /// A material that is a half-space and is given to a surface with air on both sides, which bounds none; null if
+        /// there is none.
+        /// </summary>
+        /// <inheritdoc cref="Find" path="/param|/exception"/>
+        public static SurfaceMaterial FindOpenDielectric(RadarScene scene, IReadOnlyList<SurfacePatches> patches)
+        {
+            if (scene.Surfaces.All(surface => surface.HalfSpace == null))
+                return null;
+            var finder = new WedgeFinder(scene, patches, surface => surface.HalfSpace == null);
+            for (int i = 0; i < finder._placed.Length; i++)
+            {
+                var welded = finder._placed[i].Welded;
+                var surfaces = SurfacePatches.SurfacesOf(welded.Mesh, scene.Instances[i].Ranges);
+                for (int triangle = 0; triangle < surfaces.Length; triangle++)
+                    if (!finder._isConductor[i][triangle] && !welded.IsDegenerate(triangle)
+                        && finder._sides.IsOpen(new EdgeFace(i, 3 * triangle)))
+                        return scene.Surfaces[surfaces[triangle]];
+            }
+            return null;
         }
 
         (double3, double3) Bound()

@@ -5,8 +5,9 @@ using System.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// One column of result files. The table <see cref="All"/> is the only place that knows them:
-    /// CSV, JSON, the window's charts and the HTML report follow it.
+    /// One column of result files. The table <see cref="All"/> is the only place that knows those of sweeps:
+    /// CSV, JSON, the window's charts and the HTML report follow it. <see cref="CrossSectionColumn"/> has those of
+    /// cross sections.
     /// </summary>
     public sealed class ResultColumn
     {
@@ -42,7 +43,7 @@ namespace Glint.Core
             row => row.Result.Sampling is SamplingReport sampling ? sampling.Undersampled ? 1 : 0 : (double?)null)
         { MayBeMissing = true, Missing = NotEstimated, IsFlag = true };
 
-        static readonly ResultColumn[] Table = new[]
+        static readonly ResultColumn[] Table = Number(new[]
         {
             new ResultColumn(SweepAxis.Angle),
             Amplitude,
@@ -67,12 +68,14 @@ namespace Glint.Core
             { MayBeMissing = true, Missing = NotEstimated },
             Undersampled,
             new ResultColumn("ray_area_m2", "Ray area", "m2", row => row.Result.RayArea) { MayBeMissing = true }
-        }.Concat(SweepAxis.Columns.Skip(1).Select(axis => new ResultColumn(axis))).ToArray();
+        }.Concat(SweepAxis.Columns.Skip(1).Select(axis => new ResultColumn(axis))).ToArray());
 
-        readonly Func<SweepRow, double?> _value;
+        Func<object, double?> _value;
 
-        ResultColumn(string name, string title, string unit, Func<SweepRow, double?> value) =>
-            (Name, Title, Unit, _value) = (name, title, unit, value);
+        ResultColumn(string name, string title, string unit, Func<SweepRow, double?> value)
+            : this(name, title, unit) => _value = row => value((SweepRow)row);
+
+        ResultColumn(string name, string title, string unit) => (Name, Title, Unit) = (name, title, unit);
 
         // The angle is 0 where nothing is turned; another axis that is left alone has no value.
         ResultColumn(SweepAxis axis) : this(axis.Column, axis.Title, axis.Unit,
@@ -92,7 +95,7 @@ namespace Glint.Core
         public string Unit { get; }
 
         /// <summary>Whether a row, or a whole file, may lack the value.</summary>
-        public bool MayBeMissing { get; private set; }
+        public bool MayBeMissing { get; internal set; }
 
         /// <summary>Text in place of a missing value; null for none.</summary>
         public string Missing { get; private set; }
@@ -101,7 +104,7 @@ namespace Glint.Core
         public bool IsAmplitude { get; private set; }
 
         /// <summary>Whether it is 1 for yes and 0 for no.</summary>
-        public bool IsFlag { get; private set; }
+        public bool IsFlag { get; internal set; }
 
         /// <summary>Column of the error to either side, in the same unit; null for none.</summary>
         public ResultColumn Error { get; private set; }
@@ -109,30 +112,43 @@ namespace Glint.Core
         /// <summary>The axis whose values it has; null for what is measured.</summary>
         public SweepAxis Axis { get; private set; }
 
-        /// <summary>Place in <see cref="All"/>.</summary>
-        internal int Index => Array.IndexOf(Table, this);
+        /// <summary>Place in its table.</summary>
+        internal int Index { get; private set; }
 
         /// <summary>Title and unit.</summary>
         public string Label => Unit == "1" ? Title : $"{Title}, {Unit}";
 
         /// <summary>The value; null if the row has none, such as the decibels of amplitude 0.</summary>
         /// <exception cref="GlintException">The value is NaN or infinite.</exception>
-        public double? Value(SweepRow row)
+        public double? Value(SweepRow row) => Value(row, row.Pose.ToString());
+
+        /// <summary>A column of another table than <see cref="All"/>.</summary>
+        internal static ResultColumn Of<TRow>(string name, string title, string unit, Func<TRow, double?> value) =>
+            new ResultColumn(name, title, unit) { _value = row => value((TRow)row) };
+
+        /// <summary>Gives the columns of a table their places.</summary>
+        internal static ResultColumn[] Number(ResultColumn[] table)
+        {
+            for (int i = 0; i < table.Length; i++)
+                table[i].Index = i;
+            return table;
+        }
+
+        /// <summary>The value; null if the row has none.</summary>
+        /// <param name="row">A row of the column's table.</param>
+        /// <param name="where">The pose of the row, for the message; may be empty.</param>
+        /// <exception cref="GlintException">The value is NaN or infinite.</exception>
+        internal double? Value(object row, string where)
         {
             double? value = _value(row);
             if (value is double number && (double.IsNaN(number) || double.IsInfinity(number)))
-                throw new GlintException($"{Name} is not finite{At(row.Pose)}: check the scene for huge coordinates, "
-                    + "and report it if there are none");
-            return value;
+                throw new GlintException($"{Name} is not finite{(where.Length == 0 ? "" : " at " + where)}: "
+                    + "check the scene for huge coordinates, and report it if there are none");
+            // -0 becomes 0, as it is read from the files.
+            return value + 0.0;
         }
 
         /// <summary>The column of an axis.</summary>
         public static ResultColumn Of(SweepAxis axis) => Table.First(column => column.Axis == axis);
-
-        static string At(SweepPose pose)
-        {
-            string where = pose.ToString();
-            return where.Length == 0 ? "" : " at " + where;
-        }
     }
 }

@@ -7,14 +7,15 @@ using System.Text;
 namespace Glint.Core
 {
     /// <summary>
-    /// The folder of the results of a run or sweep: results.csv, written row by row, and results.json at the end.
+    /// The folder of the results of a run or sweep: the file of its table, such as results.csv, written row by row,
+    /// and results.json at the end.
     /// An unfinished sweep also has results.partial, from which it can be resumed.
     /// Before the first row the folder holds only a lock file, and older results stay. One run at a time owns the
     /// folder, until it is disposed or finished.
     /// </summary>
     public sealed class ResultsFolder : IDisposable
     {
-        /// <summary>File of the rows.</summary>
+        /// <summary>File of the rows of a sweep or run.</summary>
         public const string CsvName = "results.csv";
 
         /// <summary>File of the rows and of everything about the run.</summary>
@@ -29,15 +30,16 @@ namespace Glint.Core
         static readonly UTF8Encoding Utf8 = new UTF8Encoding(false);
 
         readonly List<StoredRow> _rows = new List<StoredRow>();
+        readonly ResultTable _table;
         readonly FolderLock _lock;
         SweepIdentity _sweep;
         FileStream _csv, _partial;
         long _csvLength, _partialLength;
         bool _finished;
 
-        ResultsFolder(string path)
+        ResultsFolder(string path, ResultTable table)
         {
-            FolderPath = path;
+            (FolderPath, _table) = (path, table);
             _lock = new FolderLock(path);
         }
 
@@ -45,10 +47,13 @@ namespace Glint.Core
         public string FolderPath { get; }
 
         /// <summary>Path of the CSV file.</summary>
-        public string CsvPath => Path.Combine(FolderPath, CsvName);
+        public string CsvPath => Path.Combine(FolderPath, _table.CsvName);
 
         /// <summary>Path of the JSON file.</summary>
         public string JsonPath => Path.Combine(FolderPath, JsonName);
+
+        /// <summary>Path of the file of arrays; null if the table has none.</summary>
+        public string ArraysPath => _table.ArraysName == null ? null : Path.Combine(FolderPath, _table.ArraysName);
 
         /// <summary>Path of the file of an unfinished sweep.</summary>
         public string PartialPath => Path.Combine(FolderPath, PartialName);
@@ -59,25 +64,29 @@ namespace Glint.Core
         /// <summary>The rows so far, including those before a resumption.</summary>
         public IReadOnlyList<StoredRow> Rows => _rows;
 
-        string TemporaryJsonPath => JsonPath + ".tmp";
-
         /// <summary>
         /// Checks, before any work is done, that no other run has the folder, and that both files can be written.
         /// Disposing it without a row leaves the folder unchanged.
         /// </summary>
+        /// <param name="path">The folder.</param>
+        /// <param name="table">What the rows hold; null: the poses of a sweep or run.</param>
         /// <exception cref="GlintException">
-        /// Another run is writing there, or it cannot be written; the message names the folder or file.
+        /// Another run is writing there, it has rows of another table, or it cannot be written; the message names the
+        /// folder or file.
         /// </exception>
-        public static ResultsFolder Open(string path)
+        public static ResultsFolder Open(string path, ResultTable table = null)
         {
             if (string.IsNullOrEmpty(path))
                 throw new GlintException("the results folder has an empty name; name a folder");
-            var folder = new ResultsFolder(path);
+            var folder = new ResultsFolder(path, table ?? ResultTable.Sweep);
             try
             {
+                folder.RefuseOtherTables();
                 CheckReplaceable(folder.CsvPath);
                 CheckReplaceable(folder.JsonPath);
                 CheckReplaceable(folder.PartialPath);
+                if (folder.ArraysPath != null)
+                    CheckReplaceable(folder.ArraysPath);
                 return folder;
             }
             catch
@@ -139,18 +148,24 @@ namespace Glint.Core
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public void Append(SweepRow row) => Append(new StoredRow(row));
 
+        /// <inheritdoc cref="Append(SweepRow)"/>
+        public void Append(CrossSectionRow row) => Append(new StoredRow(row));
+
         internal void Append(StoredRow row)
         {
             RequireUnfinished();
             if (_csv == null)
                 Create();
-            Write(_sweep == null ? "" : ResultsJson.Line(row) + "\n",
-                (_rows.Count == 0 ? Csv(ResultColumn.All) : "") + row.ToCsv(ResultColumn.All));
+            Write(_sweep == null ? "" : ResultsJson.Line(row, _table) + "\n",
+                (_rows.Count == 0 ? Csv(_table.Columns) : "") + row.ToCsv(_table.Columns));
             _rows.Add(row);
         }
 
-        /// <summary>Writes results.json atomically and closes results.csv.</summary>
-        /// <exception cref="GlintException">The file cannot be written; results.csv stays.</exception>
+        /// <summary>
+        /// Writes results.json atomically, after the arrays of a table that has any and is no part, and closes the
+        /// rows' file.
+        /// </summary>
+        /// <exception cref="GlintException">A file cannot be written; that of the rows stays.</exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
         public void Finish(RunInfo info)
         {
@@ -158,15 +173,19 @@ namespace Glint.Core
             if (_csv == null)
             {
                 Create();
-                Write("", Csv(ResultColumn.All));
+                Write("", Csv(_table.Columns));
             }
             Close();
             try
             {
+                if (ArraysPath != null && info.Sweep != null && info.Sweep.Shard == null)
+                    Try($"{ArraysPath}: cannot be written ({CsvPath} is complete)", () => Replace(ArraysPath,
+                        file => _table.WriteArrays(file, info.Sweep, _rows)));
                 var text = new StringWriter { NewLine = "\n" };
-                ResultsJson.Write(text, info, _rows);
+                ResultsJson.Write(text, info, _rows, _table);
+                var bytes = Utf8.GetBytes(text.ToString());
                 Try($"{JsonPath}: cannot be written ({CsvPath} is complete)",
-                    () => ReplaceJson(Utf8.GetBytes(text.ToString())));
+                    () => Replace(JsonPath, file => file.Write(bytes, 0, bytes.Length)));
                 Try($"{PartialPath}: cannot be removed (the results are complete)", () => File.Delete(PartialPath));
             }
             finally
@@ -207,9 +226,11 @@ namespace Glint.Core
             else
             {
                 _partial = Open(PartialPath, FileMode.Create);
-                _partialLength += Put(_partial, ResultsJson.Line(StartedUtc.Value, _sweep) + "\n");
+                _partialLength += Put(_partial, ResultsJson.Line(StartedUtc.Value, _sweep, _table) + "\n");
             }
             File.Delete(JsonPath);
+            if (ArraysPath != null)
+                File.Delete(ArraysPath);
             _csv = Open(CsvPath, FileMode.Create);
         }, KeepWholeRows);
 
@@ -222,7 +243,7 @@ namespace Glint.Core
             int kept = Math.Min(earlier.Rows.Count, poses - 1);
             if (kept == 0)
                 return 0;
-            var csv = Utf8.GetBytes(Csv(ResultColumn.All, earlier.Rows.Take(kept)));
+            var csv = Utf8.GetBytes(Csv(_table.Columns, earlier.Rows.Take(kept)));
             Try($"{CsvPath}: cannot be written", () =>
             {
                 int same = CheckCsv(earlier.Rows, csv);
@@ -246,9 +267,9 @@ namespace Glint.Core
         {
             var there = File.Exists(CsvPath) ? File.ReadAllBytes(CsvPath) : Array.Empty<byte>();
             var names = Utf8.GetString(there.TakeWhile(letter => letter != '\n').ToArray()).Split(',');
-            var columns = ResultColumn.All.Where(column => names.Contains(column.Name)).ToArray();
-            bool isOlder = columns.Length == names.Length && columns.Length < ResultColumn.All.Count;
-            var expected = Utf8.GetBytes(Csv(isOlder ? columns : ResultColumn.All, rows));
+            var columns = _table.Columns.Where(column => names.Contains(column.Name)).ToArray();
+            bool isOlder = columns.Length == names.Length && columns.Length < _table.Columns.Count;
+            var expected = Utf8.GetBytes(Csv(isOlder ? columns : _table.Columns, rows));
             int same = 0;
             while (same < there.Length && same < expected.Length && there[same] == expected[same])
                 same++;
@@ -325,20 +346,31 @@ namespace Glint.Core
             }
         }
 
-        void ReplaceJson(byte[] bytes)
+        static void Replace(string path, Action<Stream> write)
         {
+            string temporary = path + ".tmp";
             try
             {
-                File.WriteAllBytes(TemporaryJsonPath, bytes);
-                if (File.Exists(JsonPath))
-                    File.Replace(TemporaryJsonPath, JsonPath, null);
+                using (var file = new FileStream(temporary, FileMode.Create, FileAccess.Write))
+                    write(file);
+                if (File.Exists(path))
+                    File.Replace(temporary, path, null);
                 else
-                    File.Move(TemporaryJsonPath, JsonPath);
+                    File.Move(temporary, path);
             }
             finally
             {
-                File.Delete(TemporaryJsonPath);
+                File.Delete(temporary);
             }
+        }
+
+        void RefuseOtherTables()
+        {
+            var other = ResultTable.All.FirstOrDefault(
+                table => table != _table && File.Exists(Path.Combine(FolderPath, table.CsvName)));
+            if (other != null)
+                throw new GlintException($"{FolderPath}: holds {other.CsvName}, the results of glint {other.Name}: "
+                    + "choose another results folder");
         }
 
         static void CheckReplaceable(string path)

@@ -19,26 +19,31 @@ namespace Glint.Core
         /// <summary>Form of times, in UTC.</summary>
         public const string TimeFormat = "yyyy-MM-dd'T'HH:mm:ss'Z'";
 
+        /// <summary>Name of the table in the file; that of sweeps is not named.</summary>
+        public const string TableName = "table";
+
         /// <summary>Name of the part of a sweep in the file.</summary>
         public const string ShardName = "shard";
 
         readonly JsonTextWriter _json;
+        readonly ResultTable _table;
 
-        ResultsJson(JsonTextWriter json) => _json = json;
+        ResultsJson(JsonTextWriter json, ResultTable table) => (_json, _table) = (json, table);
 
         /// <summary>Writes the file of a run.</summary>
-        public static void Write(TextWriter output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        public static void Write(TextWriter output, RunInfo info, IReadOnlyList<StoredRow> rows, ResultTable table)
         {
             using (var json = new JsonTextWriter(output) { Formatting = Formatting.Indented, CloseOutput = false })
-                new ResultsJson(json).Write(info, rows);
+                new ResultsJson(json, table).Write(info, rows);
             output.Write('\n');
         }
 
-        /// <summary>The same in one line, without its end.</summary>
-        public static string Line(RunInfo info, IReadOnlyList<StoredRow> rows) => Line(json => json.Write(info, rows));
+        /// <summary>The same of a sweep in one line, without its end.</summary>
+        public static string Line(RunInfo info, IReadOnlyList<StoredRow> rows) =>
+            Line(ResultTable.Sweep, json => json.Write(info, rows));
 
         /// <summary>The first line of an unfinished sweep, without its end.</summary>
-        public static string Line(DateTime startedUtc, SweepIdentity sweep) => Line(json =>
+        public static string Line(DateTime startedUtc, SweepIdentity sweep, ResultTable table) => Line(table, json =>
         {
             json.Start(startedUtc);
             json.WriteSweep(sweep);
@@ -46,13 +51,13 @@ namespace Glint.Core
         });
 
         /// <summary>A row in one line, without its end.</summary>
-        public static string Line(StoredRow row) => Line(json => json.WriteRow(row));
+        public static string Line(StoredRow row, ResultTable table) => Line(table, json => json.WriteRow(row));
 
-        static string Line(Action<ResultsJson> write)
+        static string Line(ResultTable table, Action<ResultsJson> write)
         {
             var text = new StringWriter(CultureInfo.InvariantCulture);
             using (var json = new JsonTextWriter(text) { Formatting = Formatting.None })
-                write(new ResultsJson(json));
+                write(new ResultsJson(json, table));
             return text.ToString();
         }
 
@@ -66,7 +71,8 @@ namespace Glint.Core
             if (info.Sweep != null)
                 WriteSweep(info.Sweep);
             WriteMachine(info);
-            WriteTimings(rows);
+            if (_table.HasTimings)
+                WriteTimings(rows);
             WriteColumns();
             Open("rows", array: true);
             foreach (var row in rows)
@@ -144,7 +150,7 @@ namespace Glint.Core
         void WriteColumns()
         {
             Open("columns");
-            foreach (var column in ResultColumn.All)
+            foreach (var column in _table.Columns)
             {
                 Open(column.Name);
                 OnOneLine(() => WriteColumn(column));
@@ -181,9 +187,10 @@ namespace Glint.Core
         void WriteRow(StoredRow row)
         {
             _json.WriteStartObject();
-            foreach (var column in ResultColumn.All)
+            foreach (var column in _table.Columns)
                 Raw(column.Name, row.Cell(column));
-            WriteTimings(new[] { row });
+            if (_table.HasTimings)
+                WriteTimings(new[] { row });
             if (row.PhaseHistogram != null)
                 WriteHistogram(row.PhaseHistogram);
             _json.WriteEndObject();
@@ -234,6 +241,8 @@ namespace Glint.Core
         {
             _json.WriteStartObject();
             Number(SchemaName, Schema);
+            if (_table != ResultTable.Sweep)
+                Text(TableName, _table.Name);
             Text("started_utc", startedUtc.ToString(TimeFormat, CultureInfo.InvariantCulture));
         }
 

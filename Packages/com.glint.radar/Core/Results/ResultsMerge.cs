@@ -104,7 +104,7 @@ namespace Glint.Core
             info.ElapsedMs = parts.Max(part =>
                 (part.Info.StartedUtc - info.StartedUtc).TotalMilliseconds + part.Info.ElapsedMs);
             info.Sweep = info.Sweep.WithShard(null);
-            using (var folder = ResultsFolder.Open(output))
+            using (var folder = ResultsFolder.Open(output, parts[0].Table))
             {
                 foreach (var row in parts.SelectMany(part => part.Rows))
                     folder.Append(row);

@@ -11,23 +11,30 @@ namespace Glint.Core
     /// </summary>
     public sealed class StoredRow
     {
-        readonly double?[] _values = new double?[ResultColumn.All.Count];
+        readonly double?[] _values;
 
         /// <exception cref="GlintException">A value is NaN or infinite.</exception>
-        public StoredRow(SweepRow row)
+        public StoredRow(SweepRow row) : this(ResultTable.Sweep, row, row.Pose.ToString())
         {
-            for (int i = 0; i < _values.Length; i++)
-                _values[i] = ResultColumn.All[i].Value(row);
             Timings = row.Result.Statistics.Timings;
             PhaseHistogram = row.Result.PhaseHistogram?.ToArray();
         }
 
+        /// <exception cref="GlintException">A value is NaN or infinite.</exception>
+        public StoredRow(CrossSectionRow row) : this(ResultTable.CrossSection, row, row.ToString())
+        {
+        }
+
+        StoredRow(ResultTable table, object row, string where) =>
+            _values = table.Columns.Select(column => column.Value(row, where)).ToArray();
+
         /// <summary>A row that was written as JSON.</summary>
         /// <exception cref="FormatException">It lacks a value.</exception>
-        internal StoredRow(JObject row)
+        internal StoredRow(JObject row, ResultTable table)
         {
-            for (int i = 0; i < _values.Length; i++)
-                _values[i] = Value(row, ResultColumn.All[i]);
+            _values = table.Columns.Select(column => Value(row, column)).ToArray();
+            if (!table.HasTimings)
+                return;
             Timings = new Timings
             {
                 GatherMs = Time(row, "gather_ms"), BuildMs = Time(row, "build_ms"), UploadMs = Time(row, "upload_ms"),
@@ -36,14 +43,15 @@ namespace Glint.Core
             PhaseHistogram = Histogram(row["phase_histogram"]);
         }
 
-        /// <summary>A row of which only some columns are known.</summary>
+        /// <summary>A row of a sweep of which only some columns are known.</summary>
         public StoredRow(params (ResultColumn column, double value)[] known)
         {
+            _values = new double?[ResultColumn.All.Count];
             foreach (var (column, value) in known)
                 _values[column.Index] = value;
         }
 
-        /// <summary>The value of a column; null where there is none.</summary>
+        /// <summary>The value of a column of the row's table; null where there is none.</summary>
         public double? this[ResultColumn column] => _values[column.Index];
 
         /// <summary>The value on an axis; null where the axis was left alone, for the angle 0.</summary>

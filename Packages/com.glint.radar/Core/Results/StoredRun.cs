@@ -16,6 +16,7 @@ namespace Glint.Core
     {
         StoredRun(JObject json)
         {
+            Table = TableOf(json);
             if (json.Descendants().OfType<JValue>().Any(IsNotFinite))
                 throw new FormatException("it holds a number that is not finite");
             Info = new RunInfo
@@ -33,8 +34,11 @@ namespace Glint.Core
                 Info.Settings.Add(setting.Value is JObject number
                     ? new RunSetting(setting.Name, Number(number, "value"), Text(number, "unit"))
                     : new RunSetting(setting.Name, (string)setting.Value));
-            Rows = ((JArray)Find(json, "rows")).Select(row => new StoredRow((JObject)row)).ToArray();
+            Rows = ((JArray)Find(json, "rows")).Select(row => new StoredRow((JObject)row, Table)).ToArray();
         }
+
+        /// <summary>What the rows hold.</summary>
+        public ResultTable Table { get; }
 
         /// <summary>Everything in the file except the rows.</summary>
         public RunInfo Info { get; }
@@ -45,8 +49,10 @@ namespace Glint.Core
         /// <summary>Poses traced.</summary>
         public int Count => Rows.Count;
 
-        /// <summary>Reads results.json of a folder.</summary>
-        /// <exception cref="GlintException">It is not there, cannot be read, or is not what a run writes.</exception>
+        /// <summary>Reads results.json of a sweep or run in a folder.</summary>
+        /// <exception cref="GlintException">
+        /// It is not there, cannot be read, or is not what a sweep or run writes.
+        /// </exception>
         public static StoredRun Read(string folder)
         {
             if (File.Exists(folder))
@@ -61,7 +67,11 @@ namespace Glint.Core
                         + "or is still running; let it end"
                     : $"{folder}: holds no results: "
                         + $"give the folder that a sweep or run wrote {ResultsFolder.JsonName} to");
-            return ReadFile(path);
+            var run = ReadFile(path);
+            return run.Table == ResultTable.Sweep
+                ? run
+                : throw new GlintException($"{folder}: holds the results of glint {run.Table.Name} "
+                    + $"({run.Table.CsvName}): give the folder of a sweep or run");
         }
 
         /// <summary>The rows of a results folder, also of an unfinished sweep.</summary>
@@ -139,6 +149,8 @@ namespace Glint.Core
                     + $"version {GlintVersion.Text} reads schema {ResultsJson.Schema} at most: update Glint, "
                     + "or choose another results folder");
         }
+
+        internal static ResultTable TableOf(JObject json) => ResultTable.Find((string)json[ResultsJson.TableName]);
 
         internal static DateTime Time(JObject json) =>
             DateTime.ParseExact(Text(json, "started_utc"), ResultsJson.TimeFormat, CultureInfo.InvariantCulture,

@@ -13,8 +13,10 @@ namespace Glint.Core
     /// </summary>
     sealed class UnfinishedSweep
     {
-        UnfinishedSweep(DateTime startedUtc, SweepIdentity identity) =>
-            (StartedUtc, Identity) = (startedUtc, identity);
+        readonly ResultTable _table;
+
+        UnfinishedSweep(ResultTable table, DateTime startedUtc, SweepIdentity identity) =>
+            (_table, StartedUtc, Identity) = (table, startedUtc, identity);
 
         /// <summary>First start of the sweep.</summary>
         public DateTime StartedUtc { get; }
@@ -47,11 +49,12 @@ namespace Glint.Core
                     if (sweep == null)
                     {
                         StoredRun.CheckSchema(json, path);
-                        sweep = new UnfinishedSweep(StoredRun.Time(json), StoredRun.Identity(json["sweep"] as JObject
-                            ?? throw new FormatException("it names no sweep")));
+                        sweep = new UnfinishedSweep(StoredRun.TableOf(json), StoredRun.Time(json),
+                            StoredRun.Identity(json["sweep"] as JObject
+                                ?? throw new FormatException("it names no sweep")));
                     }
                     else
-                        sweep.Rows.Add(new StoredRow(json));
+                        sweep.Rows.Add(new StoredRow(json, sweep._table));
                     sweep.Ends.Add(end + 1);
                 }
                 return sweep;

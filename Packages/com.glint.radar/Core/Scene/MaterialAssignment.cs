@@ -49,6 +49,50 @@ namespace Glint.Core
             }
         }
 
+        /// <summary>
+        /// A scene whose surfaces have the materials assigned to them: by their name, the others by
+        /// <see cref="AnySurface"/> if that is given.
+        /// </summary>
+        /// <exception cref="GlintException">
+        /// A surface is given twice (a <see cref="UsageException"/>) or is not in the scene; the message names those
+        /// that are.
+        /// </exception>
+        public static RadarScene Apply(RadarScene scene, IReadOnlyList<MaterialAssignment> assignments)
+        {
+            var bySurface = new Dictionary<string, SurfaceMaterial>();
+            var names = scene.Surfaces.Skip(1).Select(surface => surface.Name).Distinct().ToArray();
+            foreach (var assignment in assignments)
+            {
+                if (assignment.Surface != AnySurface && !names.Contains(assignment.Surface))
+                    throw new GlintException($"there is no surface {Values.Shown(assignment.Surface)} to give a "
+                        + (names.Length == 0
+                            ? $"material to: the triangles name none, give {AnySurface} for all"
+                            : $"material to: the surfaces are {string.Join(", ", names.Select(Values.Shown))}, "
+                                + $"and {AnySurface} for all others"));
+                if (!bySurface.TryAdd(assignment.Surface, assignment.Material))
+                    throw new UsageException($"the surface {Values.Shown(assignment.Surface)} is given two materials: "
+                        + "give one");
+            }
+            // The first surface is the perfect conductor, of triangles that name none.
+            var surfaces = new List<SurfaceMaterial> { SurfaceMaterial.PerfectConductor };
+            var places = scene.Surfaces.Select((surface, i) =>
+            {
+                if ((i == 0 || !bySurface.TryGetValue(surface.Name, out var material))
+                    && !bySurface.TryGetValue(AnySurface, out material))
+                    material = surface;
+                if (!surfaces.Contains(material))
+                    surfaces.Add(material);
+                return surfaces.IndexOf(material);
+            }).ToArray();
+            return new RadarScene(Array.ConvertAll(scene.Instances, instance => new MeshInstance
+            {
+                Mesh = instance.Mesh, ToWorld = instance.ToWorld,
+                Ranges = Array.ConvertAll(instance.Ranges,
+                    range => new MeshRange(range.FirstTriangle, range.Object, places[range.Surface]))
+            }))
+            { Origin = scene.Origin, Surfaces = surfaces };
+        }
+
         static SurfaceMaterial ReadMaterial(string name, string[] parts)
         {
             if (parts[0] != Metal && parts[0] != Open)

@@ -39,6 +39,19 @@ namespace Glint.Core
         public bool IsSame(RadarScene other) =>
             Instances.AsSpan().SequenceEqual(other.Instances) && Surfaces.SequenceEqual(other.Surfaces);
 
+        /// <summary>The box around all triangles, metres; its corners are infinite if there are none.</summary>
+        public (double3 Min, double3 Max) Bound()
+        {
+            double3 boxMin = double.PositiveInfinity, boxMax = double.NegativeInfinity;
+            foreach (var instance in Instances)
+                foreach (int index in instance.Mesh.Indices)
+                {
+                    double3 point = instance.ToWorld.Point(instance.Mesh.Vertices[index]);
+                    (boxMin, boxMax) = (math.min(boxMin, point), math.max(boxMax, point));
+                }
+            return (boxMin, boxMax);
+        }
+
         /// <summary>Triangles of all instances.</summary>
         public long TriangleCount => Instances.Sum(instance => (long)instance.Mesh.TriangleCount);
     }

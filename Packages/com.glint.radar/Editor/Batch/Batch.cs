@@ -24,6 +24,9 @@ namespace Glint.Editor
         /// <summary>Entry of Unity's -executeMethod: <c>glint run</c>.</summary>
         public static void Run() => ExecuteAndExit(Commands.Run, Environment.GetCommandLineArgs());
 
+        /// <summary>Entry of Unity's -executeMethod: <c>glint rcs</c>.</summary>
+        public static void Rcs() => ExecuteAndExit(Commands.Rcs, Environment.GetCommandLineArgs());
+
         /// <summary>Entry of Unity's -executeMethod: <c>glint merge</c>.</summary>
         public static void Merge() => ExecuteAndExit(Commands.Merge, Environment.GetCommandLineArgs());
 
@@ -84,7 +87,8 @@ namespace Glint.Editor
                 throw new UsageException($"{Options.Out.Flag} {output}: is one of the parts, "
                     + "which the whole would replace: choose another results folder");
             var folder = ResultsMerge.Merge(line.Folders, Path.GetFullPath(output));
-            progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
+            progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}"
+                + (folder.ArraysPath == null ? "" : $", {folder.ArraysPath}"));
             return Done;
         }
 
@@ -146,7 +150,7 @@ namespace Glint.Editor
             return Done;
         }
 
-        static void WarnOfUnfinished(CommandLine line, ResultsFolder folder)
+        internal static void WarnOfUnfinished(CommandLine line, ResultsFolder folder)
         {
             if (folder != null && !line.Get(Options.Resume) && File.Exists(folder.PartialPath))
                 Debug.LogWarning($"{folder.FolderPath}: holds a sweep that is not finished; "

@@ -74,7 +74,8 @@ namespace Glint.Editor
 
         /// <summary>Joins the parts of a sweep.</summary>
         public static readonly Command Merge =
-            new Command("merge", "Merge the parts of a sweep (sweep --shard) into the files of the whole.")
+            new Command("merge",
+                "Merge the parts of a sweep or of cross sections (--shard) into the files of the whole.")
             {
                 Inputs = InputKind.Folders,
                 Options = new Option[] { Options.Out },
@@ -108,6 +109,43 @@ namespace Glint.Editor
                         "The boat in a plane wave from 10 km, a ray every 5 mm.")
                 }
             };
+
+        /// <summary>Computes cross sections.</summary>
+        public static readonly Command Rcs = new Command("rcs", "Compute radar cross sections of a scene or a mesh "
+            + "file in dBsm, to an accuracy that is asked for, and write rcs.csv, rcs.npz and results.json.")
+        {
+            Options = CrossSectionOptions.All,
+            Notes = new[]
+                {
+                    "Units: angles in degrees, frequencies in hertz, lengths in metres, cross sections in dBsm, and "
+                        + "the complex amplitudes S, with |S|^2 the cross section, in metres. Coordinates of a mesh "
+                        + "file have the unit of --unit.",
+                    "Method: physical optics with geometrical optics from bounce to bounce, and fringe fields of metal "
+                        + "edges. The error that is asked for and written is that of the integration, not of physical "
+                        + "optics.",
+                    "Phases are relative to the origin of a mesh file's coordinates, or to the centre of the box "
+                        + "around a scene's objects. The scene's camera and radar do not matter: all its visible "
+                        + "meshes are the target.",
+                    "Every receiver is computed for each frequency, all these for each azimuth, and these for each "
+                        + "elevation. Without --out the files go to Results/<name of the input>-rcs beside the "
+                        + "project's Assets."
+                },
+            Handler = CrossSectionCommand.Execute,
+            UnityMethod = "Glint.Editor.Batch.Rcs",
+            Examples = new[]
+                {
+                    Example("rcs ship.stl --unit mm --up z --azimuth 0:359.5:0.5 --frequency 10e9 --out ship",
+                        "A full circle at 10 GHz, all polarisations, to 0.1 dB."),
+                    Example("rcs plate.obj --azimuth -60:60:1 --polarisation vv,hh --edges off --tolerance 0.02",
+                        "Pure physical optics of a plate, more accurate."),
+                    Example("rcs boat.obj --frequency 9e9:9.5e9:2e6 --elevation 3 --material *=itu_wood",
+                        "Many frequencies; all surfaces of one published material."),
+                    Example("rcs boat.obj --azimuth 30 --receivers -150:150:1",
+                        "A bistatic sweep from one illumination."),
+                    Example("rcs Scenes/ShipFreeSpace.unity --azimuth 0:359:1 --shard 2/4 --out ship/2",
+                        "The second quarter; glint merge joins the parts.")
+                }
+        };
 
         /// <summary>Makes an HTML report of results.</summary>
         public static readonly Command Report = new Command("report", "Write one HTML file of a sweep or run that "
@@ -286,7 +324,10 @@ namespace Glint.Editor
 
         /// <summary>Every command.</summary>
         public static IReadOnlyList<Command> All { get; } =
-            new[] { Sweep, Merge, Run, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info, Completion };
+            new[]
+            {
+                Sweep, Merge, Run, Rcs, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info, Completion
+            };
 
         /// <summary>Description of INPUT for a command.</summary>
         public static string InputHelpOf(Command command) => command.Inputs == InputKind.Folders ? FoldersHelp

@@ -20,9 +20,6 @@ namespace Glint
         // A border is found to 2^-level of a base cell: at first, and at most.
         const int FirstBisectLevel = 4, MaxBisectLevel = 14;
 
-        // Standard errors that the tolerance must hold: 95 % of complex amplitudes are within.
-        const double Confidence = 1.75;
-
         // Maximum relative error of a cell that is not divided, times 2^level.
         const double CellError = 0.2;
 
@@ -75,7 +72,7 @@ namespace Glint
             Bind(pose, grid);
             double floor = pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max);
             long rays = 0;
-            for (int level = BisectLevel > 0 ? BisectLevel : FirstBisectLevel;;)
+            for (int level = BisectLevel > 0 ? BisectLevel : FirstBisectLevel; ;)
             {
                 var result = TraceTo(level, pose, grid, progress, cancel);
                 result.Rays = rays += result.Rays;
@@ -91,14 +88,11 @@ namespace Glint
         // Largest ratio of an error to the one allowed.
         static double Excess(CrossSectionResult result, double toleranceDb, double floorDbsm)
         {
-            double relative = Math.Pow(10, toleranceDb / 20) - 1, floor = Math.Pow(10, floorDbsm / 20), excess = 0;
+            double excess = 0;
             for (int receiver = 0; receiver < result.S.GetLength(0); receiver++)
                 for (int frequency = 0; frequency < result.S.GetLength(1); frequency++)
-                {
-                    var s = result.S[receiver, frequency];
-                    double weaker = Math.Max(floor, Math.Min(s.VV.Magnitude, s.HH.Magnitude));
-                    excess = Math.Max(excess, Confidence * result.Errors[receiver, frequency] / (relative * weaker));
-                }
+                    excess = Math.Max(excess, new CrossSectionAccuracy(result.S[receiver, frequency],
+                        result.Errors[receiver, frequency], floorDbsm).Excess(toleranceDb));
             return excess;
         }
 

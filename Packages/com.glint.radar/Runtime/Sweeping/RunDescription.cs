@@ -28,20 +28,12 @@ namespace Glint
         public static RunInfo Of(SweepSetup setup)
         {
             var pose = setup.Radar.Gather();
-            var info = new RunInfo
-            {
-                ScenePath = setup.Scene,
-                Command = setup.Command,
-                TargetName = setup.Target == null ? null : setup.Target.name,
-                Objects = setup.Radar.ObjectCount,
-                Triangles = pose.Scene.TriangleCount,
-                DeviceName = SystemInfo.graphicsDeviceName,
-                GraphicsApi = SystemInfo.graphicsDeviceVersion,
-                GlintVersion = GlintVersion.Text,
-                UnityVersion = Application.unityVersion,
-                Host = RuntimeInformation.FrameworkDescription,
-                OperatingSystem = SystemInfo.operatingSystem,
-            };
+            var info = OfMachine();
+            info.ScenePath = setup.Scene;
+            info.Command = setup.Command;
+            info.TargetName = setup.Target == null ? null : setup.Target.name;
+            info.Objects = setup.Radar.ObjectCount;
+            info.Triangles = pose.Scene.TriangleCount;
             AddPicture(info, pose.Settings, pose.View, setup.Radar.IsFitted);
             info.Settings.Add(new RunSetting("receiver_width", pose.View.ReceiverSize.x, "m"));
             info.Settings.Add(new RunSetting("receiver_height", pose.View.ReceiverSize.y, "m"));
@@ -54,6 +46,17 @@ namespace Glint
             return info;
         }
 
+        /// <summary>The device and the versions.</summary>
+        internal static RunInfo OfMachine() => new RunInfo
+        {
+            DeviceName = SystemInfo.graphicsDeviceName,
+            GraphicsApi = SystemInfo.graphicsDeviceVersion,
+            GlintVersion = GlintVersion.Text,
+            UnityVersion = Application.unityVersion,
+            Host = RuntimeInformation.FrameworkDescription,
+            OperatingSystem = SystemInfo.operatingSystem,
+        };
+
         /// <summary>Identity of a sweep; the scene must be in its first pose.</summary>
         public static SweepIdentity IdentityOf(SweepSetup setup)
         {
@@ -65,6 +68,13 @@ namespace Glint
             identity.Add("scene", info.ScenePath);
             identity.Add("target", info.TargetName);
             identity.Add("content", ContentOf(setup));
+            AddTo(identity, info);
+            return identity;
+        }
+
+        /// <summary>Adds settings, device and versions to the identity of a sweep.</summary>
+        internal static void AddTo(SweepIdentity identity, RunInfo info)
+        {
             foreach (var setting in info.Settings)
                 identity.Add(setting.Name,
                     setting.Unit == null ? setting.Text : $"{Numbers.Format(setting.Number)} {setting.Unit}");
@@ -72,7 +82,6 @@ namespace Glint
             identity.Add("graphics_api", info.GraphicsApi);
             identity.Add("glint", info.GlintVersion);
             identity.Add("unity", info.UnityVersion);
-            return identity;
         }
 
         // Hash of the scene in the first pose, and of the snapshots of later poses.
@@ -125,7 +134,7 @@ namespace Glint
             info.Settings.Add(new RunSetting("region_height", region.Height, "1"));
         }
 
-        static void Add(RunInfo info, string what, double3 vector, string unit)
+        internal static void Add(RunInfo info, string what, double3 vector, string unit)
         {
             info.Settings.Add(new RunSetting($"{what}_x", vector.x, unit));
             info.Settings.Add(new RunSetting($"{what}_y", vector.y, unit));

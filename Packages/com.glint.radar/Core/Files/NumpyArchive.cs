@@ -1,0 +1,57 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.IO.Compression;
+using System.Linq;
+using System.Numerics;
+using System.Text;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// Writes arrays as numpy.load reads them: a ZIP archive, not compressed, of files in NPY format 1.0. The same
+    /// arrays give the same bytes.
+    /// </summary>
+    public sealed class NumpyArchive : IDisposable
+    {
+        // Magic text, two bytes of version, two of the header's length.
+        const int PrefixLength = 10, Alignment = 64;
+
+        // The earliest time that a ZIP archive can hold.
+        static readonly DateTimeOffset s_time = new DateTimeOffset(1980, 1, 1, 0, 0, 0, TimeSpan.Zero);
+
+        readonly ZipArchive _zip;
+
+        /// <param name="output">Receives the archive; stays open.</param>
+        public NumpyArchive(Stream output) => _zip = new ZipArchive(output, ZipArchiveMode.Create, leaveOpen: true);
+
+        /// <summary>Adds an array of doubles.</summary>
+        /// <param name="values">As many as the sizes have, the last index changing fastest.</param>
+        public void Add(string name, int[] sizes, IEnumerable<double> values) => Write(name, "<f8", sizes, values);
+
+        /// <summary>Adds an array of complex numbers of two doubles each.</summary>
+        /// <inheritdoc cref="Add(string, int[], IEnumerable{double})" path="/param"/>
+        public void Add(string name, int[] sizes, IEnumerable<Complex> values) =>
+            Write(name, "<c16", sizes, values.SelectMany(value => new[] { value.Real, value.Imaginary }));
+
+        /// <summary>Ends the archive.</summary>
+        public void Dispose() => _zip.Dispose();
+
+        void Write(string name, string type, int[] sizes, IEnumerable<double> numbers)
+        {
+            var entry = _zip.CreateEntry(name + ".npy", CompressionLevel.NoCompression);
+            entry.LastWriteTime = s_time;
+            using (var file = new BinaryWriter(new BufferedStream(entry.Open(), 1 << 16)))
+            {
+                string header = $"{{'descr': '{type}', 'fortran_order': False, 'shape': "
+                    + $"({string.Concat(sizes.Select(size => size + ","))}), }}";
+                int length = (PrefixLength + header.Length + Alignment) / Alignment * Alignment - PrefixLength;
+                file.Write(new byte[] { 0x93, (byte)'N', (byte)'U', (byte)'M', (byte)'P', (byte)'Y', 1, 0 });
+                file.Write((ushort)length);
+                file.Write(Encoding.ASCII.GetBytes(header.PadRight(length - 1) + "\n"));
+                foreach (double number in numbers)
+                    file.Write(number);
+            }
+        }
+    }
+}

@@ -1,0 +1,99 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+
+namespace Glint.Core
+{
+    /// <summary>The columns of rcs.csv.</summary>
+    public static class CrossSectionColumn
+    {
+        /// <summary>Direction of the radar.</summary>
+        public static readonly ResultColumn Azimuth =
+            Of("azimuth_deg", "Azimuth", "deg", row => row.Planned.AzimuthDegrees);
+
+        /// <inheritdoc cref="Azimuth"/>
+        public static readonly ResultColumn Elevation =
+            Of("elevation_deg", "Elevation", "deg", row => row.Planned.ElevationDegrees);
+
+        /// <summary>Frequency.</summary>
+        public static readonly ResultColumn Frequency =
+            Of("frequency_hz", "Frequency", "Hz", row => row.Planned.Frequency);
+
+        /// <summary>Direction of the receiver; none where the radar receives.</summary>
+        public static readonly ResultColumn ReceiverAzimuth = MayBeMissing(
+            Of("receiver_azimuth_deg", "Azimuth of the receiver", "deg", row => row.Planned.ReceiverAzimuthDegrees));
+
+        /// <inheritdoc cref="ReceiverAzimuth"/>
+        public static readonly ResultColumn ReceiverElevation = MayBeMissing(Of("receiver_elevation_deg",
+            "Elevation of the receiver", "deg", row => row.Planned.ReceiverElevationDegrees));
+
+        /// <summary>Standard error of the integration in decibels of VV or HH, whichever has the larger one.</summary>
+        public static readonly ResultColumn ErrorDb =
+            Of("integration_error_db", "Error of the integration", "dB", row => row.Accuracy.ErrorDb);
+
+        /// <summary>Standard error of the integration, of each amplitude.</summary>
+        public static readonly ResultColumn Error =
+            Of("integration_error_m", "Error of the integration, of S", "m", row => row.Error);
+
+        /// <summary>Whether the error is as small as was asked for.</summary>
+        public static readonly ResultColumn ToleranceMet =
+            Flag("tolerance_met", "Tolerance met", row => row.MeetsTolerance);
+
+        /// <summary>Whether physical optics does not hold.</summary>
+        public static readonly ResultColumn OutsidePhysicalOptics =
+            Flag("outside_physical_optics", "Outside physical optics", row => row.IsOutsidePhysicalOptics);
+
+        static readonly (ResultColumn re, ResultColumn im)[] s_amplitudes =
+            Polarisation.All.Select(polarisation => (Of(polarisation, "re", "real part", amplitude => amplitude.Real),
+                Of(polarisation, "im", "imaginary part", amplitude => amplitude.Imaginary))).ToArray();
+
+        /// <summary>Every column, in the order of the file.</summary>
+        public static IReadOnlyList<ResultColumn> All { get; } = ResultColumn.Number(
+            new[] { Azimuth, Elevation, Frequency, ReceiverAzimuth, ReceiverElevation }
+                .Concat(Polarisation.All.SelectMany((polarisation, i) =>
+                    new[] { Level(polarisation), s_amplitudes[i].re, s_amplitudes[i].im }))
+                .Concat(new[]
+                {
+                    ErrorDb, Error, ToleranceMet, OutsidePhysicalOptics,
+                    Of("coarse_area_share", "Share of the area with coarse facets", "1", row => row.CoarseShare),
+                    Of("tubes", "Tubes", "1", row => row.Tubes), Of("rays", "Rays", "1", row => row.Rays)
+                }).ToArray());
+
+        /// <summary>The amplitude of a polarisation in a row, metres; null if it was not asked for.</summary>
+        public static Complex? Amplitude(StoredRow row, Polarisation polarisation)
+        {
+            var (re, im) = s_amplitudes[((IList<Polarisation>)Polarisation.All).IndexOf(polarisation)];
+            return row[re] is double real && row[im] is double imaginary
+                ? new Complex(real, imaginary)
+                : (Complex?)null;
+        }
+
+        static ResultColumn Level(Polarisation polarisation) => MayBeMissing(Of($"{polarisation.Name}_dbsm",
+            $"Cross section, {polarisation.Name.ToUpperInvariant()}", "dBsm",
+            row => row.Amplitude(polarisation) is Complex amplitude && amplitude != Complex.Zero
+                ? ScatteringMatrix.Dbsm(amplitude)
+                : (double?)null));
+
+        static ResultColumn Of(Polarisation polarisation, string part, string partTitle, Func<Complex, double> value) =>
+            MayBeMissing(Of($"{polarisation.Name}_{part}_m",
+                $"S {polarisation.Name.ToUpperInvariant()}, {partTitle}", "m",
+                row => row.Amplitude(polarisation) is Complex amplitude ? value(amplitude) : (double?)null));
+
+        static ResultColumn Of(string name, string title, string unit, Func<CrossSectionRow, double?> value) =>
+            ResultColumn.Of(name, title, unit, value);
+
+        static ResultColumn Flag(string name, string title, Func<CrossSectionRow, bool> value)
+        {
+            var column = Of(name, title, "1", row => value(row) ? 1 : 0);
+            column.IsFlag = true;
+            return column;
+        }
+
+        static ResultColumn MayBeMissing(ResultColumn column)
+        {
+            column.MayBeMissing = true;
+            return column;
+        }
+    }
+}

@@ -1,0 +1,138 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint
+{
+    /// <summary>Which cross sections of a scene are computed, and how.</summary>
+    public sealed class CrossSectionSetup
+    {
+        // Radians of phase over the scene that float32 sums hold: its rounding of 6e-8 is 0.1 rad there.
+        const double MaxPhase = 2e6;
+
+        readonly Lazy<SurfacePatches[]> _patches;
+        readonly Lazy<MeshQuality> _quality;
+
+        /// <summary>The setup of a scene.</summary>
+        /// <param name="scene">The scene, with its materials.</param>
+        /// <param name="plan">Directions, frequencies and receivers.</param>
+        public CrossSectionSetup(RadarScene scene, CrossSectionPlan plan)
+        {
+            (Scene, Plan) = (scene, plan);
+            (BoxMin, BoxMax) = scene.Bound();
+            _patches = new Lazy<SurfacePatches[]>(Patches);
+            _quality = new Lazy<MeshQuality>(() => MeshQuality.Find(Scene, _patches.Value));
+        }
+
+        /// <summary>The scene.</summary>
+        public RadarScene Scene { get; }
+
+        /// <summary>Directions, frequencies and receivers.</summary>
+        public CrossSectionPlan Plan { get; }
+
+        /// <summary>Corners of the box around the scene, metres, in its frame.</summary>
+        public double3 BoxMin { get; }
+
+        /// <inheritdoc cref="BoxMin"/>
+        public double3 BoxMax { get; }
+
+        /// <summary>Radius of the sphere around the scene's box, metres.</summary>
+        public double Radius => math.distance(BoxMin, BoxMax) / 2;
+
+        /// <summary>Elements of the scattering matrix that are written.</summary>
+        public IReadOnlyList<Polarisation> Polarisations { get; set; } = Polarisation.All;
+
+        /// <inheritdoc cref="CrossSectionPose.PhaseCentre"/>
+        public double3 PhaseCentre { get; set; }
+
+        /// <inheritdoc cref="CrossSectionPose.ToleranceDb"/>
+        public double ToleranceDb { get; set; } = CrossSectionPose.DefaultToleranceDb;
+
+        /// <inheritdoc cref="CrossSectionPose.FloorDbsm"/>
+        public double? GivenFloorDbsm { get; set; }
+
+        /// <summary>The floor, dBsm.</summary>
+        public double FloorDbsm => GivenFloorDbsm ?? CrossSectionFloor.Of(BoxMin, BoxMax);
+
+        /// <inheritdoc cref="CrossSectionPose.MaxBounces"/>
+        public int MaxBounces { get; set; } = RadarSettings.Default.MaxBounces;
+
+        /// <inheritdoc cref="CrossSectionPose.HasEdges"/>
+        public bool HasEdges { get; set; } = true;
+
+        /// <inheritdoc cref="CrossSectionPose.Range"/>
+        public double Range { get; set; } = double.PositiveInfinity;
+
+        /// <inheritdoc cref="CrossSectionPose.CreaseDegrees"/>
+        public double CreaseDegrees { get; set; } = CrossSectionPose.DefaultCreaseDegrees;
+
+        /// <summary>Path of the scene or mesh file, for results.json; null for none.</summary>
+        public string ScenePath { get; set; }
+
+        /// <summary>Number of objects of the scene, for results.json.</summary>
+        public int Objects { get; set; }
+
+        /// <summary>The command line, for results.json; null if there is none.</summary>
+        public IReadOnlyList<string> Command { get; set; }
+
+        /// <summary>How well the facets follow curved surfaces.</summary>
+        public MeshQuality Quality => _quality.Value;
+
+        /// <summary>The pose of a row, with some receivers and frequencies.</summary>
+        internal CrossSectionPose PoseOf(in PlannedCrossSection planned, RadarAspect[] receivers,
+            double[] frequencies) =>
+            new CrossSectionPose
+            {
+                Scene = Scene, Radar = planned.Radar, Receivers = receivers, PhaseCentre = PhaseCentre, Range = Range,
+                Frequencies = frequencies, MaxBounces = MaxBounces, HasEdges = HasEdges,
+                CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb, FloorDbsm = FloorDbsm
+            };
+
+        /// <summary>Refuses what cannot be computed, before any work on the device.</summary>
+        /// <exception cref="GlintException">The message says what, and the way out.</exception>
+        public void Validate(string subject)
+        {
+            if (Scene.TriangleCount == 0)
+                throw new GlintException($"{subject}: has no triangles to compute a cross section of: "
+                    + "activate an object with a mesh");
+            foreach (var material in UsedMaterials())
+                foreach (double frequency in Plan.Frequencies)
+                    material.RequireData(frequency);
+            double size = 2 * Radius, highest = Plan.Frequencies.Last();
+            double possible = MaxPhase * Signal.SpeedOfLight / (2 * Math.PI * size);
+            if (highest > possible)
+                throw new GlintException(FormattableString.Invariant(
+                    $"{subject}: {highest:g6} Hz is too high for its size of {size:g6} m: phases have no precision left; up to {possible:g4} Hz is possible, or compute its parts alone"));
+            double farthest = FarthestCorner();
+            if (Range <= farthest)
+                throw new GlintException(FormattableString.Invariant(
+                    $"{subject}: a range of {Range:g6} m is inside of it: its farthest corner is {farthest:g6} m from the phase centre; give a larger range"));
+            if (WedgeFinder.FindOpenDielectric(Scene, _patches.Value) is SurfaceMaterial open)
+                throw new GlintException($"{subject}: the surface with material '{open.Name}' is open, with air on "
+                    + "both sides, but nothing is followed into a dielectric: close the mesh, or make it a perfect "
+                    + "conductor (metal)");
+        }
+
+        /// <summary>Materials of triangles.</summary>
+        internal IReadOnlyList<SurfaceMaterial> UsedMaterials() => Scene.Instances
+            .SelectMany(instance => instance.Ranges).Select(range => range.Surface).Distinct()
+            .OrderBy(surface => surface).Select(surface => Scene.Surfaces[surface]).ToArray();
+
+        double FarthestCorner() =>
+            math.length(math.max(math.abs(BoxMin - PhaseCentre), math.abs(BoxMax - PhaseCentre)));
+
+        SurfacePatches[] Patches()
+        {
+            var known = new Dictionary<TriangleMesh, SurfacePatches>();
+            return Array.ConvertAll(Scene.Instances, instance =>
+            {
+                if (!known.TryGetValue(instance.Mesh, out var patches))
+                    known.Add(instance.Mesh, patches =
+                        SurfacePatches.Find(instance.Mesh, instance.Ranges, CreaseDegrees));
+                return patches;
+            });
+        }
+    }
+}

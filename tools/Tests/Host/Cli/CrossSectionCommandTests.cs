@@ -1,0 +1,406 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Numerics;
+using System.Text.RegularExpressions;
+using System.Threading;
+using Glint.Core;
+using Glint.Editor;
+using Glint.Tests;
+using Newtonsoft.Json.Linq;
+using NUnit.Framework;
+
+namespace Glint.Host.Tests;
+
+/// <summary>glint rcs: values of known targets, files, resumption, parts, refusals.</summary>
+public sealed class CrossSectionCommandTests
+{
+    // Metres and hertz.
+    const double Width = 0.3, Height = 0.2, Frequency = 10e9, Wavelength = 299792458 / Frequency;
+
+    string _folder;
+
+    [SetUp]
+    public void MakePlate()
+    {
+        _folder = Directory.CreateTempSubdirectory("glint-rcs-").FullName;
+        WritePlate("plate.obj", 0);
+    }
+
+    [TearDown]
+    public void RemovePlate() => Directory.Delete(_folder, true);
+
+    /// <summary>4 pi A^2 / lambda^2: 17.019 dBsm.</summary>
+    [Test]
+    public void Plate_AtNormalIncidence_HasItsClosedForm()
+    {
+        Run(At("plate.obj"), "--tolerance", "0.01", "--out", At("rcs"));
+        double expected = 10 * Math.Log10(4 * Math.PI * Math.Pow(Width * Height / Wavelength, 2));
+        Assert.That(expected, Is.EqualTo(17.019).Within(0.001));
+        var row = Rows("rcs").Single();
+        foreach (string column in new[] { "vv_dbsm", "hh_dbsm" })
+            Assert.That(Number(row, column), Is.EqualTo(expected).Within(0.01), column);
+        Assert.That(Amplitude(row, "vv").Magnitude, Is.EqualTo(Math.Pow(10, expected / 20)).Within(0.01));
+        Assert.That(Amplitude(row, "hv").Magnitude, Is.LessThan(1e-3), "no cross-polarisation by symmetry");
+        Assert.That(row["tolerance_met"], Is.EqualTo("1"));
+        Assert.That(row["receiver_azimuth_deg"], Is.Empty, "the radar receives");
+    }
+
+    /// <summary>A target nearer to the radar by x has S exp(+2jkx): phases are about the file's origin.</summary>
+    [Test]
+    public void Plate_NearerToTheRadar_HasAnotherPhase()
+    {
+        const double nearer = 0.004;
+        WritePlate("nearer.obj", -nearer);
+        foreach (string name in new[] { "plate", "nearer" })
+            Run(At(name + ".obj"), "--tolerance", "0.01", "--out", At(name));
+        var turn = Amplitude(Rows("nearer").Single(), "hh") / Amplitude(Rows("plate").Single(), "hh");
+        var expected = Complex.FromPolarCoordinates(1, 2 * (2 * Math.PI / Wavelength) * nearer);
+        Assert.That((turn - expected).Magnitude, Is.LessThan(0.005));
+    }
+
+    [Test]
+    public void Rows_OfEveryReceiverFrequencyAndAzimuth_AreInTheArraysToo()
+    {
+        // 18 receivers take two traces of a pose.
+        Run(At("plate.obj"), "--azimuth", "0,20", "--frequency", "10e9,9e9", "--receivers", "-85:85:10",
+            "--polarisation", "vv,hh", "--tolerance", "0.5", "--out", At("rcs"));
+        var rows = Rows("rcs");
+        Assert.That(rows, Has.Count.EqualTo(2 * 2 * 18));
+        Assert.That(rows.Select(row => row["receiver_azimuth_deg"]).Take(19),
+            Is.EqualTo(Enumerable.Range(0, 19).Select(i => $"{-85 + 10 * (i % 18)}")));
+        Assert.That(rows.Select(row => row["frequency_hz"]).Skip(17).Take(2),
+            Is.EqualTo(new[] { "9000000000", "10000000000" }));
+        Assert.That(rows.Select(row => row["hv_dbsm"] + row["vh_re_m"]), Is.All.Empty, "not asked for");
+
+        string arrays = At("rcs/rcs.npz");
+        Assert.That(NumpyReader.Read(arrays, "azimuth").Numbers, Is.EqualTo(new[] { 0, 20 }));
+        Assert.That(NumpyReader.Read(arrays, "elevation").Numbers, Is.EqualTo(new[] { 0, 0 }));
+        Assert.That(NumpyReader.Read(arrays, "frequency").Numbers, Is.EqualTo(new[] { 9e9, 10e9 }));
+        Assert.That(NumpyReader.Read(arrays, "receiver").Sizes, Is.EqualTo(new[] { 18, 2 }));
+        Assert.That(NumpyReader.Read(arrays, "error").Numbers,
+            Is.EqualTo(rows.Select(row => Number(row, "integration_error_m"))));
+        var s = NumpyReader.Read(arrays, "S");
+        Assert.That(s.Sizes, Is.EqualTo(new[] { 2, 2, 18, 2, 2 }));
+        Assert.That(s.Type, Is.EqualTo("<c16"));
+        for (int i = 0; i < rows.Count; i++)
+        {
+            Assert.That(s.Numbers.Skip(8 * i).Take(2), Is.EqualTo(Parts(rows[i], "vv")), "received in V, sent in V");
+            Assert.That(s.Numbers.Skip(8 * i + 2).Take(4), Is.All.NaN);
+            Assert.That(s.Numbers.Skip(8 * i + 6).Take(2), Is.EqualTo(Parts(rows[i], "hh")));
+        }
+    }
+
+    /// <summary>The mirror direction of a plate seen from 30 degrees is at -30 degrees.</summary>
+    [Test]
+    public void Bistatic_TowardsTheMirrorDirection_IsTheProjectedPlate()
+    {
+        Run(At("plate.obj"), "--azimuth", "30", "--bistatic", "-30,0", "--tolerance", "0.02", "--out", At("rcs"));
+        double area = Width * Height * Math.Cos(Math.PI / 6);
+        Assert.That(Number(Rows("rcs").Single(), "vv_dbsm"),
+            Is.EqualTo(10 * Math.Log10(4 * Math.PI * Math.Pow(area / Wavelength, 2))).Within(0.05));
+    }
+
+    /// <summary>
+    /// At a finite range a receiver is a trace of its own; so is a frequency far from the others, or with a material.
+    /// </summary>
+    [TestCase("20,25", "10e9,9.5e9", "--range", "5")]
+    [TestCase("20,25", "10e9,5e9")]
+    [TestCase("20", "10e9,9.5e9", "--material", "*=metal,4,0.4,1,0,0.002")]
+    public void Rows_OfSeveralTraces_AreThoseOfSingleRuns(string receivers, string frequencies, params string[] options)
+    {
+        string[] rcs = [At("plate.obj"), "--azimuth", "10", "--tolerance", "0.02", .. options];
+        Run([.. rcs, "--receivers", receivers, "--frequency", frequencies, "--out", At("all")]);
+        foreach (string receiver in receivers.Split(','))
+            foreach (string frequency in frequencies.Split(','))
+            {
+                Run([.. rcs, "--receivers", receiver, "--frequency", frequency, "--out", At("one")]);
+                var one = Rows("one").Single();
+                var same = Rows("all").Single(row => row["receiver_azimuth_deg"] == one["receiver_azimuth_deg"]
+                    && row["frequency_hz"] == one["frequency_hz"]);
+                Assert.That(Number(same, "vv_dbsm"), Is.EqualTo(Number(one, "vv_dbsm")).Within(0.04));
+                Assert.That(Number(same, "hh_dbsm"), Is.EqualTo(Number(one, "hh_dbsm")).Within(0.04));
+            }
+    }
+
+    [Test]
+    public void Receiver_MoreThan120DegreesAway_IsFlagged()
+    {
+        var (_, _, error) = Execute(At("plate.obj"), "--receivers", "100,130,180", "--tolerance", "1",
+            "--out", At("rcs"));
+        Assert.That(Rows("rcs").Select(row => row["outside_physical_optics"]), Is.EqualTo(new[] { "0", "1", "0" }));
+        Assert.That(error, Does.Contain("1 of 3 rows are outside physical optics"));
+    }
+
+    [Test]
+    public void Tolerance_ThatCannotBeMet_IsSaidWithTheErrorReached()
+    {
+        var (code, output, error) = Execute(At("plate.obj"), "--azimuth", "0,44", "--tolerance", "0.001",
+            "--floor", "-200", "--out", At("rcs"));
+        Assert.That(code, Is.Zero, error);
+        var row = Rows("rcs")[1];
+        Assert.That(row["tolerance_met"], Is.EqualTo("0"));
+        Assert.That(error, Does.Match(@"the tolerance of 0\.001 dB was not met in [12] of 2 rows "
+            + @"\(column tolerance_met\): the largest standard error reached is [0-9.]+ dB, at azimuth 44 deg"));
+        Assert.That(output, Does.Match(@"(?m)^ +44 .* !\r?$"));
+    }
+
+    [Test]
+    public void Scene_HasItsBoxsCentreAsPhaseCentre_AndItsDescription()
+    {
+        Run("Scenes/CornerReflector.unity", "--frequency", "1e9", "--tolerance", "1", "--out", At("rcs"));
+        var json = JObject.Parse(File.ReadAllText(At("rcs/results.json")));
+        Assert.That((int)json["schema"], Is.EqualTo(ResultsJson.Schema));
+        Assert.That((string)json["table"], Is.EqualTo("rcs"));
+        var settings = json["settings"];
+        // The reflector's own dimensions; its scene has the corner at the origin, and it opens away from +z.
+        Assert.That((double)settings["phase_centre_x"]["value"], Is.Zero.Within(1e-3), "symmetric");
+        Assert.That((double)settings["phase_centre_z"]["value"], Is.Not.Zero.Within(0.1));
+        double radius = (double)settings["scene_radius"]["value"];
+        Assert.That((double)settings["floor"]["value"],
+            Is.EqualTo(10 * Math.Log10(Math.PI * radius * radius) - 40).Within(1e-9));
+        Assert.That((string)settings["conventions"], Does.Contain("exp(+j w t)"));
+        Assert.That((string)settings["error"], Does.Contain("not of physical optics"));
+        Assert.That((string)json["sweep"]["content"], Has.Length.EqualTo(32));
+        Assert.That((string)json["columns"]["vv_dbsm"]["unit"], Is.EqualTo("dBsm"));
+    }
+
+    [Test]
+    public void Parts_MergeToTheFilesOfAnUndividedRun()
+    {
+        string[] rcs = [At("plate.obj"), "--azimuth", "0:3:1", "--frequency", "9e9,10e9", "--tolerance", "0.5"];
+        Run([.. rcs, "--out", At("whole")]);
+        // Eight rows in three parts: they are divided within an azimuth.
+        for (int number = 1; number <= 3; number++)
+            Run([.. rcs, "--shard", $"{number}/3", "--out", At($"{number}")]);
+        Assert.That(File.Exists(At("1/rcs.npz")), Is.False, "the merged whole has the arrays");
+        var (code, output, error) = TestShell.Run("merge", At("2"), At("3"), At("1"), "--out", At("merged"));
+        Assert.That(code, Is.Zero, error);
+        Assert.That(output, Does.Contain("rcs.npz"));
+        AssertSame("merged");
+    }
+
+    [Test]
+    public void Run_Cancelled_ResumesToTheFilesOfAnUndisturbedOne()
+    {
+        string[] rcs = [At("plate.obj"), "--azimuth", "0:5:1", "--frequency", "9e9,10e9", "--tolerance", "0.5"];
+        Run([.. rcs, "--out", At("whole")]);
+        var line = CommandLine.Parse(Commands.Rcs, [.. rcs, "--out", At("stopped")]);
+        Project.Open(Project.FindRoot(AppContext.BaseDirectory));
+        Assert.That(Batch.Execute(line, new CancelAfter(5)), Is.EqualTo(130));
+        Assert.That(File.Exists(At("stopped/results.partial")));
+
+        string output = Run([.. rcs, "--out", At("stopped"), "--resume"]);
+        Assert.That(output, Does.Contain("resumed: 5 of 12 rows are done"));
+        AssertSame("stopped");
+        Assert.That(Run([.. rcs, "--out", At("stopped"), "--resume"]), Does.Contain("already complete"));
+        var (code, _, error) = Execute([.. rcs, "--out", At("stopped"), "--resume", "--edges", "off"]);
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(error, Does.Contain("is of another sweep: edges was on and is off"));
+    }
+
+    [Test]
+    [Platform("Linux")]
+    [Category("Slow")]
+    public void Run_Killed_ResumesToTheFilesOfAnUndisturbedOne()
+    {
+        string[] rcs = [At("plate.obj"), "--azimuth", "0:40:1", "--tolerance", "0.5"];
+        Run([.. rcs, "--out", At("whole")]);
+        int seed = Environment.TickCount;
+        KillAt(5000 + new Random(seed).Next(12000), [.. rcs, "--out", At("killed")]);
+        Assert.That(File.Exists(At("killed/results.partial")), "killed before its end");
+        Assert.That(Run([.. rcs, "--out", At("killed"), "--resume"]),
+            Does.Match("resumed: [0-9]+ of 41 rows are done"));
+        AssertSame("killed", $"seed {seed}");
+    }
+
+    [TestCase(2, "--frequency 0: each frequency must be from 1 to 1e12 hertz", "--frequency", "0")]
+    [TestCase(2, "--frequency -1e9: each frequency must be", "--frequency", "-1e9")]
+    [TestCase(2, "the frequency 1000000000 Hz is given twice", "--frequency", "1e9,1e9")]
+    [TestCase(2, "--azimuth 0:45: a range has three parts", "--azimuth", "0:45")]
+    [TestCase(2, "--azimuth 0,x: x is not a number", "--azimuth", "0,x")]
+    [TestCase(2, "--elevation 91: each elevation must be from -90 to 90 degrees", "--elevation", "91")]
+    [TestCase(2, "--polarisation vv,rl: rl is none", "--polarisation", "vv,rl")]
+    [TestCase(2, "--tolerance 0: must be from 0.001 to 10", "--tolerance", "0")]
+    [TestCase(2, "--edges maybe: must be on or off", "--edges", "maybe")]
+    [TestCase(2, "--bistatic 10: must be AZ,EL", "--bistatic", "10")]
+    [TestCase(2, "--receivers: not with --bistatic", "--receivers", "10", "--bistatic", "10,0")]
+    [TestCase(2, "--elevation: has 2 values: give one with --receivers", "--receivers", "10", "--elevation", "0,1")]
+    [TestCase(2, "the surface * is given two materials", "--material", "*=metal", "--material", "*=itu_wood")]
+    [TestCase(2, "--shard 2/2: there are 1 rows", "--shard", "2/2")]
+    [TestCase(1, "there is no surface hull to give a material to", "--material", "hull=metal")]
+    [TestCase(1, "the surface with material 'itu_wood' is open", "--material", "*=itu_wood")]
+    [TestCase(1, "material 'metal,ptfe,0.001' has no data at 1000000 Hz", "--material", "*=metal,ptfe,0.001",
+        "--frequency", "1e6")]
+    [TestCase(1, "a range of 0.1 m is inside of it", "--range", "0.1")]
+    [TestCase(1, "1e+12 Hz is too high for its size of 360.555 m: phases have no precision left; up to 2.647e+11 Hz",
+        "--unit", "km", "--frequency", "1e12")]
+    public void Input_ThatCannotBeComputed_IsRefusedBeforeAnyFile(int code, string message, params string[] options)
+    {
+        var (actual, _, error) = Execute([At("plate.obj"), .. options, "--out", At("rcs")]);
+        Assert.That(error, Does.Contain(message));
+        Assert.That(actual, Is.EqualTo(code));
+        Assert.That(Directory.Exists(At("rcs")), Is.False);
+    }
+
+    [Test]
+    public void Folder_OfASweep_IsNotTakenAndNotReported()
+    {
+        Run(At("plate.obj"), "--tolerance", "1", "--out", At("rcs"));
+        var (code, _, error) = TestShell.Run("run", At("plate.obj"), "--size", "16x9", "--out", At("rcs"));
+        Assert.That((code, error), Is.EqualTo((1, $"glint: {At("rcs")}: holds rcs.csv, the results of glint rcs: "
+            + "choose another results folder" + Environment.NewLine)));
+        (code, _, error) = TestShell.Run("report", At("rcs"), "--pose", "none");
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(error, Does.Contain("holds the results of glint rcs (rcs.csv)"));
+    }
+
+    [Test]
+    public void CoarseMesh_IsWarnedOfWithItsShareAndFrequency()
+    {
+        // A cylinder of 24 facets, 15 degrees each: their width is 0.26 m and their sagitta 0.26 x 15 deg / 8 = 8.6 mm.
+        const int facets = 24;
+        var lines = Enumerable.Range(0, facets).SelectMany(i => new[] { 0.0, 1 }.Select(y =>
+            FormattableString.Invariant($"v {Math.Cos(2 * Math.PI * i / facets)} {y} {Math.Sin(2 * Math.PI * i / facets)}"))).Concat(
+            Enumerable.Range(0, facets).Select(i =>
+                $"f {2 * i + 1} {2 * i + 2} {2 * (i + 1) % (2 * facets) + 2} {2 * (i + 1) % (2 * facets) + 1}"));
+        File.WriteAllLines(At("cylinder.obj"), lines);
+        var (code, output, error) = Execute(At("cylinder.obj"), "--frequency", "0.5e9,3e9", "--tolerance", "1",
+            "--out", At("rcs"));
+        Assert.That(code, Is.Zero, error);
+        Assert.That(error, Does.Contain("facets are too coarse for curved surfaces on 100 % of the area at 3e+09 Hz")
+            .And.Contain("column coarse_area_share"));
+        var settings = JObject.Parse(File.ReadAllText(At("rcs/results.json")))["settings"];
+        double good = (double)settings["mesh_good_up_to"]["value"];
+        // Facets are cut into triangles, each of which has one of the two edges along the cylinder.
+        double width = 2 * Math.Sin(Math.PI / facets), sagitta = width * (2 * Math.PI / facets) / 8;
+        Assert.That(good, Is.EqualTo(299792458 / (50 * sagitta)).Within(0.01 * good));
+        Assert.That(Rows("rcs").Select(row => Number(row, "coarse_area_share")),
+            Is.EqualTo(new[] { 0.0, 1 }).Within(1e-6));
+        Assert.That(output, Does.Contain("open edges"), "both ends");
+    }
+
+    [Test]
+    public void Help_NamesUnitsAndTheErrorsMeaning()
+    {
+        var (code, output, _) = TestShell.Run("rcs", "--help");
+        Assert.That(code, Is.Zero);
+        string help = Regex.Replace(output, @"\s+", " ");
+        foreach (string words in new[]
+        {
+            "Units: angles in degrees, frequencies in hertz, lengths in metres, cross sections in dBsm",
+            "the error of the integration, not of physical optics", "Frequencies in hertz",
+            "Azimuths of the radar in degrees", "Distance in metres", "--unit"
+        })
+            Assert.That(help, Does.Contain(words));
+    }
+
+    /// <summary>The page's example, in Python's own words, on the files of the plate.</summary>
+    [Test]
+    public void PythonExample_OfThePage_ReadsTheFile()
+    {
+        string page = File.ReadAllText(Path.Combine(Project.FindRoot(AppContext.BaseDirectory),
+            "Packages/com.glint.radar/Documentation~/batch.md"));
+        string code = Regex.Match(page, "```python\n(.*?)```", RegexOptions.Singleline).Groups[1].Value;
+        Run(At("plate.obj"), "--azimuth", "-2,0,2", "--tolerance", "0.02", "--out", At("rcs"));
+        File.WriteAllText(At("example.py"), code);
+        using var process = Process.Start(new ProcessStartInfo("python3", [At("example.py")])
+        {
+            WorkingDirectory = _folder, RedirectStandardOutput = true, RedirectStandardError = true
+        });
+        string output = process.StandardOutput.ReadToEnd(), error = process.StandardError.ReadToEnd();
+        process.WaitForExit();
+        Assert.That(process.ExitCode, Is.Zero, error);
+        Assert.That(output, Does.Match(@"^strongest: 17\.0[12] dBsm at azimuth 0\.0 deg, error 0\.0\d+ dB\r?\n"
+            + @"mean: \d+\.\d\d dBsm over 3 angles\r?\n$"));
+        double mean = Rows("rcs").Average(row => Math.Pow(10, Number(row, "vv_dbsm") / 10));
+        Assert.That(output, Does.Contain(FormattableString.Invariant($"mean: {10 * Math.Log10(mean):0.00} dBsm")));
+    }
+
+    void AssertSame(string folder, string message = null)
+    {
+        Assert.That(Directory.GetFiles(At(folder)).Select(Path.GetFileName),
+            Is.EquivalentTo(new[] { "rcs.csv", "rcs.npz", "results.json" }), message);
+        Assert.That(File.ReadAllText(At($"{folder}/rcs.csv")), Is.EqualTo(File.ReadAllText(At("whole/rcs.csv"))),
+            message);
+        Assert.That(File.ReadAllBytes(At($"{folder}/rcs.npz")), Is.EqualTo(File.ReadAllBytes(At("whole/rcs.npz"))),
+            message);
+        Assert.That(Timeless.Json(At(folder)), Is.EqualTo(Timeless.Json(At("whole"))), message);
+    }
+
+    void KillAt(int bytes, string[] arguments)
+    {
+        string partial = At("killed/results.partial");
+        using var process = Process.Start(new ProcessStartInfo("dotnet",
+            [Path.Combine(AppContext.BaseDirectory, "glint-cli.dll"), "rcs", .. arguments])
+        { RedirectStandardOutput = true, RedirectStandardError = true });
+        process.OutputDataReceived += (_, _) => { };
+        process.ErrorDataReceived += (_, _) => { };
+        process.BeginOutputReadLine();
+        process.BeginErrorReadLine();
+        while (!process.HasExited && !(File.Exists(partial) && new FileInfo(partial).Length >= bytes))
+            Thread.Sleep(1);
+        process.Kill(); // SIGKILL
+        process.WaitForExit();
+    }
+
+    // Upright, facing -Z, where the radar is at azimuth 0.
+    void WritePlate(string name, double z)
+    {
+        string at = z.ToString(CultureInfo.InvariantCulture);
+        File.WriteAllText(At(name), $"v -0.15 -0.1 {at}\nv 0.15 -0.1 {at}\nv 0.15 0.1 {at}\nv -0.15 0.1 {at}\n"
+            + "f 1 2 3 4\n");
+    }
+
+    List<Dictionary<string, string>> Rows(string folder)
+    {
+        var lines = File.ReadAllLines(At($"{folder}/rcs.csv")).Select(line => line.Split(',')).ToArray();
+        return [.. lines.Skip(1).Select(cells =>
+            lines[0].Zip(cells).ToDictionary(cell => cell.First, cell => cell.Second))];
+    }
+
+    static double Number(Dictionary<string, string> row, string column) =>
+        double.Parse(row[column], CultureInfo.InvariantCulture);
+
+    static double[] Parts(Dictionary<string, string> row, string polarisation) =>
+        [Number(row, polarisation + "_re_m"), Number(row, polarisation + "_im_m")];
+
+    static Complex Amplitude(Dictionary<string, string> row, string polarisation) =>
+        new(Parts(row, polarisation)[0], Parts(row, polarisation)[1]);
+
+    string At(string name) => Path.Combine(_folder, name);
+
+    static string Run(params string[] arguments)
+    {
+        var (code, output, error) = Execute(arguments);
+        Assert.That(code, Is.Zero, error);
+        return output;
+    }
+
+    static (int code, string output, string error) Execute(params string[] arguments) =>
+        TestShell.Run(["rcs", .. arguments]);
+
+    sealed class CancelAfter(int rows) : IProgressSink
+    {
+        readonly CancellationTokenSource _source = new();
+
+        public CancellationToken Cancel => _source.Token;
+
+        public void Start(string what, int total) { }
+
+        public void Report(double value) { }
+
+        public void Advance(int done, string note)
+        {
+            if (done == rows)
+                _source.Cancel();
+        }
+
+        public void Finish() { }
+
+        public void Print(string line) { }
+    }
+}
