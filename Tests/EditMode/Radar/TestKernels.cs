@@ -19,6 +19,8 @@ namespace Glint.Tests
 
         public static ComputeShader Trace => Load("Packages/com.glint.radar/Shaders/Trace.compute");
 
+        public static ComputeShader Tubes => Load("Packages/com.glint.radar/Shaders/Tubes.compute");
+
         public static ComputeShader Layout => Load("Packages/com.glint.tests/EditMode/Shaders/Layout.compute");
 
         public static ComputeShader DoubleFloat =>

@@ -22,6 +22,7 @@ namespace Glint
         readonly TubeKernels _kernels;
         readonly DeviceScene _scene;
         readonly SurfaceBuffers _surfaces = new SurfaceBuffers();
+        readonly EdgeBuffers _edges = new EdgeBuffers();
         readonly DeviceBuffer<uint> _output = new DeviceBuffer<uint>("sums of tubes");
         readonly DeviceBuffer<Tube> _tubes = new DeviceBuffer<Tube>("tubes");
         readonly DeviceBuffer<TubeCell> _cells = new DeviceBuffer<TubeCell>("cells of tubes");
@@ -95,8 +96,29 @@ namespace Glint
                 first += count;
                 progress?.Report((double)first / grid.Count);
             }
+            if (pose.HasEdges && pose.OnlyBounce == 0)
+                AddEdges(pose, words, sums, result, cancel);
             sums.Fill(result);
             return result;
+        }
+
+        void AddEdges(CrossSectionPose pose, int words, TubeSums sums, CrossSectionResult result,
+            CancellationToken cancel)
+        {
+            _edges.Set(pose.Scene, _surfaces.Patches, _scene.Centre, TubeGrid.EdgePieceFor(pose));
+            result.WedgesLeftOut = _edges.LeftOutCount;
+            // Shadow rays start beyond what lies on an edge.
+            double offset = WedgeFinder.RelativeTolerance * math.distance(_scene.Min, _scene.Max);
+            int max = TubeCapacity / pose.Receivers.Length;
+            var read = new uint[words];
+            for (int first = 0; first < _edges.Count; first += max)
+            {
+                cancel.ThrowIfCancellationRequested();
+                _kernels.Clear(words);
+                _kernels.TraceEdges(_edges, first, Math.Min(max, _edges.Count - first), offset);
+                _output.ReadBack(read, words);
+                sums.Add(read);
+            }
         }
 
         /// <summary>Releases all buffers on the device.</summary>
@@ -105,6 +127,7 @@ namespace Glint
             _kernels.Dispose();
             _scene.Dispose();
             _surfaces.Dispose();
+            _edges.Dispose();
             _output.Dispose();
             _tubes.Dispose();
             _cells.Dispose();
