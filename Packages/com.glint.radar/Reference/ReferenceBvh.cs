@@ -86,6 +86,10 @@ namespace Glint.Reference
         /// <summary>Unit normal of a triangle, 0 for one without area; its side is arbitrary.</summary>
         public double3 Normal(int triangle) => _normals[triangle];
 
+        /// <summary>First corner of a triangle, and its edges to the second and third.</summary>
+        public void Corners(int triangle, out double3 a, out double3 ab, out double3 ac) =>
+            (a, ab, ac) = (_a[triangle], _b[triangle] - _a[triangle], _c[triangle] - _a[triangle]);
+
         /// <summary>
         /// The closest hit of a ray, except triangles in whose plane it starts; -1 and infinity if there is none. Of
         /// several at the same distance the one with the lowest number. The result is the BVH's index of the triangle;

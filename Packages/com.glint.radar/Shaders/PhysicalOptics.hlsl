@@ -20,22 +20,22 @@ struct Receiver
     float Strength;        // of what arrives, relative to that from the scene's centre
 };
 
-Receiver ReceiverFrom(uint index, float3 place)
+Receiver ReceiverFrom(uint index, float3 position)
 {
     Receiver receiver;
     receiver.Direction = _Receivers[index].xyz;
     receiver.V = _ReceiversV[index].xyz;
     receiver.H = _ReceiversH[index].xyz;
     receiver.Distance = MISS;
-    receiver.Phase = dot(place, receiver.Direction);
+    receiver.Phase = dot(position, receiver.Direction);
     receiver.Strength = 1.0;
     if (_IsNear != 0)
     {
-        float3 way = _Receivers[index].xyz - place;
+        float3 way = _Receivers[index].xyz - position;
         receiver.Distance = length(way);
         receiver.Direction = way / receiver.Distance;
         // the difference of both distances, without cancellation
-        receiver.Phase = dot(place, _Receivers[index].xyz + way) / (receiver.Distance + _Receivers[index].w);
+        receiver.Phase = dot(position, _Receivers[index].xyz + way) / (receiver.Distance + _Receivers[index].w);
         receiver.V -= receiver.Direction * dot(receiver.Direction, receiver.V);
         receiver.H -= receiver.Direction * dot(receiver.Direction, receiver.H);
         receiver.Strength = _Range / receiver.Distance;
@@ -83,8 +83,8 @@ float2 Radiated(float3 received, float4 field, float3 toReceiver, float3 directi
         reflectedS = dot(received, cross(normal, cross(next, s)) - magnetic),
         incidentP = dot(received, cross(normal, cross(direction, p)) - cross(toReceiver, cross(p, normal))),
         reflected = dot(received, cross(normal, cross(next, reflectedP)) - cross(toReceiver, cross(reflectedP, normal)));
-    return Times(alongS, float2(incidentS, 0.0) + reflectedS * reflection.xy)
-        + Times(alongP, float2(incidentP, 0.0) + reflected * reflection.zw);
+    return ComplexMul(alongS, float2(incidentS, 0.0) + reflectedS * reflection.xy)
+        + ComplexMul(alongP, float2(incidentP, 0.0) + reflected * reflection.zw);
 }
 
 // The currents at a hit, towards a receiver: a tube without its polygon.

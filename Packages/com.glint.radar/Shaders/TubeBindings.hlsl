@@ -104,4 +104,9 @@ RWStructuredBuffer<Tube> _Tubes;
 RWStructuredBuffer<Cell> _TubeCells;
 RWStructuredBuffer<Cell> _Borders;
 
+float2 ComplexMul(float2 a, float2 b)
+{
+    return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
+}
+
 #endif

@@ -9,6 +9,8 @@
 // Error of a cell that can be neither cut nor divided, as a fraction of its area.
 static const float CRUDE_ERROR = 0.3;
 
+static const float BENT_BORDER = 1.4;
+
 // A convex piece of a cell: corners from its centre, in base cells.
 struct Piece
 {
@@ -71,13 +73,14 @@ void Divide(Cell cell)
 }
 
 // Area by which the border may be off, for a phase gradient: its ends lie within an interval of this width on the sides
-// of the cell. Neighbouring cells share the ends, so that the error along the border is a sum of hat functions.
+// of the cell. Neighbouring cells share the ends, so that the error along the border is a sum of hat functions. Between
+// the ends the border may bend by as much again (BENT_BORDER).
 float AreaError(float2 chord, float2 sides[2], float width, float2 gradient)
 {
     float x = 0.5 * _WaveNumber * dot(gradient, chord);
     float hat = abs(x) < 0.01 ? 1.0 : sin(x) / x;
     float first = Cross2(chord, sides[0]), second = Cross2(chord, sides[1]);
-    return sqrt((first * first + second * second) / 24.0) * width * hat * hat;
+    return BENT_BORDER * sqrt((first * first + second * second) / 24.0) * width * hat * hat;
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]

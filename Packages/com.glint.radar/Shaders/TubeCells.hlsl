@@ -14,6 +14,9 @@ float BentError(float3 bends)
     return min(1.0, 0.05 * sum * sum * sum);
 }
 
+// Above it the expansion of a bent phase is worse than none: phases of 1.5 rad.
+static const float MAX_BENT_ERROR = 0.17;
+
 // What the rays through the corners have met at a bounce.
 struct Bounce
 {
@@ -59,7 +62,7 @@ bool IsMarked(Cell cell)
     return bits != 0;
 }
 
-// Phases that the corners have beyond the linear one, m: of the curvature by u, by v, and of the twist. A corner's
+// Phases of the corners less the linear ones, m: of the curvature by u, by v, and of the twist. A corner's
 // gradient differs from that at the centre by the second derivatives.
 float3 BendsOf(Bounce bounce, Receiver receiver)
 {
@@ -71,12 +74,12 @@ float3 BendsOf(Bounce bounce, Receiver receiver)
 
 // The differential of place and length of a corner by u or v; at a finite range, where the receiver's direction differs
 // from corner to corner, the gradient of the phase instead.
-float4 DifferentialOf(TubePath tube, float3 place)
+float4 DifferentialOf(TubePath tube, float3 step)
 {
     float3 d = tube.Path.Ray.Direction;
     if (_IsNear != 0)
-        return float4(0.0, 0.0, 0.0, dot(d - ReceiverFrom(0, tube.Path.Ray.Origin).Direction, place));
-    return float4(place, dot(place, d));
+        return float4(0.0, 0.0, 0.0, dot(d - ReceiverFrom(0, tube.Path.Ray.Origin).Direction, step));
+    return float4(step, dot(step, d));
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
@@ -130,9 +133,11 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                         Receiver receiver = ReceiverFrom(index, place);
                         Tube currents = CurrentsAt(tube, at, index, receiver);
                         float3 bends = BendsOf(bounces[bounce], receiver);
-                        currents.Phase += bends.x + bends.y;
-                        currents.Corners01 = float4(side, bends);
                         currents.Bent = BentError(_WaveNumber * bends);
+                        // Where the expansion fails, on cells too small to matter, the mean phase remains.
+                        bool isBent = currents.Bent < MAX_BENT_ERROR;
+                        currents.Phase += (bends.x + bends.y) * (isBent ? 1.0 : 1.0 / 3.0);
+                        currents.Corners01 = float4(side, isBent ? bends : (float3)0);
                         if ((receivers >> index & 1) != 0)
                             AddTube(currents);
                     }

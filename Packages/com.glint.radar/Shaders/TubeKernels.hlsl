@@ -1,7 +1,7 @@
 #ifndef GLINT_TUBE_KERNELS
 #define GLINT_TUBE_KERNELS
 
-#if defined(GLINT_TUBE_STAGE)
+#if defined(GLINT_STAGE)
 #include "TubeStages.hlsl"
 #elif defined(GLINT_SUM_TUBES)
 #include "TubeSums.hlsl"

@@ -61,11 +61,6 @@ TubePath BeginTube(float2 position)
     return tube;
 }
 
-float2 Times(float2 a, float2 b)
-{
-    return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-}
-
 // Product with j.
 float2 Quarter(float2 a)
 {
@@ -193,8 +188,8 @@ float4 ReflectField(float4 field, float2 along, float4 reflection)
 {
     // along: components of s in V and H
     float2 s = field.xy * along.x + field.zw * along.y, p = field.xy * -along.y + field.zw * along.x;
-    s = Times(s, reflection.xy);
-    p = -Times(p, reflection.zw);
+    s = ComplexMul(s, reflection.xy);
+    p = -ComplexMul(p, reflection.zw);
     return float4(s * along.x - p * along.y, s * along.y + p * along.x);
 }
 

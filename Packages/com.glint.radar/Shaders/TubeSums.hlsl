@@ -47,11 +47,6 @@ void Accumulate(inout Sum real, inout Sum imaginary, float2 units, inout uint ov
     Accumulate(imaginary, units.y, overflow);
 }
 
-float2 Product(float2 a, float2 b)
-{
-    return float2(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
-}
-
 float Sinc(float x)
 {
     float square = x * x;
@@ -85,7 +80,7 @@ float2 SquareIntegral(float2 x, float3 bends)
     float2 v = float2(zeroV - 4.0 * bends.y * bends.y * ThirdBessel(x.y, waveV), -2.0 * bends.y * firstV);
     float2 twist = float2(-0.5 * bends.z * bends.z * (zeroU - 2.0 * firstU) * (zeroV - 2.0 * firstV),
         -bends.z * x.x * firstU * x.y * firstV);
-    return Product(u, v) + twist;
+    return ComplexMul(u, v) + twist;
 }
 
 // Integral of exp(j w.x) over a convex polygon (Gordon 1975), w rad a base cell.
@@ -157,11 +152,11 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     tube.Corner4 };
                 shape = PolygonIntegral(corners, count, w);
             }
-            float2 wave = _UnitsPerMetre * scale * Product(Product(shape, Phasor(turns)), factor);
-            float2 vv = Product(wave, tube.CoPolar.xy), hh = Product(wave, tube.CoPolar.zw);
+            float2 wave = _UnitsPerMetre * scale * ComplexMul(ComplexMul(shape, Phasor(turns)), factor);
+            float2 vv = ComplexMul(wave, tube.CoPolar.xy), hh = ComplexMul(wave, tube.CoPolar.zw);
             Accumulate(sums[0], sums[1], vv, overflow);
-            Accumulate(sums[2], sums[3], Product(wave, tube.CrossPolar.xy), overflow);
-            Accumulate(sums[4], sums[5], Product(wave, tube.CrossPolar.zw), overflow);
+            Accumulate(sums[2], sums[3], ComplexMul(wave, tube.CrossPolar.xy), overflow);
+            Accumulate(sums[4], sums[5], ComplexMul(wave, tube.CrossPolar.zw), overflow);
             Accumulate(sums[6], sums[7], hh, overflow);
             Accumulate(sums[8], sums[9], tube.Bent * (dot(vv, vv) > dot(hh, hh) ? vv : hh), overflow);
             float error = tube.Error * scale;

@@ -249,6 +249,18 @@ namespace Glint.Tests
             }
         }
 
+        // A CAD body: each face has vertices of its own, cut as finely as it likes, off by 2 micrometres of 0.37 m.
+        [Test]
+        public void Box_OfFacesCutDifferently_IsABox([Values(0, 2e-6)] double offset)
+        {
+            var box = CrossSectionTargets.Box(0.3, 0.2, 0.1);
+            var faces = Enumerable.Range(0, 6).Select(face => SameSurface.Moved(SameSurface.Subdivided(
+                new TriangleMesh(box.Vertices, box.Indices.Skip(6 * face).Take(6).ToArray()), face % 4),
+                Moved(offset * new double3(face % 2, face % 3 - 1, 0)))).ToArray();
+            AssertWedges(Find(TestRadar.Join(faces)), (1.5, 12, 2.4));
+            AssertWedges(Find(faces), (1.5, 12, 2.4));
+        }
+
         // The plate's lower half is coated: its edges, and the border in the plane, are left out.
         [Test]
         public void CoatedFaces_AreLeftOutAndCounted()

@@ -9,6 +9,9 @@ namespace Glint.Core
         /// <summary>Bend of an edge, degrees, above which it is sharp.</summary>
         public const double DefaultCreaseDegrees = 20;
 
+        /// <summary>Default of <see cref="ToleranceDb"/>.</summary>
+        public const double DefaultToleranceDb = 0.1;
+
         /// <summary>The scene, metres.</summary>
         public RadarScene Scene { get; set; }
 
@@ -46,8 +49,30 @@ namespace Glint.Core
         /// <summary>Bend of an edge, degrees, above which it is sharp and normals are not smoothed across it.</summary>
         public double CreaseDegrees { get; set; } = DefaultCreaseDegrees;
 
+        /// <summary>
+        /// The error asked for, decibels: of each complex amplitude at most 10^(tolerance / 20) - 1 of it, or of the
+        /// floor where that is larger. It is the error of the integration, not of physical optics.
+        /// </summary>
+        public double ToleranceDb { get; set; } = DefaultToleranceDb;
+
+        /// <summary>
+        /// Cross section below which the tolerance is that of this one, dBsm; null: <see cref="CrossSectionFloor"/>.
+        /// </summary>
+        public double? FloorDbsm { get; set; }
+
         /// <summary>Whether the radar is so far that its wave is plane.</summary>
         public bool IsFar => double.IsPositiveInfinity(Range);
+    }
+
+    /// <summary>The default floor: the same for every pose of a target.</summary>
+    public static class CrossSectionFloor
+    {
+        // Below the cross section of a sphere around the target.
+        const double Decibels = 40;
+
+        /// <summary>The floor of a target in a box, dBsm.</summary>
+        public static double Of(double3 boxMin, double3 boxMax) =>
+            10 * Math.Log10(Math.PI * math.lengthsq(boxMax - boxMin) / 4) - Decibels;
     }
 
     /// <summary>Direction and polarisations of a radar that looks at the phase centre.</summary>

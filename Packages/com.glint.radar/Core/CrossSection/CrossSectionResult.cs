@@ -16,6 +16,12 @@ namespace Glint.Core
         /// <summary>Standard error of the integration, of each complex amplitude, metres.</summary>
         public double[,] Errors { get; }
 
+        /// <summary>The floor of the tolerance, dBsm.</summary>
+        public double FloorDbsm { get; set; }
+
+        /// <summary>Whether every amplitude has the error asked for.</summary>
+        public bool IsMet { get; set; }
+
         /// <summary>Pieces of tubes summed: one for each bounce and receiver.</summary>
         public long Tubes { get; set; }
 

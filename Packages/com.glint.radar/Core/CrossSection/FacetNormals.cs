@@ -50,8 +50,12 @@ namespace Glint.Core
         /// <summary>Turn of a triangle's normal by the rounding of coordinates, radians.</summary>
         public double Uncertainty(int triangle) => _uncertainties[triangle];
 
-        /// <summary>Maximum rounding of a corner, metres, for coordinates up to <paramref name="largest"/>.</summary>
-        public static double Rounding(double largest) => RelativeRounding * largest;
+        /// <summary>
+        /// Maximum distance, metres, of corners from a line or plane that they are on but for rounding: several times
+        /// the rounding of one corner, since the line or plane is found from others.
+        /// </summary>
+        /// <param name="largest">The largest coordinate, metres.</param>
+        public static double Straightness(double largest) => 8 * RelativeRounding * largest;
 
         /// <summary>
         /// The normal of the triangle of side <paramref name="other"/>, on the side of that of
@@ -80,7 +84,7 @@ namespace Glint.Core
             if (twiceArea > 0)
                 _normals[triangle] = normal / twiceArea;
             // The height turns about the longest edge when its ends move apart.
-            double uncertainty = 2 * Rounding(largest) * longest / twiceArea;
+            double uncertainty = 2 * RelativeRounding * largest * longest / twiceArea;
             _isNeedle[triangle] = !(uncertainty <= MaxUncertainty);
             _uncertainties[triangle] = (float)(_isNeedle[triangle] ? MaxUncertainty : uncertainty);
         }

@@ -167,10 +167,14 @@ namespace Glint.Core
                 return;
             }
             var cuts = CutsOf(edge, overlaps);
-            for (int i = 0; i + 1 < cuts.Count; i++)
+            overlaps.Sort((a, b) => a.Min.CompareTo(b.Min));
+            var others = new List<Overlap>();
+            for (int i = 0, next = 0; i + 1 < cuts.Count; i++)
             {
                 double centre = (cuts[i].at + cuts[i + 1].at) / 2;
-                var others = overlaps.FindAll(overlap => overlap.Min < centre && centre < overlap.Max);
+                while (next < overlaps.Count && overlaps[next].Min < centre)
+                    others.Add(overlaps[next++]);
+                others.RemoveAll(overlap => overlap.Max <= centre);
                 if (others.Exists(overlap => overlap.Other < number))
                     continue;
                 var faces = new EdgeFace[others.Count + 1];
@@ -182,15 +186,15 @@ namespace Glint.Core
         }
 
         // Places along the edge, ascending and at least a tolerance apart, from its beginning to its end. The points
-        // are corners of meshes, so that pieces of different edges end at the same point.
+        // are corners of meshes if these are on the edge, so that pieces of different edges end at the same point.
         List<(double at, double3 point)> CutsOf(in OpenEdge edge, List<Overlap> overlaps)
         {
             var all = new List<(double at, double3 point)>();
             foreach (var overlap in overlaps)
             {
                 var other = _edges[overlap.Other];
-                all.Add((edge.Project(other.From), other.From));
-                all.Add((edge.Project(other.To), other.To));
+                all.Add(edge.PointNear(other.From));
+                all.Add(edge.PointNear(other.To));
             }
             all.Sort((a, b) => a.at.CompareTo(b.at));
             var cuts = new List<(double at, double3 point)> { (0, edge.From) };
@@ -213,6 +217,14 @@ namespace Glint.Core
             // Distance from the beginning of the edge's nearest point, metres.
             public readonly double Project(double3 point) =>
                 math.clamp(math.dot(point - From, Along), 0, Length);
+
+            public readonly (double at, double3 point) PointNear(double3 corner)
+            {
+                double at = Project(corner);
+                double3 point = At(at);
+                bool isOn = math.distance(point, corner) <= FacetNormals.Straightness(math.cmax(math.abs(corner)));
+                return (at, isOn ? corner : point);
+            }
 
             public readonly double3 At(double distance) => From + distance * Along;
         }

@@ -20,10 +20,6 @@ namespace Glint.Core
 
         const double MaxCreaseDegrees = 90;
 
-        // Maximum distance of a flat patch's corners from its plane, in roundings of a coordinate: of the corner, and
-        // of those that the plane is computed from.
-        const double FlatRoundings = 8;
-
         readonly int[] _smoothAcross; // the side across a smooth edge, for each side
         readonly sbyte[] _signs;      // whether a triangle is wound as the first one of its patch
         bool[] _isFlat;
@@ -203,7 +199,7 @@ namespace Glint.Core
             }
 
             public readonly bool Holds(double3 p) => _isPlane &&
-                math.abs(math.dot(_normal, p - _point)) <= FlatRoundings * FacetNormals.Rounding(_largest);
+                math.abs(math.dot(_normal, p - _point)) <= FacetNormals.Straightness(_largest);
         }
     }
 

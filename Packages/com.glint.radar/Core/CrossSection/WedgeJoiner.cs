@@ -48,9 +48,6 @@ namespace Glint.Core
         // Maximum turn of faces and edges that are joined, besides what rounding makes of them, radians: 0.06 degrees.
         const double MaxTurn = 1e-3;
 
-        // Maximum distance of the ends of joined wedges from the straight line, in roundings of a coordinate.
-        const double MaxRoundings = 8;
-
         const int None = -1;
 
         readonly List<WedgePiece> _pieces;
@@ -159,7 +156,7 @@ namespace Glint.Core
                 if (distance > farthest)
                     (farthest, cut) = (distance, i);
             }
-            if (farthest > MaxRoundings * FacetNormals.Rounding(largest))
+            if (farthest > FacetNormals.Straightness(largest))
                 return cut;
             int centre = (first + end) / 2;
             for (int i = first; i < end; i++)

@@ -1,6 +1,6 @@
 using System;
+using System.Diagnostics;
 using System.Linq;
-using System.Numerics;
 using System.Threading;
 using Glint.Core;
 using Unity.Mathematics;
@@ -15,8 +15,16 @@ namespace Glint
     public sealed class CrossSectionTracer : IDisposable
     {
         const int TileCells = 64;          // the pacer counts tiles
-        const int ListCapacity = 1 << 20, TubeCapacity = 1 << 20;
-        const int MaxLevelLimit = 10, BisectLimit = 14;
+        const int ListCapacity = 1 << 20;
+
+        // A border is found to 2^-level of a base cell: at first, and at most.
+        const int FirstBisectLevel = 4, MaxBisectLevel = 14;
+
+        // Standard errors that the tolerance must hold: 95 % of complex amplitudes are within.
+        const double Confidence = 1.75;
+
+        // Maximum relative error of a cell that is not divided, times 2^level.
+        const double CellError = 0.2;
 
         readonly string _owner;
         readonly TubeKernels _kernels;
@@ -40,84 +48,132 @@ namespace Glint
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
         }
 
-        /// <summary>Bisections of a base cell's side towards a border; for tests.</summary>
-        internal int BisectLevel { get; set; } = 6;
+        /// <summary>
+        /// Bisections of a base cell's side towards a border, for tests; 0: as many as the tolerance takes.
+        /// </summary>
+        internal int BisectLevel { get; set; }
 
-        /// <summary>Traces one pose.</summary>
+        /// <summary>Traces one pose to its tolerance.</summary>
+        /// <param name="progress">Receives the fraction done, 0 to 1, of each attempt.</param>
         /// <param name="cancel">Cancels while BVHs are built, or after the current slice.</param>
+        /// <exception cref="GlintException">The memory does not suffice for the scene.</exception>
+        /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
         public CrossSectionResult Trace(CrossSectionPose pose, IProgress<double> progress = null,
             CancellationToken cancel = default)
         {
             _scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
-            var result = new CrossSectionResult(pose.Receivers.Length, pose.Frequencies.Length);
             if (_scene.IsEmpty)
-                return result;
+                return new CrossSectionResult(pose.Receivers.Length, pose.Frequencies.Length) { IsMet = true };
+            if (_scene.Pages.Count > 1)
+                throw new GlintException($"{_owner}: the BVHs of {pose.Scene.TriangleCount} triangles take "
+                    + $"{_scene.Pages.Count} buffers of {UnityEngine.SystemInfo.graphicsDeviceName}, and a cross section "
+                    + "takes one: trace fewer triangles");
             _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.Frequencies.Last());
-            double side = TubeGrid.SideFor(pose, _scene.Min, _scene.Max);
-            var grid = new TubeGrid(pose, side, _scene.Min, _scene.Max);
+            var grid = new TubeGrid(pose, TubeGrid.SideFor(pose, _scene.Min, _scene.Max), _scene.Min, _scene.Max);
+            Bind(pose, grid);
+            if (pose.HasEdges)
+                _edges.Set(pose.Scene, _surfaces.Patches, _scene.Centre, TubeGrid.EdgePieceFor(pose));
+            double floor = pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max);
+            long rays = 0;
+            for (int level = BisectLevel > 0 ? BisectLevel : FirstBisectLevel;;)
+            {
+                var result = TraceTo(level, pose, grid, progress, cancel);
+                result.Rays = rays += result.Rays;
+                result.FloorDbsm = floor;
+                result.WedgesLeftOut = pose.HasEdges ? _edges.LeftOutCount : 0;
+                double excess = Excess(result, pose.ToleranceDb, floor);
+                result.IsMet = excess <= 1;
+                if (result.IsMet || BisectLevel > 0 || level == MaxBisectLevel)
+                    return result;
+                level = Math.Min(MaxBisectLevel, level + Math.Max(1, (int)Math.Ceiling(Math.Log(excess, 2))));
+            }
+        }
+
+        // Largest ratio of an error to the one allowed.
+        static double Excess(CrossSectionResult result, double toleranceDb, double floorDbsm)
+        {
+            double relative = Math.Pow(10, toleranceDb / 20) - 1, floor = Math.Pow(10, floorDbsm / 20), excess = 0;
+            for (int receiver = 0; receiver < result.S.GetLength(0); receiver++)
+                for (int frequency = 0; frequency < result.S.GetLength(1); frequency++)
+                {
+                    var s = result.S[receiver, frequency];
+                    double weaker = Math.Max(floor, Math.Min(s.VV.Magnitude, s.HH.Magnitude));
+                    excess = Math.Max(excess, Confidence * result.Errors[receiver, frequency] / (relative * weaker));
+                }
+            return excess;
+        }
+
+        void Bind(CrossSectionPose pose, TubeGrid grid)
+        {
             _kernels.SetScene(_scene, _surfaces);
             _kernels.SetPose(pose, grid);
-            var sums = new TubeSums(pose, grid);
-            double cellError = 0.2 * Math.Pow(2, -BisectLevel);
-            int maxLevel = (int)Math.Ceiling(-0.5 * Math.Log(cellError, 2));
-            _kernels.SetAccuracy(sums.WaveNumber, cellError, maxLevel, BisectLevel, sums.UnitsPerMetre,
-                sums.UnitsPerSquareMetre);
-            int words = TubeKernels.FirstSum + TubeKernels.SumWords * pose.Receivers.Length * pose.Frequencies.Length;
-            _output.Reserve(words);
-            _tubes.Reserve(TubeCapacity);
+            _output.Reserve(OutputSize(pose));
+            _tubes.Reserve(ListCapacity);
             _cells.Reserve(ListCapacity);
             _borders.Reserve(ListCapacity);
-            _waveNumbers.Upload(pose.Frequencies.Select(frequency => WaveNumber(frequency)).ToArray());
+            _waveNumbers.Upload(pose.Frequencies.Select(WaveNumber).ToArray());
             _kernels.SetLists(_output, _tubes, _cells, _borders, _waveNumbers);
             _marks.Reserve(2 * grid.Count);
             _kernels.Mark(grid, _surfaces, _marks);
-            long maxCount = long.MaxValue;
+        }
+
+        static int OutputSize(CrossSectionPose pose) =>
+            TubeKernels.FirstSum + TubeKernels.SumWords * pose.Receivers.Length * pose.Frequencies.Length;
+
+        // Traces all cells, with borders to a level, slice by slice.
+        CrossSectionResult TraceTo(int level, CrossSectionPose pose, TubeGrid grid, IProgress<double> progress,
+            CancellationToken cancel)
+        {
+            var sums = new TubeSums(pose, grid);
+            double cellError = CellError * Math.Pow(2, -level);
+            int maxLevel = (int)Math.Ceiling(-0.5 * Math.Log(cellError, 2));
+            _kernels.SetAccuracy(sums.WaveNumber, cellError, maxLevel, level, sums.UnitsPerMetre,
+                sums.UnitsPerSquareMetre);
+            var read = new uint[OutputSize(pose)];
+            long max = long.MaxValue;
             for (long first = 0; first < grid.Count;)
             {
                 cancel.ThrowIfCancellationRequested();
-                long left = Math.Min(grid.Count - first, maxCount);
+                long left = Math.Min(grid.Count - first, max);
                 int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (left + TileCells - 1) / TileCells),
                     pose.MaxBounces);
                 int count = (int)Math.Min(left, (long)tiles * TileCells);
-                var watch = System.Diagnostics.Stopwatch.StartNew();
-                _kernels.Clear(words);
-                _kernels.Trace(grid, first, count, maxLevel + 1, BisectLevel);
-                var read = new uint[words];
-                _output.ReadBack(read, words);
-                if (read[3] != 0)
+                var watch = Stopwatch.StartNew();
+                _kernels.Clear(read.Length);
+                _kernels.Trace(grid, first, count, maxLevel + 1, level);
+                _output.ReadBack(read, read.Length);
+                _pacer.Took(tiles, watch.Elapsed.TotalSeconds);
+                if (TubeSums.HasOverflown(read))
                 {
-                    if (count <= TileCells)
-                        throw new GlintException($"{_owner}: a list of tubes is full with {count} cells");
-                    maxCount = count / 2;
+                    // A list was full: the slice is traced again in two.
+                    max = Math.Max(1, count / 2);
+                    if (count == 1)
+                        throw new GlintException($"{_owner}: one cell of the grid has too many parts at this tolerance: "
+                            + "ask for a larger one");
                     continue;
                 }
-                _pacer.Took(tiles, watch.Elapsed.TotalSeconds);
-                sums.Add(read);
+                sums.Add(read, _owner);
                 first += count;
                 progress?.Report((double)first / grid.Count);
             }
             if (pose.HasEdges && pose.OnlyBounce == 0)
-                AddEdges(pose, words, sums, result, cancel);
-            sums.Fill(result);
-            return result;
+                AddEdges(pose, sums, read, cancel);
+            return sums.ToResult();
         }
 
-        void AddEdges(CrossSectionPose pose, int words, TubeSums sums, CrossSectionResult result,
-            CancellationToken cancel)
+        // Adds the fringe fields of edges, as many pieces at a time as the list of tubes holds.
+        void AddEdges(CrossSectionPose pose, TubeSums sums, uint[] read, CancellationToken cancel)
         {
-            _edges.Set(pose.Scene, _surfaces.Patches, _scene.Centre, TubeGrid.EdgePieceFor(pose));
-            result.WedgesLeftOut = _edges.LeftOutCount;
             // Shadow rays start beyond what lies on an edge.
             double offset = WedgeFinder.RelativeTolerance * math.distance(_scene.Min, _scene.Max);
-            int max = TubeCapacity / pose.Receivers.Length;
-            var read = new uint[words];
+            int max = ListCapacity / pose.Receivers.Length;
             for (int first = 0; first < _edges.Count; first += max)
             {
                 cancel.ThrowIfCancellationRequested();
-                _kernels.Clear(words);
+                _kernels.Clear(read.Length);
                 _kernels.TraceEdges(_edges, first, Math.Min(max, _edges.Count - first), offset);
-                _output.ReadBack(read, words);
-                sums.Add(read);
+                _output.ReadBack(read, read.Length);
+                sums.Add(read, _owner);
             }
         }
 
@@ -140,63 +196,6 @@ namespace Glint
         {
             double turns = 1 / Signal.Wavelength(frequency);
             return new float4((float)(2 * Math.PI * turns), (float)turns, DoubleFloat.Lo(turns), 0);
-        }
-    }
-
-    // The sums of a pose over its slices.
-    sealed class TubeSums
-    {
-        readonly CrossSectionPose _pose;
-        readonly TubeGrid _grid;
-        readonly long[] _sums;
-        long _tubes, _rays;
-
-        public TubeSums(CrossSectionPose pose, TubeGrid grid)
-        {
-            (_pose, _grid) = (pose, grid);
-            double wavelength = Signal.Wavelength(pose.Frequencies.Last());
-            WaveNumber = 2 * Math.PI / wavelength;
-            double tube = 2 * Math.Sqrt(Math.PI) * wavelength;
-            UnitsPerMetre = Math.Pow(2, 24) / tube;
-            UnitsPerSquareMetre = Math.Pow(2, 50) / (tube * tube);
-            _sums = new long[pose.Receivers.Length * pose.Frequencies.Length * 11];
-        }
-
-        public double WaveNumber { get; }
-        public double UnitsPerMetre { get; }
-        public double UnitsPerSquareMetre { get; }
-
-        public void Add(uint[] words)
-        {
-            _tubes += words[0];
-            _rays += words[4] + ((long)words[5] << 32);
-            for (int i = 0; i < _sums.Length; i++)
-            {
-                int at = TubeKernels.FirstSum + i / 11 * TubeKernels.SumWords + 2 * (i % 11);
-                _sums[i] += (long)((ulong)words[at + 1] << 32 | words[at]);
-            }
-        }
-
-        public void Fill(CrossSectionResult result)
-        {
-            result.Tubes = _tubes;
-            result.Rays = _rays;
-            int at = 0;
-            for (int receiver = 0; receiver < _pose.Receivers.Length; receiver++)
-                for (int frequency = 0; frequency < _pose.Frequencies.Length; frequency++, at += 11)
-                {
-                    double k = 2 * Math.PI / Signal.Wavelength(_pose.Frequencies[frequency]);
-                    double phase = k * _grid.PhaseOf(_pose, _pose.Receivers[receiver]);
-                    var turn = Complex.FromPolarCoordinates(1, phase);
-                    Complex Amplitude(int place) =>
-                        new Complex(_sums[at + place], _sums[at + place + 1]) / UnitsPerMetre;
-                    result.S[receiver, frequency] = turn * new ScatteringMatrix
-                    {
-                        VV = Amplitude(0), HV = Amplitude(2), VH = Amplitude(4), HH = Amplitude(6)
-                    };
-                    double bent = Amplitude(8).Magnitude, border = _sums[at + 10] / UnitsPerSquareMetre;
-                    result.Errors[receiver, frequency] = Math.Sqrt(border + bent * bent);
-                }
         }
     }
 }

@@ -21,10 +21,10 @@ namespace Glint
         const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
 
         readonly ComputeShader _shader;
-        readonly int _clear, _clearMarks, _mark, _prepareBorders, _prepareCells, _sums;
+        readonly int _clear, _clearMarks, _mark, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _fringes,
+            _sums;
         readonly GraphicsBuffer _arguments = new GraphicsBuffer(
             GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
-        int _cells, _bisect, _borders, _fringes;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
@@ -33,28 +33,25 @@ namespace Glint
             _clear = shader.FindKernel("ClearTubes");
             _clearMarks = shader.FindKernel("ClearMarks");
             _mark = shader.FindKernel("MarkVertices");
+            _cells = shader.FindKernel("TubeCells");
+            _bisect = shader.FindKernel("TubeBisect");
+            _borders = shader.FindKernel("TubeBorders");
             _prepareBorders = shader.FindKernel("PrepareBorders");
             _prepareCells = shader.FindKernel("PrepareCells");
+            _fringes = shader.FindKernel("TubeFringes");
             _sums = shader.FindKernel("TubeSums");
         }
 
         /// <summary>Sets the scene.</summary>
         public void SetScene(DeviceScene scene, SurfaceBuffers surfaces)
         {
-            string suffix = scene.Pages.Count > 1 ? "Paged" : "";
-            _cells = _shader.FindKernel("TubeCells" + suffix);
-            _bisect = _shader.FindKernel("TubeBisect" + suffix);
-            _borders = _shader.FindKernel("TubeBorders" + suffix);
-            _fringes = _shader.FindKernel("TubeFringes" + suffix);
             _shader.SetInt(ShaderIDs._InstanceBvhRoot, (int)scene.InstanceBvhRoot);
             foreach (int kernel in new[] { _cells, _bisect, _borders, _fringes })
             {
                 _shader.SetBuffer(kernel, ShaderIDs._InstanceBvh, scene.InstanceBvhRows.Buffer);
                 _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
                 _shader.SetBuffer(kernel, ShaderIDs._Ranges, scene.Ranges.Buffer);
-                for (int page = 0; page < DeviceBvhs.MaxPages; page++)
-                    _shader.SetBuffer(kernel, ShaderIDs._Bvh[page],
-                        scene.Pages[page < scene.Pages.Count ? page : 0].Rows.Buffer);
+                _shader.SetBuffer(kernel, ShaderIDs._Bvh[0], scene.Pages[0].Rows.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._NormalFields, surfaces.NormalFields.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._InstanceFacets, surfaces.InstanceFacets.Buffer);
@@ -156,10 +153,10 @@ namespace Glint
         }
 
         /// <summary>Clears counts and sums.</summary>
-        public void Clear(int words)
+        public void Clear(int count)
         {
-            _shader.SetInt(TubeIDs._ClearedWords, words);
-            _shader.DispatchThreads(_clear, words);
+            _shader.SetInt(TubeIDs._ClearedWords, count);
+            _shader.DispatchThreads(_clear, count);
         }
 
         /// <summary>Traces base cells, in rounds the parts of those that are divided, and sums the tubes.</summary>

@@ -1,0 +1,88 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using Glint.Core;
+
+namespace Glint
+{
+    /// <summary>The sums of a pose over its slices, as the kernels leave them: Shaders/TubeBindings.hlsl.</summary>
+    sealed class TubeSums
+    {
+        // Words of the output.
+        const int Count = 0, Overflow = 3, Rays = 4;
+
+        // Sums of a receiver and frequency, two words each, and the word after them.
+        const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
+
+        readonly CrossSectionPose _pose;
+        readonly TubeGrid _grid;
+        readonly long[] _sums;
+        long _tubes, _rays;
+
+        public TubeSums(CrossSectionPose pose, TubeGrid grid)
+        {
+            (_pose, _grid) = (pose, grid);
+            double wavelength = Signal.Wavelength(pose.Frequencies.Last());
+            WaveNumber = 2 * Math.PI / wavelength;
+            double tube = 2 * Math.Sqrt(Math.PI) * wavelength;
+            UnitsPerMetre = Math.Pow(2, 24) / tube;
+            UnitsPerSquareMetre = Math.Pow(2, 50) / (tube * tube);
+            _sums = new long[pose.Receivers.Length * pose.Frequencies.Length * SumCount];
+        }
+
+        /// <summary>Of the highest frequency, radians per metre.</summary>
+        public double WaveNumber { get; }
+
+        /// <summary>Units of S: 2^-24 of a tube of a square wavelength.</summary>
+        public double UnitsPerMetre { get; }
+
+        /// <summary>Units of squared errors.</summary>
+        public double UnitsPerSquareMetre { get; }
+
+        /// <summary>Whether a list was full: the sums are not complete.</summary>
+        public static bool HasOverflown(uint[] output) => output[Overflow] != 0;
+
+        /// <summary>Adds a slice.</summary>
+        /// <exception cref="GlintException">A contribution is too large for a sum.</exception>
+        public void Add(uint[] output, string owner)
+        {
+            _tubes += output[Count];
+            _rays += output[Rays] + ((long)output[Rays + 1] << 32);
+            for (int i = 0; i < _sums.Length; i++)
+            {
+                int first = TubeKernels.FirstSum + i / SumCount * TubeKernels.SumWords;
+                if (output[first + TooLarge] != 0)
+                    throw new GlintException($"{owner}: a contribution to the cross section is not finite or too large: "
+                        + "the mesh may have coordinates that float32 does not resolve");
+                int at = first + 2 * (i % SumCount);
+                _sums[i] += (long)((ulong)output[at + 1] << 32 | output[at]);
+            }
+        }
+
+        /// <summary>The scattering matrices and their errors.</summary>
+        public CrossSectionResult ToResult()
+        {
+            var result = new CrossSectionResult(_pose.Receivers.Length, _pose.Frequencies.Length)
+            {
+                Tubes = _tubes, Rays = _rays
+            };
+            int first = 0;
+            for (int receiver = 0; receiver < _pose.Receivers.Length; receiver++)
+                for (int frequency = 0; frequency < _pose.Frequencies.Length; frequency++, first += SumCount)
+                {
+                    Complex Amplitude(int sum) =>
+                        new Complex(_sums[first + sum], _sums[first + sum + 1]) / UnitsPerMetre;
+                    double k = 2 * Math.PI / Signal.Wavelength(_pose.Frequencies[frequency]);
+                    var phase = Complex.FromPolarCoordinates(1, k * _grid.PhaseOf(_pose, _pose.Receivers[receiver]));
+                    result.S[receiver, frequency] = phase * new ScatteringMatrix
+                    {
+                        VV = Amplitude(0), HV = Amplitude(2), VH = Amplitude(4), HH = Amplitude(6)
+                    };
+                    double bent = Amplitude(Bent).Magnitude;
+                    result.Errors[receiver, frequency] =
+                        Math.Sqrt(_sums[first + Border] / UnitsPerSquareMetre + bent * bent);
+                }
+            return result;
+        }
+    }
+}

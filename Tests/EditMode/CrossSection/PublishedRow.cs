@@ -1,0 +1,75 @@
+using System.Globalization;
+using System.Linq;
+using System.Numerics;
+using Glint.Core;
+using Glint.Reference;
+using static Unity.Mathematics.math;
+
+namespace Glint.Tests
+{
+    /// <summary>
+    /// A published value of a cross section: target, frequency in Hz, theta and phi to the radar, theta and phi to the
+    /// receiver in degrees, range in metres (0: far), bounces (only-N: the N-th alone), material, edges, polarisation,
+    /// dBsm, tolerance in dB. Theta is from the vertical and phi from x towards y of right-handed axes with z up.
+    /// </summary>
+    sealed class PublishedRow
+    {
+        readonly string[] _fields;
+
+        public PublishedRow(string text) => _fields = text.Split(' ');
+
+        public string Polarisation => _fields[10];
+
+        public double Dbsm => Number(11);
+
+        public double ToleranceDb => Number(12);
+
+        public CrossSectionPose Pose()
+        {
+            bool isOnly = _fields[7].StartsWith("only-", System.StringComparison.Ordinal);
+            int bounces = int.Parse(_fields[7].Substring(isOnly ? 5 : 0), CultureInfo.InvariantCulture);
+            return new CrossSectionPose
+            {
+                Scene = new RadarScene(CrossSectionTargets.Named(_fields[0])) { Surfaces = new[] { Material() } },
+                Radar = Aspect(Number(2), Number(3)), Receivers = new[] { Aspect(Number(4), Number(5)) },
+                Frequencies = new[] { Number(1) }, Range = Number(6) > 0 ? Number(6) : double.PositiveInfinity,
+                MaxBounces = bounces, OnlyBounce = isOnly ? bounces : 0, HasEdges = _fields[9] == "1"
+            };
+        }
+
+        /// <summary>
+        /// The aspect of a direction in degrees. Axes with z up become Unity's, (x, y, z) to (x, z, y); up is against
+        /// the unit vector of theta, right along that of phi.
+        /// </summary>
+        public static RadarAspect Aspect(double thetaDegrees, double phiDegrees)
+        {
+            double theta = radians(thetaDegrees), phi = radians(phiDegrees);
+            double sinT = sin(theta), cosT = cos(theta), sinP = sin(phi), cosP = cos(phi);
+            return new RadarAspect(double3(sinT * cosP, cosT, sinT * sinP),
+                double3(-cosT * cosP, sinT, -cosT * sinP), double3(-sinP, 0, cosP));
+        }
+
+        public static Complex Of(in ScatteringMatrix s, string polarisation) => polarisation switch
+        {
+            "VV" => s.VV,
+            "HV" => s.HV,
+            "VH" => s.VH,
+            _ => s.HH
+        };
+
+        // metal: a layer of e' - j e'', mu' - j mu'' and a thickness in metres on metal; open: a half-space.
+        SurfaceMaterial Material()
+        {
+            if (_fields[8] == "-")
+                return SurfaceMaterial.PerfectConductor;
+            var parts = _fields[8].Split(',');
+            var values = parts.Skip(1).Select(part => double.Parse(part, CultureInfo.InvariantCulture)).ToArray();
+            var medium = Medium.Constant(values[0], values[1], values[2], values[3]);
+            return parts[0] == "metal"
+                ? new SurfaceMaterial("layer", new[] { new MaterialLayer(medium, values[4]) })
+                : new SurfaceMaterial("half-space", halfSpace: medium);
+        }
+
+        double Number(int field) => double.Parse(_fields[field], CultureInfo.InvariantCulture);
+    }
+}
