@@ -101,25 +101,27 @@ namespace Glint.Tests
         }
 
         // A prism with a random triangle as its section has edges of three outer angles along it, and of 1.5 pi at its
-        // ends; a random triangle has edges of 2 pi.
-        [TestCase(false)]
-        [TestCase(true)]
-        public void EdgesOfRandomBodies_RadiateAsTheReferenceDoes(bool isThin)
+        // ends; a random triangle has edges of 2 pi. At a finite range the reference has polarisations that are not of
+        // unit length away from the phase centre.
+        [TestCase(false, double.PositiveInfinity, 1e-4)]
+        [TestCase(true, double.PositiveInfinity, 1e-4)]
+        [TestCase(false, 10, 3e-4)]
+        [TestCase(true, 10, 3e-4)]
+        public void EdgesOfRandomBodies_RadiateAsTheReferenceDoes(bool isThin, double range, double tolerance)
         {
             var random = new System.Random(isThin ? 1 : 2);
             double worst = 0;
-            for (int i = 0; i < 40; i++)
+            for (int i = 0; i < 30; i++)
             {
-                var scene = new RadarScene(isThin ? RandomTriangle(random) : RandomPrism(random));
-                var pose = Pose(scene, RandomAspect(random));
+                var pose = Pose(new RadarScene(isThin ? RandomTriangle(random) : RandomPrism(random)),
+                    RandomAspect(random));
+                pose.Range = range;
+                pose.PhaseCentre = new double3(0.01, 0.02, -0.03);
                 if (i % 2 == 0)
                     pose.Receivers = new[] { RandomAspect(random), RandomAspect(random), pose.Radar };
-                if (i % 3 == 2)
-                    pose.Range = 3;
-                pose.PhaseCentre = new double3(0.01, 0.02, -0.03);
                 worst = max(worst, RelativeError(Fringes(pose), ReferenceFringes(pose)));
             }
-            Assert.That(worst, Is.LessThan(1e-3));
+            Assert.That(worst, Is.LessThan(tolerance));
         }
 
         // The field of a wedge and that of physical optics grow without bound towards the specular direction of a face,
@@ -131,7 +133,7 @@ namespace Glint.Tests
             var pose = Pose(new RadarScene(CrossSectionTargets.Box(0.1, 0.08, 0.05)), PublishedRow.Aspect(83, 40));
             pose.Receivers = new[] { 0, 1e-6, -1e-4, 1e-3, 0.02, -0.5 }
                 .Select(degrees => PublishedRow.Aspect(theta, phi + degrees)).ToArray();
-            Assert.That(RelativeError(Fringes(pose), ReferenceFringes(pose)), Is.LessThan(1e-3));
+            Assert.That(RelativeError(Fringes(pose), ReferenceFringes(pose)), Is.LessThan(1e-4));
         }
 
         [Test]
@@ -180,7 +182,7 @@ namespace Glint.Tests
             var moved = Fringes(pose)[0, 0];
             double k = 2 * PI_DBL * TenGigahertz / Signal.SpeedOfLight;
             var phase = Complex.FromPolarCoordinates(1, k * dot(by, pose.Radar.ToRadar + pose.Receivers[0].ToRadar));
-            Assert.That(Difference(moved, phase * still), Is.LessThan(1e-3 * Largest(still)));
+            Assert.That(Difference(moved, phase * still), Is.LessThan(1e-4 * Largest(still)));
         }
 
         [Test]
@@ -196,7 +198,7 @@ namespace Glint.Tests
                 new RadarAspect(turn.Vector(aspect.ToRadar), turn.Vector(aspect.Up), turn.Vector(aspect.Right));
             pose.Scene = new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = turn });
             (pose.Radar, pose.Receivers) = (Turned(pose.Radar), new[] { Turned(pose.Receivers[0]) });
-            Assert.That(Difference(Fringes(pose)[0, 0], still), Is.LessThan(1e-3 * Largest(still)));
+            Assert.That(Difference(Fringes(pose)[0, 0], still), Is.LessThan(1e-4 * Largest(still)));
         }
 
         [Test]
