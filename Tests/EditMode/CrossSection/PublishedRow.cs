@@ -18,6 +18,8 @@ namespace Glint.Tests
 
         public PublishedRow(string text) => _fields = text.Split(' ');
 
+        public override string ToString() => string.Join(" ", _fields);
+
         public string Polarisation => _fields[10];
 
         public double Dbsm => Number(11);

@@ -53,6 +53,9 @@ namespace Glint
         /// </summary>
         internal int BisectLevel { get; set; }
 
+        /// <summary>Cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
+        internal int CellsADispatch { get; set; }
+
         /// <summary>Traces one pose to its tolerance.</summary>
         /// <param name="progress">Receives the fraction done, 0 to 1, of each attempt.</param>
         /// <param name="cancel">Cancels while BVHs are built, or after the current slice.</param>
@@ -137,7 +140,7 @@ namespace Glint
                 long left = Math.Min(grid.Count - first, max);
                 int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (left + TileCells - 1) / TileCells),
                     pose.MaxBounces);
-                int count = (int)Math.Min(left, (long)tiles * TileCells);
+                int count = (int)Math.Min(left, CellsADispatch > 0 ? CellsADispatch : (long)tiles * TileCells);
                 var watch = Stopwatch.StartNew();
                 _kernels.Clear(read.Length);
                 _kernels.Trace(grid, first, count, maxLevel + 1, level);

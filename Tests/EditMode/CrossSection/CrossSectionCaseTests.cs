@@ -1,0 +1,84 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using UnityEditor;
+using UnityEngine;
+
+namespace Glint.Tests
+{
+    /// <summary>
+    /// The kernels' cross sections against a table of closed forms, Mie's series and converged integrals of an
+    /// independent program: CrossSectionCases.txt, with the columns of <see cref="PublishedRow"/> after the case.
+    /// </summary>
+    [Category("Slow")]
+    public sealed class CrossSectionCaseTests
+    {
+        const string Folder = "Packages/com.glint.tests/EditMode/CrossSection/";
+
+        // Small beside the tolerances of the table, of which the lowest is 0.03.
+        const double ToleranceDb = 0.02;
+
+        // Stands for no echo at all.
+        const double NothingDbsm = -120;
+
+        static readonly Lazy<string[]> s_lines = new Lazy<string[]>(() =>
+            AssetDatabase.LoadAssetAtPath<TextAsset>(Folder + "CrossSectionCases.txt").text
+                .Split(new[] { '\n', '\r' }, StringSplitOptions.RemoveEmptyEntries).Skip(1).ToArray());
+
+        CrossSectionTracer _tracer;
+        string _mesh;
+
+        // Known before assets can be loaded.
+        static readonly string[] Cases =
+        {
+            "plate_po", "plate_po_oblique", "plate_bistatic", "plate_forward", "plate_near", "dihedral_plane",
+            "dihedral_turned_0", "dihedral_turned_22p5", "dihedral_turned_45", "trihedral_triple",
+            "trihedral_triple_cut", "sphere_mie", "sphere_bistatic", "cylinder_broadside", "cylinder_tilted",
+            "top_hat_double", "two_plates", "hidden_plate", "plate_pec_layer", "plate_magnetic_layer",
+            "plate_half_space", "plate_sea_water", "trihedral_all", "dihedral_100deg", "dihedral_oblique",
+            "dihedral_bistatic", "two_plates_bistatic", "plate_edges"
+        };
+
+        [OneTimeSetUp]
+        public void MakeTracer() => _tracer = new CrossSectionTracer(TestKernels.Tubes);
+
+        [OneTimeTearDown]
+        public void DisposeTracer() => _tracer.Dispose();
+
+        [TestCaseSource(nameof(Cases)), Timeout(300000)]
+        public void Trace_PublishedCase_IsWithinItsTolerance(string name)
+        {
+            var wrong = new List<string>();
+            RadarScene scene = null;
+            foreach (var rows in s_lines.Value.Where(line => line.StartsWith(name + " ", StringComparison.Ordinal))
+                .Select(line => line.Substring(name.Length + 1)).GroupBy(PoseOf))
+            {
+                var pose = new PublishedRow(rows.First()).Pose();
+                if (scene == null || !pose.Scene.Surfaces.SequenceEqual(scene.Surfaces) || MeshOf(rows.First()) != _mesh)
+                    (scene, _mesh) = (pose.Scene, MeshOf(rows.First()));
+                pose.Scene = scene;
+                pose.ToleranceDb = ToleranceDb;
+                var result = _tracer.Trace(pose);
+                foreach (var row in rows.Select(line => new PublishedRow(line)))
+                {
+                    var s = PublishedRow.Of(result.S[0, 0], row.Polarisation);
+                    double dbsm = Math.Max(NothingDbsm, ScatteringMatrix.Dbsm(s));
+                    if (!(Math.Abs(dbsm - row.Dbsm) <= row.ToleranceDb))
+                        wrong.Add($"{row}: {dbsm:f3}, error said {result.Errors[0, 0]:g3} m");
+                }
+            }
+            Assert.That(wrong, Is.Empty);
+        }
+
+        [Test, Timeout(60000)]
+        public void Cases_AreThoseOfTheTable() =>
+            Assert.That(s_lines.Value.Select(line => line.Split(' ')[0]).Distinct(), Is.EqualTo(Cases));
+
+        static string MeshOf(string line) => line.Split(' ')[0];
+
+        // All but polarisation, value and tolerance.
+        static string PoseOf(string line) => string.Join(" ", line.Split(' ').Take(10));
+    }
+}

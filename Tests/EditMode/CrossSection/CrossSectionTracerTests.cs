@@ -1,0 +1,151 @@
+using System;
+using System.Linq;
+using System.Numerics;
+using Glint.Core;
+using Glint.Reference;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Glint.Tests
+{
+    /// <summary>Symmetries, closed forms and promises of the kernels' cross sections.</summary>
+    public sealed class CrossSectionTracerTests
+    {
+        const double TenGigahertz = 1e10;
+
+        CrossSectionTracer _tracer;
+
+        [OneTimeSetUp]
+        public void MakeTracer() => _tracer = new CrossSectionTracer(TestKernels.Tubes);
+
+        [OneTimeTearDown]
+        public void DisposeTracer() => _tracer.Dispose();
+
+        [Test, Timeout(60000)]
+        public void Trace_CellsOfADispatch_ChangeNoBit()
+        {
+            var pose = PoseOf(CrossSectionTargets.Trihedral(0.2, CrossSectionTargets.TrihedralFace.Square), 35, 30);
+            var expected = Trace(pose);
+            foreach (int cells in new[] { 1000, 177, 64 })
+            {
+                _tracer.CellsADispatch = cells;
+                var s = Trace(pose);
+                _tracer.CellsADispatch = 0;
+                Assert.That(new[] { s.VV, s.HV, s.VH, s.HH },
+                    Is.EqualTo(new[] { expected.VV, expected.HV, expected.VH, expected.HH }), $"{cells} cells");
+            }
+        }
+
+        [Test, Timeout(60000)]
+        public void Trace_MovedTarget_TurnsThePhaseOnly([Values(0.013, -1.7)] double along)
+        {
+            var mesh = CrossSectionTargets.Dihedral(0.3, 0.2);
+            var pose = PoseOf(mesh, 30, 10);
+            var still = Trace(pose);
+            double3 move = along * new double3(0.6, 0.48, -0.64);
+            var toWorld = Affine.Identity;
+            toWorld.Origin = move;
+            pose.Scene = new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = toWorld });
+            var moved = Trace(pose);
+            double k = 2 * Math.PI / Signal.Wavelength(TenGigahertz);
+            var turn = Complex.FromPolarCoordinates(1, 2 * k * math.dot(pose.Radar.ToRadar, move));
+            Assert.That((moved.VV - turn * still.VV).Magnitude, Is.LessThan(AllowedOf(pose, still.VV)));
+            Assert.That((moved.HH - turn * still.HH).Magnitude, Is.LessThan(AllowedOf(pose, still.HH)));
+        }
+
+        [Test, Timeout(60000)]
+        public void Trace_RadarAndTargetTurnedTogether_IsTheSame()
+        {
+            var mesh = CrossSectionTargets.TwoPlates(0.2, 0.2, 0.3);
+            var pose = PoseOf(mesh, 8, 5);
+            var expected = Trace(pose);
+            var turned = Affine.FromTransform(0, math.normalize(new double4(0.3, -0.7, 0.2, 0.5)), 1);
+            pose.Scene = new RadarScene(new MeshInstance { Mesh = mesh, ToWorld = turned });
+            pose.Radar = new RadarAspect(turned.Vector(pose.Radar.ToRadar), turned.Vector(pose.Radar.Up),
+                turned.Vector(pose.Radar.Right));
+            pose.Receivers = new[] { pose.Radar };
+            var s = Trace(pose);
+            Assert.That((s.VV - expected.VV).Magnitude, Is.LessThan(AllowedOf(pose, expected.VV)));
+            Assert.That((s.HH - expected.HH).Magnitude, Is.LessThan(AllowedOf(pose, expected.HH)));
+        }
+
+        [Test, Timeout(60000)]
+        public void Trace_ManyFrequencies_EqualSingleOnes()
+        {
+            var pose = PoseOf(CrossSectionTargets.Dihedral(0.3, 0.2), 25, 12);
+            pose.Frequencies = Enumerable.Range(0, 21).Select(i => TenGigahertz + 25e6 * i).ToArray();
+            var together = _tracer.Trace(pose);
+            for (int i = 0; i < together.S.GetLength(1); i += 5)
+            {
+                var single = PoseOf(CrossSectionTargets.Dihedral(0.3, 0.2), 25, 12);
+                single.Frequencies = new[] { pose.Frequencies[i] };
+                var s = Trace(single);
+                Assert.That((together.S[0, i].VV - s.VV).Magnitude, Is.LessThan(AllowedOf(pose, s.VV)));
+            }
+        }
+
+        [Test, Timeout(60000)]
+        public void Trace_SeveralReceivers_EqualSingleOnes()
+        {
+            var pose = PoseOf(CrossSectionTargets.Dihedral(0.3, 0.2), 30, 0);
+            pose.Receivers = new[] { -110.0, -120, -135, -150 }.Select(a => RadarAspect.At(a, 5)).ToArray();
+            var together = _tracer.Trace(pose);
+            for (int i = 0; i < pose.Receivers.Length; i++)
+            {
+                var single = PoseOf(CrossSectionTargets.Dihedral(0.3, 0.2), 30, 0);
+                single.Receivers = new[] { pose.Receivers[i] };
+                var s = Trace(single);
+                Assert.That((together.S[i, 0].HH - s.HH).Magnitude, Is.LessThan(AllowedOf(pose, s.HH)));
+            }
+        }
+
+        [Test, Timeout(60000)]
+        public void Trace_LowerTolerance_TakesMoreRaysAndSaysLess()
+        {
+            var pose = PoseOf(CrossSectionTargets.Trihedral(0.3, CrossSectionTargets.TrihedralFace.Square), 40, 30);
+            pose.ToleranceDb = 1;
+            var coarse = _tracer.Trace(pose);
+            pose.ToleranceDb = 0.01;
+            var fine = _tracer.Trace(pose);
+            Assert.That(coarse.IsMet && fine.IsMet);
+            Assert.That(fine.Rays, Is.GreaterThan(coarse.Rays));
+            Assert.That(fine.Errors[0, 0], Is.LessThan(coarse.Errors[0, 0]));
+            Assert.That((fine.S[0, 0].VV - coarse.S[0, 0].VV).Magnitude, Is.LessThan(3 * coarse.Errors[0, 0]));
+        }
+
+        [Test, Timeout(60000)]
+        public void Trace_ToleranceOutOfReach_IsSaid()
+        {
+            var pose = PoseOf(CrossSectionTargets.Plate(0.3, 0.2), 37, 21);
+            pose.ToleranceDb = 1e-7;
+            pose.FloorDbsm = -200;
+            Assert.That(_tracer.Trace(pose).IsMet, Is.False);
+        }
+
+        [Test, Timeout(60000)]
+        public void Trace_EmptyScene_ReturnsNothing()
+        {
+            var pose = PoseOf(new TriangleMesh(new float3[0], new int[0]), 0, 0);
+            Assert.That(_tracer.Trace(pose).S[0, 0].VV, Is.EqualTo(Complex.Zero));
+        }
+
+        static CrossSectionPose PoseOf(TriangleMesh mesh, double phi, double elevation)
+        {
+            var radar = PublishedRow.Aspect(90 - elevation, phi);
+            return new CrossSectionPose
+            {
+                Scene = new RadarScene(mesh), Radar = radar, Receivers = new[] { radar },
+                Frequencies = new[] { TenGigahertz }, ToleranceDb = 0.02, HasEdges = false
+            };
+        }
+
+        ScatteringMatrix Trace(CrossSectionPose pose) => _tracer.Trace(pose).S[0, 0];
+
+        // Twice what the tolerance allows: both amplitudes have errors.
+        static double AllowedOf(CrossSectionPose pose, Complex s)
+        {
+            double floor = Math.Pow(10, CrossSectionFloor.Of(-0.2, 0.2) / 20);
+            return 2 * (Math.Pow(10, pose.ToleranceDb / 20) - 1) * Math.Max(s.Magnitude, floor);
+        }
+    }
+}
