@@ -19,7 +19,7 @@ static const uint SUM_TUBE_OVERFLOW = 22;  // 1: a contribution was too large fo
 
 static const uint MAX_RECEIVERS = 16;
 static const uint RADAR = MAX_RECEIVERS;    // index of the radar behind the receivers
-static const uint EDGE_CORNERS = 0xff;      // in Tube.Tag: a piece of an edge, whose Gradient.x is a metre
+static const uint EDGE_CORNERS = 0xff;      // corners in Tube.Tag: a piece of an edge, Gradient.x a metre along it
 static const uint REFLECTION_STEPS = 1024; // of a table over the cosine of the incidence angle
 static const uint FLAT = 0xffffffff;       // a facet without a field of normals
 // Rays that one thread traces: a software device ends a thread's loops after 65,535 iterations in all.
@@ -38,7 +38,7 @@ struct Tube
 {
     float2 Gradient;      // of the phase along the grid, m a base cell
     float Phase;          // distance to the receiver less path length at the place of the ray, m
-    uint Tag;             // receiver | bounce << 8 | corners << 16; no corners: a square about the ray; see EDGE_CORNERS
+    uint Tag;             // receiver | bounce << 8 | corners << 16; no corners: a square about the ray
     float4 CoPolar;       // p.C times area a base cell, m2: VV, HH
     float4 CrossPolar;    // HV, VH
     float4 Corners01;     // of the polygon, from the place of the ray; of a square its side and bends, m
@@ -69,7 +69,8 @@ StructuredBuffer<float4> _Reflections;     // per surface REFLECTION_STEPS + 1 e
 
 // Input: the radar and the receivers. At a finite range places are relative to the scene's centre.
 float4 _SentV, _SentH;
-float4 _Receivers[MAX_RECEIVERS + 1];        // far: unit vector to the receiver; near: its place, w: its distance from 0
+// The receivers; far: unit vector to it; near: its place, w: its distance from 0. Behind them the radar.
+float4 _Receivers[MAX_RECEIVERS + 1];
 float4 _ReceiversV[MAX_RECEIVERS + 1];
 float4 _ReceiversH[MAX_RECEIVERS + 1];
 uint _ReceiverCount;

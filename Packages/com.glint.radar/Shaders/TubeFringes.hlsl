@@ -5,13 +5,13 @@
 #include "Sums.hlsl"
 #include "Trigonometry.hlsl"
 
-// Fringe fields of edges: what a wedge radiates beside its physical optics (Ufimtsev; Michaeli 1984). One thread a piece
-// of an edge.
+// Fringe fields of edges: what a wedge radiates beside its physical optics (Ufimtsev; Michaeli 1984). One thread a
+// piece of an edge and a receiver.
 
 // GLINT_EDGE_PIECE: a straight piece of an edge (Runtime/CrossSection/EdgePiece.cs).
 struct EdgePiece
 {
-    float3 Middle;         // relative to the scene's centre, m
+    float3 Centre;         // relative to the scene's centre, m
     float Length;          // m
     float3 Along;          // unit vector of the edge
     float OuterAngle;      // through the air from the first face to the second, rad
@@ -50,11 +50,11 @@ float AngleAround(EdgePiece piece, float3 direction)
 // the side of what they look for, but at least a right angle from both faces, so that none of these is in the way.
 float2 LitPart(EdgePiece piece, uint which, inout uint rays)
 {
-    float angle = AngleAround(piece, ReceiverFrom(which, piece.Middle).Direction);
+    float angle = AngleAround(piece, ReceiverFrom(which, piece.Centre).Direction);
     if (angle < GRAZING_ANGLE || angle > piece.OuterAngle - GRAZING_ANGLE)
         return 0.0;
     float2 beside = _EdgeOffset * PhasorOf(clamp(angle, 0.5 * PI, piece.OuterAngle - 0.5 * PI));
-    float3 start = piece.Middle + beside.x * piece.Into + beside.y * cross(piece.Along, piece.Into);
+    float3 start = piece.Centre + beside.x * piece.Into + beside.y * cross(piece.Along, piece.Into);
     // Other bodies may touch the ends.
     float reach = 0.5 * piece.Length - min(_EdgeOffset, 0.25 * piece.Length);
     float2 border = float2(-reach, reach), ends = 0.5 * piece.Length * float2(-1.0, 1.0), part = 0.0;
@@ -103,9 +103,9 @@ float HalfCotangent(float x)
     return 0.5 * wave.x / AwayFromZero(wave.y);
 }
 
-// A wedge's field is a sum of -cot(x / 2n) / 2n for x, the angle from a border of illumination or reflection (Keller). Physical
-// optics has -cot(x / 2) / 2 instead for each lit face. Both are -1/x at the border, where their difference is small: there
-// it is taken from the series of cot(x / 2) / 2 = 1/x - x/12 - x^3/720 - x^5/30240 - x^7/1209600.
+// A wedge's field is a sum of -cot(x / 2n) / 2n for x, the angle from a border of illumination or reflection (Keller).
+// Physical optics has -cot(x / 2) / 2 instead for each lit face. Both are -1/x at the border, where their difference is
+// small: there it is taken from the series of cot(x / 2) / 2 = 1/x - x/12 - x^3/720 - x^5/30240 - x^7/1209600.
 float FringeTerm(float x, float n, bool isLit)
 {
     float inverse = 1.0 / n;
@@ -138,7 +138,7 @@ float SquareSine(float3 direction, float3 along)
 // The lit part of a piece, as a tube of EDGE_CORNERS: the length takes the place of the side.
 Tube FringeOf(EdgePiece piece, float2 part, uint index)
 {
-    float3 middle = piece.Middle + 0.5 * (part.x + part.y) * piece.Along, t = piece.Along;
+    float3 middle = piece.Centre + 0.5 * (part.x + part.y) * piece.Along, t = piece.Along;
     Receiver radar = ReceiverFrom(RADAR, middle), receiver = ReceiverFrom(index, middle);
     float3 v = normalize(radar.V), h = normalize(radar.H - v * dot(v, radar.H));
     float2 coefficients = FringeCoefficients(piece.OuterAngle, AngleAround(piece, radar.Direction),
@@ -165,34 +165,29 @@ Tube FringeOf(EdgePiece piece, float2 part, uint index)
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint number = IndexOf(group, thread);
-    if (number >= _EdgeRange.y)
+    uint number = IndexOf(group, thread), index = number % _ReceiverCount;
+    if (number >= _EdgeRange.y * _ReceiverCount)
         return;
-    EdgePiece piece = _EdgePieces[_EdgeRange.x + number];
-    if (SquareSine(ReceiverFrom(RADAR, piece.Middle).Direction, piece.Along) < MIN_SQUARE_SINE)
+    EdgePiece piece = _EdgePieces[_EdgeRange.x + number / _ReceiverCount];
+    if (SquareSine(ReceiverFrom(RADAR, piece.Centre).Direction, piece.Along) < MIN_SQUARE_SINE)
         return;
-    float2 ends = 0.5 * piece.Length * float2(-1.0, 1.0), byRadar = ends;
-    uint rays = 0;
-    // The radar first, then the receivers.
+    float2 part = 0.5 * piece.Length * float2(-1.0, 1.0);
+    uint rays = 0, queries = _IsMonostatic != 0 ? 1 : 2;
+    // The radar, then the receiver.
     [loop]
-    for (uint query = 0; query <= _ReceiverCount && byRadar.x < byRadar.y; query++)
+    for (uint query = 0; query < queries && part.x < part.y; query++)
     {
-        float2 part = ends;
-        if (query == 0 || _IsMonostatic == 0)
-            part = LitPart(piece, query == 0 ? RADAR : query - 1, rays);
-        part = float2(max(part.x, byRadar.x), min(part.y, byRadar.y));
-        if (query == 0)
-            byRadar = part;
-        else if (part.x < part.y)
-        {
-            Tube fringe = FringeOf(piece, part, query - 1);
-            // Standard deviation of a border that is anywhere within its interval.
-            bool isWhole = part.y - part.x == piece.Length;
-            fringe.Error = isWhole ? 0.0 : 0.289 * piece.Length / (1u << EDGE_BISECTIONS) * MagnitudeOf(fringe);
-            AddTube(fringe);
-        }
+        float2 seen = LitPart(piece, query == 0 ? RADAR : index, rays);
+        part = float2(max(part.x, seen.x), min(part.y, seen.y));
     }
     AddUnsigned(TUBE_RAYS, rays);
+    if (part.x >= part.y)
+        return;
+    Tube fringe = FringeOf(piece, part, index);
+    // Standard deviation of a border that is anywhere within its interval.
+    bool isWhole = part.y - part.x == piece.Length;
+    fringe.Error = isWhole ? 0.0 : 0.289 * piece.Length / (1u << EDGE_BISECTIONS) * MagnitudeOf(fringe);
+    AddTube(fringe);
 }
 
 #endif

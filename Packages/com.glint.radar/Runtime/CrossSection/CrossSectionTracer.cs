@@ -167,14 +167,15 @@ namespace Glint
         // Adds the fringe fields of edges, as many pieces at a time as the list of tubes holds.
         void AddEdges(CrossSectionPose pose, TubeSums sums, uint[] read, CancellationToken cancel)
         {
-            // Shadow rays start beyond what lies on an edge.
+            // Shadow rays start clear of faces that meet at an edge up to that tolerance.
             double offset = WedgeFinder.RelativeTolerance * math.distance(_scene.Min, _scene.Max);
             int max = ListCapacity / pose.Receivers.Length;
             for (int first = 0; first < _edges.Count; first += max)
             {
                 cancel.ThrowIfCancellationRequested();
                 _kernels.Clear(read.Length);
-                _kernels.TraceEdges(_edges, first, Math.Min(max, _edges.Count - first), offset);
+                int count = Math.Min(max, _edges.Count - first);
+                _kernels.TraceEdges(_edges, first, count, pose.Receivers.Length, offset);
                 _output.ReadBack(read, read.Length);
                 sums.Add(read, _owner);
             }

@@ -55,7 +55,7 @@ namespace Glint
             for (int i = 0; i < count; i++)
                 yield return new EdgePiece
                 {
-                    Middle = (float3)(wedge.A + (i + 0.5) * step - centre), Length = (float)math.length(step),
+                    Centre = (float3)(wedge.A + (i + 0.5) * step - centre), Length = (float)math.length(step),
                     Along = (float3)wedge.Direction, OuterAngle = (float)wedge.OuterAngle,
                     Into = (float3)wedge.First.Into
                 };

@@ -7,7 +7,7 @@ namespace Glint
     [StructLayout(LayoutKind.Sequential)]
     struct EdgePiece
     {
-        public float3 Middle;
+        public float3 Centre;
         public float Length;
         public float3 Along;
         public float OuterAngle;

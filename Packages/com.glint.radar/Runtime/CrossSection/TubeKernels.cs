@@ -184,12 +184,12 @@ namespace Glint
 
         /// <summary>Sums the fringe fields of pieces of edges.</summary>
         /// <param name="offset">Of the starts of shadow rays from their edges, metres.</param>
-        public void TraceEdges(EdgeBuffers edges, int first, int count, double offset)
+        public void TraceEdges(EdgeBuffers edges, int first, int count, int receivers, double offset)
         {
             _shader.SetBuffer(_fringes, TubeIDs._EdgePieces, edges.Pieces.Buffer);
             _shader.SetInts(TubeIDs._EdgeRange, first, count, 0, 0);
             _shader.SetFloat(TubeIDs._EdgeOffset, (float)offset);
-            _shader.DispatchThreads(_fringes, count);
+            _shader.DispatchThreads(_fringes, (long)count * receivers);
             _shader.Dispatch(_prepareCells, 1, 1, 1);
             _shader.DispatchIndirect(_sums, _arguments, TubeArguments);
         }
