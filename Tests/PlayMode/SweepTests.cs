@@ -1,7 +1,9 @@
 using System.Collections;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.RegularExpressions;
+using Glint.Core;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -61,6 +63,40 @@ namespace Glint.Tests
             Assert.That(lines.Length, Is.EqualTo(4));
             Assert.That(lines.Skip(1).Select(line => line.Split(',')[0]), Is.EqualTo(new[] { "0", "20", "40" }));
             Assert.That(File.ReadAllText(Path.Combine(_folder, "results.json")), Does.Contain("Corner Reflector"));
+        }
+
+        /// <summary>Read-backs are done when frames run, one pose a frame while the next one is in flight.</summary>
+        [UnityTest]
+        public IEnumerator Play_PosesThatOverlap_HaveTheRowsOfPosesOneAtATime()
+        {
+            var radar = Object.FindFirstObjectByType<RadarController>();
+            var settings = radar.Settings;
+            (settings.RaysAcross, settings.RaysDown) = (160, 90); // a pose is one slice, whatever the machine does
+            radar.Settings = settings;
+            _sweep.Angles = "0,10,20,30,40";
+            var initial = _target.rotation;
+            _sweep.gameObject.SetActive(true);
+            int frames = 0, ahead = 0;
+            do
+            {
+                yield return null;
+                frames++;
+                var next = Quaternion.Euler(0, 10 * _sweep.PosesDone, 0) * initial;
+                if (_sweep.IsRunning && Quaternion.Angle(_target.rotation, next) < 0.1f)
+                    ahead++;
+            }
+            while (_sweep.IsRunning && frames < 20);
+
+            Assert.That((frames, _sweep.Problem), Is.EqualTo((5, (string)null)), "one pose a frame");
+            Assert.That(ahead, Is.EqualTo(4), "frames after which the scene shows the next pose");
+            var rows = File.ReadAllLines(Path.Combine(_folder, "results.csv")).Skip(1)
+                .Select(line => double.Parse(line.Split(',')[1], CultureInfo.InvariantCulture)).ToArray();
+            for (int i = 0; i < 5; i++)
+            {
+                _target.rotation = Quaternion.Euler(0, 10 * i, 0) * initial;
+                Assert.That(rows[i], Is.EqualTo(radar.Trace(RayReadback.None).Amplitude).Within(1e-9), $"row {i}");
+            }
+            Assert.That(rows.Distinct().Count(), Is.EqualTo(5), "the poses differ");
         }
 
         [UnityTest]

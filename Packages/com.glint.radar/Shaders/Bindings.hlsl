@@ -49,7 +49,7 @@ StructuredBuffer<uint> _Cells;              // first tile (8 x 8 rays) of each: 
 uint4 _CellSize;                            // x: tiles across a cell, y: down
 uint _FirstTile;
 uint _TileCount;                            // of this dispatch
-// entry points of each tile, four elements a tile: one per instance
+// entry points of each cell of this dispatch, four elements a cell: one per instance
 StructuredBuffer<uint4> _EntryPoints;
 uint _Culling;                              // CULL_ flags
 uint _Readback;                             // READBACK_ mode of _Rays
@@ -57,6 +57,7 @@ float _LengthUnits;                         // units of length sums per m: the m
 uint _HasSubRays;                           // 1: the rays of this dispatch are sub-rays
 StructuredBuffer<uint> _SubRayPixels;       // pixels with sub-rays
 uint4 _KnownCapacity;                       // candidates with known triangles; x: of rays, y: of sub-rays
+uint _MaxSpread;                            // maximum number of threads of a candidate to search
 uint _FirstSearched;                        // candidates searched in earlier dispatches
 uint _PathCount;                            // rays of _Candidates whose paths are recorded
 uint _ReceivedCapacity;                     // received rays that _Sums can hold

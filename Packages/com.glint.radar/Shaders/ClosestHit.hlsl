@@ -54,10 +54,7 @@ static const float BEFORE_EDGE = 1.0e-10;
 Hit LoadHit(TraversalState state, Ray ray)
 {
     InstanceRecord record = LoadInstance(state.Instance);
-    Pair pair = LoadPair(record.Page, record.FirstRow + state.Row);
-    Real3 normal = Cross(Difference(pair.Corner2, pair.Corner0),
-        Difference(state.Second ? pair.Corner3 : pair.Corner1, pair.Corner0));
-    Real3 sceneNormal = NormalFromLocal(record, Mul(normal, 1.0 / length(Rounded(normal))));
+    Real3 sceneNormal = NormalFromLocal(record, state.Normal);
     Hit hit = (Hit)0;
     hit.Normal = Mul(sceneNormal, 1.0 / length(Rounded(sceneNormal)));
     hit.Distance = state.RefinedDistance;

@@ -40,6 +40,7 @@ static const uint RECEIVED_RAYS = 5126;     // first word of the received rays, 
 // Maximum work of a slice (DispatchPlan).
 static const uint MAX_REFINED = 262144;     // candidates of a dispatch
 static const uint CANDIDATE_PADDING = 64;   // those to search, which take longer, begin a group of as many threads
+static const uint SPREAD_THREADS = 32768;   // of candidates to search if each has several
 static const uint MAX_CHOSEN = 16000;       // pixels that get sub-rays without another round trip
 
 // Indirect dispatches: byte offsets of their numbers of groups in _Arguments.
@@ -50,7 +51,7 @@ static const uint REFINE_SUB_RAY_ARGUMENTS = 24;
 // Work that may be skipped without changing a result (Culling).
 static const uint CULL_REACH = 1;           // traversal ends at the receiver
 static const uint CULL_LAST = 2;            // no traversal of a last segment that misses the receiver
-static const uint CULL_ENTRY_POINTS = 8;    // first segments start at the entry points of their tile
+static const uint CULL_ENTRY_POINTS = 8;    // first segments start at the entry points of their cell
 
 // Rays written to _Rays (RayReadback).
 static const uint READBACK_RECEIVED = 0;    // in the order of _Candidates, including those not received
@@ -71,6 +72,6 @@ static const uint MAX_BOUNCES = 16;
 static const uint MAX_INLINE_INSTANCES = 4;  // maximum number of instances without an instance BVH
 static const uint ROOT = 1;                  // row of the root of a binary BVH
 static const uint BINARY_LEVELS = 28;        // the stack holds one node per level
-static const uint MAX_ENTRY_POINTS = 4;      // maximum number of entry points of a tile in one BVH
+static const uint MAX_ENTRY_POINTS = 4;      // maximum number of entry points of a cell in one BVH
 
 #endif

@@ -3,15 +3,15 @@
 
 #include "Traversal.hlsl"
 
-// Entry points (after Reshetov et al. 2005). The rays of a tile visit the same upper nodes. A frustum around the tile
+// Entry points (after Reshetov et al. 2005). The rays of a cell visit the same upper nodes. A frustum around the cell
 // is traversed once, and its rays start at the nodes found: at most MAX_ENTRY_POINTS references to nodes or leaves,
 // nearest first, that together hold everything the frustum can hit.
 
-// Margin of a frustum around the rays of its tile, in rays: many times the rounding of directions.
+// Margin of a frustum around the rays of its cell, in rays: many times the rounding of directions.
 static const float FRUSTUM_MARGIN = 0.05;
 
 // The volume between four side planes and the plane of the origins, in the BVH's frame.
-struct TileFrustum
+struct CellFrustum
 {
     float3 Corner;        // origin of the lower left ray
     float3 Axis;          // normals, inward
@@ -27,20 +27,20 @@ float3 SideNormal(float3 direction, float3 edge, float3 inward)
     return dot(normal, inward) < 0.0 ? -normal : normal;
 }
 
-// The frustum around a square of the picture.
-// Corner: its lower left corner, in rays from _ReferencePixel.
-TileFrustum MakeTileFrustum(InstanceRecord record, float2 corner, float side)
+// The frustum around a rectangle of the picture.
+// Corner: its lower left corner, in rays from _ReferencePixel; size: in rays.
+CellFrustum MakeCellFrustum(InstanceRecord record, float2 corner, float2 size)
 {
-    float3 originDx = side * VectorToLocal(record, _OriginDx.xyz),
-        originDy = side * VectorToLocal(record, _OriginDy.xyz);
-    float3 directionDx = side * VectorToLocal(record, _DirectionDx.xyz),
-        directionDy = side * VectorToLocal(record, _DirectionDy.xyz);
+    float3 originDx = size.x * VectorToLocal(record, _OriginDx.xyz),
+        originDy = size.y * VectorToLocal(record, _OriginDy.xyz);
+    float3 directionDx = size.x * VectorToLocal(record, _DirectionDx.xyz),
+        directionDy = size.y * VectorToLocal(record, _DirectionDy.xyz);
     float3 direction =
         VectorToLocal(record, _Direction.xyz + corner.x * _DirectionDx.xyz + corner.y * _DirectionDy.xyz);
     // Direction from ray to ray, the same at any distance.
     float3 right = originDx + directionDx, up = originDy + directionDy;
 
-    TileFrustum frustum;
+    CellFrustum frustum;
     frustum.Corner = PointToLocal(record, _Origin.xyz + corner.x * _OriginDx.xyz + corner.y * _OriginDy.xyz);
     frustum.Axis = SideNormal(right, up, direction);
     frustum.Left = SideNormal(direction, up, right);
@@ -60,7 +60,7 @@ float Farthest(float3 direction, float3 centre, float3 halfSize)
 
 // Lower bound of the distance from the plane of the origins at which a ray of the frustum hits the box;
 // MISS if none hits it.
-float EnterFrustum(TileFrustum frustum, float3 boxMin, float3 boxMax)
+float EnterFrustum(CellFrustum frustum, float3 boxMin, float3 boxMax)
 {
     float3 centre = 0.5 * (boxMin + boxMax) - frustum.Corner, halfSize = 0.5 * (boxMax - boxMin);
     float3 size = abs(centre) + halfSize;
@@ -79,7 +79,7 @@ static uint s_child[4];
 static float s_childNear[4];
 static uint s_children = 0;
 
-void AddChild(TileFrustum frustum, float3 boxMin, float3 boxMax, uint reference)
+void AddChild(CellFrustum frustum, float3 boxMin, float3 boxMax, uint reference)
 {
     float near = EnterFrustum(frustum, boxMin, boxMax);
     if (near != MISS)
@@ -98,7 +98,7 @@ bool IsLeaf(uint reference)
     return (reference & 4) != 0;
 }
 
-void FindChildren(TileFrustum frustum, uint firstRow, uint reference)
+void FindChildren(CellFrustum frustum, uint firstRow, uint reference)
 {
     uint row = firstRow + 3 * (reference >> 12);
     uint4 a = LoadBvh(0, row), b = LoadBvh(0, row + 1), c = LoadBvh(0, row + 2);
@@ -121,7 +121,7 @@ bool IsLeaf(uint reference)
     return (reference & LEAF) != 0;
 }
 
-void FindChildren(TileFrustum frustum, uint firstRow, uint reference)
+void FindChildren(CellFrustum frustum, uint firstRow, uint reference)
 {
     uint row = firstRow + reference;
     uint4 a = LoadBvh(0, row), b = LoadBvh(0, row + 1);
@@ -137,7 +137,7 @@ void FindChildren(TileFrustum frustum, uint firstRow, uint reference)
 #endif
 
 // Opens nodes, breadth first, while there is room for their children.
-uint4 FindEntryPoints(TileFrustum frustum, uint firstRow)
+uint4 FindEntryPoints(CellFrustum frustum, uint firstRow)
 {
     uint entry[MAX_ENTRY_POINTS];
     float near[MAX_ENTRY_POINTS];

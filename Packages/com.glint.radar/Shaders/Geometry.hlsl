@@ -126,10 +126,13 @@ float HitTriangle(float3 a, float3 b, float3 c, float3 sides, float positionErro
         }
     }
     bool isHit = isInside && toHit > 0.0;
-    float nearestCorner = MinComponent(distances), farthestCorner = MaxComponent(distances);
-    float distanceError = 3.0 * maxEdgeError * (farthestCorner - nearestCorner) / abs(sum) + positionError
-        + DISTANCE_ROUNDING * farthestCorner;
-    lowerDistance = isHit ? toHit - distanceError : MISS;
+    lowerDistance = MISS;
+    if (isHit)
+    {
+        float nearestCorner = MinComponent(distances), farthestCorner = MaxComponent(distances);
+        lowerDistance = toHit - 3.0 * maxEdgeError * (farthestCorner - nearestCorner) / abs(sum) - positionError
+            - DISTANCE_ROUNDING * farthestCorner;
+    }
     return isHit ? toHit : MISS;
 }
 

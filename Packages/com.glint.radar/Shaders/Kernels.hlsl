@@ -21,12 +21,24 @@
 #include "Identity.hlsl"
 #endif
 
+// Cell of a tile, of those of this dispatch.
+uint CellOf(uint tile)
+{
+    return (_FirstTile + tile) / (_CellSize.x * _CellSize.y) - _FirstTile / (_CellSize.x * _CellSize.y);
+}
+
+// First tile of a cell: column, row.
+uint2 CellCorner(uint cell)
+{
+    uint corner = _Cells[_FirstTile / (_CellSize.x * _CellSize.y) + cell];
+    return uint2(corner & 0xffff, corner >> 16);
+}
+
 // First pixel of a tile. The tiles of a cell go from its top down, as the cells do on a GPU.
 uint2 TilePixel(uint tile)
 {
-    uint index = _FirstTile + min(tile, _TileCount - 1), tilesPerCell = _CellSize.x * _CellSize.y;
-    uint corner = _Cells[index / tilesPerCell], inCell = tilesPerCell - 1 - index % tilesPerCell;
-    return (uint2(corner & 0xffff, corner >> 16) + uint2(inCell % _CellSize.x, inCell / _CellSize.x)) * TILE_SIDE;
+    uint tilesPerCell = _CellSize.x * _CellSize.y, inCell = tilesPerCell - 1 - (_FirstTile + tile) % tilesPerCell;
+    return (CellCorner(CellOf(tile)) + uint2(inCell % _CellSize.x, inCell / _CellSize.x)) * TILE_SIDE;
 }
 
 // A point of a pixel, in rays from _ReferencePixel.
@@ -55,18 +67,19 @@ void CountWork(uint slot)
 
 #elif defined(GLINT_FIND_ENTRY_POINTS)
 
-// One thread for each tile and instance.
+// One thread for each cell and instance.
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread);
-    uint tile = index / _InstanceCount, instance = index % _InstanceCount;
-    if (tile >= _TileCount)
+    uint cell = index / _InstanceCount, instance = index % _InstanceCount;
+    if (cell > CellOf(_TileCount - 1))
         return;
-    float2 corner = float2(TilePixel(tile)) - _ReferencePixel.xy + 0.5 - FRUSTUM_MARGIN;
+    float2 corner = float2(CellCorner(cell) * TILE_SIDE) - _ReferencePixel.xy + 0.5 - FRUSTUM_MARGIN,
+        size = float2(_CellSize.xy * TILE_SIDE) - 1.0 + 2.0 * FRUSTUM_MARGIN;
     InstanceRecord record = LoadInstance(instance);
-    _FoundEntryPoints[tile * MAX_INLINE_INSTANCES + instance] =
-        FindEntryPoints(MakeTileFrustum(record, corner, TILE_SIDE - 1.0 + 2.0 * FRUSTUM_MARGIN), record.FirstRow);
+    _FoundEntryPoints[cell * MAX_INLINE_INSTANCES + instance] =
+        FindEntryPoints(MakeCellFrustum(record, corner, size), record.FirstRow);
 }
 
 #elif defined(GLINT_NOTE_HITS)
@@ -165,12 +178,12 @@ EmittedRay RayOfTile(uint index)
 {
     uint tile = index / RAYS_A_TILE, inTile = index % RAYS_A_TILE;
     // Eight consecutive threads trace 4 x 2 rays, which are coherent on devices of that width.
-    uint2 at = TilePixel(tile) + uint2((inTile & 3) | (inTile >> 1 & 4), (inTile >> 2 & 1) | (inTile >> 3 & 6));
+    uint2 at = TilePixel(min(tile, _TileCount - 1)) + uint2((inTile & 3) | (inTile >> 1 & 4), (inTile >> 2 & 1) | (inTile >> 3 & 6));
     EmittedRay ray;
     ray.Pixel = tile < _TileCount && IsInRegion((int2)at) ? at.x + at.y * _RaysAcross : NO_PIXEL;
     ray.Position = float2(at) + 0.5 - _ReferencePixel.xy;
     ray.Slot = tile % SUM_SLOTS * SUM_WORDS;
-    ray.FirstEntryPoint = (_Culling & CULL_ENTRY_POINTS) != 0 ? tile * MAX_INLINE_INSTANCES : NO_ENTRY_POINTS;
+    ray.FirstEntryPoint = (_Culling & CULL_ENTRY_POINTS) != 0 ? CellOf(tile) * MAX_INLINE_INSTANCES : NO_ENTRY_POINTS;
     ray.Number = index;
     return ray;
 }

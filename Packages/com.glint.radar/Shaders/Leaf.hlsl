@@ -28,6 +28,7 @@ struct TraversalState
 #ifdef GLINT_REFINE
     RefineRay Ray;                // the double-float ray, in the frame of the current mesh
     DoubleFloat RefinedDistance;  // m, along that ray
+    DoubleFloat3 Normal;          // unit vector, in the frame of the mesh that is hit
     bool IsAtEdge;                // the side of an edge is undecided
     // pending double-float tests of a leaf's triangles: 4 * row, + 1 for the first, + 2 for the second
     uint PendingLeaf;
@@ -134,10 +135,11 @@ void TestPending(TraversalRay ray, uint instance, uint page, uint firstRow, inou
     state.PendingLeaf = isSecond || (state.PendingLeaf & 2) == 0 ? 0 : state.PendingLeaf & ~1u;
     Pair pair = LoadPair(page, firstRow + row);
     DoubleFloat toHit;
+    DoubleFloat3 normal;
     bool isAtEdge;
     if (!Hits(ray, state.Ray, DistanceError(ray, state.PositionError), pair.Corner0,
         isSecond ? pair.Corner2 : pair.Corner1,
-        isSecond ? pair.Corner3 : pair.Corner2, toHit, isAtEdge))
+        isSecond ? pair.Corner3 : pair.Corner2, toHit, normal, isAtEdge))
         return;
     float farther = Rounded(Sub(toHit, state.RefinedDistance));
     bool isTied = farther == 0.0 && state.Instance != NO_INSTANCE
@@ -145,6 +147,7 @@ void TestPending(TraversalRay ray, uint instance, uint page, uint firstRow, inou
     if (farther >= 0.0 && !isTied)
         return;
     state.RefinedDistance = toHit;
+    state.Normal = normal;
     state.IsAtEdge = isAtEdge;
     state.Distance = toHit.Hi + state.Ray.Back + state.PositionError;
     state.Instance = instance;

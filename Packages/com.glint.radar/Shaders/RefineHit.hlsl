@@ -65,17 +65,28 @@ float SideOfLine(RefineRay ray, float3 a, float3 b)
     return abs(side) <= edgeError ? 0.0 : side;
 }
 
-// Whether the line hits the triangle after its origin, and the distance, m. The distance is clamped to that of the
-// nearest and farthest corner, which rounding may exceed for a triangle seen edge-on.
+// Whether the line hits the triangle after its origin, the distance, m, and the triangle's unit normal. The distance is
+// clamped to that of the nearest and farthest corner, which rounding may exceed for a triangle seen edge-on.
 bool Hits(TraversalRay traversalRay, RefineRay ray, float positionError, float3 a, float3 b, float3 c,
-    out DoubleFloat toHit, out bool isAtEdge)
+    out DoubleFloat toHit, out DoubleFloat3 normal, out bool isAtEdge)
 {
+    normal = (DoubleFloat3)0;
     toHit = MakeDoubleFloat(MISS, 0.0);
-    float3 sides = float3(SideOfLine(ray, b, c), SideOfLine(ray, c, a), SideOfLine(ray, a, b));
+    // A loop, because a GPU waits for the instructions of long code.
+    float3 sides = 0.0, from = b, to = c, next = a;
+    [loop]
+    for (uint edge = 0; edge < 3; edge++)
+    {
+        sides = float3(sides.yz, SideOfLine(ray, from, to));
+        float3 last = from;
+        from = to;
+        to = next;
+        next = last;
+    }
     isAtEdge = sides.x == 0.0 || sides.y == 0.0 || sides.z == 0.0;
     if (min(sides.x, min(sides.y, sides.z)) < 0.0 && max(sides.x, max(sides.y, sides.z)) > 0.0)
         return false;
-    DoubleFloat3 normal = Cross(Difference(b, a), Difference(c, a));
+    normal = Cross(Difference(b, a), Difference(c, a));
     normal = Mul(normal, 1.0 / length(Rounded(normal)));
     DoubleFloat3 toCorner = Sub(
         MakeDoubleFloat3(MakeDoubleFloat(a.x, 0.0), MakeDoubleFloat(a.y, 0.0), MakeDoubleFloat(a.z, 0.0)), ray.Origin);

@@ -52,14 +52,16 @@ void Choose(int2 at)
 // Whether a received ray is the first around a pixel without one, which is chosen only once.
 bool IsFirstAround(int2 at, int2 received)
 {
-    [loop]
+    bool isFirst = false, isFound = false;
+    [unroll] // the loads then do not wait for each other
     for (uint i = 0; i < 8; i++)
     {
         int2 other = at + NEIGHBOURS[i];
-        if (LengthAt(other) != NO_LENGTH)
-            return all(other == received);
+        bool isReceived = LengthAt(other) != NO_LENGTH;
+        isFirst = isFirst || !isFound && isReceived && all(other == received);
+        isFound = isFound || isReceived;
     }
-    return false;
+    return isFirst;
 }
 
 // Chooses among the pixel of a received ray and its neighbours.
@@ -67,20 +69,22 @@ void ChooseAround(uint pixel)
 {
     int2 at = int2(pixel % _RaysAcross, pixel / _RaysAcross);
     float around[8];
-    bool isSurrounded = true;
-    [loop]
+    uint missing = 0;
+    [unroll]
     for (uint i = 0; i < 8; i++)
     {
-        int2 neighbour = at + NEIGHBOURS[i];
-        uint there = LengthAt(neighbour);
+        uint there = LengthAt(at + NEIGHBOURS[i]);
         around[i] = asfloat(there);
-        if (there != NO_LENGTH)
-            continue;
-        isSurrounded = false;
-        if (IsInRegion(neighbour) && IsFirstAround(neighbour, at))
+        missing |= there == NO_LENGTH ? 1u << i : 0;
+    }
+    [loop]
+    for (uint j = 0; j < 8; j++)
+    {
+        int2 neighbour = at + NEIGHBOURS[j];
+        if ((missing >> j & 1) != 0 && IsInRegion(neighbour) && IsFirstAround(neighbour, at))
             Choose(neighbour);
     }
-    if (!isSurrounded || !IsSmooth(asfloat(LengthAt(at)), around))
+    if (missing != 0 || !IsSmooth(asfloat(LengthAt(at)), around))
         Choose(at);
 }
 

@@ -162,7 +162,8 @@ void Traverse(Ray ray, uint firstEntryPoint, uint2 met, bool anyHit, inout Trave
         uint4 entryPoints = ROOT_ENTRY_POINTS;
         if (firstEntryPoint != NO_ENTRY_POINTS)
             entryPoints = _EntryPoints[firstEntryPoint + instance];
-        TraverseInstance(instance, ray, entryPoints, anyHit, state);
+        if (entryPoints.x != DONE)
+            TraverseInstance(instance, ray, entryPoints, anyHit, state);
     }
 #else
     TraverseInstanceBvh(ray, met, anyHit, state);

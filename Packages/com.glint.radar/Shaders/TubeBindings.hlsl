@@ -18,6 +18,8 @@ static const uint SUM_ERROR = 20;          // sum of squared errors of borders, 
 static const uint SUM_TUBE_OVERFLOW = 22;  // 1: a contribution was too large for a sum
 
 static const uint MAX_RECEIVERS = 16;
+static const uint RADAR = MAX_RECEIVERS;    // index of the radar behind the receivers
+static const uint EDGE_CORNERS = 0xff;      // corners in Tube.Tag: a piece of an edge, Gradient.x a metre along it
 static const uint REFLECTION_STEPS = 1024; // of a table over the cosine of the incidence angle
 static const uint FLAT = 0xffffffff;       // a facet without a field of normals
 // Rays that one thread traces: a software device ends a thread's loops after 65,535 iterations in all.
@@ -67,9 +69,10 @@ StructuredBuffer<float4> _Reflections;     // per surface REFLECTION_STEPS + 1 e
 
 // Input: the radar and the receivers. At a finite range places are relative to the scene's centre.
 float4 _SentV, _SentH;
-float4 _Receivers[MAX_RECEIVERS];          // far: unit vector to the receiver; near: its place, w: its distance from 0
-float4 _ReceiversV[MAX_RECEIVERS];
-float4 _ReceiversH[MAX_RECEIVERS];
+// The receivers; far: unit vector to it; near: its place, w: its distance from 0. Behind them the radar.
+float4 _Receivers[MAX_RECEIVERS + 1];
+float4 _ReceiversV[MAX_RECEIVERS + 1];
+float4 _ReceiversH[MAX_RECEIVERS + 1];
 uint _ReceiverCount;
 uint _IsMonostatic;                        // 1: the only receiver is at the radar
 uint _IsNear;                              // 1: finite range

@@ -9,6 +9,8 @@
 #include "TubeCells.hlsl"
 #elif defined(GLINT_BISECT)
 #include "TubeBisect.hlsl"
+#elif defined(GLINT_FRINGES)
+#include "TubeFringes.hlsl"
 #else
 #include "TubeBorders.hlsl"
 #endif

@@ -47,13 +47,6 @@ void Accumulate(inout Sum real, inout Sum imaginary, float2 units, inout uint ov
     Accumulate(imaginary, units.y, overflow);
 }
 
-// Cosine and sine of an angle, rad.
-float2 PhasorOf(float angle)
-{
-    float turns = angle / TWO_PI;
-    return Phasor(turns - floor(turns));
-}
-
 float Sinc(float x)
 {
     float square = x * x;
@@ -142,8 +135,13 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             float turns = PartOfTurn(Mul(MakeDoubleFloat(waveNumber.y, waveNumber.z), tube.Phase));
             float2 w = k * tube.Gradient;
             uint count = tube.Tag >> 16;
-            float2 shape;
-            if (count == 0)
+            // - j k / sqrt(4 pi), which the coefficients of edges contain
+            bool isEdge = count == EDGE_CORNERS;
+            float scale = isEdge ? 1.0 : k / SQRT_4_PI;
+            float2 factor = isEdge ? float2(1.0, 0.0) : float2(0.0, -1.0), shape;
+            if (isEdge)
+                shape = float2(tube.Corners01.x * Sinc(0.5 * tube.Corners01.x * w.x), 0.0);
+            else if (count == 0)
             {
                 float side = tube.Corners01.x;
                 shape = side * side * SquareIntegral(0.5 * side * w, k * tube.Corners01.yzw);
@@ -154,16 +152,14 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     tube.Corner4 };
                 shape = PolygonIntegral(corners, count, w);
             }
-            // - j k / sqrt(4 pi)
-            float scale = _UnitsPerMetre * k / SQRT_4_PI;
-            float2 wave = scale * ComplexMul(ComplexMul(shape, Phasor(turns)), float2(0.0, -1.0));
+            float2 wave = _UnitsPerMetre * scale * ComplexMul(ComplexMul(shape, Phasor(turns)), factor);
             float2 vv = ComplexMul(wave, tube.CoPolar.xy), hh = ComplexMul(wave, tube.CoPolar.zw);
             Accumulate(sums[0], sums[1], vv, overflow);
             Accumulate(sums[2], sums[3], ComplexMul(wave, tube.CrossPolar.xy), overflow);
             Accumulate(sums[4], sums[5], ComplexMul(wave, tube.CrossPolar.zw), overflow);
             Accumulate(sums[6], sums[7], hh, overflow);
             Accumulate(sums[8], sums[9], tube.Bent * (dot(vv, vv) > dot(hh, hh) ? vv : hh), overflow);
-            float error = tube.Error * k / SQRT_4_PI;
+            float error = tube.Error * scale;
             Accumulate(sums[10], _UnitsPerSquareMetre * error * error, overflow);
         }
         uint slot = TUBE_SUMS + (receiver * _FrequencyCount + frequency) * TUBE_SUM_WORDS;

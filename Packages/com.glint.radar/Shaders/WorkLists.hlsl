@@ -54,10 +54,17 @@ uint KnownThreads(uint known)
     return (known + CANDIDATE_PADDING - 1) / CANDIDATE_PADDING * CANDIDATE_PADDING;
 }
 
+// Threads a candidate to search. Those of a wave wait for each other's steps. As long as they do not fill the device,
+// they take less time if each has several threads, of which one works.
+uint SpreadOf(uint searched)
+{
+    return clamp(SPREAD_THREADS / max(searched, 1), 1, _MaxSpread);
+}
+
 // Threads of a dispatch that takes the known candidates and, up to the maximum, those to search.
 uint CandidateThreads(uint2 counts)
 {
-    return min(KnownThreads(counts.x) + counts.y, MAX_REFINED);
+    return min(KnownThreads(counts.x) + counts.y * SpreadOf(counts.y), MAX_REFINED);
 }
 
 // The candidate of a thread; NO_CANDIDATE if it has none. Later dispatches take the rest of those to search.
@@ -68,8 +75,10 @@ uint CandidateOf(uint index)
         return index < min(counts.y - _FirstSearched, MAX_REFINED) ? SearchedList() + _FirstSearched + index : NO_CANDIDATE;
     if (index < counts.x)
         return index;
-    uint known = KnownThreads(counts.x);
-    return index >= known && index < CandidateThreads(counts) ? SearchedList() + index - known : NO_CANDIDATE;
+    uint known = KnownThreads(counts.x), searched = index - known, spread = SpreadOf(counts.y);
+    return index >= known && index < CandidateThreads(counts) && searched % spread == 0
+        ? SearchedList() + searched / spread
+        : NO_CANDIDATE;
 }
 
 #endif

@@ -8,8 +8,8 @@ using static Unity.Mathematics.math;
 namespace Glint.Tests
 {
     /// <summary>
-    /// The entry points of tiles. <see cref="TracerTests"/> shows that they change no result. This shows their saving:
-    /// the nodes above an entry point are opened once for its tile instead of by each of its 64 rays.
+    /// The entry points of cells. <see cref="TracerTests"/> shows that they change no result. This shows their saving:
+    /// the nodes above an entry point are opened once for its cell instead of by each of its rays.
     /// </summary>
     public sealed class EntryPointsTests
     {
@@ -20,24 +20,24 @@ namespace Glint.Tests
         static readonly RadarView s_view = TestRadar.LookAt(double3(9, 10, 11), 0, fov: 40);
 
         [Test]
-        public void FindStarts_EveryTile_EntersTheTreeLevelsBelowItsRoot(
+        public void FindEntryPoints_OfEveryCell_AreLevelsBelowTheRoot(
             [ValueSource(typeof(TestKernels), nameof(TestKernels.AsSoftware))] bool asSoftware)
         {
             var mesh = TestRadar.Clutter(5000, seed: 5, halfSide: 4, largest: 0.3f);
             var layout = asSoftware ? BvhLayout.Wide : BvhLayout.Binary;
             var levels = Levels(MeshBvh.Build(mesh, layout).Parts[0].Rows, layout);
-            var tiles = FindEntryPoints(mesh, asSoftware).Where(starts => starts.x != None).ToArray();
-            Assert.That(tiles.Length, Is.GreaterThan(300), "tiles that may meet something");
-            foreach (var starts in tiles)
+            var cells = FindEntryPoints(mesh, asSoftware).Where(starts => starts.x != None).ToArray();
+            Assert.That(cells.Length, Is.GreaterThan(300), "cells that may meet something");
+            foreach (var starts in cells)
                 for (int i = 0; i < 4 && starts[i] != None; i++)
                     if (!levels.ContainsKey(starts[i]))
                         Assert.Fail($"{starts[i]:x} refers to no node or leaf");
             // For a BVH of 8 or 15 levels; measured 3.62 and 6.62.
-            Assert.That(tiles.Average(starts => Enumerable.Range(0, 4).Where(i => starts[i] != None)
+            Assert.That(cells.Average(starts => Enumerable.Range(0, 4).Where(i => starts[i] != None)
                 .Average(i => levels[starts[i]])), Is.GreaterThan(asSoftware ? 3.4 : 6.3));
         }
 
-        // Four entry points for each traced tile.
+        // Four entry points for each cell: here one tile.
         static uint4[] FindEntryPoints(TriangleMesh mesh, bool asSoftware)
         {
             var kernel = new TraceKernel(TestKernels.Trace, asSoftware, "test");
@@ -50,14 +50,17 @@ namespace Glint.Tests
                 scene.AddTo(picture);
                 var traced = picture.ToCells(asSoftware);
                 cells.Upload(traced.Corners);
-                starts.Reserve(traced.TileCount * DeviceScene.MaxInlineInstances);
+                var plan = new DispatchPlan(s_settings, RayReadback.None, traced, true, new DispatchPacer(),
+                    int.MaxValue);
+                Assert.That(plan.Next() && plan.Cells == traced.Corners.Length);
+                starts.Reserve(plan.Cells * DeviceScene.MaxInlineInstances);
                 kernel.Choose(scene, false);
                 kernel.SetRadar(s_settings, s_view, new RayGrid(s_settings, s_view, scene.Min, scene.Max),
                     scene.Scene.Origin, 1, Culling.All);
                 kernel.SetScene(scene);
                 kernel.SetCellSize(traced.Size);
-                kernel.FindEntryPoints(scene, cells, 0, traced.TileCount, starts);
-                var found = new uint4[traced.TileCount * DeviceScene.MaxInlineInstances];
+                kernel.FindEntryPoints(scene, cells, plan, starts);
+                var found = new uint4[plan.Cells * DeviceScene.MaxInlineInstances];
                 starts.ReadBack(found, found.Length);
                 return found.Where((_, i) => i % DeviceScene.MaxInlineInstances == 0).ToArray();
             }

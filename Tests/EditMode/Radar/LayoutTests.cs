@@ -93,7 +93,7 @@ namespace Glint.Tests
                 ["COUNT_SUB_KNOWN"] = WorkCounts.First + 2, ["COUNT_SUB_SEARCHED"] = WorkCounts.First + 3,
                 ["COUNT_RECEIVED"] = WorkCounts.First + 4, ["COUNT_CHOSEN"] = WorkCounts.ChosenWord,
                 ["RECEIVED_RAYS"] = WorkCounts.ReceivedRays, ["MAX_REFINED"] = CandidateList.MaxRefined,
-                ["CANDIDATE_PADDING"] = CandidateList.Padding,
+                ["CANDIDATE_PADDING"] = CandidateList.Padding, ["SPREAD_THREADS"] = CandidateList.SpreadThreads,
                 ["MAX_CHOSEN"] = SlicePass.MaxChosen, ["REFINE_ARGUMENTS"] = SliceArguments.Refine,
                 ["SUB_RAY_ARGUMENTS"] = SliceArguments.SubRays,
                 ["REFINE_SUB_RAY_ARGUMENTS"] = SliceArguments.RefineSubRays,

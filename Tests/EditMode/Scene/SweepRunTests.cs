@@ -35,7 +35,8 @@ namespace Glint.Tests
         [TearDown]
         public void RemoveScene()
         {
-            _radar.Release();
+            if (_radar != null)
+                _radar.Release();
             foreach (var item in new[] { _wall, _target, _camera })
                 Object.DestroyImmediate(item);
         }
@@ -154,6 +155,67 @@ namespace Glint.Tests
             // On a busy machine a pose may have several slices, which do not overlap with the next pose.
             Assert.That(ahead, Is.GreaterThan(0), "steps after which the scene shows the next pose");
             Assert.That(_target.transform.rotation, Is.EqualTo(Quaternion.identity), "put back");
+        }
+
+        /// <summary>The scene shows the next pose after a step, unless the paths of this one are drawn.</summary>
+        [Test]
+        public void Step_WithRayPaths_OverlapsUnlessTheyAreShown([Values] bool areShown)
+        {
+            var paths = _camera.AddComponent<RayPaths>();
+            var ahead = new List<bool>();
+            var plan = new SweepPlan(new double[] { 0, 10, 20, 30 });
+            using (var run = Sweep(plan))
+            {
+                run.Overlaps = true;
+                while (run.Done < 3)
+                {
+                    if (areShown)
+                        Camera.onPreCull(_camera.GetComponent<Camera>());
+                    run.Step();
+                    ahead.Add(Math.Abs(_target.transform.eulerAngles.y - 10 * run.Done) < 1e-3);
+                }
+            }
+            Assert.That(ahead, Has.All.EqualTo(!areShown));
+            Assert.That(paths.IsOutdated, Is.False);
+        }
+
+        [Test]
+        public void Step_CancelledWhileTheNextPoseIsInFlight_CanGoOnWithTheSameRows()
+        {
+            var plan = new SweepPlan(new double[] { 0, 10, 20, 30, 40 });
+            var expected = new List<string>();
+            using (var run = Sweep(plan))
+                while (!run.IsComplete)
+                    expected.Add(Describe(run.Step()));
+            var rows = new List<string>();
+            using (var cancel = new CancellationTokenSource())
+            using (var run = Sweep(plan))
+            {
+                run.Overlaps = true;
+                rows.Add(Describe(run.Step()));
+                rows.Add(Describe(run.Step()));
+                cancel.Cancel();
+                Assert.That(() => run.Step(null, cancel.Token), Throws.InstanceOf<OperationCanceledException>());
+                Assert.That(run.Done, Is.EqualTo(2));
+                while (!run.IsComplete)
+                    rows.Add(Describe(run.Step()));
+            }
+            Assert.That(rows, Is.EqualTo(expected));
+        }
+
+        static readonly Action<RadarController, PoseInFlight>[] s_ends =
+        {
+            (radar, pose) => radar.Release(), (radar, pose) => radar.enabled = false,
+            (radar, pose) => Object.DestroyImmediate(radar), (radar, pose) => radar.Abandon(pose)
+        };
+
+        // A read-back whose buffer is released before it is done has an error. Domain reload disables the component.
+        [Test]
+        public void Release_OfAPoseInFlight_WaitsForItsReadback([NUnit.Framework.Range(0, 3)] int end)
+        {
+            var pose = _radar.StartTrace(RayReadback.None);
+            s_ends[end](_radar, pose);
+            Assert.That(pose.Slice.Wait().Length, Is.GreaterThan(WorkCounts.First));
         }
 
         [Test]

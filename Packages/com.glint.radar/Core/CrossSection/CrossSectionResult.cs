@@ -27,6 +27,9 @@ namespace Glint.Core
         /// <summary>Pieces of tubes summed: one for each bounce and receiver.</summary>
         public long Tubes { get; set; }
 
+        /// <summary>Edges without fringe fields because a face is no perfect conductor; 0 without edges.</summary>
+        public int WedgesLeftOut { get; set; }
+
         /// <summary>Rays traced, those that only look for borders included.</summary>
         public long Rays { get; set; }
     }

@@ -12,6 +12,9 @@ namespace Glint.Core
         /// <summary>Turn against the radar's axes, degrees: rows along an edge would take it in or out as a whole.</summary>
         public const double TurnDegrees = 27.3;
 
+        /// <summary>Wavelengths that a piece of an edge is long: what hides less of it is not found.</summary>
+        public const double EdgeWavelengths = 1;
+
         // Maximum side of a cell at a finite range, as a fraction of sqrt(wavelength x range).
         const double MaxNearSide = 0.22;
 
@@ -105,6 +108,27 @@ namespace Glint.Core
             double wavelength = Signal.Wavelength(pose.Frequencies[pose.Frequencies.Length - 1]);
             double side = Math.Min(wavelength, math.length(boxMax - boxMin) / 16);
             return pose.IsFar ? side : Math.Min(side, MaxNearSide * Math.Sqrt(wavelength * pose.Range));
+        }
+
+        /// <summary>
+        /// Maximum length of a piece of an edge: <see cref="EdgeWavelengths"/>, less where the wave is curved.
+        /// </summary>
+        public static double EdgePieceFor(CrossSectionPose pose)
+        {
+            double wavelength = Signal.Wavelength(pose.Frequencies[pose.Frequencies.Length - 1]);
+            double length = EdgeWavelengths * wavelength;
+            return pose.IsFar ? length : Math.Min(length, MaxNearSide * Math.Sqrt(wavelength * pose.Range));
+        }
+
+        /// <summary>
+        /// What the phases of paths have beside the way from the origin of the kernels' coordinates to the radar less
+        /// that from the place, metres.
+        /// </summary>
+        public double RadarPhaseOf(CrossSectionPose pose)
+        {
+            if (!pose.IsFar)
+                return Rays.OriginDepth - math.distance(View.Position, Rays.SceneCentre);
+            return -math.dot(pose.Radar.ToRadar, Rays.Origin);
         }
 
         /// <summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 
@@ -60,7 +61,11 @@ namespace Glint.Core
         /// <param name="received">The received rays, each pixel once, in any order; sorted in place.</param>
         /// <param name="count">Number of rays in the array.</param>
         /// <param name="referenceLength">Metres to add to each <see cref="ReceivedRay.Length"/>.</param>
-        public SamplingEstimate(in RadarSettings settings, ReceivedRay[] received, int count, double referenceLength)
+        /// <param name="areChosen">
+        /// The device has chosen the same pixels and traced the sub-rays of all of them: no <see cref="PixelsToRefine"/>.
+        /// </param>
+        public SamplingEstimate(in RadarSettings settings, ReceivedRay[] received, int count, double referenceLength,
+            bool areChosen = false)
         {
             _wavelength = settings.Wavelength;
             _referenceTurns = referenceLength / _wavelength;
@@ -68,7 +73,7 @@ namespace Glint.Core
             _picture = new ReceivedPicture(settings, received, count);
             var isSmooth = new bool[count];
             _tally = LookAtAll(isSmooth);
-            var pixels = RefinedPixels.Find(_picture, isSmooth);
+            var pixels = areChosen ? new List<uint>() : RefinedPixels.Find(_picture, isSmooth);
             uint every = RefineEvery(pixels.Count, settings.RaysEmitted);
             if (every > 1)
                 pixels.RemoveAll(pixel => !IsChosen(pixel, every));

@@ -230,6 +230,8 @@ namespace Glint
             (_traced.Settings, _traced.View) = (inFlight.Pose.Settings, inFlight.Pose.View);
             _tracedContent = inFlight.Content;
             Result = result;
+            if (Paths != null)
+                Paths.Follow();
             Traced?.Invoke(this);
             return result;
         }
@@ -242,9 +244,13 @@ namespace Glint
 
         /// <summary>
         /// Whether the next pose may start before this one is finished. A script that listens to <see cref="Traced"/>
-        /// finds the scene as it was traced.
+        /// finds the scene as it was traced, and so do ray paths that are shown.
         /// </summary>
-        internal bool MayOverlap(PoseInFlight inFlight) => Traced == null && _tracer.MayOverlap(inFlight);
+        internal bool MayOverlap(PoseInFlight inFlight) =>
+            Traced == null && (Paths == null || !Paths.NeedsScene) && _tracer.MayOverlap(inFlight);
+
+        /// <summary>Draws the rays of each pose; null: no component does.</summary>
+        internal RayPaths Paths { get; set; }
 
         /// <summary>
         /// Pixels of the rays received in the last pose, in ascending order: x + y * rays across, from the lower left

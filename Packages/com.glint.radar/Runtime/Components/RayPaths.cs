@@ -96,7 +96,7 @@ namespace Glint
         void OnEnable()
         {
             _radar = GetComponent<RadarController>();
-            _radar.Traced += Follow;
+            _radar.Paths = this;
             Camera.onPreCull += Draw;
             RenderPipelineManager.beginCameraRendering += Draw;
             (_isTraced, _isSeen, _received) = (false, false, null);
@@ -104,7 +104,7 @@ namespace Glint
 
         void OnDisable()
         {
-            _radar.Traced -= Follow;
+            _radar.Paths = null;
             Camera.onPreCull -= Draw;
             RenderPipelineManager.beginCameraRendering -= Draw;
             Free(_lines);
@@ -114,8 +114,14 @@ namespace Glint
 
         void OnValidate() => _isBuilt = false;
 
-        // Immediately, if the last pose was shown: the next pose of a sweep, or its end, changes the scene.
-        void Follow(RadarController radar)
+        /// <summary>Whether the next pose is shown at once, for which the scene must be as it was traced.</summary>
+        internal bool NeedsScene => _isSeen;
+
+        /// <summary>
+        /// A pose was traced. Prepares its lines immediately if the last pose was shown: the next pose of a sweep, or
+        /// its end, changes the scene.
+        /// </summary>
+        internal void Follow()
         {
             (_isTraced, _received) = (false, null);
             if (_isSeen)

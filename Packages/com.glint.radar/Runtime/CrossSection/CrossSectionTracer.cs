@@ -27,6 +27,7 @@ namespace Glint
         readonly TubeKernels _kernels;
         readonly DeviceScene _scene;
         readonly SurfaceBuffers _surfaces = new SurfaceBuffers();
+        readonly EdgeBuffers _edges = new EdgeBuffers();
         readonly DeviceBuffer<uint> _output = new DeviceBuffer<uint>("sums of tubes");
         readonly DeviceBuffer<Tube> _tubes = new DeviceBuffer<Tube>("tubes");
         readonly DeviceBuffer<TubeCell> _cells = new DeviceBuffer<TubeCell>("cells of tubes");
@@ -70,6 +71,8 @@ namespace Glint
             _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.Frequencies.Last());
             var grid = new TubeGrid(pose, TubeGrid.SideFor(pose, _scene.Min, _scene.Max), _scene.Min, _scene.Max);
             Bind(pose, grid);
+            if (pose.HasEdges)
+                _edges.Set(pose.Scene, _surfaces.Patches, _scene.Centre, TubeGrid.EdgePieceFor(pose));
             double floor = pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max);
             long rays = 0;
             for (int level = BisectLevel > 0 ? BisectLevel : FirstBisectLevel; ;)
@@ -77,6 +80,7 @@ namespace Glint
                 var result = TraceTo(level, pose, grid, progress, cancel);
                 result.Rays = rays += result.Rays;
                 result.FloorDbsm = floor;
+                result.WedgesLeftOut = pose.HasEdges ? _edges.LeftOutCount : 0;
                 double excess = Excess(result, pose.ToleranceDb, floor);
                 result.IsMet = excess <= 1;
                 if (result.IsMet || BisectLevel > 0 || level == MaxBisectLevel)
@@ -149,7 +153,26 @@ namespace Glint
                 first += count;
                 progress?.Report((double)first / grid.Count);
             }
+            if (pose.HasEdges && pose.OnlyBounce == 0)
+                AddEdges(pose, sums, read, cancel);
             return sums.ToResult();
+        }
+
+        // Adds the fringe fields of edges, as many pieces at a time as the list of tubes holds.
+        void AddEdges(CrossSectionPose pose, TubeSums sums, uint[] read, CancellationToken cancel)
+        {
+            // Shadow rays start clear of faces that meet at an edge up to that tolerance.
+            double offset = WedgeFinder.RelativeTolerance * math.distance(_scene.Min, _scene.Max);
+            int max = ListCapacity / pose.Receivers.Length;
+            for (int first = 0; first < _edges.Count; first += max)
+            {
+                cancel.ThrowIfCancellationRequested();
+                _kernels.Clear(read.Length);
+                int count = Math.Min(max, _edges.Count - first);
+                _kernels.TraceEdges(_edges, first, count, pose.Receivers.Length, offset);
+                _output.ReadBack(read, read.Length);
+                sums.Add(read, _owner);
+            }
         }
 
         /// <summary>Releases all buffers on the device.</summary>
@@ -158,6 +181,7 @@ namespace Glint
             _kernels.Dispose();
             _scene.Dispose();
             _surfaces.Dispose();
+            _edges.Dispose();
             _output.Dispose();
             _tubes.Dispose();
             _cells.Dispose();

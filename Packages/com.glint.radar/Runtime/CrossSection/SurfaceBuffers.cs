@@ -28,6 +28,9 @@ namespace Glint
 
         public int VertexCount { get; private set; }
 
+        /// <summary>Patches of each instance of the scene: another list if the scene has changed.</summary>
+        public IReadOnlyList<SurfacePatches> Patches { get; private set; }
+
         public long Bytes => Vertices.Bytes + Facets.Bytes + NormalFields.Bytes + InstanceFacets.Bytes + Reflections.Bytes;
 
         /// <summary>Uploads what has changed.</summary>
@@ -61,9 +64,11 @@ namespace Glint
             var first = new Dictionary<SurfacePatches, uint>();
             uint patchCount = 0;
             var vertices = new List<float4>();
-            foreach (var instance in scene.Instances)
+            Patches = Array.ConvertAll(scene.Instances, instance => PatchesOf(instance, creaseDegrees));
+            for (int i = 0; i < scene.Instances.Length; i++)
             {
-                var patches = PatchesOf(instance, creaseDegrees);
+                var instance = scene.Instances[i];
+                var patches = Patches[i];
                 if (!first.TryGetValue(patches, out uint firstFacet))
                 {
                     first.Add(patches, firstFacet = (uint)facets.Count);

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Glint
 {
-    // Names as in Shaders/TubeBindings.hlsl, TubeStages.hlsl and TubeSums.hlsl.
+    // Names as in Shaders/TubeBindings.hlsl, TubeStages.hlsl, TubeFringes.hlsl and TubeSums.hlsl.
     static class TubeIDs
     {
         public static readonly int _Facets = Shader.PropertyToID("_Facets");
@@ -45,6 +45,10 @@ namespace Glint
         public static readonly int _Marks = Shader.PropertyToID("_Marks");
         public static readonly int _WrittenMarks = Shader.PropertyToID("_WrittenMarks");
         public static readonly int _MarkWords = Shader.PropertyToID("_MarkWords");
+        public static readonly int _EdgePieces = Shader.PropertyToID("_EdgePieces");
+        public static readonly int _EdgeRange = Shader.PropertyToID("_EdgeRange");
+        public static readonly int _EdgeOffset = Shader.PropertyToID("_EdgeOffset");
+        public static readonly int _RadarPhase = Shader.PropertyToID("_RadarPhase");
         public static readonly int _BisectStep = Shader.PropertyToID("_BisectStep");
     }
 }

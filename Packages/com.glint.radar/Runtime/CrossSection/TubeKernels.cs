@@ -21,7 +21,8 @@ namespace Glint
         const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
 
         readonly ComputeShader _shader;
-        readonly int _clear, _clearMarks, _mark, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _sums;
+        readonly int _clear, _clearMarks, _mark, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _fringes,
+            _sums;
         readonly GraphicsBuffer _arguments = new GraphicsBuffer(
             GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
 
@@ -37,6 +38,7 @@ namespace Glint
             _borders = shader.FindKernel("TubeBorders");
             _prepareBorders = shader.FindKernel("PrepareBorders");
             _prepareCells = shader.FindKernel("PrepareCells");
+            _fringes = shader.FindKernel("TubeFringes");
             _sums = shader.FindKernel("TubeSums");
         }
 
@@ -44,7 +46,7 @@ namespace Glint
         public void SetScene(DeviceScene scene, SurfaceBuffers surfaces)
         {
             _shader.SetInt(ShaderIDs._InstanceBvhRoot, (int)scene.InstanceBvhRoot);
-            foreach (int kernel in new[] { _cells, _bisect, _borders })
+            foreach (int kernel in new[] { _cells, _bisect, _borders, _fringes })
             {
                 _shader.SetBuffer(kernel, ShaderIDs._InstanceBvh, scene.InstanceBvhRows.Buffer);
                 _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
@@ -82,6 +84,7 @@ namespace Glint
             }));
             _shader.SetVectorArray(TubeIDs._ReceiversV, Padded(pose, receiver => ToVector(receiver.Up)));
             _shader.SetVectorArray(TubeIDs._ReceiversH, Padded(pose, receiver => ToVector(receiver.Right)));
+            _shader.SetFloat(TubeIDs._RadarPhase, (float)grid.RadarPhaseOf(pose));
             _shader.SetInt(TubeIDs._ReceiverCount, pose.Receivers.Length);
             bool isMonostatic =
                 pose.Receivers.Length == 1 && pose.Receivers[0].ToRadar.Equals(pose.Radar.ToRadar);
@@ -114,9 +117,10 @@ namespace Glint
         public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<TubeCell> cells,
             DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers)
         {
-            foreach (int kernel in new[] { _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _sums })
+            foreach (int kernel in new[]
+                { _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _fringes, _sums })
                 _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
-            foreach (int kernel in new[] { _cells, _bisect, _borders, _sums })
+            foreach (int kernel in new[] { _cells, _bisect, _borders, _fringes, _sums })
                 _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
             foreach (int kernel in new[] { _cells, _bisect, _borders })
             {
@@ -178,11 +182,24 @@ namespace Glint
             _shader.DispatchIndirect(_sums, _arguments, TubeArguments);
         }
 
+        /// <summary>Sums the fringe fields of pieces of edges.</summary>
+        /// <param name="offset">Of the starts of shadow rays from their edges, metres.</param>
+        public void TraceEdges(EdgeBuffers edges, int first, int count, int receivers, double offset)
+        {
+            _shader.SetBuffer(_fringes, TubeIDs._EdgePieces, edges.Pieces.Buffer);
+            _shader.SetInts(TubeIDs._EdgeRange, first, count, 0, 0);
+            _shader.SetFloat(TubeIDs._EdgeOffset, (float)offset);
+            _shader.DispatchThreads(_fringes, (long)count * receivers);
+            _shader.Dispatch(_prepareCells, 1, 1, 1);
+            _shader.DispatchIndirect(_sums, _arguments, TubeArguments);
+        }
+
         public void Dispose() => _arguments.Dispose();
 
+        // The receivers, and the radar behind MaxReceivers of them.
         static Vector4[] Padded(CrossSectionPose pose, Func<RadarAspect, Vector4> value) =>
             pose.Receivers.Select(value).Concat(Enumerable.Repeat(Vector4.zero, MaxReceivers - pose.Receivers.Length))
-                .ToArray();
+                .Append(value(pose.Radar)).ToArray();
 
         static Vector4 ToVector(double3 v, float w = 0) => new Vector4((float)v.x, (float)v.y, (float)v.z, w);
 

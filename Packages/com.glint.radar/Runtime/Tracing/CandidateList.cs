@@ -13,6 +13,14 @@ namespace Glint
         // Maximum number of those with known triangles.
         const int MaxKnown = 1 << 17;
 
+        /// <summary>
+        /// Threads of those to search if each has several: SPREAD_THREADS in Shaders/Constants.hlsl.
+        /// </summary>
+        public const int SpreadThreads = 1 << 15;
+
+        // Threads of a wave on most GPUs.
+        const int GpuWave = 32;
+
         /// <summary>Maximum number of candidates of a dispatch: MAX_REFINED in Shaders/Constants.hlsl.</summary>
         public const int MaxRefined = DispatchPlan.MaxRefinedRays;
 
@@ -20,6 +28,12 @@ namespace Glint
         /// Those to search begin a group of as many threads: CANDIDATE_PADDING in Shaders/Constants.hlsl.
         /// </summary>
         public const int Padding = 64;
+
+        /// <param name="isSoftware">For a software device, which has no threads to spare.</param>
+        public CandidateList(bool isSoftware) => MaxSpread = isSoftware ? 1 : GpuWave;
+
+        /// <summary>Maximum number of threads of a candidate to search.</summary>
+        public int MaxSpread { get; }
 
         public DeviceBuffer<ReceivedRay> Rays { get; } = new DeviceBuffer<ReceivedRay>("rays that may be received");
 
@@ -50,7 +64,9 @@ namespace Glint
         public int FirstSearched(int known, int searched) => Math.Min(searched, MaxRefined - Padded(known));
 
         /// <summary>Threads of the first dispatch.</summary>
-        public int Threads(int known, int searched) => Padded(known) + FirstSearched(known, searched);
+        public int Threads(int known, int searched) =>
+            Padded(known) + FirstSearched(known, searched)
+            * Math.Max(1, Math.Min(MaxSpread, SpreadThreads / Math.Max(1, searched)));
 
         /// <summary>Candidates in all.</summary>
         public int Count(int known, int searched) => Math.Min(known, KnownCapacity) + searched;

@@ -22,7 +22,7 @@ namespace Glint
         Tiles = 4,
 
         /// <summary>
-        /// First segments start at the entry points of their tile, in scenes with inline instances.
+        /// First segments start at the entry points of their cell, in scenes with inline instances.
         /// </summary>
         EntryPoints = 8,
 

@@ -34,23 +34,24 @@ namespace Glint
         readonly DispatchPacer _pacer;
         readonly RadarSettings _settings;
         readonly RayReadback _keep;
-        readonly int _tiles, _tilesADispatch;
+        readonly int _tiles, _tilesPerCell, _tilesADispatch;
 
-        /// <param name="tiles">Tiles to trace.</param>
+        /// <param name="cells">Of the tiles to trace.</param>
         /// <param name="usesEntryPoints">Whether the scene has few enough instances for entry points.</param>
         /// <param name="tilesADispatch">Tiles of a slice in tests; 0: those of the pacer.</param>
-        internal DispatchPlan(in RadarSettings settings, RayReadback readback, int tiles, bool usesEntryPoints,
+        internal DispatchPlan(in RadarSettings settings, RayReadback readback, TileCells cells, bool usesEntryPoints,
             DispatchPacer pacer, int tilesADispatch)
         {
             _settings = settings;
             _keep = readback;
-            _tiles = tiles;
+            _tiles = cells.TileCount;
+            _tilesPerCell = cells.Size.x * cells.Size.y;
             _pacer = pacer;
             _tilesADispatch = tilesADispatch;
             UsesEntryPoints = usesEntryPoints;
         }
 
-        /// <summary>Whether rays start at the entry points of their tile.</summary>
+        /// <summary>Whether rays start at the entry points of their cell.</summary>
         public bool UsesEntryPoints { get; }
 
         /// <summary>First tile of the slice, and its number of tiles.</summary>
@@ -58,6 +59,9 @@ namespace Glint
 
         /// <inheritdoc cref="First"/>
         public int Count { get; private set; }
+
+        /// <summary>Number of cells that hold the tiles of the slice.</summary>
+        public int Cells => (First + Count - 1) / _tilesPerCell - First / _tilesPerCell + 1;
 
         /// <summary>Whether the slice has all tiles.</summary>
         public bool IsWhole => Count == _tiles;
@@ -111,11 +115,10 @@ namespace Glint
             bool usesEntryPoints = instances.Length <= DeviceScene.MaxInlineInstances
                 && EntryPointsPay(tiles, isSoftware);
             double rays = readback == RayReadback.All ? pose.Settings.RaysEmitted * (double)Size<RayData>() : 0;
-            double cells = Math.Min(tiles, TileCells.Max) * (double)sizeof(uint);
+            double bytesPerCell = sizeof(uint) + (usesEntryPoints ? DeviceScene.MaxInlineInstances * Size<uint4>() : 0);
+            double cells = Math.Min(tiles, TileCells.Max) * bytesPerCell;
             tiles = Math.Min(tiles, MaxTiles(readback));
-            double entryPoints =
-                usesEntryPoints ? tiles * (double)DeviceScene.MaxInlineInstances * Size<uint4>() : 0;
-            return (trees + positions + cells + entryPoints + SliceOutput.MinBytes
+            return (trees + positions + cells + SliceOutput.MinBytes
                 + SlicePass.Bytes(pose.Settings, tiles * PictureTiles.Rays, readback),
                 trees + BytesOf(meshes) + rays);
         }
@@ -123,12 +126,10 @@ namespace Glint
         static double BytesOf(IEnumerable<TriangleMesh> meshes) => meshes.Sum(mesh =>
             mesh.Vertices.Length * (double)Size<float3>() + mesh.Indices.Length * (double)sizeof(int));
 
-        // Maximum tiles of a slice, by the groups of one dispatch, the list of candidates, entry points and rays read
-        // back.
+        // Maximum tiles of a slice, by the groups of one dispatch, the list of candidates and the rays read back.
         static long MaxTiles(RayReadback readback)
         {
             long tiles = Math.Min(TraceKernel.MaxTiles, CandidateList.MaxRays / PictureTiles.Rays);
-            tiles = Math.Min(tiles, DeviceBuffer<uint4>.MaxCount / DeviceScene.MaxInlineInstances);
             return readback == RayReadback.All
                 ? Math.Min(tiles, Math.Min(DeviceBuffer<RayData>.MaxCount, MaxKeptRays) / PictureTiles.Rays)
                 : tiles;

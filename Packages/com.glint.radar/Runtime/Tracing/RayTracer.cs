@@ -24,7 +24,7 @@ namespace Glint
         readonly bool _isSoftware;
         readonly DeviceScene _scene;
         readonly DeviceBuffer<uint> _cells = new DeviceBuffer<uint>("cells of tiles");
-        readonly DeviceBuffer<uint4> _entryPoints = new DeviceBuffer<uint4>("tiles of 64 rays");
+        readonly DeviceBuffer<uint4> _entryPoints = new DeviceBuffer<uint4>("entry points of cells");
         readonly SliceOutput _output;
         readonly SlicePass _slices;
         readonly PathPass _paths;
@@ -278,7 +278,7 @@ namespace Glint
             statistics.BytesUploaded += cells.Corners.Length * (long)_cells.Stride;
             bool usesEntryPoints = _scene.HasInlineInstances && !CountVisits && (Culling & Culling.EntryPoints) != 0
                 && DispatchPlan.EntryPointsPay(cells.TileCount, _isSoftware);
-            return new DispatchPlan(pose.Settings, readback, cells.TileCount, usesEntryPoints, _pacer, TilesADispatch);
+            return new DispatchPlan(pose.Settings, readback, cells, usesEntryPoints, _pacer, TilesADispatch);
         }
 
         void Bind(PoseInFlight inFlight)
@@ -369,12 +369,14 @@ namespace Glint
             cancel.ThrowIfCancellationRequested();
             if (settings.SkipSamplingError)
                 return null;
+            var counts = words == null ? default : new WorkCounts(words);
+            bool areTraced = words != null && HasAllSubRays(inFlight, counts);
             var estimate = new SamplingEstimate(settings, inFlight.Received.Rays, inFlight.Received.Count,
-                2 * inFlight.Grid.OriginDepth);
+                2 * inFlight.Grid.OriginDepth, areTraced);
             var pixels = estimate.PixelsToRefine;
             double[] inPhase = new double[SamplingEstimate.SubGrids],
                 quadrature = new double[SamplingEstimate.SubGrids];
-            if (words != null && HasAllSubRays(inFlight, new WorkCounts(words)))
+            if (areTraced)
                 ChannelSums.AddSubRays(words, inPhase, quadrature);
             else
                 for (int first = 0; first < pixels.Length; first += SlicePass.MaxChosen)
@@ -384,18 +386,18 @@ namespace Glint
                         statistics);
                     ChannelSums.AddSubRays(WordsOf(inFlight, _output.Request(statistics)), inPhase, quadrature);
                 }
-            statistics.SubRays = pixels.Length * (long)SamplingEstimate.SubGrids;
+            statistics.SubRays = (areTraced ? counts.Chosen : pixels.Length) * (long)SamplingEstimate.SubGrids;
             return estimate.Finish(new Complex(total.InPhase, total.Quadrature), total.RaysOfPicture, inPhase,
                 quadrature);
         }
 
         void FindEntryPoints(DispatchPlan plan, TraceStatistics statistics)
         {
-            _entryPoints.Reserve(plan.UsesEntryPoints ? (long)plan.Count * DeviceScene.MaxInlineInstances : 1);
+            _entryPoints.Reserve(plan.UsesEntryPoints ? (long)plan.Cells * DeviceScene.MaxInlineInstances : 1);
             _kernel.SetEntryPoints(_entryPoints);
             if (!plan.UsesEntryPoints)
                 return;
-            _kernel.FindEntryPoints(_scene, _cells, plan.First, plan.Count, _entryPoints);
+            _kernel.FindEntryPoints(_scene, _cells, plan, _entryPoints);
             statistics.Dispatches++;
         }
 

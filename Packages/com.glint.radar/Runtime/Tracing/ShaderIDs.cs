@@ -46,6 +46,7 @@ namespace Glint
         public static readonly int _Readback = Shader.PropertyToID("_Readback");
         public static readonly int _HasSubRays = Shader.PropertyToID("_HasSubRays");
         public static readonly int _SubRayPixels = Shader.PropertyToID("_SubRayPixels");
+        public static readonly int _MaxSpread = Shader.PropertyToID("_MaxSpread");
         public static readonly int _KnownCapacity = Shader.PropertyToID("_KnownCapacity");
         public static readonly int _FirstSearched = Shader.PropertyToID("_FirstSearched");
         public static readonly int _PathCount = Shader.PropertyToID("_PathCount");

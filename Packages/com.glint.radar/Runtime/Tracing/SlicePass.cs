@@ -21,7 +21,7 @@ namespace Glint
 
         readonly TraceKernel _kernel;
         readonly StageKernels _stages;
-        readonly CandidateList _candidates = new CandidateList(), _subRays = new CandidateList();
+        readonly CandidateList _candidates, _subRays;
         readonly DeviceBuffer<RayData> _rays = new DeviceBuffer<RayData>("rays kept one by one");
         readonly DeviceBuffer<uint> _chosen = new DeviceBuffer<uint>("pixels with sub-rays");
         readonly DeviceBuffer<uint> _lengths = new DeviceBuffer<uint>("lengths of received rays");
@@ -31,6 +31,8 @@ namespace Glint
         public SlicePass(TraceKernel kernel, StageKernels stages, SliceOutput output)
         {
             (_kernel, _stages, _output) = (kernel, stages, output);
+            _candidates = new CandidateList(kernel.IsWide);
+            _subRays = new CandidateList(kernel.IsWide);
             _chosen.Reserve(1);
             if (IsIndirect)
                 // Direct3D 11 has no structured argument buffers.
@@ -62,8 +64,8 @@ namespace Glint
                 ReserveLengths(settings.RaysEmitted);
             _chosen.Reserve(pixels);
             _subRays.Reserve(pixels * SamplingEstimate.SubGrids, settings.MaxBounces);
-            _kernel.SetKnownCapacity(_candidates.KnownCapacity, _subRays.KnownCapacity);
-            _stages.SetKnownCapacity(_candidates.KnownCapacity, _subRays.KnownCapacity);
+            _kernel.SetLists(_candidates, _subRays);
+            _stages.SetLists(_candidates, _subRays);
             _kernel.SetBuffers(cells, _output, _rays, _chosen, choosesSubRays ? _lengths : null, readback);
             _stages.Set(settings, _kernel.TraceGroup, _kernel.RefineGroup);
             _stages.ClearSums(_output.Buffer);

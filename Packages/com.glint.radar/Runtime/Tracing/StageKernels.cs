@@ -31,9 +31,12 @@ namespace Glint
             _shader.SetNumber(ShaderIDs._MaxTwist, PixelPhase.MaxSlopeDifference(settings.Wavelength));
         }
 
-        /// <summary>Sets the capacities for candidates whose triangles are known.</summary>
-        public void SetKnownCapacity(int ofRays, int ofSubRays) =>
-            _shader.SetInts(ShaderIDs._KnownCapacity, ofRays, ofSubRays, 0, 0);
+        /// <summary>Sets how candidates are listed.</summary>
+        public void SetLists(CandidateList ofRays, CandidateList ofSubRays)
+        {
+            _shader.SetInts(ShaderIDs._KnownCapacity, ofRays.KnownCapacity, ofSubRays.KnownCapacity, 0, 0);
+            _shader.SetInt(ShaderIDs._MaxSpread, ofRays.MaxSpread);
+        }
 
         /// <summary>Clears sums and counts.</summary>
         public void ClearSums(DeviceBuffer<uint> sums)

@@ -16,7 +16,6 @@ namespace Glint
         public const int MaxTiles = 65535 * GroupsARow;
 
         readonly ComputeShader _shader;
-        readonly bool _isWide;
         readonly string _name;
         readonly string _refineName;
         readonly int _entryPointsKernel, _pathsKernel;
@@ -45,7 +44,7 @@ namespace Glint
             if (!shader.HasKernel("Trace"))
                 throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel 'Trace': "
                     + "assign Packages/com.glint.radar/Shaders/Trace.compute");
-            _isWide = isWide;
+            IsWide = isWide;
             _shader = isWide ? SoftwareDevice.WideShader : shader;
             if (_shader == null)
                 throw new InvalidOperationException("the wide kernels are not there: only the headless host has them");
@@ -63,13 +62,16 @@ namespace Glint
             DeviceArithmetic.Check(shader);
         }
 
+        /// <summary>Whether the kernels are those for software devices.</summary>
+        public bool IsWide { get; }
+
         /// <summary>Chooses the kernels for a scene; the other methods set and run these.</summary>
         public void Choose(DeviceScene scene, bool countsVisits)
         {
             // The loop over instances costs a software device a tenth of its time, even for one instance.
             string kind = countsVisits ? "Count"
                 : !scene.HasInlineInstances ? scene.Pages.Count > 1 ? "Paged" : ""
-                : _isWide && scene.InlineInstances.Count == 1 ? "SingleInstance" : "InlineInstances";
+                : IsWide && scene.InlineInstances.Count == 1 ? "SingleInstance" : "InlineInstances";
             _kernel = _shader.FindKernel(_name + kind);
             _refineKernel = _shader.FindKernel(_refineName + (scene.Pages.Count > 1 ? "Paged" : ""));
         }
@@ -130,9 +132,12 @@ namespace Glint
             SetBvhs(_refineKernel, scene);
         }
 
-        /// <summary>Sets the capacities for candidates whose triangles are known.</summary>
-        public void SetKnownCapacity(int ofRays, int ofSubRays) =>
-            _shader.SetInts(ShaderIDs._KnownCapacity, ofRays, ofSubRays, 0, 0);
+        /// <inheritdoc cref="StageKernels.SetLists"/>
+        public void SetLists(CandidateList ofRays, CandidateList ofSubRays)
+        {
+            _shader.SetInts(ShaderIDs._KnownCapacity, ofRays.KnownCapacity, ofSubRays.KnownCapacity, 0, 0);
+            _shader.SetInt(ShaderIDs._MaxSpread, ofRays.MaxSpread);
+        }
 
         /// <summary>Threads of a group of the kernel that traces, and of the one that refines.</summary>
         public int TraceGroup => _shader.GroupOf(_kernel);
@@ -171,16 +176,16 @@ namespace Glint
         public void SetEntryPoints(DeviceBuffer<uint4> entryPoints) =>
             _shader.SetBuffer(_kernel, ShaderIDs._EntryPoints, entryPoints.Buffer);
 
-        /// <summary>Finds the entry points of some tiles.</summary>
-        public void FindEntryPoints(DeviceScene scene, DeviceBuffer<uint> cells, int firstTile, int count,
+        /// <summary>Finds the entry points of the plan's slice.</summary>
+        public void FindEntryPoints(DeviceScene scene, DeviceBuffer<uint> cells, DispatchPlan plan,
             DeviceBuffer<uint4> entryPoints)
         {
             _shader.SetBuffer(_entryPointsKernel, ShaderIDs._Bvh[0], scene.Pages[0].Rows.Buffer);
             _shader.SetBuffer(_entryPointsKernel, ShaderIDs._Cells, cells.Buffer);
             _shader.SetBuffer(_entryPointsKernel, ShaderIDs._FoundEntryPoints, entryPoints.Buffer);
-            _shader.SetInt(ShaderIDs._FirstTile, firstTile);
-            _shader.SetInt(ShaderIDs._TileCount, count);
-            _shader.DispatchThreads(_entryPointsKernel, (long)count * scene.InlineInstances.Count);
+            _shader.SetInt(ShaderIDs._FirstTile, plan.First);
+            _shader.SetInt(ShaderIDs._TileCount, plan.Count);
+            _shader.DispatchThreads(_entryPointsKernel, (long)plan.Cells * scene.InlineInstances.Count);
         }
 
         /// <summary>Traces the rays of some tiles and lists candidates.</summary>
