@@ -21,6 +21,7 @@ public sealed class WrongCallTests
         ["sweep"] = ["MESH", "--angles", "0", "--size", "4x4", "--out", "DIR/out"],
         ["merge"] = ["DIR", "--out", "DIR/out"],
         ["run"] = ["MESH", "--size", "4x4"],
+        ["rcs"] = ["MESH", "--tolerance", "10", "--out", "DIR/out"],
         ["report"] = ["DIR", "--pose", "none"],
         ["sea"] = [],
         ["ship"] = [],
