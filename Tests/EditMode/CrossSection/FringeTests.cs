@@ -178,6 +178,21 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void ManyReceivers_AreThoseOfSingleOnes()
+        {
+            var random = new System.Random(6);
+            var pose = Pose(new RadarScene(RandomPrism(random)), RandomAspect(random));
+            pose.Receivers = Enumerable.Range(0, TubeKernels.MaxReceivers).Select(i => RandomAspect(random)).ToArray();
+            var together = Fringes(pose);
+            for (int i = 0; i < together.GetLength(0); i++)
+            {
+                var alone = Pose(pose.Scene, pose.Radar);
+                alone.Receivers = new[] { pose.Receivers[i] };
+                Assert.That(Fringes(alone)[0, 0], Is.EqualTo(together[i, 0]), "bit for bit");
+            }
+        }
+
+        [Test]
         public void EdgesOfACoatedFace_AreLeftOutAndCounted()
         {
             var layer = new SurfaceMaterial("layer", new[] { new MaterialLayer(Medium.Constant(4, 0.4, 1, 0), 0.002) });

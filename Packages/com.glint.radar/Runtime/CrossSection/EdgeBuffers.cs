@@ -20,8 +20,6 @@ namespace Glint
         /// <summary>Wedges left out because a face is no perfect conductor.</summary>
         public int LeftOutCount => _wedges.CoatedCount;
 
-        public long Bytes => Pieces.Bytes;
-
         /// <summary>Finds the wedges of another scene, and uploads what has changed.</summary>
         /// <param name="patches">Of each instance: another list is another scene.</param>
         /// <param name="centre">Origin of the kernels' coordinates.</param>
