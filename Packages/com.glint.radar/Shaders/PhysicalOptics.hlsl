@@ -5,9 +5,6 @@
 
 // The currents that a tube paints on the surface at each hit, and what they radiate (Documentation~/rcs.md).
 
-// Minimum cosine of the incidence angle of hits that radiate.
-static const float MIN_COSINE = 1.0e-4;
-
 // Curvature times wavelength below which shadow edges fade: k R above 50.
 static const float MIN_FADED_RADIUS = 50.0;
 
@@ -47,6 +44,8 @@ Receiver ReceiverFrom(uint index, float3 position)
 // surface, later ones do not pass through it.
 bool Radiates(TubePath tube, SurfacePoint at, Receiver receiver)
 {
+    if (at.IsLost)
+        return false;
     bool isFacing = dot(at.FacetNormal, receiver.Direction) > 0.0, isFirst = tube.Path.Bounces == 1;
     if (isFirst && (!isFacing || _IsMonostatic != 0))
         return true;
@@ -94,8 +93,7 @@ Tube CurrentsAt(TubePath tube, SurfacePoint at, uint index, Receiver receiver)
     float cosine = -dot(d, at.Normal);
     float4 reflection = ReflectionOf(at.Surface, cosine);
     float section = abs(Section(tube.PlaceU, tube.PlaceV, d));
-    float scale = cosine < MIN_COSINE ? 0.0
-        : receiver.Strength * FadeOf(at) * sqrt(abs(tube.StartSection) * section) / cosine;
+    float scale = receiver.Strength * FadeOf(at) * sqrt(abs(tube.StartSection) * section) / cosine;
     Tube currents = (Tube)0;
     currents.Phase = receiver.Phase - tube.Path.RelativeLength;
     float3 slope = receiver.Direction - d;

@@ -3,6 +3,7 @@
 
 #include "TubeGrid.hlsl"
 #include "Sums.hlsl"
+#include "Trigonometry.hlsl"
 
 // Cuts border cells in two along the border, or divides them into four cells of the next round. One thread a border cell.
 
@@ -78,7 +79,7 @@ void Divide(Cell cell)
 float AreaError(float2 chord, float2 sides[2], float width, float2 gradient)
 {
     float x = 0.5 * _WaveNumber * dot(gradient, chord);
-    float hat = abs(x) < 0.01 ? 1.0 : sin(x) / x;
+    float hat = abs(x) < 0.01 ? 1.0 : PhasorOf(x).y / x;
     float first = Cross2(chord, sides[0]), second = Cross2(chord, sides[1]);
     return BENT_BORDER * sqrt((first * first + second * second) / 24.0) * width * hat * hat;
 }

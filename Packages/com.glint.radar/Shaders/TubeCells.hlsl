@@ -10,8 +10,9 @@
 // power is left out.
 float BentError(float3 bends)
 {
-    float sum = abs(bends.x) + abs(bends.y) + abs(bends.z);
-    return min(1.0, 0.05 * sum * sum * sum);
+    float sum = abs(bends.x) + abs(bends.y) + abs(bends.z), error = 0.05 * sum * sum * sum;
+    // The minimum of a number and NaN is the number.
+    return IsNaN(error) ? 1.0 : min(1.0, error);
 }
 
 // Above it the expansion of a bent phase is worse than none: phases of 1.5 rad.
@@ -136,7 +137,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                         currents.Bent = BentError(_WaveNumber * bends);
                         // Where the expansion fails, on cells too small to matter, the mean phase remains.
                         bool isBent = currents.Bent < MAX_BENT_ERROR;
-                        currents.Phase += (bends.x + bends.y) * (isBent ? 1.0 : 1.0 / 3.0);
+                        float mean = (bends.x + bends.y) * (isBent ? 1.0 : 1.0 / 3.0);
+                        currents.Phase += IsNaN(mean) ? 0.0 : mean;
                         currents.Corners01 = float4(side, isBent ? bends : (float3)0);
                         if ((receivers >> index & 1) != 0)
                             AddTube(currents);

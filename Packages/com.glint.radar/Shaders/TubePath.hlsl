@@ -31,6 +31,7 @@ struct SurfacePoint
     uint Surface;
     uint2 Triangle;        // see NumberOf
     float3 NextStart;      // of shadow rays
+    bool IsLost;           // grazing or spread so much that the tube ends here and radiates nothing
 };
 
 // Section of the tube across its direction, m2 a base cell, signed.
@@ -38,6 +39,12 @@ float Section(float3 placeU, float3 placeV, float3 direction)
 {
     return dot(cross(placeU, placeV), direction);
 }
+
+// Minimum cosine of the incidence angle of hits that radiate.
+static const float MIN_COSINE = 1.0e-4;
+
+// Maximum section of a tube, in those of its start: its field is then 1/1000.
+static const float MAX_SPREAD = 1.0e6;
 
 TubePath BeginTube(float2 position)
 {
@@ -110,18 +117,20 @@ SurfacePoint PointOf(TubePath tube, Hit hit, float3 facetNormal, float3 placeU, 
     float3 from = PointToLocal(record, tube.Path.Ray.Origin) - middle;
     float3 mean = NormalFromLocal(record, float3(dot(x.xyz, from) + x.w, dot(y.xyz, from) + y.w,
         dot(z.xyz, from) + z.w));
-    float size = length(mean) * (dot(mean, facetNormal) < 0.0 ? -1.0 : 1.0);
+    // Normals of a sharp ridge may cancel each other.
+    float size = max(length(mean), 1.0e-6) * (dot(mean, facetNormal) < 0.0 ? -1.0 : 1.0);
     float3 normal = mean / size, d = tube.Path.Ray.Direction;
     bool looksAway = dot(normal, d) >= 0.0;
     // Derivatives along the facet, on which the hit lies.
     float3 along = d - normal * dot(normal, d);
     float alongSize = length(along);
     float3x3 directions = float3x3(placeU, placeV, alongSize > 1.0e-6 ? along / alongSize : (float3)0);
+    float toFacet = min(dot(d, facetNormal), -MIN_COSINE);
     float3 derivatives[3];
     [unroll]
     for (uint i = 0; i < 3; i++)
     {
-        float3 step = directions[i] - d * dot(directions[i], facetNormal) / dot(d, facetNormal);
+        float3 step = directions[i] - d * dot(directions[i], facetNormal) / toFacet;
         float3 local = VectorToLocal(record, i < 2 ? step : directions[i]);
         float3 change = NormalFromLocal(record, float3(dot(x.xyz, local), dot(y.xyz, local), dot(z.xyz, local))) / size;
         derivatives[i] = change - normal * dot(normal, change);
@@ -161,8 +170,20 @@ bool AdvanceTube(inout TubePath tube, out SurfacePoint at)
     float3 d = tube.Path.Ray.Direction;
     float3 placeU = tube.PlaceU + hit.Distance * tube.DirectionU, placeV = tube.PlaceV + hit.Distance * tube.DirectionV;
     at = PointOf(tube, hit, hit.Normal, placeU, placeV);
-    tube.PlaceU = placeU - d * (dot(placeU, at.Normal) / dot(d, at.Normal));
-    tube.PlaceV = placeV - d * (dot(placeV, at.Normal) / dot(d, at.Normal));
+    float cosine = -dot(d, at.Normal);
+    tube.PlaceU = placeU + d * (dot(placeU, at.Normal) / cosine);
+    tube.PlaceV = placeV + d * (dot(placeV, at.Normal) / cosine);
+    float section = abs(Section(tube.PlaceU, tube.PlaceV, d));
+    float squareU = dot(tube.PlaceU, tube.PlaceU), squareV = dot(tube.PlaceV, tube.PlaceV);
+    float maxSection = MAX_SPREAD * abs(tube.StartSection);
+    // Compilers may take a comparison with NaN for either.
+    at.IsLost = IsNaN(cosine) || IsNaN(section) || IsNaN(squareU) || IsNaN(squareV) || cosine < MIN_COSINE
+        || section > maxSection || max(squareU, squareV) > MAX_SPREAD * maxSection;
+    if (at.IsLost)
+    {
+        tube.PlaceU = 0.0;
+        tube.PlaceV = 0.0;
+    }
     Sign(tube, at.Patch);
     return true;
 }
@@ -204,7 +225,7 @@ bool ScatterTube(inout TubePath tube, SurfacePoint at)
     float3 d = tube.Path.Ray.Direction, n = at.Normal;
     float along = dot(d, n);
     float3 next = Mirrored(d, n);
-    if (dot(next, at.FacetNormal) <= 0.0)
+    if (at.IsLost || dot(next, at.FacetNormal) <= 0.0)
         return false;
     float3 s = AcrossIncidence(d, n, tube.V);
     float4 reflection = ReflectionOf(at.Surface, -along);

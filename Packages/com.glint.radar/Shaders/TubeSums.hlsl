@@ -14,6 +14,9 @@ float _UnitsPerMetre;                      // of S
 float _UnitsPerSquareMetre;                // of squared errors
 
 static const float MAX_UNITS = 4.0e18;
+
+// A larger squared error is no more than this: it says enough.
+static const float MAX_ERROR_UNITS = 1.0e17;
 static const float SQRT_4_PI = 3.54490770181103205;
 
 // A sum of a thread, 64 bits in two's complement.
@@ -160,7 +163,7 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             Accumulate(sums[6], sums[7], hh, overflow);
             Accumulate(sums[8], sums[9], tube.Bent * (dot(vv, vv) > dot(hh, hh) ? vv : hh), overflow);
             float error = tube.Error * scale;
-            Accumulate(sums[10], _UnitsPerSquareMetre * error * error, overflow);
+            Accumulate(sums[10], min(_UnitsPerSquareMetre * error * error, MAX_ERROR_UNITS), overflow);
         }
         uint slot = TUBE_SUMS + (receiver * _FrequencyCount + frequency) * TUBE_SUM_WORDS;
         for (uint sum = 0; sum < 11; sum++)

@@ -26,7 +26,7 @@ namespace Glint
             WaveNumber = 2 * Math.PI / wavelength;
             double tube = 2 * Math.Sqrt(Math.PI) * wavelength;
             UnitsPerMetre = Math.Pow(2, 24) / tube;
-            UnitsPerSquareMetre = Math.Pow(2, 50) / (tube * tube);
+            UnitsPerSquareMetre = Math.Pow(2, 40) / (tube * tube);
             _sums = new long[pose.Receivers.Length * pose.Frequencies.Length * SumCount];
         }
 
