@@ -4,12 +4,11 @@
 #include "WorkLists.hlsl"
 
 // Words of _Sums: the counts, then the sums of each receiver and frequency.
-static const uint TUBE_COUNT = 0;          // tubes; may exceed _Capacity
+static const uint TUBE_COUNT = 0;          // tubes; may exceed _ListCapacity
 static const uint TUBE_CELLS = 1;          // cells of the next round
 static const uint TUBE_BORDERS = 2;        // border cells of this round
 static const uint TUBE_OVERFLOW = 3;       // 1: a list was full
 static const uint TUBE_RAYS = 4;           // rays traced, 64 bits
-static const uint TUBE_BOUNCES = 6;        // maximum bounces of a path
 static const uint TUBE_SUMS = 16;
 static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
 static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each

@@ -131,6 +131,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     [loop]
                     for (uint index = 0; index < _ReceiverCount; index++)
                     {
+                        if ((receivers >> index & 1) == 0)
+                            continue;
                         Receiver receiver = ReceiverFrom(index, place);
                         Tube currents = CurrentsAt(tube, at, index, receiver);
                         float3 bends = BendsOf(bounces[bounce], receiver);
@@ -140,8 +142,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                         float mean = (bends.x + bends.y) * (isBent ? 1.0 : 1.0 / 3.0);
                         currents.Phase += IsNaN(mean) ? 0.0 : mean;
                         currents.Corners01 = float4(side, isBent ? bends : (float3)0);
-                        if ((receivers >> index & 1) != 0)
-                            AddTube(currents);
+                        AddTube(currents);
                     }
                 }
             }

@@ -74,11 +74,12 @@ namespace Glint
             if (pose.HasEdges)
                 _edges.Set(pose.Scene, _surfaces.Patches, _scene.Centre, TubeGrid.EdgePieceFor(pose));
             double floor = pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max);
+            var edges = SumEdges(pose, grid, cancel);
             long rays = 0;
             for (int level = BisectLevel > 0 ? BisectLevel : FirstBisectLevel; ;)
             {
-                var result = TraceTo(level, pose, grid, progress, cancel);
-                result.Rays = rays += result.Rays;
+                var result = TraceTo(level, pose, grid, edges, progress, cancel);
+                result.Rays = (rays += result.Rays) + edges.Rays;
                 result.FloorDbsm = floor;
                 result.WedgesLeftOut = pose.HasEdges ? _edges.LeftOutCount : 0;
                 double excess = Excess(result, pose.ToleranceDb, floor);
@@ -118,14 +119,13 @@ namespace Glint
             TubeKernels.FirstSum + TubeKernels.SumWords * pose.Receivers.Length * pose.Frequencies.Length;
 
         // Traces all cells, with borders to a level, slice by slice.
-        CrossSectionResult TraceTo(int level, CrossSectionPose pose, TubeGrid grid, IProgress<double> progress,
-            CancellationToken cancel)
+        CrossSectionResult TraceTo(int level, CrossSectionPose pose, TubeGrid grid, TubeSums edges,
+            IProgress<double> progress, CancellationToken cancel)
         {
             var sums = new TubeSums(pose, grid);
             double cellError = CellError * Math.Pow(2, -level);
             int maxLevel = (int)Math.Ceiling(-0.5 * Math.Log(cellError, 2));
-            _kernels.SetAccuracy(sums.WaveNumber, cellError, maxLevel, level, sums.UnitsPerMetre,
-                sums.UnitsPerSquareMetre);
+            _kernels.SetAccuracy(cellError, maxLevel, level);
             var read = new uint[OutputSize(pose)];
             long max = long.MaxValue;
             for (long first = 0; first < grid.Count;)
@@ -153,14 +153,19 @@ namespace Glint
                 first += count;
                 progress?.Report((double)first / grid.Count);
             }
-            if (pose.HasEdges && pose.OnlyBounce == 0)
-                AddEdges(pose, sums, read, cancel);
+            sums.Add(edges);
             return sums.ToResult();
         }
 
-        // Adds the fringe fields of edges, as many pieces at a time as the list of tubes holds.
-        void AddEdges(CrossSectionPose pose, TubeSums sums, uint[] read, CancellationToken cancel)
+        // Sums the fringe fields of edges, as many pieces at a time as the list of tubes holds. They are the same for
+        // every attempt.
+        TubeSums SumEdges(CrossSectionPose pose, TubeGrid grid, CancellationToken cancel)
         {
+            var sums = new TubeSums(pose, grid);
+            _kernels.SetUnits(sums);
+            if (!pose.HasEdges || pose.OnlyBounce != 0)
+                return sums;
+            var read = new uint[OutputSize(pose)];
             // Shadow rays start clear of faces that meet at an edge up to that tolerance.
             double offset = WedgeFinder.RelativeTolerance * math.distance(_scene.Min, _scene.Max);
             int max = ListCapacity / pose.Receivers.Length;
@@ -173,6 +178,7 @@ namespace Glint
                 _output.ReadBack(read, read.Length);
                 sums.Add(read, _owner);
             }
+            return sums;
         }
 
         /// <summary>Releases all buffers on the device.</summary>

@@ -45,13 +45,9 @@ namespace Glint
         /// <summary>Sets the scene.</summary>
         public void SetScene(DeviceScene scene, SurfaceBuffers surfaces)
         {
-            _shader.SetInt(ShaderIDs._InstanceBvhRoot, (int)scene.InstanceBvhRoot);
             foreach (int kernel in new[] { _cells, _bisect, _borders, _fringes })
             {
-                _shader.SetBuffer(kernel, ShaderIDs._InstanceBvh, scene.InstanceBvhRows.Buffer);
-                _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
-                _shader.SetBuffer(kernel, ShaderIDs._Ranges, scene.Ranges.Buffer);
-                _shader.SetBuffer(kernel, ShaderIDs._Bvh[0], scene.Pages[0].Rows.Buffer);
+                _shader.SetBvhs(kernel, scene);
                 _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._NormalFields, surfaces.NormalFields.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._InstanceFacets, surfaces.InstanceFacets.Buffer);
@@ -63,14 +59,7 @@ namespace Glint
         public void SetPose(CrossSectionPose pose, TubeGrid grid)
         {
             var rays = grid.Rays;
-            SetVector(ShaderIDs._Origin, rays.Origin);
-            SetVector(ShaderIDs._OriginDx, rays.OriginDx);
-            SetVector(ShaderIDs._OriginDy, rays.OriginDy);
-            SetVector(ShaderIDs._Direction, rays.Direction);
-            SetVector(ShaderIDs._DirectionDx, rays.DirectionDx);
-            SetVector(ShaderIDs._DirectionDy, rays.DirectionDy);
-            _shader.SetNumber(ShaderIDs._OriginDepth, rays.OriginDepth);
-            _shader.SetVector(ShaderIDs._ReferencePixel, new Vector4(rays.ReferencePixel.x, rays.ReferencePixel.y));
+            _shader.SetRays(rays);
             _shader.SetVector(ShaderIDs._SceneCentreExtent, ToVector(rays.SceneCentre, (float)rays.SceneExtent));
             _shader.SetInt(ShaderIDs._MaxBounces, pose.MaxBounces);
 
@@ -101,16 +90,20 @@ namespace Glint
             _shader.SetInt(TubeIDs._FrequencyGroups, (pose.Frequencies.Length + together - 1) / together);
         }
 
-        /// <summary>Sets how finely cells are divided and borders found.</summary>
-        public void SetAccuracy(double waveNumber, double cellError, int maxLevel, int bisectLevel,
-            double unitsPerMetre, double unitsPerSquareMetre)
+        /// <summary>Sets the units of the sums.</summary>
+        public void SetUnits(TubeSums sums)
         {
-            _shader.SetFloat(TubeIDs._WaveNumber, (float)waveNumber);
+            _shader.SetFloat(TubeIDs._WaveNumber, (float)sums.WaveNumber);
+            _shader.SetFloat(TubeIDs._UnitsPerMetre, (float)sums.UnitsPerMetre);
+            _shader.SetFloat(TubeIDs._UnitsPerSquareMetre, (float)sums.UnitsPerSquareMetre);
+        }
+
+        /// <summary>Sets how finely cells are divided and borders found.</summary>
+        public void SetAccuracy(double cellError, int maxLevel, int bisectLevel)
+        {
             _shader.SetFloat(TubeIDs._CellError, (float)cellError);
             _shader.SetInt(TubeIDs._MaxLevel, maxLevel);
             _shader.SetInt(TubeIDs._BisectLevel, bisectLevel);
-            _shader.SetFloat(TubeIDs._UnitsPerMetre, (float)unitsPerMetre);
-            _shader.SetFloat(TubeIDs._UnitsPerSquareMetre, (float)unitsPerSquareMetre);
         }
 
         /// <summary>Sets the lists that the kernels leave to each other.</summary>
@@ -202,11 +195,5 @@ namespace Glint
                 .Append(value(pose.Radar)).ToArray();
 
         static Vector4 ToVector(double3 v, float w = 0) => new Vector4((float)v.x, (float)v.y, (float)v.z, w);
-
-        void SetVector((int value, int lo) id, double3 v)
-        {
-            _shader.SetVector(id.value, ToVector(v));
-            _shader.SetVector(id.lo, new Vector4(DoubleFloat.Lo(v.x), DoubleFloat.Lo(v.y), DoubleFloat.Lo(v.z)));
-        }
     }
 }

@@ -9,7 +9,7 @@ namespace Glint
     sealed class TubeSums
     {
         // Words of the output.
-        const int Count = 0, Overflow = 3, Rays = 4;
+        const int Count = 0, Overflow = 3, RayCount = 4;
 
         // Sums of a receiver and frequency, two words each, and the word after them.
         const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
@@ -17,7 +17,7 @@ namespace Glint
         readonly CrossSectionPose _pose;
         readonly TubeGrid _grid;
         readonly long[] _sums;
-        long _tubes, _rays;
+        long _tubes;
 
         public TubeSums(CrossSectionPose pose, TubeGrid grid)
         {
@@ -29,6 +29,9 @@ namespace Glint
             UnitsPerSquareMetre = Math.Pow(2, 40) / (tube * tube);
             _sums = new long[pose.Receivers.Length * pose.Frequencies.Length * SumCount];
         }
+
+        /// <summary>Rays traced.</summary>
+        public long Rays { get; private set; }
 
         /// <summary>Of the highest frequency, radians per metre.</summary>
         public double WaveNumber { get; }
@@ -47,7 +50,7 @@ namespace Glint
         public void Add(uint[] output, string owner)
         {
             _tubes += output[Count];
-            _rays += output[Rays] + ((long)output[Rays + 1] << 32);
+            Rays += output[RayCount] + ((long)output[RayCount + 1] << 32);
             for (int i = 0; i < _sums.Length; i++)
             {
                 int first = TubeKernels.FirstSum + i / SumCount * TubeKernels.SumWords;
@@ -59,12 +62,20 @@ namespace Glint
             }
         }
 
+        /// <summary>Adds the sums of others, without their rays.</summary>
+        public void Add(TubeSums others)
+        {
+            _tubes += others._tubes;
+            for (int i = 0; i < _sums.Length; i++)
+                _sums[i] += others._sums[i];
+        }
+
         /// <summary>The scattering matrices and their errors.</summary>
         public CrossSectionResult ToResult()
         {
             var result = new CrossSectionResult(_pose.Receivers.Length, _pose.Frequencies.Length)
             {
-                Tubes = _tubes, Rays = _rays
+                Tubes = _tubes, Rays = Rays
             };
             int first = 0;
             for (int receiver = 0; receiver < _pose.Receivers.Length; receiver++)

@@ -1,3 +1,4 @@
+using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -20,6 +21,40 @@ namespace Glint
                 across = TraceKernel.GroupsARow;
             if (groups > 0)
                 shader.Dispatch(kernel, math.min(groups, across), (groups + across - 1) / across, 1);
+        }
+
+        /// <summary>Sets the rays of a picture.</summary>
+        public static void SetRays(this ComputeShader shader, RayGrid grid)
+        {
+            shader.SetPoint(ShaderIDs._Origin, grid.Origin);
+            shader.SetPoint(ShaderIDs._OriginDx, grid.OriginDx);
+            shader.SetPoint(ShaderIDs._OriginDy, grid.OriginDy);
+            shader.SetPoint(ShaderIDs._Direction, grid.Direction);
+            shader.SetPoint(ShaderIDs._DirectionDx, grid.DirectionDx);
+            shader.SetPoint(ShaderIDs._DirectionDy, grid.DirectionDy);
+            shader.SetNumber(ShaderIDs._OriginDepth, grid.OriginDepth);
+            shader.SetVector(ShaderIDs._ReferencePixel,
+                new Vector4(grid.ReferencePixel.x, grid.ReferencePixel.y, 0, 0));
+        }
+
+        /// <summary>Sets the BVHs, instances and ranges of a scene.</summary>
+        public static void SetBvhs(this ComputeShader shader, int kernel, DeviceScene scene)
+        {
+            shader.SetInt(ShaderIDs._InstanceBvhRoot, (int)scene.InstanceBvhRoot);
+            shader.SetBuffer(kernel, ShaderIDs._InstanceBvh, scene.InstanceBvhRows.Buffer);
+            shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
+            shader.SetBuffer(kernel, ShaderIDs._Ranges, scene.Ranges.Buffer);
+            // Every page that a kernel declares needs a buffer, even if it is not read.
+            for (int page = 0; page < DeviceBvhs.MaxPages; page++)
+                shader.SetBuffer(kernel, ShaderIDs._Bvh[page],
+                    scene.Pages[page < scene.Pages.Count ? page : 0].Rows.Buffer);
+        }
+
+        /// <summary>Sets three double-floats: the numbers rounded to float32, and their Lo parts.</summary>
+        public static void SetPoint(this ComputeShader shader, (int value, int lo) id, double3 v)
+        {
+            shader.SetVector(id.value, new Vector4((float)v.x, (float)v.y, (float)v.z, 0));
+            shader.SetVector(id.lo, new Vector4(DoubleFloat.Lo(v.x), DoubleFloat.Lo(v.y), DoubleFloat.Lo(v.z), 0));
         }
 
         /// <summary>Sets a double-float: the number rounded to float32, and its Lo part.</summary>

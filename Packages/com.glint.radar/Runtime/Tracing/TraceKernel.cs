@@ -79,23 +79,15 @@ namespace Glint
         public void SetRadar(in RadarSettings settings, in RadarView view, RayGrid grid, double3 origin,
             float lengthUnits, Culling culling)
         {
-            SetVector(ShaderIDs._Origin, grid.Origin);
-            SetVector(ShaderIDs._OriginDx, grid.OriginDx);
-            SetVector(ShaderIDs._OriginDy, grid.OriginDy);
-            SetVector(ShaderIDs._Direction, grid.Direction);
-            SetVector(ShaderIDs._DirectionDx, grid.DirectionDx);
-            SetVector(ShaderIDs._DirectionDy, grid.DirectionDy);
-            SetVector(ShaderIDs._ReceiverCentre, view.ReceiverCentre - grid.SceneCentre);
-            SetVector(ShaderIDs._ReceiverRight, view.ReceiverRight);
-            SetVector(ShaderIDs._ReceiverUp, view.ReceiverUp);
-            SetVector(ShaderIDs._ReceiverForward, view.ReceiverForward);
+            _shader.SetRays(grid);
+            _shader.SetPoint(ShaderIDs._ReceiverCentre, view.ReceiverCentre - grid.SceneCentre);
+            _shader.SetPoint(ShaderIDs._ReceiverRight, view.ReceiverRight);
+            _shader.SetPoint(ShaderIDs._ReceiverUp, view.ReceiverUp);
+            _shader.SetPoint(ShaderIDs._ReceiverForward, view.ReceiverForward);
             double2 half = view.ReceiverSize / 2;
             _shader.SetVector(ShaderIDs._ReceiverHalfSize,
                 new Vector4((float)half.x, DoubleFloat.Lo(half.x), (float)half.y, DoubleFloat.Lo(half.y)));
-            _shader.SetNumber(ShaderIDs._OriginDepth, grid.OriginDepth);
             _shader.SetNumber(ShaderIDs._WaveNumberTurns, 1 / settings.Wavelength);
-            _shader.SetVector(ShaderIDs._ReferencePixel,
-                new Vector4(grid.ReferencePixel.x, grid.ReferencePixel.y, 0, 0));
             double3 centre = grid.SceneCentre + origin;
             _shader.SetVector(ShaderIDs._SceneCentreExtent,
                 new Vector4((float)centre.x, (float)centre.y, (float)centre.z, (float)grid.SceneExtent));
@@ -128,8 +120,8 @@ namespace Glint
                 _shader.SetInts(ShaderIDs._InlineRows, inlineRows);
                 _shader.SetInt(ShaderIDs._InstanceCount, scene.InlineInstances.Count);
             }
-            SetBvhs(_kernel, scene);
-            SetBvhs(_refineKernel, scene);
+            _shader.SetBvhs(_kernel, scene);
+            _shader.SetBvhs(_refineKernel, scene);
         }
 
         /// <inheritdoc cref="StageKernels.SetLists"/>
@@ -234,23 +226,11 @@ namespace Glint
         /// <param name="hits"><see cref="RadarSettings.MaxBounces"/> elements a ray.</param>
         public void DispatchPaths(DeviceScene scene, int count, DeviceBuffer<uint2> listed, DeviceBuffer<HitData> hits)
         {
-            SetBvhs(_pathsKernel, scene);
+            _shader.SetBvhs(_pathsKernel, scene);
             _shader.SetInt(ShaderIDs._PathCount, count);
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Candidates, listed.Buffer);
             _shader.SetBuffer(_pathsKernel, ShaderIDs._Hits, hits.Buffer);
             _shader.DispatchThreads(_pathsKernel, count);
-        }
-
-        void SetBvhs(int kernel, DeviceScene scene)
-        {
-            _shader.SetInt(ShaderIDs._InstanceBvhRoot, (int)scene.InstanceBvhRoot);
-            _shader.SetBuffer(kernel, ShaderIDs._InstanceBvh, scene.InstanceBvhRows.Buffer);
-            _shader.SetBuffer(kernel, ShaderIDs._Instances, scene.Instances.Buffer);
-            _shader.SetBuffer(kernel, ShaderIDs._Ranges, scene.Ranges.Buffer);
-            // Every page that a kernel declares needs a buffer, even if it is not read.
-            for (int page = 0; page < DeviceBvhs.MaxPages; page++)
-                _shader.SetBuffer(kernel, ShaderIDs._Bvh[page],
-                    scene.Pages[page < scene.Pages.Count ? page : 0].Rows.Buffer);
         }
 
         void SetCandidates(int kernel, CandidateList candidates, bool hasSubRays)
@@ -258,12 +238,6 @@ namespace Glint
             _shader.SetInt(ShaderIDs._HasSubRays, hasSubRays ? 1 : 0);
             _shader.SetBuffer(kernel, ShaderIDs._Candidates, candidates.Rays.Buffer);
             _shader.SetBuffer(kernel, ShaderIDs._Met, candidates.Met.Buffer);
-        }
-
-        void SetVector((int value, int lo) id, double3 v)
-        {
-            _shader.SetVector(id.value, new Vector4((float)v.x, (float)v.y, (float)v.z, 0));
-            _shader.SetVector(id.lo, new Vector4(DoubleFloat.Lo(v.x), DoubleFloat.Lo(v.y), DoubleFloat.Lo(v.z), 0));
         }
     }
 }
