@@ -211,7 +211,7 @@ namespace Glint.Tests
         // What edges add: the sums of the tubes are the same bit for bit, and cancel.
         ScatteringMatrix[,] Fringes(CrossSectionPose pose)
         {
-            _tracer.BisectLevel = 1;
+            _tracer.CellError = 1;
             return WhatEdgesAdd(pose, () => _tracer.Trace(pose).S);
         }
 
