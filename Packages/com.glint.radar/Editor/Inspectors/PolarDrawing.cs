@@ -41,7 +41,7 @@ namespace Glint.Editor
 
         public void Draw(IChartCanvas canvas, ChartColours colours)
         {
-            foreach (var (position, _) in _plot.Levels.Ticks)
+            foreach (var (position, _) in _plot.Levels.Ticks.Where(tick => tick.Position > 0))
                 canvas.Line(Enumerable.Range(0, CornersOfRing)
                     .Select(i => At(360.0 * i / CornersOfRing, position)).ToArray(), true, 1, colours.Grid);
             for (int azimuth = 0; azimuth < 360; azimuth += DegreesOfSpoke)

@@ -49,7 +49,7 @@ namespace Glint
 
         /// <summary>Refuses a device that cannot trace, and another shader.</summary>
         /// <exception cref="GlintException">The message says why, and the way out.</exception>
-        public static void Check(ComputeShader shader, string owner) => 
+        public static void Check(ComputeShader shader, string owner) =>
             DeviceCheck.Require(shader, "Tubes", "TubeCells", owner);
 
         /// <summary>
