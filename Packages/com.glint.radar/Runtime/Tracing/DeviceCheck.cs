@@ -23,12 +23,23 @@ namespace Glint
             if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3)
                 throw new GlintException($"{SystemInfo.graphicsDeviceName} (OpenGLES3) does not guarantee the rounding "
                     + "that path lengths need, as OpenGL ES has no 'precise': use Vulkan");
-            string remedy = $"assign Packages/com.glint.radar/Shaders/{name}.compute";
             if (shader == null)
-                throw new GlintException($"{owner} has no kernel: {remedy}");
+                throw new GlintException($"{owner} has no kernel: "
+                    + $"assign Packages/com.glint.radar/Shaders/{name}.compute");
             if (!shader.HasKernel(kernel))
-                throw new GlintException(
-                    $"{owner}: compute shader '{shader.name}' has no kernel '{kernel}': {remedy}");
+                throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel '{kernel}': "
+                    + $"assign Packages/com.glint.radar/Shaders/{name}.compute");
+            RequireSupported(shader, shader.FindKernel(kernel));
+        }
+
+        /// <summary>Refuses kernels that the device does not run.</summary>
+        /// <exception cref="GlintException">A kernel did not compile for the device.</exception>
+        public static void RequireSupported(ComputeShader shader, params int[] kernels)
+        {
+            foreach (int kernel in kernels)
+                if (!shader.IsSupported(kernel))
+                    throw new GlintException($"a kernel of compute shader '{shader.name}' does not run on "
+                        + $"{SystemInfo.graphicsDeviceName}: see the shader's import messages");
         }
     }
 }

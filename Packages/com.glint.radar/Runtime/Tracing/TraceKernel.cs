@@ -40,10 +40,7 @@ namespace Glint
             _refineName = "Refine" + suffix;
             _refineKernel = _shader.FindKernel(_refineName);
             _pathsKernel = _shader.FindKernel("Paths" + suffix);
-            foreach (int kernel in new[] { _kernel, _entryPointsKernel, _refineKernel, _pathsKernel })
-                if (!_shader.IsSupported(kernel))
-                    throw new GlintException($"a kernel of compute shader '{_shader.name}' does not run on "
-                        + $"{SystemInfo.graphicsDeviceName}: see the shader's import messages");
+            DeviceCheck.RequireSupported(_shader, _kernel, _entryPointsKernel, _refineKernel, _pathsKernel);
             DeviceArithmetic.Check(shader);
         }
 
