@@ -204,6 +204,11 @@ namespace Glint.Tests
                 ["frequency given twice"] = (it => it.Frequencies = "1e9,1e9",
                     "the frequency 1000000000 Hz is given twice: give each once"),
                 ["range of two parts"] = (it => it.Azimuths = "0:45", "azimuths 0:45: a range has three parts"),
+                ["frequency for the size"] = (it =>
+                {
+                    it.Target.localScale = 1000 * UnityEngine.Vector3.one;
+                    it.Frequencies = "1e12";
+                }, "1e+12 Hz is too high for its size of"),
                 ["elevation"] = (it => it.Elevations = "91",
                     "elevations 91: each elevation must be from -90 to 90 degrees"),
                 ["polarisation"] = (it => it.Polarisations = "vv,rl", "polarisations vv,rl: rl is none"),

@@ -201,7 +201,7 @@ namespace Glint
             var scene = gatherer.Gather(~0, _target == null ? new Transform[0] : new[] { _target }, null);
             if (scene.TriangleCount == 0)
                 throw new GlintException(HasNoMesh);
-            var setup = new CrossSectionSetup(scene, plan) { Polarisations = polarisations };
+            var setup = new CrossSectionSetup(scene, plan) { Subject = Subject, Polarisations = polarisations };
             (setup.ToleranceDb, setup.GivenFloorDbsm, setup.CreaseDegrees) = (_tolerance, FloorDbsm, _creaseAngle);
             (setup.MaxBounces, setup.HasEdges, setup.PhaseCentre) = (_maxBounces, _edges, setup.BoxCentre);
             string path = gameObject.scene.path;

@@ -74,6 +74,9 @@ namespace Glint
         /// <summary>Path of the scene or mesh file, for results.json; null for none.</summary>
         public string ScenePath { get; set; }
 
+        /// <summary>Name of what is computed, for messages; null: the scene's path.</summary>
+        public string Subject { get; set; }
+
         /// <summary>Number of objects of the scene, for results.json.</summary>
         public int Objects { get; set; }
 
