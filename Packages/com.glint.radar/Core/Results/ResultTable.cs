@@ -15,7 +15,7 @@ namespace Glint.Core
         /// <summary>Cross sections.</summary>
         public static readonly ResultTable CrossSection = new ResultTable("rcs", "rcs.csv", CrossSectionColumn.All)
         {
-            ArraysName = "rcs.npz", WriteArrays = CrossSectionArrays.Write
+            FolderSuffix = "-rcs", ArraysName = "rcs.npz", WriteArrays = CrossSectionArrays.Write
         };
 
         /// <summary>Every table.</summary>
@@ -29,6 +29,9 @@ namespace Glint.Core
 
         /// <summary>File of the rows.</summary>
         public string CsvName { get; }
+
+        /// <summary>Ends the name of the default folder; null for nothing.</summary>
+        public string FolderSuffix { get; private set; }
 
         /// <summary>The columns, in the order of the files.</summary>
         public IReadOnlyList<ResultColumn> Columns { get; }

@@ -3,7 +3,6 @@ using System.IO;
 using System.Linq;
 using System.Numerics;
 using Glint.Core;
-using UnityEditor;
 using UnityEngine;
 
 namespace Glint.Editor
@@ -11,24 +10,18 @@ namespace Glint.Editor
     /// <summary><c>glint rcs</c>: cross sections of a scene or a mesh file.</summary>
     static class CrossSectionCommand
     {
-        const string ShaderPath = "Packages/com.glint.radar/Shaders/Tubes.compute";
-
-        // Of the default folder, beside the results of sweeps of the same input.
-        const string FolderSuffix = "-rcs";
-
         public static int Execute(CommandLine line, IProgressSink progress)
         {
             var plan = CrossSectionOptions.PlanOf(line);
             var (setup, name) = Open(line, plan);
             string path = line.IsGiven(CrossSectionOptions.Out)
                 ? Path.GetFullPath(line.Get(CrossSectionOptions.Out))
-                : RunDescription.DefaultFolder(name + FolderSuffix);
+                : RunDescription.DefaultFolder(name, ResultTable.CrossSection);
             using (var folder = ResultsFolder.Open(path, ResultTable.CrossSection))
             {
                 Batch.WarnOfUnfinished(line, folder);
-                var shader = AssetDatabase.LoadAssetAtPath<ComputeShader>(ShaderPath);
-                using (var run = new CrossSectionRun(setup, shader, folder, line.Get(Options.Shard),
-                    line.Get(Options.Resume)))
+                using (var run = new CrossSectionRun(setup, ProjectAssets.TubesKernel, folder,
+                    line.Get(Options.Shard), line.Get(Options.Resume)))
                 {
                     if (!run.IsComplete)
                         Describe(setup, name, progress);
@@ -66,7 +59,7 @@ namespace Glint.Editor
                 CreaseDegrees = line.Get(CrossSectionOptions.Crease)
             };
             // Files have an origin of their own; a scene's is arbitrary.
-            setup.PhaseCentre = isScene ? (setup.BoxMin + setup.BoxMax) / 2 : -scene.Origin;
+            setup.PhaseCentre = isScene ? setup.BoxCentre : -scene.Origin;
             return (setup, name);
         }
 
@@ -78,10 +71,8 @@ namespace Glint.Editor
             if (setup.Quality.IsOpen)
                 progress.Print($"note: the mesh has {setup.Quality.OpenEdgeCount} open edges: open surfaces are thin "
                     + "conductors, lit from both sides");
-            double share = setup.Quality.Share(Signal.Wavelength(setup.Plan.Frequencies.Last()));
-            if (share > 0)
-                Debug.LogWarning(FormattableString.Invariant(
-                    $"{name}: the facets are too coarse for curved surfaces on {100 * share:0.#} % of the area at {setup.Plan.Frequencies.Last():g4} Hz: their arcs rise more than 1/50 wavelength above them; the mesh is good up to {setup.Quality.MaxFrequency:g4} Hz (column coarse_area_share): use a finer mesh or a lower frequency"));
+            if (setup.CoarseMeshWarning(name) is string warning)
+                Debug.LogWarning(warning);
         }
 
         static int Trace(CrossSectionRun run, CrossSectionSetup setup, string name, ResultsFolder folder,

@@ -44,7 +44,7 @@ namespace Glint
             SweepShard? shard = null, bool resume = false)
         {
             (_setup, _folder) = (setup, folder);
-            string subject = setup.ScenePath ?? "the scene";
+            string subject = setup.Subject ?? setup.ScenePath ?? "the scene";
             setup.Validate(subject);
             int rows = setup.Plan.Count;
             _first = shard?.First(rows) ?? 0;

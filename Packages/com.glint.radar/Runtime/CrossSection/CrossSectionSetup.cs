@@ -38,6 +38,9 @@ namespace Glint
         /// <inheritdoc cref="BoxMin"/>
         public double3 BoxMax { get; }
 
+        /// <summary>Centre of that box, metres.</summary>
+        public double3 BoxCentre => (BoxMin + BoxMax) / 2;
+
         /// <summary>Radius of the sphere around the scene's box, metres.</summary>
         public double Radius => math.distance(BoxMin, BoxMax) / 2;
 
@@ -71,6 +74,9 @@ namespace Glint
         /// <summary>Path of the scene or mesh file, for results.json; null for none.</summary>
         public string ScenePath { get; set; }
 
+        /// <summary>Name of what is computed, for messages; null: the scene's path.</summary>
+        public string Subject { get; set; }
+
         /// <summary>Number of objects of the scene, for results.json.</summary>
         public int Objects { get; set; }
 
@@ -79,6 +85,15 @@ namespace Glint
 
         /// <summary>How well the facets follow curved surfaces.</summary>
         public MeshQuality Quality => _quality.Value;
+
+        /// <summary>Warning of facets that are too coarse at the highest frequency; null if none are.</summary>
+        /// <param name="subject">Name of what is computed.</param>
+        public string CoarseMeshWarning(string subject)
+        {
+            double highest = Plan.Frequencies.Last(), share = Quality.Share(Signal.Wavelength(highest));
+            return share == 0 ? null : FormattableString.Invariant(
+                $"{subject}: the facets are too coarse for curved surfaces on {100 * share:0.#} % of the area at {highest:g4} Hz: their arcs rise more than 1/50 wavelength above them; the mesh is good up to {Quality.MaxFrequency:g4} Hz (column coarse_area_share): use a finer mesh or a lower frequency");
+        }
 
         /// <summary>The pose of a row, with some receivers and frequencies.</summary>
         internal CrossSectionPose PoseOf(in PlannedCrossSection planned, RadarAspect[] receivers,

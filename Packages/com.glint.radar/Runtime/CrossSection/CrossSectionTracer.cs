@@ -38,12 +38,19 @@ namespace Glint
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
+        /// <exception cref="GlintException"><see cref="Check"/> refuses device or shader.</exception>
         public CrossSectionTracer(ComputeShader shader, string owner = nameof(CrossSectionTracer))
         {
+            Check(shader, owner);
             _owner = owner;
             _kernels = new TubeKernels(shader);
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
         }
+
+        /// <summary>Refuses a device that cannot trace, and another shader.</summary>
+        /// <exception cref="GlintException">The message says why, and the way out.</exception>
+        public static void Check(ComputeShader shader, string owner) =>
+            DeviceCheck.Require(shader, "Tubes", "TubeCells", owner);
 
         /// <summary>
         /// Bisections of a base cell's side towards a border, for tests; 0: as many as the tolerance takes.
