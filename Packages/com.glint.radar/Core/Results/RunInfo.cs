@@ -23,6 +23,9 @@ namespace Glint.Core
         /// <summary>Objects and triangles traced.</summary>
         public long Objects, Triangles;
 
+        /// <summary>Names of the objects that contributions are given for, by their numbers; null without these.</summary>
+        public IReadOnlyList<string> ObjectNames;
+
         /// <summary>Graphics device, and its API ("Vulkan").</summary>
         public string DeviceName, GraphicsApi;
 

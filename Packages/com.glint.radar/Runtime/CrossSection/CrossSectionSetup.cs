@@ -68,6 +68,14 @@ namespace Glint
         /// <inheritdoc cref="CrossSectionPose.CreaseDegrees"/>
         public double CreaseDegrees { get; set; } = CrossSectionPose.DefaultCreaseDegrees;
 
+        /// <summary>
+        /// Whether each row says what the parts of the scene contribute, which takes one more trace a row.
+        /// </summary>
+        public bool HasContributions { get; set; }
+
+        /// <summary>Names of the scene's objects, by their numbers, for results.json.</summary>
+        public IReadOnlyList<string> ObjectNames { get; set; }
+
         /// <summary>Path of the scene or mesh file, for results.json; null for none.</summary>
         public string ScenePath { get; set; }
 
@@ -79,6 +87,16 @@ namespace Glint
 
         /// <summary>How well the facets follow curved surfaces.</summary>
         public MeshQuality Quality => _quality.Value;
+
+        /// <summary>Hash of a scene's meshes, places and materials, as in results.json.</summary>
+        public static string ContentOf(RadarScene scene)
+        {
+            using (var hash = new SceneHash())
+            {
+                hash.Add(scene);
+                return hash.Text();
+            }
+        }
 
         /// <summary>The pose of a row, with some receivers and frequencies.</summary>
         internal CrossSectionPose PoseOf(in PlannedCrossSection planned, RadarAspect[] receivers,
@@ -97,6 +115,10 @@ namespace Glint
             if (Scene.TriangleCount == 0)
                 throw new GlintException($"{subject}: has no triangles to compute a cross section of: "
                     + "activate an object with a mesh");
+            if (HasContributions && Scene.TriangleCount > CrossSectionContributions.MaxTriangles)
+                throw new GlintException($"{subject}: has {Scene.TriangleCount} triangles, and contributions are "
+                    + $"summed of at most {CrossSectionContributions.MaxTriangles}: leave --contributions out, or "
+                    + "compute its parts alone");
             foreach (var material in UsedMaterials())
                 foreach (double frequency in Plan.Frequencies)
                     material.RequireData(frequency);
