@@ -1,5 +1,5 @@
 using System.Threading;
-using Glint.Editor;
+using Glint.Core;
 
 namespace Glint.Host.Tests;
 

@@ -5,7 +5,6 @@ using System.IO;
 using System.Linq;
 using System.Numerics;
 using System.Text.RegularExpressions;
-using Glint.Core;
 using Glint.Editor;
 using Newtonsoft.Json.Linq;
 using NUnit.Framework;
@@ -94,7 +93,7 @@ public sealed class ContributionTests
         Assert.That(File.ReadAllText(At("rcs/contributions.csv")), Does.Contain(",object,\"a,\"\"b\","));
     }
 
-    [TestCase("\"objects\":", "\"others\":", "contributions of a row has no objects")]
+    [TestCase("\"objects\":[", "\"others\":[", "contributions of a row has no objects")]
     [TestCase("\"bounces\":[[0,", "\"bounces\":[[", "bounces of a row are not lists of 9 numbers")]
     [TestCase("\"hot_spots\":[[0,", "\"hot_spots\":[[null,", "hot_spots of a row are not lists of 6 numbers")]
     public void DamagedContributions_AreRefusedByName(string before, string after, string message)
