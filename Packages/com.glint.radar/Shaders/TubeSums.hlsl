@@ -208,8 +208,7 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     }
 }
 
-uint4 _Parts;                              // receiver; frequency; first word of the parts; first part of a bounce, which
-                                           // is that of the edges
+uint4 _Parts;                              // receiver; frequency; first word of the parts; part of no bounce
 
 // Sums what the tubes radiate at one receiver and frequency by their parts: the triangle or edges, and the bounce.
 // TubeSums has refused contributions that are too large.

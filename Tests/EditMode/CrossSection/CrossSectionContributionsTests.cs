@@ -65,8 +65,8 @@ namespace Glint.Tests
         }
 
         /// <summary>
-        /// A plate seen head-on has |S| = sqrt(4 pi) A / lambda; one that is farther by d lags by 2 k d. They do not see
-        /// each other. Each of their two triangles has half.
+        /// A plate seen head-on has |S| = sqrt(4 pi) A / lambda; one that is farther by d lags by 2 k d. They do not
+        /// see each other. Each of their two triangles has half.
         /// </summary>
         [Test, Timeout(60000)]
         public void PlatesFarApart_HaveTheirClosedForms()

@@ -56,7 +56,8 @@ namespace Glint.Core
             int kept = Math.Min(MaxObjects, known.Count(each => each.Number != Others));
             var written = known.Take(kept).ToList();
             if (known.Length > kept)
-                written.Add((Others, known.Skip(kept).Aggregate(default(ScatteringMatrix), (sum, each) => sum + each.S)));
+                written.Add((Others,
+                    known.Skip(kept).Aggregate(default(ScatteringMatrix), (sum, each) => sum + each.S)));
             var triangles = Enumerable.Range(0, parts.TriangleCount).Select(part => (part, strength: Strength(s(part))))
                 .OrderByDescending(each => each.strength).Take(MaxHotSpots).ToArray();
             double weakest = triangles.Length == 0 ? 0 : triangles[0].strength * Math.Pow(10, -HotSpotRange / 20);

@@ -82,7 +82,9 @@ namespace Glint.Core
             return (range.Object, range.FirstInObject + part - range.First);
         }
 
-        /// <summary>The corners of a triangle of an object, metres, in the scene's frame; null if there is none.</summary>
+        /// <summary>
+        /// The corners of a triangle of an object, metres, in the scene's frame; null if there is none.
+        /// </summary>
         public double3[] CornersOf(int objectNumber, int triangle)
         {
             for (int i = 0; i < _ranges.Length; i++)

@@ -8,8 +8,8 @@ using Newtonsoft.Json.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// The contributions of a row in results.json: lists of numbers, in the order of <see cref="Polarisation.All"/>, null
-    /// where nothing was asked for.
+    /// The contributions of a row in results.json: lists of numbers, in the order of <see cref="Polarisation.All"/>,
+    /// null where nothing was asked for.
     /// </summary>
     static class ContributionsJson
     {
@@ -19,8 +19,8 @@ namespace Glint.Core
         const string Objects = "objects", Bounces = "bounces", HotSpots = "hot_spots";
 
         /// <summary>
-        /// Writes objects and bounces, each its number and real and imaginary parts, and hot spots, each its object, its
-        /// triangle and levels.
+        /// Writes objects and bounces, each its number and real and imaginary parts, and hot spots, each its object,
+        /// its triangle and levels.
         /// </summary>
         public static void Write(JsonTextWriter json, CrossSectionContributions contributions)
         {
@@ -38,7 +38,8 @@ namespace Glint.Core
         {
             if (json == null)
                 return null;
-            var (objects, bounces, spots) = (Lists(json, Objects, 9), Lists(json, Bounces, 9), Lists(json, HotSpots, 6));
+            double?[][] objects = Lists(json, Objects, 9), bounces = Lists(json, Bounces, 9),
+                spots = Lists(json, HotSpots, 6);
             return new CrossSectionContributions(objects.Select(ToContribution).ToArray(),
                 bounces.Select(ToContribution).ToArray(), spots.Select(spot =>
                     new HotSpot((int)spot[0].Value, (int)spot[1].Value, spot.Skip(2).ToArray())).ToArray());

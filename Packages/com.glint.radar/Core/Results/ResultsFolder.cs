@@ -163,7 +163,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Writes results.json atomically, after the table's other files unless it is a part, and closes the rows' file.
+        /// Writes results.json atomically, after the table's other files unless it is a part, and closes the rows'
+        /// file.
         /// </summary>
         /// <exception cref="GlintException">A file cannot be written; that of the rows stays.</exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>

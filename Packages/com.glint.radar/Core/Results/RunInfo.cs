@@ -23,7 +23,7 @@ namespace Glint.Core
         /// <summary>Objects and triangles traced.</summary>
         public long Objects, Triangles;
 
-        /// <summary>Names of the objects that contributions are given for, by their numbers; null without these.</summary>
+        /// <summary>Names of the objects of contributions, by their numbers; null without contributions.</summary>
         public IReadOnlyList<string> ObjectNames;
 
         /// <summary>Graphics device, and its API ("Vulkan").</summary>

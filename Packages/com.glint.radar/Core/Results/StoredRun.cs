@@ -25,7 +25,8 @@ namespace Glint.Core
                 Command = (json["command"] as JArray)?.Select(word => (string)word).ToArray(),
                 ScenePath = Text(json, "scene", "path"), TargetName = Text(json, "scene", "target"),
                 Objects = (long)Number(json, "scene", "objects"), Triangles = (long)Number(json, "scene", "triangles"),
-                ObjectNames = (json["scene"][ResultsJson.ObjectNames] as JArray)?.Select(name => (string)name).ToArray(),
+                ObjectNames = (json["scene"][ResultsJson.ObjectNames] as JArray)
+                    ?.Select(name => (string)name).ToArray(),
                 DeviceName = Text(json, "device", "name"), GraphicsApi = Text(json, "device", "graphics_api"),
                 GlintVersion = Text(json, "versions", "glint"), UnityVersion = Text(json, "versions", "unity"),
                 Host = Text(json, "versions", "host"), OperatingSystem = Text(json, "versions", "operating_system"),

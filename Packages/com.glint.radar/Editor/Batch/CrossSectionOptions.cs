@@ -130,14 +130,15 @@ namespace Glint.Editor
 
         /// <summary>Folder for the result files; null when not given.</summary>
         public static readonly Option<string> Out = Options.Text("out", "DIR", ResultGroup,
-            "Folder for rcs.csv, rcs.npz, results.json and those of --contributions, created with its parents if missing.");
+            "Folder for rcs.csv, rcs.npz, results.json and those of --contributions, created with its parents if "
+                + "missing.");
 
         /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All =
         {
             Azimuth, Elevation, Frequency, Polarisations, Tolerance, Floor, Options.Bounces, Edges, Bistatic,
-            Receivers, Range, Crease, Material, Contributions, Options.Shard, Out, Options.Resume, Options.Unit, Options.Up,
-            Options.Device
+            Receivers, Range, Crease, Material, Contributions, Options.Shard, Out, Options.Resume, Options.Unit,
+            Options.Up, Options.Device
         };
 
         /// <summary>The plan of a command line.</summary>

@@ -25,7 +25,8 @@ namespace Glint.Editor
             string path = line.IsGiven(ReportOptions.Out)
                 ? line.Get(ReportOptions.Out)
                 : Path.Combine(line.Input, ReportFile.Name);
-            Write(run, pose == ReportOptions.NoPose || run.Count == 0 ? null : CaptureOf(run, pose - 1, progress), path);
+            bool hasScene = pose != ReportOptions.NoPose && run.Count > 0;
+            Write(run, hasScene ? CaptureOf(run, pose - 1, progress) : null, path);
             progress.Print($"written: {path} ({new FileInfo(path).Length / 1e6:0.0} MB)");
             return Batch.Done;
         }

@@ -49,8 +49,8 @@ namespace Glint.Editor
                 ["paths"] = new JObject
                 {
                     ["points"] =
-                        ReportModel.Base64(Paths.SelectMany(path => path).SelectMany(point => Floats(point - centre)).ToArray(),
-                            sizeof(float)),
+                        ReportModel.Base64(Paths.SelectMany(path => path)
+                            .SelectMany(point => Floats(point - centre)).ToArray(), sizeof(float)),
                     ["counts"] = new JArray(Paths.Select(path => path.Length))
                 },
                 ["picture"] = Preview?.ToJson(ObjectName)

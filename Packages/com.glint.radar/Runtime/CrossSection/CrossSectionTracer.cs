@@ -137,8 +137,8 @@ namespace Glint
                 return;
             if (_scene.Pages.Count > 1)
                 throw new GlintException($"{_owner}: the BVHs of {pose.Scene.TriangleCount} triangles take "
-                    + $"{_scene.Pages.Count} buffers of {UnityEngine.SystemInfo.graphicsDeviceName}, and a cross section "
-                    + "takes one: trace fewer triangles");
+                    + $"{_scene.Pages.Count} buffers of {UnityEngine.SystemInfo.graphicsDeviceName}, and a cross "
+                    + "section takes one: trace fewer triangles");
             _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.Frequencies.Last());
             if (pose.HasEdges)
                 _edges.Set(pose.Scene, _surfaces.Patches, _surfaces.Parts, _scene.Centre,

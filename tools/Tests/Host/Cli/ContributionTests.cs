@@ -11,7 +11,7 @@ using NUnit.Framework;
 
 namespace Glint.Host.Tests;
 
-/// <summary>glint rcs --contributions: its files, their resumption and parts; and the report of cross sections.</summary>
+/// <summary>glint rcs --contributions: files, resumption and parts; and the report of cross sections.</summary>
 public sealed class ContributionTests
 {
     static readonly string[] s_files =
@@ -36,8 +36,8 @@ public sealed class ContributionTests
             "vv,hh", "--tolerance", "0.5", "--contributions", "--out", At("rcs"));
         var rows = Table("rcs/rcs.csv");
         var parts = Table("rcs/contributions.csv");
-        Assert.That(parts.Where(part => part["by"] == "object").Select(part => part["name"]).Distinct(), Is.EquivalentTo(
-            new[] { "X", "Y", "Z" }.Select(plate => $"Corner Reflector/Frame/Plate {plate}")));
+        Assert.That(parts.Where(part => part["by"] == "object").Select(part => part["name"]).Distinct(),
+            Is.EquivalentTo(new[] { "X", "Y", "Z" }.Select(plate => $"Corner Reflector/Frame/Plate {plate}")));
         Assert.That(parts.Where(part => part["by"] == "bounces").Select(part => part["name"]).Take(4),
             Is.EqualTo(new[] { "edges", "1", "2", "3" }));
         Assert.That(parts.Select(part => part["hv_dbsm"] + part["vh_re_m"]), Is.All.Empty, "not asked for");
