@@ -154,7 +154,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                         ? AreaError(chord, directions, width, currents.Gradient)
                         : CRUDE_ERROR * AreaOf(piece, side);
                     currents.Error = bounce >= cell.FirstDifference || !isCut ? area * MagnitudeOf(currents) : 0.0;
-                    AddTube(currents);
+                    AddTube(currents, at.Part);
                 }
             goesOn = ScatterTube(tube, at);
         }

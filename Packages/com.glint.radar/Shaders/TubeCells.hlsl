@@ -142,7 +142,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                         float mean = (bends.x + bends.y) * (isBent ? 1.0 : 1.0 / 3.0);
                         currents.Phase += IsNaN(mean) ? 0.0 : mean;
                         currents.Corners01 = float4(side, isBent ? bends : (float3)0);
-                        AddTube(currents);
+                        AddTube(currents, at.Part);
                     }
                 }
             }

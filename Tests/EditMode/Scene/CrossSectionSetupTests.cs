@@ -15,6 +15,20 @@ namespace Glint.Tests
             Assert.That(() => new CrossSectionSetup(new RadarScene(), s_plan).Validate("Empty.unity"),
                 Throws.TypeOf<GlintException>().With.Message.StartsWith("Empty.unity: has no triangles"));
 
+        [Test]
+        public void Contributions_OfTooManyTriangles_AreRefused()
+        {
+            var mesh = CrossSectionTargets.Sphere(1, 30);
+            var scene = new RadarScene(new MeshInstance[389]);
+            for (int i = 0; i < scene.Instances.Length; i++)
+                scene.Instances[i] = new MeshInstance { Mesh = mesh, ToWorld = Affine.Identity };
+            Assert.That(scene.TriangleCount, Is.EqualTo(389 * 10800).And.GreaterThan(1 << 22));
+            var setup = new CrossSectionSetup(scene, s_plan) { HasContributions = true };
+            Assert.That(() => setup.Validate("Fleet.unity"), Throws.TypeOf<GlintException>().With.Message.EqualTo(
+                "Fleet.unity: has 4201200 triangles, and contributions are summed of at most 4194304: "
+                    + "leave --contributions out, or compute its parts alone"));
+        }
+
         // A plate of 0.3 x 0.2 m has a = sqrt(0.13) / 2, and 10 log10(pi a^2) - 40 = -49.91 dBsm.
         [Test]
         public void Floor_Is40DecibelsBelowTheSphereAroundTheScene()

@@ -30,6 +30,11 @@ namespace Glint.Core
         /// <summary>Edges without fringe fields because a face is no perfect conductor; 0 without edges.</summary>
         public int WedgesLeftOut { get; set; }
 
+        /// <summary>
+        /// Borders are found to 2^-level of a base cell: with it the tracer finds the same tubes again.
+        /// </summary>
+        public int BisectLevel { get; set; }
+
         /// <summary>Rays traced, those that only look for borders included.</summary>
         public long Rays { get; set; }
     }

@@ -32,12 +32,35 @@ namespace Glint.Editor
 
         static (CrossSectionSetup setup, string name) Open(CommandLine line, CrossSectionPlan plan)
         {
-            bool isScene = line.InputKind == InputKind.Scene;
-            string scenePath = line.Input, name;
-            if (isScene)
+            var (scene, gatherer, path, name) = OpenScene(line);
+            var setup = new CrossSectionSetup(scene, plan)
             {
-                scenePath = LoadedScene.OpenSceneFile(line.Input);
-                name = Path.GetFileNameWithoutExtension(scenePath);
+                ScenePath = path, Objects = gatherer.ObjectCount, Command = Batch.ArgumentsOf(line),
+                Polarisations = line.Get(CrossSectionOptions.Polarisations),
+                ToleranceDb = line.Get(CrossSectionOptions.Tolerance),
+                GivenFloorDbsm = line.Get(CrossSectionOptions.Floor),
+                MaxBounces = line.Get(Options.Bounces),
+                HasEdges = line.Get(CrossSectionOptions.Edges),
+                Range = line.Get(CrossSectionOptions.Range) ?? double.PositiveInfinity,
+                CreaseDegrees = line.Get(CrossSectionOptions.Crease),
+                HasContributions = line.Get(CrossSectionOptions.Contributions),
+                ObjectNames = Enumerable.Range(0, gatherer.ObjectCount)
+                    .Select(number => LoadedScene.PathOf(gatherer.ObjectAt(number))).ToArray()
+            };
+            // Files have an origin of their own; a scene's is arbitrary.
+            setup.PhaseCentre = line.InputKind == InputKind.Scene ? setup.BoxCentre : -scene.Origin;
+            return (setup, name);
+        }
+
+        /// <summary>Opens and gathers the scene or mesh file of a command line.</summary>
+        /// <exception cref="GlintException">It cannot be opened.</exception>
+        public static (RadarScene scene, SceneGatherer gatherer, string path, string name) OpenScene(CommandLine line)
+        {
+            string path = line.Input, name;
+            if (line.InputKind == InputKind.Scene)
+            {
+                path = LoadedScene.OpenSceneFile(line.Input);
+                name = Path.GetFileNameWithoutExtension(path);
             }
             else
                 name = LoadedScene.OpenMeshFileAlone(line).Name;
@@ -47,20 +70,7 @@ namespace Glint.Editor
                 Debug.LogWarning($"{line.Input}: {warning}");
             if (line.Get(CrossSectionOptions.Material) is MaterialAssignment[] materials)
                 scene = MaterialAssignment.Apply(scene, materials);
-            var setup = new CrossSectionSetup(scene, plan)
-            {
-                ScenePath = scenePath, Objects = gatherer.ObjectCount, Command = Batch.ArgumentsOf(line),
-                Polarisations = line.Get(CrossSectionOptions.Polarisations),
-                ToleranceDb = line.Get(CrossSectionOptions.Tolerance),
-                GivenFloorDbsm = line.Get(CrossSectionOptions.Floor),
-                MaxBounces = line.Get(Options.Bounces),
-                HasEdges = line.Get(CrossSectionOptions.Edges),
-                Range = line.Get(CrossSectionOptions.Range) ?? double.PositiveInfinity,
-                CreaseDegrees = line.Get(CrossSectionOptions.Crease)
-            };
-            // Files have an origin of their own; a scene's is arbitrary.
-            setup.PhaseCentre = isScene ? setup.BoxCentre : -scene.Origin;
-            return (setup, name);
+            return (scene, gatherer, path, name);
         }
 
         static void Describe(CrossSectionSetup setup, string name, IProgressSink progress)
@@ -110,8 +120,7 @@ namespace Glint.Editor
                 return Batch.Cancelled;
             unmet.Warn(name, setup.ToleranceDb, run.Count - before);
             if (run.Done > before)
-                progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}"
-                    + (File.Exists(folder.ArraysPath) ? $", {folder.ArraysPath}" : ""));
+                progress.Print($"written: {string.Join(", ", folder.WrittenPaths)}");
             return Batch.Done;
         }
 

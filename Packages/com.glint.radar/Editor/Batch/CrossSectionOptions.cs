@@ -114,16 +114,22 @@ namespace Glint.Editor
                     + "that of the scene. May be given more than once."
             };
 
+        /// <summary>Whether the contributions of parts are written.</summary>
+        public static readonly Option<bool> Contributions = Options.Switch("contributions", Group,
+            "Also write contributions.csv, what each object and each number of bounces contribute, and hotspots.csv, "
+                + "the triangles that return most: coherent sums. Each row takes one more trace.");
+
         /// <summary>Folder for the result files; null when not given.</summary>
         public static readonly Option<string> Out = Options.Text("out", "DIR", ResultGroup,
-            "Folder for rcs.csv, rcs.npz and results.json, created with its parents if missing.");
+            "Folder for rcs.csv, rcs.npz, results.json and those of --contributions, created with its parents if "
+                + "missing.");
 
         /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All =
         {
             Azimuth, Elevation, Frequency, Polarisations, Tolerance, Floor, Options.Bounces, Edges, Bistatic,
-            Receivers, Range, Crease, Material, Options.Shard, Out, Options.Resume, Options.Unit, Options.Up,
-            Options.Device
+            Receivers, Range, Crease, Material, Contributions, Options.Shard, Out, Options.Resume, Options.Unit,
+            Options.Up, Options.Device
         };
 
         /// <summary>The plan of a command line.</summary>

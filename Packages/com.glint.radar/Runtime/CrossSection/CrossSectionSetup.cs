@@ -71,6 +71,14 @@ namespace Glint
         /// <inheritdoc cref="CrossSectionPose.CreaseDegrees"/>
         public double CreaseDegrees { get; set; } = CrossSectionPose.DefaultCreaseDegrees;
 
+        /// <summary>
+        /// Whether each row says what the parts of the scene contribute, which takes one more trace a row.
+        /// </summary>
+        public bool HasContributions { get; set; }
+
+        /// <summary>Names of the scene's objects, by their numbers, for results.json.</summary>
+        public IReadOnlyList<string> ObjectNames { get; set; }
+
         /// <summary>Path of the scene or mesh file, for results.json; null for none.</summary>
         public string ScenePath { get; set; }
 
@@ -95,6 +103,16 @@ namespace Glint
                 $"{subject}: the facets are too coarse for curved surfaces on {100 * share:0.#} % of the area at {highest:g4} Hz: their arcs rise more than 1/50 wavelength above them; the mesh is good up to {Quality.MaxFrequency:g4} Hz (column coarse_area_share): use a finer mesh or a lower frequency");
         }
 
+        /// <summary>Hash of a scene's meshes, places and materials, as in results.json.</summary>
+        public static string ContentOf(RadarScene scene)
+        {
+            using (var hash = new SceneHash())
+            {
+                hash.Add(scene);
+                return hash.Text();
+            }
+        }
+
         /// <summary>The pose of a row, with some receivers and frequencies.</summary>
         internal CrossSectionPose PoseOf(in PlannedCrossSection planned, RadarAspect[] receivers,
             double[] frequencies) =>
@@ -112,6 +130,10 @@ namespace Glint
             if (Scene.TriangleCount == 0)
                 throw new GlintException($"{subject}: has no triangles to compute a cross section of: "
                     + "activate an object with a mesh");
+            if (HasContributions && Scene.TriangleCount > CrossSectionContributions.MaxTriangles)
+                throw new GlintException($"{subject}: has {Scene.TriangleCount} triangles, and contributions are "
+                    + $"summed of at most {CrossSectionContributions.MaxTriangles}: leave --contributions out, or "
+                    + "compute its parts alone");
             foreach (var material in UsedMaterials())
                 foreach (double frequency in Plan.Frequencies)
                     material.RequireData(frequency);

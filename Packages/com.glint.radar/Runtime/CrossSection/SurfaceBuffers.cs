@@ -21,7 +21,7 @@ namespace Glint
 
         public DeviceBuffer<uint2> Facets { get; } = new DeviceBuffer<uint2>("facets");
         public DeviceBuffer<float4> NormalFields { get; } = new DeviceBuffer<float4>("normals of curved facets");
-        public DeviceBuffer<uint2> InstanceFacets { get; } = new DeviceBuffer<uint2>("instances");
+        public DeviceBuffer<uint4> InstanceFacets { get; } = new DeviceBuffer<uint4>("instances");
         public DeviceBuffer<float4> Reflections { get; } = new DeviceBuffer<float4>("reflection coefficients");
 
         public DeviceBuffer<float4> Vertices { get; } = new DeviceBuffer<float4>("corners of patches");
@@ -30,6 +30,9 @@ namespace Glint
 
         /// <summary>Patches of each instance of the scene: another list if the scene has changed.</summary>
         public IReadOnlyList<SurfacePatches> Patches { get; private set; }
+
+        /// <summary>Parts of the scene.</summary>
+        public SceneParts Parts { get; private set; }
 
         public long Bytes => Vertices.Bytes + Facets.Bytes + NormalFields.Bytes + InstanceFacets.Bytes + Reflections.Bytes;
 
@@ -60,10 +63,11 @@ namespace Glint
         {
             var facets = new List<uint2>();
             var fields = new List<float4>();
-            var firsts = new List<uint2>();
+            var firsts = new List<uint4>();
             var first = new Dictionary<SurfacePatches, uint>();
             uint patchCount = 0;
             var vertices = new List<float4>();
+            Parts = new SceneParts(scene);
             Patches = Array.ConvertAll(scene.Instances, instance => PatchesOf(instance, creaseDegrees));
             for (int i = 0; i < scene.Instances.Length; i++)
             {
@@ -74,7 +78,7 @@ namespace Glint
                     first.Add(patches, firstFacet = (uint)facets.Count);
                     AddFacets(instance.Mesh, patches, facets, fields);
                 }
-                firsts.Add(new uint2(firstFacet, patchCount));
+                firsts.Add(new uint4(firstFacet, patchCount, (uint)Parts.FirstOf(i), 0));
                 patchCount += (uint)patches.PatchCount;
                 foreach (float3 corner in PatchCorners.Of(patches))
                     vertices.Add(new float4((float3)(instance.ToWorld.Point(corner) - centre), 0));

@@ -69,7 +69,7 @@ namespace Glint
                     identity.Add(axis.Column, string.Join(",", setup.Plan.Values(axis).Select(Numbers.Format)));
             identity.Add("scene", info.ScenePath);
             identity.Add("target", info.TargetName);
-            identity.Add("content", ContentOf(setup));
+            identity.Add(SweepIdentity.Content, ContentOf(setup));
             AddTo(identity, info);
             return identity;
         }
