@@ -11,7 +11,7 @@ namespace Glint.Editor
         const string Group = "Cross section", ResultGroup = "Results";
 
         static readonly Interval s_angle = Interval.Closed(-360, 360), s_elevation = Interval.Closed(-90, 90),
-            s_level = Interval.Closed(-200, 200);
+            s_level = Interval.Closed(-200, 200), s_rows = Interval.Closed(1, CrossSectionPlan.Limit);
 
         static readonly NumberList s_azimuths =
             new NumberList("azimuth", s_angle, "degrees", ("0:359.5:0.5", "0,30,90"));
@@ -127,12 +127,26 @@ namespace Glint.Editor
         public static readonly Option<string> Out = Options.Text("out", "DIR", ResultGroup,
             "Folder for rcs.csv, rcs.npz and results.json, created with its parents if missing.");
 
+        /// <summary>Rows that are computed in double precision too; 0 when not given.</summary>
+        public static readonly Option<int> Reference =
+            new Option<int>("reference", "[N]", text => Values.Whole(text, s_rows))
+            {
+                Group = ResultGroup,
+                Range = s_rows.ToString(),
+                ImpliedText = "3",
+                Excludes = new (Option, string)[]
+                    { (Options.Resume, "it compares the first rows that the command itself computes") },
+                Help = "Afterwards compute the first N rows (3 without N) with the double-precision reference tracer "
+                    + "too, and print both and their difference. A row takes seconds to minutes. The exit code is 1 if "
+                    + "a difference is above --tolerance."
+            };
+
         /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All =
         {
             Azimuth, Elevation, Frequency, Polarisations, Tolerance, Floor, Options.Bounces, Edges, Bistatic,
-            Receivers, Range, Crease, Material, Options.Shard, Out, Options.Resume, Options.Unit, Options.Up,
-            Options.Device
+            Receivers, Range, Crease, Material, Options.Shard, Out, Options.Resume, Reference,
+            Options.Unit, Options.Up, Options.Device
         };
 
         /// <summary>The plan of a command line.</summary>

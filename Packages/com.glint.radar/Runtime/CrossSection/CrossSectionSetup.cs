@@ -80,6 +80,10 @@ namespace Glint
         /// <summary>How well the facets follow curved surfaces.</summary>
         public MeshQuality Quality => _quality.Value;
 
+        /// <summary>The pose of one row.</summary>
+        public CrossSectionPose PoseOf(in PlannedCrossSection planned) =>
+            PoseOf(planned, new[] { planned.ReceiverAspect }, new[] { planned.Frequency });
+
         /// <summary>The pose of a row, with some receivers and frequencies.</summary>
         internal CrossSectionPose PoseOf(in PlannedCrossSection planned, RadarAspect[] receivers,
             double[] frequencies) =>
