@@ -278,7 +278,8 @@ public sealed class CrossSectionCommandTests
     [TestCase(1, "material 'metal,ptfe,0.001' has no data at 1000000 Hz", "--material", "*=metal,ptfe,0.001",
         "--frequency", "1e6")]
     [TestCase(1, "a range of 0.1 m is inside of it", "--range", "0.1")]
-    [TestCase(1, "1e+12 Hz is too high for its size of 360.555 m: phases have no precision left; up to 2.647e+11 Hz",
+    [TestCase(1, "1e+12 Hz is too high for its size of 360.555 m and a tolerance of 0.1 dB: phases in float32 are off by 0.45 rad; "
+        + "up to 2.571e+10 Hz is possible, with a larger tolerance up to 2.664e+11 Hz; or compute its parts alone",
         "--unit", "km", "--frequency", "1e12")]
     public void Input_ThatCannotBeComputed_IsRefusedBeforeAnyFile(int code, string message, params string[] options)
     {
@@ -286,6 +287,26 @@ public sealed class CrossSectionCommandTests
         Assert.That(error, Does.Contain(message));
         Assert.That(actual, Is.EqualTo(code));
         Assert.That(Directory.Exists(At("rcs")), Is.False);
+    }
+
+    // All corners of the first are in a line; those of the second are one place.
+    [TestCase("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")]
+    [TestCase("v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n")]
+    public void Mesh_WithoutArea_IsRefused(string mesh)
+    {
+        File.WriteAllText(At("line.obj"), mesh);
+        var (code, _, error) = Execute(At("line.obj"), "--out", At("rcs"));
+        Assert.That(error, Does.Contain("no triangle has an area: it reflects nothing"));
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(Directory.Exists(At("rcs")), Is.False);
+    }
+
+    [Test]
+    public void Mesh_WithTrianglesWithoutArea_IsThatOfTheOthers()
+    {
+        File.AppendAllText(At("plate.obj"), "v 0 0 0\nf 1 5 3\nf 1 2 2\n");
+        Run(At("plate.obj"), "--edges", "off", "--tolerance", "0.05", "--out", At("rcs"));
+        Assert.That(Number(Rows("rcs").Single(), "vv_dbsm"), Is.EqualTo(17.019).Within(0.05));
     }
 
     [Test]
