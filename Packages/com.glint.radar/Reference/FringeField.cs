@@ -20,8 +20,8 @@ namespace Glint.Reference
         // A piece of a wavelength that is seen in part is halved so many times.
         const int MaxHalvings = 8;
 
-        // Places on a piece where it must be seen alike, in pieces from its centre. Other bodies may touch its ends.
-        static readonly double[] s_places = { -0.499, 0.499 };
+        // Points of a piece where it must be seen as at its centre, in pieces from it. Other bodies may touch its ends.
+        static readonly double[] s_ends = { -0.499, 0.499 };
 
         // Square of the sine of the angle between ray and edge below which there is no leading term.
         const double MinSquareSine = 1e-9;
@@ -61,7 +61,7 @@ namespace Glint.Reference
         // Adds a piece, or its halves if only a part is seen.
         void AddSeen(Wedge wedge, double3 edge, double3 centre, int halvings, ScatteringMatrix[,] sums)
         {
-            if (halvings > 0 && s_places.Any(place => !IsSeenAlike(wedge, centre, centre + place * edge)))
+            if (halvings > 0 && s_ends.Any(end => !IsSeenAlike(wedge, centre, centre + end * edge)))
             {
                 AddSeen(wedge, edge / 2, centre - edge / 4, halvings - 1, sums);
                 AddSeen(wedge, edge / 2, centre + edge / 4, halvings - 1, sums);
@@ -74,8 +74,8 @@ namespace Glint.Reference
             Sees(Outside(wedge, a), receiver, wedge, out _, out _)
                 == Sees(Outside(wedge, b), receiver, wedge, out _, out _));
 
-        // Where shadow rays from a place on an edge start.
-        double3 Outside(Wedge wedge, double3 place) => place + Beside * _bvh.Radius
+        // Where shadow rays from a point on an edge start.
+        double3 Outside(Wedge wedge, double3 onEdge) => onEdge + Beside * _bvh.Radius
             * (Math.Cos(wedge.OuterAngle / 2) * wedge.First.Into
                 + Math.Sin(wedge.OuterAngle / 2) * wedge.First.Normal);
 

@@ -94,7 +94,7 @@ namespace Glint.Tests
             {
                 Mesh = CrossSectionTargets.Plate(0.3, 0.2),
                 ToWorld = new Affine
-                    { X = first, Y = new double3(0, 1, 0), Z = third, Origin = new double3((float)x, 0, 0) }
+                { X = first, Y = new double3(0, 1, 0), Z = third, Origin = new double3((float)x, 0, 0) }
             };
             double3 x = new double3(1, 0, 0), z = new double3(0, 0, 1);
             return new RadarScene(At(size / 2, x, z), At(-size / 2 + 0.15, z, -x));
