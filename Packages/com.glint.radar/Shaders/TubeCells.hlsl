@@ -50,11 +50,17 @@ void AddBorder(Cell cell)
         _Borders[border] = cell;
 }
 
-// Whether a corner of a patch is seen in the cell.
+// Whether a corner of a patch is seen in the cell, or, if the cell is smaller than the parts that marks are for, in its
+// part. Between rays a corner may reach into a cell as far as half its side.
 bool IsMarked(Cell cell)
 {
-    if (cell.Level >= MARK_LEVEL)
+    if (cell.Level >= _MaxLevel)
         return false;
+    if (cell.Level >= MARK_LEVEL)
+    {
+        uint2 part = cell.Position >> (cell.Level - MARK_LEVEL), whole = part >> MARK_LEVEL, at = part & (MARKS - 1);
+        return (_Marks[2 * (whole.x + whole.y * _Grid.x) + (at.y >> 2)] >> (8 * (at.y & 3) + at.x) & 1) != 0;
+    }
     uint parts = MARKS >> cell.Level;
     uint2 base = cell.Position >> cell.Level, first = (cell.Position - (base << cell.Level)) * parts;
     uint word = 2 * (base.x + base.y * _Grid.x), row = ((1u << parts) - 1) << first.x, bits = 0;

@@ -25,7 +25,11 @@ namespace Glint.Editor
                 {
                     if (!run.IsComplete)
                         Describe(setup, name, progress);
-                    return Trace(run, setup, name, folder, progress);
+                    var comparison = new CrossSectionComparison(setup, line.Get(CrossSectionOptions.Reference));
+                    int code = Trace(run, setup, name, folder, comparison, progress);
+                    if (code == Batch.Done)
+                        comparison.Execute(name, progress);
+                    return code;
                 }
             }
         }
@@ -86,7 +90,7 @@ namespace Glint.Editor
         }
 
         static int Trace(CrossSectionRun run, CrossSectionSetup setup, string name, ResultsFolder folder,
-            IProgressSink progress)
+            CrossSectionComparison comparison, IProgressSink progress)
         {
             int before = run.Done;
             if (before > 0)
@@ -106,6 +110,7 @@ namespace Glint.Editor
                         progress.Print(CrossSectionTable.Header(setup));
                     progress.Print(CrossSectionTable.Row(setup, row));
                     unmet.Add(row);
+                    comparison.Add(row);
                     progress.Advance(run.Done, run.Count == 1 ? null : row.ToString());
                 }
             }

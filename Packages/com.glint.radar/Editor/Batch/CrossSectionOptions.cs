@@ -10,6 +10,8 @@ namespace Glint.Editor
     {
         const string Group = "Cross section", ResultGroup = "Results";
 
+        static readonly Interval s_rows = Interval.Closed(1, CrossSectionPlan.Limit);
+
         /// <summary>Azimuths of the radar, degrees.</summary>
         public static readonly Option<double[]> Azimuth = List("azimuth", CrossSectionRanges.Azimuths, "0",
             "Azimuths of the radar in degrees, positive as Unity's rotation about Y: FROM:TO:STEP or a list with "
@@ -124,12 +126,26 @@ namespace Glint.Editor
             "Folder for rcs.csv, rcs.npz, results.json and those of --contributions, created with its parents if "
                 + "missing.");
 
+        /// <summary>Rows that are computed in double precision too; 0 when not given.</summary>
+        public static readonly Option<int> Reference =
+            new Option<int>("reference", "[N]", text => Values.Whole(text, s_rows))
+            {
+                Group = ResultGroup,
+                Range = s_rows.ToString(),
+                ImpliedText = "3",
+                Excludes = new (Option, string)[]
+                    { (Options.Resume, "it compares the first rows that the command itself computes") },
+                Help = "Afterwards compute the first N rows (3 without N) with the double-precision reference tracer "
+                    + "too, and print both and their difference. A row takes seconds to minutes. The exit code is 1 if "
+                    + "a difference is above --tolerance."
+            };
+
         /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All =
         {
             Azimuth, Elevation, Frequency, Polarisations, Tolerance, Floor, Options.Bounces, Edges, Bistatic,
-            Receivers, Range, Crease, Material, Contributions, Options.Shard, Out, Options.Resume, Options.Unit,
-            Options.Up, Options.Device
+            Receivers, Range, Crease, Material, Contributions, Options.Shard, Out, Options.Resume, Reference,
+            Options.Unit, Options.Up, Options.Device
         };
 
         /// <summary>The plan of a command line.</summary>

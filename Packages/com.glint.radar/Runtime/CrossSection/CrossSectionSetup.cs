@@ -9,8 +9,11 @@ namespace Glint
     /// <summary>Which cross sections of a scene are computed, and how.</summary>
     public sealed class CrossSectionSetup
     {
-        // Radians of phase over the scene that float32 sums hold: its rounding of 6e-8 is 0.1 rad there.
-        const double MaxPhase = 2e6;
+        // Rounding of a length in float32, relative to the largest: half a step of 2^-23.
+        const double Rounding = 1.0 / (1 << 24);
+
+        // Largest error of a phase, rad, whatever the tolerance.
+        const double MaxPhaseError = 0.12;
 
         readonly Lazy<SurfacePatches[]> _patches;
         readonly Lazy<MeshQuality> _quality;
@@ -113,6 +116,10 @@ namespace Glint
             }
         }
 
+        /// <summary>The pose of one row.</summary>
+        public CrossSectionPose PoseOf(in PlannedCrossSection planned) =>
+            PoseOf(planned, new[] { planned.ReceiverAspect }, new[] { planned.Frequency });
+
         /// <summary>The pose of a row, with some receivers and frequencies.</summary>
         internal CrossSectionPose PoseOf(in PlannedCrossSection planned, RadarAspect[] receivers,
             double[] frequencies) =>
@@ -137,11 +144,13 @@ namespace Glint
             foreach (var material in UsedMaterials())
                 foreach (double frequency in Plan.Frequencies)
                     material.RequireData(frequency);
-            double size = 2 * Radius, highest = Plan.Frequencies.Last();
-            double possible = MaxPhase * Signal.SpeedOfLight / (2 * Math.PI * size);
+            if (Quality.Area == 0)
+                throw new GlintException($"{subject}: no triangle has an area: it reflects nothing; export the mesh "
+                    + "with more decimals, or check its unit");
+            double highest = Plan.Frequencies.Last(), possible = MaxFrequency(ToleranceDb);
             if (highest > possible)
                 throw new GlintException(FormattableString.Invariant(
-                    $"{subject}: {highest:g6} Hz is too high for its size of {size:g6} m: phases have no precision left; up to {possible:g4} Hz is possible, or compute its parts alone"));
+                    $"{subject}: {highest:g6} Hz is too high for its size of {2 * Radius:g6} m and a tolerance of {ToleranceDb:g4} dB: phases in float32 are off by {PhaseError(highest):g2} rad; up to {possible:g4} Hz is possible, with a larger tolerance up to {MaxFrequency(double.PositiveInfinity):g4} Hz; or compute its parts alone"));
             double farthest = FarthestCorner();
             if (Range <= farthest)
                 throw new GlintException(FormattableString.Invariant(
@@ -151,6 +160,17 @@ namespace Glint
                     + "both sides, but nothing is followed into a dielectric: close the mesh, or make it a perfect "
                     + "conductor (metal)");
         }
+
+        /// <summary>
+        /// Largest error of phases in float32, radians: the way to a place and back, about the scene's centre, is at
+        /// most the scene's size on either side.
+        /// </summary>
+        internal double PhaseError(double frequency) =>
+            2 * Math.PI / Signal.Wavelength(frequency) * 2 * Radius * Rounding;
+
+        /// <summary>The frequency up to which phases in float32 suffice for a tolerance, hertz.</summary>
+        internal double MaxFrequency(double toleranceDb) =>
+            Math.Min(MaxPhaseError, CrossSectionAccuracy.AllowedBy(toleranceDb)) / PhaseError(1);
 
         /// <summary>Materials of triangles.</summary>
         internal IReadOnlyList<SurfaceMaterial> UsedMaterials() => Scene.Instances

@@ -167,7 +167,7 @@ namespace Glint
             _borders.Reserve(ListCapacity);
             _waveNumbers.Upload(pose.Frequencies.Select(WaveNumber).ToArray());
             _kernels.SetLists(_output, _tubes, _tubeParts, _cells, _borders, _waveNumbers);
-            _marks.Reserve(2 * grid.Count);
+            _marks.Reserve(TubeKernels.MarkWordsOfACell * grid.Count);
             _kernels.Mark(grid, _surfaces, _marks);
         }
 

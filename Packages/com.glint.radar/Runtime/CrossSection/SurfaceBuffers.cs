@@ -11,8 +11,11 @@ namespace Glint
     /// </summary>
     sealed class SurfaceBuffers : IDisposable
     {
-        const uint Flat = uint.MaxValue;   // FLAT in Shaders/TubeBindings.hlsl
-        const int ReflectionSteps = 1024;  // REFLECTION_STEPS
+        /// <summary>A facet without a field of normals: FLAT in Shaders/TubeBindings.hlsl.</summary>
+        public const uint Flat = uint.MaxValue;
+
+        /// <summary>Steps of a table of reflection coefficients: REFLECTION_STEPS.</summary>
+        public const int ReflectionSteps = 1024;
 
         readonly Dictionary<(TriangleMesh, double), (MeshRange[] Ranges, SurfacePatches Patches)> _patches =
             new Dictionary<(TriangleMesh, double), (MeshRange[], SurfacePatches)>();

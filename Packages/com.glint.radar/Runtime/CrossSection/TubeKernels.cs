@@ -19,9 +19,18 @@ namespace Glint
         public const int PartWords = 16;
 
         const int Group = 64;              // GLINT_GROUP
-        const int ArgumentWords = 12;
-        const int RaysAThread = 4;         // RAYS_A_THREAD
-        const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
+
+        /// <summary>Words of the arguments of the indirect dispatches, and their byte offsets: _ARGUMENTS.</summary>
+        public const int ArgumentWords = 12;
+
+        /// <summary>Rays that a thread traces at most: RAYS_A_THREAD.</summary>
+        public const int RaysAThread = 4;
+
+        /// <summary>Words of the marks of a cell: MARKS x MARKS bits.</summary>
+        public const int MarkWordsOfACell = 2;
+
+        /// <inheritdoc cref="ArgumentWords"/>
+        public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
 
         readonly ComputeShader _shader;
         readonly int _clear, _clearMarks, _mark, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _fringes,
@@ -158,7 +167,7 @@ namespace Glint
             _shader.SetVector(TubeIDs._GridX, ToVector(toCell[0].Vector, (float)toCell[0].Constant));
             _shader.SetVector(TubeIDs._GridY, ToVector(toCell[1].Vector, (float)toCell[1].Constant));
             _shader.SetVector(TubeIDs._GridDepth, ToVector(toCell[2].Vector, (float)toCell[2].Constant));
-            int words = 2 * (int)grid.Count;
+            int words = MarkWordsOfACell * (int)grid.Count;
             _shader.SetInt(TubeIDs._MarkWords, words);
             _shader.SetInt(TubeIDs._VertexCount, surfaces.VertexCount);
             _shader.SetInts(TubeIDs._Grid, grid.Cells.x, 0, 0, 0);

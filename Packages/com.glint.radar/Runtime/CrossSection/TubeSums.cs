@@ -8,11 +8,11 @@ namespace Glint
     /// <summary>The sums of a pose over its slices, as the kernels leave them: Shaders/TubeBindings.hlsl.</summary>
     sealed class TubeSums
     {
-        // Words of the output.
-        const int Count = 0, Overflow = 3, RayCount = 4;
+        /// <summary>Words of the output.</summary>
+        public const int Count = 0, Overflow = 3, RayCount = 4;
 
-        // Sums of a receiver and frequency, two words each, and the word after them.
-        const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
+        /// <summary>Sums of a receiver and frequency, two words each, and the word after them.</summary>
+        public const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
 
         readonly CrossSectionPose _pose;
         readonly TubeGrid _grid;
