@@ -7,22 +7,27 @@ namespace Glint.Tests
     /// <summary>Plays a scene of com.glint.scenes in a test.</summary>
     static class PlayScene
     {
-        /// <summary>Loads a scene and waits until every Start has run. A sweep in it does not begin.</summary>
+        /// <summary>Loads a scene and waits until every Start has run. A sweep or cross section in it does not begin.</summary>
         public static IEnumerator Load(string name)
         {
-            SceneManager.sceneLoaded += StopSweep;
+            SceneManager.sceneLoaded += StopRuns;
             PlayAsset.LoadScene($"Packages/com.glint.scenes/{name}.unity");
             yield return null;
             yield return null;
-            SceneManager.sceneLoaded -= StopSweep;
+            SceneManager.sceneLoaded -= StopRuns;
         }
 
         // Runs after OnEnable and before Start.
-        static void StopSweep(Scene scene, LoadSceneMode mode)
+        static void StopRuns(Scene scene, LoadSceneMode mode)
         {
-            foreach (var sweep in Object.FindObjectsByType<Sweep>(FindObjectsInactive.Exclude,
-                FindObjectsSortMode.None))
-                sweep.enabled = false;
+            Disable<Sweep>();
+            Disable<RadarCrossSection>();
+        }
+
+        static void Disable<T>() where T : Behaviour
+        {
+            foreach (var it in Object.FindObjectsByType<T>(FindObjectsInactive.Exclude, FindObjectsSortMode.None))
+                it.enabled = false;
         }
     }
 }

@@ -65,6 +65,12 @@ ICONS = {
         (line([(4, 4), (4 + 3 * math.cos(math.radians(20)), 4 + 3 * math.sin(math.radians(20)))], 0.5), BLUE, 1),
         (disc(2.7, 5.1, 0.65), ORANGE, 1),
     ],
+    # The lobes of a polar plot.
+    'RadarCrossSection': [
+        (ring(4, 4, 3.35, 0.5), GREY, 1),
+        (area([(4 + r * math.sin(a), 4 + r * math.cos(a)) for a, r in ((math.radians(d), 0.5 + 2.6 * abs(math.cos(math.radians(2 * d))) ** 1.5) for d in range(0, 360, 3))]), BLUE, 0.9),
+        (disc(4, 4, 0.65), ORANGE, 1),
+    ],
     # A target that is turned.
     'Sweep': [
         (line(arc(4, 4, 3, -40, 235), 0.8), BLUE, 1),

@@ -3,7 +3,7 @@ import { resolve } from 'node:path';
 import { pathToFileURL } from 'node:url';
 import puppeteer from 'puppeteer-core';
 import { closest } from './colours.mjs';
-import { ofObject, ofSegment, seriesColours } from './src/palette.js';
+import { hotStops, ofObject, ofSegment, seriesColours } from './src/palette.js';
 
 const [report, folder] = process.argv.slice(2);
 const limitMs = Number(process.env.LIMIT_MS ?? 2000);
@@ -13,7 +13,7 @@ const failures = [];
 const themes = readFileSync(new URL('src/style.css', import.meta.url), 'utf8').split('prefers-color-scheme: dark');
 const ofTheme = css => seriesColours.map(colour => colour.startsWith('--') ? css.match(new RegExp(`${colour}: (#[0-9a-f]{6})`))[1] : colour);
 const palettes = {
-  'segments and bounces': [1, 2, 3, 4].map(n => ofSegment(n).colour), objects: [1, 2, 3, 4, 5, 6, 7, 8].map(ofObject),
+  'segments and bounces': [1, 2, 3, 4].map(n => ofSegment(n).colour), objects: [1, 2, 3, 4, 5, 6, 7, 8].map(ofObject), 'hot spots': hotStops,
   'charts, light': ofTheme(themes[0]), 'charts, dark': ofTheme(themes[1])
 };
 for (const [of, colours] of Object.entries(palettes))
@@ -54,11 +54,12 @@ async function look(width, scheme) {
     };
     const shown = [...document.querySelectorAll('canvas')].filter(canvas => canvas.offsetParent !== null);
     const { run, scene } = JSON.parse(document.getElementById('data').textContent);
-    const chosen = run.rows[scene?.pose ?? 0];
+    const chosen = run.rows[scene?.pose ?? 0], isAround = new Set(run.rows.map(row => row.azimuth_deg)).size > 1;
     return {
-      expected: [...run.rows.length > 1 ? ['amplitude', 'other'] : [], ...chosen?.rays_received > 0 ? ['phase'] : [], ...scene ? ['view'] : [], ...scene?.picture ? ['picture'] : []],
+      expected: run.table === 'rcs' ? ['levels', ...isAround ? ['polar'] : [], ...run.rows.some(row => row.contributions) ? ['parts'] : [], ...scene ? ['view'] : []] : [...run.rows.length > 1 ? ['amplitude', 'other'] : [], ...chosen?.rays_received > 0 ? ['phase'] : [], ...scene ? ['view'] : [], ...scene?.picture ? ['picture'] : []],
       canvases: shown.map(canvas => ({ name: canvas.id || canvas.closest('.chart')?.id, shades: shades(canvas), label: canvas.getAttribute('aria-label') })),
       overflow: document.documentElement.scrollWidth - innerWidth,
+      isOfRows: run.table === 'rcs' && run.rows.length > 1,
       unnamed: [...document.querySelectorAll('button, input, select')].filter(control => !control.labels?.length && !control.textContent.trim() && !control.getAttribute('aria-label')).length
     };
   });
@@ -72,6 +73,7 @@ async function look(width, scheme) {
   if (facts.unnamed > 0) fail(`${facts.unnamed} controls have no name`);
   const has3D = facts.canvases.some(canvas => canvas.name === 'view');
   if (has3D) await turns(page, fail);
+  if (facts.isOfRows) await chooses(page, fail);
   console.log(`${at}: ready after ${readyMs} ms; ${facts.canvases.map(canvas => `${canvas.name} ${canvas.shades}`).join(', ')} colours`);
   if (folder) {
     mkdirSync(folder, { recursive: true });
@@ -108,8 +110,11 @@ async function turns(page, fail) {
     for (let i = 0; i < pixels.length; i += 4) count += Math.max(pixels[i], pixels[i + 1], pixels[i + 2]) - Math.min(pixels[i], pixels[i + 1], pixels[i + 2]) > 90 ? 1 : 0;
     return count;
   });
-  const paths = await page.evaluate(() => JSON.parse(document.getElementById('data').textContent).scene.paths.counts.length);
-  if (paths > 0 && visible < 200) fail(`no rays can be seen in the 3-D view: ${visible} coloured pixels`);
+  const coloured = await page.evaluate(() => {
+    const { scene } = JSON.parse(document.getElementById('data').textContent);
+    return scene.paths ? scene.paths.counts.length : scene.hot_spots.names.length;
+  });
+  if (coloured > 0 && visible < 200) fail(`no rays or hot spots can be seen in the 3-D view: ${visible} coloured pixels`);
   await page.focus('#view');
   await page.keyboard.press('ArrowLeft');
   if (await frame() === first) fail('the arrow keys do not turn the view');
@@ -123,4 +128,27 @@ async function turns(page, fail) {
   await page.mouse.up();
   if (await frame() === first) fail('the mouse does not turn the view');
   await page.keyboard.press('Home');
+}
+
+// Another row changes the charts, the table of contributions and the 3-D view; a click on the polar chart chooses one.
+async function chooses(page, fail) {
+  const state = () => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done({
+    row: document.getElementById('row').value, ...Object.fromEntries([...document.querySelectorAll('#polar, #view, #levels canvas, #parts canvas')].filter(canvas => canvas.offsetParent !== null).map(canvas => [canvas.id || canvas.closest('.chart').id, canvas.toDataURL()])),
+    table: document.querySelector('#parts-table tbody')?.textContent
+  })))));
+  const first = await state();
+  await page.focus('#row');
+  for (let i = 0; i < 3; i++) await page.keyboard.press(Number(first.row) > 3 ? 'ArrowLeft' : 'ArrowRight');
+  const second = await state();
+  for (const what of Object.keys(first)) if (first[what] !== undefined && first[what] === second[what]) fail(`another row does not change ${what}`);
+  const polar = await page.$('#polar');
+  if (!polar) return;
+  await polar.scrollIntoView();
+  const box = await polar.boundingBox();
+  let chosen = second.row;
+  for (const [x, y] of [[0.5, 0.1], [0.9, 0.5], [0.5, 0.9], [0.1, 0.5]]) {
+    await page.mouse.click(box.x + x * box.width, box.y + y * box.height);
+    chosen = (await state()).row === second.row ? chosen : null;
+  }
+  if (chosen !== null) fail('a click on the polar chart chooses no row');
 }

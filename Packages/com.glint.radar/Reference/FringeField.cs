@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 using Glint.Core;
 using Unity.Mathematics;
@@ -15,6 +16,12 @@ namespace Glint.Reference
         // Added to the angle of illumination: physical optics and the whole field both grow without bound where that of
         // the illumination meets that of reception, and their difference does not. Radians.
         const double AngleOffset = 1e-5;
+
+        // A piece of a wavelength that is seen in part is halved so many times.
+        const int MaxHalvings = 8;
+
+        // Points of a piece where it must be seen as at its centre, in pieces from it. Other bodies may touch its ends.
+        static readonly double[] s_ends = { -0.499, 0.499 };
 
         // Square of the sine of the angle between ray and edge below which there is no leading term.
         const double MinSquareSine = 1e-9;
@@ -38,7 +45,6 @@ namespace Glint.Reference
         /// <summary>Adds the edges to the sums of each receiver and frequency.</summary>
         public void Add(ScatteringMatrix[,] sums)
         {
-            // Pieces of a wavelength are hidden as a whole or not at all.
             double longest = Signal.SpeedOfLight / _pose.Frequencies[_pose.Frequencies.Length - 1];
             foreach (var wedge in _wedges)
             {
@@ -48,15 +54,34 @@ namespace Glint.Reference
                 int pieces = (int)Math.Ceiling(wedge.Length / longest);
                 double3 edge = (wedge.B - wedge.A) / pieces;
                 for (int i = 0; i < pieces; i++)
-                    AddPiece(wedge, edge, wedge.A + (i + 0.5) * edge - _bvh.Centre, sums);
+                    AddSeen(wedge, edge, wedge.A + (i + 0.5) * edge - _bvh.Centre, MaxHalvings, sums);
             }
         }
 
+        // Adds a piece, or its halves if only a part is seen.
+        void AddSeen(Wedge wedge, double3 edge, double3 centre, int halvings, ScatteringMatrix[,] sums)
+        {
+            if (halvings > 0 && s_ends.Any(end => !IsSeenAlike(wedge, centre, centre + end * edge)))
+            {
+                AddSeen(wedge, edge / 2, centre - edge / 4, halvings - 1, sums);
+                AddSeen(wedge, edge / 2, centre + edge / 4, halvings - 1, sums);
+            }
+            else
+                AddPiece(wedge, edge, centre, sums);
+        }
+
+        bool IsSeenAlike(Wedge wedge, double3 a, double3 b) => _receivers.Append(_radar).All(receiver =>
+            Sees(Outside(wedge, a), receiver, wedge, out _, out _)
+                == Sees(Outside(wedge, b), receiver, wedge, out _, out _));
+
+        // Where shadow rays from a point on an edge start.
+        double3 Outside(Wedge wedge, double3 onEdge) => onEdge + Beside * _bvh.Radius
+            * (Math.Cos(wedge.OuterAngle / 2) * wedge.First.Into
+                + Math.Sin(wedge.OuterAngle / 2) * wedge.First.Normal);
+
         void AddPiece(Wedge wedge, double3 edge, double3 centre, ScatteringMatrix[,] sums)
         {
-            double3 outside = Math.Cos(wedge.OuterAngle / 2) * wedge.First.Into
-                + Math.Sin(wedge.OuterAngle / 2) * wedge.First.Normal;
-            double3 start = centre + Beside * _bvh.Radius * outside;
+            double3 start = Outside(wedge, centre);
             if (!Sees(start, _radar, wedge, out double3 toRadar, out double arrives))
                 return;
             for (int r = 0; r < _receivers.Length; r++)

@@ -146,14 +146,18 @@ float2 StrengthAt(TubePath tube, SurfacePoint at, uint receivers, float side)
     return scale * strength;
 }
 
-void AddTube(Tube tube)
+// Part: see _TubeParts.
+void AddTube(Tube tube, uint part)
 {
     if ((tube.Tag >> 8 & 0xff) != _OnlyBounce && _OnlyBounce != 0)
         return;
     uint at;
     InterlockedAdd(_Sums[TUBE_COUNT], 1, at);
-    if (at < _ListCapacity.x)
-        _Tubes[at] = tube;
+    if (at >= _ListCapacity.x)
+        return;
+    _Tubes[at] = tube;
+    if (_HasParts != 0)
+        _TubeParts[at] = part;
 }
 
 #endif

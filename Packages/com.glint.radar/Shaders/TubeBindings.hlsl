@@ -15,6 +15,7 @@ static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and i
 static const uint SUM_BENT = 16;           // S of the error of bent phases, 64 bits each part
 static const uint SUM_ERROR = 20;          // sum of squared errors, 64 bits
 static const uint SUM_TUBE_OVERFLOW = 22;  // 1: a contribution was too large for a sum
+static const uint PART_WORDS = 16;         // of a part: see TubeParts; its words are those of SUM_S
 
 static const uint MAX_RECEIVERS = 16;
 static const uint RADAR = MAX_RECEIVERS;    // index of the radar behind the receivers
@@ -63,7 +64,7 @@ struct Cell
 StructuredBuffer<uint2> _Facets;           // per triangle: patch, first row in _NormalFields or FLAT
 StructuredBuffer<float4> _NormalFields;    // three rows a facet: gradient of a component of the normal; its value at
                                            // the centroid
-StructuredBuffer<uint2> _InstanceFacets;   // per instance: first element of _Facets, first patch
+StructuredBuffer<uint4> _InstanceFacets;   // per instance: first element of _Facets, first patch, first part
 StructuredBuffer<float4> _Reflections;     // per surface REFLECTION_STEPS + 1 elements: R_s, R_p over the cosine
 
 // Input: the radar and the receivers. At a finite range places are relative to the scene's centre.
@@ -114,6 +115,10 @@ uint FirstCoverWord()
 }
 
 RWStructuredBuffer<Tube> _Tubes;
+
+// Parts, whose contributions are summed apart: the triangles of all instances, the edges of each object, the bounces.
+RWStructuredBuffer<uint> _TubeParts;       // of each tube: the triangle, or the edges of an object
+uint _HasParts;                            // 0: they are not asked for
 RWStructuredBuffer<Cell> _TubeCells;
 RWStructuredBuffer<Cell> _Borders;
 

@@ -153,7 +153,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                         : CRUDE_ERROR * AreaOf(piece, side) * Thinning(currents.Gradient, side);
                     currents.Error = area * MagnitudeOf(currents);
                     currents.Bent = BentErrorAt(tube, at, receiver, side);
-                    AddTube(currents);
+                    AddTube(currents, at.Part);
                 }
             goesOn = ScatterTube(tube, at);
         }

@@ -68,11 +68,17 @@ void AddBorder(Cell cell)
         _Borders[border] = cell;
 }
 
-// Whether a corner of a patch is seen in the cell.
+// Whether a corner of a patch is seen in the cell, or, if the cell is smaller than the parts that marks are for, in its
+// part. Between rays a corner may reach into a cell as far as half its side.
 bool IsMarked(Cell cell)
 {
-    if (cell.Level >= MARK_LEVEL)
+    if (cell.Level >= _MaxLevel)
         return false;
+    if (cell.Level >= MARK_LEVEL)
+    {
+        uint2 part = cell.Position >> (cell.Level - MARK_LEVEL), whole = part >> MARK_LEVEL, at = part & (MARKS - 1);
+        return (_Marks[2 * (whole.x + whole.y * _Grid.x) + (at.y >> 2)] >> (8 * (at.y & 3) + at.x) & 1) != 0;
+    }
     uint parts = MARKS >> cell.Level;
     uint2 base = cell.Position >> cell.Level, first = (cell.Position - (base << cell.Level)) * parts;
     uint word = 2 * (base.x + base.y * _Grid.x), row = ((1u << parts) - 1) << first.x, bits = 0;
@@ -108,9 +114,9 @@ float4 DifferentialOf(TubePath tube, float3 step)
 }
 
 // The phase of PlaceOf, or of a difference of such, m.
-float PhaseOf(float4 place, Receiver receiver)
+float PhaseOf(float4 position, Receiver receiver)
 {
-    return dot(place.xyz, receiver.Direction) - place.w;
+    return dot(position.xyz, receiver.Direction) - position.w;
 }
 
 // Phases of the corners less the linear ones, m: of the curvature by u, by v, and of the twist. The gradients at the
@@ -125,19 +131,19 @@ float3 BendsOf(Bounce bounce, Receiver receiver)
 bool NoteCorner(inout Bounce bounces[MAX_BOUNCES], uint bounce, TubePath tube, float strength, uint corner,
     float2 fromCentre)
 {
-    float4 byU = DifferentialOf(tube, tube.PlaceU), byV = DifferentialOf(tube, tube.PlaceV), place = PlaceOf(tube);
+    float4 byU = DifferentialOf(tube, tube.PlaceU), byV = DifferentialOf(tube, tube.PlaceV), position = PlaceOf(tube);
     float2 sides = fromCentre > 0.0 ? 1.0 : -1.0;
     float4 strengths = 0.25 * strength * float4(1.0, sides, sides.x * sides.y);
-    place *= 0.25;
+    position *= 0.25;
     if (corner == 0)
     {
         bounces[bounce].Signature = tube.Signature;
         bounces[bounce].AlongU = fromCentre.x * byU;
         bounces[bounce].AlongV = fromCentre.y * byV;
-        bounces[bounce].Mean = place;
-        bounces[bounce].Twist = sides.x * sides.y * place;
-        bounces[bounce].SlopeU = sides.x * place;
-        bounces[bounce].SlopeV = sides.y * place;
+        bounces[bounce].Mean = position;
+        bounces[bounce].Twist = sides.x * sides.y * position;
+        bounces[bounce].SlopeU = sides.x * position;
+        bounces[bounce].SlopeV = sides.y * position;
         bounces[bounce].Strength = strengths;
         return true;
     }
@@ -145,10 +151,10 @@ bool NoteCorner(inout Bounce bounces[MAX_BOUNCES], uint bounce, TubePath tube, f
         return false;
     bounces[bounce].AlongU += fromCentre.x * byU;
     bounces[bounce].AlongV += fromCentre.y * byV;
-    bounces[bounce].Mean += place;
-    bounces[bounce].Twist += sides.x * sides.y * place;
-    bounces[bounce].SlopeU += sides.x * place;
-    bounces[bounce].SlopeV += sides.y * place;
+    bounces[bounce].Mean += position;
+    bounces[bounce].Twist += sides.x * sides.y * position;
+    bounces[bounce].SlopeU += sides.x * position;
+    bounces[bounce].SlopeV += sides.y * position;
     bounces[bounce].Strength += strengths;
     return true;
 }
@@ -160,7 +166,7 @@ bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, fl
     // Between the corners a strength that bends is off by up to this.
     float change = most > 0.0 ? abs(mean - strength) / most : 0.0;
     [loop]
-    for (uint pass = canDivide ? 0 : 1; pass < 2; pass++)
+    for (uint step = canDivide ? 0 : 1; step < 2; step++)
         for (uint index = 0; index < _ReceiverCount; index++)
         {
             if ((receivers >> index & 1) == 0)
@@ -173,7 +179,7 @@ bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, fl
             float size = SizeOf(_WaveNumber * bends, x);
             float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + 0.67 * change);
             float2 falls = 1.0 / max(abs(x), 1.0);
-            if (pass == 0)
+            if (step == 0)
             {
                 if (error * falls.x * falls.y * side * side * most > _CellError)
                     return false;
@@ -190,7 +196,7 @@ bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, fl
             }
             currents.Corners01.x = side;
             currents.Corners23 = strength > MIN_STRENGTH * mean ? bounce.Strength / strength : float4(1.0, 0.0, 0.0, 0.0);
-            AddTube(currents);
+            AddTube(currents, at.Part);
         }
     return true;
 }

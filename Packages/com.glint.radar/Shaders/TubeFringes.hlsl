@@ -16,7 +16,7 @@ struct EdgePiece
     float3 Along;          // unit vector of the edge
     float OuterAngle;      // through the air from the first face to the second, rad
     float3 Into;           // unit vector in the first face, across the edge
-    float Unused;
+    uint Part;             // see _TubeParts
 };
 
 StructuredBuffer<EdgePiece> _EdgePieces;
@@ -187,7 +187,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     // Standard deviation of a border that is anywhere within its interval.
     bool isWhole = part.y - part.x == piece.Length;
     fringe.Error = isWhole ? 0.0 : 0.289 * piece.Length / (1u << EDGE_BISECTIONS) * MagnitudeOf(fringe);
-    AddTube(fringe);
+    AddTube(fringe, piece.Part);
 }
 
 #endif

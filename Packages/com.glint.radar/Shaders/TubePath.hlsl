@@ -30,6 +30,7 @@ struct SurfacePoint
     uint Patch;
     uint Surface;
     uint2 Triangle;        // see NumberOf
+    uint Part;             // see _TubeParts
     float3 NextStart;      // of shadow rays
     bool IsLost;           // grazing or spread so much that the tube ends here and radiates nothing
 };
@@ -100,10 +101,12 @@ SurfacePoint PointOf(TubePath tube, Hit hit, float3 facetNormal, float3 placeU, 
 {
     SurfacePoint at = (SurfacePoint)0;
     Identity identity = Identify(hit);
-    uint2 first = _InstanceFacets[identity.Instance], facet = _Facets[first.x + identity.Triangle];
+    uint4 first = _InstanceFacets[identity.Instance];
+    uint2 facet = _Facets[first.x + identity.Triangle];
     at.Patch = first.y + facet.x;
     at.Surface = identity.Surface;
     at.Triangle = NumberOf(hit.Instance, hit.Row, hit.Second);
+    at.Part = first.z + identity.Triangle;
     at.FacetNormal = facetNormal;
     at.Normal = facetNormal;
     at.Cosine = -dot(facetNormal, tube.Path.Ray.Direction);

@@ -117,63 +117,98 @@ float2 PolygonIntegral(float2 corners[5], uint count, float2 w)
     return sense * float2(sum.y, -sum.x) / size;
 }
 
+// S of a tube at a frequency, in units.
+struct Radiation
+{
+    float2 VV, HV, VH, HH;
+    float Scale;           // units of S a unit of Tube.Error
+};
+
+Radiation RadiationOf(Tube tube, float4 waveNumber)
+{
+    float k = waveNumber.x;
+    float turns = PartOfTurn(Mul(MakeDoubleFloat(waveNumber.y, waveNumber.z), tube.Phase));
+    float2 w = k * tube.Gradient;
+    uint count = tube.Tag >> 16;
+    // - j k / sqrt(4 pi), which the coefficients of edges contain
+    bool isEdge = count == EDGE_CORNERS;
+    float scale = isEdge ? 1.0 : k / SQRT_4_PI;
+    float2 factor = isEdge ? float2(1.0, 0.0) : float2(0.0, -1.0), shape;
+    if (isEdge)
+        shape = float2(tube.Corners01.x * Sinc(0.5 * tube.Corners01.x * w.x), 0.0);
+    else if (count == 0)
+    {
+        float side = tube.Corners01.x;
+        shape = side * side * SquareIntegral(0.5 * side * w, k * tube.Corners01.yzw, tube.Corners23);
+    }
+    else
+    {
+        float2 corners[5] = { tube.Corners01.xy, tube.Corners01.zw, tube.Corners23.xy, tube.Corners23.zw,
+            tube.Corner4 };
+        shape = PolygonIntegral(corners, count, w);
+    }
+    float2 wave = _UnitsPerMetre * scale * ComplexMul(ComplexMul(shape, Phasor(turns)), factor);
+    Radiation radiation;
+    radiation.VV = ComplexMul(wave, tube.CoPolar.xy);
+    radiation.HV = ComplexMul(wave, tube.CrossPolar.xy);
+    radiation.VH = ComplexMul(wave, tube.CrossPolar.zw);
+    radiation.HH = ComplexMul(wave, tube.CoPolar.zw);
+    radiation.Scale = scale;
+    return radiation;
+}
+
+// The tubes of a group: the first one, and the end.
+uint2 TubesOf(uint3 group)
+{
+    uint first = (group.x + group.y * GROUPS_A_ROW) * TUBES_A_GROUP;
+    return uint2(first, min(first + TUBES_A_GROUP, min(_Sums[TUBE_COUNT], _ListCapacity.x)));
+}
+
+void Clear(out Sum sums[11])
+{
+    for (uint i = 0; i < 11; i++)
+    {
+        sums[i].Lower = 0;
+        sums[i].Upper = 0;
+    }
+}
+
+void Accumulate(inout Sum sums[11], Radiation radiation, inout uint overflow)
+{
+    Accumulate(sums[0], sums[1], radiation.VV, overflow);
+    Accumulate(sums[2], sums[3], radiation.HV, overflow);
+    Accumulate(sums[4], sums[5], radiation.VH, overflow);
+    Accumulate(sums[6], sums[7], radiation.HH, overflow);
+}
+
 [numthreads(GLINT_GROUP, 1, 1)]
 void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint frequency = group.z * _FrequenciesAGroup + thread % _FrequenciesAGroup;
     uint share = thread / _FrequenciesAGroup, shares = GLINT_GROUP / _FrequenciesAGroup;
-    uint first = (group.x + group.y * GROUPS_A_ROW) * TUBES_A_GROUP;
-    uint end = min(first + TUBES_A_GROUP, min(_Sums[TUBE_COUNT], _ListCapacity.x));
+    uint2 tubes = TubesOf(group);
     if (frequency >= _FrequencyCount)
         return;
     float4 waveNumber = _WaveNumbers[frequency];
-    float k = waveNumber.x;
     [loop]
     for (uint receiver = 0; receiver < _ReceiverCount; receiver++)
     {
         Sum sums[11];
-        for (uint clear = 0; clear < 11; clear++)
-        {
-            sums[clear].Lower = 0;
-            sums[clear].Upper = 0;
-        }
+        Clear(sums);
         uint overflow = 0;
         [loop]
-        for (uint i = first + share; i < end; i += shares)
+        for (uint i = tubes.x + share; i < tubes.y; i += shares)
         {
             Tube tube = _Tubes[i];
             if ((tube.Tag & 0xff) != receiver)
                 continue;
-            float turns = PartOfTurn(Mul(MakeDoubleFloat(waveNumber.y, waveNumber.z), tube.Phase));
-            float2 w = k * tube.Gradient;
-            uint count = tube.Tag >> 16;
-            // - j k / sqrt(4 pi), which the coefficients of edges contain
-            bool isEdge = count == EDGE_CORNERS;
-            float scale = isEdge ? 1.0 : k / SQRT_4_PI;
-            float2 factor = isEdge ? float2(1.0, 0.0) : float2(0.0, -1.0), shape;
-            if (isEdge)
-                shape = float2(tube.Corners01.x * Sinc(0.5 * tube.Corners01.x * w.x), 0.0);
-            else if (count == 0)
-            {
-                float side = tube.Corners01.x;
-                shape = side * side * SquareIntegral(0.5 * side * w, k * tube.Corners01.yzw, tube.Corners23);
-            }
-            else
-            {
-                float2 corners[5] = { tube.Corners01.xy, tube.Corners01.zw, tube.Corners23.xy, tube.Corners23.zw,
-                    tube.Corner4 };
-                shape = PolygonIntegral(corners, count, w);
-            }
-            float2 wave = _UnitsPerMetre * scale * ComplexMul(ComplexMul(shape, Phasor(turns)), factor);
-            float2 vv = ComplexMul(wave, tube.CoPolar.xy), hh = ComplexMul(wave, tube.CoPolar.zw);
-            Accumulate(sums[0], sums[1], vv, overflow);
-            Accumulate(sums[2], sums[3], ComplexMul(wave, tube.CrossPolar.xy), overflow);
-            Accumulate(sums[4], sums[5], ComplexMul(wave, tube.CrossPolar.zw), overflow);
-            Accumulate(sums[6], sums[7], hh, overflow);
+            Radiation radiation = RadiationOf(tube, waveNumber);
+            Accumulate(sums, radiation, overflow);
             // Errors of bent phases may add up or not.
-            float2 bent = tube.Bent * (dot(vv, vv) > dot(hh, hh) ? vv : hh);
+            float2 vv = radiation.VV, hh = radiation.HH, bent = tube.Bent * (dot(vv, vv) > dot(hh, hh) ? vv : hh);
             Accumulate(sums[8], sums[9], bent, overflow);
-            float error = tube.Error * scale, squares = error * error + dot(bent, bent) / (_UnitsPerMetre * _UnitsPerMetre);
+            float error = tube.Error * radiation.Scale;
+            float squares = error * error + dot(bent, bent) / (_UnitsPerMetre * _UnitsPerMetre);
             Accumulate(sums[10], min(_UnitsPerSquareMetre * squares, MAX_ERROR_UNITS), overflow);
         }
         uint slot = TUBE_SUMS + (receiver * _FrequencyCount + frequency) * TUBE_SUM_WORDS;
@@ -181,6 +216,35 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             AddWords(slot + SUM_S + 2 * sum, 2, sums[sum].Lower, sums[sum].Upper, 0);
         if (overflow != 0)
             InterlockedOr(_Sums[slot + SUM_TUBE_OVERFLOW], 1);
+    }
+}
+
+uint4 _Parts;                              // receiver; frequency; first word of the parts; part of no bounce
+
+// Sums what the tubes radiate at one receiver and frequency by their parts: the triangle or edges, and the bounce.
+// TubeSums has refused contributions that are too large.
+[numthreads(GLINT_GROUP, 1, 1)]
+void TubeParts(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint2 tubes = TubesOf(group);
+    if (group.z > 0)
+        return;
+    [loop]
+    for (uint i = tubes.x + thread; i < tubes.y; i += GLINT_GROUP)
+    {
+        Tube tube = _Tubes[i];
+        if ((tube.Tag & 0xff) != _Parts.x)
+            continue;
+        Sum sums[11];
+        Clear(sums);
+        uint overflow = 0;
+        Accumulate(sums, RadiationOf(tube, _WaveNumbers[_Parts.y]), overflow);
+        uint2 parts = uint2(_TubeParts[i], _Parts.w + (tube.Tag >> 8 & 0xff));
+        for (uint sum = 0; sum < PART_WORDS / 2; sum++)
+        {
+            AddWords(_Parts.z + parts.x * PART_WORDS + 2 * sum, 2, sums[sum].Lower, sums[sum].Upper, 0);
+            AddWords(_Parts.z + parts.y * PART_WORDS + 2 * sum, 2, sums[sum].Lower, sums[sum].Upper, 0);
+        }
     }
 }
 

@@ -72,6 +72,28 @@ namespace Glint.Tests
             Assert.That(wrong, Is.Empty);
         }
 
+        // ka = 100. The double-precision tracer has Mie's HH at 90 degrees to 0.01 dB; the kernels lack accuracy where the
+        // current of HH, the larger one there, fades towards the shadow (rcs.md).
+        [Test, Timeout(60000)]
+        public void Sphere_BistaticTo120Degrees_IsAboutMie()
+        {
+            var rows = s_lines.Value.Where(line => line.StartsWith("sphere_bistatic ", StringComparison.Ordinal))
+                .Select(line => line.Substring(line.IndexOf(' ') + 1)).Select(line => new PublishedRow(line)).ToArray();
+            var pose = rows[0].Pose();
+            pose.Receivers = rows.Where((_, i) => i % 2 == 0).Select(row => row.ReceiverAspect()).ToArray();
+            pose.ToleranceDb = ToleranceDb;
+            var result = _tracer.Trace(pose);
+            for (int i = 0; i < rows.Length; i++)
+            {
+                double angle = 15 * (i / 2);
+                double dbsm = ScatteringMatrix.Dbsm(PublishedRow.Of(result.S[i / 2, 0], rows[i].Polarisation));
+                TestContext.WriteLine(FormattableString.Invariant(
+                    $"| {angle} | {rows[i].Polarisation} | {rows[i].Dbsm:0.000} | {dbsm:0.000} | {dbsm - rows[i].Dbsm:+0.000;-0.000} |"));
+                Assert.That(dbsm, Is.EqualTo(rows[i].Dbsm)
+                    .Within(angle > 90 ? 0.6 : rows[i].Polarisation == "VV" ? 0.1 : 0.2), $"{rows[i]}");
+            }
+        }
+
         [Test, Timeout(60000)]
         public void Cases_AreThoseOfTheTable() =>
             Assert.That(s_lines.Value.Select(line => line.Split(' ')[0]).Distinct(), Is.EqualTo(Cases));

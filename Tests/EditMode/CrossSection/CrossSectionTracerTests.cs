@@ -69,6 +69,61 @@ namespace Glint.Tests
             Assert.That((s.HH - expected.HH).Magnitude, Is.LessThan(AllowedOf(pose, expected.HH)));
         }
 
+        // The target is turned and moved, its triangles are divided and in another order; the radar turns with it.
+        [Test, Timeout(60000)]
+        public void Trace_SameTargetInAnotherPlaceAndMesh_IsTheSame([Range(1, 6)] int seed)
+        {
+            var random = new System.Random(seed);
+            double Within(double from, double to) => from + (to - from) * random.NextDouble();
+            var mesh = new[]
+            {
+                CrossSectionTargets.Dihedral(0.25, 0.125), CrossSectionTargets.TwoPlates(0.2, 0.2, 0.3),
+                CrossSectionTargets.Trihedral(0.25, CrossSectionTargets.TrihedralFace.Triangular)
+            }[seed % 3];
+            var pose = PoseOf(mesh, Within(15, 75), Within(10, 60));
+            (pose.HasEdges, pose.ToleranceDb) = (true, CrossSectionPose.DefaultToleranceDb);
+            if (seed % 2 == 0)
+                pose.Receivers = new[] { PublishedRow.Aspect(Within(30, 80), Within(15, 75)) };
+            var expected = Trace(pose);
+            var placed = Affine.FromTransform(new double3(Within(-3, 3), Within(-3, 3), Within(-3, 3)),
+                math.normalize(new double4(Within(-1, 1), Within(-1, 1), Within(-1, 1), Within(0.1, 1))), 1);
+            RadarAspect Turned(RadarAspect at) =>
+                new RadarAspect(placed.Vector(at.ToRadar), placed.Vector(at.Up), placed.Vector(at.Right));
+            pose.Scene = new RadarScene(new MeshInstance
+            { Mesh = Shuffled(ReferenceCrossSectionTests.Split(mesh), random), ToWorld = placed });
+            (pose.Radar, pose.Receivers) = (Turned(pose.Radar), Array.ConvertAll(pose.Receivers, Turned));
+            pose.PhaseCentre = placed.Origin;
+            var s = Trace(pose);
+            Assert.That((s.VV - expected.VV).Magnitude, Is.LessThan(AllowedOf(pose, expected.VV)));
+            Assert.That((s.HH - expected.HH).Magnitude, Is.LessThan(AllowedOf(pose, expected.HH)));
+            Assert.That(s.VV.Magnitude, Is.GreaterThan(0));
+        }
+
+        // Plate: the direction of the mirror. Dihedral: 80 and 100 degrees, mirrored in the plane across its edge; its
+        // single bounces are far from their specular direction.
+        [TestCase(false, 70, 30, 110, -30)]
+        [TestCase(false, 105, -20, 75, 20)]
+        [TestCase(true, 80, 40, 100, 40)]
+        public void Trace_SpecularDirection_IsReciprocal(bool isDihedral, double theta, double phi, double toTheta,
+            double toPhi)
+        {
+            var mesh = isDihedral ? CrossSectionTargets.Dihedral(0.3, 0.2) : CrossSectionTargets.Plate(0.3, 0.2);
+            ScatteringMatrix From(double theta1, double phi1, double theta2, double phi2)
+            {
+                var pose = PoseOf(mesh, phi1, 90 - theta1);
+                pose.Receivers = new[] { PublishedRow.Aspect(theta2, phi2) };
+                pose.OnlyBounce = isDihedral ? 2 : 0;
+                Assert.That(Trace(pose).VV.Magnitude, Is.GreaterThan(3), "the mirror's lobe");
+                return Trace(pose);
+            }
+            ScatteringMatrix s = From(theta, phi, toTheta, toPhi), back = From(toTheta, toPhi, theta, phi);
+            double allowed = AllowedOf(PoseOf(mesh, phi, 0), s.VV);
+            Assert.That((s.VV - back.VV).Magnitude, Is.LessThan(allowed));
+            Assert.That((s.HH - back.HH).Magnitude, Is.LessThan(allowed));
+            Assert.That((s.VH - back.HV).Magnitude, Is.LessThan(allowed));
+            Assert.That((s.HV - back.VH).Magnitude, Is.LessThan(allowed));
+        }
+
         [Test, Timeout(60000)]
         public void Trace_ManyFrequencies_EqualSingleOnes()
         {
@@ -105,7 +160,7 @@ namespace Glint.Tests
             var pose = PoseOf(CrossSectionTargets.Trihedral(0.3, CrossSectionTargets.TrihedralFace.Square), 40, 30);
             pose.ToleranceDb = 1;
             var coarse = _tracer.Trace(pose);
-            pose.ToleranceDb = 0.01;
+            pose.ToleranceDb = 0.001;
             var fine = _tracer.Trace(pose);
             Assert.That(coarse.IsMet && fine.IsMet);
             Assert.That(fine.Rays, Is.GreaterThan(coarse.Rays));
@@ -137,6 +192,17 @@ namespace Glint.Tests
                 Scene = new RadarScene(mesh), Radar = radar, Receivers = new[] { radar },
                 Frequencies = new[] { TenGigahertz }, ToleranceDb = 0.02, HasEdges = false
             };
+        }
+
+        // The triangles in another order, each beginning with another corner.
+        static TriangleMesh Shuffled(TriangleMesh mesh, System.Random random)
+        {
+            var order = Enumerable.Range(0, mesh.TriangleCount).OrderBy(_ => random.Next());
+            return new TriangleMesh(mesh.Vertices, order.SelectMany(triangle =>
+            {
+                int turn = random.Next(3);
+                return Enumerable.Range(0, 3).Select(i => mesh.Indices[3 * triangle + (i + turn) % 3]);
+            }).ToArray());
         }
 
         ScatteringMatrix Trace(CrossSectionPose pose) => _tracer.Trace(pose).S[0, 0];

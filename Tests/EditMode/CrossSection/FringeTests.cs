@@ -109,25 +109,25 @@ namespace Glint.Tests
             Assert.That(Largest(hidden + -1 * seen), Is.LessThan(1e-5));
         }
 
-        // One plate hides a part of the other's edges. The reference takes or leaves pieces of a wavelength of the
-        // highest frequency as a whole.
+        // One plate hides a part of the other's edges. Both tracers find where to 1/256 of a piece.
         [Test]
         public void PartlyHiddenEdges_RadiateOverTheLengthThatIsSeen()
         {
-            var scene = new RadarScene(CrossSectionTargets.TwoPlates(0.1, 0.1, 0.12));
-            double worst = 0, worstOfWhole = 0;
+            var mesh = CrossSectionTargets.TwoPlates(0.1, 0.1, 0.12);
+            var scene = new RadarScene(mesh);
+            RadarScene Plate(int first) =>
+                new RadarScene(new TriangleMesh(mesh.Vertices, mesh.Indices.Skip(first).Take(6).ToArray()));
+            double worst = 0, hidden = 0;
             foreach (double phi in new[] { 52, 60, 68, 76 })
             {
-                var pose = Pose(scene, PublishedRow.Aspect(80, phi));
-                var got = Fringes(pose)[0, 0];
-                var whole = ReferenceFringes(pose)[0, 0];
-                pose.Frequencies = new[] { TenGigahertz, 256 * TenGigahertz };
-                var expected = ReferenceFringes(pose)[0, 0];
-                worst = max(worst, Difference(got, expected) / Largest(expected));
-                worstOfWhole = max(worstOfWhole, Difference(whole, expected) / Largest(expected));
+                var radar = PublishedRow.Aspect(80, phi);
+                var expected = ReferenceFringes(Pose(scene, radar))[0, 0];
+                var unhidden = Fringes(Pose(Plate(0), radar))[0, 0] + Fringes(Pose(Plate(6), radar))[0, 0];
+                worst = max(worst, Difference(Fringes(Pose(scene, radar))[0, 0], expected) / Largest(expected));
+                hidden = max(hidden, Difference(unhidden, expected) / Largest(expected));
             }
-            Assert.That(worst, Is.LessThan(0.005));
-            Assert.That(worstOfWhole, Is.GreaterThan(0.05), "edges are hidden in part");
+            Assert.That(worst, Is.LessThan(0.01));
+            Assert.That(hidden, Is.GreaterThan(0.05), "edges are hidden in part");
         }
 
         [Test]
@@ -188,7 +188,8 @@ namespace Glint.Tests
             {
                 var alone = Pose(pose.Scene, pose.Radar);
                 alone.Receivers = new[] { pose.Receivers[i] };
-                Assert.That(Fringes(alone)[0, 0], Is.EqualTo(together[i, 0]), "bit for bit");
+                // But for rounding: the tubes whose sums cancel are others.
+                Assert.That(Difference(Fringes(alone)[0, 0], together[i, 0]), Is.LessThan(1e-12));
             }
         }
 

@@ -33,11 +33,13 @@ namespace Glint.Tests
             return new CrossSectionPose
             {
                 Scene = new RadarScene(CrossSectionTargets.Named(_fields[0])) { Surfaces = new[] { Material() } },
-                Radar = Aspect(Number(2), Number(3)), Receivers = new[] { Aspect(Number(4), Number(5)) },
+                Radar = Aspect(Number(2), Number(3)), Receivers = new[] { ReceiverAspect() },
                 Frequencies = new[] { Number(1) }, Range = Number(6) > 0 ? Number(6) : double.PositiveInfinity,
                 MaxBounces = bounces, OnlyBounce = isOnly ? bounces : 0, HasEdges = _fields[9] == "1"
             };
         }
+
+        public RadarAspect ReceiverAspect() => Aspect(Number(4), Number(5));
 
         /// <summary>
         /// The aspect of a direction in degrees. Axes with z up become Unity's, (x, y, z) to (x, z, y); up is against

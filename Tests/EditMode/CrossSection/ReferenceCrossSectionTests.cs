@@ -287,8 +287,8 @@ namespace Glint.Tests
         static RadarScene Placed(RadarScene scene, in Affine toWorld) =>
             new RadarScene(new MeshInstance { Mesh = scene.Instances[0].Mesh, ToWorld = toWorld });
 
-        // Every triangle becomes four.
-        static TriangleMesh Split(TriangleMesh mesh)
+        /// <summary>Every triangle becomes four.</summary>
+        internal static TriangleMesh Split(TriangleMesh mesh)
         {
             var corners = new float3[12 * mesh.TriangleCount];
             for (int i = 0; i < mesh.TriangleCount; i++)

@@ -90,6 +90,19 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void CrossSection_OfASelectedObject_IsReadyToRun()
+        {
+            var box = GameObject.CreatePrimitive(PrimitiveType.Cube);
+            GameObject.CreatePrimitive(PrimitiveType.Sphere);
+            var made = SceneObjects.MakeCrossSection(box);
+            var check = new CrossSectionCheck(made);
+            check.Update();
+            Assert.That(check.Findings, Is.Empty);
+            Assert.That((made.Target, made.transform.parent == null), Is.EqualTo((box.transform, true)));
+            Assert.That(check.Setup.Scene.TriangleCount, Is.EqualTo(12), "the cube alone");
+        }
+
+        [Test]
         public void Made_BelowAnObject_StandsThereUnderANameOfItsOwnAndIsSelected()
         {
             var parent = new GameObject("Parent") { layer = 5 };
@@ -111,7 +124,8 @@ namespace Glint.Tests
             SceneObjects.MakeSea(null);
             SceneObjects.MakeShip(null);
             SceneObjects.MakeRadar(null);
-            for (int left = 3; left >= 0; left--)
+            SceneObjects.MakeCrossSection(null);
+            for (int left = 4; left >= 0; left--)
             {
                 Undo.PerformUndo();
                 Assert.That(EditorSceneManager.GetActiveScene().rootCount, Is.EqualTo(left));
@@ -119,18 +133,18 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Menu_HasFourItemsThatMakeThem()
+        public void Menu_HasFiveItemsThatMakeThem()
         {
             var items = typeof(GlintMenu).GetMethods(BindingFlags.Static | BindingFlags.NonPublic)
                 .Where(method => method.IsDefined(typeof(MenuItem), false)).ToArray();
             Assert.That(items.Select(item => item.GetCustomAttribute<MenuItem>().menuItem), Is.EquivalentTo(new[]
                 {
-                    "GameObject/Glint/Radar", "GameObject/Glint/Corner reflector",
+                    "GameObject/Glint/Radar", "GameObject/Glint/Cross section", "GameObject/Glint/Corner reflector",
                     "GameObject/Glint/Sea", "GameObject/Glint/Ship"
                 }));
             foreach (var item in items)
                 item.Invoke(null, new object[] { new MenuCommand(null) });
-            Assert.That(EditorSceneManager.GetActiveScene().rootCount, Is.EqualTo(4));
+            Assert.That(EditorSceneManager.GetActiveScene().rootCount, Is.EqualTo(5));
         }
     }
 }

@@ -1,14 +1,10 @@
 using System;
 using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
 using System.Linq;
 using System.Runtime.InteropServices;
-using System.Text.RegularExpressions;
 using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
-using UnityEngine;
 using static Unity.Mathematics.math;
 
 namespace Glint.Tests
@@ -107,7 +103,7 @@ namespace Glint.Tests
             };
             foreach (var channel in Channel.All)
                 expected["SUM_" + channel.Name.ToUpperInvariant()] = channel.Word;
-            Assert.That(Constants(), Is.EquivalentTo(expected));
+            Assert.That(ShaderConstants.Of("Constants.hlsl"), Is.EquivalentTo(expected));
         }
 
         [Test]
@@ -124,48 +120,16 @@ namespace Glint.Tests
             Assert.That(Channel.Histogram.Word + Signal.PhaseBins, Is.LessThanOrEqualTo(Channel.WordsPerSlot));
         }
 
-        static Dictionary<string, double> Constants()
-        {
-            string file = Path.Combine(Application.dataPath, "../Packages/com.glint.radar/Shaders/Constants.hlsl");
-            var declared = File.ReadLines(file).Where(line => line.StartsWith("static const"));
-            return declared.Select(line => Regex.Match(line, @"^static const (uint|float) (\w+) = ([^;]+);"))
-                .ToDictionary(match => match.Groups[2].Value, match => Value(match.Groups[3].Value));
-        }
-
-        static double Value(string text) => text.StartsWith("0x")
-            ? uint.Parse(text.Substring(2), NumberStyles.HexNumber)
-            : double.Parse(text, CultureInfo.InvariantCulture);
-
         static bool IsWhole(int field) => new[] { 11, 12, 37, 38, 41, 42, 43, 44, 45, 49, 53, 54, 55 }.Contains(field);
 
         static uint[] Unpack(RayData ray, InstanceRecord instance, HitData hit, int count)
         {
-            var shader = TestKernels.Layout;
-            int kernel = shader.FindKernel("Unpack");
-            var buffers = new List<GraphicsBuffer>();
-            void Bind<T>(string name, T second) where T : struct
+            using (var fields = new ShaderFields(TestKernels.Layout))
             {
-                var buffer = new GraphicsBuffer(GraphicsBuffer.Target.Structured, 2, Marshal.SizeOf<T>());
-                buffers.Add(buffer);
-                buffer.SetData(new[] { default, second });
-                shader.SetBuffer(kernel, name, buffer);
-            }
-            try
-            {
-                Bind("_RayIn", ray);
-                Bind("_InstanceIn", instance);
-                Bind("_HitIn", hit);
-                var fields = new GraphicsBuffer(GraphicsBuffer.Target.Structured, count, sizeof(uint));
-                buffers.Add(fields);
-                shader.SetBuffer(kernel, "_Fields", fields);
-                shader.Dispatch(kernel, 1, 1, 1);
-                var values = new uint[count];
-                fields.GetData(values);
-                return values;
-            }
-            finally
-            {
-                buffers.ForEach(buffer => buffer.Dispose());
+                fields.Bind("_RayIn", ray);
+                fields.Bind("_InstanceIn", instance);
+                fields.Bind("_HitIn", hit);
+                return fields.Unpack(count);
             }
         }
     }

@@ -23,6 +23,8 @@ namespace Glint.Tests
 
         public static ComputeShader Layout => Load("Packages/com.glint.tests/EditMode/Shaders/Layout.compute");
 
+        public static ComputeShader TubeLayout => Load("Packages/com.glint.tests/EditMode/Shaders/TubeLayout.compute");
+
         public static ComputeShader DoubleFloat =>
             Load("Packages/com.glint.tests/EditMode/Shaders/DoubleFloat.compute");
 

@@ -20,6 +20,9 @@ public static class EditorHooks
     /// <summary>Called with position and direction of each handle; returns where the user drags it.</summary>
     public static Func<Vector3, Vector3, Vector3> Slide { get; set; } = (position, _) => position;
 
+    /// <summary>Called with a path that the system's file browser would show.</summary>
+    public static Action<string> Reveal { get; set; } = _ => { };
+
     /// <summary>Called with the dialog's title; returns the chosen path, empty for none.</summary>
     public static Func<string, string> FileDialog { get; set; } = _ => "";
 }

@@ -24,6 +24,8 @@ public class EditorUtility
     public static string SaveFilePanel(string title, string directory, string defaultName, string extension) =>
         EditorHooks.FileDialog(defaultName);
 
+    public static void RevealInFinder(string path) => EditorHooks.Reveal(path);
+
     public static void ClearProgressBar() => EditorHooks.ProgressBar(null);
 
     /// <summary>AssetDatabase writes the asset when it next saves.</summary>

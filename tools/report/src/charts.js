@@ -26,7 +26,7 @@ function axis(label, size, isWhole = false) {
 /**
  * A chart that fills its element and follows its width.
  * @param {HTMLElement} element
- * @param {object} what x: {label, values}, series: [{label, values, ...uPlot's}], bands, yLabel, height, marked(): x of the chosen pose, onPick(index, x)
+ * @param {object} what x: {label, values}, series: [{label, values, ...uPlot's}], bands, yLabel, height, maxSpan below the highest value, marked(): x of the chosen pose, onPick(index, x)
  */
 export function draw(element, what) {
   element.replaceChildren();
@@ -51,7 +51,7 @@ export function draw(element, what) {
     height: what.height ?? 300,
     scales: {
       x: { time: false, range: what.xRange ?? (single ? (u, low) => [low - 1, low + 1] : undefined) },
-      y: { range: (u, low, high) => low === null ? [0, 1] : what.fromZero ? [0, high > 0 ? high * 1.08 : 1] : low === high ? [low - 1, high + 1] : uPlot.rangeNum(low, high, 0.08, true) }
+      y: { range: (u, low, high) => low === null ? [0, 1] : what.fromZero ? [0, high > 0 ? high * 1.08 : 1] : low === high ? [low - 1, high + 1] : uPlot.rangeNum(Math.max(low, high - (what.maxSpan ?? Infinity)), high, 0.08, true) }
     },
     axes: [axis(what.x.label, 46, what.x.isWhole), axis(what.yLabel, 72)],
     series: [{ label: what.x.label, value: (u, value) => number(value) }, ...what.series.map(series => ({
@@ -76,3 +76,20 @@ export function draw(element, what) {
 }
 
 export const bars = () => uPlot.paths.bars({ size: [0.94, 60] });
+
+const markers = outline => (plot, series, from, to) => {
+  const path = new Path2D(), half = 5 * devicePixelRatio;
+  for (let i = from; i <= to; i++) {
+    const value = plot.data[series][i];
+    if (value === null || value === undefined) continue;
+    outline(path, plot.valToPos(plot.data[0][i], 'x', true), plot.valToPos(value, 'y', true), half);
+  }
+  return { stroke: path, fill: null, clip: null, flags: 3 };
+};
+
+/** Marks of single points, for a series' points.paths. */
+export const squares = markers((path, x, y, half) => path.rect(x - half, y - half, 2 * half, 2 * half));
+export const diamonds = markers((path, x, y, half) => {
+  path.moveTo(x, y - 1.3 * half);
+  for (const [across, up] of [[1.3, 0], [0, 1.3], [-1.3, 0], [0, -1.3]]) path.lineTo(x + across * half, y + up * half);
+});

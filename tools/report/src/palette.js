@@ -17,6 +17,16 @@ const objects = ['#e69f00', '#56b4e9', '#009e73', '#cc79a7', '#0072b2', '#d55e00
 // Colours of the charts; names that begin with -- are variables of the style sheet, set for each theme.
 export const seriesColours = ['--accent', '--mark', '#009e73', '#cc79a7', '#666677', '#7a5af8'];
 
+// Hot spots from weak to strong, on the dark background of the view: ever lighter, so that greys tell them too.
+export const hotStops = ['#4a2a7a', '#9c2e6a', '#dd513a', '#fca50a', '#fcffa4'];
+
+/** A colour between the stops, 0 to 1. */
+export function ofHeat(part) {
+  const place = Math.min(1, Math.max(0, part)) * (hotStops.length - 1), first = Math.min(hotStops.length - 2, Math.floor(place));
+  const [from, to] = [rgb(hotStops[first]), rgb(hotStops[first + 1])];
+  return from.map((value, i) => value + (place - first) * (to[i] - value));
+}
+
 /** From 1. */
 export const ofObject = n => objects[(n - 1) % objects.length];
 

@@ -10,8 +10,10 @@ const axesOf = columns => Object.entries(columns).filter(([, { axis }]) => axis)
 const mostGroups = 8;
 
 export class Poses {
-  constructor(rows, columns) {
+  /** @param {object[]} rows @param {object} columns by name. @param {boolean} isOneLine Whether charts show the line of the chosen pose only. */
+  constructor(rows, columns, isOneLine = false) {
     this.rows = rows;
+    this.isOneLine = isOneLine;
     this.axes = axesOf(columns);
     this.chosen = 0;
     this.listeners = [];
@@ -21,7 +23,7 @@ export class Poses {
     const [first] = this.varying.length > 0 ? this.varying : this.axes;
     // The fastest-changing axis, or one with which the charts can show all poses.
     const lines = axis => this.counts.reduce((product, [count, other]) => other === axis ? product : product * count, 1);
-    const along = lines(first) <= mostGroups ? first : this.varying.find(axis => lines(axis) <= mostGroups) ?? first;
+    const along = isOneLine || lines(first) <= mostGroups ? first : this.varying.find(axis => lines(axis) <= mostGroups) ?? first;
     const steps = distinct(along.name).sort((a, b) => a - b);
     this.x = { ...along, values: steps.map(value => value / along.unit) };
     this.others = this.varying.filter(axis => axis !== along);
@@ -60,7 +62,7 @@ export class Poses {
   /** The groups to draw, by name: all, or where they are too many that of the chosen pose. */
   get groups() {
     const own = this.groupOf(this.rows[this.chosen]);
-    return this.all.size <= mostGroups ? [...this.all] : [[own, this.all.get(own)]];
+    return !this.isOneLine && this.all.size <= mostGroups ? [...this.all] : [[own, this.all.get(own)]];
   }
 
   /** "15 deg", "snapshot 3, 15 deg". */
@@ -74,9 +76,14 @@ export class Poses {
     return typeof value === 'number' ? value / this.x.unit : value;
   }
 
+  /** The rows of the chosen pose's line, by place of the x axis. */
+  get line() {
+    return this.all.get(this.groupOf(this.rows[this.chosen]));
+  }
+
   /** The pose at a place of the x axis, of the chosen pose's group. */
   at(index) {
-    return this.rows.indexOf(this.all.get(this.groupOf(this.rows[this.chosen]))[index]);
+    return this.rows.indexOf(this.line[index]);
   }
 
   choose(pose) {

@@ -1,6 +1,6 @@
 // The charts over the poses of a sweep.
 import { byId, make, number } from './text.js';
-import { dash, draw, stroke } from './charts.js';
+import { dash, draw, squares, stroke } from './charts.js';
 import { theme } from './palette.js';
 
 export class SweepCharts {
@@ -73,14 +73,4 @@ export class SweepCharts {
       marked: () => this.poses.xOf(this.poses.chosen), onPick: index => this.poses.choose(this.poses.at(index))
     });
   }
-}
-
-function squares(plot, series, from, to) {
-  const path = new Path2D(), half = 5 * devicePixelRatio;
-  for (let i = from; i <= to; i++) {
-    const value = plot.data[series][i];
-    if (value === null || value === undefined) continue;
-    path.rect(plot.valToPos(plot.data[0][i], 'x', true) - half, plot.valToPos(value, 'y', true) - half, 2 * half, 2 * half);
-  }
-  return { stroke: path, fill: null, clip: null, flags: 3 };
 }

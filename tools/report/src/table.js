@@ -4,7 +4,7 @@ import { byId, make, number } from './text.js';
 const most = 5000;
 
 export class PoseTable {
-  constructor(poses, columns) {
+  constructor(poses, columns, file) {
     this.poses = poses;
     this.described = columns;
     // The angle is 0 in every row of a sweep without a turning target.
@@ -23,7 +23,7 @@ export class PoseTable {
     }
     byId('table').tHead.append(head);
     if (poses.rows.length > most)
-      byId('table-note').textContent += ` Of ${number(poses.rows.length)} rows the first ${number(most)} are here; results.csv has all.`;
+      byId('table-note').textContent += ` Of ${number(poses.rows.length)} rows the first ${number(most)} are here; ${file} has all.`;
     this.rows = poses.rows.slice(0, most).map((row, pose) => this.make(row, pose));
     byId('table').tBodies[0].append(...this.rows);
     poses.onChange(() => this.mark());

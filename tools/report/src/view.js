@@ -13,6 +13,18 @@ import { ofSegment } from './palette.js';
 const drawnAtFirst = 120;
 const turn = 6 * Math.PI / 180;
 
+// Corners of the boxes around the instances, in three's axes.
+export function cornersOf(scene) {
+  return scene.instances.flatMap(({ mesh, place: p }) => Array.from({ length: 8 }, (unused, i) => {
+    const { low, size } = scene.meshes[mesh];
+    const [x, y, z] = [0, 1, 2].map(axis => low[axis] + size[axis] * (i >> axis & 1));
+    return flip(...[0, 1, 2].map(axis => p[axis] * x + p[3 + axis] * y + p[6 + axis] * z + p[9 + axis]));
+  }));
+}
+
+/** From Unity's axes to three's. */
+export const flip = (x, y, z) => new Vector3(x, y, -z);
+
 export class View {
   /** @param {object} scene of the report's data. */
   constructor(scene) {
@@ -159,13 +171,8 @@ export class View {
 
   // Bounding spheres for the fit.
   measure() {
-    const flip = (x, y, z) => new Vector3(x, y, -z);
     const around = points => points.length > 0 ? new Sphere().setFromPoints(points) : null;
-    const corners = this.scene.instances.flatMap(({ mesh, place: p }) => Array.from({ length: 8 }, (unused, i) => {
-      const { low, size } = this.scene.meshes[mesh];
-      const [x, y, z] = [0, 1, 2].map(axis => low[axis] + size[axis] * (i >> axis & 1));
-      return flip(...[0, 1, 2].map(axis => p[axis] * x + p[3 + axis] * y + p[6 + axis] * z + p[9 + axis]));
-    }));
+    const corners = cornersOf(this.scene);
     const hits = this.paths.flatMap(path => Array.from({ length: path.length / 3 - 2 }, (unused, i) => flip(...path.subarray(3 * i + 3, 3 * i + 6))));
     this.radarPlace = flip(...this.scene.radar.place);
     const scene = around(corners) ?? new Sphere(new Vector3(), 1);

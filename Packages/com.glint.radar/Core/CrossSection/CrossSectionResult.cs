@@ -30,6 +30,12 @@ namespace Glint.Core
         /// <summary>Edges without fringe fields because a face is no perfect conductor; 0 without edges.</summary>
         public int WedgesLeftOut { get; set; }
 
+        /// <summary>
+        /// Error that a cell was allowed, as a fraction of what a conducting plate of a base cell returns: with it the tracer
+        /// finds the same tubes again.
+        /// </summary>
+        public double CellError { get; set; }
+
         /// <summary>Rays traced, those that only look for borders included.</summary>
         public long Rays { get; set; }
     }
@@ -46,14 +52,25 @@ namespace Glint.Core
         /// <param name="s">The matrix, metres.</param>
         /// <param name="error">Its standard error, metres.</param>
         /// <param name="floorDbsm">The floor, which replaces amplitudes below it.</param>
-        public CrossSectionAccuracy(in ScatteringMatrix s, double error, double floorDbsm) => _relativeError =
-            error / Math.Max(Math.Pow(10, floorDbsm / 20), Math.Min(s.VV.Magnitude, s.HH.Magnitude));
+        public CrossSectionAccuracy(in ScatteringMatrix s, double error, double floorDbsm)
+        {
+            Scale = Math.Max(Math.Pow(10, floorDbsm / 20), Math.Min(s.VV.Magnitude, s.HH.Magnitude));
+            _relativeError = error / Scale;
+        }
+
+        /// <summary>
+        /// What errors of the matrix are relative to, metres: the smaller of VV and HH, or the floor if that is larger.
+        /// </summary>
+        public double Scale { get; }
 
         /// <summary>The standard error in decibels, of VV or HH: the one with the larger error.</summary>
         public double ErrorDb => 20 * Math.Log10(1 + _relativeError);
 
         /// <summary>Ratio of the error, which 95 % of amplitudes do not exceed, to that of a tolerance.</summary>
         public double Excess(double toleranceDb) =>
-            Confidence * _relativeError / (Math.Pow(10, toleranceDb / 20) - 1);
+            Confidence * _relativeError / AllowedBy(toleranceDb);
+
+        /// <summary>Relative error that a tolerance allows.</summary>
+        public static double AllowedBy(double toleranceDb) => Math.Pow(10, toleranceDb / 20) - 1;
     }
 }

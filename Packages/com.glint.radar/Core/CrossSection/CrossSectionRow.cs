@@ -48,6 +48,9 @@ namespace Glint.Core
         /// <inheritdoc cref="Tubes"/>
         public long Rays { get; set; }
 
+        /// <summary>Contributions of the scene's parts; null if they were not asked for.</summary>
+        public CrossSectionContributions Contributions { get; set; }
+
         /// <summary>The amplitude of a polarisation, metres; null if it was not asked for.</summary>
         public Complex? Amplitude(Polarisation polarisation) =>
             _polarisations.Contains(polarisation) ? polarisation.Of(S) : (Complex?)null;

@@ -1,3 +1,5 @@
+using System.Collections.Generic;
+using System.Linq;
 using System.Numerics;
 
 namespace Glint.Core
@@ -28,6 +30,22 @@ namespace Glint.Core
         public static ScatteringMatrix operator *(Complex factor, in ScatteringMatrix s) => new ScatteringMatrix
         {
             VV = factor * s.VV, HV = factor * s.HV, VH = factor * s.VH, HH = factor * s.HH
+        };
+
+        /// <summary>The elements of some polarisations; the others are NaN.</summary>
+        public ScatteringMatrix Only(IReadOnlyList<Polarisation> polarisations)
+        {
+            var s = this;
+            var elements = Polarisation.All.Select(polarisation => polarisations.Contains(polarisation)
+                ? polarisation.Of(s)
+                : new Complex(double.NaN, double.NaN)).ToArray();
+            return Of(elements);
+        }
+
+        /// <summary>The matrix of elements in the order of <see cref="Polarisation.All"/>.</summary>
+        public static ScatteringMatrix Of(IReadOnlyList<Complex> elements) => new ScatteringMatrix
+        {
+            VV = elements[0], HV = elements[1], VH = elements[2], HH = elements[3]
         };
 
         /// <summary>Cross section of an amplitude, decibels of a square metre; minus infinity for 0.</summary>

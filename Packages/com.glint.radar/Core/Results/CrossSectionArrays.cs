@@ -13,9 +13,9 @@ namespace Glint.Core
         /// NaN, where the radar receives), S by pose, frequency, receiver, received and sent polarisation (V, H; NaN
         /// where it was not asked for), and error.
         /// </summary>
-        public static void Write(Stream output, SweepIdentity identity, IReadOnlyList<StoredRow> rows)
+        public static void Write(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
         {
-            var plan = CrossSectionPlan.Of(identity);
+            var plan = CrossSectionPlan.Of(info.Sweep);
             int frequencies = plan.Frequencies.Count, receivers = plan.Receivers, rowsOfPose = frequencies * receivers;
             var poses = Enumerable.Range(0, plan.Poses).Select(pose => plan[pose * rowsOfPose]).ToArray();
             var received = Enumerable.Range(0, receivers).Select(receiver => plan[receiver]);

@@ -15,7 +15,13 @@ namespace Glint.Core
         /// <summary>Cross sections.</summary>
         public static readonly ResultTable CrossSection = new ResultTable("rcs", "rcs.csv", CrossSectionColumn.All)
         {
-            ArraysName = "rcs.npz", WriteArrays = CrossSectionArrays.Write
+            FolderSuffix = "-rcs",
+            WholeFiles = new[]
+            {
+                new WholeFile("rcs.npz", CrossSectionArrays.Write, rows => true),
+                new WholeFile("contributions.csv", ContributionFiles.WriteContributions, ContributionFiles.AreIn),
+                new WholeFile("hotspots.csv", ContributionFiles.WriteHotSpots, ContributionFiles.AreIn)
+            }
         };
 
         /// <summary>Every table.</summary>
@@ -30,6 +36,9 @@ namespace Glint.Core
         /// <summary>File of the rows.</summary>
         public string CsvName { get; }
 
+        /// <summary>Ends the name of the default folder; null for nothing.</summary>
+        public string FolderSuffix { get; private set; }
+
         /// <summary>The columns, in the order of the files.</summary>
         public IReadOnlyList<ResultColumn> Columns { get; }
 
@@ -37,17 +46,28 @@ namespace Glint.Core
         public bool HasTimings { get; private set; }
 
         /// <summary>
-        /// File of the rows as arrays; null for none. A part of a sweep does not have it, its merged whole does.
+        /// Other files made of all rows. A part of a sweep does not have them, its merged whole does.
         /// </summary>
-        public string ArraysName { get; private set; }
-
-        /// <summary>Writes the arrays of a whole sweep from its identity and rows.</summary>
-        internal Action<Stream, SweepIdentity, IReadOnlyList<StoredRow>> WriteArrays { get; private set; }
+        internal IReadOnlyList<WholeFile> WholeFiles { get; private set; } = Array.Empty<WholeFile>();
 
         /// <summary>The table of a name in results.json; null: that of sweeps.</summary>
         /// <exception cref="FormatException">There is no such table.</exception>
         internal static ResultTable Find(string name) => name == null ? Sweep
             : All.FirstOrDefault(table => table.Name == name)
                 ?? throw new FormatException($"its table is {Values.Shown(name)}");
+    }
+
+    /// <summary>A file made of the rows of a whole sweep.</summary>
+    sealed class WholeFile
+    {
+        public WholeFile(string name, Action<Stream, RunInfo, IReadOnlyList<StoredRow>> write,
+            Func<IReadOnlyList<StoredRow>, bool> isWanted) => (Name, Write, IsWanted) = (name, write, isWanted);
+
+        public string Name { get; }
+
+        public Action<Stream, RunInfo, IReadOnlyList<StoredRow>> Write { get; }
+
+        /// <summary>Whether it is written for these rows.</summary>
+        public Func<IReadOnlyList<StoredRow>, bool> IsWanted { get; }
     }
 }

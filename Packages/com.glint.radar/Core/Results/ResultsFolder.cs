@@ -52,8 +52,9 @@ namespace Glint.Core
         /// <summary>Path of the JSON file.</summary>
         public string JsonPath => Path.Combine(FolderPath, JsonName);
 
-        /// <summary>Path of the file of arrays; null if the table has none.</summary>
-        public string ArraysPath => _table.ArraysName == null ? null : Path.Combine(FolderPath, _table.ArraysName);
+        /// <summary>Paths of its files that are there.</summary>
+        public IReadOnlyList<string> WrittenPaths =>
+            new[] { CsvPath, JsonPath }.Concat(WholePaths).Where(File.Exists).ToArray();
 
         /// <summary>Path of the file of an unfinished sweep.</summary>
         public string PartialPath => Path.Combine(FolderPath, PartialName);
@@ -85,8 +86,8 @@ namespace Glint.Core
                 CheckReplaceable(folder.CsvPath);
                 CheckReplaceable(folder.JsonPath);
                 CheckReplaceable(folder.PartialPath);
-                if (folder.ArraysPath != null)
-                    CheckReplaceable(folder.ArraysPath);
+                foreach (string whole in folder.WholePaths)
+                    CheckReplaceable(whole);
                 return folder;
             }
             catch
@@ -162,8 +163,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Writes results.json atomically, after the arrays of a table that has any and is no part, and closes the
-        /// rows' file.
+        /// Writes results.json atomically, after the table's other files unless it is a part, and closes the rows'
+        /// file.
         /// </summary>
         /// <exception cref="GlintException">A file cannot be written; that of the rows stays.</exception>
         /// <exception cref="InvalidOperationException">The folder is finished.</exception>
@@ -178,9 +179,10 @@ namespace Glint.Core
             Close();
             try
             {
-                if (ArraysPath != null && info.Sweep != null && info.Sweep.Shard == null)
-                    Try($"{ArraysPath}: cannot be written ({CsvPath} is complete)", () => Replace(ArraysPath,
-                        file => _table.WriteArrays(file, info.Sweep, _rows)));
+                if (info.Sweep != null && info.Sweep.Shard == null)
+                    foreach (var whole in _table.WholeFiles.Where(whole => whole.IsWanted(_rows)))
+                        Try($"{PathOf(whole)}: cannot be written ({CsvPath} is complete)",
+                            () => Replace(PathOf(whole), file => whole.Write(file, info, _rows)));
                 var text = new StringWriter { NewLine = "\n" };
                 ResultsJson.Write(text, info, _rows, _table);
                 var bytes = Utf8.GetBytes(text.ToString());
@@ -203,6 +205,10 @@ namespace Glint.Core
             _lock.Dispose();
             _finished = true;
         }
+
+        IEnumerable<string> WholePaths => _table.WholeFiles.Select(PathOf);
+
+        string PathOf(WholeFile whole) => Path.Combine(FolderPath, whole.Name);
 
         void Close()
         {
@@ -229,8 +235,8 @@ namespace Glint.Core
                 _partialLength += Put(_partial, ResultsJson.Line(StartedUtc.Value, _sweep, _table) + "\n");
             }
             File.Delete(JsonPath);
-            if (ArraysPath != null)
-                File.Delete(ArraysPath);
+            foreach (string whole in WholePaths)
+                File.Delete(whole);
             _csv = Open(CsvPath, FileMode.Create);
         }, KeepWholeRows);
 

@@ -25,6 +25,9 @@ namespace Glint.Core
         /// <summary>Name of the part of a sweep in the file.</summary>
         public const string ShardName = "shard";
 
+        /// <summary>Name of the objects' names in the file.</summary>
+        public const string ObjectNames = "object_names";
+
         readonly JsonTextWriter _json;
         readonly ResultTable _table;
 
@@ -38,9 +41,9 @@ namespace Glint.Core
             output.Write('\n');
         }
 
-        /// <summary>The same of a sweep in one line, without its end.</summary>
-        public static string Line(RunInfo info, IReadOnlyList<StoredRow> rows) =>
-            Line(ResultTable.Sweep, json => json.Write(info, rows));
+        /// <summary>The same in one line, without its end.</summary>
+        public static string Line(RunInfo info, IReadOnlyList<StoredRow> rows, ResultTable table) =>
+            Line(table, json => json.Write(info, rows));
 
         /// <summary>The first line of an unfinished sweep, without its end.</summary>
         public static string Line(DateTime startedUtc, SweepIdentity sweep, ResultTable table) => Line(table, json =>
@@ -88,10 +91,7 @@ namespace Glint.Core
                 Text("command", null);
                 return;
             }
-            Open("command", array: true);
-            foreach (string argument in arguments)
-                _json.WriteValue(argument);
-            _json.WriteEndArray();
+            Texts("command", arguments);
         }
 
         void WriteScene(RunInfo info)
@@ -101,6 +101,8 @@ namespace Glint.Core
             Text("target", info.TargetName);
             Number("objects", info.Objects);
             Number("triangles", info.Triangles);
+            if (info.ObjectNames != null)
+                Texts(ObjectNames, info.ObjectNames);
             _json.WriteEndObject();
         }
 
@@ -193,6 +195,11 @@ namespace Glint.Core
                 WriteTimings(new[] { row });
             if (row.PhaseHistogram != null)
                 WriteHistogram(row.PhaseHistogram);
+            if (row.Contributions != null)
+            {
+                _json.WritePropertyName(ContributionsJson.Name);
+                OnOneLine(() => ContributionsJson.Write(_json, row.Contributions));
+            }
             _json.WriteEndObject();
         }
 
@@ -250,6 +257,14 @@ namespace Glint.Core
         {
             _json.WritePropertyName(name);
             _json.WriteValue(text);
+        }
+
+        void Texts(string name, IReadOnlyList<string> texts)
+        {
+            Open(name, array: true);
+            foreach (string text in texts)
+                _json.WriteValue(text);
+            _json.WriteEndArray();
         }
 
         void Number(string name, double number) => Raw(name, Numbers.Format(number));

@@ -23,6 +23,9 @@ namespace Glint.Core
         /// <summary>Objects and triangles traced.</summary>
         public long Objects, Triangles;
 
+        /// <summary>Names of the objects of contributions, by their numbers; null without contributions.</summary>
+        public IReadOnlyList<string> ObjectNames;
+
         /// <summary>Graphics device, and its API ("Vulkan").</summary>
         public string DeviceName, GraphicsApi;
 

@@ -21,9 +21,8 @@ namespace Glint.Core
         }
 
         /// <exception cref="GlintException">A value is NaN or infinite.</exception>
-        public StoredRow(CrossSectionRow row) : this(ResultTable.CrossSection, row, row.ToString())
-        {
-        }
+        public StoredRow(CrossSectionRow row) : this(ResultTable.CrossSection, row, row.ToString()) =>
+            Contributions = row.Contributions;
 
         StoredRow(ResultTable table, object row, string where) =>
             _values = table.Columns.Select(column => column.Value(row, where)).ToArray();
@@ -33,6 +32,7 @@ namespace Glint.Core
         internal StoredRow(JObject row, ResultTable table)
         {
             _values = table.Columns.Select(column => Value(row, column)).ToArray();
+            Contributions = ContributionsJson.Read(row[ContributionsJson.Name]);
             if (!table.HasTimings)
                 return;
             Timings = new Timings
@@ -62,6 +62,9 @@ namespace Glint.Core
 
         /// <summary>Received rays by phase; null when the row has none.</summary>
         public IReadOnlyList<int> PhaseHistogram { get; }
+
+        /// <summary>Contributions to a cross section; null when the row has none.</summary>
+        public CrossSectionContributions Contributions { get; }
 
         /// <summary>"15 deg", "snapshot 3, 15 deg"; "the pose" if nothing is swept.</summary>
         public string Name =>

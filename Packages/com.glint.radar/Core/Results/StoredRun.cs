@@ -25,6 +25,8 @@ namespace Glint.Core
                 Command = (json["command"] as JArray)?.Select(word => (string)word).ToArray(),
                 ScenePath = Text(json, "scene", "path"), TargetName = Text(json, "scene", "target"),
                 Objects = (long)Number(json, "scene", "objects"), Triangles = (long)Number(json, "scene", "triangles"),
+                ObjectNames = (json["scene"][ResultsJson.ObjectNames] as JArray)
+                    ?.Select(name => (string)name).ToArray(),
                 DeviceName = Text(json, "device", "name"), GraphicsApi = Text(json, "device", "graphics_api"),
                 GlintVersion = Text(json, "versions", "glint"), UnityVersion = Text(json, "versions", "unity"),
                 Host = Text(json, "versions", "host"), OperatingSystem = Text(json, "versions", "operating_system"),
@@ -55,6 +57,17 @@ namespace Glint.Core
         /// </exception>
         public static StoredRun Read(string folder)
         {
+            var run = ReadAny(folder);
+            return run.Table == ResultTable.Sweep
+                ? run
+                : throw new GlintException($"{folder}: holds the results of glint {run.Table.Name} "
+                    + $"({run.Table.CsvName}): give the folder of a sweep or run");
+        }
+
+        /// <summary>Reads results.json of any table in a folder.</summary>
+        /// <exception cref="GlintException">It is not there, or cannot be read.</exception>
+        public static StoredRun ReadAny(string folder)
+        {
             if (File.Exists(folder))
                 throw new GlintException($"{folder}: is a file: give the folder that holds {ResultsFolder.JsonName}");
             if (!Directory.Exists(folder))
@@ -62,16 +75,12 @@ namespace Glint.Core
                     + "give the one that a sweep or run wrote its results to");
             string path = Path.Combine(folder, ResultsFolder.JsonName);
             if (!File.Exists(path))
-                throw new GlintException(File.Exists(Path.Combine(folder, ResultsFolder.CsvName))
+                throw new GlintException(ResultTable.All.Any(table => File.Exists(Path.Combine(folder, table.CsvName)))
                     ? $"{folder}: has no {ResultsFolder.JsonName}: the sweep was not finished, "
                         + "or is still running; let it end"
                     : $"{folder}: holds no results: "
                         + $"give the folder that a sweep or run wrote {ResultsFolder.JsonName} to");
-            var run = ReadFile(path);
-            return run.Table == ResultTable.Sweep
-                ? run
-                : throw new GlintException($"{folder}: holds the results of glint {run.Table.Name} "
-                    + $"({run.Table.CsvName}): give the folder of a sweep or run");
+            return ReadFile(path);
         }
 
         /// <summary>The rows of a results folder, also of an unfinished sweep.</summary>

@@ -9,6 +9,9 @@ namespace Glint.Core
     /// </summary>
     public sealed class SweepIdentity
     {
+        /// <summary>Name of the hash of the scene.</summary>
+        public const string Content = "content";
+
         readonly List<KeyValuePair<string, string>> _entries = new List<KeyValuePair<string, string>>();
 
         /// <summary>Names and texts in the order of the file; each name once, a text may be null.</summary>
@@ -42,7 +45,8 @@ namespace Glint.Core
             return null;
         }
 
-        string Find(string name) => _entries.FirstOrDefault(entry => entry.Key == name).Value;
+        /// <summary>The text of an entry; null if there is none.</summary>
+        public string Find(string name) => _entries.FirstOrDefault(entry => entry.Key == name).Value;
 
         static string Difference(string name, string was, string now) => $"{name} was {Shown(was)} and is {Shown(now)}";
 

@@ -87,8 +87,7 @@ namespace Glint.Editor
                 throw new UsageException($"{Options.Out.Flag} {output}: is one of the parts, "
                     + "which the whole would replace: choose another results folder");
             var folder = ResultsMerge.Merge(line.Folders, Path.GetFullPath(output));
-            progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}"
-                + (folder.ArraysPath == null ? "" : $", {folder.ArraysPath}"));
+            progress.Print($"written: {string.Join(", ", folder.WrittenPaths)}");
             return Done;
         }
 

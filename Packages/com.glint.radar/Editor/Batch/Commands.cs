@@ -148,8 +148,9 @@ namespace Glint.Editor
         };
 
         /// <summary>Makes an HTML report of results.</summary>
-        public static readonly Command Report = new Command("report", "Write one HTML file of a sweep or run that "
-            + "opens offline: charts, table, phase histograms, and the scene in 3-D with its received rays.")
+        public static readonly Command Report = new Command("report", "Write one HTML file of a sweep, run or "
+            + "cross sections that opens offline: charts, table, and the scene in 3-D with its received rays or "
+            + "hot spots.")
         {
             Inputs = InputKind.Results,
             Options = new Option[] { ReportOptions.Out, ReportOptions.Pose, Options.Device },
@@ -157,7 +158,9 @@ namespace Glint.Editor
                 {
                     "One pose is traced again for the 3-D view and the radar's picture. "
                         + "If its scene or mesh file cannot be opened, the report says so and has everything else; "
-                        + "a relative path of a mesh file is resolved from the current folder."
+                        + "a relative path of a mesh file is resolved from the current folder.",
+                    "Of cross sections nothing is traced again. Their contributions and hot spots are there if "
+                        + "glint rcs had --contributions."
                 },
             Handler = ReportCommand.Write,
             UnityMethod = "Glint.Editor.Batch.Report",

@@ -3,7 +3,6 @@ using System.IO;
 using System.Linq;
 using System.Numerics;
 using Glint.Core;
-using UnityEditor;
 using UnityEngine;
 
 namespace Glint.Editor
@@ -11,40 +10,61 @@ namespace Glint.Editor
     /// <summary><c>glint rcs</c>: cross sections of a scene or a mesh file.</summary>
     static class CrossSectionCommand
     {
-        const string ShaderPath = "Packages/com.glint.radar/Shaders/Tubes.compute";
-
-        // Of the default folder, beside the results of sweeps of the same input.
-        const string FolderSuffix = "-rcs";
-
         public static int Execute(CommandLine line, IProgressSink progress)
         {
             var plan = CrossSectionOptions.PlanOf(line);
             var (setup, name) = Open(line, plan);
             string path = line.IsGiven(CrossSectionOptions.Out)
                 ? Path.GetFullPath(line.Get(CrossSectionOptions.Out))
-                : RunDescription.DefaultFolder(name + FolderSuffix);
+                : RunDescription.DefaultFolder(name, ResultTable.CrossSection);
             using (var folder = ResultsFolder.Open(path, ResultTable.CrossSection))
             {
                 Batch.WarnOfUnfinished(line, folder);
-                var shader = AssetDatabase.LoadAssetAtPath<ComputeShader>(ShaderPath);
-                using (var run = new CrossSectionRun(setup, shader, folder, line.Get(Options.Shard),
-                    line.Get(Options.Resume)))
+                using (var run = new CrossSectionRun(setup, ProjectAssets.TubesKernel, folder,
+                    line.Get(Options.Shard), line.Get(Options.Resume)))
                 {
                     if (!run.IsComplete)
                         Describe(setup, name, progress);
-                    return Trace(run, setup, name, folder, progress);
+                    var comparison = new CrossSectionComparison(setup, line.Get(CrossSectionOptions.Reference));
+                    int code = Trace(run, setup, name, folder, comparison, progress);
+                    if (code == Batch.Done)
+                        comparison.Execute(name, progress);
+                    return code;
                 }
             }
         }
 
         static (CrossSectionSetup setup, string name) Open(CommandLine line, CrossSectionPlan plan)
         {
-            bool isScene = line.InputKind == InputKind.Scene;
-            string scenePath = line.Input, name;
-            if (isScene)
+            var (scene, gatherer, path, name) = OpenScene(line);
+            var setup = new CrossSectionSetup(scene, plan)
             {
-                scenePath = LoadedScene.OpenSceneFile(line.Input);
-                name = Path.GetFileNameWithoutExtension(scenePath);
+                ScenePath = path, Objects = gatherer.ObjectCount, Command = Batch.ArgumentsOf(line),
+                Polarisations = line.Get(CrossSectionOptions.Polarisations),
+                ToleranceDb = line.Get(CrossSectionOptions.Tolerance),
+                GivenFloorDbsm = line.Get(CrossSectionOptions.Floor),
+                MaxBounces = line.Get(Options.Bounces),
+                HasEdges = line.Get(CrossSectionOptions.Edges),
+                Range = line.Get(CrossSectionOptions.Range) ?? double.PositiveInfinity,
+                CreaseDegrees = line.Get(CrossSectionOptions.Crease),
+                HasContributions = line.Get(CrossSectionOptions.Contributions),
+                ObjectNames = Enumerable.Range(0, gatherer.ObjectCount)
+                    .Select(number => LoadedScene.PathOf(gatherer.ObjectAt(number))).ToArray()
+            };
+            // Files have an origin of their own; a scene's is arbitrary.
+            setup.PhaseCentre = line.InputKind == InputKind.Scene ? setup.BoxCentre : -scene.Origin;
+            return (setup, name);
+        }
+
+        /// <summary>Opens and gathers the scene or mesh file of a command line.</summary>
+        /// <exception cref="GlintException">It cannot be opened.</exception>
+        public static (RadarScene scene, SceneGatherer gatherer, string path, string name) OpenScene(CommandLine line)
+        {
+            string path = line.Input, name;
+            if (line.InputKind == InputKind.Scene)
+            {
+                path = LoadedScene.OpenSceneFile(line.Input);
+                name = Path.GetFileNameWithoutExtension(path);
             }
             else
                 name = LoadedScene.OpenMeshFileAlone(line).Name;
@@ -54,20 +74,7 @@ namespace Glint.Editor
                 Debug.LogWarning($"{line.Input}: {warning}");
             if (line.Get(CrossSectionOptions.Material) is MaterialAssignment[] materials)
                 scene = MaterialAssignment.Apply(scene, materials);
-            var setup = new CrossSectionSetup(scene, plan)
-            {
-                ScenePath = scenePath, Objects = gatherer.ObjectCount, Command = Batch.ArgumentsOf(line),
-                Polarisations = line.Get(CrossSectionOptions.Polarisations),
-                ToleranceDb = line.Get(CrossSectionOptions.Tolerance),
-                GivenFloorDbsm = line.Get(CrossSectionOptions.Floor),
-                MaxBounces = line.Get(Options.Bounces),
-                HasEdges = line.Get(CrossSectionOptions.Edges),
-                Range = line.Get(CrossSectionOptions.Range) ?? double.PositiveInfinity,
-                CreaseDegrees = line.Get(CrossSectionOptions.Crease)
-            };
-            // Files have an origin of their own; a scene's is arbitrary.
-            setup.PhaseCentre = isScene ? (setup.BoxMin + setup.BoxMax) / 2 : -scene.Origin;
-            return (setup, name);
+            return (scene, gatherer, path, name);
         }
 
         static void Describe(CrossSectionSetup setup, string name, IProgressSink progress)
@@ -78,14 +85,12 @@ namespace Glint.Editor
             if (setup.Quality.IsOpen)
                 progress.Print($"note: the mesh has {setup.Quality.OpenEdgeCount} open edges: open surfaces are thin "
                     + "conductors, lit from both sides");
-            double share = setup.Quality.Share(Signal.Wavelength(setup.Plan.Frequencies.Last()));
-            if (share > 0)
-                Debug.LogWarning(FormattableString.Invariant(
-                    $"{name}: the facets are too coarse for curved surfaces on {100 * share:0.#} % of the area at {setup.Plan.Frequencies.Last():g4} Hz: their arcs rise more than 1/50 wavelength above them; the mesh is good up to {setup.Quality.MaxFrequency:g4} Hz (column coarse_area_share): use a finer mesh or a lower frequency"));
+            if (setup.CoarseMeshWarning(name) is string warning)
+                Debug.LogWarning(warning);
         }
 
         static int Trace(CrossSectionRun run, CrossSectionSetup setup, string name, ResultsFolder folder,
-            IProgressSink progress)
+            CrossSectionComparison comparison, IProgressSink progress)
         {
             int before = run.Done;
             if (before > 0)
@@ -105,6 +110,7 @@ namespace Glint.Editor
                         progress.Print(CrossSectionTable.Header(setup));
                     progress.Print(CrossSectionTable.Row(setup, row));
                     unmet.Add(row);
+                    comparison.Add(row);
                     progress.Advance(run.Done, run.Count == 1 ? null : row.ToString());
                 }
             }
@@ -119,8 +125,7 @@ namespace Glint.Editor
                 return Batch.Cancelled;
             unmet.Warn(name, setup.ToleranceDb, run.Count - before);
             if (run.Done > before)
-                progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}"
-                    + (File.Exists(folder.ArraysPath) ? $", {folder.ArraysPath}" : ""));
+                progress.Print($"written: {string.Join(", ", folder.WrittenPaths)}");
             return Batch.Done;
         }
 

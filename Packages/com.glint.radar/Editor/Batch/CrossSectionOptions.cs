@@ -10,22 +10,15 @@ namespace Glint.Editor
     {
         const string Group = "Cross section", ResultGroup = "Results";
 
-        static readonly Interval s_angle = Interval.Closed(-360, 360), s_elevation = Interval.Closed(-90, 90),
-            s_level = Interval.Closed(-200, 200);
-
-        static readonly NumberList s_azimuths =
-            new NumberList("azimuth", s_angle, "degrees", ("0:359.5:0.5", "0,30,90"));
-
-        static readonly NumberList s_elevations =
-            new NumberList("elevation", s_elevation, "degrees", ("0:10:1", "0,5,10"));
+        static readonly Interval s_rows = Interval.Closed(1, CrossSectionPlan.Limit);
 
         /// <summary>Azimuths of the radar, degrees.</summary>
-        public static readonly Option<double[]> Azimuth = List("azimuth", s_azimuths, "0",
+        public static readonly Option<double[]> Azimuth = List("azimuth", CrossSectionRanges.Azimuths, "0",
             "Azimuths of the radar in degrees, positive as Unity's rotation about Y: FROM:TO:STEP or a list with "
                 + "commas. At 0 it is on the -Z side and looks along +Z.");
 
         /// <summary>Elevations of the radar, degrees.</summary>
-        public static readonly Option<double[]> Elevation = List("elevation", s_elevations, "0",
+        public static readonly Option<double[]> Elevation = List("elevation", CrossSectionRanges.Elevations, "0",
             "Elevations of the radar above the horizontal in degrees, as a range or list.");
 
         /// <summary>Frequencies, hertz.</summary>
@@ -47,17 +40,17 @@ namespace Glint.Editor
 
         /// <summary>The error asked for, decibels.</summary>
         public static readonly Option<double> Tolerance = Options.Number("tolerance", "DB", "0.1",
-            Interval.Closed(0.001, 10), Group, InputKind.Any,
+            CrossSectionRanges.Tolerance, Group, InputKind.Any,
             "The error asked for in dB: 95 % of the amplitudes are within it, for both VV and HH. It is the error of "
                 + "the integration, not of physical optics. Rays are traced until it is met; rows that do not meet it "
                 + "are marked (column tolerance_met).");
 
         /// <summary>Level below which the tolerance is relative to this level, dBsm; null when not given.</summary>
         public static readonly Option<double?> Floor =
-            new Option<double?>("floor", "DBSM", text => Values.Real(text, s_level))
+            new Option<double?>("floor", "DBSM", text => Values.Real(text, CrossSectionRanges.Level))
             {
                 Group = Group,
-                Range = s_level.ToString(),
+                Range = CrossSectionRanges.Level.ToString(),
                 Help = "Cross section in dBsm below which the tolerance is relative to this one, so that nulls take no "
                     + "endless work. Without it: 40 dB below pi a^2, with a the radius of the sphere around the target."
             };
@@ -77,7 +70,7 @@ namespace Glint.Editor
             new Option<double2?>("bistatic", "AZ,EL", text => ReadDirection(text))
             {
                 Group = Group,
-                Range = $"azimuth {s_angle}, elevation {s_elevation}",
+                Range = $"azimuth {CrossSectionRanges.Azimuth}, elevation {CrossSectionRanges.Elevation}",
                 Help = "A fixed receiver, in azimuth and elevation in degrees. Without it the radar receives. Rows "
                     + "whose receiver is more than 120 degrees from the radar, outside the forward lobe, are marked "
                     + "(column outside_physical_optics)."
@@ -85,10 +78,10 @@ namespace Glint.Editor
 
         /// <summary>Azimuths of receivers apart from the radar, degrees; null when not given.</summary>
         public static readonly Option<double[]> Receivers =
-            new Option<double[]>("receivers", "LIST", s_azimuths.Read)
+            new Option<double[]>("receivers", "LIST", CrossSectionRanges.Azimuths.Read)
             {
                 Group = Group,
-                Range = "each " + s_angle,
+                Range = "each " + CrossSectionRanges.Azimuth,
                 Excludes = new (Option, string)[] { (Bistatic, "both set the receiver") },
                 Help = "Azimuths of receivers in degrees, as a range or list, at the elevation of the radar: a "
                     + "bistatic sweep from one illumination. --elevation then has one value."
@@ -106,7 +99,7 @@ namespace Glint.Editor
 
         /// <summary>Bend of edges above which they are sharp, degrees.</summary>
         public static readonly Option<double> Crease = Options.Number("crease", "DEG",
-            Numbers.Format(CrossSectionPose.DefaultCreaseDegrees), Interval.Closed(0, 90), Group, InputKind.Any,
+            Numbers.Format(CrossSectionPose.DefaultCreaseDegrees), CrossSectionRanges.Crease, Group, InputKind.Any,
             "Edges bent by more than this angle in degrees are sharp; facets that meet at smaller ones are one curved "
                 + "surface.");
 
@@ -123,16 +116,36 @@ namespace Glint.Editor
                     + "that of the scene. May be given more than once."
             };
 
+        /// <summary>Whether the contributions of parts are written.</summary>
+        public static readonly Option<bool> Contributions = Options.Switch("contributions", Group,
+            "Also write contributions.csv, what each object and each number of bounces contribute, and hotspots.csv, "
+                + "the triangles that return most: coherent sums. Each row takes one more trace.");
+
         /// <summary>Folder for the result files; null when not given.</summary>
         public static readonly Option<string> Out = Options.Text("out", "DIR", ResultGroup,
-            "Folder for rcs.csv, rcs.npz and results.json, created with its parents if missing.");
+            "Folder for rcs.csv, rcs.npz, results.json and those of --contributions, created with its parents if "
+                + "missing.");
+
+        /// <summary>Rows that are computed in double precision too; 0 when not given.</summary>
+        public static readonly Option<int> Reference =
+            new Option<int>("reference", "[N]", text => Values.Whole(text, s_rows))
+            {
+                Group = ResultGroup,
+                Range = s_rows.ToString(),
+                ImpliedText = "3",
+                Excludes = new (Option, string)[]
+                    { (Options.Resume, "it compares the first rows that the command itself computes") },
+                Help = "Afterwards compute the first N rows (3 without N) with the double-precision reference tracer "
+                    + "too, and print both and their difference. A row takes seconds to minutes. The exit code is 1 if "
+                    + "a difference is above --tolerance."
+            };
 
         /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All =
         {
             Azimuth, Elevation, Frequency, Polarisations, Tolerance, Floor, Options.Bounces, Edges, Bistatic,
-            Receivers, Range, Crease, Material, Options.Shard, Out, Options.Resume, Options.Unit, Options.Up,
-            Options.Device
+            Receivers, Range, Crease, Material, Contributions, Options.Shard, Out, Options.Resume, Reference,
+            Options.Unit, Options.Up, Options.Device
         };
 
         /// <summary>The plan of a command line.</summary>
@@ -178,9 +191,9 @@ namespace Glint.Editor
             if (parts.Length != 2 || !Values.TryReal(parts[0], out double azimuth)
                 || !Values.TryReal(parts[1], out double elevation))
                 throw new FormatException("must be AZ,EL, two numbers of degrees, such as 90,0");
-            return s_angle.Contains(azimuth) && s_elevation.Contains(elevation)
+            return CrossSectionRanges.Azimuth.Contains(azimuth) && CrossSectionRanges.Elevation.Contains(elevation)
                 ? new double2(azimuth, elevation)
-                : throw new FormatException($"must have an azimuth {s_angle} and an elevation {s_elevation}");
+                : throw new FormatException($"must have an azimuth {CrossSectionRanges.Azimuth} and an elevation {CrossSectionRanges.Elevation}");
         }
     }
 }

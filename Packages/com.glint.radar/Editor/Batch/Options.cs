@@ -334,7 +334,7 @@ namespace Glint.Editor
             ? typeof(SeaSettings).GetField(measure.Field)
             : typeof(ShipSettings).GetField(measure.Field);
 
-        static Option<bool> Switch(string name, string group, string help) =>
+        internal static Option<bool> Switch(string name, string group, string help) =>
             new Option<bool>(name, "", Values.Given)
             {
                 Group = group, IsSwitch = true, ImpliedText = Values.GivenText, Help = help

@@ -10,11 +10,14 @@ namespace Glint.Editor
     /// </summary>
     static class ProjectAssets
     {
-        const string KernelPath = "Packages/com.glint.radar/Shaders/Trace.compute";
+        const string ShaderFolder = "Packages/com.glint.radar/Shaders/";
         const string MeshesPackage = "Packages/com.glint.meshes";
 
         /// <summary>The kernel of every radar; null if its import failed.</summary>
-        public static ComputeShader Kernel => AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath);
+        public static ComputeShader Kernel => LoadShader("Trace.compute");
+
+        /// <summary>The kernels of cross sections; null if their import failed.</summary>
+        public static ComputeShader TubesKernel => LoadShader("Tubes.compute");
 
         /// <summary>Unity's material of new objects in the current render pipeline.</summary>
         public static Material StandardMaterial => PipelineMaterial.Default != null ? PipelineMaterial.Default
@@ -83,6 +86,9 @@ namespace Glint.Editor
             shown.GetComponent<MeshFilter>().sharedMesh = mesh;
             shown.GetComponent<MeshRenderer>().sharedMaterial = StandardMaterial;
         }
+
+        static ComputeShader LoadShader(string file) =>
+            AssetDatabase.LoadAssetAtPath<ComputeShader>(ShaderFolder + file);
 
         static void Make(string folder)
         {

@@ -40,6 +40,17 @@ namespace Glint.Editor
             return radar;
         }
 
+        /// <summary>A cross section of an object, or of the scene if there is none.</summary>
+        /// <param name="target">May be null.</param>
+        public static RadarCrossSection MakeCrossSection(GameObject target)
+        {
+            var made = new GameObject("Cross Section").AddComponent<RadarCrossSection>();
+            made.Kernel = ProjectAssets.TubesKernel;
+            made.Target = target != null ? target.transform : null;
+            AddToScene(made.gameObject, null);
+            return made;
+        }
+
         /// <summary>
         /// The corner reflector of the published experiment, open towards -Z, about its turning point.
         /// </summary>
@@ -112,6 +123,13 @@ namespace Glint.Editor
             // Unity calls once for each selected object.
             if (command.context == null || command.context == Selection.activeGameObject)
                 SceneObjects.MakeRadar(command.context as GameObject);
+        }
+
+        [MenuItem(Folder + "Cross section", false, Priority)]
+        static void MakeCrossSection(MenuCommand command)
+        {
+            if (command.context == null || command.context == Selection.activeGameObject)
+                SceneObjects.MakeCrossSection(command.context as GameObject);
         }
 
         [MenuItem(Folder + "Corner reflector", false, Priority)]

@@ -1,6 +1,7 @@
 using System;
 using System.IO;
 using Glint.Core;
+using Newtonsoft.Json.Linq;
 using UnityEditor;
 using UnityEngine;
 
@@ -16,35 +17,43 @@ namespace Glint.Editor
         /// <exception cref="GlintException">There are no results, or the report cannot be written.</exception>
         public static int Write(CommandLine line, IProgressSink progress)
         {
-            var run = StoredRun.Read(line.Input);
+            var run = StoredRun.ReadAny(line.Input);
             int pose = line.Get(ReportOptions.Pose);
             if (pose > run.Count)
                 throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: must be from 1 to {run.Count}, "
-                    + $"the poses of {line.Input}, or none");
+                    + $"the rows of {line.Input}, or none");
             string path = line.IsGiven(ReportOptions.Out)
                 ? line.Get(ReportOptions.Out)
                 : Path.Combine(line.Input, ReportFile.Name);
-            int shown = pose > 0 ? pose - 1 : run.Strongest();
-            Write(run, pose == ReportOptions.NoPose || shown < 0 ? (Func<ReportScene>)null : () =>
-                SceneCapture.Of(run, shown, SceneCapture.Open(run), progress), path);
+            bool hasScene = pose != ReportOptions.NoPose && run.Count > 0;
+            Write(run, hasScene ? CaptureOf(run, pose - 1, progress) : null, path);
             progress.Print($"written: {path} ({new FileInfo(path).Length / 1e6:0.0} MB)");
             return Batch.Done;
         }
 
         /// <summary>Writes a report.</summary>
-        /// <param name="capture">Traces the pose shown in 3-D; null: no 3-D view.</param>
+        /// <param name="capture">Makes what is shown in 3-D; null: no 3-D view.</param>
         /// <exception cref="GlintException">The report cannot be written.</exception>
-        public static void Write(StoredRun run, Func<ReportScene> capture, string path)
+        public static void Write(StoredRun run, Func<JObject> capture, string path)
         {
-            ReportScene scene = null;
+            JObject scene = null;
             string problem = "No pose was requested.";
             if (capture != null)
                 (scene, problem) = TryCapture(capture);
             ReportFile.Write(path, ReportFile.Fill(Template(), run, scene, problem));
         }
 
+        // Of the given row, or of the strongest pose.
+        static Func<JObject> CaptureOf(StoredRun run, int row, IProgressSink progress)
+        {
+            if (run.Table == ResultTable.CrossSection)
+                return () => CrossSectionScene.Of(run, row).ToJson();
+            int shown = row >= 0 ? row : run.Strongest();
+            return () => SceneCapture.Of(run, shown, SceneCapture.Open(run), progress).ToJson();
+        }
+
         // A report without the scene is still useful.
-        static (ReportScene, string) TryCapture(Func<ReportScene> capture)
+        static (JObject, string) TryCapture(Func<JObject> capture)
         {
             try
             {

@@ -20,10 +20,10 @@ namespace Glint.Editor
 
         /// <summary>The page.</summary>
         /// <param name="template">Editor/Report/Template.txt.</param>
-        /// <param name="scene">The scene of one pose; null: not shown.</param>
+        /// <param name="scene">The scene in the form of the report's page; null: not shown.</param>
         /// <param name="noScene">Why there is no scene, as a sentence; null if there is one.</param>
         /// <exception cref="GlintException">The template does not have exactly one placeholder.</exception>
-        public static string Fill(string template, StoredRun run, ReportScene scene, string noScene)
+        public static string Fill(string template, StoredRun run, JObject scene, string noScene)
         {
             int index = template.IndexOf(Placeholder, StringComparison.Ordinal);
             if (index < 0 || template.IndexOf(Placeholder, index + 1, StringComparison.Ordinal) >= 0)
@@ -32,8 +32,8 @@ namespace Glint.Editor
             var data = new JObject
             {
                 ["glint"] = GlintVersion.Text,
-                ["run"] = new JRaw(ResultsJson.Line(run.Info, run.Rows)),
-                ["scene"] = scene?.ToJson(),
+                ["run"] = new JRaw(ResultsJson.Line(run.Info, run.Rows, run.Table)),
+                ["scene"] = scene,
                 ["no_scene"] = noScene
             };
             // Only '<' can end a script element.

@@ -38,7 +38,7 @@ namespace Glint.Editor
         public static void Report(string folder, int pose, SweepForm form, string path, IProgressSink progress)
         {
             var run = StoredRun.Read(folder);
-            ReportCommand.Write(run, () => SceneCapture.Of(run, pose, OpenScene(run, form), progress), path);
+            ReportCommand.Write(run, () => SceneCapture.Of(run, pose, OpenScene(run, form), progress).ToJson(), path);
         }
 
         static LoadedScene OpenScene(StoredRun run, SweepForm form)

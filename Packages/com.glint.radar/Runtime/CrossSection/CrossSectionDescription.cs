@@ -22,6 +22,7 @@ namespace Glint
             info.ScenePath = setup.ScenePath;
             info.Command = setup.Command;
             info.Objects = setup.Objects;
+            info.ObjectNames = setup.HasContributions ? setup.ObjectNames : null;
             info.Triangles = setup.Scene.TriangleCount;
             info.Settings.Add(new RunSetting("conventions", Conventions));
             info.Settings.Add(new RunSetting("error", ErrorMeaning));
@@ -35,6 +36,7 @@ namespace Glint
                 : new RunSetting("range", setup.Range, "m"));
             info.Settings.Add(new RunSetting("max_bounces", setup.MaxBounces, "1"));
             info.Settings.Add(new RunSetting("edges", setup.HasEdges ? "on" : "off"));
+            info.Settings.Add(new RunSetting("contributions", setup.HasContributions ? "on" : "off"));
             info.Settings.Add(new RunSetting("crease", setup.CreaseDegrees, "deg"));
             info.Settings.Add(new RunSetting("materials",
                 string.Join("; ", setup.UsedMaterials().Select(material => material.ToString()))));
@@ -49,11 +51,7 @@ namespace Glint
             var identity = new SweepIdentity();
             setup.Plan.AddTo(identity);
             identity.Add("scene", info.ScenePath);
-            using (var hash = new SceneHash())
-            {
-                hash.Add(setup.Scene);
-                identity.Add("content", hash.Text());
-            }
+            identity.Add(SweepIdentity.Content, CrossSectionSetup.ContentOf(setup.Scene));
             RunDescription.AddTo(identity, info);
             return identity;
         }

@@ -44,7 +44,7 @@ namespace Glint
             SweepShard? shard = null, bool resume = false)
         {
             (_setup, _folder) = (setup, folder);
-            string subject = setup.ScenePath ?? "the scene";
+            string subject = setup.Subject ?? setup.ScenePath ?? "the scene";
             setup.Validate(subject);
             int rows = setup.Plan.Count;
             _first = shard?.First(rows) ?? 0;
@@ -86,9 +86,13 @@ namespace Glint
             _pose = planned.Pose;
             int frequency = _firstFrequencies[planned.FrequencyIndex];
             int receiver = planned.Receiver / _receiversOfTrace * _receiversOfTrace;
+            var pose = PoseOf(planned, frequency, receiver);
             if (!_traces.TryGetValue((frequency, receiver), out var trace))
-                _traces.Add((frequency, receiver), trace = Trace(planned, frequency, receiver, progress, cancel));
+                _traces.Add((frequency, receiver), trace = _tracer.Trace(pose, progress, cancel));
             var row = RowOf(planned, trace, planned.Receiver - receiver, planned.FrequencyIndex - frequency);
+            if (_setup.HasContributions)
+                row.Contributions = _tracer.Contributions(pose, trace, planned.Receiver - receiver,
+                    planned.FrequencyIndex - frequency, _setup.Polarisations, progress, cancel);
             _folder?.Append(row);
             Done++;
             if (IsComplete)
@@ -103,15 +107,14 @@ namespace Glint
             _folder?.Dispose();
         }
 
-        CrossSectionResult Trace(in PlannedCrossSection planned, int frequency, int receiver,
-            IProgress<double> progress, CancellationToken cancel)
+        CrossSectionPose PoseOf(in PlannedCrossSection planned, int frequency, int receiver)
         {
             var plan = _setup.Plan;
             int receivers = Math.Min(_receiversOfTrace, plan.Receivers - receiver);
             int row = _first + Done - planned.Receiver;
             var aspects = Enumerable.Range(receiver, receivers).Select(i => plan[row + i].ReceiverAspect).ToArray();
             var frequencies = plan.Frequencies.Where((_, i) => _firstFrequencies[i] == frequency).ToArray();
-            return _tracer.Trace(_setup.PoseOf(planned, aspects, frequencies), progress, cancel);
+            return _setup.PoseOf(planned, aspects, frequencies);
         }
 
         static int[] DivideFrequencies(CrossSectionSetup setup)

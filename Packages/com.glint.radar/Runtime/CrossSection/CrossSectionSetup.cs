@@ -9,8 +9,11 @@ namespace Glint
     /// <summary>Which cross sections of a scene are computed, and how.</summary>
     public sealed class CrossSectionSetup
     {
-        // Radians of phase over the scene that float32 sums hold: its rounding of 6e-8 is 0.1 rad there.
-        const double MaxPhase = 2e6;
+        // Rounding of a length in float32, relative to the largest: half a step of 2^-23.
+        const double Rounding = 1.0 / (1 << 24);
+
+        // Largest error of a phase, rad, whatever the tolerance.
+        const double MaxPhaseError = 0.12;
 
         readonly Lazy<SurfacePatches[]> _patches;
         readonly Lazy<MeshQuality> _quality;
@@ -37,6 +40,9 @@ namespace Glint
 
         /// <inheritdoc cref="BoxMin"/>
         public double3 BoxMax { get; }
+
+        /// <summary>Centre of that box, metres.</summary>
+        public double3 BoxCentre => (BoxMin + BoxMax) / 2;
 
         /// <summary>Radius of the sphere around the scene's box, metres.</summary>
         public double Radius => math.distance(BoxMin, BoxMax) / 2;
@@ -68,8 +74,19 @@ namespace Glint
         /// <inheritdoc cref="CrossSectionPose.CreaseDegrees"/>
         public double CreaseDegrees { get; set; } = CrossSectionPose.DefaultCreaseDegrees;
 
+        /// <summary>
+        /// Whether each row says what the parts of the scene contribute, which takes one more trace a row.
+        /// </summary>
+        public bool HasContributions { get; set; }
+
+        /// <summary>Names of the scene's objects, by their numbers, for results.json.</summary>
+        public IReadOnlyList<string> ObjectNames { get; set; }
+
         /// <summary>Path of the scene or mesh file, for results.json; null for none.</summary>
         public string ScenePath { get; set; }
+
+        /// <summary>Name of what is computed, for messages; null: the scene's path.</summary>
+        public string Subject { get; set; }
 
         /// <summary>Number of objects of the scene, for results.json.</summary>
         public int Objects { get; set; }
@@ -79,6 +96,29 @@ namespace Glint
 
         /// <summary>How well the facets follow curved surfaces.</summary>
         public MeshQuality Quality => _quality.Value;
+
+        /// <summary>Warning of facets that are too coarse at the highest frequency; null if none are.</summary>
+        /// <param name="subject">Name of what is computed.</param>
+        public string CoarseMeshWarning(string subject)
+        {
+            double highest = Plan.Frequencies.Last(), share = Quality.Share(Signal.Wavelength(highest));
+            return share == 0 ? null : FormattableString.Invariant(
+                $"{subject}: the facets are too coarse for curved surfaces on {100 * share:0.#} % of the area at {highest:g4} Hz: their arcs rise more than 1/50 wavelength above them; the mesh is good up to {Quality.MaxFrequency:g4} Hz (column coarse_area_share): use a finer mesh or a lower frequency");
+        }
+
+        /// <summary>Hash of a scene's meshes, places and materials, as in results.json.</summary>
+        public static string ContentOf(RadarScene scene)
+        {
+            using (var hash = new SceneHash())
+            {
+                hash.Add(scene);
+                return hash.Text();
+            }
+        }
+
+        /// <summary>The pose of one row.</summary>
+        public CrossSectionPose PoseOf(in PlannedCrossSection planned) =>
+            PoseOf(planned, new[] { planned.ReceiverAspect }, new[] { planned.Frequency });
 
         /// <summary>The pose of a row, with some receivers and frequencies.</summary>
         internal CrossSectionPose PoseOf(in PlannedCrossSection planned, RadarAspect[] receivers,
@@ -97,14 +137,20 @@ namespace Glint
             if (Scene.TriangleCount == 0)
                 throw new GlintException($"{subject}: has no triangles to compute a cross section of: "
                     + "activate an object with a mesh");
+            if (HasContributions && Scene.TriangleCount > CrossSectionContributions.MaxTriangles)
+                throw new GlintException($"{subject}: has {Scene.TriangleCount} triangles, and contributions are "
+                    + $"summed of at most {CrossSectionContributions.MaxTriangles}: leave --contributions out, or "
+                    + "compute its parts alone");
             foreach (var material in UsedMaterials())
                 foreach (double frequency in Plan.Frequencies)
                     material.RequireData(frequency);
-            double size = 2 * Radius, highest = Plan.Frequencies.Last();
-            double possible = MaxPhase * Signal.SpeedOfLight / (2 * Math.PI * size);
+            if (Quality.Area == 0)
+                throw new GlintException($"{subject}: no triangle has an area: it reflects nothing; export the mesh "
+                    + "with more decimals, or check its unit");
+            double highest = Plan.Frequencies.Last(), possible = MaxFrequency(ToleranceDb);
             if (highest > possible)
                 throw new GlintException(FormattableString.Invariant(
-                    $"{subject}: {highest:g6} Hz is too high for its size of {size:g6} m: phases have no precision left; up to {possible:g4} Hz is possible, or compute its parts alone"));
+                    $"{subject}: {highest:g6} Hz is too high for its size of {2 * Radius:g6} m and a tolerance of {ToleranceDb:g4} dB: phases in float32 are off by {PhaseError(highest):g2} rad; up to {possible:g4} Hz is possible, with a larger tolerance up to {MaxFrequency(double.PositiveInfinity):g4} Hz; or compute its parts alone"));
             double farthest = FarthestCorner();
             if (Range <= farthest)
                 throw new GlintException(FormattableString.Invariant(
@@ -114,6 +160,17 @@ namespace Glint
                     + "both sides, but nothing is followed into a dielectric: close the mesh, or make it a perfect "
                     + "conductor (metal)");
         }
+
+        /// <summary>
+        /// Largest error of phases in float32, radians: the way to a place and back, about the scene's centre, is at
+        /// most the scene's size on either side.
+        /// </summary>
+        internal double PhaseError(double frequency) =>
+            2 * Math.PI / Signal.Wavelength(frequency) * 2 * Radius * Rounding;
+
+        /// <summary>The frequency up to which phases in float32 suffice for a tolerance, hertz.</summary>
+        internal double MaxFrequency(double toleranceDb) =>
+            Math.Min(MaxPhaseError, CrossSectionAccuracy.AllowedBy(toleranceDb)) / PhaseError(1);
 
         /// <summary>Materials of triangles.</summary>
         internal IReadOnlyList<SurfaceMaterial> UsedMaterials() => Scene.Instances

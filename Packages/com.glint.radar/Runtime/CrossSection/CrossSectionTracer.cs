@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Diagnostics;
 using System.Linq;
 using System.Threading;
@@ -28,6 +29,7 @@ namespace Glint
         readonly EdgeBuffers _edges = new EdgeBuffers();
         readonly DeviceBuffer<uint> _output = new DeviceBuffer<uint>("sums of tubes");
         readonly DeviceBuffer<Tube> _tubes = new DeviceBuffer<Tube>("tubes");
+        readonly DeviceBuffer<uint> _tubeParts = new DeviceBuffer<uint>("parts of tubes");
         readonly DeviceBuffer<TubeCell> _cells = new DeviceBuffer<TubeCell>("cells of tubes");
         readonly DeviceBuffer<TubeCell> _borders = new DeviceBuffer<TubeCell>("border cells");
         readonly DeviceBuffer<uint> _marks = new DeviceBuffer<uint>("marks of cells");
@@ -36,12 +38,19 @@ namespace Glint
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
+        /// <exception cref="GlintException"><see cref="Check"/> refuses device or shader.</exception>
         public CrossSectionTracer(ComputeShader shader, string owner = nameof(CrossSectionTracer))
         {
+            Check(shader, owner);
             _owner = owner;
             _kernels = new TubeKernels(shader);
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
         }
+
+        /// <summary>Refuses a device that cannot trace, and another shader.</summary>
+        /// <exception cref="GlintException">The message says why, and the way out.</exception>
+        public static void Check(ComputeShader shader, string owner) =>
+            DeviceCheck.Require(shader, "Tubes", "TubeCells", owner);
 
         /// <summary>
         /// Error that a cell may have, as a fraction of what a conducting plate of a base cell returns, for tests; 0: what
@@ -60,24 +69,24 @@ namespace Glint
         public CrossSectionResult Trace(CrossSectionPose pose, IProgress<double> progress = null,
             CancellationToken cancel = default)
         {
-            _scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
+            SetScene(pose, cancel);
             if (_scene.IsEmpty)
                 return new CrossSectionResult(pose.Receivers.Length, pose.Frequencies.Length) { IsMet = true };
-            if (_scene.Pages.Count > 1)
-                throw new GlintException($"{_owner}: the BVHs of {pose.Scene.TriangleCount} triangles take "
-                    + $"{_scene.Pages.Count} buffers of {UnityEngine.SystemInfo.graphicsDeviceName}, and a cross section "
-                    + "takes one: trace fewer triangles");
-            _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.Frequencies.Last());
-            var grid = new TubeGrid(pose, TubeGrid.SideFor(pose, _scene.Min, _scene.Max), _scene.Min, _scene.Max);
-            Bind(pose, grid);
-            if (pose.HasEdges)
-                _edges.Set(pose.Scene, _surfaces.Patches, _scene.Centre, TubeGrid.EdgePieceFor(pose));
+            var grid = GridOf(pose);
+            var edges = new TubeSums(pose, grid);
+            Bind(pose, grid, edges, OutputSize(pose), 1);
+            _kernels.SumAll();
             double floor = pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max);
-            var edges = SumEdges(pose, grid, cancel);
+            // The same for every attempt.
+            TraceEdges(pose, OutputSize(pose), read => edges.Add(read, _owner), cancel);
             long rays = 0;
             for (double cellError = CellError > 0 ? CellError : FirstCellError; ;)
             {
-                var result = TraceTo(cellError, pose, grid, edges, progress, cancel);
+                var sums = new TubeSums(pose, grid);
+                TraceCells(cellError, pose, grid, OutputSize(pose), read => sums.Add(read, _owner), progress, cancel);
+                sums.Add(edges);
+                var result = sums.ToResult();
+                result.CellError = cellError;
                 result.Rays = (rays += result.Rays) + edges.Rays;
                 result.FloorDbsm = floor;
                 result.WedgesLeftOut = pose.HasEdges ? _edges.LeftOutCount : 0;
@@ -87,6 +96,33 @@ namespace Glint
                     return result;
                 cellError = Math.Max(MinCellError, cellError / math.clamp(2 * excess, 2, 64));
             }
+        }
+
+        /// <summary>Traces a pose again and sums what the parts of the scene contribute to one cross section.</summary>
+        /// <param name="result">Of the pose: the same tubes are summed.</param>
+        /// <param name="receiver">Its place in the pose.</param>
+        /// <param name="frequency">Its place in the pose.</param>
+        /// <param name="polarisations">Those of interest.</param>
+        /// <param name="progress">Receives the fraction done, 0 to 1.</param>
+        /// <param name="cancel">Cancels after the current slice.</param>
+        /// <exception cref="GlintException">The memory does not suffice for the scene.</exception>
+        /// <exception cref="OperationCanceledException">The pose was cancelled.</exception>
+        public CrossSectionContributions Contributions(CrossSectionPose pose, CrossSectionResult result, int receiver,
+            int frequency, IReadOnlyList<Polarisation> polarisations, IProgress<double> progress = null,
+            CancellationToken cancel = default)
+        {
+            SetScene(pose, cancel);
+            if (_scene.IsEmpty)
+                return CrossSectionContributions.None;
+            var grid = GridOf(pose);
+            var units = new TubeSums(pose, grid);
+            var parts = _surfaces.Parts;
+            var sums = new PartSums(parts, OutputSize(pose), units, receiver, frequency);
+            Bind(pose, grid, units, sums.OutputSize, ListCapacity);
+            _kernels.SumParts(parts, receiver, frequency, OutputSize(pose));
+            TraceEdges(pose, sums.OutputSize, sums.Add, cancel);
+            TraceCells(result.CellError, pose, grid, sums.OutputSize, sums.Add, progress, cancel);
+            return sums.ToContributions(polarisations);
         }
 
         // Largest ratio of an error to the one allowed.
@@ -100,16 +136,36 @@ namespace Glint
             return excess;
         }
 
-        void Bind(CrossSectionPose pose, TubeGrid grid)
+        void SetScene(CrossSectionPose pose, CancellationToken cancel)
+        {
+            _scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
+            if (_scene.IsEmpty)
+                return;
+            if (_scene.Pages.Count > 1)
+                throw new GlintException($"{_owner}: the BVHs of {pose.Scene.TriangleCount} triangles take "
+                    + $"{_scene.Pages.Count} buffers of {UnityEngine.SystemInfo.graphicsDeviceName}, and a cross "
+                    + "section takes one: trace fewer triangles");
+            _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.Frequencies.Last());
+            if (pose.HasEdges)
+                _edges.Set(pose.Scene, _surfaces.Patches, _surfaces.Parts, _scene.Centre,
+                    TubeGrid.EdgePieceFor(pose));
+        }
+
+        TubeGrid GridOf(CrossSectionPose pose) =>
+            new TubeGrid(pose, TubeGrid.SideFor(pose, _scene.Min, _scene.Max), _scene.Min, _scene.Max);
+
+        void Bind(CrossSectionPose pose, TubeGrid grid, TubeSums units, int outputSize, int tubeParts)
         {
             _kernels.SetScene(_scene, _surfaces);
             _kernels.SetPose(pose, grid);
-            _output.Reserve(OutputSize(pose));
+            _kernels.SetUnits(units);
+            _output.Reserve(outputSize);
             _tubes.Reserve(ListCapacity);
+            _tubeParts.Reserve(tubeParts);
             _cells.Reserve(ListCapacity);
             _borders.Reserve(ListCapacity);
             _waveNumbers.Upload(pose.Frequencies.Select(WaveNumber).ToArray());
-            _kernels.SetLists(_output, _tubes, _cells, _borders, _waveNumbers);
+            _kernels.SetLists(_output, _tubes, _tubeParts, _cells, _borders, _waveNumbers);
             _marks.Reserve(TubeKernels.MarkWordsOf(grid));
             _kernels.Mark(grid, _surfaces, _marks);
         }
@@ -117,16 +173,15 @@ namespace Glint
         static int OutputSize(CrossSectionPose pose) =>
             TubeKernels.FirstSum + TubeKernels.SumWords * pose.Receivers.Length * pose.Frequencies.Length;
 
-        // Traces all cells to an error of each, slice by slice.
-        CrossSectionResult TraceTo(double cellError, CrossSectionPose pose, TubeGrid grid, TubeSums edges,
+        // Traces all cells to an error of each, slice by slice, and hands each slice's output over.
+        void TraceCells(double cellError, CrossSectionPose pose, TubeGrid grid, int outputSize, Action<uint[]> add,
             IProgress<double> progress, CancellationToken cancel)
         {
-            var sums = new TubeSums(pose, grid);
             // A division makes a cell's share a quarter; a bisection halves the error of its border.
             int maxLevel = (int)Math.Ceiling(0.5 * Math.Log(1.2 / cellError, 2));
             int maxBisections = (int)Math.Ceiling(Math.Log(1 / cellError, 2));
             _kernels.SetAccuracy(cellError * 2 * grid.Side * grid.Side, maxLevel, maxBisections);
-            var read = new uint[OutputSize(pose)];
+            var read = new uint[outputSize];
             long max = long.MaxValue;
             for (long first = 0; first < grid.Count;)
             {
@@ -149,23 +204,18 @@ namespace Glint
                             + "ask for a larger one");
                     continue;
                 }
-                sums.Add(read, _owner);
+                add(read);
                 first += count;
                 progress?.Report((double)first / grid.Count);
             }
-            sums.Add(edges);
-            return sums.ToResult();
         }
 
-        // Sums the fringe fields of edges, as many pieces at a time as the list of tubes holds. They are the same for
-        // every attempt.
-        TubeSums SumEdges(CrossSectionPose pose, TubeGrid grid, CancellationToken cancel)
+        // Traces the edges, as many pieces at a time as the list of tubes holds.
+        void TraceEdges(CrossSectionPose pose, int outputSize, Action<uint[]> add, CancellationToken cancel)
         {
-            var sums = new TubeSums(pose, grid);
-            _kernels.SetUnits(sums);
             if (!pose.HasEdges || pose.OnlyBounce != 0)
-                return sums;
-            var read = new uint[OutputSize(pose)];
+                return;
+            var read = new uint[outputSize];
             // Shadow rays start clear of faces that meet at an edge up to that tolerance.
             double offset = WedgeFinder.RelativeTolerance * math.distance(_scene.Min, _scene.Max);
             int max = ListCapacity / pose.Receivers.Length;
@@ -176,9 +226,8 @@ namespace Glint
                 int count = Math.Min(max, _edges.Count - first);
                 _kernels.TraceEdges(_edges, first, count, pose.Receivers.Length, offset);
                 _output.ReadBack(read, read.Length);
-                sums.Add(read, _owner);
+                add(read);
             }
-            return sums;
         }
 
         /// <summary>Releases all buffers on the device.</summary>
@@ -190,6 +239,7 @@ namespace Glint
             _edges.Dispose();
             _output.Dispose();
             _tubes.Dispose();
+            _tubeParts.Dispose();
             _cells.Dispose();
             _borders.Dispose();
             _marks.Dispose();

@@ -22,9 +22,11 @@ namespace Glint
 
         /// <summary>Finds the wedges of another scene, and uploads what has changed.</summary>
         /// <param name="patches">Of each instance: another list is another scene.</param>
+        /// <param name="parts">Of the scene.</param>
         /// <param name="centre">Origin of the kernels' coordinates.</param>
         /// <param name="maxLength">Of a piece, metres.</param>
-        public void Set(RadarScene scene, IReadOnlyList<SurfacePatches> patches, double3 centre, double maxLength)
+        public void Set(RadarScene scene, IReadOnlyList<SurfacePatches> patches, SceneParts parts, double3 centre,
+            double maxLength)
         {
             bool isSame = ReferenceEquals(patches, _patches);
             if (isSame && maxLength == _maxLength)
@@ -33,7 +35,7 @@ namespace Glint
                 _wedges = WedgeFinder.Find(scene, patches, surface => surface.IsConductor);
             // Rays bounce on the inside of a corner; its edge adds nothing.
             var pieces = _wedges.Wedges.Where(wedge => !wedge.IsConcave)
-                .SelectMany(wedge => PiecesOf(wedge, centre, maxLength)).ToArray();
+                .SelectMany(wedge => PiecesOf(wedge, parts, centre, maxLength)).ToArray();
             Count = pieces.Length;
             Pieces.Upload(pieces);
             (_patches, _maxLength) = (patches, maxLength);
@@ -46,7 +48,7 @@ namespace Glint
             _wedges = null;
         }
 
-        static IEnumerable<EdgePiece> PiecesOf(Wedge wedge, double3 centre, double maxLength)
+        static IEnumerable<EdgePiece> PiecesOf(Wedge wedge, SceneParts parts, double3 centre, double maxLength)
         {
             int count = (int)math.ceil(wedge.Length / maxLength);
             double3 step = (wedge.B - wedge.A) / count;
@@ -55,7 +57,8 @@ namespace Glint
                 {
                     Centre = (float3)(wedge.A + (i + 0.5) * step - centre), Length = (float)math.length(step),
                     Along = (float3)wedge.Direction, OuterAngle = (float)wedge.OuterAngle,
-                    Into = (float3)wedge.First.Into
+                    Into = (float3)wedge.First.Into,
+                    Part = (uint)parts.EdgesOf(wedge.First.Instance, wedge.First.Triangle)
                 };
         }
     }

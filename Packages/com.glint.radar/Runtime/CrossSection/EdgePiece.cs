@@ -12,6 +12,6 @@ namespace Glint
         public float3 Along;
         public float OuterAngle;
         public float3 Into;
-        public float Unused;
+        public uint Part;
     }
 }

@@ -11,8 +11,11 @@ namespace Glint
     /// </summary>
     sealed class SurfaceBuffers : IDisposable
     {
-        const uint Flat = uint.MaxValue;   // FLAT in Shaders/TubeBindings.hlsl
-        const int ReflectionSteps = 1024;  // REFLECTION_STEPS
+        /// <summary>A facet without a field of normals: FLAT in Shaders/TubeBindings.hlsl.</summary>
+        public const uint Flat = uint.MaxValue;
+
+        /// <summary>Steps of a table of reflection coefficients: REFLECTION_STEPS.</summary>
+        public const int ReflectionSteps = 1024;
 
         readonly Dictionary<(TriangleMesh, double), (MeshRange[] Ranges, SurfacePatches Patches)> _patches =
             new Dictionary<(TriangleMesh, double), (MeshRange[], SurfacePatches)>();
@@ -21,7 +24,7 @@ namespace Glint
 
         public DeviceBuffer<uint2> Facets { get; } = new DeviceBuffer<uint2>("facets");
         public DeviceBuffer<float4> NormalFields { get; } = new DeviceBuffer<float4>("normals of curved facets");
-        public DeviceBuffer<uint2> InstanceFacets { get; } = new DeviceBuffer<uint2>("instances");
+        public DeviceBuffer<uint4> InstanceFacets { get; } = new DeviceBuffer<uint4>("instances");
         public DeviceBuffer<float4> Reflections { get; } = new DeviceBuffer<float4>("reflection coefficients");
 
         public DeviceBuffer<float4> Vertices { get; } = new DeviceBuffer<float4>("corners of patches");
@@ -35,7 +38,11 @@ namespace Glint
         /// <summary>Patches of each instance of the scene: another list if the scene has changed.</summary>
         public IReadOnlyList<SurfacePatches> Patches { get; private set; }
 
-        public long Bytes => Vertices.Bytes + Spheres.Bytes + Facets.Bytes + NormalFields.Bytes + InstanceFacets.Bytes + Reflections.Bytes;
+        /// <summary>Parts of the scene.</summary>
+        public SceneParts Parts { get; private set; }
+
+        public long Bytes => Vertices.Bytes + Spheres.Bytes + Facets.Bytes + NormalFields.Bytes + InstanceFacets.Bytes
+            + Reflections.Bytes;
 
         /// <summary>Uploads what has changed.</summary>
         /// <param name="frequency">Of the reflection coefficients, hertz.</param>
@@ -65,11 +72,12 @@ namespace Glint
         {
             var facets = new List<uint2>();
             var fields = new List<float4>();
-            var firsts = new List<uint2>();
+            var firsts = new List<uint4>();
             var first = new Dictionary<SurfacePatches, uint>();
             uint patchCount = 0;
             var vertices = new List<float4>();
             var spheres = new List<float4>();
+            Parts = new SceneParts(scene);
             Patches = Array.ConvertAll(scene.Instances, instance => PatchesOf(instance, creaseDegrees));
             for (int i = 0; i < scene.Instances.Length; i++)
             {
@@ -80,7 +88,7 @@ namespace Glint
                     first.Add(patches, firstFacet = (uint)facets.Count);
                     AddFacets(instance.Mesh, patches, facets, fields);
                 }
-                firsts.Add(new uint2(firstFacet, patchCount));
+                firsts.Add(new uint4(firstFacet, patchCount, (uint)Parts.FirstOf(i), 0));
                 patchCount += (uint)patches.PatchCount;
                 foreach (float3 corner in PatchCorners.Of(patches))
                     vertices.Add(new float4((float3)(instance.ToWorld.Point(corner) - centre), 0));

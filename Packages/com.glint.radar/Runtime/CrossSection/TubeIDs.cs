@@ -52,6 +52,9 @@ namespace Glint
         public static readonly int _EdgeRange = Shader.PropertyToID("_EdgeRange");
         public static readonly int _EdgeOffset = Shader.PropertyToID("_EdgeOffset");
         public static readonly int _RadarPhase = Shader.PropertyToID("_RadarPhase");
+        public static readonly int _TubeParts = Shader.PropertyToID("_TubeParts");
+        public static readonly int _HasParts = Shader.PropertyToID("_HasParts");
+        public static readonly int _Parts = Shader.PropertyToID("_Parts");
         public static readonly int _BisectStep = Shader.PropertyToID("_BisectStep");
     }
 }

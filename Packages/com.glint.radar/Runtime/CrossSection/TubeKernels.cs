@@ -15,15 +15,30 @@ namespace Glint
         /// <summary>Words of the output before the sums, and of each sum: TUBE_SUMS, TUBE_SUM_WORDS.</summary>
         public const int FirstSum = 16, SumWords = 32;
 
+        /// <summary>Words of the sums of a part: PART_WORDS.</summary>
+        public const int PartWords = 16;
+
         const int Group = 64;              // GLINT_GROUP
-        const int ArgumentWords = 12;
-        const int RaysAThread = 4;         // RAYS_A_THREAD
-        const int CoverSide = 8;           // COVER_SIDE
-        const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
+
+        /// <summary>Words of the arguments of the indirect dispatches, and their byte offsets: _ARGUMENTS.</summary>
+        public const int ArgumentWords = 12;
+
+        /// <summary>Rays that a thread traces at most: RAYS_A_THREAD.</summary>
+        public const int RaysAThread = 4;
+
+        /// <summary>Words of the marks of a cell: MARKS x MARKS bits.</summary>
+        public const int MarkWordsOfACell = 2;
+
+        /// <summary>Side of a block of base cells in which a triangle may be seen: COVER_SIDE.</summary>
+        public const int CoverSide = 8;
+
+        /// <inheritdoc cref="ArgumentWords"/>
+        public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
 
         readonly ComputeShader _shader;
-        readonly int _clear, _clearMarks, _mark, _cover, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _fringes,
-            _sums;
+        readonly int _clear, _clearMarks, _mark, _cover, _cells, _prepareBorders, _bisect, _borders, _prepareCells,
+            _fringes, _sums, _parts;
+        int _summing;                      // _sums or _parts
         readonly GraphicsBuffer _arguments = new GraphicsBuffer(
             GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
 
@@ -42,6 +57,7 @@ namespace Glint
             _prepareCells = shader.FindKernel("PrepareCells");
             _fringes = shader.FindKernel("TubeFringes");
             _sums = shader.FindKernel("TubeSums");
+            _parts = shader.FindKernel("TubeParts");
         }
 
         /// <summary>Sets the scene.</summary>
@@ -111,15 +127,34 @@ namespace Glint
             _shader.SetInt(TubeIDs._MaxBisections, maxBisections);
         }
 
+        /// <summary>Sums S of all receivers and frequencies.</summary>
+        public void SumAll()
+        {
+            _summing = _sums;
+            _shader.SetInt(TubeIDs._HasParts, 0);
+        }
+
+        /// <summary>Sums the parts of S at one receiver and frequency instead.</summary>
+        /// <param name="firstWord">Of the parts, in the output.</param>
+        public void SumParts(SceneParts parts, int receiver, int frequency, int firstWord)
+        {
+            _summing = _parts;
+            _shader.SetInt(TubeIDs._HasParts, 1);
+            _shader.SetInts(TubeIDs._Parts, receiver, frequency, firstWord, parts.FirstBounce);
+        }
+
         /// <summary>Sets the lists that the kernels leave to each other.</summary>
-        public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<TubeCell> cells,
-            DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers)
+        public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<uint> tubeParts,
+            DeviceBuffer<TubeCell> cells, DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers)
         {
             foreach (int kernel in new[]
-                { _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _fringes, _sums })
+                { _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _fringes, _sums, _parts })
                 _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
-            foreach (int kernel in new[] { _cells, _bisect, _borders, _fringes, _sums })
+            foreach (int kernel in new[] { _cells, _bisect, _borders, _fringes, _sums, _parts })
+            {
                 _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._TubeParts, tubeParts.Buffer);
+            }
             foreach (int kernel in new[] { _cells, _bisect, _borders })
             {
                 _shader.SetBuffer(kernel, TubeIDs._TubeCells, cells.Buffer);
@@ -127,13 +162,14 @@ namespace Glint
             }
             foreach (int kernel in new[] { _prepareBorders, _prepareCells })
                 _shader.SetBuffer(kernel, ShaderIDs._Arguments, _arguments);
-            _shader.SetBuffer(_sums, TubeIDs._WaveNumbers, waveNumbers.Buffer);
+            foreach (int kernel in new[] { _sums, _parts })
+                _shader.SetBuffer(kernel, TubeIDs._WaveNumbers, waveNumbers.Buffer);
             _shader.SetInts(TubeIDs._ListCapacity, tubes.Capacity, cells.Capacity, borders.Capacity, 0);
         }
 
         /// <summary>Words of the marks of a grid: MARKS and COVER_SIDE.</summary>
         public static int MarkWordsOf(TubeGrid grid) =>
-            2 * (int)grid.Count + (BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 1;
+            MarkWordsOfACell * (int)grid.Count + (BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 1;
 
         static int2 BlocksOf(TubeGrid grid) => (grid.Cells + CoverSide - 1) / CoverSide;
 
@@ -188,7 +224,7 @@ namespace Glint
                 _shader.DispatchIndirect(_borders, _arguments, BorderArguments);
                 _shader.Dispatch(_prepareCells, 1, 1, 1);
             }
-            _shader.DispatchIndirect(_sums, _arguments, TubeArguments);
+            _shader.DispatchIndirect(_summing, _arguments, TubeArguments);
         }
 
         /// <summary>Sums the fringe fields of pieces of edges.</summary>
@@ -200,7 +236,7 @@ namespace Glint
             _shader.SetFloat(TubeIDs._EdgeOffset, (float)offset);
             _shader.DispatchThreads(_fringes, (long)count * receivers);
             _shader.Dispatch(_prepareCells, 1, 1, 1);
-            _shader.DispatchIndirect(_sums, _arguments, TubeArguments);
+            _shader.DispatchIndirect(_summing, _arguments, TubeArguments);
         }
 
         public void Dispose() => _arguments.Dispose();

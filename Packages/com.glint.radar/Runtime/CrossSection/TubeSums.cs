@@ -8,11 +8,11 @@ namespace Glint
     /// <summary>The sums of a pose over its slices, as the kernels leave them: Shaders/TubeBindings.hlsl.</summary>
     sealed class TubeSums
     {
-        // Words of the output.
-        const int Count = 0, Overflow = 3, RayCount = 4;
+        /// <summary>Words of the output.</summary>
+        public const int Count = 0, Overflow = 3, RayCount = 4;
 
-        // Sums of a receiver and frequency, two words each, and the word after them.
-        const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
+        /// <summary>Sums of a receiver and frequency, two words each, and the word after them.</summary>
+        public const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
 
         readonly CrossSectionPose _pose;
         readonly TubeGrid _grid;
@@ -57,9 +57,23 @@ namespace Glint
                 if (output[first + TooLarge] != 0)
                     throw new GlintException($"{owner}: a contribution to the cross section is not finite or too large: "
                         + "the mesh may have coordinates that float32 does not resolve");
-                int at = first + 2 * (i % SumCount);
-                _sums[i] += (long)((ulong)output[at + 1] << 32 | output[at]);
+                _sums[i] += At(output, first + 2 * (i % SumCount));
             }
+        }
+
+        /// <summary>A sum of the output, of 64 bits.</summary>
+        public static long At(uint[] output, int word) => (long)((ulong)output[word + 1] << 32 | output[word]);
+
+        /// <summary>The matrix of eight sums of a receiver and frequency.</summary>
+        public ScatteringMatrix MatrixOf(long[] sums, int first, int receiver, int frequency)
+        {
+            Complex Amplitude(int sum) => new Complex(sums[first + sum], sums[first + sum + 1]) / UnitsPerMetre;
+            double k = 2 * Math.PI / Signal.Wavelength(_pose.Frequencies[frequency]);
+            var phase = Complex.FromPolarCoordinates(1, k * _grid.PhaseOf(_pose, _pose.Receivers[receiver]));
+            return phase * new ScatteringMatrix
+            {
+                VV = Amplitude(0), HV = Amplitude(2), VH = Amplitude(4), HH = Amplitude(6)
+            };
         }
 
         /// <summary>Adds the sums of others, without their rays.</summary>
@@ -81,15 +95,9 @@ namespace Glint
             for (int receiver = 0; receiver < _pose.Receivers.Length; receiver++)
                 for (int frequency = 0; frequency < _pose.Frequencies.Length; frequency++, first += SumCount)
                 {
-                    Complex Amplitude(int sum) =>
-                        new Complex(_sums[first + sum], _sums[first + sum + 1]) / UnitsPerMetre;
-                    double k = 2 * Math.PI / Signal.Wavelength(_pose.Frequencies[frequency]);
-                    var phase = Complex.FromPolarCoordinates(1, k * _grid.PhaseOf(_pose, _pose.Receivers[receiver]));
-                    result.S[receiver, frequency] = phase * new ScatteringMatrix
-                    {
-                        VV = Amplitude(0), HV = Amplitude(2), VH = Amplitude(4), HH = Amplitude(6)
-                    };
-                    double bent = Amplitude(Bent).Magnitude;
+                    result.S[receiver, frequency] = MatrixOf(_sums, first, receiver, frequency);
+                    double bent =
+                        new Complex(_sums[first + Bent], _sums[first + Bent + 1]).Magnitude / UnitsPerMetre;
                     result.Errors[receiver, frequency] =
                         Math.Sqrt(_sums[first + Border] / UnitsPerSquareMetre + bent * bent);
                 }

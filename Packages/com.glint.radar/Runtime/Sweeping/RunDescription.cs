@@ -14,7 +14,9 @@ namespace Glint
     public static class RunDescription
     {
         /// <summary>Results/<paramref name="name"/> in the folder of <see cref="InProject"/>.</summary>
-        public static string DefaultFolder(string name) => InProject(Path.Combine("Results", name));
+        /// <param name="table">What the rows hold; null: the poses of a sweep or run.</param>
+        public static string DefaultFolder(string name, ResultTable table = null) =>
+            InProject(Path.Combine("Results", name + table?.FolderSuffix));
 
         /// <summary>
         /// Resolves a path relative to the folder that holds Assets. A player has no project, and its own folder may be
@@ -67,7 +69,7 @@ namespace Glint
                     identity.Add(axis.Column, string.Join(",", setup.Plan.Values(axis).Select(Numbers.Format)));
             identity.Add("scene", info.ScenePath);
             identity.Add("target", info.TargetName);
-            identity.Add("content", ContentOf(setup));
+            identity.Add(SweepIdentity.Content, ContentOf(setup));
             AddTo(identity, info);
             return identity;
         }

@@ -2,7 +2,6 @@ using System;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
-using UnityEngine.Rendering;
 
 namespace Glint
 {
@@ -29,21 +28,7 @@ namespace Glint
         /// </exception>
         public TraceKernel(ComputeShader shader, bool isWide, string owner)
         {
-            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Null)
-                throw new GlintException("there is no graphics device (graphics device type Null): "
-                    + "start Unity without -nographics");
-            if (!SystemInfo.supportsComputeShaders)
-                throw new GlintException($"{SystemInfo.graphicsDeviceName} ({SystemInfo.graphicsDeviceType}) runs no "
-                    + "compute shaders: use Vulkan or Direct3D 11 or 12");
-            if (SystemInfo.graphicsDeviceType == GraphicsDeviceType.OpenGLES3)
-                throw new GlintException($"{SystemInfo.graphicsDeviceName} (OpenGLES3) does not guarantee the rounding "
-                    + "that path lengths need, as OpenGL ES has no 'precise': use Vulkan");
-            if (shader == null)
-                throw new GlintException($"{owner} has no kernel: "
-                    + "assign Packages/com.glint.radar/Shaders/Trace.compute");
-            if (!shader.HasKernel("Trace"))
-                throw new GlintException($"{owner}: compute shader '{shader.name}' has no kernel 'Trace': "
-                    + "assign Packages/com.glint.radar/Shaders/Trace.compute");
+            DeviceCheck.Require(shader, "Trace", "Trace", owner);
             IsWide = isWide;
             _shader = isWide ? SoftwareDevice.WideShader : shader;
             if (_shader == null)
@@ -55,10 +40,7 @@ namespace Glint
             _refineName = "Refine" + suffix;
             _refineKernel = _shader.FindKernel(_refineName);
             _pathsKernel = _shader.FindKernel("Paths" + suffix);
-            foreach (int kernel in new[] { _kernel, _entryPointsKernel, _refineKernel, _pathsKernel })
-                if (!_shader.IsSupported(kernel))
-                    throw new GlintException($"a kernel of compute shader '{_shader.name}' does not run on "
-                        + $"{SystemInfo.graphicsDeviceName}: see the shader's import messages");
+            DeviceCheck.RequireSupported(_shader, _kernel, _entryPointsKernel, _refineKernel, _pathsKernel);
             DeviceArithmetic.Check(shader);
         }
 

@@ -219,6 +219,46 @@ public sealed class CrossSectionCommandTests
         AssertSame("killed", $"seed {seed}");
     }
 
+    /// <summary>The reference tracer has its own tubes: it differs, by less than the tolerance.</summary>
+    [Test]
+    public void Reference_OfTheFirstRows_IsWithinTheTolerance()
+    {
+        string output = Run(At("plate.obj"), "--azimuth", "0,7,20", "--polarisation", "vv,hh", "--tolerance", "0.05",
+            "--reference", "2", "--out", At("rcs"));
+        var lines = Regex.Matches(output,
+            @"(?m)^(VV|HH) +(\S+) (\S+)j +(\S+) (\S+)j +(\S+) +(\S+)  azimuth (\d+) deg, elevation 0 deg, 10000000000 Hz\r?$");
+        Assert.That(lines.Select(line => line.Groups[1].Value + line.Groups[8].Value),
+            Is.EqualTo(new[] { "VV0", "HH0", "VV7", "HH7" }), output);
+        foreach (Match line in lines)
+        {
+            var row = Rows("rcs").Single(row => row["azimuth_deg"] == line.Groups[8].Value);
+            Complex Printed(int group) => new(double.Parse(line.Groups[group].Value, CultureInfo.InvariantCulture),
+                double.Parse(line.Groups[group + 1].Value, CultureInfo.InvariantCulture));
+            var (s, reference) = (Printed(2), Printed(4));
+            Assert.That((s - Amplitude(row, line.Groups[1].Value.ToLowerInvariant())).Magnitude, Is.LessThan(1e-4));
+            double scale = Math.Min(Amplitude(row, "vv").Magnitude, Amplitude(row, "hh").Magnitude);
+            double relative = double.Parse(line.Groups[7].Value, CultureInfo.InvariantCulture);
+            Assert.That(relative, Is.EqualTo((s - reference).Magnitude / scale).Within(0.06 * relative + 2e-5));
+            Assert.That(relative, Is.GreaterThan(0).And.LessThan(Math.Pow(10, 0.05 / 20) - 1));
+            Assert.That(double.Parse(line.Groups[6].Value, CultureInfo.InvariantCulture),
+                Is.EqualTo(20 * Math.Log10(s.Magnitude / reference.Magnitude)).Within(2e-4));
+        }
+    }
+
+    // In a null, 5.73525 degrees, 0.001 dB of nearly nothing cannot be met.
+    [Test]
+    public void Reference_BeyondTheTolerance_EndsWithOneAndKeepsTheFiles()
+    {
+        var (code, _, error) = Execute(At("plate.obj"), "--azimuth", "5.73525", "--edges", "off", "--tolerance",
+            "0.001", "--floor", "-200", "--reference", "--out", At("rcs"));
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(error, Does.Match(@"glint: plate: \|dS\| beside the reference tracer is \S+ of the row's scale at "
+            + @"azimuth 5\.73525 deg.*; a tolerance of 0\.001 dB allows 0\.000115: the files are written"));
+        Assert.That(Rows("rcs"), Has.Count.EqualTo(1));
+    }
+
+    [TestCase(2, "--reference 0: must be from 1 to 1e6", "--reference", "0")]
+    [TestCase(2, "--reference: not with --resume", "--reference", "--resume")]
     [TestCase(2, "--frequency 0: each frequency must be from 1 to 1e12 hertz", "--frequency", "0")]
     [TestCase(2, "--frequency -1e9: each frequency must be", "--frequency", "-1e9")]
     [TestCase(2, "the frequency 1000000000 Hz is given twice", "--frequency", "1e9,1e9")]
@@ -238,7 +278,8 @@ public sealed class CrossSectionCommandTests
     [TestCase(1, "material 'metal,ptfe,0.001' has no data at 1000000 Hz", "--material", "*=metal,ptfe,0.001",
         "--frequency", "1e6")]
     [TestCase(1, "a range of 0.1 m is inside of it", "--range", "0.1")]
-    [TestCase(1, "1e+12 Hz is too high for its size of 360.555 m: phases have no precision left; up to 2.647e+11 Hz",
+    [TestCase(1, "1e+12 Hz is too high for its size of 360.555 m and a tolerance of 0.1 dB: phases in float32 are off by 0.45 rad; "
+        + "up to 2.571e+10 Hz is possible, with a larger tolerance up to 2.664e+11 Hz; or compute its parts alone",
         "--unit", "km", "--frequency", "1e12")]
     public void Input_ThatCannotBeComputed_IsRefusedBeforeAnyFile(int code, string message, params string[] options)
     {
@@ -248,16 +289,36 @@ public sealed class CrossSectionCommandTests
         Assert.That(Directory.Exists(At("rcs")), Is.False);
     }
 
+    // All corners of the first are in a line; those of the second are one place.
+    [TestCase("v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n")]
+    [TestCase("v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n")]
+    public void Mesh_WithoutArea_IsRefused(string mesh)
+    {
+        File.WriteAllText(At("line.obj"), mesh);
+        var (code, _, error) = Execute(At("line.obj"), "--out", At("rcs"));
+        Assert.That(error, Does.Contain("no triangle has an area: it reflects nothing"));
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(Directory.Exists(At("rcs")), Is.False);
+    }
+
     [Test]
-    public void Folder_OfASweep_IsNotTakenAndNotReported()
+    public void Mesh_WithTrianglesWithoutArea_IsThatOfTheOthers()
+    {
+        File.AppendAllText(At("plate.obj"), "v 0 0 0\nf 1 5 3\nf 1 2 2\n");
+        Run(At("plate.obj"), "--edges", "off", "--tolerance", "0.05", "--out", At("rcs"));
+        Assert.That(Number(Rows("rcs").Single(), "vv_dbsm"), Is.EqualTo(17.019).Within(0.05));
+    }
+
+    [Test]
+    public void Folder_OfASweep_IsNotTaken_AndThatOfCrossSectionsIsReported()
     {
         Run(At("plate.obj"), "--tolerance", "1", "--out", At("rcs"));
         var (code, _, error) = TestShell.Run("run", At("plate.obj"), "--size", "16x9", "--out", At("rcs"));
         Assert.That((code, error), Is.EqualTo((1, $"glint: {At("rcs")}: holds rcs.csv, the results of glint rcs: "
             + "choose another results folder" + Environment.NewLine)));
         (code, _, error) = TestShell.Run("report", At("rcs"), "--pose", "none");
-        Assert.That(code, Is.EqualTo(1));
-        Assert.That(error, Does.Contain("holds the results of glint rcs (rcs.csv)"));
+        Assert.That(code, Is.Zero, error);
+        Assert.That(File.ReadAllText(At("rcs/report.html")), Does.Contain("\"table\":\"rcs\""));
     }
 
     [Test]
@@ -384,25 +445,4 @@ public sealed class CrossSectionCommandTests
 
     static (int code, string output, string error) Execute(params string[] arguments) =>
         TestShell.Run(["rcs", .. arguments]);
-
-    sealed class CancelAfter(int rows) : IProgressSink
-    {
-        readonly CancellationTokenSource _source = new();
-
-        public CancellationToken Cancel => _source.Token;
-
-        public void Start(string what, int total) { }
-
-        public void Report(double value) { }
-
-        public void Advance(int done, string note)
-        {
-            if (done == rows)
-                _source.Cancel();
-        }
-
-        public void Finish() { }
-
-        public void Print(string line) { }
-    }
 }

@@ -11,6 +11,7 @@ public sealed class IconTests
     const string Package = "Packages/com.glint.radar";
 
     [TestCase("Runtime/Components/RadarController.cs")]
+    [TestCase("Runtime/Components/RadarCrossSection.cs")]
     [TestCase("Runtime/Components/Sweep.cs")]
     [TestCase("Runtime/Components/Sea.cs")]
     [TestCase("Runtime/Components/Ship.cs")]

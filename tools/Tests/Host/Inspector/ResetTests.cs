@@ -34,14 +34,25 @@ public sealed class ResetTests
     }
 
     // The host does not read default references; Unity assigns them when a component is added.
-    [Test]
-    public void Radar_ScriptOfIt_HasTheKernelAmongItsDefaultReferences()
+    [TestCase("RadarController", "Trace")]
+    [TestCase("RadarCrossSection", "Tubes")]
+    public void Script_HasItsKernelAmongItsDefaultReferences(string script, string file)
     {
         string package = Path.Combine(Project.FindRoot(System.AppContext.BaseDirectory), "Packages/com.glint.radar");
-        string kernel = Regex.Match(File.ReadAllText(Path.Combine(package, "Shaders/Trace.compute.meta")),
+        string kernel = Regex.Match(File.ReadAllText(Path.Combine(package, $"Shaders/{file}.compute.meta")),
             @"\nguid: (\w+)\n").Groups[1].Value;
-        Assert.That(File.ReadAllText(Path.Combine(package, "Runtime/Components/RadarController.cs.meta")),
+        Assert.That(File.ReadAllText(Path.Combine(package, $"Runtime/Components/{script}.cs.meta")),
             Does.Contain($"\n  - _kernel: {{fileID: 7200000, guid: {kernel}, type: 3}}\n"));
+    }
+
+    [Test]
+    public void CrossSection_AddedToAnObjectWithAMesh_TakesIt()
+    {
+        var target = new GameObject("Target");
+        GameObject.CreatePrimitive(PrimitiveType.Cube).transform.SetParent(target.transform, false);
+
+        Assert.That(target.AddComponent<RadarCrossSection>().Target, Is.SameAs(target.transform));
+        Assert.That(new GameObject("Other").AddComponent<RadarCrossSection>().Target == null);
     }
 
     [Test]

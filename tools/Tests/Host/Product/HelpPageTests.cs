@@ -17,8 +17,8 @@ public sealed class HelpPageTests
     [Test]
     public void Scripts_OfThePackage_AreTheseAtLeast() => Assert.That(Scripts, Is.SupersetOf(new[]
     {
-        typeof(RadarController), typeof(RadarMaterial), typeof(RadarSurface), typeof(RayPaths), typeof(Sea),
-        typeof(SeaSnapshot), typeof(Ship), typeof(Sweep)
+        typeof(RadarController), typeof(RadarCrossSection), typeof(RadarMaterial), typeof(RadarSurface),
+        typeof(RayPaths), typeof(Sea), typeof(SeaSnapshot), typeof(Ship), typeof(Sweep)
     }));
 
     // Unity opens what begins with file:// as it stands, and takes other text for a page of its own manual.

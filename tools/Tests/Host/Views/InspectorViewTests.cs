@@ -51,8 +51,8 @@ public sealed class InspectorViewTests
         Assert.That(Inspected, Is.SupersetOf(
             new[]
             {
-                typeof(RadarController), typeof(RadarMaterial), typeof(RayPaths), typeof(Sweep), typeof(Sea),
-                typeof(Ship)
+                typeof(RadarController), typeof(RadarCrossSection), typeof(RadarMaterial), typeof(RayPaths),
+                typeof(Sweep), typeof(Sea), typeof(Ship)
             }));
 
     [TestCaseSource(nameof(Inspected))]

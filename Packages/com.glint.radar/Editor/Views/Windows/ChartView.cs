@@ -59,10 +59,17 @@ namespace Glint.Editor.Views
                 act(nearest.Value.Series, nearest.Value.Point);
         }
 
-        void Write()
+        void Write() => ChartLabels.Write(this, Drawing?.Texts() ?? Array.Empty<ChartText>());
+    }
+
+    /// <summary>The labels of a chart as elements.</summary>
+    static class ChartLabels
+    {
+        /// <summary>Replaces the labels of an element.</summary>
+        public static void Write(VisualElement parent, IEnumerable<ChartText> texts)
         {
-            Clear();
-            foreach (var text in Drawing?.Texts() ?? Array.Empty<ChartText>())
+            parent.Clear();
+            foreach (var text in texts)
             {
                 var label = new Label(text.Text) { pickingMode = PickingMode.Ignore };
                 label.AddToClassList(text.IsTitle ? "glint-axis-title" : "glint-tick");
@@ -70,7 +77,7 @@ namespace Glint.Editor.Views
                 label.style.translate =
                     new Translate(Length.Percent(-100 * text.Anchor.x), Length.Percent(-100 * text.Anchor.y));
                 label.style.color = ChartColours.Skin.Frame;
-                Add(label);
+                parent.Add(label);
             }
         }
     }

@@ -49,6 +49,15 @@ namespace Glint.Editor.Views
         [MenuItem("Window/Glint/Radar")]
         static void Open() => Show(null);
 
+        /// <summary>Gives an element, and those below it, the styles of charts.</summary>
+        public static void AddStyle(VisualElement root)
+        {
+            var style = AssetDatabase.LoadAssetAtPath<StyleSheet>(StylePath);
+            if (style != null)
+                root.styleSheets.Add(style);
+            root.AddToClassList(EditorGUIUtility.isProSkin ? "glint-dark" : "glint-light");
+        }
+
         void OnEnable()
         {
             titleContent = new GUIContent("Radar");
@@ -66,10 +75,7 @@ namespace Glint.Editor.Views
 
         void CreateGUI()
         {
-            var style = AssetDatabase.LoadAssetAtPath<StyleSheet>(StylePath);
-            if (style != null)
-                rootVisualElement.styleSheets.Add(style);
-            rootVisualElement.AddToClassList(EditorGUIUtility.isProSkin ? "glint-dark" : "glint-light");
+            AddStyle(rootVisualElement);
             _panel = new SweepPanel(_form, () => Begin(() => SweepSession.Pose(_form.Radar)),
                 () => Begin(() => SweepSession.Sweep(_form)), () => _session?.Cancel());
             _results = new ResultsPanel(_choice, Draw, Compare, SaveFile, SaveReport, SavePicture, Look, SavePreview);

@@ -1,0 +1,96 @@
+using System;
+using Glint.Core;
+using Glint.Reference;
+using Unity.Mathematics;
+
+namespace Glint.Tests
+{
+    /// <summary>Random poses of ten targets: the same for a number on any machine.</summary>
+    static class ErrorPose
+    {
+        public static readonly string[] Targets =
+        {
+            "plate", "plate_with_edges", "dihedral", "trihedral", "sphere", "cylinder", "top_hat", "two_plates",
+            "coated_box", "ship"
+        };
+
+        // Of the truths: 16 times finer than kernels find borders at first, and more where that costs little. A phase
+        // that is taken as linear has a mean error of a third of this.
+        public static TubeSettings TruthSettings =>
+            new TubeSettings { CellsPerWavelength = 2, MaxDepth = 8, MaxPhaseError = 0.005 };
+
+        // Cosine of the largest angle between radar and receiver at which physical optics holds.
+        const double MinBistaticCosine = -0.5;
+
+        public static RadarScene SceneOf(string target)
+        {
+            switch (target)
+            {
+                case "plate":
+                case "plate_with_edges": return new RadarScene(CrossSectionTargets.Plate(0.3, 0.2));
+                case "dihedral": return new RadarScene(CrossSectionTargets.Dihedral(0.2, 0.15));
+                case "trihedral":
+                    return new RadarScene(
+                        CrossSectionTargets.Trihedral(0.2, CrossSectionTargets.TrihedralFace.Triangular));
+                case "sphere": return new RadarScene(CrossSectionTargets.Sphere(0.1, 32));
+                case "cylinder": return new RadarScene(CrossSectionTargets.Cylinder(0.04, 0.12, 180, true));
+                case "top_hat": return new RadarScene(CrossSectionTargets.TopHat(0.03, 0.06, 0.1, 180));
+                case "two_plates": return new RadarScene(CrossSectionTargets.TwoPlates(0.15, 0.15, 0.25));
+                case "coated_box": return CoatedBox();
+                default: return Ship();
+            }
+        }
+
+        /// <summary>A pose of a target: every fourth is bistatic, and one of three tolerances is asked for.</summary>
+        public static CrossSectionPose Of(string target, RadarScene scene, int number)
+        {
+            var random = new System.Random(1000 * Array.IndexOf(Targets, target) + number);
+            double Within(double from, double to) => from + (to - from) * random.NextDouble();
+            RadarAspect Aspect() =>
+                RadarAspect.At(Within(-180, 180), math.degrees(Math.Asin(Within(-1, 1))));
+            RadarAspect radar = Aspect(), receiver = radar;
+            if (number % 4 == 3)
+                do
+                    receiver = Aspect();
+                while (math.dot(receiver.ToRadar, radar.ToRadar) < MinBistaticCosine);
+            return new CrossSectionPose
+            {
+                Scene = scene, Radar = radar, Receivers = new[] { receiver },
+                Frequencies = new[] { Within(8e9, 12e9) }, MaxBounces = 4, HasEdges = target != "plate",
+                ToleranceDb = new[] { 0.1, 0.3, 1 }[number % 3]
+            };
+        }
+
+        // Three sides have a layer on metal; the others are those of a dielectric.
+        static RadarScene CoatedBox()
+        {
+            var layer = new SurfaceMaterial("layer", new[] { new MaterialLayer(Medium.Constant(4, 0.4), 0.002) });
+            var dielectric = new SurfaceMaterial("dielectric", halfSpace: Medium.Constant(5, 1));
+            return new RadarScene(new MeshInstance
+            {
+                Mesh = CrossSectionTargets.Box(0.25, 0.15, 0.1), ToWorld = Affine.Identity,
+                Ranges = new[] { new MeshRange(0, MeshRange.NoObject, 0), new MeshRange(6, MeshRange.NoObject, 1) }
+            })
+            { Surfaces = new[] { layer, dielectric } };
+        }
+
+        // A hull with raked ends, a deckhouse and a mast, which reach into each other.
+        static RadarScene Ship()
+        {
+            var box = CrossSectionTargets.Box(1, 1, 1);
+            MeshInstance Part(TriangleMesh mesh, double3 size, double3 rake, double3 at) => new MeshInstance
+            {
+                Mesh = mesh,
+                ToWorld = new Affine
+                {
+                    X = new double3(size.x, 0, 0), Y = new double3(0, size.y, 0) + rake, Z = new double3(0, 0, size.z),
+                    Origin = at
+                }
+            };
+            return new RadarScene(
+                Part(box, new double3(0.08, 0.06, 0.4), new double3(0, 0, 0.02), 0),
+                Part(box, new double3(0.05, 0.06, 0.1), new double3(0.008, 0, 0), new double3(0, 0.05, -0.05)),
+                Part(CrossSectionTargets.Cylinder(0.012, 0.1, 36, true), 1, 0, new double3(0, 0.12, -0.03)));
+        }
+    }
+}

@@ -1,0 +1,108 @@
+using System.Collections.Generic;
+using System.Linq;
+using System.Runtime.InteropServices;
+using NUnit.Framework;
+using static Unity.Mathematics.math;
+
+namespace Glint.Tests
+{
+    /// <summary>Structs and constants of ray tubes are the same in C# and HLSL.</summary>
+    public sealed class TubeLayoutTests
+    {
+        [Test]
+        public void Structs_AreWholeRowsOfSixteenBytes()
+        {
+            Assert.That(Marshal.SizeOf<Tube>(), Is.EqualTo(96));
+            Assert.That(Marshal.SizeOf<TubeCell>(), Is.EqualTo(48));
+            Assert.That(Marshal.SizeOf<EdgePiece>(), Is.EqualTo(48));
+        }
+
+        [Test]
+        public void Structs_ReadByAKernel_HaveTheFieldsThatCSharpWrote()
+        {
+            var tube = new Tube
+            {
+                Gradient = float2(1, 2), Phase = 3, Tag = 4, CoPolar = float4(5, 6, 7, 8),
+                CrossPolar = float4(9, 10, 11, 12), Corners01 = float4(13, 14, 15, 16),
+                Corners23 = float4(17, 18, 19, 20), Corner4 = float2(21, 22), Error = 23, Bent = 24
+            };
+            var cell = new TubeCell
+            {
+                Position = uint2(25, 26), Level = 27, FirstBounce = 28, Signatures = uint4(29, 30, 31, 32),
+                Strength = 33, Bent = 34, Crossings = uint2(35, 36)
+            };
+            var piece = new EdgePiece
+            {
+                Centre = float3(37, 38, 39), Length = 40, Along = float3(41, 42, 43), OuterAngle = 44,
+                Into = float3(45, 46, 47), Part = 48
+            };
+            bool IsWhole(int field) =>
+                field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36 || field == 48;
+            using (var fields = new ShaderFields(TestKernels.TubeLayout))
+            {
+                fields.Bind("_TubeIn", tube);
+                fields.Bind("_CellIn", cell);
+                fields.Bind("_EdgePieceIn", piece);
+                Assert.That(fields.Unpack(48), Is.EqualTo(Enumerable.Range(1, 48)
+                    .Select(i => IsWhole(i) ? (uint)i : asuint((float)i))));
+            }
+        }
+
+        // A name without a counterpart fails on either side.
+        [Test]
+        public void Constants_OfTheKernels_AreThoseOfCSharp()
+        {
+            var constants = ShaderConstants.Of("TubeBindings.hlsl");
+            Assert.That(constants.Where(constant => !s_ofTheDevice.Contains(constant.Key)), Is.EquivalentTo(
+                new Dictionary<string, double>
+                {
+                    ["TUBE_COUNT"] = TubeSums.Count, ["TUBE_OVERFLOW"] = TubeSums.Overflow,
+                    ["TUBE_RAYS"] = TubeSums.RayCount, ["TUBE_SUMS"] = TubeKernels.FirstSum,
+                    ["TUBE_SUM_WORDS"] = TubeKernels.SumWords,
+                    // Sums have two words.
+                    ["SUM_S"] = 0, ["SUM_BENT"] = 2 * TubeSums.Bent, ["SUM_ERROR"] = 2 * TubeSums.Border,
+                    ["SUM_TUBE_OVERFLOW"] = TubeSums.TooLarge,
+                    ["MAX_RECEIVERS"] = TubeKernels.MaxReceivers, ["RADAR"] = TubeKernels.MaxReceivers,
+                    ["REFLECTION_STEPS"] = SurfaceBuffers.ReflectionSteps, ["FLAT"] = SurfaceBuffers.Flat,
+                    ["RAYS_A_THREAD"] = TubeKernels.RaysAThread, ["COVER_SIDE"] = TubeKernels.CoverSide,
+                    ["PART_WORDS"] = TubeKernels.PartWords,
+                    ["BORDER_ARGUMENTS"] = TubeKernels.BorderArguments,
+                    ["CELL_ARGUMENTS"] = TubeKernels.CellArguments, ["TUBE_ARGUMENTS"] = TubeKernels.TubeArguments,
+                    ["BISECT_ARGUMENTS"] = TubeKernels.BisectArguments,
+                    // A bit for each part of a cell, in words of 32.
+                    ["MARKS"] = sqrt(32.0 * TubeKernels.MarkWordsOfACell), ["MARK_LEVEL"] =
+                        log2(sqrt(32.0 * TubeKernels.MarkWordsOfACell))
+                }));
+            Assert.That(s_ofTheDevice, Is.SubsetOf(constants.Keys));
+        }
+
+        // Sums and counts share a buffer, and the arguments of dispatches another one.
+        [Test]
+        public void Words_DoNotOverlap()
+        {
+            var constants = ShaderConstants.Of("TubeBindings.hlsl");
+            double[] counts = { constants["TUBE_COUNT"], constants["TUBE_CELLS"], constants["TUBE_BORDERS"],
+                constants["TUBE_OVERFLOW"], constants["TUBE_RAYS"], constants["TUBE_RAYS"] + 1 };
+            Assert.That(counts, Is.Unique);
+            Assert.That(counts, Is.All.LessThan(TubeKernels.FirstSum));
+            Assert.That(2 * TubeSums.SumCount, Is.EqualTo(TubeSums.TooLarge));
+            Assert.That(TubeSums.TooLarge, Is.LessThan(TubeKernels.SumWords));
+            uint[] arguments = { TubeKernels.BorderArguments, TubeKernels.CellArguments, TubeKernels.TubeArguments,
+                TubeKernels.BisectArguments };
+            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36 }));
+            Assert.That(4 * TubeKernels.ArgumentWords, Is.EqualTo(36 + 12));
+        }
+
+        // Tags of tubes have 8 bits for the receiver, 8 for the bounce, and the corners above.
+        [Test]
+        public void Tag_HoldsReceiverBounceAndCorners()
+        {
+            Assert.That(TubeKernels.MaxReceivers, Is.LessThanOrEqualTo(256));
+            Assert.That(Core.RadarSettings.BounceLimit, Is.LessThanOrEqualTo(255));
+            Assert.That(ShaderConstants.Of("TubeBindings.hlsl")["EDGE_CORNERS"],
+                Is.GreaterThan(5).And.LessThan(65536), "polygons have 5 corners");
+        }
+
+        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED" };
+    }
+}

@@ -1,0 +1,187 @@
+// The report of cross sections.
+import { byId, make, number, plural, seconds } from './text.js';
+import { Contributions } from './contributions.js';
+import { HotSpots } from './hotspots.js';
+import { Polar } from './polar.js';
+import { Poses } from './poses.js';
+import { PoseTable } from './table.js';
+import { dash, diamonds, draw, squares, stroke } from './charts.js';
+import { settingsTable, showFacts } from './settings.js';
+import { theme } from './palette.js';
+
+const polarisations = ['vv', 'hh', 'hv', 'vh'];
+// Nulls have no end in decibels.
+const maxSpan = 70;
+
+// The directions before the frequency: the last one that varies is that of the charts.
+const axes = [
+  ['frequency_hz', { plural: 'frequencies', text: '{0} {1}', shown_unit: 'GHz', shown_scale: 1e9 }],
+  ['elevation_deg', { plural: 'elevations', text: 'elevation {0} {1}', shown_unit: 'deg', shown_scale: 1 }],
+  ['azimuth_deg', { plural: 'azimuths', text: 'azimuth {0} {1}', shown_unit: 'deg', shown_scale: 1 }],
+  ['receiver_elevation_deg', { plural: 'receivers', text: 'received at elevation {0} {1}', shown_unit: 'deg', shown_scale: 1 }],
+  ['receiver_azimuth_deg', { plural: 'receivers', text: 'received at azimuth {0} {1}', shown_unit: 'deg', shown_scale: 1 }]
+];
+
+let run, poses, present, charts;
+
+/** @param {object} data The report's data. @returns what draws the charts again. */
+export function showCrossSections(data) {
+  ({ run } = data);
+  const { scene } = data, columns = { ...run.columns };
+  axes.forEach(([name, axis], order) => {
+    if (run.rows.some(row => typeof row[name] === 'number')) columns[name] = { ...columns[name], axis: { ...axis, order, is_whole: false } };
+  });
+  poses = new Poses(run.rows, columns, true);
+  present = polarisations.filter(name => run.rows.some(row => typeof row[`${name}_re_m`] === 'number'));
+  const strongest = strongestRow();
+  poses.chosen = Math.max(0, scene?.pose ?? strongest);
+  head(strongest);
+  new PoseTable(poses, columns, 'rcs.csv');
+  settingsTable(run, poses);
+  byId('settings-note').hidden = true;
+  errors();
+  chooseRow();
+  charts = [new Levels()];
+  if (run.rows.some(row => row.contributions)) charts.push(new Contributions(run, poses, present, maxSpan));
+  else byId('parts-section').remove();
+  const paint = () => charts.forEach(chart => chart.draw());
+  paint();
+  showScene(data);
+  poses.onChange(paint);
+  return paint;
+}
+
+const levelsOf = row => present.map(name => row[`${name}_dbsm`]).filter(level => typeof level === 'number');
+
+function strongestRow() {
+  const level = row => Math.max(-Infinity, ...levelsOf(row));
+  return run.rows.reduce((best, row, i) => best < 0 || level(row) > level(run.rows[best]) ? i : best, -1);
+}
+
+function head(strongest) {
+  const plan = poses.plan === '' ? '' : ` (${poses.plan})`;
+  byId('lead').textContent = `Cross sections in ${plural(poses.rows.length, 'row')}${plan}; traced ${run.started_utc?.replace('T', ' ').replace('Z', ' UTC') ?? ''} with Glint ${run.versions?.glint} on ${run.device?.name ?? 'an unknown device'}.`;
+  const unmet = run.rows.filter(row => row.tolerance_met === 0).length, outside = run.rows.filter(row => row.outside_physical_optics === 1).length;
+  byId('warning').hidden = unmet + outside === 0;
+  byId('warning').textContent = [
+    unmet > 0 ? `${number(unmet)} of ${plural(run.rows.length, 'row')} did not meet the tolerance of ${number(run.settings.tolerance?.value)} dB (squares).` : '',
+    outside > 0 ? `${number(outside)} of ${plural(run.rows.length, 'row')} lie outside physical optics: radar and receiver are too far apart (diamonds).` : ''
+  ].filter(text => text).join(' ');
+  const best = run.rows[strongest];
+  showFacts([
+    ['Rows', number(run.rows.length)],
+    [best ? `Largest cross section, ${poses.name(best)}` : 'Cross section', best ? `${number(Math.max(...levelsOf(best)), 4)} dBsm` : '-'],
+    ['Tolerance', `${number(run.settings.tolerance?.value)} dB`],
+    ['Frequency', poses.span('frequency_hz') ?? (best ? `${number(best.frequency_hz / 1e9)} GHz` : '-')],
+    ['Triangles', number(run.scene?.triangles)],
+    ['Whole run', seconds(run.elapsed_ms ?? NaN)]
+  ]);
+}
+
+function chooseRow() {
+  const slider = byId('row');
+  slider.max = Math.max(0, poses.rows.length - 1);
+  slider.addEventListener('input', () => poses.choose(Number(slider.value)));
+  const selects = poses.others.map(axis => {
+    const label = make('label', axis.label), select = make('select');
+    for (const value of [...new Set(poses.rows.map(row => row[axis.name]))].sort((a, b) => a - b)) select.append(make('option', number(value / axis.unit, 9), { value }));
+    select.addEventListener('change', () => {
+      const wanted = { ...poses.rows[poses.chosen], [axis.name]: Number(select.value) };
+      poses.choose(poses.rows.findIndex(row => [poses.x, ...poses.others].every(({ name }) => row[name] === wanted[name])));
+    });
+    label.append(select);
+    byId('others').append(label);
+    return [axis, select];
+  });
+  const show = () => {
+    const row = poses.rows[poses.chosen];
+    if (!row) return;
+    const words = `${poses.name(row)}: ${present.map(name => `${name.toUpperCase()} ${number(row[`${name}_dbsm`], 4)}`).join(', ')} dBsm, error ${number(row.integration_error_db, 2)} dB`;
+    slider.value = poses.chosen;
+    slider.setAttribute('aria-valuetext', words);
+    byId('row-text').textContent = words;
+    for (const [axis, select] of selects) select.value = row[axis.name];
+  };
+  show();
+  poses.onChange(show);
+}
+
+// Cross sections over the axis of the charts, around a centre too if it is a direction.
+class Levels {
+  constructor() {
+    this.ticks = present.map(name => {
+      const label = make('label'), tick = make('input', null, { type: 'checkbox' });
+      tick.checked = ['vv', 'hh'].includes(name) || !present.some(other => ['vv', 'hh'].includes(other));
+      tick.addEventListener('change', () => this.draw());
+      label.append(tick, name.toUpperCase());
+      byId('polarisations').append(label);
+      return tick;
+    });
+    this.isAngle = poses.x.name !== 'frequency_hz';
+    const isElevation = poses.x.name.endsWith('elevation_deg');
+    if (this.isAngle) this.polar = new Polar(isElevation, index => poses.choose(poses.at(index)));
+    else byId('polar').remove();
+    byId('polar-text').textContent = !this.isAngle ? '' : isElevation ? 'Elevation grows upwards from the right.'
+      : 'The polar chart is seen from above: azimuth 0, on the -Z side, is at the top, and azimuths grow clockwise.';
+    const has = (column, value) => run.rows.some(row => row[column] === value);
+    byId('marks-text').textContent = `${has('tolerance_met', 0) ? 'Squares mark rows that did not meet the tolerance.' : ''} ${has('outside_physical_optics', 1) ? 'Diamonds mark rows outside physical optics.' : ''}`;
+  }
+
+  draw() {
+    const { line, x } = poses, curves = [], bands = [], around = [];
+    const isUnmet = row => row?.tolerance_met === 0, isOutside = row => row?.outside_physical_optics === 1;
+    const marks = [[isUnmet, 'tolerance not met', squares], [isOutside, 'outside physical optics', diamonds]].filter(([holds]) => line.some(holds));
+    present.forEach((name, i) => {
+      if (!this.ticks[i].checked) return;
+      const values = line.map(row => row?.[`${name}_dbsm`] ?? null), label = name.toUpperCase();
+      const edge = sign => line.map(row => row && edgeOf(row, name, sign));
+      for (const sign of [1, -1]) curves.push({ label: ' ', values: edge(sign), width: 0, stroke: stroke(i), points: { show: false } });
+      bands.push({ series: [curves.length - 1, curves.length], fill: theme('--band') });
+      curves.push({ label, values, stroke: stroke(i), dash: dash(2 * i), points: { show: x.values.length <= 60, size: 5, fill: stroke(i) } });
+      for (const [holds, words, paths] of marks)
+        curves.push({
+          label: curves.some(curve => curve.label === words) ? ' ' : words, values: values.map((value, place) => holds(line[place]) ? value : null), stroke: theme('--mark'), paths: () => null,
+          points: { show: true, paths, width: 2, stroke: theme('--mark'), fill: 'transparent' }
+        });
+      around.push({ values, stroke: stroke(i), dash: dash(2 * i), marks: [{ holds: place => isUnmet(line[place]), stroke: theme('--mark') }, { holds: place => isOutside(line[place]), stroke: theme('--mark'), isDiamond: true }] });
+    });
+    const highest = around.flatMap(series => series.values.map((value, place) => [value, place])).filter(([value]) => value !== null).reduce((a, b) => b[0] > a[0] ? b : a, [-Infinity, 0]);
+    const description = `Cross section in dBsm over ${x.label}${highest[0] > -Infinity ? `; the largest is ${number(highest[0], 4)} dBsm at ${poses.name(line[highest[1]])}` : ''}. The table below has the figures.`;
+    draw(byId('levels'), {
+      x, series: curves, bands, yLabel: 'cross section, dBsm', maxSpan, description, height: 400,
+      marked: () => poses.xOf(poses.chosen), onPick: index => poses.choose(poses.at(index))
+    });
+    this.polar?.draw({ angles: x.values, series: around, description, marked: () => poses.xOf(poses.chosen) });
+  }
+}
+
+// A level with its amplitude larger or smaller by the error; a band down to nothing ends far below.
+function edgeOf(row, name, sign) {
+  const level = row[`${name}_dbsm`];
+  if (typeof level !== 'number') return null;
+  const amplitude = 10 ** (level / 20) + sign * row.integration_error_m;
+  return amplitude > 0 ? 20 * Math.log10(amplitude) : level - maxSpan;
+}
+
+function showScene({ scene, no_scene: problem }) {
+  byId('view-heading').textContent = 'Hot spots on the model';
+  if (!scene) {
+    byId('scene-text').textContent = `There is no 3-D view: ${problem}`;
+    byId('view-part').hidden = true;
+    return;
+  }
+  try {
+    new HotSpots(run, scene, poses, present);
+  } catch (error) {
+    byId('view-part').hidden = true;
+    byId('scene-text').textContent += ` The 3-D view needs WebGL, which this browser does not provide: ${error.message}`;
+  }
+}
+
+function errors() {
+  const rows = run.rows.filter(row => typeof row.integration_error_db === 'number');
+  if (rows.length === 0) return;
+  const worst = rows.reduce((a, b) => b.integration_error_db > a.integration_error_db ? b : a), coarse = Math.max(...rows.map(row => row.coarse_area_share ?? 0));
+  byId('error-text').textContent = `The standard error of the integration is ${number(worst.integration_error_db, 3)} dB at most, of VV or HH (${poses.name(worst)}); ${number(rows.filter(row => row.tolerance_met === 1).length)} of ${plural(rows.length, 'row')} met the tolerance of ${number(run.settings.tolerance?.value)} dB. `
+    + `It is not the error of physical optics, which knows no creeping waves, no double diffraction and no tips.${coarse > 0 ? ` On ${number(100 * coarse, 3)} % of the area the facets are too coarse for the highest frequency.` : ''}`;
+}
