@@ -20,7 +20,7 @@ namespace Glint
 
         // Error that a cell may have, as a fraction of what a conducting plate of a base cell returns: at first, and at
         // least.
-        const double FirstCellError = 1.0 / 256, MinCellError = 1.0 / (1 << 17);
+        const double FirstCellError = 1.0 / 64, MinCellError = 1.0 / (1 << 17);
 
         readonly string _owner;
         readonly TubeKernels _kernels;
