@@ -13,7 +13,7 @@ static const uint TUBE_SUMS = 16;
 static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
 static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each
 static const uint SUM_BENT = 16;           // S of the error of bent phases, 64 bits each part
-static const uint SUM_ERROR = 20;          // sum of squared errors of borders, 64 bits
+static const uint SUM_ERROR = 20;          // sum of squared errors, 64 bits
 static const uint SUM_TUBE_OVERFLOW = 22;  // 1: a contribution was too large for a sum
 static const uint PART_WORDS = 16;         // of a part: see TubeParts; its words are those of SUM_S
 
@@ -42,7 +42,7 @@ struct Tube
     float4 CoPolar;       // p.C times area a base cell, m2: VV, HH
     float4 CrossPolar;    // HV, VH
     float4 Corners01;     // of the polygon, from the place of the ray; of a square its side and bends, m
-    float4 Corners23;
+    float4 Corners23;     // of a square its strength, as a fraction of p.C: mean, change by u and v, twist
     float2 Corner4;
     float Error;          // magnitude of the error of p.C times area, m2
     float Bent;           // relative error by the bent phase, at the highest frequency
@@ -55,8 +55,8 @@ struct Cell
     uint Level;           // its side is 2^-Level base cells
     uint FirstBounce;     // bounces before it are summed already
     uint4 Signatures;     // of the rays through its corners, in order around it
-    uint FirstDifference; // bounces before it are the same at all corners
-    uint MustDivide;
+    float Strength;       // of what is left to sum: largest p.C, m2 a base cell
+    float Bent;           // and the largest error of a piece by bent phases, as a fraction of its area
     uint2 Crossings;      // of the border with two sides: see BorderOf
 };
 
@@ -78,7 +78,7 @@ uint _IsMonostatic;                        // 1: the only receiver is at the rad
 uint _IsNear;                              // 1: finite range
 float _Range;                              // at which the field is 1 at a finite range, m
 float _WaveNumber;                         // of the highest frequency, rad/m
-float _CellError;                          // of a cell that is not divided, as a fraction of a base cell
+float _CellError;                          // of p.C times area that a cell may have, m2
 uint _FadesShadows;
 uint _OnlyBounce;                          // 0: all
 
@@ -86,7 +86,7 @@ uint _OnlyBounce;                          // 0: all
 uint4 _Grid;                               // base cells across; first and number of this dispatch
 uint4 _ListCapacity;                       // x: tubes, y: cells, z: borders
 uint _MaxLevel;                            // cells at it are not divided
-uint _BisectLevel;                         // borders are found to 2^-_BisectLevel base cells
+uint _MaxBisections;                       // of the sides of a base cell towards a border
 uint _BisectStep;                          // bisections of earlier dispatches
 uint _Round;                               // 0: the base cells
 uint _FrequencyCount;
@@ -97,9 +97,22 @@ StructuredBuffer<float4> _WaveNumbers;     // per frequency: k rad/m; k / 2 pi: 
 static const uint MARK_LEVEL = 3;
 static const uint MARKS = 8;
 uint _VertexCount;
+uint _MarkWords;
 float4 _GridX, _GridY, _GridDepth;         // base cell of a place: (X.place) / (Depth.place), w constant
 StructuredBuffer<float4> _Vertices;
-StructuredBuffer<uint> _Marks;             // two words a base cell
+StructuredBuffer<uint> _Marks;             // two words a base cell, then those of the cover
+
+// Cover: a bit for each block of base cells in which triangles may be seen, then a word that is not 0 if all may be.
+static const uint COVER_SIDE = 8;           // of a block, in base cells
+static const uint MAX_COVERED = 4096;       // blocks that one thread marks
+uint _SphereCount;
+StructuredBuffer<float4> _Spheres;         // about the triangles, relative to the scene's centre, m; w: radius
+uint2 _Blocks;                             // across and up
+
+uint FirstCoverWord()
+{
+    return _MarkWords - (_Blocks.x * _Blocks.y + 31) / 32 - 1;
+}
 
 RWStructuredBuffer<Tube> _Tubes;
 

@@ -7,9 +7,6 @@
 
 // Cuts border cells in two along the border, or divides them into four cells of the next round. One thread a border cell.
 
-// Error of a cell that can be neither cut nor divided, as a fraction of its area.
-static const float CRUDE_ERROR = 0.3;
-
 static const float BENT_BORDER = 1.4;
 
 // A convex piece of a cell: corners from its centre, in base cells.
@@ -93,7 +90,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     Cell cell = _Borders[index];
     Border border = BorderOf(cell);
     float side = SideOfCell(cell);
-    bool canDivide = cell.Level < _MaxLevel, isStraight = ((cell.Crossings.x | cell.Crossings.y) & NO_CROSSING) == 0;
+    bool canDivide = cell.Level < _MaxLevel && !IsSmall(cell), isStraight = ((cell.Crossings.x | cell.Crossings.y) & NO_CROSSING) == 0;
     if (canDivide && (!border.IsCut || !isStraight))
     {
         Divide(cell);
@@ -136,24 +133,26 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         {
             uint receivers = ReceiversOf(tube, at), bounce = tube.Path.Bounces - 1;
             Sign(tube, receivers);
-            if (ray < checks && bounce >= cell.FirstBounce)
-                isStraight = isStraight
-                    && BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side) * side * side <= _CellError;
             [loop]
             for (uint number = 0; number < _ReceiverCount && ray >= checks && bounce >= cell.FirstBounce; number++)
                 if ((receivers >> number & 1) != 0)
                 {
-                    Tube currents = CurrentsAt(tube, at, number, ReceiverFrom(number, tube.Path.Ray.Origin));
+                    Receiver receiver = ReceiverFrom(number, tube.Path.Ray.Origin);
+                    Tube currents = CurrentsAt(tube, at, number, receiver);
                     currents.Tag |= piece.Count << 16;
                     currents.Corners01 = float4(piece.Corners[0] - place, piece.Corners[1] - place);
                     currents.Corners23 = float4(piece.Corners[2] - place, piece.Corners[3] - place);
                     currents.Corner4 = piece.Corners[4] - place;
                     if (piece.Count == 0)
+                    {
                         currents.Corners01 = float4(side, 0.0, 0.0, 0.0);
+                        currents.Corners23 = float4(1.0, 0.0, 0.0, 0.0);
+                    }
                     float area = isCut && isStraight
                         ? AreaError(chord, directions, width, currents.Gradient)
-                        : CRUDE_ERROR * AreaOf(piece, side);
-                    currents.Error = bounce >= cell.FirstDifference || !isCut ? area * MagnitudeOf(currents) : 0.0;
+                        : CRUDE_ERROR * AreaOf(piece, side) * Thinning(currents.Gradient, side);
+                    currents.Error = area * MagnitudeOf(currents);
+                    currents.Bent = BentErrorAt(tube, at, receiver, side);
                     AddTube(currents, at.Part);
                 }
             goesOn = ScatterTube(tube, at);

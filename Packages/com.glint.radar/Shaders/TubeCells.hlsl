@@ -6,25 +6,43 @@
 
 // Sums the cells whose corners see the same, as one tube each, and lists the others as borders. One thread a cell.
 
-// Relative error of the shape of a square whose phase is bent at its corners by these, rad (SquareIntegral): their third
-// power is left out.
-float BentError(float3 bends)
+// A phase bent by this at the corners of a square cannot be expanded, rad.
+static const float MAX_BENDS = 1.5;
+
+// Strength at the centre of a square below which that of its corners says nothing about its currents, in theirs.
+static const float MIN_STRENGTH = 1.0e-3;
+
+// How much phases that are bent at the corners of a square matter, rad (SquareIntegral): where the phase runs along a side,
+// x half of it over the side, the integral of a curvature's powers falls faster than the square's own.
+float SizeOf(float3 bends, float2 x)
 {
-    float sum = abs(bends.x) + abs(bends.y) + abs(bends.z), error = 0.05 * sum * sum * sum;
-    // The minimum of a number and NaN is the number.
-    return IsNaN(error) ? 1.0 : min(1.0, error);
+    float size = dot(abs(bends.xy), min(1.0, 5.4 / max(abs(x), 1.0))) + abs(bends.z);
+    // Compilers may take a comparison with NaN for either.
+    return IsNaN(size) ? 1.0e6 : size;
 }
 
-// Above it the expansion of a bent phase is worse than none: phases of 1.5 rad.
-static const float MAX_BENT_ERROR = 0.17;
+// Relative error of a square's integral by bends of a size: their third power is left out.
+float BentError(float size)
+{
+    return min(1.0, 0.05 * size * size * size);
+}
+
+// Relative error of a square's integral by a phase whose bend grows from side to side: the gradient between the sides
+// differs from that at the centre by this, rad.
+float CubicError(float2 difference, float2 x)
+{
+    return 0.15 * dot(difference, min(1.0, 5.4 / max(abs(x), 1.0)));
+}
 
 // What the rays through the corners have met at a bounce.
 struct Bounce
 {
     uint Signature;
     // Sums over the corners of the differentials of place and length by u and v, times the way to the corner, m.
-    float4 AlongU, AlongV, Twist;
-    float Fade;            // largest of the corners
+    float4 AlongU, AlongV;
+    // Place and length, m: mean of the corners; halves of their differences along u and v; twist.
+    float4 Mean, SlopeU, SlopeV, Twist;
+    float4 Strength;       // mean of the corners, halves of the differences along u and v, twist
 };
 
 bool LoadCell(uint index, out Cell cell)
@@ -69,18 +87,24 @@ bool IsMarked(Cell cell)
     return bits != 0;
 }
 
-// Phases of the corners less the linear ones, m: of the curvature by u, by v, and of the twist. A corner's
-// gradient differs from that at the centre by the second derivatives.
-float3 BendsOf(Bounce bounce, Receiver receiver)
+// Whether a triangle may be seen in the base cell.
+bool IsCovered(uint2 cell)
 {
-    float3 direction = receiver.Direction;
-    return float3(0.125 * (dot(bounce.AlongU.xyz, direction) - bounce.AlongU.w),
-        0.125 * (dot(bounce.AlongV.xyz, direction) - bounce.AlongV.w),
-        0.25 * (dot(bounce.Twist.xyz, direction) - bounce.Twist.w));
+    uint bit = cell.x / COVER_SIDE + cell.y / COVER_SIDE * _Blocks.x;
+    return _Marks[_MarkWords - 1] != 0 || (_Marks[FirstCoverWord() + (bit >> 5)] >> (bit & 31) & 1) != 0;
 }
 
-// The differential of place and length of a corner by u or v; at a finite range, where the receiver's direction differs
-// from corner to corner, the gradient of the phase instead.
+// Place and length of a corner; at a finite range, where the receiver's direction differs from corner to corner, minus the
+// phase instead.
+float4 PlaceOf(TubePath tube)
+{
+    float3 place = tube.Path.Ray.Origin;
+    if (_IsNear != 0)
+        return float4(0.0, 0.0, 0.0, tube.Path.RelativeLength - ReceiverFrom(0, place).Phase);
+    return float4(place, tube.Path.RelativeLength);
+}
+
+// The differential of PlaceOf by u or v.
 float4 DifferentialOf(TubePath tube, float3 step)
 {
     float3 d = tube.Path.Ray.Direction;
@@ -89,29 +113,122 @@ float4 DifferentialOf(TubePath tube, float3 step)
     return float4(step, dot(step, d));
 }
 
+// The phase of PlaceOf, or of a difference of such, m.
+float PhaseOf(float4 position, Receiver receiver)
+{
+    return dot(position.xyz, receiver.Direction) - position.w;
+}
+
+// Phases of the corners less the linear ones, m: of the curvature by u, by v, and of the twist. The gradients at the
+// corners differ by the second derivatives.
+float3 BendsOf(Bounce bounce, Receiver receiver)
+{
+    return float3(0.125 * PhaseOf(bounce.AlongU, receiver), 0.125 * PhaseOf(bounce.AlongV, receiver),
+        PhaseOf(bounce.Twist, receiver));
+}
+
+// Notes what the ray through a corner has met, and whether it is what the others met.
+bool NoteCorner(inout Bounce bounces[MAX_BOUNCES], uint bounce, TubePath tube, float strength, uint corner,
+    float2 fromCentre)
+{
+    float4 byU = DifferentialOf(tube, tube.PlaceU), byV = DifferentialOf(tube, tube.PlaceV), position = PlaceOf(tube);
+    float2 sides = fromCentre > 0.0 ? 1.0 : -1.0;
+    float4 strengths = 0.25 * strength * float4(1.0, sides, sides.x * sides.y);
+    position *= 0.25;
+    if (corner == 0)
+    {
+        bounces[bounce].Signature = tube.Signature;
+        bounces[bounce].AlongU = fromCentre.x * byU;
+        bounces[bounce].AlongV = fromCentre.y * byV;
+        bounces[bounce].Mean = position;
+        bounces[bounce].Twist = sides.x * sides.y * position;
+        bounces[bounce].SlopeU = sides.x * position;
+        bounces[bounce].SlopeV = sides.y * position;
+        bounces[bounce].Strength = strengths;
+        return true;
+    }
+    if (bounces[bounce].Signature != tube.Signature)
+        return false;
+    bounces[bounce].AlongU += fromCentre.x * byU;
+    bounces[bounce].AlongV += fromCentre.y * byV;
+    bounces[bounce].Mean += position;
+    bounces[bounce].Twist += sides.x * sides.y * position;
+    bounces[bounce].SlopeU += sides.x * position;
+    bounces[bounce].SlopeV += sides.y * position;
+    bounces[bounce].Strength += strengths;
+    return true;
+}
+
+// Sums a cell at a bounce, from the ray through its centre; false if its phase is bent or its strength changes too much.
+bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, float strength, float side, bool canDivide)
+{
+    float mean = bounce.Strength.x, most = max(mean, strength);
+    // Between the corners a strength that bends is off by up to this.
+    float change = most > 0.0 ? abs(mean - strength) / most : 0.0;
+    [loop]
+    for (uint step = canDivide ? 0 : 1; step < 2; step++)
+        for (uint index = 0; index < _ReceiverCount; index++)
+        {
+            if ((receivers >> index & 1) == 0)
+                continue;
+            Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
+            float3 bends = BendsOf(bounce, receiver), slope = receiver.Direction - tube.Path.Ray.Direction;
+            float2 halves = float2(PhaseOf(bounce.SlopeU, receiver), PhaseOf(bounce.SlopeV, receiver));
+            float2 x = _WaveNumber * halves;
+            float2 atCentre = 0.5 * _WaveNumber * side * float2(dot(slope, tube.PlaceU), dot(slope, tube.PlaceV));
+            float size = SizeOf(_WaveNumber * bends, x);
+            float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + 0.67 * change);
+            float2 falls = 1.0 / max(abs(x), 1.0);
+            if (step == 0)
+            {
+                if (error * falls.x * falls.y * side * side * most > _CellError)
+                    return false;
+                continue;
+            }
+            Tube currents = CurrentsAt(tube, at, index, receiver);
+            currents.Bent = error;
+            // Where the expansion fails, on cells too small to matter, the square is taken as plane.
+            if (size < MAX_BENDS)
+            {
+                currents.Phase = PhaseOf(bounce.Mean, receiver);
+                currents.Gradient = halves * (2.0 / side);
+                currents.Corners01.yzw = bends;
+            }
+            currents.Corners01.x = side;
+            currents.Corners23 = strength > MIN_STRENGTH * mean ? bounce.Strength / strength : float4(1.0, 0.0, 0.0, 0.0);
+            AddTube(currents, at.Part);
+        }
+    return true;
+}
+
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     Cell cell;
-    if (!LoadCell(IndexOf(group, thread), cell))
+    if (!LoadCell(IndexOf(group, thread), cell) || _Round == 0 && !IsCovered(cell.Position))
         return;
     if (IsMarked(cell))
     {
-        cell.MustDivide = 1;
+        cell.Strength = MISS;
+        cell.Bent = MISS;
         AddBorder(cell);
         return;
     }
     float side = SideOfCell(cell);
+    bool canDivide = cell.Level < _MaxLevel;
     Bounce bounces[MAX_BOUNCES];
+    float2 strengths[MAX_BOUNCES];
+    for (uint clear = 0; clear < MAX_BOUNCES; clear++)
+        strengths[clear] = 0.0;
     uint signatures[4];
-    uint cornerBounces = 0, rays = 0;
-    uint firstDifference = MAX_BOUNCES, firstBad = MAX_BOUNCES;
-    bool isSame = true;
+    // The same at all corners, and summed.
+    uint common = MAX_BOUNCES, done = cell.FirstBounce, rays = 0;
+    bool areSame = true;
     [loop]
-    for (uint ray = 0; ray < 5 && isSame; ray += 1)
+    for (uint ray = 0; ray < 5; ray++)
     {
         bool isCentre = ray == 4;
-        if (isCentre && (cornerBounces == 0 || firstBad <= cell.FirstBounce))
+        if (isCentre && common <= cell.FirstBounce)
             break;
         float2 fromCentre = isCentre ? 0.0 : side * CornerOf(ray);
         TubePath tube = BeginTube(CentreOfCell(cell) + fromCentre);
@@ -121,95 +238,44 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         [loop]
         while (goesOn && AdvanceTube(tube, at))
         {
-            uint bounce = tube.Path.Bounces - 1;
-            float3 place = tube.Path.Ray.Origin;
-            uint receivers = ReceiversOf(tube, at);
+            uint bounce = tube.Path.Bounces - 1, receivers = ReceiversOf(tube, at);
             Sign(tube, receivers);
+            float2 strength = StrengthAt(tube, at, receivers, side);
             if (isCentre)
             {
-                if (bounce >= min(cornerBounces, firstBad) || bounces[bounce].Signature != tube.Signature)
+                goesOn = bounce < common && bounces[bounce].Signature == tube.Signature;
+                areSame = areSame && goesOn;
+                if (goesOn && bounce >= cell.FirstBounce)
                 {
-                    firstBad = min(firstBad, bounce);
-                    goesOn = false;
-                }
-                else if (bounce >= cell.FirstBounce)
-                {
-                    [loop]
-                    for (uint index = 0; index < _ReceiverCount; index++)
-                    {
-                        if ((receivers >> index & 1) == 0)
-                            continue;
-                        Receiver receiver = ReceiverFrom(index, place);
-                        Tube currents = CurrentsAt(tube, at, index, receiver);
-                        float3 bends = BendsOf(bounces[bounce], receiver);
-                        currents.Bent = BentError(_WaveNumber * bends);
-                        // Where the expansion fails, on cells too small to matter, the mean phase remains.
-                        bool isBent = currents.Bent < MAX_BENT_ERROR;
-                        float mean = (bends.x + bends.y) * (isBent ? 1.0 : 1.0 / 3.0);
-                        currents.Phase += IsNaN(mean) ? 0.0 : mean;
-                        currents.Corners01 = float4(side, isBent ? bends : (float3)0);
-                        AddTube(currents, at.Part);
-                    }
+                    goesOn = AddSquare(bounces[bounce], tube, at, receivers, strength.x, side, canDivide);
+                    done = goesOn ? bounce + 1 : done;
                 }
             }
-            else
-            {
-                float4 byU = DifferentialOf(tube, tube.PlaceU), byV = DifferentialOf(tube, tube.PlaceV);
-                float fade = FadeOf(at);
-                if (ray == 0)
-                {
-                    bounces[bounce].Fade = fade;
-                    bounces[bounce].Signature = tube.Signature;
-                    bounces[bounce].AlongU = fromCentre.x * byU;
-                    bounces[bounce].AlongV = fromCentre.y * byV;
-                    bounces[bounce].Twist = fromCentre.y * byU;
-                }
-                else if (bounce < cornerBounces && bounces[bounce].Signature == tube.Signature)
-                {
-                    bounces[bounce].AlongU += fromCentre.x * byU;
-                    bounces[bounce].AlongV += fromCentre.y * byV;
-                    bounces[bounce].Twist += fromCentre.y * byU;
-                    bounces[bounce].Fade = max(bounces[bounce].Fade, fade);
-                }
-                else
-                    firstDifference = min(firstDifference, bounce);
-            }
+            strengths[bounce] = max(strengths[bounce],
+                strength.y * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side)));
+            if (!isCentre && bounce < common && !NoteCorner(bounces, bounce, tube, strength.x, ray, fromCentre))
+                common = bounce;
             goesOn = goesOn && ScatterTube(tube, at);
         }
         if (isCentre)
         {
-            if (tube.Path.Bounces < cornerBounces)
-                firstBad = min(firstBad, tube.Path.Bounces);
+            areSame = areSame && tube.Path.Bounces >= common;
+            break;
         }
-        else
-        {
-            signatures[ray] = tube.Signature;
-            if (ray == 0)
-                cornerBounces = tube.Path.Bounces;
-            else if (tube.Path.Bounces < cornerBounces)
-                firstDifference = min(firstDifference, tube.Path.Bounces);
-        }
-        if (ray == 3)
-        {
-            isSame = firstDifference == MAX_BOUNCES;
-            // the first bounce with a phase that is bent too much
-            [loop]
-            for (uint bounce = 0; bounce < cornerBounces && isSame; bounce++)
-                for (uint index = 0; index < _ReceiverCount; index++)
-                {
-                    float3 bends = _WaveNumber * BendsOf(bounces[bounce], ReceiverFrom(index, 0.0));
-                    if (bounce < firstBad && bounces[bounce].Fade * BentError(bends) * side * side > _CellError && cell.Level < _MaxLevel)
-                        firstBad = bounce;
-                }
-        }
+        signatures[ray] = tube.Signature;
+        areSame = areSame && signatures[ray] == signatures[0];
+        common = min(common, tube.Path.Bounces);
     }
     AddUnsigned(TUBE_RAYS, rays);
-    if (isSame && firstBad == MAX_BOUNCES)
+    if (areSame && done >= common)
         return;
     cell.Signatures = uint4(signatures[0], signatures[1], signatures[2], signatures[3]);
-    cell.FirstDifference = firstDifference;
-    cell.MustDivide = isSame ? 1 : 0;
-    cell.FirstBounce = isSame ? max(cell.FirstBounce, firstBad) : cell.FirstBounce;
+    float2 most = 0.0;
+    for (uint left = done; left < MAX_BOUNCES; left++)
+        most = max(most, strengths[left]);
+    cell.FirstBounce = done;
+    cell.Strength = most.x;
+    cell.Bent = done < common ? MISS : most.y;
     AddBorder(cell);
 }
 

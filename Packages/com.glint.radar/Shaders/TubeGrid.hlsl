@@ -37,7 +37,17 @@ float BentErrorAt(TubePath tube, SurfacePoint at, Receiver receiver, float side)
     float surface = (1.0 - dot(receiver.Direction, d)) / dot(at.Normal, d);
     float bendU = surface * dot(at.NormalU, tube.PlaceU) - dot(tube.DirectionU, tube.PlaceU),
         bendV = surface * dot(at.NormalV, tube.PlaceV) - dot(tube.DirectionV, tube.PlaceV);
-    return FadeOf(at) * min(1.0, 0.03 * _WaveNumber * side * side * (abs(bendU) + abs(bendV)));
+    return min(1.0, 0.06 * _WaveNumber * side * side * (abs(bendU) + abs(bendV)));
+}
+
+// Error of a cell that is summed as a whole although its corners do not see the same, as a fraction of its area.
+static const float CRUDE_ERROR = 0.3;
+
+// Whether a cell may be summed as a whole.
+bool IsSmall(Cell cell)
+{
+    float side = SideOfCell(cell);
+    return CRUDE_ERROR * side * side * cell.Strength <= _CellError;
 }
 
 // The border through a cell, which cuts two of its sides.
@@ -56,7 +66,7 @@ Border BorderOf(Cell cell)
 {
     Border border = (Border)0;
     uint first = cell.Signatures.x, other = first, changes = 0;
-    bool areTwo = cell.MustDivide == 0;
+    bool areTwo = true;
     [unroll]
     for (uint corner = 0; corner < 4; corner++)
     {
@@ -79,14 +89,16 @@ Border BorderOf(Cell cell)
             changes++;
         }
     }
-    border.IsCut = areTwo && changes == 2;
+    float side = SideOfCell(cell);
+    border.IsCut = areTwo && changes == 2 && !IsSmall(cell) && side * side * cell.Bent <= _CellError;
     return border;
 }
 
-// Bisections of the sides of a cell.
+// Bisections of the sides of a cell, each of which halves the error of its border (AreaError).
 uint BisectionsOf(Cell cell)
 {
-    return max(_BisectLevel, cell.Level + 1) - cell.Level;
+    float side = SideOfCell(cell), halvings = ceil(log2(0.4 * side * side * cell.Strength / _CellError));
+    return (uint)clamp(halvings, 1.0, max(2.0, (float)_MaxBisections - 2.0 * cell.Level));
 }
 
 // A place on a side, from the centre of the cell, at a fraction of its length from its end at the first signature.

@@ -30,7 +30,6 @@ uint GroupsOf(uint count, uint list, uint size)
 }
 
 RWStructuredBuffer<uint> _WrittenMarks;    // _Marks
-uint _MarkWords;
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void ClearMarks(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
@@ -58,6 +57,35 @@ void MarkVertices(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         uint word = 2 * (cell.x + cell.y * _Grid.x) + (bit.y >> 2);
         if (all(part >= 0) && cell.x < _Grid.x && word < _MarkWords)
             InterlockedOr(_WrittenMarks[word], 1u << (bit.x + 8 * (bit.y & 3)));
+    }
+}
+
+// Marks the blocks of base cells in which triangles may be seen.
+[numthreads(GLINT_GROUP, 1, 1)]
+void MarkCover(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint index = IndexOf(group, thread);
+    if (index >= _SphereCount)
+        return;
+    float4 sphere = _Spheres[index];
+    float depth = dot(sphere.xyz, _GridDepth.xyz) + _GridDepth.w, deep = sphere.w * length(_GridDepth.xyz);
+    float2 at = float2(dot(sphere.xyz, _GridX.xyz) + _GridX.w, dot(sphere.xyz, _GridY.xyz) + _GridY.w) / depth;
+    float2 reach = (sphere.w * float2(length(_GridX.xyz), length(_GridY.xyz)) + abs(at) * deep) / max(depth - deep, 1.0e-6);
+    int2 first = (int2)max(0.0, floor((at - reach - 0.1) / COVER_SIDE));
+    int2 last = (int2)min((float2)_Blocks - 1.0, floor((at + reach + 0.1) / COVER_SIDE)), size = last - first + 1;
+    uint cover = FirstCoverWord();
+    if (any(size <= 0))
+        return;
+    if (depth <= deep || (uint)size.x * size.y > MAX_COVERED)
+    {
+        _WrittenMarks[_MarkWords - 1] = 1;
+        return;
+    }
+    for (uint i = 0; i < (uint)size.x * size.y; i++)
+    {
+        uint2 block = (uint2)first + uint2(i % size.x, i / size.x);
+        uint bit = block.x + block.y * _Blocks.x;
+        InterlockedOr(_WrittenMarks[cover + (bit >> 5)], 1u << (bit & 31));
     }
 }
 

@@ -72,18 +72,27 @@ float ThirdBessel(float x, float2 wave)
         : ((3.0 - s) * wave.y - 3.0 * x * wave.x) / (s * s * x);
 }
 
-// Integral of exp(j phase) over a square about its centre, by its area, for a phase that is linear but for terms of second
-// order: x half the linear phase over a side, bends the phases that curvatures and twist add at the corners. The phases
-// at the corners are exact, so that neighbouring squares meet; what bends between them is expanded to second order.
-float2 SquareIntegral(float2 x, float3 bends)
+// Integral of a strength times exp(j phase) over a square about its centre, by its area, for a phase that is linear but for
+// terms of second order: x half the linear phase over a side, bends the phases that curvatures and twist add at the corners.
+// Phases and strengths at the corners are exact, so that neighbouring squares meet; what bends between them is expanded to
+// second order, and to first where the strength changes.
+float2 SquareIntegral(float2 x, float3 bends, float4 strength)
 {
     float2 waveU = PhasorOf(x.x), waveV = PhasorOf(x.y);
-    float zeroU = Sinc(x.x), firstU = SecondBessel(x.x, waveU), zeroV = Sinc(x.y), firstV = SecondBessel(x.y, waveV);
-    float2 u = float2(zeroU - 4.0 * bends.x * bends.x * ThirdBessel(x.x, waveU), -2.0 * bends.x * firstU);
-    float2 v = float2(zeroV - 4.0 * bends.y * bends.y * ThirdBessel(x.y, waveV), -2.0 * bends.y * firstV);
-    float2 twist = float2(-0.5 * bends.z * bends.z * (zeroU - 2.0 * firstU) * (zeroV - 2.0 * firstV),
-        -bends.z * x.x * firstU * x.y * firstV);
-    return ComplexMul(u, v) + twist;
+    float zeroU = Sinc(x.x), firstU = SecondBessel(x.x, waveU), secondU = ThirdBessel(x.x, waveU);
+    float zeroV = Sinc(x.y), firstV = SecondBessel(x.y, waveV), secondV = ThirdBessel(x.y, waveV);
+    float2 u = float2(zeroU - 4.0 * bends.x * bends.x * secondU, -2.0 * bends.x * firstU);
+    float2 v = float2(zeroV - 4.0 * bends.y * bends.y * secondV, -2.0 * bends.y * firstV);
+    // The first moments, without and with bends.
+    float momentU = x.x * firstU, momentV = x.y * firstV, squareU = zeroU - 2.0 * firstU, squareV = zeroV - 2.0 * firstV;
+    float2 alongU = float2(2.0 * bends.x * x.x * secondU, momentU), alongV = float2(2.0 * bends.y * x.y * secondV, momentV);
+    float2 twist = float2(-0.5 * bends.z * bends.z * squareU * squareV
+        - 2.0 * bends.z * (bends.x * x.x * secondU * momentV + bends.y * x.y * secondV * momentU),
+        -bends.z * momentU * momentV);
+    return strength.x * (ComplexMul(u, v) + twist)
+        + strength.y * (ComplexMul(alongU, v) - float2(bends.z * squareU * momentV, 0.0))
+        + strength.z * (ComplexMul(u, alongV) - float2(bends.z * squareV * momentU, 0.0))
+        + strength.w * (ComplexMul(alongU, alongV) + float2(0.0, bends.z * squareU * squareV));
 }
 
 // Integral of exp(j w.x) over a convex polygon (Gordon 1975), w rad a base cell.
@@ -130,7 +139,7 @@ Radiation RadiationOf(Tube tube, float4 waveNumber)
     else if (count == 0)
     {
         float side = tube.Corners01.x;
-        shape = side * side * SquareIntegral(0.5 * side * w, k * tube.Corners01.yzw);
+        shape = side * side * SquareIntegral(0.5 * side * w, k * tube.Corners01.yzw, tube.Corners23);
     }
     else
     {
@@ -194,11 +203,13 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             if ((tube.Tag & 0xff) != receiver)
                 continue;
             Radiation radiation = RadiationOf(tube, waveNumber);
-            float2 vv = radiation.VV, hh = radiation.HH;
             Accumulate(sums, radiation, overflow);
-            Accumulate(sums[8], sums[9], tube.Bent * (dot(vv, vv) > dot(hh, hh) ? vv : hh), overflow);
+            // Errors of bent phases may add up or not.
+            float2 vv = radiation.VV, hh = radiation.HH, bent = tube.Bent * (dot(vv, vv) > dot(hh, hh) ? vv : hh);
+            Accumulate(sums[8], sums[9], bent, overflow);
             float error = tube.Error * radiation.Scale;
-            Accumulate(sums[10], min(_UnitsPerSquareMetre * error * error, MAX_ERROR_UNITS), overflow);
+            float squares = error * error + dot(bent, bent) / (_UnitsPerMetre * _UnitsPerMetre);
+            Accumulate(sums[10], min(_UnitsPerSquareMetre * squares, MAX_ERROR_UNITS), overflow);
         }
         uint slot = TUBE_SUMS + (receiver * _FrequencyCount + frequency) * TUBE_SUM_WORDS;
         for (uint sum = 0; sum < 11; sum++)

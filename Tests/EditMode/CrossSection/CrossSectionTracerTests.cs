@@ -160,7 +160,7 @@ namespace Glint.Tests
             var pose = PoseOf(CrossSectionTargets.Trihedral(0.3, CrossSectionTargets.TrihedralFace.Square), 40, 30);
             pose.ToleranceDb = 1;
             var coarse = _tracer.Trace(pose);
-            pose.ToleranceDb = 0.01;
+            pose.ToleranceDb = 0.001;
             var fine = _tracer.Trace(pose);
             Assert.That(coarse.IsMet && fine.IsMet);
             Assert.That(fine.Rays, Is.GreaterThan(coarse.Rays));

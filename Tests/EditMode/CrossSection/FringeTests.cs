@@ -188,7 +188,8 @@ namespace Glint.Tests
             {
                 var alone = Pose(pose.Scene, pose.Radar);
                 alone.Receivers = new[] { pose.Receivers[i] };
-                Assert.That(Fringes(alone)[0, 0], Is.EqualTo(together[i, 0]), "bit for bit");
+                // But for rounding: the tubes whose sums cancel are others.
+                Assert.That(Difference(Fringes(alone)[0, 0], together[i, 0]), Is.LessThan(1e-12));
             }
         }
 
@@ -211,7 +212,7 @@ namespace Glint.Tests
         // What edges add: the sums of the tubes are the same bit for bit, and cancel.
         ScatteringMatrix[,] Fringes(CrossSectionPose pose)
         {
-            _tracer.BisectLevel = 1;
+            _tracer.CellError = 1;
             return WhatEdgesAdd(pose, () => _tracer.Trace(pose).S);
         }
 

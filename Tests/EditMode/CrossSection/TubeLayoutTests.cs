@@ -29,14 +29,15 @@ namespace Glint.Tests
             var cell = new TubeCell
             {
                 Position = uint2(25, 26), Level = 27, FirstBounce = 28, Signatures = uint4(29, 30, 31, 32),
-                FirstDifference = 33, MustDivide = 34, Crossings = uint2(35, 36)
+                Strength = 33, Bent = 34, Crossings = uint2(35, 36)
             };
             var piece = new EdgePiece
             {
                 Centre = float3(37, 38, 39), Length = 40, Along = float3(41, 42, 43), OuterAngle = 44,
                 Into = float3(45, 46, 47), Part = 48
             };
-            bool IsWhole(int field) => field == 4 || field >= 25 && field <= 36 || field == 48;
+            bool IsWhole(int field) =>
+                field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36 || field == 48;
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {
                 fields.Bind("_TubeIn", tube);
@@ -63,7 +64,8 @@ namespace Glint.Tests
                     ["SUM_TUBE_OVERFLOW"] = TubeSums.TooLarge,
                     ["MAX_RECEIVERS"] = TubeKernels.MaxReceivers, ["RADAR"] = TubeKernels.MaxReceivers,
                     ["REFLECTION_STEPS"] = SurfaceBuffers.ReflectionSteps, ["FLAT"] = SurfaceBuffers.Flat,
-                    ["RAYS_A_THREAD"] = TubeKernels.RaysAThread,
+                    ["RAYS_A_THREAD"] = TubeKernels.RaysAThread, ["COVER_SIDE"] = TubeKernels.CoverSide,
+                    ["PART_WORDS"] = TubeKernels.PartWords,
                     ["BORDER_ARGUMENTS"] = TubeKernels.BorderArguments,
                     ["CELL_ARGUMENTS"] = TubeKernels.CellArguments, ["TUBE_ARGUMENTS"] = TubeKernels.TubeArguments,
                     ["BISECT_ARGUMENTS"] = TubeKernels.BisectArguments,
@@ -101,6 +103,6 @@ namespace Glint.Tests
                 Is.GreaterThan(5).And.LessThan(65536), "polygons have 5 corners");
         }
 
-        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP" };
+        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED" };
     }
 }

@@ -31,9 +31,10 @@ namespace Glint.Core
         public int WedgesLeftOut { get; set; }
 
         /// <summary>
-        /// Borders are found to 2^-level of a base cell: with it the tracer finds the same tubes again.
+        /// Error that a cell was allowed, as a fraction of what a conducting plate of a base cell returns: with it the tracer
+        /// finds the same tubes again.
         /// </summary>
-        public int BisectLevel { get; set; }
+        public double CellError { get; set; }
 
         /// <summary>Rays traced, those that only look for borders included.</summary>
         public long Rays { get; set; }

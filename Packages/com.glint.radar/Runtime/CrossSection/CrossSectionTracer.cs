@@ -18,11 +18,9 @@ namespace Glint
         const int TileCells = 64;          // the pacer counts tiles
         const int ListCapacity = 1 << 20;
 
-        // A border is found to 2^-level of a base cell: at first, and at most.
-        const int FirstBisectLevel = 4, MaxBisectLevel = 14;
-
-        // Maximum relative error of a cell that is not divided, times 2^level.
-        const double CellError = 0.2;
+        // Error that a cell may have, as a fraction of what a conducting plate of a base cell returns: at first, and at
+        // least.
+        const double FirstCellError = 1.0 / 64, MinCellError = 1.0 / (1 << 17);
 
         readonly string _owner;
         readonly TubeKernels _kernels;
@@ -55,9 +53,10 @@ namespace Glint
             DeviceCheck.Require(shader, "Tubes", "TubeCells", owner);
 
         /// <summary>
-        /// Bisections of a base cell's side towards a border, for tests; 0: as many as the tolerance takes.
+        /// Error that a cell may have, as a fraction of what a conducting plate of a base cell returns, for tests; 0: what
+        /// the tolerance takes.
         /// </summary>
-        internal int BisectLevel { get; set; }
+        internal double CellError { get; set; }
 
         /// <summary>Cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
         internal int CellsADispatch { get; set; }
@@ -81,21 +80,21 @@ namespace Glint
             // The same for every attempt.
             TraceEdges(pose, OutputSize(pose), read => edges.Add(read, _owner), cancel);
             long rays = 0;
-            for (int level = BisectLevel > 0 ? BisectLevel : FirstBisectLevel; ;)
+            for (double cellError = CellError > 0 ? CellError : FirstCellError; ;)
             {
                 var sums = new TubeSums(pose, grid);
-                TraceCells(level, pose, grid, OutputSize(pose), read => sums.Add(read, _owner), progress, cancel);
+                TraceCells(cellError, pose, grid, OutputSize(pose), read => sums.Add(read, _owner), progress, cancel);
                 sums.Add(edges);
                 var result = sums.ToResult();
-                result.BisectLevel = level;
+                result.CellError = cellError;
                 result.Rays = (rays += result.Rays) + edges.Rays;
                 result.FloorDbsm = floor;
                 result.WedgesLeftOut = pose.HasEdges ? _edges.LeftOutCount : 0;
                 double excess = Excess(result, pose.ToleranceDb, floor);
                 result.IsMet = excess <= 1;
-                if (result.IsMet || BisectLevel > 0 || level == MaxBisectLevel)
+                if (result.IsMet || CellError > 0 || cellError <= MinCellError)
                     return result;
-                level = Math.Min(MaxBisectLevel, level + Math.Max(1, (int)Math.Ceiling(Math.Log(excess, 2))));
+                cellError = Math.Max(MinCellError, cellError / math.clamp(2 * excess, 2, 64));
             }
         }
 
@@ -122,7 +121,7 @@ namespace Glint
             Bind(pose, grid, units, sums.OutputSize, ListCapacity);
             _kernels.SumParts(parts, receiver, frequency, OutputSize(pose));
             TraceEdges(pose, sums.OutputSize, sums.Add, cancel);
-            TraceCells(result.BisectLevel, pose, grid, sums.OutputSize, sums.Add, progress, cancel);
+            TraceCells(result.CellError, pose, grid, sums.OutputSize, sums.Add, progress, cancel);
             return sums.ToContributions(polarisations);
         }
 
@@ -167,20 +166,21 @@ namespace Glint
             _borders.Reserve(ListCapacity);
             _waveNumbers.Upload(pose.Frequencies.Select(WaveNumber).ToArray());
             _kernels.SetLists(_output, _tubes, _tubeParts, _cells, _borders, _waveNumbers);
-            _marks.Reserve(TubeKernels.MarkWordsOfACell * grid.Count);
+            _marks.Reserve(TubeKernels.MarkWordsOf(grid));
             _kernels.Mark(grid, _surfaces, _marks);
         }
 
         static int OutputSize(CrossSectionPose pose) =>
             TubeKernels.FirstSum + TubeKernels.SumWords * pose.Receivers.Length * pose.Frequencies.Length;
 
-        // Traces all cells, with borders to a level, slice by slice, and hands each slice's output over.
-        void TraceCells(int level, CrossSectionPose pose, TubeGrid grid, int outputSize, Action<uint[]> add,
+        // Traces all cells to an error of each, slice by slice, and hands each slice's output over.
+        void TraceCells(double cellError, CrossSectionPose pose, TubeGrid grid, int outputSize, Action<uint[]> add,
             IProgress<double> progress, CancellationToken cancel)
         {
-            double cellError = CellError * Math.Pow(2, -level);
-            int maxLevel = (int)Math.Ceiling(-0.5 * Math.Log(cellError, 2));
-            _kernels.SetAccuracy(cellError, maxLevel, level);
+            // A division makes a cell's share a quarter; a bisection halves the error of its border.
+            int maxLevel = (int)Math.Ceiling(0.5 * Math.Log(1.2 / cellError, 2));
+            int maxBisections = (int)Math.Ceiling(Math.Log(1 / cellError, 2));
+            _kernels.SetAccuracy(cellError * 2 * grid.Side * grid.Side, maxLevel, maxBisections);
             var read = new uint[outputSize];
             long max = long.MaxValue;
             for (long first = 0; first < grid.Count;)
@@ -192,7 +192,7 @@ namespace Glint
                 int count = (int)Math.Min(left, CellsADispatch > 0 ? CellsADispatch : (long)tiles * TileCells);
                 var watch = Stopwatch.StartNew();
                 _kernels.Clear(read.Length);
-                _kernels.Trace(grid, first, count, maxLevel + 1, level);
+                _kernels.Trace(grid, first, count, maxLevel + 1, maxBisections);
                 _output.ReadBack(read, read.Length);
                 _pacer.Took(tiles, watch.Elapsed.TotalSeconds);
                 if (TubeSums.HasOverflown(read))

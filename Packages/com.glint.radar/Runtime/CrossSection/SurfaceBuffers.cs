@@ -31,13 +31,18 @@ namespace Glint
 
         public int VertexCount { get; private set; }
 
+        public DeviceBuffer<float4> Spheres { get; } = new DeviceBuffer<float4>("spheres about triangles");
+
+        public int SphereCount { get; private set; }
+
         /// <summary>Patches of each instance of the scene: another list if the scene has changed.</summary>
         public IReadOnlyList<SurfacePatches> Patches { get; private set; }
 
         /// <summary>Parts of the scene.</summary>
         public SceneParts Parts { get; private set; }
 
-        public long Bytes => Vertices.Bytes + Facets.Bytes + NormalFields.Bytes + InstanceFacets.Bytes + Reflections.Bytes;
+        public long Bytes => Vertices.Bytes + Spheres.Bytes + Facets.Bytes + NormalFields.Bytes + InstanceFacets.Bytes
+            + Reflections.Bytes;
 
         /// <summary>Uploads what has changed.</summary>
         /// <param name="frequency">Of the reflection coefficients, hertz.</param>
@@ -55,6 +60,7 @@ namespace Glint
         {
             Facets.Dispose();
             Vertices.Dispose();
+            Spheres.Dispose();
             NormalFields.Dispose();
             InstanceFacets.Dispose();
             Reflections.Dispose();
@@ -70,6 +76,7 @@ namespace Glint
             var first = new Dictionary<SurfacePatches, uint>();
             uint patchCount = 0;
             var vertices = new List<float4>();
+            var spheres = new List<float4>();
             Parts = new SceneParts(scene);
             Patches = Array.ConvertAll(scene.Instances, instance => PatchesOf(instance, creaseDegrees));
             for (int i = 0; i < scene.Instances.Length; i++)
@@ -85,12 +92,28 @@ namespace Glint
                 patchCount += (uint)patches.PatchCount;
                 foreach (float3 corner in PatchCorners.Of(patches))
                     vertices.Add(new float4((float3)(instance.ToWorld.Point(corner) - centre), 0));
+                for (int triangle = 0; triangle < instance.Mesh.TriangleCount; triangle++)
+                    spheres.Add(SphereOf(instance, triangle, centre));
             }
+            SphereCount = spheres.Count;
+            Spheres.Upload(spheres.ToArray());
             VertexCount = vertices.Count;
             Vertices.Upload(vertices.ToArray());
             Facets.Upload(facets.ToArray());
             NormalFields.Upload(fields.ToArray());
             InstanceFacets.Upload(firsts.ToArray());
+        }
+
+        // A sphere about a triangle, relative to the scene's centre.
+        static float4 SphereOf(in MeshInstance instance, int triangle, double3 centre)
+        {
+            instance.Mesh.GetTriangle(triangle, out var a, out var b, out var c);
+            double3 placedA = instance.ToWorld.Point(a), placedB = instance.ToWorld.Point(b),
+                placedC = instance.ToWorld.Point(c), middle = (placedA + placedB + placedC) / 3;
+            double radius = Math.Max(math.distance(middle, placedA),
+                Math.Max(math.distance(middle, placedB), math.distance(middle, placedC)));
+            // The coordinates are rounded on the way to the device.
+            return new float4((float3)(middle - centre), (float)(radius + 1e-6 * math.length(middle - centre)));
         }
 
         SurfacePatches PatchesOf(in MeshInstance instance, double creaseDegrees)

@@ -22,7 +22,7 @@ namespace Glint
         public uint2 Position;
         public uint Level, FirstBounce;
         public uint4 Signatures;
-        public uint FirstDifference, MustDivide;
+        public float Strength, Bent;
         public uint2 Crossings;
     }
 }

@@ -25,7 +25,7 @@ namespace Glint
         public static readonly int _Grid = Shader.PropertyToID("_Grid");
         public static readonly int _ListCapacity = Shader.PropertyToID("_ListCapacity");
         public static readonly int _MaxLevel = Shader.PropertyToID("_MaxLevel");
-        public static readonly int _BisectLevel = Shader.PropertyToID("_BisectLevel");
+        public static readonly int _MaxBisections = Shader.PropertyToID("_MaxBisections");
         public static readonly int _Round = Shader.PropertyToID("_Round");
         public static readonly int _FrequencyCount = Shader.PropertyToID("_FrequencyCount");
         public static readonly int _WaveNumbers = Shader.PropertyToID("_WaveNumbers");
@@ -44,6 +44,9 @@ namespace Glint
         public static readonly int _GridDepth = Shader.PropertyToID("_GridDepth");
         public static readonly int _Marks = Shader.PropertyToID("_Marks");
         public static readonly int _WrittenMarks = Shader.PropertyToID("_WrittenMarks");
+        public static readonly int _SphereCount = Shader.PropertyToID("_SphereCount");
+        public static readonly int _Spheres = Shader.PropertyToID("_Spheres");
+        public static readonly int _Blocks = Shader.PropertyToID("_Blocks");
         public static readonly int _MarkWords = Shader.PropertyToID("_MarkWords");
         public static readonly int _EdgePieces = Shader.PropertyToID("_EdgePieces");
         public static readonly int _EdgeRange = Shader.PropertyToID("_EdgeRange");

@@ -29,12 +29,15 @@ namespace Glint
         /// <summary>Words of the marks of a cell: MARKS x MARKS bits.</summary>
         public const int MarkWordsOfACell = 2;
 
+        /// <summary>Side of a block of base cells in which a triangle may be seen: COVER_SIDE.</summary>
+        public const int CoverSide = 8;
+
         /// <inheritdoc cref="ArgumentWords"/>
         public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
 
         readonly ComputeShader _shader;
-        readonly int _clear, _clearMarks, _mark, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _fringes,
-            _sums, _parts;
+        readonly int _clear, _clearMarks, _mark, _cover, _cells, _prepareBorders, _bisect, _borders, _prepareCells,
+            _fringes, _sums, _parts;
         int _summing;                      // _sums or _parts
         readonly GraphicsBuffer _arguments = new GraphicsBuffer(
             GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
@@ -46,6 +49,7 @@ namespace Glint
             _clear = shader.FindKernel("ClearTubes");
             _clearMarks = shader.FindKernel("ClearMarks");
             _mark = shader.FindKernel("MarkVertices");
+            _cover = shader.FindKernel("MarkCover");
             _cells = shader.FindKernel("TubeCells");
             _bisect = shader.FindKernel("TubeBisect");
             _borders = shader.FindKernel("TubeBorders");
@@ -113,11 +117,14 @@ namespace Glint
         }
 
         /// <summary>Sets how finely cells are divided and borders found.</summary>
-        public void SetAccuracy(double cellError, int maxLevel, int bisectLevel)
+        /// <param name="cellError">Error that a cell may have, of its coefficient times area, m2.</param>
+        /// <param name="maxLevel">Divisions of a base cell at most.</param>
+        /// <param name="maxBisections">Of the sides of a base cell towards a border.</param>
+        public void SetAccuracy(double cellError, int maxLevel, int maxBisections)
         {
             _shader.SetFloat(TubeIDs._CellError, (float)cellError);
             _shader.SetInt(TubeIDs._MaxLevel, maxLevel);
-            _shader.SetInt(TubeIDs._BisectLevel, bisectLevel);
+            _shader.SetInt(TubeIDs._MaxBisections, maxBisections);
         }
 
         /// <summary>Sums S of all receivers and frequencies.</summary>
@@ -160,23 +167,34 @@ namespace Glint
             _shader.SetInts(TubeIDs._ListCapacity, tubes.Capacity, cells.Capacity, borders.Capacity, 0);
         }
 
-        /// <summary>Marks the cells in which corners of patches are seen.</summary>
+        /// <summary>Words of the marks of a grid: MARKS and COVER_SIDE.</summary>
+        public static int MarkWordsOf(TubeGrid grid) =>
+            MarkWordsOfACell * (int)grid.Count + (BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 1;
+
+        static int2 BlocksOf(TubeGrid grid) => (grid.Cells + CoverSide - 1) / CoverSide;
+
+        /// <summary>Marks the cells in which corners of patches are seen, and those in which any triangle is.</summary>
         public void Mark(TubeGrid grid, SurfaceBuffers surfaces, DeviceBuffer<uint> marks)
         {
             var toCell = grid.ToCell();
             _shader.SetVector(TubeIDs._GridX, ToVector(toCell[0].Vector, (float)toCell[0].Constant));
             _shader.SetVector(TubeIDs._GridY, ToVector(toCell[1].Vector, (float)toCell[1].Constant));
             _shader.SetVector(TubeIDs._GridDepth, ToVector(toCell[2].Vector, (float)toCell[2].Constant));
-            int words = MarkWordsOfACell * (int)grid.Count;
+            int words = MarkWordsOf(grid);
+            var blocks = BlocksOf(grid);
+            _shader.SetInts(TubeIDs._Blocks, blocks.x, blocks.y, 0, 0);
+            _shader.SetInt(TubeIDs._SphereCount, surfaces.SphereCount);
             _shader.SetInt(TubeIDs._MarkWords, words);
             _shader.SetInt(TubeIDs._VertexCount, surfaces.VertexCount);
             _shader.SetInts(TubeIDs._Grid, grid.Cells.x, 0, 0, 0);
-            foreach (int kernel in new[] { _clearMarks, _mark })
+            foreach (int kernel in new[] { _clearMarks, _mark, _cover })
                 _shader.SetBuffer(kernel, TubeIDs._WrittenMarks, marks.Buffer);
             _shader.SetBuffer(_mark, TubeIDs._Vertices, surfaces.Vertices.Buffer);
+            _shader.SetBuffer(_cover, TubeIDs._Spheres, surfaces.Spheres.Buffer);
             _shader.SetBuffer(_cells, TubeIDs._Marks, marks.Buffer);
             _shader.DispatchThreads(_clearMarks, words);
             _shader.DispatchThreads(_mark, surfaces.VertexCount);
+            _shader.DispatchThreads(_cover, surfaces.SphereCount);
         }
 
         /// <summary>Clears counts and sums.</summary>
@@ -198,7 +216,7 @@ namespace Glint
                 else
                     _shader.DispatchIndirect(_cells, _arguments, CellArguments);
                 _shader.Dispatch(_prepareBorders, 1, 1, 1);
-                for (int step = 0; step < bisections - round; step += RaysAThread)
+                for (int step = 0; step < Math.Max(2, bisections - 2 * round); step += RaysAThread)
                 {
                     _shader.SetInt(TubeIDs._BisectStep, step);
                     _shader.DispatchIndirect(_bisect, _arguments, BisectArguments);
