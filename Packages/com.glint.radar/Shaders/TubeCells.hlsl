@@ -6,18 +6,6 @@
 
 // Sums the cells whose corners see the same, as one tube each, and lists the others as borders. One thread a cell.
 
-// Relative error of the shape of a square whose phase is bent at its corners by these, rad (SquareIntegral): their third
-// power is left out.
-float BentError(float3 bends)
-{
-    float sum = abs(bends.x) + abs(bends.y) + abs(bends.z), error = 0.05 * sum * sum * sum;
-    // The minimum of a number and NaN is the number.
-    return IsNaN(error) ? 1.0 : min(1.0, error);
-}
-
-// Above it the expansion of a bent phase is worse than none: phases of 1.5 rad.
-static const float MAX_BENT_ERROR = 0.17;
-
 // What the rays through the corners have met at a bounce.
 struct Bounce
 {

@@ -16,36 +16,26 @@ namespace Glint
         public const int FirstSum = 16, SumWords = 32;
 
         const int Group = 64;              // GLINT_GROUP
-        const int ArgumentWords = 12;
-        const int RaysAThread = 4;         // RAYS_A_THREAD
-        const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
 
         readonly ComputeShader _shader;
-        readonly int _clear, _clearMarks, _mark, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _fringes,
-            _sums;
-        readonly GraphicsBuffer _arguments = new GraphicsBuffer(
-            GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
+        readonly TubeRounds _rounds;
+        readonly int _clearMarks, _mark, _cells, _fringes;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
         {
             _shader = shader;
-            _clear = shader.FindKernel("ClearTubes");
+            _rounds = new TubeRounds(shader, "TubeCells", "TubeBorders");
             _clearMarks = shader.FindKernel("ClearMarks");
             _mark = shader.FindKernel("MarkVertices");
             _cells = shader.FindKernel("TubeCells");
-            _bisect = shader.FindKernel("TubeBisect");
-            _borders = shader.FindKernel("TubeBorders");
-            _prepareBorders = shader.FindKernel("PrepareBorders");
-            _prepareCells = shader.FindKernel("PrepareCells");
             _fringes = shader.FindKernel("TubeFringes");
-            _sums = shader.FindKernel("TubeSums");
         }
 
         /// <summary>Sets the scene.</summary>
         public void SetScene(DeviceScene scene, SurfaceBuffers surfaces)
         {
-            foreach (int kernel in new[] { _cells, _bisect, _borders, _fringes })
+            foreach (int kernel in _rounds.Tracing.Append(_fringes))
             {
                 _shader.SetBvhs(kernel, scene);
                 _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
@@ -98,32 +88,17 @@ namespace Glint
             _shader.SetFloat(TubeIDs._UnitsPerSquareMetre, (float)sums.UnitsPerSquareMetre);
         }
 
-        /// <summary>Sets how finely cells are divided and borders found.</summary>
-        public void SetAccuracy(double cellError, int maxLevel, int bisectLevel)
-        {
-            _shader.SetFloat(TubeIDs._CellError, (float)cellError);
-            _shader.SetInt(TubeIDs._MaxLevel, maxLevel);
-            _shader.SetInt(TubeIDs._BisectLevel, bisectLevel);
-        }
+        /// <inheritdoc cref="TubeRounds.SetAccuracy"/>
+        public void SetAccuracy(double cellError, int maxLevel, int bisectLevel) =>
+            _rounds.SetAccuracy(cellError, maxLevel, bisectLevel);
 
-        /// <summary>Sets the lists that the kernels leave to each other.</summary>
+        /// <inheritdoc cref="TubeRounds.SetLists"/>
         public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<TubeCell> cells,
             DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers)
         {
-            foreach (int kernel in new[]
-                { _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _fringes, _sums })
-                _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
-            foreach (int kernel in new[] { _cells, _bisect, _borders, _fringes, _sums })
-                _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
-            foreach (int kernel in new[] { _cells, _bisect, _borders })
-            {
-                _shader.SetBuffer(kernel, TubeIDs._TubeCells, cells.Buffer);
-                _shader.SetBuffer(kernel, TubeIDs._Borders, borders.Buffer);
-            }
-            foreach (int kernel in new[] { _prepareBorders, _prepareCells })
-                _shader.SetBuffer(kernel, ShaderIDs._Arguments, _arguments);
-            _shader.SetBuffer(_sums, TubeIDs._WaveNumbers, waveNumbers.Buffer);
-            _shader.SetInts(TubeIDs._ListCapacity, tubes.Capacity, cells.Capacity, borders.Capacity, 0);
+            _rounds.SetLists(output, tubes, cells, borders, waveNumbers);
+            _shader.SetBuffer(_fringes, ShaderIDs._Sums, output.Buffer);
+            _shader.SetBuffer(_fringes, TubeIDs._Tubes, tubes.Buffer);
         }
 
         /// <summary>Marks the cells in which corners of patches are seen.</summary>
@@ -145,35 +120,12 @@ namespace Glint
             _shader.DispatchThreads(_mark, surfaces.VertexCount);
         }
 
-        /// <summary>Clears counts and sums.</summary>
-        public void Clear(int count)
-        {
-            _shader.SetInt(TubeIDs._ClearedWords, count);
-            _shader.DispatchThreads(_clear, count);
-        }
+        /// <inheritdoc cref="TubeRounds.Clear"/>
+        public void Clear(int count) => _rounds.Clear(count);
 
-        /// <summary>Traces base cells, in rounds the parts of those that are divided, and sums the tubes.</summary>
-        public void Trace(TubeGrid grid, long first, int count, int rounds, int bisections)
-        {
-            _shader.SetInts(TubeIDs._Grid, grid.Cells.x, (int)first, count, 0);
-            for (int round = 0; round < rounds; round++)
-            {
-                _shader.SetInt(TubeIDs._Round, round);
-                if (round == 0)
-                    _shader.DispatchThreads(_cells, count);
-                else
-                    _shader.DispatchIndirect(_cells, _arguments, CellArguments);
-                _shader.Dispatch(_prepareBorders, 1, 1, 1);
-                for (int step = 0; step < bisections - round; step += RaysAThread)
-                {
-                    _shader.SetInt(TubeIDs._BisectStep, step);
-                    _shader.DispatchIndirect(_bisect, _arguments, BisectArguments);
-                }
-                _shader.DispatchIndirect(_borders, _arguments, BorderArguments);
-                _shader.Dispatch(_prepareCells, 1, 1, 1);
-            }
-            _shader.DispatchIndirect(_sums, _arguments, TubeArguments);
-        }
+        /// <inheritdoc cref="TubeRounds.Trace"/>
+        public void Trace(TubeGrid grid, long first, int count, int rounds, int bisections) =>
+            _rounds.Trace(grid.Cells.x, first, count, rounds, bisections);
 
         /// <summary>Sums the fringe fields of pieces of edges.</summary>
         /// <param name="offset">Of the starts of shadow rays from their edges, metres.</param>
@@ -183,11 +135,10 @@ namespace Glint
             _shader.SetInts(TubeIDs._EdgeRange, first, count, 0, 0);
             _shader.SetFloat(TubeIDs._EdgeOffset, (float)offset);
             _shader.DispatchThreads(_fringes, (long)count * receivers);
-            _shader.Dispatch(_prepareCells, 1, 1, 1);
-            _shader.DispatchIndirect(_sums, _arguments, TubeArguments);
+            _rounds.Sum();
         }
 
-        public void Dispose() => _arguments.Dispose();
+        public void Dispose() => _rounds.Dispose();
 
         // The receivers, and the radar behind MaxReceivers of them.
         static Vector4[] Padded(CrossSectionPose pose, Func<RadarAspect, Vector4> value) =>
