@@ -11,10 +11,14 @@ namespace Glint.Editor
     static class ProjectAssets
     {
         const string KernelPath = "Packages/com.glint.radar/Shaders/Trace.compute";
+        const string TubeKernelPath = "Packages/com.glint.radar/Shaders/Amplitude.compute";
         const string MeshesPackage = "Packages/com.glint.meshes";
 
         /// <summary>The kernel of every radar; null if its import failed.</summary>
         public static ComputeShader Kernel => AssetDatabase.LoadAssetAtPath<ComputeShader>(KernelPath);
+
+        /// <summary>The kernels of radars with a tolerance; null if their import failed.</summary>
+        public static ComputeShader TubeKernel => AssetDatabase.LoadAssetAtPath<ComputeShader>(TubeKernelPath);
 
         /// <summary>Unity's material of new objects in the current render pipeline.</summary>
         public static Material StandardMaterial => PipelineMaterial.Default != null ? PipelineMaterial.Default
