@@ -3,10 +3,14 @@
 
 #include "AmplitudePath.hlsl"
 
-// Cuts border cells in two along the border, or divides them into four cells of the next round. One thread a border cell.
+// Cuts border cells in two along the border, or divides them into four cells of the next round. One thread a cell.
 
 // Error of a piece's shape by a phase that is bent at its corners by one radian in all: its mean is exact.
 static const float BENT_PIECE_ERROR = 0.3;
+
+// First ray of each kind: beside the middle of the chord, in the pieces or the whole cell, and at the new points of a
+// cell that is divided.
+static const uint BESIDE = 0, WITHIN = 2, DIVIDING = 4, RAYS = 9;
 
 // Tells the cell on the other side of a position on a side.
 void RevealAcross(float2 position, float2 outward)
@@ -26,35 +30,23 @@ void RevealAcross(float2 position, float2 outward)
     }
 }
 
-// Traces the five rays that the corners of four parts lack.
-void Divide(Cell cell, uint4 corners)
+// Position of a new point of a cell that is divided, in sides from its centre: the middles of the sides, or the centre.
+float2 FromCentre(uint ray)
 {
-    uint first, part;
-    InterlockedAdd(_Sums[TUBE_POINTS], 5, first);
-    if (first + 5 > _PointCapacity)
-    {
-        _Sums[TUBE_OVERFLOW] = 1;
-        return;
-    }
+    return ray == 4 ? (float2)0 : 0.5 * (CornerOf(ray) + CornerOf((ray + 1) & 3));
+}
+
+// Lists the four parts of a cell, between its corners and the five new points from the first on.
+void Divide(Cell cell, uint4 corners, uint first, bool isReceived)
+{
     float side = SideOfCell(cell);
-    bool isReceived = false;
-    [loop]
-    for (uint ray = 0; ray < 5; ray++)
-    {
-        float2 fromCentre = ray == 4 ? (float2)0 : 0.5 * (CornerOf(ray) + CornerOf((ray + 1) & 3));
-        Return found = Follow(CentreOfCell(cell) + side * fromCentre, first + ray);
-        isReceived = isReceived || found.Signature != 0;
-        if (ray < 4 && found.Signature != cell.Signatures[ray & 3]
-            && found.Signature != cell.Signatures[(ray + 1) & 3])
-            RevealAcross(CentreOfCell(cell) + side * fromCentre, 2.0 * fromCentre);
-    }
-    AddUnsigned(TUBE_RAYS, 5);
     // What the last level finds in cells of which no corner is received, the next would find again, in parts as large.
     if (isReceived && cell.Level + 1 == _EmptyLevel && all(cell.Signatures == 0))
     {
         float error = CRUDE_ERROR * 0.25 * side * side;
         AddUnsigned(TUBE_SUMS + SUM_ERROR, (uint)(_UnitsPerSquareMetre * error * error));
     }
+    uint part;
     InterlockedAdd(_Sums[TUBE_CELLS], 4, part);
     for (uint corner = 0; corner < 4; corner++)
         if (part + corner < _ListCapacity.y)
@@ -113,50 +105,79 @@ void AmplitudeBorders(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     Piece pieces[2];
     pieces[0] = (Piece)0;
     pieces[1] = (Piece)0;
-    uint rays = 0;
     if (isCut)
     {
         // To the right of the chord lies the second piece.
         pieces[0] = PieceBetween(second, border.Sides.y, first, border.Sides.x, side);
         pieces[1] = PieceBetween(first, border.Sides.x, second, border.Sides.y, side);
     }
-    bool isStraight = isCut;
-    uint end = isCut ? 4 : canDivide ? 0 : 1;
-    // Beside the middle of the chord; then in the pieces.
+    float bendErrors[2] = { 0.0, 0.0 };
+    bool isStraight = isCut, isDivided = false, isReceived = false;
+    uint rays = 0, firstPoint = 0;
+    // One loop for all kinds, so that the code of a path is compiled once.
     [loop]
-    for (uint ray = 0; ray < end; ray++)
+    for (uint ray = isCut ? BESIDE : canDivide ? DIVIDING : WITHIN; ray < RAYS; ray++)
     {
+        if (ray == DIVIDING)
+        {
+            [unroll]
+            for (uint i = 0; i < 2; i++)
+                isStraight = isStraight && (bendErrors[i] <= _CellError || returns[i].Signature == 0);
+            isDivided = !isStraight && canDivide;
+            if (!isDivided)
+                break;
+            InterlockedAdd(_Sums[TUBE_POINTS], RAYS - DIVIDING, firstPoint);
+            if (firstPoint + RAYS - DIVIDING > _PointCapacity)
+            {
+                _Sums[TUBE_OVERFLOW] = 1;
+                return;
+            }
+        }
         uint which = ray & 1, expected = which == 0 ? border.SignatureBefore : border.SignatureAfter;
-        if (ray >= 2 && (!isStraight && canDivide || expected == 0 && isCut))
+        bool isWithin = ray >= WITHIN && !isDivided;
+        if (isWithin && (isCut ? !isStraight && canDivide || expected == 0 : which == 1))
             continue;
         Piece piece = pieces[0];
         if (which == 1)
             piece = pieces[1];
-        float2 position = MiddleOf(piece);
-        if (isCut && ray < 2)
-            position = first + 0.5 * chord + (which == 0 ? beside : -beside);
-        Return found = Follow(CentreOfCell(cell) + position, NO_POINT);
+        uint newPoint = ray - DIVIDING, recorded = NO_POINT;
+        float2 position = first + 0.5 * chord + (which == 0 ? beside : -beside);
+        if (isWithin)
+            position = MiddleOf(piece);
+        if (isDivided)
+        {
+            position = side * FromCentre(newPoint);
+            recorded = firstPoint + newPoint;
+        }
+        Return found = Follow(CentreOfCell(cell) + position, recorded);
         rays++;
-        if (isCut)
-            isStraight = isStraight && found.Signature == expected;
+        if (isDivided)
+        {
+            isReceived = isReceived || found.Signature != 0;
+            if (newPoint < 4 && found.Signature != cell.Signatures[newPoint & 3]
+                && found.Signature != cell.Signatures[(newPoint + 1) & 3])
+                RevealAcross(CentreOfCell(cell) + position, 2.0 * FromCentre(newPoint));
+            continue;
+        }
+        isStraight = isStraight && found.Signature == expected;
+        float3 bends = abs(BendsOf(found, side));
+        float bendError = min(1.0, BENT_PIECE_ERROR * _WaveNumber * (bends.x + bends.y + bends.z))
+            * AreaOf(piece, side);
         if (which == 0)
+        {
             returns[0] = found;
+            bendErrors[0] = bendError;
+        }
         else
+        {
             returns[1] = found;
+            bendErrors[1] = bendError;
+        }
     }
     AddUnsigned(TUBE_RAYS, rays);
-    float bendErrors[2];
-    [unroll]
-    for (uint i = 0; i < 2; i++)
+    if (isDivided)
     {
-        float3 bends = abs(BendsOf(returns[i], side));
-        bendErrors[i] = min(1.0, BENT_PIECE_ERROR * _WaveNumber * (bends.x + bends.y + bends.z))
-            * AreaOf(pieces[i], side);
-        isStraight = isStraight && (bendErrors[i] <= _CellError || returns[i].Signature == 0);
-    }
-    if (!isStraight && canDivide)
-    {
-        Divide(cell, corners);
+        Divide(cell, corners, firstPoint, isReceived);
         return;
     }
     [loop]
