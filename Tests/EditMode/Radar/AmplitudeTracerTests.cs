@@ -5,6 +5,8 @@ using Glint.Core;
 using Glint.Reference;
 using NUnit.Framework;
 using Unity.Mathematics;
+using UnityEngine;
+using Vector3 = UnityEngine.Vector3;
 
 namespace Glint.Tests
 {
@@ -169,6 +171,47 @@ namespace Glint.Tests
             pose.Settings.SkipSamplingError = true;
             Assert.That(() => _tracer.Trace(pose),
                 Throws.InstanceOf<GlintException>().With.Message.Contains("Skip Sampling Error"));
+        }
+
+        /// <summary>Without a tolerance a radar makes no tracer of tubes, which would need their kernels.</summary>
+        [Test]
+        public void RadarWithoutTolerance_GivesBitsOfRayTracer()
+        {
+            var scene = new SceneBuilder();
+            try
+            {
+                var mesh = Square(4);
+                scene.Add("Square", new Mesh
+                {
+                    vertices = mesh.Vertices.Select(vertex => (Vector3)vertex).ToArray(), triangles = mesh.Indices
+                }).localPosition = new Vector3(0, 0, 50);
+                var camera = scene.Empty("Radar").gameObject.AddComponent<Camera>();
+                var radar = camera.gameObject.AddComponent<RadarController>();
+                radar.Receiver = scene.Empty("Receiver", radar.transform);
+                radar.Roots.Add(scene.Root);
+                radar.Kernel = TestKernels.Trace;
+                radar.TubeKernel = null;
+                radar.Settings = TestRadar.Settings();
+                var result = radar.Trace();
+                RadarResult expected;
+                using (var tracer = new RayTracer(TestKernels.Trace))
+                    expected = tracer.Trace(radar.Gather(), RayReadback.Received);
+                Assert.That(result.RaysReceived, Is.GreaterThan(0));
+                Assert.That(result.InPhase, Is.EqualTo(expected.InPhase));
+                Assert.That(result.Quadrature, Is.EqualTo(expected.Quadrature));
+                Assert.That(result.SamplingError, Is.EqualTo(expected.SamplingError));
+                Assert.That(result.RaysEmitted, Is.EqualTo(expected.RaysEmitted));
+
+                var settings = TestRadar.Settings();
+                settings.ToleranceDb = OnePercentDb;
+                radar.Settings = settings;
+                Assert.That(() => radar.Trace(),
+                    Throws.InstanceOf<GlintException>().With.Message.Contains("Tube Kernel"));
+            }
+            finally
+            {
+                scene.Destroy();
+            }
         }
 
         [Test]
