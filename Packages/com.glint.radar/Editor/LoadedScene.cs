@@ -103,6 +103,9 @@ namespace Glint.Editor
                 throw new GlintException($"{line.Input}: its radar fits its aperture to the scene by Ray Spacing, "
                     + $"so {Options.Size.Flag} has no effect: leave it out, or clear Fit Aperture of '{radar.name}'");
             radar.Settings = Override(radar.Settings, line);
+            // A scene that was stored before there were tubes has no kernels of them.
+            if (radar.TubeKernel == null)
+                radar.TubeKernel = ProjectAssets.TubeKernel;
             if (line.IsGiven(Options.Receiver))
             {
                 var size = line.Get(Options.Receiver);
@@ -154,6 +157,7 @@ namespace Glint.Editor
                 placement.ReceiverSize = line.Get(Options.Receiver);
             var scene =
                 MeshFileScene.Create(file, placement, Override(RadarSettings.Default, line), ProjectAssets.Kernel);
+            scene.Radar.TubeKernel = ProjectAssets.TubeKernel;
             return new LoadedScene
             {
                 Name = file.Name, Scene = line.Input, Radar = scene.Radar, Target = scene.Target, Orbit = scene.Orbit
@@ -171,6 +175,8 @@ namespace Glint.Editor
                 settings.FrequencyHz = line.Get(Options.Frequency);
             if (line.IsGiven(Options.Bounces))
                 settings.MaxBounces = line.Get(Options.Bounces);
+            if (line.IsGiven(Options.Tolerance))
+                settings.ToleranceDb = line.Get(Options.Tolerance);
             settings.SkipSamplingError |= line.Get(Options.NoSamplingError);
             return settings;
         }

@@ -9,6 +9,13 @@ static const uint TUBE_CELLS = 1;          // cells of the next round
 static const uint TUBE_BORDERS = 2;        // border cells of this round
 static const uint TUBE_OVERFLOW = 3;       // 1: a list was full
 static const uint TUBE_RAYS = 4;           // rays traced, 64 bits
+static const uint TUBE_POINTS = 6;         // points of an amplitude's cells; may exceed _PointCapacity
+static const uint TUBE_REVEALED = 7;       // parts of cells in which more was found than in attempts before
+static const uint TUBE_HITS = 8;           // of the rays of an amplitude, 64 bits each: those that hit,
+static const uint TUBE_BOUNCES = 10;       // their bounces,
+static const uint TUBE_RECEIVED = 12;      // those received,
+static const uint TUBE_LENGTHS = 14;       // and their lengths to the last hit less _OriginDepth, in units
+static const float TUBE_LENGTH_UNITS = 256.0;   // a metre
 static const uint TUBE_SUMS = 16;
 static const uint TUBE_SUM_WORDS = 32;     // of a receiver and frequency: see SUM_S
 static const uint SUM_S = 0;               // S of VV, HV, VH and HH: real and imaginary part, 64 bits each
@@ -90,6 +97,7 @@ uint _MaxBisections;                       // of the sides of a base cell toward
 uint _BisectStep;                          // bisections of earlier dispatches
 uint _Round;                               // 0: the base cells
 uint _FrequencyCount;
+float _UnitsPerSquareMetre;                // of sums of squared errors
 StructuredBuffer<float4> _WaveNumbers;     // per frequency: k rad/m; k / 2 pi: float32 and its Lo part
 
 // Places where borders may turn, which rays through corners of cells can miss: corners of patches, relative to the scene's

@@ -1,8 +1,12 @@
 #ifndef GLINT_TUBE_BISECT
 #define GLINT_TUBE_BISECT
 
-#include "TubeGrid.hlsl"
 #include "Sums.hlsl"
+#ifdef GLINT_AMPLITUDE
+#include "AmplitudePath.hlsl"
+#else
+#include "TubeGrid.hlsl"
+#endif
 
 // Finds where borders cross the sides of their cells. One thread a side, RAYS_A_THREAD bisections a dispatch.
 
@@ -12,7 +16,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     uint index = IndexOf(group, thread), which = index & 1;
     if (index >= 2 * min(_Sums[TUBE_BORDERS], _ListCapacity.z))
         return;
-    Cell cell = _Borders[index / 2];
+    Cell cell = LoadBorder(index / 2);
     Border border = BorderOf(cell);
     uint crossing = which == 0 ? cell.Crossings.x : cell.Crossings.y, end = BisectionsOf(cell), rays = 0;
     float side = SideOfCell(cell);
@@ -22,19 +26,11 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         if (!border.IsCut || (crossing & NO_CROSSING) != 0)
             break;
         float fraction = (crossing + 0.5) * asfloat((127 - step) << 23);
-        TubePath tube = BeginTube(CentreOfCell(cell) + PlaceOnSide(border, which, fraction, side));
-        SurfacePoint at;
+        uint signature = SignatureAt(CentreOfCell(cell) + PlaceOnSide(border, which, fraction, side));
         rays++;
-        bool goesOn = true;
-        [loop]
-        while (goesOn && AdvanceTube(tube, at))
-        {
-            Sign(tube, ReceiversOf(tube, at));
-            goesOn = ScatterTube(tube, at);
-        }
-        if (tube.Signature == border.SignatureBefore)
+        if (signature == border.SignatureBefore)
             crossing = 2 * crossing + 1;
-        else if (tube.Signature == border.SignatureAfter)
+        else if (signature == border.SignatureAfter)
             crossing = 2 * crossing;
         else
             crossing |= NO_CROSSING;

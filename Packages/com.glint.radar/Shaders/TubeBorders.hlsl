@@ -3,57 +3,8 @@
 
 #include "TubeGrid.hlsl"
 #include "Sums.hlsl"
-#include "Trigonometry.hlsl"
 
 // Cuts border cells in two along the border, or divides them into four cells of the next round. One thread a border cell.
-
-static const float BENT_BORDER = 1.4;
-
-// A convex piece of a cell: corners from its centre, in base cells.
-struct Piece
-{
-    float2 Corners[5];
-    uint Count;            // 0: the whole cell
-};
-
-float Cross2(float2 a, float2 b)
-{
-    return a.x * b.y - a.y * b.x;
-}
-
-float AreaOf(Piece piece, float side)
-{
-    float twice = 0.0;
-    for (uint i = 2; i < piece.Count; i++)
-        twice += Cross2(piece.Corners[i - 1] - piece.Corners[0], piece.Corners[i] - piece.Corners[0]);
-    return piece.Count == 0 ? side * side : 0.5 * abs(twice);
-}
-
-float2 MiddleOf(Piece piece)
-{
-    float2 sum = 0.0;
-    for (uint i = 0; i < piece.Count; i++)
-        sum += piece.Corners[i];
-    return piece.Count == 0 ? sum : sum / piece.Count;
-}
-
-// The piece between the crossings of two sides: from the corner after the first to the second.
-Piece PieceBetween(float2 firstCrossing, uint firstSide, float2 secondCrossing, uint secondSide, float side)
-{
-    Piece piece = (Piece)0;
-    piece.Corners[0] = firstCrossing;
-    uint count = (secondSide - firstSide) & 3;
-    [unroll]
-    for (uint i = 1; i <= 3; i++)
-        if (i <= count)
-            piece.Corners[i] = side * CornerOf((firstSide + i) & 3);
-        else if (i == count + 1)
-            piece.Corners[i] = secondCrossing;
-    if (count == 3)
-        piece.Corners[4] = secondCrossing;
-    piece.Count = count + 2;
-    return piece;
-}
 
 void Divide(Cell cell)
 {
@@ -70,17 +21,6 @@ void Divide(Cell cell)
         }
 }
 
-// Area by which the border may be off, for a phase gradient: its ends lie within an interval of this width on the sides
-// of the cell. Neighbouring cells share the ends, so that the error along the border is a sum of hat functions. Between
-// the ends the border may bend by as much again (BENT_BORDER).
-float AreaError(float2 chord, float2 sides[2], float width, float2 gradient)
-{
-    float x = 0.5 * _WaveNumber * dot(gradient, chord);
-    float hat = abs(x) < 0.01 ? 1.0 : PhasorOf(x).y / x;
-    float first = Cross2(chord, sides[0]), second = Cross2(chord, sides[1]);
-    return BENT_BORDER * sqrt((first * first + second * second) / 24.0) * width * hat * hat;
-}
-
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -90,7 +30,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     Cell cell = _Borders[index];
     Border border = BorderOf(cell);
     float side = SideOfCell(cell);
-    bool canDivide = cell.Level < _MaxLevel && !IsSmall(cell), isStraight = ((cell.Crossings.x | cell.Crossings.y) & NO_CROSSING) == 0;
+    bool canDivide = cell.Level < _MaxLevel && !IsSmall(cell);
+    bool isStraight = ((cell.Crossings.x | cell.Crossings.y) & NO_CROSSING) == 0;
     if (canDivide && (!border.IsCut || !isStraight))
     {
         Divide(cell);

@@ -6,9 +6,6 @@
 
 // Sums the cells whose corners see the same, as one tube each, and lists the others as borders. One thread a cell.
 
-// A phase bent by this at the corners of a square cannot be expanded, rad.
-static const float MAX_BENDS = 1.5;
-
 // Strength at the centre of a square below which that of its corners says nothing about its currents, in theirs.
 static const float MIN_STRENGTH = 1.0e-3;
 
@@ -19,12 +16,6 @@ float SizeOf(float3 bends, float2 x)
     float size = dot(abs(bends.xy), min(1.0, 5.4 / max(abs(x), 1.0))) + abs(bends.z);
     // Compilers may take a comparison with NaN for either.
     return IsNaN(size) ? 1.0e6 : size;
-}
-
-// Relative error of a square's integral by bends of a size: their third power is left out.
-float BentError(float size)
-{
-    return min(1.0, 0.05 * size * size * size);
 }
 
 // Relative error of a square's integral by a phase whose bend grows from side to side: the gradient between the sides

@@ -5,10 +5,18 @@
 #include "TubeStages.hlsl"
 #elif defined(GLINT_SUM_TUBES)
 #include "TubeSums.hlsl"
-#elif defined(GLINT_CELLS)
-#include "TubeCells.hlsl"
 #elif defined(GLINT_BISECT)
 #include "TubeBisect.hlsl"
+#elif defined(GLINT_AMPLITUDE)
+#if defined(GLINT_POINTS)
+#include "AmplitudePoints.hlsl"
+#elif defined(GLINT_CELLS)
+#include "AmplitudeCells.hlsl"
+#else
+#include "AmplitudeBorders.hlsl"
+#endif
+#elif defined(GLINT_CELLS)
+#include "TubeCells.hlsl"
 #elif defined(GLINT_FRINGES)
 #include "TubeFringes.hlsl"
 #else

@@ -11,7 +11,6 @@
 
 uint _FrequenciesAGroup;                   // a power of two up to the size of a group
 float _UnitsPerMetre;                      // of S
-float _UnitsPerSquareMetre;                // of squared errors
 
 static const float MAX_UNITS = 4.0e18;
 
@@ -132,8 +131,13 @@ Radiation RadiationOf(Tube tube, float4 waveNumber)
     uint count = tube.Tag >> 16;
     // - j k / sqrt(4 pi), which the coefficients of edges contain
     bool isEdge = count == EDGE_CORNERS;
-    float scale = isEdge ? 1.0 : k / SQRT_4_PI;
-    float2 factor = isEdge ? float2(1.0, 0.0) : float2(0.0, -1.0), shape;
+#ifdef GLINT_AMPLITUDE
+    bool isPlain = true;
+#else
+    bool isPlain = isEdge;
+#endif
+    float scale = isPlain ? 1.0 : k / SQRT_4_PI;
+    float2 factor = isPlain ? float2(1.0, 0.0) : float2(0.0, -1.0), shape;
     if (isEdge)
         shape = float2(tube.Corners01.x * Sinc(0.5 * tube.Corners01.x * w.x), 0.0);
     else if (count == 0)

@@ -64,11 +64,14 @@ namespace Glint.Tests
                     ["SUM_TUBE_OVERFLOW"] = TubeSums.TooLarge,
                     ["MAX_RECEIVERS"] = TubeKernels.MaxReceivers, ["RADAR"] = TubeKernels.MaxReceivers,
                     ["REFLECTION_STEPS"] = SurfaceBuffers.ReflectionSteps, ["FLAT"] = SurfaceBuffers.Flat,
-                    ["RAYS_A_THREAD"] = TubeKernels.RaysAThread, ["COVER_SIDE"] = TubeKernels.CoverSide,
-                    ["PART_WORDS"] = TubeKernels.PartWords,
-                    ["BORDER_ARGUMENTS"] = TubeKernels.BorderArguments,
-                    ["CELL_ARGUMENTS"] = TubeKernels.CellArguments, ["TUBE_ARGUMENTS"] = TubeKernels.TubeArguments,
-                    ["BISECT_ARGUMENTS"] = TubeKernels.BisectArguments,
+                    ["RAYS_A_THREAD"] = TubeRounds.RaysAThread, ["COVER_SIDE"] = TubeKernels.CoverSide,
+                    ["PART_WORDS"] = TubeKernels.PartWords, ["TUBE_REVEALED"] = AmplitudeTracer.RevealedCount,
+                    ["TUBE_HITS"] = AmplitudeTracer.Hits, ["TUBE_BOUNCES"] = AmplitudeTracer.Bounces,
+                    ["TUBE_RECEIVED"] = AmplitudeTracer.Received, ["TUBE_LENGTHS"] = AmplitudeTracer.Lengths,
+                    ["TUBE_LENGTH_UNITS"] = AmplitudeTracer.LengthUnits,
+                    ["BORDER_ARGUMENTS"] = TubeRounds.BorderArguments,
+                    ["CELL_ARGUMENTS"] = TubeRounds.CellArguments, ["TUBE_ARGUMENTS"] = TubeRounds.TubeArguments,
+                    ["BISECT_ARGUMENTS"] = TubeRounds.BisectArguments,
                     // A bit for each part of a cell, in words of 32.
                     ["MARKS"] = sqrt(32.0 * TubeKernels.MarkWordsOfACell), ["MARK_LEVEL"] =
                         log2(sqrt(32.0 * TubeKernels.MarkWordsOfACell))
@@ -87,10 +90,10 @@ namespace Glint.Tests
             Assert.That(counts, Is.All.LessThan(TubeKernels.FirstSum));
             Assert.That(2 * TubeSums.SumCount, Is.EqualTo(TubeSums.TooLarge));
             Assert.That(TubeSums.TooLarge, Is.LessThan(TubeKernels.SumWords));
-            uint[] arguments = { TubeKernels.BorderArguments, TubeKernels.CellArguments, TubeKernels.TubeArguments,
-                TubeKernels.BisectArguments };
+            uint[] arguments = { TubeRounds.BorderArguments, TubeRounds.CellArguments, TubeRounds.TubeArguments,
+                TubeRounds.BisectArguments };
             Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36 }));
-            Assert.That(4 * TubeKernels.ArgumentWords, Is.EqualTo(36 + 12));
+            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(36 + 12));
         }
 
         // Tags of tubes have 8 bits for the receiver, 8 for the bounce, and the corners above.
@@ -103,6 +106,7 @@ namespace Glint.Tests
                 Is.GreaterThan(5).And.LessThan(65536), "polygons have 5 corners");
         }
 
-        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED" };
+        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED",
+            "TUBE_POINTS" };
     }
 }

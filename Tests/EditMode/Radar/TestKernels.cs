@@ -21,6 +21,8 @@ namespace Glint.Tests
 
         public static ComputeShader Tubes => Load("Packages/com.glint.radar/Shaders/Tubes.compute");
 
+        public static ComputeShader Amplitude => Load("Packages/com.glint.radar/Shaders/Amplitude.compute");
+
         public static ComputeShader Layout => Load("Packages/com.glint.tests/EditMode/Shaders/Layout.compute");
 
         public static ComputeShader TubeLayout => Load("Packages/com.glint.tests/EditMode/Shaders/TubeLayout.compute");

@@ -13,11 +13,10 @@ namespace Glint.Cli;
 /// Measures error against run time. Each scene is built in code, traced with increasing numbers of rays, and compared
 /// with the converged result.
 /// </summary>
-sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progress)
+sealed class AccuracyBench(ComputeShader kernel, ComputeShader tubeKernel, int rounds, IProgressSink progress)
 {
-    // Rays across the picture; the height follows from 16:9. Software devices skip the largest.
+    // Rays across the picture; the height follows from 16:9.
     static readonly int[] s_across = [480, 960, 1920, 3840, 7680];
-    const int MaxAcrossOfSoftware = 3840;
 
     // Minimum number of rounds of a slow pose.
     const int MinRounds = 3;
@@ -38,6 +37,8 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
         Steps("converged results", scenes, scene =>
             converged.Add(scene, AccuracyReference.Of(scene, RadarSettings.Default, progress, progress.Cancel)));
         Steps("poses", scenes, scene => MeasureScene(tracer, scene, converged[scene]));
+        using var amplitudes = new AmplitudeTracer(tubeKernel, "accuracy");
+        Steps("ray tubes", scenes, scene => MeasureTubes(amplitudes, scene));
         Steps("same rays by the reference tracer", scenes, scene => _result.Precision.Add(
             AccuracyPrecision.Of(scene, RadarSettings.Default, Row(scene, RadarSettings.Default.RaysAcross).Result,
                 progress, progress.Cancel)));
@@ -68,23 +69,28 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
 
     void MeasureScene(RayTracer tracer, AccuracyScene scene, AccuracyReference converged)
     {
-        foreach (int across in s_across.Where(across => across <= MaxAcrossOfSoftware || !SoftwareDevice.IsInUse))
+        foreach (int across in s_across)
         {
             var settings = RadarSettings.Default;
             (settings.RaysAcross, settings.RaysDown) = (across, across * 9 / 16);
-            var times = Time(tracer, new RadarPose(scene.Scene, settings, scene.View), out var result);
+            var pose = new RadarPose(scene.Scene, settings, scene.View);
+            var times = Time(() => tracer.Trace(pose, RayReadback.None, null, progress.Cancel), out var result);
             _result.Rows.Add(new AccuracyRow(scene, settings, result, times, converged));
         }
     }
 
     // The first pose is a warm-up.
-    Series Time(RayTracer tracer, in RadarPose pose, out RadarResult result)
+    Series Time(Func<RadarResult> trace, out RadarResult result)
     {
         var times = new Series();
         var total = Stopwatch.StartNew();
-        TimeOnce(tracer, pose, out result);
+        result = trace();
         while (times.Count < rounds && (times.Count < MinRounds || total.Elapsed < s_maxTime))
-            times.Add(TimeOnce(tracer, pose, out _));
+        {
+            var watch = Stopwatch.StartNew();
+            trace();
+            times.Add(watch.Elapsed.TotalMilliseconds);
+        }
         return times;
     }
 
@@ -94,6 +100,14 @@ sealed class AccuracyBench(ComputeShader kernel, int rounds, IProgressSink progr
         var watch = Stopwatch.StartNew();
         result = tracer.Trace(pose, RayReadback.None, null, progress.Cancel);
         return watch.Elapsed.TotalMilliseconds;
+    }
+
+    void MeasureTubes(AmplitudeTracer tracer, AccuracyScene scene)
+    {
+        var pose = AccuracyTubes.PoseOf(scene);
+        var times = Time(() => tracer.Trace(pose, null, progress.Cancel), out var result);
+        var rows = _result.Rows.Where(row => row.Scene == scene).ToArray();
+        _result.Tubes.Add(AccuracyTubes.Of(scene, result, times, rows, progress, progress.Cancel));
     }
 
     // The variants take turns, so that a slow phase of the machine affects all of them.

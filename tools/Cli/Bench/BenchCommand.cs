@@ -5,7 +5,6 @@ using Glint.Core;
 using Glint.Editor;
 using Glint.Host;
 using Glint.Reference;
-using UnityEngine;
 
 namespace Glint.Cli;
 
@@ -28,7 +27,7 @@ sealed class BenchCommand(Terminal terminal)
         try
         {
             if (plot != null)
-                return Accuracy(line, loaded.Radar.Kernel, json, plot, progress);
+                return Accuracy(line, loaded.Radar, json, plot, progress);
             var result = Measure(line, loaded, sceneFile, progress);
             json?.Write(stream => BenchJson.Write(stream, result));
             var written = new[] { sceneFile, json }.Where(file => file != null).Select(file => $"written: {file.Path}");
@@ -40,9 +39,9 @@ sealed class BenchCommand(Terminal terminal)
         }
     }
 
-    string[] Accuracy(CommandLine line, ComputeShader kernel, OutputFile json, OutputFile plot, IProgressSink progress)
+    string[] Accuracy(CommandLine line, RadarController radar, OutputFile json, OutputFile plot, IProgressSink progress)
     {
-        var result = new AccuracyBench(kernel, line.Get(Options.Rounds), progress).Run();
+        var result = new AccuracyBench(radar.Kernel, radar.TubeKernel, line.Get(Options.Rounds), progress).Run();
         json?.Write(stream => AccuracyJson.Write(stream, result));
         plot.Write(stream => AccuracyPlot.Write(stream, result));
         var written = new[] { plot, json }.Where(file => file != null).Select(file => $"written: {file.Path}");

@@ -43,8 +43,8 @@ namespace Glint.Core
     /// <summary>The error of a scattering matrix beside its amplitudes.</summary>
     public readonly struct CrossSectionAccuracy
     {
-        // Standard errors that the tolerance must hold: 95 % of complex amplitudes are within.
-        const double Confidence = 1.75;
+        /// <summary>Standard errors that a tolerance must hold: 95 % of complex amplitudes are within.</summary>
+        public const double Confidence = 1.75;
 
         readonly double _relativeError;
 

@@ -36,6 +36,15 @@ namespace Glint.Core
         /// </summary>
         public bool SkipSamplingError;
 
+        /// <summary>
+        /// Tolerance of the amplitude in decibels, above 0: the amplitude is integrated over ray tubes to it. 0: one
+        /// phasor a ray, as in the published experiment.
+        /// </summary>
+        public double ToleranceDb;
+
+        /// <summary>Range of a tolerance, decibels.</summary>
+        public const double MinToleranceDb = 0.001, MaxToleranceDb = 10;
+
         /// <summary>The published experiment: 10 GHz, 1920 x 1080 rays, 4 bounces.</summary>
         public static RadarSettings Default =>
             new RadarSettings { FrequencyHz = 10e9, RaysAcross = 1920, RaysDown = 1080, MaxBounces = 4 };
@@ -82,6 +91,18 @@ namespace Glint.Core
                     + $"picture of {RaysAcross} x {RaysDown}");
             if (MaxBounces < 1 || MaxBounces > BounceLimit)
                 throw new GlintException($"{owner}: maximum bounces {MaxBounces} must be from 1 to {BounceLimit}");
+            ValidateTolerance(owner);
+        }
+
+        // NaN is in no range.
+        void ValidateTolerance(string owner)
+        {
+            if (ToleranceDb != 0 && !(ToleranceDb >= MinToleranceDb && ToleranceDb <= MaxToleranceDb))
+                throw new GlintException($"{owner}: tolerance {Text(ToleranceDb)} dB must be from "
+                    + $"{Text(MinToleranceDb)} to {Text(MaxToleranceDb)}, or 0 for one phasor a ray");
+            if (ToleranceDb != 0 && SkipSamplingError)
+                throw new GlintException($"{owner}: a tolerance of {Text(ToleranceDb)} dB needs the error that is "
+                    + "skipped: clear Skip Sampling Error, or set the tolerance to 0");
         }
 
         bool IsInPicture(in RayRegion region) =>

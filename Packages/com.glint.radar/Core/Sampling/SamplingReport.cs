@@ -4,7 +4,7 @@ namespace Glint.Core
     public readonly struct SamplingReport
     {
         /// <summary>A report.</summary>
-        public SamplingReport(double error, double largestPathStep, bool undersampled) =>
+        public SamplingReport(double error, double? largestPathStep, bool undersampled) =>
             (Error, LargestPathStep, Undersampled) = (error, largestPathStep, undersampled);
 
         /// <summary>
@@ -14,12 +14,14 @@ namespace Glint.Core
         public double Error { get; }
 
         /// <summary>
-        /// Maximum path difference between received rays of neighbouring pixels, wavelengths.
+        /// Maximum path difference between received rays of neighbouring pixels, wavelengths; null for ray tubes, which
+        /// have none.
         /// </summary>
-        public double LargestPathStep { get; }
+        public double? LargestPathStep { get; }
 
         /// <summary>
-        /// True when the rays are too far apart, or too few return, for the amplitude and its error to be trusted.
+        /// True when the rays are too far apart, or too few return, for the amplitude and its error to be trusted. Of ray
+        /// tubes: when the error is larger than the tolerance.
         /// </summary>
         public bool Undersampled { get; }
     }

@@ -142,7 +142,9 @@ namespace Glint.Editor
                 return Cancelled;
             if (run.Done > before)
                 WarnOfSilence(loaded.Name, hit, received);
-            if (received > 0)
+            if (loaded.Radar.Settings.ToleranceDb > 0)
+                WarnOfTolerance(loaded.Name, undersampled, run.Count - before);
+            else if (received > 0)
                 WarnOfUndersampling(loaded.Name, undersampled, run.Count - before);
             if (folder != null && run.Done > before)
                 progress.Print($"written: {folder.CsvPath}, {folder.JsonPath}");
@@ -176,6 +178,14 @@ namespace Glint.Editor
             Debug.LogWarning($"{name}: the rays are too far apart, or too few return, for the amplitude to "
                 + $"be trusted{where}: trace more rays ({Options.Size.Flag}, or a smaller {Options.Spacing.Flag}) or a "
                 + $"narrower view ({Options.Fov.Flag}; in a scene the Camera's Field of View)");
+        }
+
+        static void WarnOfTolerance(string name, int notMet, int poses)
+        {
+            if (notMet > 0)
+                Debug.LogWarning($"{name}: the tolerance is not met"
+                    + (poses == 1 ? "" : $" in {notMet} of {poses} poses (column undersampled)")
+                    + $": the error that was reached is in column sampling_error; ask for a larger {Options.Tolerance.Flag}");
         }
 
         // A sweep always writes results; a single pose only with --out.
@@ -243,8 +253,10 @@ namespace Glint.Editor
         public static string Details(RadarResult result) => FormattableString.Invariant(
                 $"normalised amplitude {result.NormalisedAmplitude:0.000}, sampling error ")
             + (result.Sampling is SamplingReport sampling
-                ? FormattableString.Invariant($"{sampling.Error:g3}; largest step between neighbouring paths ")
-                    + FormattableString.Invariant($"{sampling.LargestPathStep:g3} wavelengths")
+                ? FormattableString.Invariant($"{sampling.Error:g3}; ") + (sampling.LargestPathStep is double step
+                    ? FormattableString.Invariant($"largest step between neighbouring paths {step:g3} wavelengths")
+                    : FormattableString.Invariant($"ray tubes, {result.RaysEmitted:N0} rays, tolerance ")
+                        + (sampling.Undersampled ? "not met" : "met"))
                 : ResultColumn.NotEstimated)
             + (result.RayArea is double area ? FormattableString.Invariant($"; {area:g6} m2 a ray") : "");
 

@@ -37,7 +37,7 @@ namespace Glint.Editor
             Options = Options.Axes.Concat(new Option[]
                 {
                     Options.Target, Options.Shard, Options.Out, Options.Resume, Options.Size,
-                    Options.Region, Options.Bounces, Options.NoSamplingError, Options.Receiver,
+                    Options.Region, Options.Bounces, Options.Tolerance, Options.NoSamplingError, Options.Receiver,
                     Options.Unit, Options.Up, Options.Azimuth, Options.Fov,
                     Options.Spacing, Options.Aperture, Options.Aim, Options.Device
                 }).ToArray(),
@@ -96,7 +96,7 @@ namespace Glint.Editor
         public static readonly Command Run =
             new Command("run", "Trace one pose of a scene or a mesh file.")
             {
-                Options = Options.Radar.Prepend(Options.Out).Append(Options.Device).ToArray(),
+                Options = Options.Radar.Prepend(Options.Tolerance).Prepend(Options.Out).Append(Options.Device).ToArray(),
                 Notes = new[] { "Without --out the result is printed and no file is written." },
                 Handler = Batch.TracePoses,
                 UnityMethod = "Glint.Editor.Batch.Run",
@@ -106,7 +106,9 @@ namespace Glint.Editor
                     Example("run boat.obj --distance 200 --grazing 5 --azimuth 90 --frequency 9.4e9 --out boat",
                         "A boat seen from -X at 9.4 GHz; write the files to boat."),
                     Example("run boat.obj --distance 10000 --grazing 5 --spacing 0.005",
-                        "The boat in a plane wave from 10 km, a ray every 5 mm.")
+                        "The boat in a plane wave from 10 km, a ray every 5 mm."),
+                    Example("run Scenes/CornerReflector.unity --tolerance 0.1",
+                        "The amplitude of infinitely many rays, to 0.1 dB.")
                 }
             };
 

@@ -32,6 +32,8 @@ namespace Glint.Editor
         static readonly Interval CarrierFrequency = SweepAxis.Frequency.List.Range;
         static readonly Interval RaysOfAxis = Interval.Closed(1, RadarSettings.RaysPerAxisLimit);
         static readonly Interval RaysFromEdge = Interval.Closed(0, RadarSettings.RaysPerAxisLimit);
+        static readonly Interval AmplitudeTolerance =
+            Interval.Closed(RadarSettings.MinToleranceDb, RadarSettings.MaxToleranceDb);
         static readonly Interval Triangles = Interval.Closed(1000, 50000000);
         static readonly Interval TimedPoses = Interval.Closed(3, 100000);
 
@@ -123,6 +125,21 @@ namespace Glint.Editor
             "Leave out the estimate of the sampling error, which traces smaller rays around received ones: "
                 + "this is faster, and the columns sampling_error, largest_path_step_wavelengths and undersampled "
                 + "are empty.");
+
+        /// <summary>Tolerance of the amplitude, decibels; 0 when not given.</summary>
+        public static readonly Option<double> Tolerance = new Option<double>("tolerance", "DB",
+            text => Values.Real(text, AmplitudeTolerance))
+        {
+            Group = RadarGroup,
+            Range = AmplitudeTolerance.ToString(),
+            Excludes = new (Option, string)[] { (NoSamplingError, "the error decides when the tolerance is met") },
+            Help = "The error of the amplitude asked for in dB: 95 % of the amplitudes are within it. Instead of one "
+                + "phasor a ray, the amplitude is integrated over ray tubes, which are clipped at the edges of facets "
+                + "and receiver, until the tolerance is met. The columns of amplitudes then have the converged values, "
+                + "those of rays count the rays traced, sampling_error has the standard error, and undersampled is 1 "
+                + "where the tolerance is not met. Of --size only the aspect ratio and the scale of the columns "
+                + "amplitude, in_phase and quadrature matter."
+        };
 
         /// <summary>Width and height of the receiver, metres.</summary>
         public static readonly Option<double2> Receiver =

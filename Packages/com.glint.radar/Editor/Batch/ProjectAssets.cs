@@ -19,6 +19,9 @@ namespace Glint.Editor
         /// <summary>The kernels of cross sections; null if their import failed.</summary>
         public static ComputeShader TubesKernel => LoadShader("Tubes.compute");
 
+        /// <summary>The kernels of radars with a tolerance; null if their import failed.</summary>
+        public static ComputeShader TubeKernel => LoadShader("Amplitude.compute");
+
         /// <summary>Unity's material of new objects in the current render pipeline.</summary>
         public static Material StandardMaterial => PipelineMaterial.Default != null ? PipelineMaterial.Default
             : AssetDatabase.GetBuiltinExtraResource<Material>("Default-Material.mat");

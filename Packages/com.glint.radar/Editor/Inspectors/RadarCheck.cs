@@ -160,6 +160,8 @@ namespace Glint.Editor
         // The conditions by which SamplingEstimate flags a result, as far as the scene's bounds decide them.
         void CheckSampling()
         {
+            if (_radar.Settings.ToleranceDb > 0)
+                return; // the tubes follow the tolerance, not the rays
             string remedy = _radar.IsFitted ? "use a smaller Ray Spacing" : "give it more rays or a narrower view";
             if (Figures.MaxRaysHit < SamplingEstimate.FewestRays)
                 Add(Severity.Warning, FormattableString.Invariant(

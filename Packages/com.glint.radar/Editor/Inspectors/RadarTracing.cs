@@ -75,9 +75,9 @@ namespace Glint.Editor
                     step => FormattableString.Invariant($"{step:0.###} wavelengths"), ResultColumn.NotEstimated),
                 "Largest difference of path length between received rays that are neighbours in the picture.");
             yield return ("Undersampled", result.Sampling == null ? ResultColumn.NotEstimated
-                    : result.Undersampled ? "yes: give it more rays or a narrower view" : "no",
+                    : result.Undersampled ? "yes: give it more rays, a narrower view, or a larger tolerance" : "no",
                 "True if the rays are too far apart, or too few return, for the amplitude and its error to be "
-                    + "trusted.");
+                    + "trusted; with a tolerance, if it is not met.");
             var times = result.Statistics.Timings;
             yield return ("Times", FormattableString.Invariant(
                 $"gather {times.GatherMs:0.#}, build {times.BuildMs:0.#}, upload {times.UploadMs:0.#}, trace {times.TraceMs:0.#} ms"),

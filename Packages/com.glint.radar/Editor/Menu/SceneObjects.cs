@@ -30,6 +30,7 @@ namespace Glint.Editor
             camera.depth = DrawnFirst;
             var radar = camera.gameObject.AddComponent<RadarController>();
             radar.Kernel = ProjectAssets.Kernel;
+            radar.TubeKernel = ProjectAssets.TubeKernel;
             radar.Receiver = MeshFileScene.MakeReceiver(camera.transform, false);
             radar.gameObject.AddComponent<RayPaths>();
             AddToScene(radar.gameObject, null);

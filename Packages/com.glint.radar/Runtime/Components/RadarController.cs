@@ -44,6 +44,10 @@ namespace Glint
         [SerializeField, Range(1, RadarSettings.BounceLimit), Tooltip("Maximum number of bounces of a ray.")]
         int _maxBounces = 4;
 
+        [SerializeField, Min(0), Tooltip("Tolerance of the amplitude in decibels, such as 0.1: it is integrated over "
+            + "ray tubes, and no single rays are kept. 0: one phasor a ray, as in the published experiment.")]
+        double _toleranceDb;
+
         [SerializeField, Tooltip("Leaves out the estimate of the sampling error, which traces smaller rays around "
             + "received ones. A pose is faster, but undersampling is not detected.")]
         bool _skipSamplingError;
@@ -79,16 +83,21 @@ namespace Glint
         [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Trace.compute")]
         ComputeShader _kernel;
 
+        [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Amplitude.compute; only for a tolerance.")]
+        ComputeShader _tubeKernel;
+
         static readonly ProfilerMarker s_gather = new ProfilerMarker("Glint.Gather");
 
         readonly SceneGatherer _gatherer = new SceneGatherer();
         readonly HashSet<string> _warned = new HashSet<string>();
         RayTracer _tracer;
+        AmplitudeTracer _amplitudes;
+        PoseInFlight _pending; // of ray tubes, which are traced when the pose is finished
         RadarPose _traced;
         ulong _tracedContent;
 
         /// <summary>
-        /// Frequency, rays, bounces, the part of the picture, and whether the sampling error is estimated.
+        /// Frequency, rays, bounces, tolerance, the part of the picture, and whether the sampling error is estimated.
         /// Checked when a pose is traced.
         /// </summary>
         public RadarSettings Settings
@@ -96,7 +105,7 @@ namespace Glint
             get => new RadarSettings
             {
                 FrequencyHz = _frequencyHz, RaysAcross = _raysAcross, RaysDown = _raysDown, MaxBounces = _maxBounces,
-                SkipSamplingError = _skipSamplingError,
+                SkipSamplingError = _skipSamplingError, ToleranceDb = _toleranceDb,
                 Region = new RayRegion
                 {
                     Left = _regionCorner.x, Bottom = _regionCorner.y, Width = _regionSize.x, Height = _regionSize.y
@@ -106,6 +115,7 @@ namespace Glint
             {
                 (_frequencyHz, _raysAcross, _raysDown, _maxBounces, _skipSamplingError) = (value.FrequencyHz,
                     value.RaysAcross, value.RaysDown, value.MaxBounces, value.SkipSamplingError);
+                _toleranceDb = value.ToleranceDb;
                 _regionCorner = new Vector2Int(value.Region.Left, value.Region.Bottom);
                 _regionSize = new Vector2Int(value.Region.Width, value.Region.Height);
             }
@@ -151,6 +161,20 @@ namespace Glint
             set
             {
                 _kernel = value;
+                Release(); // the current tracer has the old kernel
+            }
+        }
+
+        /// <summary>
+        /// Packages/com.glint.radar/Shaders/Amplitude.compute; only used with
+        /// <see cref="RadarSettings.ToleranceDb"/>.
+        /// </summary>
+        public ComputeShader TubeKernel
+        {
+            get => _tubeKernel;
+            set
+            {
+                _tubeKernel = value;
                 Release(); // the current tracer has the old kernel
             }
         }
@@ -203,9 +227,14 @@ namespace Glint
         {
             // Before the scene is gathered, which may take long.
             var settings = Describe().Settings;
-            _tracer ??= new RayTracer(_kernel, Subject);
-            if (!IsFitted)
-                DispatchPlan.Check(settings, readback, Subject);
+            if (settings.ToleranceDb > 0)
+                _amplitudes ??= new AmplitudeTracer(_tubeKernel, Subject);
+            else
+            {
+                _tracer ??= new RayTracer(_kernel, Subject);
+                if (!IsFitted)
+                    DispatchPlan.Check(settings, readback, Subject);
+            }
 
             var inFlight = StartOnce(readback, cancel);
             // Beside the device's work.
@@ -226,7 +255,10 @@ namespace Glint
         internal RadarResult FinishTrace(PoseInFlight inFlight, IProgress<double> progress = null,
             CancellationToken cancel = default)
         {
-            var result = _tracer.Finish(inFlight, progress, cancel);
+            bool isOfTubes = inFlight == _pending;
+            _pending = null;
+            var result = isOfTubes ? _amplitudes.Trace(inFlight.Pose, progress, cancel, inFlight.Statistics)
+                : _tracer.Finish(inFlight, progress, cancel);
             (_traced.Settings, _traced.View) = (inFlight.Pose.Settings, inFlight.Pose.View);
             _tracedContent = inFlight.Content;
             Result = result;
@@ -237,17 +269,24 @@ namespace Glint
         }
 
         /// <summary>Gives up a pose that will not be finished; may be null.</summary>
-        internal void Abandon(PoseInFlight inFlight) => _tracer?.Abandon(inFlight);
+        internal void Abandon(PoseInFlight inFlight)
+        {
+            if (inFlight == _pending)
+                _pending = null;
+            else
+                _tracer?.Abandon(inFlight);
+        }
 
         /// <summary>Whether a pose was started and its buffers were not released since.</summary>
-        internal bool IsInFlight(PoseInFlight inFlight) => _tracer != null && _tracer.IsInFlight(inFlight);
+        internal bool IsInFlight(PoseInFlight inFlight) => inFlight != null
+            && (inFlight == _pending || _tracer != null && _tracer.IsInFlight(inFlight));
 
         /// <summary>
         /// Whether the next pose may start before this one is finished. A script that listens to <see cref="Traced"/>
         /// finds the scene as it was traced, and so do ray paths that are shown.
         /// </summary>
-        internal bool MayOverlap(PoseInFlight inFlight) =>
-            Traced == null && (Paths == null || !Paths.NeedsScene) && _tracer.MayOverlap(inFlight);
+        internal bool MayOverlap(PoseInFlight inFlight) => inFlight != _pending
+            && Traced == null && (Paths == null || !Paths.NeedsScene) && _tracer.MayOverlap(inFlight);
 
         /// <summary>Draws the rays of each pose; null: no component does.</summary>
         internal RayPaths Paths { get; set; }
@@ -382,7 +421,8 @@ namespace Glint
         {
             _gatherer.Forget();
             _tracer?.Dispose();
-            _tracer = null;
+            _amplitudes?.Dispose();
+            (_tracer, _amplitudes, _pending) = (null, null, null);
         }
 
         /// <summary>Name in messages.</summary>
@@ -418,6 +458,8 @@ namespace Glint
                 Objects = _gatherer.ObjectCount, BytesHashed = _gatherer.BytesHashed,
                 Timings = new Timings { GatherMs = watch.Elapsed.TotalMilliseconds }
             };
+            if (pose.Settings.ToleranceDb > 0)
+                return _pending = new PoseInFlight { Pose = pose, Readback = readback, Statistics = statistics };
             _tracer.CountVisits = CountVisits;
             return _tracer.Start(pose, readback, cancel, statistics);
         }

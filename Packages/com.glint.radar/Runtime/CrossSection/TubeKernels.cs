@@ -20,50 +20,33 @@ namespace Glint
 
         const int Group = 64;              // GLINT_GROUP
 
-        /// <summary>Words of the arguments of the indirect dispatches, and their byte offsets: _ARGUMENTS.</summary>
-        public const int ArgumentWords = 12;
-
-        /// <summary>Rays that a thread traces at most: RAYS_A_THREAD.</summary>
-        public const int RaysAThread = 4;
-
         /// <summary>Words of the marks of a cell: MARKS x MARKS bits.</summary>
         public const int MarkWordsOfACell = 2;
 
         /// <summary>Side of a block of base cells in which a triangle may be seen: COVER_SIDE.</summary>
         public const int CoverSide = 8;
 
-        /// <inheritdoc cref="ArgumentWords"/>
-        public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
-
         readonly ComputeShader _shader;
-        readonly int _clear, _clearMarks, _mark, _cover, _cells, _prepareBorders, _bisect, _borders, _prepareCells,
-            _fringes, _sums, _parts;
-        int _summing;                      // _sums or _parts
-        readonly GraphicsBuffer _arguments = new GraphicsBuffer(
-            GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
+        readonly TubeRounds _rounds;
+        readonly int _clearMarks, _mark, _cover, _cells, _fringes, _parts;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
         {
             _shader = shader;
-            _clear = shader.FindKernel("ClearTubes");
+            _rounds = new TubeRounds(shader, "TubeCells", "TubeBorders");
             _clearMarks = shader.FindKernel("ClearMarks");
             _mark = shader.FindKernel("MarkVertices");
             _cover = shader.FindKernel("MarkCover");
             _cells = shader.FindKernel("TubeCells");
-            _bisect = shader.FindKernel("TubeBisect");
-            _borders = shader.FindKernel("TubeBorders");
-            _prepareBorders = shader.FindKernel("PrepareBorders");
-            _prepareCells = shader.FindKernel("PrepareCells");
             _fringes = shader.FindKernel("TubeFringes");
-            _sums = shader.FindKernel("TubeSums");
             _parts = shader.FindKernel("TubeParts");
         }
 
         /// <summary>Sets the scene.</summary>
         public void SetScene(DeviceScene scene, SurfaceBuffers surfaces)
         {
-            foreach (int kernel in new[] { _cells, _bisect, _borders, _fringes })
+            foreach (int kernel in _rounds.Tracing.Append(_fringes))
             {
                 _shader.SetBvhs(kernel, scene);
                 _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
@@ -116,21 +99,14 @@ namespace Glint
             _shader.SetFloat(TubeIDs._UnitsPerSquareMetre, (float)sums.UnitsPerSquareMetre);
         }
 
-        /// <summary>Sets how finely cells are divided and borders found.</summary>
-        /// <param name="cellError">Error that a cell may have, of its coefficient times area, m2.</param>
-        /// <param name="maxLevel">Divisions of a base cell at most.</param>
-        /// <param name="maxBisections">Of the sides of a base cell towards a border.</param>
-        public void SetAccuracy(double cellError, int maxLevel, int maxBisections)
-        {
-            _shader.SetFloat(TubeIDs._CellError, (float)cellError);
-            _shader.SetInt(TubeIDs._MaxLevel, maxLevel);
-            _shader.SetInt(TubeIDs._MaxBisections, maxBisections);
-        }
+        /// <inheritdoc cref="TubeRounds.SetAccuracy"/>
+        public void SetAccuracy(double cellError, int maxLevel, int maxBisections) =>
+            _rounds.SetAccuracy(cellError, maxLevel, maxBisections);
 
         /// <summary>Sums S of all receivers and frequencies.</summary>
         public void SumAll()
         {
-            _summing = _sums;
+            _rounds.SumBy(null);
             _shader.SetInt(TubeIDs._HasParts, 0);
         }
 
@@ -138,33 +114,25 @@ namespace Glint
         /// <param name="firstWord">Of the parts, in the output.</param>
         public void SumParts(SceneParts parts, int receiver, int frequency, int firstWord)
         {
-            _summing = _parts;
+            _rounds.SumBy(_parts);
             _shader.SetInt(TubeIDs._HasParts, 1);
             _shader.SetInts(TubeIDs._Parts, receiver, frequency, firstWord, parts.FirstBounce);
         }
 
-        /// <summary>Sets the lists that the kernels leave to each other.</summary>
+        /// <inheritdoc cref="TubeRounds.SetLists"/>
         public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<uint> tubeParts,
             DeviceBuffer<TubeCell> cells, DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers)
         {
-            foreach (int kernel in new[]
-                { _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _fringes, _sums, _parts })
-                _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
-            foreach (int kernel in new[] { _cells, _bisect, _borders, _fringes, _sums, _parts })
+            _rounds.SetLists(output, tubes, cells, borders, waveNumbers);
+            foreach (int kernel in new[] { _fringes, _parts })
             {
+                _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._TubeParts, tubeParts.Buffer);
             }
-            foreach (int kernel in new[] { _cells, _bisect, _borders })
-            {
-                _shader.SetBuffer(kernel, TubeIDs._TubeCells, cells.Buffer);
-                _shader.SetBuffer(kernel, TubeIDs._Borders, borders.Buffer);
-            }
-            foreach (int kernel in new[] { _prepareBorders, _prepareCells })
-                _shader.SetBuffer(kernel, ShaderIDs._Arguments, _arguments);
-            foreach (int kernel in new[] { _sums, _parts })
-                _shader.SetBuffer(kernel, TubeIDs._WaveNumbers, waveNumbers.Buffer);
-            _shader.SetInts(TubeIDs._ListCapacity, tubes.Capacity, cells.Capacity, borders.Capacity, 0);
+            foreach (int kernel in _rounds.Tracing)
+                _shader.SetBuffer(kernel, TubeIDs._TubeParts, tubeParts.Buffer);
+            _shader.SetBuffer(_parts, TubeIDs._WaveNumbers, waveNumbers.Buffer);
         }
 
         /// <summary>Words of the marks of a grid: MARKS and COVER_SIDE.</summary>
@@ -197,35 +165,12 @@ namespace Glint
             _shader.DispatchThreads(_cover, surfaces.SphereCount);
         }
 
-        /// <summary>Clears counts and sums.</summary>
-        public void Clear(int count)
-        {
-            _shader.SetInt(TubeIDs._ClearedWords, count);
-            _shader.DispatchThreads(_clear, count);
-        }
+        /// <inheritdoc cref="TubeRounds.Clear"/>
+        public void Clear(int count) => _rounds.Clear(count);
 
-        /// <summary>Traces base cells, in rounds the parts of those that are divided, and sums the tubes.</summary>
-        public void Trace(TubeGrid grid, long first, int count, int rounds, int bisections)
-        {
-            _shader.SetInts(TubeIDs._Grid, grid.Cells.x, (int)first, count, 0);
-            for (int round = 0; round < rounds; round++)
-            {
-                _shader.SetInt(TubeIDs._Round, round);
-                if (round == 0)
-                    _shader.DispatchThreads(_cells, count);
-                else
-                    _shader.DispatchIndirect(_cells, _arguments, CellArguments);
-                _shader.Dispatch(_prepareBorders, 1, 1, 1);
-                for (int step = 0; step < Math.Max(2, bisections - 2 * round); step += RaysAThread)
-                {
-                    _shader.SetInt(TubeIDs._BisectStep, step);
-                    _shader.DispatchIndirect(_bisect, _arguments, BisectArguments);
-                }
-                _shader.DispatchIndirect(_borders, _arguments, BorderArguments);
-                _shader.Dispatch(_prepareCells, 1, 1, 1);
-            }
-            _shader.DispatchIndirect(_summing, _arguments, TubeArguments);
-        }
+        /// <inheritdoc cref="TubeRounds.Trace"/>
+        public void Trace(TubeGrid grid, long first, int count, int rounds, int bisections) =>
+            _rounds.Trace(grid.Cells.x, first, count, rounds, bisections);
 
         /// <summary>Sums the fringe fields of pieces of edges.</summary>
         /// <param name="offset">Of the starts of shadow rays from their edges, metres.</param>
@@ -235,11 +180,10 @@ namespace Glint
             _shader.SetInts(TubeIDs._EdgeRange, first, count, 0, 0);
             _shader.SetFloat(TubeIDs._EdgeOffset, (float)offset);
             _shader.DispatchThreads(_fringes, (long)count * receivers);
-            _shader.Dispatch(_prepareCells, 1, 1, 1);
-            _shader.DispatchIndirect(_summing, _arguments, TubeArguments);
+            _rounds.Sum();
         }
 
-        public void Dispose() => _arguments.Dispose();
+        public void Dispose() => _rounds.Dispose();
 
         // The receivers, and the radar behind MaxReceivers of them.
         static Vector4[] Padded(CrossSectionPose pose, Func<RadarAspect, Vector4> value) =>

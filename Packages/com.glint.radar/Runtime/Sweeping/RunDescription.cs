@@ -13,6 +13,10 @@ namespace Glint
     /// <summary>Describes a run for results.json, and chooses its folder.</summary>
     public static class RunDescription
     {
+        const string Tubes = "amplitudes integrated over ray tubes; rays_emitted, rays_hit, rays_received, ratio, "
+            + "bounces, segments and path_length_m count the rays traced; sampling_error is the standard error of "
+            + "amplitude_normalised; undersampled: 1 where the tolerance is not met";
+
         /// <summary>Results/<paramref name="name"/> in the folder of <see cref="InProject"/>.</summary>
         /// <param name="table">What the rows hold; null: the poses of a sweep or run.</param>
         public static string DefaultFolder(string name, ResultTable table = null) =>
@@ -114,6 +118,12 @@ namespace Glint
             if (!settings.Region.IsWhole)
                 AddRegion(info, settings.Region);
             info.Settings.Add(new RunSetting("max_bounces", settings.MaxBounces, "1"));
+            if (settings.ToleranceDb > 0)
+            {
+                info.Settings.Add(new RunSetting("tolerance", settings.ToleranceDb, "dB"));
+                info.Settings.Add(new RunSetting("tolerance_floor", AmplitudeTracer.Floor, "1"));
+                info.Settings.Add(new RunSetting("method", Tubes));
+            }
             if (settings.SkipSamplingError)
                 info.Settings.Add(new RunSetting(ResultColumn.SamplingError.Name, ResultColumn.NotEstimated));
             info.Settings.Add(new RunSetting("projection", view.IsParallel ? "parallel" : "perspective"));

@@ -37,6 +37,18 @@ namespace Glint
                 new Vector4(grid.ReferencePixel.x, grid.ReferencePixel.y, 0, 0));
         }
 
+        /// <summary>Sets the receiver.</summary>
+        public static void SetReceiver(this ComputeShader shader, in RadarView view, RayGrid grid)
+        {
+            shader.SetPoint(ShaderIDs._ReceiverCentre, view.ReceiverCentre - grid.SceneCentre);
+            shader.SetPoint(ShaderIDs._ReceiverRight, view.ReceiverRight);
+            shader.SetPoint(ShaderIDs._ReceiverUp, view.ReceiverUp);
+            shader.SetPoint(ShaderIDs._ReceiverForward, view.ReceiverForward);
+            double2 half = view.ReceiverSize / 2;
+            shader.SetVector(ShaderIDs._ReceiverHalfSize,
+                new Vector4((float)half.x, DoubleFloat.Lo(half.x), (float)half.y, DoubleFloat.Lo(half.y)));
+        }
+
         /// <summary>Sets the BVHs, instances and ranges of a scene.</summary>
         public static void SetBvhs(this ComputeShader shader, int kernel, DeviceScene scene)
         {

@@ -62,13 +62,7 @@ namespace Glint
             float lengthUnits, Culling culling)
         {
             _shader.SetRays(grid);
-            _shader.SetPoint(ShaderIDs._ReceiverCentre, view.ReceiverCentre - grid.SceneCentre);
-            _shader.SetPoint(ShaderIDs._ReceiverRight, view.ReceiverRight);
-            _shader.SetPoint(ShaderIDs._ReceiverUp, view.ReceiverUp);
-            _shader.SetPoint(ShaderIDs._ReceiverForward, view.ReceiverForward);
-            double2 half = view.ReceiverSize / 2;
-            _shader.SetVector(ShaderIDs._ReceiverHalfSize,
-                new Vector4((float)half.x, DoubleFloat.Lo(half.x), (float)half.y, DoubleFloat.Lo(half.y)));
+            _shader.SetReceiver(view, grid);
             _shader.SetNumber(ShaderIDs._WaveNumberTurns, 1 / settings.Wavelength);
             double3 centre = grid.SceneCentre + origin;
             _shader.SetVector(ShaderIDs._SceneCentreExtent,

@@ -95,6 +95,23 @@ public sealed class AccuracyTests
             Assert.That(text, Does.Contain(part));
     }
 
+    // Of 480 to 7680 rays across, 960 are within 1 % by chance, 3840 and 7680 stay so.
+    [Test]
+    public void Tubes_StandBesideFewestUniformRays_FromWhichOnAllAreWithinOnePercent()
+    {
+        var scene = new AccuracyScene("any", new RadarScene(), default);
+        var rows = new[] { 1.5, 1, 1.2, 1.005, 0.995 }.Select((amplitude, i) =>
+        {
+            var settings = RadarSettings.Default;
+            (settings.RaysAcross, settings.RaysDown) = (480 << i, 270 << i);
+            var sums = new RadarSums { InPhase = amplitude * 40 / RadarResult.NormalRays * settings.RayCount };
+            sums.RaysOfPicture = settings.RayCount;
+            return new AccuracyRow(scene, settings, new RadarResult(sums), new Series(), new(40, 0.5, 1000));
+        }).ToArray();
+        Assert.That(AccuracyTubes.FewestWithin(rows, 40)?.Settings.RaysAcross, Is.EqualTo(3840));
+        Assert.That(AccuracyTubes.FewestWithin(rows[..3], 40), Is.Null);
+    }
+
     [Test]
     public void Accuracy_WithoutAFile_NamesOne()
     {

@@ -60,9 +60,11 @@ namespace Glint.Editor.Views
                 Parts.Field("_roots", "Roots"),
                 Parts.Field("_meshChanges", "Mesh Changes")));
             inspector.Add(Parts.Group("Results",
+                Parts.Field("_toleranceDb", "Tolerance (dB)"),
                 Parts.Field("_skipSamplingError", "Skip Sampling Error"),
                 Parts.Field("_keptRays", "Kept Rays"),
-                Parts.Field("_kernel", "Kernel")));
+                Parts.Field("_kernel", "Kernel"),
+                Parts.Field("_tubeKernel", "Tube Kernel")));
         }
 
         void AddLook(VisualElement inspector)

@@ -1,0 +1,118 @@
+using System;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>
+    /// The kernels that divide cells in rounds and sum their tubes: of Shaders/Tubes.compute or Amplitude.compute.
+    /// </summary>
+    sealed class TubeRounds : IDisposable
+    {
+        /// <summary>Words of the arguments of the indirect dispatches, and their byte offsets: _ARGUMENTS.</summary>
+        public const int ArgumentWords = 12;
+
+        /// <summary>Rays that a thread traces at most: RAYS_A_THREAD.</summary>
+        public const int RaysAThread = 4;
+
+        /// <inheritdoc cref="ArgumentWords"/>
+        public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
+
+        readonly ComputeShader _shader;
+        readonly int _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _sums;
+        int _summing;                      // _sums or another kernel
+        readonly GraphicsBuffer _arguments = new GraphicsBuffer(
+            GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
+
+        /// <param name="cells">Name of the kernel that takes a thread for a cell.</param>
+        /// <param name="borders">Name of the kernel that takes a thread for a border cell.</param>
+        public TubeRounds(ComputeShader shader, string cells, string borders)
+        {
+            _shader = shader;
+            _clear = shader.FindKernel("ClearTubes");
+            _cells = shader.FindKernel(cells);
+            _prepareBorders = shader.FindKernel("PrepareBorders");
+            _bisect = shader.FindKernel("TubeBisect");
+            _borders = shader.FindKernel(borders);
+            _prepareCells = shader.FindKernel("PrepareCells");
+            _sums = shader.FindKernel("TubeSums");
+            _summing = _sums;
+            Tracing = new[] { _cells, _bisect, _borders };
+        }
+
+        /// <summary>The kernels that trace rays.</summary>
+        public int[] Tracing { get; }
+
+        /// <summary>Sums tubes by another kernel; null: by TubeSums.</summary>
+        public void SumBy(int? kernel) => _summing = kernel ?? _sums;
+
+        /// <summary>Sets how finely cells are divided and borders found.</summary>
+        /// <param name="cellError">Error that a cell may have, of its coefficient times area.</param>
+        /// <param name="maxLevel">Divisions of a base cell at most.</param>
+        /// <param name="maxBisections">Of the sides of a base cell towards a border.</param>
+        public void SetAccuracy(double cellError, int maxLevel, int maxBisections)
+        {
+            _shader.SetFloat(TubeIDs._CellError, (float)cellError);
+            _shader.SetInt(TubeIDs._MaxLevel, maxLevel);
+            _shader.SetInt(TubeIDs._MaxBisections, maxBisections);
+        }
+
+        /// <summary>Sets the lists that the kernels leave to each other.</summary>
+        public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<TubeCell> cells,
+            DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers)
+        {
+            foreach (int kernel in new[] { _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _sums })
+                _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
+            foreach (int kernel in new[] { _cells, _bisect, _borders, _sums })
+                _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
+            foreach (int kernel in Tracing)
+            {
+                _shader.SetBuffer(kernel, TubeIDs._TubeCells, cells.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._Borders, borders.Buffer);
+            }
+            foreach (int kernel in new[] { _prepareBorders, _prepareCells })
+                _shader.SetBuffer(kernel, ShaderIDs._Arguments, _arguments);
+            _shader.SetBuffer(_sums, TubeIDs._WaveNumbers, waveNumbers.Buffer);
+            _shader.SetInts(TubeIDs._ListCapacity, tubes.Capacity, cells.Capacity, borders.Capacity, 0);
+        }
+
+        /// <summary>Clears counts and sums.</summary>
+        public void Clear(int count)
+        {
+            _shader.SetInt(TubeIDs._ClearedWords, count);
+            _shader.DispatchThreads(_clear, count);
+        }
+
+        /// <summary>Traces base cells, in rounds the parts of those that are divided, and sums the tubes.</summary>
+        public void Trace(int cellsAcross, long first, int count, int rounds, int bisections)
+        {
+            _shader.SetInts(TubeIDs._Grid, cellsAcross, (int)first, count, 0);
+            for (int round = 0; round < rounds; round++)
+            {
+                _shader.SetInt(TubeIDs._Round, round);
+                if (round == 0)
+                    _shader.DispatchThreads(_cells, count);
+                else
+                    _shader.DispatchIndirect(_cells, _arguments, CellArguments);
+                _shader.Dispatch(_prepareBorders, 1, 1, 1);
+                for (int step = 0; step < Math.Max(2, bisections - 2 * round); step += RaysAThread)
+                {
+                    _shader.SetInt(TubeIDs._BisectStep, step);
+                    _shader.DispatchIndirect(_bisect, _arguments, BisectArguments);
+                }
+                _shader.DispatchIndirect(_borders, _arguments, BorderArguments);
+                _shader.Dispatch(_prepareCells, 1, 1, 1);
+            }
+            _shader.DispatchIndirect(_summing, _arguments, TubeArguments);
+        }
+
+        /// <summary>Sums tubes that another kernel has listed.</summary>
+        public void Sum()
+        {
+            _shader.Dispatch(_prepareCells, 1, 1, 1);
+            _shader.DispatchIndirect(_summing, _arguments, TubeArguments);
+        }
+
+        public void Dispose() => _arguments.Dispose();
+    }
+}

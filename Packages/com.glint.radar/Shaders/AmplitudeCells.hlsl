@@ -1,0 +1,134 @@
+#ifndef GLINT_AMPLITUDE_CELLS
+#define GLINT_AMPLITUDE_CELLS
+
+#include "AmplitudePath.hlsl"
+
+// Adds the cells whose rays all take the same path, as one tube each; leaves out those that receive nothing; lists the
+// others as borders. One thread a cell.
+
+// Cells of which no corner is received, and whose corners have bounced differently often, are divided up to this level:
+// what is seen between them may be anything.
+static const uint OUTLINE_LEVEL = 1;
+
+// Part by which the landings of the corners may be exceeded between them.
+static const float LANDING_MARGIN = 0.25, SAME_LANDING_MARGIN = 0.05;
+
+bool LoadCell(uint index, out Cell cell)
+{
+    cell = (Cell)0;
+    if (_Round > 0)
+    {
+        if (index >= min(_Sums[TUBE_CELLS], _ListCapacity.y))
+            return false;
+        cell = _TubeCells[index];
+        return true;
+    }
+    uint column = index % _Grid.x, row = index / _Grid.x, first = column + row * (_Grid.x + 1);
+    cell.Position = uint2(column, _Grid.y / _Grid.x + row);
+    cell.Signatures = uint4(first, first + 1, first + _Grid.x + 2, first + _Grid.x + 1);
+    return index < _Grid.z;
+}
+
+// Whether a cell of which no corner is received may hide a part that is. Corners on the same planes tell where the others
+// land; those on several planes at least between what they may land.
+bool MayReceive(uint4 points, float side, uint level)
+{
+    uint planes = _Points[points.x * _PointWords + 1];
+    bool isSame = true;
+    for (uint i = 1; i < 4; i++)
+        isSame = isSame && _Points[points[i] * _PointWords + 1] == planes;
+    [loop]
+    for (uint bounce = 0; bounce < _MaxBounces; bounce++)
+    {
+        float2 lower = MAX_LANDING, upper = -MAX_LANDING;
+        uint count = 0;
+        bool isInside = false, isBeside = false;
+        for (uint corner = 0; corner < 4; corner++)
+        {
+            uint word = points[corner] * _PointWords + POINT_LANDINGS + 2 * bounce, packed = _Points[word];
+            if (packed == NO_LANDING)
+                continue;
+            float2 position = float2(f16tof32(packed), f16tof32(packed >> 16));
+            float largest = max(abs(position.x), abs(position.y));
+            lower = min(lower, position);
+            upper = max(upper, position);
+            isInside = isInside || largest <= 1.0;
+            isBeside = isBeside || largest <= 1.0 + side * asfloat(_Points[word + 1]);
+            count++;
+        }
+        if (count == 0)
+            return false;
+        float2 margin = (isSame ? SAME_LANDING_MARGIN : LANDING_MARGIN) * (upper - lower);
+        bool isBetween = all(lower - margin <= 1.0) && all(upper + margin >= -1.0);
+        // A corner inside whose ray meets the same planes as the others is hidden by them.
+        if (isSame ? isBetween && !isInside : isBetween || isBeside)
+            return true;
+        if (count < 4 && level < OUTLINE_LEVEL)
+            return true;
+    }
+    return false;
+}
+
+// Whether a neighbour has found something on a side of the cell.
+bool IsRevealed(Cell cell)
+{
+    if (cell.Level >= REVEALED_LEVEL)
+        return false;
+    uint parts = REVEALED_PARTS >> cell.Level;
+    uint2 base = cell.Position >> cell.Level, first = (cell.Position - (base << cell.Level)) * parts;
+    uint word = REVEALED_PARTS * (base.x + base.y * _Grid.x), row = (0xffffffff >> (32 - parts)) << first.x, bits = 0;
+    for (uint y = first.y; y < first.y + parts; y++)
+        bits |= _Revealed[word + y] & row;
+    return bits != 0;
+}
+
+[numthreads(GLINT_GROUP, 1, 1)]
+void AmplitudeCells(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    Cell cell;
+    if (!LoadCell(IndexOf(group, thread), cell))
+        return;
+    // A ray is a phasor of one.
+    cell.Strength = 1.0;
+    cell.Bent = 0.0;
+    float side = SideOfCell(cell);
+    uint signature = _Points[cell.Signatures.x * _PointWords];
+    bool isSame = true;
+    for (uint i = 1; i < 4; i++)
+        isSame = isSame && _Points[cell.Signatures[i] * _PointWords] == signature;
+    if (isSame && signature == 0)
+    {
+        if (cell.Level >= _EmptyLevel || !MayReceive(cell.Signatures, side, cell.Level) && !IsRevealed(cell))
+            return;
+        cell.Strength = MISS;
+    }
+    else if (IsRevealed(cell))
+        cell.Strength = MISS;
+    else if (isSame)
+    {
+        Return ray = Follow(CentreOfCell(cell), NO_POINT);
+        AddUnsigned(TUBE_RAYS, 1);
+        float3 bends = BendsOf(ray, side);
+        float size = _WaveNumber * (abs(bends.x) + abs(bends.y) + abs(bends.z)), error = BentError(size);
+        bool isTube = ray.Signature == signature && (error * side * side <= _CellError || cell.Level >= _MaxLevel);
+        if (isTube)
+        {
+            Tube tube = TubeOf(ray);
+            bool isBent = size < MAX_BENDS;
+            // The square is about its centre, the phase of the bends about the corners.
+            tube.Phase += (bends.x + bends.y) * (isBent ? 1.0 : 1.0 / 3.0);
+            tube.Corners01 = float4(side, isBent ? bends : (float3)0);
+            tube.Corners23 = float4(1.0, 0.0, 0.0, 0.0);
+            tube.Bent = error;
+            AddTube(tube);
+            return;
+        }
+        cell.Bent = MISS;
+    }
+    uint border;
+    InterlockedAdd(_Sums[TUBE_BORDERS], 1, border);
+    if (border < _ListCapacity.z)
+        _Borders[border] = cell;
+}
+
+#endif

@@ -1,0 +1,232 @@
+#ifndef GLINT_AMPLITUDE_PATH
+#define GLINT_AMPLITUDE_PATH
+
+#include "TubeShapes.hlsl"
+#include "Mirror.hlsl"
+#include "Identity.hlsl"
+#include "Sums.hlsl"
+
+// The experiment's rays as the middle of tubes: a ray is reflected by the facets' planes, and is received where it
+// crosses the receiver's rectangle before any triangle (ReceiverPlane.hlsl). The length of its path is an exact function
+// of its position in the picture as long as it meets the same planes.
+
+// Input.
+float4 _PictureStart;                      // xy: lower left corner of the grid, in rays from _ReferencePixel
+float4 _PictureStep;                       // xy: rays a base cell
+float4 _Aside;                             // xyz: _Direction less the view axis; w: 1 for parallel rays
+float _ReceiverDepth;                      // distance from the receiver's plane to the scene's centre, m
+uint _EmptyLevel;                          // cells at it of which no corner is received are not divided
+uint _PointWords;                          // words of a point of _Points
+uint _PointCapacity;
+
+// What is known of the rays through corners of cells, of a point: signature; hash of all planes met; and for each bounce
+// where the ray crosses the plane of the receiver, see Landing.
+RWStructuredBuffer<uint> _Points;
+
+// Parts of base cells on whose sides a neighbour has found what the ends of the side do not show, REVEALED_PARTS x
+// REVEALED_PARTS a cell, a word a row: in earlier attempts, and in all with this one.
+static const uint REVEALED_LEVEL = 5;
+static const uint REVEALED_PARTS = 32;
+StructuredBuffer<uint> _Revealed;
+RWStructuredBuffer<uint> _RevealedByNow;
+uint _RevealedWords;
+
+static const uint POINT_LANDINGS = 2;      // first word of the landings, two words each
+static const uint NO_POINT = 0xffffffff;
+static const uint NO_LANDING = 0xffffffff;
+
+// Largest coordinate of a landing: the ray goes elsewhere.
+static const float MAX_LANDING = 30000.0;
+
+// Where a ray goes, seen from its last hit: 0 is the receiver's centre, 1 its edge.
+struct Landing
+{
+    float2 Position;
+    float Motion;          // of the position by a base cell on the same planes
+};
+
+// What a ray gives.
+struct Return
+{
+    uint Signature;        // of the planes met; 0: not received
+    float Length;          // of the path, less _OriginDepth and _ReceiverDepth, m
+    float2 Gradient;       // of the length, m a base cell
+    float3 Bend;           // its second derivatives: by u, by v, by both
+};
+
+uint Mixed(uint hash, uint value)
+{
+    uint mixed = (hash ^ value) * 16777619u;
+    return (mixed ^ (mixed >> 13)) * 2246822519u;
+}
+
+// Stereographic, so that rays that go away from the receiver are far from it.
+Landing LandingOf(Path path, float3 stepU, float3 stepV, float pathLength)
+{
+    float3 way = _ReceiverCentre.xyz - path.Ray.Origin, d = path.Ray.Direction;
+    float distance = max(length(way), 1.0e-6);
+    way /= distance;
+    float3 right = normalize(_ReceiverRight.xyz - way * dot(way, _ReceiverRight.xyz)), up = cross(way, right);
+    float2 halfSize = float2(_ReceiverHalfSize.x, _ReceiverHalfSize.z) / distance;
+    float towards = max(1.0 + dot(d, way), 1.0e-6);
+    Landing landing;
+    landing.Position = clamp(2.0 * float2(dot(d, right), dot(d, up)) / (towards * halfSize), -MAX_LANDING, MAX_LANDING);
+    float2 motion = float2(length(stepU), length(stepV)) * (_Aside.w != 0.0 ? 1.0 : pathLength + distance);
+    landing.Motion = (motion.x + motion.y) / (distance * min(halfSize.x, halfSize.y));
+    return landing;
+}
+
+// Distance along a ray to the receiver's rectangle, which it crosses against its axis; MISS if it does not.
+float ToReceiver(float3 origin, float3 direction)
+{
+    float3 forward = _ReceiverForward.xyz;
+    float distance = ToPlane(origin, direction, _ReceiverCentre.xyz, forward);
+    float3 position = origin + distance * direction - _ReceiverCentre.xyz;
+    bool isWithin = abs(dot(position, _ReceiverRight.xyz)) <= _ReceiverHalfSize.x
+        && abs(dot(position, _ReceiverUp.xyz)) <= _ReceiverHalfSize.z;
+    return dot(direction, forward) < 0.0 && distance > 0.0 && isWithin ? distance : MISS;
+}
+
+// Length and derivatives of a received path. Mirrored at the planes the rays are those of one point, or parallel, to a
+// plane: the length is h |D| / (D.n), with D linear in the position.
+Return ReturnOf(Path path, float3 stepU, float3 stepV, float distance, uint signature)
+{
+    float3 d = path.Ray.Direction, forward = _ReceiverForward.xyz;
+    float c = -dot(d, forward), toPlane = _ReceiverDepth + dot(path.Ray.Origin, forward);
+    float2 b = -float2(dot(stepU, forward), dot(stepV, forward)) / c;
+    Return result;
+    result.Signature = signature;
+    // The distance less _ReceiverDepth, without the rounding of large numbers.
+    float3 across = d + forward;
+    result.Length = path.RelativeLength + (dot(path.Ray.Origin, forward) + toPlane * dot(across, across) / (2.0 * c));
+    if (_Aside.w != 0.0)
+    {
+        result.Gradient = -b;
+        result.Bend = 0.0;
+        return result;
+    }
+    float whole = _OriginDepth.x + path.RelativeLength + distance;
+    float2 a = float2(dot(stepU, d), dot(stepV, d));
+    result.Gradient = whole * (a - b);
+    result.Bend = whole * float3(
+        dot(stepU, stepU) - a.x * a.x + 2.0 * b.x * (b.x - a.x),
+        dot(stepV, stepV) - a.y * a.y + 2.0 * b.y * (b.y - a.y),
+        dot(stepU, stepV) - a.x * a.y + 2.0 * b.x * b.y - a.x * b.y - a.y * b.x);
+    return result;
+}
+
+void AddRay(Path path, bool isReceived)
+{
+    if (path.Bounces == 0)
+        return;
+    AddUnsigned(TUBE_HITS, 1);
+    AddUnsigned(TUBE_BOUNCES, path.Bounces);
+    AddUnsigned(TUBE_LENGTHS, (uint)(TUBE_LENGTH_UNITS * path.RelativeLength + 0.5));
+    if (isReceived)
+        AddUnsigned(TUBE_RECEIVED, 1);
+}
+
+// Follows the ray through a position of the grid, and keeps what a point says of it, if there is one.
+Return Follow(float2 position, uint recorded)
+{
+    float2 pixel = _PictureStart.xy + position * _PictureStep.xy;
+    Path path = BeginPath(pixel);
+    float3 aside = _Aside.xyz + pixel.x * _DirectionDx.xyz + pixel.y * _DirectionDy.xyz;
+    float square = dot(aside, aside), size = sqrt(1.0 + square);
+    // BeginPath subtracts 1 from the size, which leaves float32 few digits far away.
+    path.RelativeLength = _OriginDepth.x * square / (1.0 + size);
+    bool isParallel = _Aside.w != 0.0;
+    float3 stepU = _PictureStep.x * (isParallel ? _OriginDx.xyz : _DirectionDx.xyz / size);
+    float3 stepV = _PictureStep.y * (isParallel ? _OriginDy.xyz : _DirectionDy.xyz / size);
+    Return result = (Return)0;
+    uint planes = 2166136261u, word = recorded * _PointWords + POINT_LANDINGS;
+    bool goesOn = true;
+    [loop]
+    while (goesOn)
+    {
+        float toReceiver = MISS;
+        if (path.Bounces > 0)
+        {
+            toReceiver = ToReceiver(path.Ray.Origin, path.Ray.Direction);
+            if (recorded != NO_POINT)
+            {
+                Landing landing = LandingOf(path, stepU, stepV, _OriginDepth.x + path.RelativeLength);
+                _Points[word] = f32tof16(landing.Position.x) | f32tof16(landing.Position.y) << 16;
+                _Points[word + 1] = asuint(landing.Motion);
+                word += 2;
+            }
+        }
+        Hit hit = NoHit();
+        if (toReceiver < MISS || !IsLast(path))
+            hit = ClosestHit(path.Ray, MISS, NO_ENTRY_POINTS, NOT_MET);
+        bool isReceived = toReceiver < MISS && (IsMiss(hit) || toReceiver <= hit.Distance);
+        if (isReceived)
+            result = ReturnOf(path, stepU, stepV, toReceiver, planes | 1);
+        goesOn = !isReceived && !IsMiss(hit) && !IsLast(path);
+        if (!IsMiss(hit) && !isReceived)
+        {
+            Identity identity = Identify(hit);
+            uint2 first = _InstanceFacets[identity.Instance];
+            planes = Mixed(planes, first.y + _Facets[first.x + identity.Triangle].x);
+        }
+        if (goesOn)
+        {
+            MoveTo(path, hit);
+            stepU -= 2.0 * dot(stepU, hit.Normal) * hit.Normal;
+            stepV -= 2.0 * dot(stepV, hit.Normal) * hit.Normal;
+            Scatter(path, hit);
+        }
+    }
+    AddRay(path, result.Signature != 0);
+    if (recorded != NO_POINT)
+    {
+        _Points[recorded * _PointWords] = result.Signature;
+        _Points[recorded * _PointWords + 1] = Mixed(planes, path.Bounces);
+        for (uint bounce = path.Bounces; bounce < _MaxBounces; bounce++)
+        {
+            _Points[word] = NO_LANDING;
+            word += 2;
+        }
+    }
+    return result;
+}
+
+uint SignatureAt(float2 position)
+{
+    return Follow(position, NO_POINT).Signature;
+}
+
+// A border cell. In the list Signatures are the points of its corners.
+Cell LoadBorder(uint index)
+{
+    Cell cell = _Borders[index];
+    uint4 words = cell.Signatures * _PointWords;
+    cell.Signatures = uint4(_Points[words.x], _Points[words.y], _Points[words.z], _Points[words.w]);
+    return cell;
+}
+
+// Phases at the corners of a cell less the linear ones, m: as BendsOf in TubeCells.hlsl.
+float3 BendsOf(Return ray, float side)
+{
+    return side * side * ray.Bend * float3(0.125, 0.125, 0.25);
+}
+
+// A piece of a tube: without corners, a square.
+Tube TubeOf(Return ray)
+{
+    Tube tube = (Tube)0;
+    tube.Phase = ray.Length;
+    tube.Gradient = ray.Gradient;
+    tube.CoPolar = float4(1.0, 0.0, 0.0, 0.0);
+    return tube;
+}
+
+void AddTube(Tube tube)
+{
+    uint at;
+    InterlockedAdd(_Sums[TUBE_COUNT], 1, at);
+    if (at < _ListCapacity.x)
+        _Tubes[at] = tube;
+}
+
+#endif

@@ -1,0 +1,163 @@
+#ifndef GLINT_TUBE_SHAPES
+#define GLINT_TUBE_SHAPES
+
+#include "TubeBindings.hlsl"
+#include "Geometry.hlsl"
+#include "Trigonometry.hlsl"
+
+// The cells of the grid, the borders through them, and the pieces into which borders cut them.
+
+// Corners of a cell in order around it, from its centre.
+float2 CornerOf(uint corner)
+{
+    return float2(corner == 1 || corner == 2 ? 0.5 : -0.5, corner >= 2 ? 0.5 : -0.5);
+}
+
+float SideOfCell(Cell cell)
+{
+    return asfloat((127 - cell.Level) << 23);
+}
+
+float2 CentreOfCell(Cell cell)
+{
+    return (float2(cell.Position) + 0.5) * SideOfCell(cell);
+}
+
+// Error of a cell that is summed as a whole although its corners do not see the same, as a fraction of its area.
+static const float CRUDE_ERROR = 0.3;
+
+// Whether a cell may be summed as a whole.
+bool IsSmall(Cell cell)
+{
+    float side = SideOfCell(cell);
+    return CRUDE_ERROR * side * side * cell.Strength <= _CellError;
+}
+
+// The border through a cell, which cuts two of its sides.
+struct Border
+{
+    bool IsCut;            // the corners see two things, and the border separates them once
+    uint2 Sides;           // first corner of each side cut
+    uint SignatureBefore;  // at the first corner of the first side
+    uint SignatureAfter;   // at its second corner
+};
+
+// Bits of Cell.Crossings, which is the number of intervals before that of the border, a bit a bisection.
+static const uint NO_CROSSING = 0x80000000;
+
+Border BorderOf(Cell cell)
+{
+    Border border = (Border)0;
+    uint first = cell.Signatures.x, other = first, changes = 0;
+    bool areTwo = true;
+    [unroll]
+    for (uint corner = 0; corner < 4; corner++)
+    {
+        uint signature = cell.Signatures[corner];
+        if (signature != first)
+        {
+            areTwo = areTwo && (other == first || other == signature);
+            other = signature;
+        }
+        if (signature != cell.Signatures[(corner + 1) & 3])
+        {
+            if (changes == 0)
+            {
+                border.Sides.x = corner;
+                border.SignatureBefore = signature;
+                border.SignatureAfter = cell.Signatures[(corner + 1) & 3];
+            }
+            else
+                border.Sides.y = corner;
+            changes++;
+        }
+    }
+    float side = SideOfCell(cell);
+    border.IsCut = areTwo && changes == 2 && !IsSmall(cell) && side * side * cell.Bent <= _CellError;
+    return border;
+}
+
+// Bisections of the sides of a cell, each of which halves the error of its border (AreaError).
+uint BisectionsOf(Cell cell)
+{
+    float side = SideOfCell(cell), halvings = ceil(log2(0.4 * side * side * cell.Strength / _CellError));
+    return (uint)clamp(halvings, 1.0, max(2.0, (float)_MaxBisections - 2.0 * cell.Level));
+}
+
+// A place on a side, from the centre of the cell, at a fraction of its length from its end at the first signature.
+float2 PlaceOnSide(Border border, uint which, float fraction, float side)
+{
+    uint corner = which == 0 ? border.Sides.x : border.Sides.y;
+    float2 start = CornerOf(corner), end = CornerOf((corner + 1) & 3);
+    return side * (which == 0 ? lerp(start, end, fraction) : lerp(end, start, fraction));
+}
+
+static const float BENT_BORDER = 1.4;
+
+// A convex piece of a cell: corners from its centre, in base cells.
+struct Piece
+{
+    float2 Corners[5];
+    uint Count;            // 0: the whole cell
+};
+
+float Cross2(float2 a, float2 b)
+{
+    return a.x * b.y - a.y * b.x;
+}
+
+float AreaOf(Piece piece, float side)
+{
+    float twice = 0.0;
+    for (uint i = 2; i < piece.Count; i++)
+        twice += Cross2(piece.Corners[i - 1] - piece.Corners[0], piece.Corners[i] - piece.Corners[0]);
+    return piece.Count == 0 ? side * side : 0.5 * abs(twice);
+}
+
+float2 MiddleOf(Piece piece)
+{
+    float2 sum = 0.0;
+    for (uint i = 0; i < piece.Count; i++)
+        sum += piece.Corners[i];
+    return piece.Count == 0 ? sum : sum / piece.Count;
+}
+
+// The piece between the crossings of two sides: from the corner after the first to the second.
+Piece PieceBetween(float2 firstCrossing, uint firstSide, float2 secondCrossing, uint secondSide, float side)
+{
+    Piece piece = (Piece)0;
+    piece.Corners[0] = firstCrossing;
+    uint count = (secondSide - firstSide) & 3;
+    [unroll]
+    for (uint i = 1; i <= 3; i++)
+        if (i <= count)
+            piece.Corners[i] = side * CornerOf((firstSide + i) & 3);
+        else if (i == count + 1)
+            piece.Corners[i] = secondCrossing;
+    if (count == 3)
+        piece.Corners[4] = secondCrossing;
+    piece.Count = count + 2;
+    return piece;
+}
+
+// Area by which the border may be off, for a phase gradient: its ends lie within an interval of this width on the sides
+// of the cell. Neighbouring cells share the ends, so that the error along the border is a sum of hat functions. Between
+// the ends the border may bend by as much again (BENT_BORDER).
+float AreaError(float2 chord, float2 sides[2], float width, float2 gradient)
+{
+    float x = 0.5 * _WaveNumber * dot(gradient, chord);
+    float hat = abs(x) < 0.01 ? 1.0 : PhasorOf(x).y / x;
+    float first = Cross2(chord, sides[0]), second = Cross2(chord, sides[1]);
+    return BENT_BORDER * sqrt((first * first + second * second) / 24.0) * width * hat * hat;
+}
+
+// A phase bent by this at the corners of a square, its bends added up, cannot be expanded, rad.
+static const float MAX_BENDS = 1.5;
+
+// Relative error of a square's integral by bends of a size, rad (SquareIntegral): their third power is left out.
+float BentError(float size)
+{
+    return min(1.0, 0.05 * size * size * size);
+}
+
+#endif
