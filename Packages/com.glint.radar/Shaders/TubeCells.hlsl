@@ -118,36 +118,18 @@ float3 BendsOf(Bounce bounce, Receiver receiver)
         PhaseOf(bounce.Twist, receiver));
 }
 
-// Notes what the ray through a corner has met, and whether it is what the others met.
-bool NoteCorner(inout Bounce bounces[MAX_BOUNCES], uint bounce, TubePath tube, float strength, uint corner,
-    float2 fromCentre)
+// Adds what the ray through a corner has met.
+void AddCorner(inout Bounce bounce, TubePath tube, float strength, float2 fromCentre)
 {
-    float4 byU = DifferentialOf(tube, tube.PlaceU), byV = DifferentialOf(tube, tube.PlaceV), position = PlaceOf(tube);
+    float4 position = 0.25 * PlaceOf(tube);
     float2 sides = fromCentre > 0.0 ? 1.0 : -1.0;
-    float4 strengths = 0.25 * strength * float4(1.0, sides, sides.x * sides.y);
-    position *= 0.25;
-    if (corner == 0)
-    {
-        bounces[bounce].Signature = tube.Signature;
-        bounces[bounce].AlongU = fromCentre.x * byU;
-        bounces[bounce].AlongV = fromCentre.y * byV;
-        bounces[bounce].Mean = position;
-        bounces[bounce].Twist = sides.x * sides.y * position;
-        bounces[bounce].SlopeU = sides.x * position;
-        bounces[bounce].SlopeV = sides.y * position;
-        bounces[bounce].Strength = strengths;
-        return true;
-    }
-    if (bounces[bounce].Signature != tube.Signature)
-        return false;
-    bounces[bounce].AlongU += fromCentre.x * byU;
-    bounces[bounce].AlongV += fromCentre.y * byV;
-    bounces[bounce].Mean += position;
-    bounces[bounce].Twist += sides.x * sides.y * position;
-    bounces[bounce].SlopeU += sides.x * position;
-    bounces[bounce].SlopeV += sides.y * position;
-    bounces[bounce].Strength += strengths;
-    return true;
+    bounce.AlongU += fromCentre.x * DifferentialOf(tube, tube.PlaceU);
+    bounce.AlongV += fromCentre.y * DifferentialOf(tube, tube.PlaceV);
+    bounce.Mean += position;
+    bounce.SlopeU += sides.x * position;
+    bounce.SlopeV += sides.y * position;
+    bounce.Twist += sides.x * sides.y * position;
+    bounce.Strength += 0.25 * strength * float4(1.0, sides, sides.x * sides.y);
 }
 
 // Sums a cell at a bounce, from the ray through its centre; false if its phase is bent or its strength changes too much.
@@ -244,8 +226,17 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             }
             strengths[bounce] = max(strengths[bounce],
                 strength.y * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side)));
-            if (!isCentre && bounce < common && !NoteCorner(bounces, bounce, tube, strength.x, ray, fromCentre))
-                common = bounce;
+            if (!isCentre && bounce < common)
+            {
+                Bounce met = (Bounce)0;
+                met.Signature = tube.Signature;
+                if (ray > 0)
+                    met = bounces[bounce];
+                if (met.Signature != tube.Signature)
+                    common = bounce;
+                AddCorner(met, tube, strength.x, fromCentre);
+                bounces[bounce] = met;
+            }
             goesOn = goesOn && ScatterTube(tube, at);
         }
         if (isCentre)
