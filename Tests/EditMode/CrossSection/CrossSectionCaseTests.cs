@@ -72,8 +72,7 @@ namespace Glint.Tests
             Assert.That(wrong, Is.Empty);
         }
 
-        // ka = 100. The double-precision tracer has Mie's HH at 90 degrees to 0.01 dB; the kernels lack accuracy where the
-        // current of HH, the larger one there, fades towards the shadow (rcs.md).
+        // ka = 100: physical optics fails slowly above 90 degrees.
         [Test, Timeout(60000)]
         public void Sphere_BistaticTo120Degrees_IsAboutMie()
         {
@@ -90,7 +89,7 @@ namespace Glint.Tests
                 TestContext.WriteLine(FormattableString.Invariant(
                     $"| {angle} | {rows[i].Polarisation} | {rows[i].Dbsm:0.000} | {dbsm:0.000} | {dbsm - rows[i].Dbsm:+0.000;-0.000} |"));
                 Assert.That(dbsm, Is.EqualTo(rows[i].Dbsm)
-                    .Within(angle > 90 ? 0.6 : rows[i].Polarisation == "VV" ? 0.1 : 0.2), $"{rows[i]}");
+                    .Within(angle > 90 ? 0.6 : 0.1), $"{rows[i]}");
             }
         }
 

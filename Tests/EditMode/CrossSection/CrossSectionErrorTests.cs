@@ -51,11 +51,11 @@ namespace Glint.Tests
             TestContext.WriteLine(Table(samples));
             TestContext.WriteLine(string.Join("\n", samples.Where(sample => sample.Ratio > 3)));
             // Asked for are 80 %, 1 %, none and 95 %: what is missing has its causes in rcs.md.
-            Assert.That(Share(sample => sample.Ratio >= 1 / 3.0 && sample.Ratio <= 3), Is.GreaterThan(0.6));
-            Assert.That(Share(sample => sample.Ratio > 3), Is.LessThan(0.2));
-            Assert.That(Share(sample => sample.Ratio > 10), Is.LessThan(0.08));
+            Assert.That(Share(sample => sample.Ratio >= 1 / 3.0 && sample.Ratio <= 3), Is.GreaterThan(0.65));
+            Assert.That(Share(sample => sample.Ratio > 3), Is.LessThan(0.12));
+            Assert.That(Share(sample => sample.Ratio > 10), Is.LessThan(0.05));
             var met = samples.Where(sample => sample.IsMet).ToArray();
-            Assert.That(met.Count(sample => sample.True <= sample.Allowed), Is.GreaterThan(0.8 * met.Length));
+            Assert.That(met.Count(sample => sample.True <= sample.Allowed), Is.GreaterThan(0.9 * met.Length));
         }
 
         static string Table(IEnumerable<Sample> samples) => string.Join("\n", samples.GroupBy(sample => sample.Target)
