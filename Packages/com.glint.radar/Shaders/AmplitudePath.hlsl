@@ -166,7 +166,7 @@ Return Follow(float2 position, uint recorded)
         if (!IsMiss(hit) && !isReceived)
         {
             Identity identity = Identify(hit);
-            uint2 first = _InstanceFacets[identity.Instance];
+            uint2 first = _InstanceFacets[identity.Instance].xy;
             planes = Mixed(planes, first.y + _Facets[first.x + identity.Triangle].x);
         }
         if (goesOn)
