@@ -164,7 +164,7 @@ namespace Glint
             _tubeParts.Reserve(tubeParts);
             _cells.Reserve(ListCapacity);
             _borders.Reserve(ListCapacity);
-            _waveNumbers.Upload(pose.Frequencies.Select(WaveNumber).ToArray());
+            _waveNumbers.Upload(pose.Frequencies.Select(TubeRounds.WaveNumber).ToArray());
             _kernels.SetLists(_output, _tubes, _tubeParts, _cells, _borders, _waveNumbers);
             _marks.Reserve(TubeKernels.MarkWordsOf(grid));
             _kernels.Mark(grid, _surfaces, _marks);
@@ -244,12 +244,6 @@ namespace Glint
             _borders.Dispose();
             _marks.Dispose();
             _waveNumbers.Dispose();
-        }
-
-        static float4 WaveNumber(double frequency)
-        {
-            double turns = 1 / Signal.Wavelength(frequency);
-            return new float4((float)(2 * Math.PI * turns), (float)turns, DoubleFloat.Lo(turns), 0);
         }
     }
 }

@@ -61,19 +61,19 @@ namespace Glint
         {
             var rays = grid.Rays;
             _shader.SetRays(rays);
-            _shader.SetVector(ShaderIDs._SceneCentreExtent, ToVector(rays.SceneCentre, (float)rays.SceneExtent));
+            _shader.SetVector(ShaderIDs._SceneCentreExtent, KernelCalls.ToVector(rays.SceneCentre, (float)rays.SceneExtent));
             _shader.SetInt(ShaderIDs._MaxBounces, pose.MaxBounces);
 
-            _shader.SetVector(TubeIDs._SentV, ToVector(pose.Radar.Up));
-            _shader.SetVector(TubeIDs._SentH, ToVector(pose.Radar.Right));
+            _shader.SetVector(TubeIDs._SentV, KernelCalls.ToVector(pose.Radar.Up));
+            _shader.SetVector(TubeIDs._SentH, KernelCalls.ToVector(pose.Radar.Right));
             double3 from = pose.PhaseCentre - rays.SceneCentre;
             _shader.SetVectorArray(TubeIDs._Receivers, Padded(pose, receiver =>
             {
                 double3 at = pose.IsFar ? receiver.ToRadar : from + pose.Range * receiver.ToRadar;
-                return ToVector(at, (float)math.length(at));
+                return KernelCalls.ToVector(at, (float)math.length(at));
             }));
-            _shader.SetVectorArray(TubeIDs._ReceiversV, Padded(pose, receiver => ToVector(receiver.Up)));
-            _shader.SetVectorArray(TubeIDs._ReceiversH, Padded(pose, receiver => ToVector(receiver.Right)));
+            _shader.SetVectorArray(TubeIDs._ReceiversV, Padded(pose, receiver => KernelCalls.ToVector(receiver.Up)));
+            _shader.SetVectorArray(TubeIDs._ReceiversH, Padded(pose, receiver => KernelCalls.ToVector(receiver.Right)));
             _shader.SetFloat(TubeIDs._RadarPhase, (float)grid.RadarPhaseOf(pose));
             _shader.SetInt(TubeIDs._ReceiverCount, pose.Receivers.Length);
             bool isMonostatic =
@@ -145,9 +145,9 @@ namespace Glint
         public void Mark(TubeGrid grid, SurfaceBuffers surfaces, DeviceBuffer<uint> marks)
         {
             var toCell = grid.ToCell();
-            _shader.SetVector(TubeIDs._GridX, ToVector(toCell[0].Vector, (float)toCell[0].Constant));
-            _shader.SetVector(TubeIDs._GridY, ToVector(toCell[1].Vector, (float)toCell[1].Constant));
-            _shader.SetVector(TubeIDs._GridDepth, ToVector(toCell[2].Vector, (float)toCell[2].Constant));
+            _shader.SetVector(TubeIDs._GridX, KernelCalls.ToVector(toCell[0].Vector, (float)toCell[0].Constant));
+            _shader.SetVector(TubeIDs._GridY, KernelCalls.ToVector(toCell[1].Vector, (float)toCell[1].Constant));
+            _shader.SetVector(TubeIDs._GridDepth, KernelCalls.ToVector(toCell[2].Vector, (float)toCell[2].Constant));
             int words = MarkWordsOf(grid);
             var blocks = BlocksOf(grid);
             _shader.SetInts(TubeIDs._Blocks, blocks.x, blocks.y, 0, 0);
@@ -189,7 +189,5 @@ namespace Glint
         static Vector4[] Padded(CrossSectionPose pose, Func<RadarAspect, Vector4> value) =>
             pose.Receivers.Select(value).Concat(Enumerable.Repeat(Vector4.zero, MaxReceivers - pose.Receivers.Length))
                 .Append(value(pose.Radar)).ToArray();
-
-        static Vector4 ToVector(double3 v, float w = 0) => new Vector4((float)v.x, (float)v.y, (float)v.z, w);
     }
 }

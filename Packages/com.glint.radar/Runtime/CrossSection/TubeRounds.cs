@@ -1,4 +1,5 @@
 using System;
+using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
 
@@ -42,6 +43,13 @@ namespace Glint
 
         /// <summary>The kernels that trace rays.</summary>
         public int[] Tracing { get; }
+
+        /// <summary>An element of _WaveNumbers in Shaders/TubeBindings.hlsl.</summary>
+        public static float4 WaveNumber(double frequency)
+        {
+            double turns = 1 / Signal.Wavelength(frequency);
+            return new float4((float)(2 * Math.PI * turns), (float)turns, DoubleFloat.Lo(turns), 0);
+        }
 
         /// <summary>Sums tubes by another kernel; null: by TubeSums.</summary>
         public void SumBy(int? kernel) => _summing = kernel ?? _sums;

@@ -61,12 +61,12 @@ namespace Glint
             var (settings, view) = (pose.Settings, pose.View);
             _shader.SetRays(rays);
             _shader.SetReceiver(view, rays);
-            _shader.SetVector(ShaderIDs._SceneCentreExtent, ToVector(rays.SceneCentre, (float)rays.SceneExtent));
+            _shader.SetVector(ShaderIDs._SceneCentreExtent, KernelCalls.ToVector(rays.SceneCentre, (float)rays.SceneExtent));
             _shader.SetInt(ShaderIDs._MaxBounces, settings.MaxBounces);
             double2 start = grid.Lower - rays.ReferencePixel;
             _shader.SetVector(s_pictureStart, new Vector4((float)start.x, (float)start.y, 0, 0));
             _shader.SetVector(s_pictureStep, new Vector4((float)grid.Step.x, (float)grid.Step.y, 0, 0));
-            _shader.SetVector(s_aside, ToVector(rays.Direction - view.Forward, view.IsParallel ? 1 : 0));
+            _shader.SetVector(s_aside, KernelCalls.ToVector(rays.Direction - view.Forward, view.IsParallel ? 1 : 0));
             _shader.SetFloat(s_receiverDepth, (float)ReceiverDepth(view, rays));
             _shader.SetInt(s_pointWords, PointWords(settings.MaxBounces));
             _shader.SetFloat(TubeIDs._WaveNumber, waveNumber);
@@ -124,7 +124,5 @@ namespace Glint
             kernels[kernels.Length - 1] = _corners;
             return kernels;
         }
-
-        static Vector4 ToVector(double3 v, float w) => new Vector4((float)v.x, (float)v.y, (float)v.z, w);
     }
 }

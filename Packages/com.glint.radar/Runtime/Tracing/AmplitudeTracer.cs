@@ -44,8 +44,8 @@ namespace Glint
         // Words of the output, of 64 bits but for the first: Shaders/TubeBindings.hlsl.
         internal const int RevealedCount = 7, Hits = 8, Bounces = 10, Received = 12, Lengths = 14;
         internal const double LengthUnits = 256;
-        const int Overflow = TubeSums.Overflow, RayCount = TubeSums.RayCount;
-        const int InPhase = TubeKernels.FirstSum, Bent = InPhase + 16, Border = InPhase + 20, TooLarge = InPhase + 22;
+        const int InPhase = TubeKernels.FirstSum, Bent = InPhase + 2 * TubeSums.Bent, Border = InPhase + 2 * TubeSums.Border,
+            TooLarge = InPhase + TubeSums.TooLarge;
 
         readonly string _owner;
         readonly AmplitudeKernels _kernels;
@@ -172,17 +172,16 @@ namespace Glint
             // Facets of one plane are one mirror.
             _surfaces.Set(pose.Scene, _scene.Centre, 0, settings.FrequencyHz);
             var rays = new RayGrid(settings, pose.View, _scene.Min, _scene.Max);
-            double turns = 1 / settings.Wavelength;
-            float waveNumber = (float)(2 * Math.PI * turns);
+            var waveNumber = TubeRounds.WaveNumber(settings.FrequencyHz);
             _kernels.SetScene(_scene, _surfaces);
-            _kernels.SetPose(pose, rays, grid, waveNumber);
+            _kernels.SetPose(pose, rays, grid, waveNumber.x);
             _kernels.SetUnits(UnitsPerCell, UnitsPerSquare);
             _output.Reserve(OutputSize);
             _points.Reserve((long)PointCapacity * AmplitudeKernels.PointWords(settings.MaxBounces));
             _tubes.Reserve(ListCapacity);
             _cells.Reserve(ListCapacity);
             _borders.Reserve(ListCapacity);
-            _waveNumbers.Upload(new[] { new float4(waveNumber, (float)turns, DoubleFloat.Lo(turns), 0) });
+            _waveNumbers.Upload(new[] { waveNumber });
             _kernels.Rounds.SetLists(_output, _tubes, _cells, _borders, _waveNumbers);
             _kernels.SetPoints(_output, _points, PointCapacity);
             _revealedWords = new uint[AmplitudeKernels.RevealedWords * grid.Count.x * grid.Count.y];
@@ -215,7 +214,7 @@ namespace Glint
                 _kernels.Trace(grid, first, rows, Math.Max(maxLevel, emptyLevel) + 1, level + 1, emptyLevel);
                 _output.ReadBack(read, read.Length);
                 _pacer.Took(rows, watch.Elapsed.TotalSeconds);
-                if (read[Overflow] != 0)
+                if (TubeSums.HasOverflown(read))
                 {
                     // A list was full: the slice is traced again in two.
                     if (rows == 1)
@@ -259,7 +258,7 @@ namespace Glint
 
             public void Add(uint[] output, string owner)
             {
-                long At(int word) => (long)((ulong)output[word + 1] << 32 | output[word]);
+                long At(int word) => TubeSums.At(output, word);
                 if (output[TooLarge] != 0)
                     throw new GlintException($"{owner}: a part of the amplitude is not finite: "
                         + "the mesh may have coordinates that float32 does not resolve");
@@ -269,7 +268,7 @@ namespace Glint
                 _bentQuadrature += At(Bent + 2);
                 _squares += At(Border);
                 Revealed += output[RevealedCount];
-                _rays += At(RayCount);
+                _rays += At(TubeSums.RayCount);
                 _hits += At(Hits);
                 _bounces += At(Bounces);
                 _received += At(Received);

@@ -62,6 +62,9 @@ namespace Glint
                     scene.Pages[page < scene.Pages.Count ? page : 0].Rows.Buffer);
         }
 
+        /// <summary>A vector rounded to float32, and a fourth number.</summary>
+        public static Vector4 ToVector(this double3 v, float w = 0) => new Vector4((float)v.x, (float)v.y, (float)v.z, w);
+
         /// <summary>Sets three double-floats: the numbers rounded to float32, and their Lo parts.</summary>
         public static void SetPoint(this ComputeShader shader, (int value, int lo) id, double3 v)
         {
