@@ -111,9 +111,9 @@ namespace Glint.Tests
         [TestCase(double.NaN, 35, "temperature NaN C")]
         [TestCase(20, -1, "salinity -1 psu must be from 0 to 40")]
         [TestCase(20, 40.5, "salinity 40.5 psu")]
-        public void Medium_OfWaterOutsideTheModel_IsRefused(double celsius, double salinity, string part) => Assert.That(
-            Assert.Throws<GlintException>(() => Medium.SeaWater(celsius, salinity)).Message,
-            Does.StartWith("sea water: " + part).And.Contain("Meissner"));
+        public void Medium_OfWaterOutsideTheModel_IsRefused(double celsius, double salinity, string part) =>
+            Assert.That(Assert.Throws<GlintException>(() => Medium.SeaWater(celsius, salinity)).Message,
+                Does.StartWith("sea water: " + part).And.Contain("Meissner"));
 
         [Test]
         public void Medium_OfTheSameWater_IsTheSameMaterial()

@@ -77,14 +77,16 @@ namespace Glint.Tests
                 return Math.Exp(-Math.Pow(k * u * u / Gravity, -2)) * Math.Pow(k, -4);
             double perFrequency;
             if (s.Kind == SeaSpectrumKind.PiersonMoskowitz)
-                perFrequency = 0.0081 * Gravity * Gravity * Math.Pow(w, -5) * Math.Exp(-0.74 * Math.Pow(Gravity / (u19 * w), 4));
+                perFrequency = 0.0081 * Gravity * Gravity * Math.Pow(w, -5)
+                    * Math.Exp(-0.74 * Math.Pow(Gravity / (u19 * w), 4));
             else
             {
                 double peak = Peak(u, s.Fetch), width = w <= peak ? 0.07 : 0.09;
                 double r = Math.Exp(-(w - peak) * (w - peak) / (2 * width * width * peak * peak));
                 double alpha = 0.076 * Math.Pow(u * u / (s.Fetch * Gravity), 0.22);
                 perFrequency =
-                    alpha * Gravity * Gravity * Math.Pow(w, -5) * Math.Exp(-1.25 * Math.Pow(peak / w, 4)) * Math.Pow(s.PeakEnhancement, r);
+                    alpha * Gravity * Gravity * Math.Pow(w, -5) * Math.Exp(-1.25 * Math.Pow(peak / w, 4))
+                    * Math.Pow(s.PeakEnhancement, r);
             }
             // dw/dk = g / 2w, and a ring's area.
             return perFrequency * Gravity / (2 * w) / k;

@@ -81,7 +81,8 @@ namespace Glint.Tests
             Change noFetch = (ref SeaSettings s) => { s.Kind = SeaSpectrumKind.Jonswap; s.Fetch = 0; };
             AssertRefused(noFetch, "fetch 0 m", "100000");
             AssertRefused(
-                (ref SeaSettings s) => (s.Kind, s.Fetch, s.PeakEnhancement) = (SeaSpectrumKind.Jonswap, 1e5, 0), "peak enhancement 0 ", "3.3");
+                (ref SeaSettings s) => (s.Kind, s.Fetch, s.PeakEnhancement) = (SeaSpectrumKind.Jonswap, 1e5, 0),
+                "peak enhancement 0 ", "3.3");
             foreach (var kind in new[] { SeaSpectrumKind.Phillips, SeaSpectrumKind.PiersonMoskowitz })
             {
                 var settings = SeaFields.Settings();

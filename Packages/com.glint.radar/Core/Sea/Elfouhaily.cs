@@ -62,12 +62,12 @@ namespace Glint.Core
         public double Omnidirectional(double waveNumber)
         {
             double speed = PhaseSpeed(waveNumber), toPeak = _peak / waveNumber,
-                beyond = Math.Sqrt(waveNumber / _peak) - 1, off = beyond / _width,
+                offPeak = Math.Sqrt(waveNumber / _peak) - 1, widths = offPeak / _width,
                 fromSlowest = waveNumber / SlowestWave - 1;
             double peak = PortableMath.Exp(-1.25 * toPeak * toPeak
-                + _logEnhancement * PortableMath.Exp(-0.5 * off * off));
+                + _logEnhancement * PortableMath.Exp(-0.5 * widths * widths));
             double longWaves = _longLevel * _peakSpeed
-                    * PortableMath.Exp(-_inverseAge / Math.Sqrt(10) * beyond),
+                    * PortableMath.Exp(-_inverseAge / Math.Sqrt(10) * offPeak),
                 shortWaves = _shortLevel * SlowestSpeed * PortableMath.Exp(-0.25 * fromSlowest * fromSlowest);
             return 0.5 * (longWaves + shortWaves) * peak / (speed * waveNumber * waveNumber * waveNumber);
         }
@@ -101,10 +101,11 @@ namespace Glint.Core
                 Math.Floor(MinFetchOverSquaredWind * wind * wind) + 1, SeaSettings.MaxFetch);
             if (fetch != 0 && !fetches.Contains(fetch))
                 throw new GlintException($"{subject}: fetch {RadarSettings.Text(fetch)} m must be 0, which is "
-                    + $"unlimited, or {fetches} for Elfouhaily's spectrum and a wind of {RadarSettings.Text(wind)} m/s");
+                    + $"unlimited, or {fetches}, the range of Elfouhaily's spectrum for a wind of "
+                    + $"{RadarSettings.Text(wind)} m/s");
         }
 
-        // Of an argument of 0 or more; beyond 20 it is 1 in double.
+        // Of an argument of 0 or more; above 20 it is 1 in double.
         static double Tanh(double x) => x > 20 ? 1 : 1 - 2 / (PortableMath.Exp(2 * x) + 1);
     }
 }

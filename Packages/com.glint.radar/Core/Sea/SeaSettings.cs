@@ -132,8 +132,8 @@ namespace Glint.Core
             Check(subject, "significant wave height", SignificantWaveHeight, Heights, " m",
                 "use a flat plate for a calm sea");
             if (Kind == SeaSpectrumKind.Phillips && SignificantWaveHeight == 0)
-                throw new GlintException($"{subject}: significant wave height 0 m, that of the wind, is not defined for "
-                    + "the Phillips spectrum: give the height, or another spectrum");
+                throw new GlintException($"{subject}: significant wave height 0 m, that of the wind, is not defined "
+                    + "for the Phillips spectrum: give the height, or another spectrum");
             Check(subject, "wind speed", WindSpeed, Winds, " m/s", "turn the wind by its direction, not by its sign");
             Check(subject, "wind direction", WindDirectionDegrees, Directions, " deg", "give it as a rotation about Y");
             Check(subject, "choppiness", Choppiness, Choppinesses, "",
@@ -188,7 +188,7 @@ namespace Glint.Core
         /// <summary>JONSWAP, Hasselmann et al. 1973: a developing sea of limited fetch, with a sharper peak.</summary>
         Jonswap,
 
-        /// <summary>Elfouhaily et al. 1997: all waves of a wind, down to ripples (<see cref="Core.Elfouhaily"/>).</summary>
+        /// <summary>Elfouhaily et al. 1997: all waves of a wind, down to ripples.</summary>
         Elfouhaily
     }
 
