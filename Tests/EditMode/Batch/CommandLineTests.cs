@@ -104,7 +104,7 @@ namespace Glint.Tests
         public void Sea_WithOptions_IsThatSea()
         {
             var recipe = SeaOptions.Read(Parse(Commands.Sea, "--out", "Assets/Sea", "--sea-state", "4", "--wind", "9",
-                "--times", "0:6:3", "--tiles", "2x3", "--spectrum", "jonswap"));
+                "--times", "0:6:3", "--tiles", "2x3", "--spectrum", "jonswap", "--fetch", "1e5"));
 
             Assert.That(recipe.Settings.SignificantWaveHeight, Is.EqualTo((1.25 + 2.5) / 2),
                 "the middle of the WMO's range");
@@ -121,7 +121,10 @@ namespace Glint.Tests
             "--sea-state", "4", "--wave-height", "2")]
         [TestCase("grid size 100 must be a power of two", "--out", "x", "--grid", "100")]
         [TestCase("--wind -3: must be from 0.1 to 100", "--out", "x", "--wind", "-3")]
-        [TestCase("--wave-height 0: must be from 0.001 to 100", "--out", "x", "--wave-height", "0")]
+        [TestCase("--wave-height -1: must be from 0 to 100", "--out", "x", "--wave-height", "-1")]
+        [TestCase("significant wave height 0 m", "--out", "x", "--spectrum", "phillips")]
+        [TestCase("fetch 0 m must be from 100 to 1e7", "--out", "x", "--spectrum", "jonswap")]
+        [TestCase("wind speed 25 m/s must be from 3 to 20", "--out", "x", "--wind", "25")]
         [TestCase("--wave-height NaN: must be a number", "--out", "x", "--wave-height", "NaN")]
         [TestCase("--tile 0: must be from 1 to 8192", "--out", "x", "--tile", "0")]
         [TestCase("--sea-state 9: must be from 1 to 8", "--out", "x", "--sea-state", "9")]

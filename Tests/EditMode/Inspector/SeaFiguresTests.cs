@@ -37,7 +37,7 @@ namespace Glint.Tests
             // 2 x 3 tiles of 64 m, 64 x 64 cells of two triangles each.
             Assert.That(Row("Tiles"), Is.EqualTo("6, 49,152 triangles"));
             Assert.That(Row("Tile"), Is.EqualTo("64 m, 8,192 triangles"));
-            Assert.That(Row("Waves"), Is.EqualTo("Phillips, 2 m high, wind 7 m/s to 0 deg"));
+            Assert.That(Row("Waves"), Is.EqualTo("Elfouhaily, height of the wind, wind 7 m/s to 0 deg"));
             Assert.That(Row("Shown"), Is.EqualTo("waves at 0 s"));
             _sea.enabled = false;
             Assert.That(Row("Tiles"), Is.EqualTo("0, 0 triangles"));

@@ -206,7 +206,7 @@ namespace Glint.Tests
         }
 
         [TestCase(float.NaN, 32, 7)]
-        [TestCase(0, 32, 7)]
+        [TestCase(-1, 32, 7)]
         [TestCase(1, 0, 7)]
         [TestCase(1, 32, -7)]
         public void Waves_Unfit_AreRefusedByName(double height, double tile, double wind)

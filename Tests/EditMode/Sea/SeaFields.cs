@@ -12,6 +12,7 @@ namespace Glint.Tests
         public static SeaSettings Settings(int grid = 16, int cells = 24, double wind = 9)
         {
             var settings = SeaSettings.Default;
+            (settings.Kind, settings.SignificantWaveHeight, settings.Fetch) = (SeaSpectrumKind.Phillips, 2, 1e5);
             (settings.GridSize, settings.Cells, settings.WindSpeed) = (grid, cells, wind);
             return settings;
         }

@@ -11,14 +11,13 @@ namespace Glint.Tests
         public void Default_MakesASea() =>
             Assert.That(new SeaSurface(SeaSettings.Default).Mesh(0).TriangleCount, Is.EqualTo(2 * 64 * 64));
 
-        [TestCase(0)]
         [TestCase(-1)]
         [TestCase(double.NaN)]
         [TestCase(double.PositiveInfinity)]
         [TestCase(101)]
         public void Validate_WaveHeightOfNoSea_IsRefused(double height) =>
             AssertRefused((ref SeaSettings s) => s.SignificantWaveHeight = height, "significant wave height",
-                "0.001 to 100", "flat plate");
+                "0 to 100", "flat plate");
 
         [TestCase(0)]
         [TestCase(-5)]
@@ -68,7 +67,7 @@ namespace Glint.Tests
         public void Validate_OtherValuesOutOfTheirRange_AreRefusedByName()
         {
             AssertRefused((ref SeaSettings s) => s.Kind = (SeaSpectrumKind)7, "spectrum 7",
-                "Phillips or PiersonMoskowitz or Jonswap");
+                "Phillips or PiersonMoskowitz or Jonswap or Elfouhaily");
             AssertRefused((ref SeaSettings s) => s.WindDirectionDegrees = double.NaN, "wind direction NaN deg");
             AssertRefused((ref SeaSettings s) => s.ShortestWave = -1, "shortest wave -1 m", "0 to 32");
             AssertRefused((ref SeaSettings s) => s.ShortestWave = 40, "shortest wave 40 m", "0 to 32");
@@ -77,23 +76,56 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Validate_FetchAndPeak_MatterForJonswapOnly()
+        public void Validate_FetchAndPeak_MatterForTheirSpectraOnly()
         {
             Change noFetch = (ref SeaSettings s) => { s.Kind = SeaSpectrumKind.Jonswap; s.Fetch = 0; };
             AssertRefused(noFetch, "fetch 0 m", "100000");
-            AssertRefused((ref SeaSettings s) => { s.Kind = SeaSpectrumKind.Jonswap; s.PeakEnhancement = 0; },
+            AssertRefused(
+                (ref SeaSettings s) => (s.Kind, s.Fetch, s.PeakEnhancement) = (SeaSpectrumKind.Jonswap, 1e5, 0),
                 "peak enhancement 0 ", "3.3");
-            var settings = SeaSettings.Default;
-            (settings.Fetch, settings.PeakEnhancement) = (0, 0);
+            foreach (var kind in new[] { SeaSpectrumKind.Phillips, SeaSpectrumKind.PiersonMoskowitz })
+            {
+                var settings = SeaFields.Settings();
+                (settings.Kind, settings.Fetch, settings.PeakEnhancement) = (kind, -1, 0);
+                Assert.DoesNotThrow(() => settings.Validate());
+            }
+        }
+
+        [Test]
+        public void Validate_TheWindsHeight_IsRefusedForPhillipsOnly()
+        {
+            AssertRefused((ref SeaSettings s) => s.Kind = SeaSpectrumKind.Phillips, "significant wave height 0 m",
+                "Phillips", "give the height");
+            foreach (var kind in new[] { SeaSpectrumKind.PiersonMoskowitz, SeaSpectrumKind.Jonswap })
+            {
+                var settings = SeaSettings.Default;
+                (settings.Kind, settings.Fetch) = (kind, 1e5);
+                Assert.DoesNotThrow(() => settings.Validate());
+            }
+        }
+
+        [TestCase(2.9)]
+        [TestCase(20.1)]
+        public void Validate_WindOutsideElfouhailysModel_IsRefusedForItOnly(double wind)
+        {
+            AssertRefused((ref SeaSettings s) => s.WindSpeed = wind, "wind speed", "from 3 to 20", "another spectrum");
+            var settings = SeaFields.Settings(wind: wind);
             Assert.DoesNotThrow(() => settings.Validate());
         }
+
+        // The inverse wave age is 5 at 591 m, for a wind of 10 m/s.
+        [TestCase(-1)]
+        [TestCase(590)]
+        [TestCase(1.1e7)]
+        [TestCase(double.NaN)]
+        public void Validate_FetchOutsideElfouhailysModel_IsRefused(double fetch) => AssertRefused(
+            (ref SeaSettings s) => (s.WindSpeed, s.Fetch) = (10, fetch), "fetch", "from 592 to 1e7", "0, which is");
 
         // Waves as fast as 0.1 m/s are 6 mm long; the 64 m grid has none below 2 m.
         [Test]
         public void Surface_OfAWindTooWeakForItsGrid_IsRefused()
         {
-            var settings = SeaSettings.Default;
-            settings.WindSpeed = 0.1;
+            var settings = SeaFields.Settings(64, wind: 0.1);
             string message = Assert.Throws<GlintException>(() => new SeaSurface(settings)).Message;
             Assert.That(message, Does.Contain("wind of 0.1 m/s").And.Contain("smaller tile"));
         }

@@ -71,8 +71,7 @@ namespace Glint.Tests
         }
 
         [Test]
-        public void Density_OverAllDirections_IsTheOmnidirectionalOne(
-            [Values(SeaSpectrumKind.PiersonMoskowitz, SeaSpectrumKind.Jonswap)] SeaSpectrumKind kind)
+        public void Density_OverAllDirections_IsTheOmnidirectionalOne([Values] SeaSpectrumKind kind)
         {
             var settings = Jonswap(10, 1e5, 3.3);
             settings.Kind = kind;
@@ -83,11 +82,18 @@ namespace Glint.Tests
             Assert.That(sum, Is.EqualTo(SeaSpectrum.Omnidirectional(settings, k)).Within(1e-9 * sum));
         }
 
-        [TestCase(-1)]
-        [TestCase(-0.5)]
-        [TestCase(0)]
-        public void Density_AgainstOrAcrossTheWind_IsZero(double cosine) =>
-            Assert.That(SeaSpectrum.Density(SeaFields.Settings(), 1, cosine), Is.Zero);
+        [Test]
+        public void Density_AgainstTheWind_IsZero([Values] SeaSpectrumKind kind, [Values(-1, -0.5)] double cosine)
+        {
+            var settings = SeaFields.Settings();
+            settings.Kind = kind;
+            Assert.That(SeaSpectrum.Density(settings, 1, cosine), Is.Zero);
+            Assert.That(SeaSpectrum.Density(settings, 1, -cosine), Is.GreaterThan(0));
+        }
+
+        [Test]
+        public void Density_AcrossTheWind_IsZeroForASquaredCosine() =>
+            Assert.That(SeaSpectrum.Density(SeaFields.Settings(), 1, 0), Is.Zero);
 
         [Test]
         public void Density_OfWavesShorterThanTheShortest_IsZero()
@@ -115,7 +121,8 @@ namespace Glint.Tests
                 expectedFirst = PrintedSpectra.Variances(phillips);
 
             Assert.That(drawn.Keys, Is.EquivalentTo(expected.Keys));
-            foreach (var wave in drawn.Keys)
+            // Phillips has no waves across the wind.
+            foreach (var wave in drawn.Keys.Where(first.ContainsKey))
                 Assert.That(drawn[wave] / first[wave],
                     Is.EqualTo(expected[wave] / expectedFirst[wave]).Within(1e-9).Percent, $"wave {wave}");
         }

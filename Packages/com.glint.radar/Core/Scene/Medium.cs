@@ -14,7 +14,7 @@ namespace Glint.Core
     {
         // Electric constant in F/m, CODATA 2022.
         const double VacuumPermittivity = 8.8541878188e-12;
-        const double HertzPerGigahertz = 1e9;
+        internal const double HertzPerGigahertz = 1e9;
 
         readonly Func<double, MediumSample> _sample;
         readonly string _text;
@@ -86,10 +86,23 @@ namespace Glint.Core
             return new Medium(Interval.Closed(from, to), text, frequency =>
             {
                 double gigahertz = frequency / HertzPerGigahertz;
-                double conductivity = c * Math.Pow(gigahertz, d);
                 return new MediumSample(frequency, a * Math.Pow(gigahertz, b),
-                    conductivity / (2 * Math.PI * frequency * VacuumPermittivity));
+                    LossOf(c * Math.Pow(gigahertz, d), frequency));
             });
+        }
+
+        /// <summary>
+        /// Sea water from 1 to 90 GHz, by the model of Meissner and Wentz (2012). Foam is not part of it.
+        /// </summary>
+        /// <param name="celsius">Temperature, -2 to 29 degrees Celsius.</param>
+        /// <param name="salinity">0 to 40 practical salinity units; the ocean has about 35.</param>
+        /// <exception cref="GlintException">Temperature or salinity is out of its range.</exception>
+        public static Medium SeaWater(double celsius = 20, double salinity = 35)
+        {
+            Core.SeaWater.Validate(celsius, salinity);
+            return new Medium(Core.SeaWater.Frequencies,
+                $"sea water of {Number(celsius)} C and {Number(salinity)} psu",
+                frequency => Core.SeaWater.At(frequency, celsius, salinity));
         }
 
         /// <summary>Complex relative permittivity and permeability.</summary>
@@ -105,6 +118,10 @@ namespace Glint.Core
         public override string ToString() => _text;
 
         internal static string Number(double value) => value.ToString("R", CultureInfo.InvariantCulture);
+
+        // e'' of a conductivity in S/m, at a frequency in Hz.
+        internal static double LossOf(double conductivity, double frequency) =>
+            conductivity / (2 * Math.PI * frequency * VacuumPermittivity);
 
         internal static bool IsFinite(double value) => !double.IsNaN(value) && !double.IsInfinity(value);
 

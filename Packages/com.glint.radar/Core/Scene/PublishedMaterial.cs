@@ -26,6 +26,8 @@ namespace Glint.Core
             OfItu("very_dry_ground", 3, 0, 0.00015, 2.52, 1, 10),
             OfItu("medium_dry_ground", 15, -0.1, 0.035, 1.63, 1, 10),
             OfItu("wet_ground", 30, -0.4, 0.15, 1.3, 1, 10),
+            new PublishedMaterial("sea_water", Medium.SeaWater(), null,
+                "Meissner and Wentz, IEEE TGRS 42 (2004) 1836 and 50 (2012) 3004, at 20 C and 35 psu"),
             new PublishedMaterial("ptfe", Medium.Table(new[]
             {
                 new MediumSample(2.45e9, 2.1, 2.1 * 0.0003), new MediumSample(10e9, 2.05, 2.05 * 0.0002),

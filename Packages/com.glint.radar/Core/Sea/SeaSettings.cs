@@ -15,22 +15,26 @@ namespace Glint.Core
         /// </summary>
         public const double TileStep = 1.0 / 1024;
 
-        internal static readonly Interval Heights = Interval.Closed(0.001, 100), Winds = Interval.Closed(0.1, 100),
+        internal const double MaxFetch = 1e7;
+
+        internal static readonly Interval Heights = Interval.Closed(0, 100), Winds = Interval.Closed(0.1, 100),
             Directions = Interval.Closed(-360, 360),
             Choppinesses = Interval.Closed(0, 10), Tiles = Interval.Closed(1, 8192),
             Grids = Interval.Closed(4, 1024), CellCounts = Interval.Closed(1, 2048),
-            Fetches = Interval.Closed(100, 1e7), PeakEnhancements = Interval.Closed(1, 10);
+            Fetches = Interval.Closed(0, MaxFetch), PeakEnhancements = Interval.Closed(1, 10);
 
         static readonly Interval s_factors = Interval.Closed(0.001, 1000), s_shortest = Interval.Closed(0, 4096),
-            s_seeds = Interval.Closed(0, int.MaxValue);
+            s_seeds = Interval.Closed(0, int.MaxValue), s_jonswapFetches = Interval.Closed(100, MaxFetch);
 
         /// <summary>The numbers of a sea, in the order of the declaration, without the height factor.</summary>
         public static readonly IReadOnlyList<Measure> Measures = new[]
         {
             Of(nameof(SignificantWaveHeight), it => it.SignificantWaveHeight, "Wave Height", "m", Heights,
-                "Significant wave height: four standard deviations of the height, over all snapshots."),
+                "Significant wave height: four standard deviations of the height, over all snapshots. 0: that of the "
+                    + "wind, not with Phillips."),
             Of(nameof(WindSpeed), it => it.WindSpeed, "Wind", "m/s", Winds,
-                "Wind speed 10 m above the sea. It shapes the spectrum, not the height: more wind, longer waves."),
+                "Wind speed 10 m above the sea: more wind, longer waves. Their height follows it if Wave Height is 0. "
+                    + "Elfouhaily: 3 to 20."),
             Of(nameof(WindDirectionDegrees), it => it.WindDirectionDegrees, "Wind Direction", "deg", Directions,
                 "Direction in which wind and waves travel, as a rotation about Y: 0 to +Z, 90 to +X."),
             Of(nameof(Choppiness), it => it.Choppiness, "Choppiness", "", Choppinesses,
@@ -47,7 +51,7 @@ namespace Glint.Core
             Of(nameof(ShortestWave), it => it.ShortestWave, "Shortest Wave", "m", s_shortest,
                 "Shorter waves are left out; at most half the tile. 0: all are kept."),
             Of(nameof(Fetch), it => it.Fetch, "Fetch", "m", Fetches,
-                "Length of water that the wind has blown over. JONSWAP only."),
+                "Length of water that the wind has blown over. JONSWAP: 100 or more. Elfouhaily: 0 is unlimited."),
             Of(nameof(PeakEnhancement), it => it.PeakEnhancement, "Peak Enhancement", "", PeakEnhancements,
                 "Height of the peak relative to that of a fully developed sea. JONSWAP only."),
             Of(nameof(Seed), it => it.Seed, "Seed", "", s_seeds,
@@ -57,10 +61,16 @@ namespace Glint.Core
         /// <summary>Distribution of the variance over wavelengths.</summary>
         public SeaSpectrumKind Kind;
 
-        /// <summary>Hs in metres: four standard deviations of the height, on average over seeds.</summary>
+        /// <summary>
+        /// Hs in metres: four standard deviations of the height, on average over seeds. 0: that of the wind, which all
+        /// spectra but Phillips have.
+        /// </summary>
         public double SignificantWaveHeight;
 
-        /// <summary>Metres a second, 10 m above the sea. It sets the shape of the spectrum, not the height.</summary>
+        /// <summary>
+        /// Metres a second, 10 m above the sea. It sets the shape of the spectrum, and the height if
+        /// <see cref="SignificantWaveHeight"/> is 0.
+        /// </summary>
         public double WindSpeed;
 
         /// <summary>Direction in which wind and waves travel, as Unity's rotation about Y: 0 is +Z, 90 is +X.</summary>
@@ -89,7 +99,7 @@ namespace Glint.Core
         /// <summary>Metres. Shorter waves are omitted; 0: all waves.</summary>
         public double ShortestWave;
 
-        /// <summary>Fetch in metres. JONSWAP only.</summary>
+        /// <summary>Fetch in metres. JONSWAP and Elfouhaily, for which 0 is unlimited.</summary>
         public double Fetch;
 
         /// <summary>Ratio of the peak to that of a fully developed sea, 1 to 10. JONSWAP only.</summary>
@@ -103,12 +113,12 @@ namespace Glint.Core
         /// <summary>Multiplies the height: 1, or what <see cref="SeaSurface.FactorFor"/> gives a stored sea.</summary>
         public double HeightFactor;
 
-        /// <summary>Sea state 4 of a breeze, 64 x 64 m.</summary>
+        /// <summary>The fully developed sea of a breeze, 64 x 64 m.</summary>
         public static SeaSettings Default => new SeaSettings
         {
-            Kind = SeaSpectrumKind.Phillips, SignificantWaveHeight = 2, WindSpeed = 7,
+            Kind = SeaSpectrumKind.Elfouhaily, WindSpeed = 7,
             Choppiness = 1, TileSize = 64, GridSize = 64, Cells = 64,
-            Fetch = 100000, PeakEnhancement = 3.3, Seed = 1, HeightFactor = 1,
+            PeakEnhancement = 3.3, Seed = 1, HeightFactor = 1,
         };
 
         /// <summary>Refuses values out of range.</summary>
@@ -121,6 +131,9 @@ namespace Glint.Core
                     + $"{string.Join(" or ", Enum.GetNames(typeof(SeaSpectrumKind)))}");
             Check(subject, "significant wave height", SignificantWaveHeight, Heights, " m",
                 "use a flat plate for a calm sea");
+            if (Kind == SeaSpectrumKind.Phillips && SignificantWaveHeight == 0)
+                throw new GlintException($"{subject}: significant wave height 0 m, that of the wind, is not defined "
+                    + "for the Phillips spectrum: give the height, or another spectrum");
             Check(subject, "wind speed", WindSpeed, Winds, " m/s", "turn the wind by its direction, not by its sign");
             Check(subject, "wind direction", WindDirectionDegrees, Directions, " deg", "give it as a rotation about Y");
             Check(subject, "choppiness", Choppiness, Choppinesses, "",
@@ -137,9 +150,11 @@ namespace Glint.Core
             Check(subject, "shortest wave", ShortestWave, Interval.Closed(0, TileSize / 2), " m", "0 leaves none out");
             if (Kind == SeaSpectrumKind.Jonswap)
             {
-                Check(subject, "fetch", Fetch, Fetches, " m", "100000 is usual");
+                Check(subject, "fetch", Fetch, s_jonswapFetches, " m", "100000 is usual");
                 Check(subject, "peak enhancement", PeakEnhancement, PeakEnhancements, "", "3.3 is usual");
             }
+            if (Kind == SeaSpectrumKind.Elfouhaily)
+                Elfouhaily.Validate(subject, WindSpeed, Fetch);
             Check(subject, "height factor", HeightFactor, s_factors, "", "1 leaves the height as asked for");
         }
 
@@ -157,8 +172,7 @@ namespace Glint.Core
     }
 
     /// <summary>
-    /// Distribution of a sea's variance over wavelengths. Wind and fetch set the shape only; the height is a separate
-    /// setting.
+    /// Distribution of a sea's variance over wavelengths. Stored as numbers.
     /// </summary>
     public enum SeaSpectrumKind
     {
@@ -172,7 +186,10 @@ namespace Glint.Core
         PiersonMoskowitz,
 
         /// <summary>JONSWAP, Hasselmann et al. 1973: a developing sea of limited fetch, with a sharper peak.</summary>
-        Jonswap
+        Jonswap,
+
+        /// <summary>Elfouhaily et al. 1997: all waves of a wind, down to ripples.</summary>
+        Elfouhaily
     }
 
     /// <summary>

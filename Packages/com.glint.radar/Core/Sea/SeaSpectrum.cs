@@ -4,8 +4,8 @@ namespace Glint.Core
 {
     /// <summary>
     /// Variance of a sea's height over wave vectors, m4: its integral over them is m0.
-    /// Directions have the squared cosine of the angle from the wind, up to a right angle; no wave travels against the
-    /// wind, as in a local wind sea. Sources: Documentation~/sea.md.
+    /// No wave travels against the wind, as in a local wind sea. Directions have the squared cosine of the angle from
+    /// the wind, or Elfouhaily's distribution folded to the wind's half-plane. Sources: Documentation~/sea.md.
     /// </summary>
     static class SeaSpectrum
     {
@@ -18,19 +18,28 @@ namespace Glint.Core
         /// </summary>
         public static double Density(in SeaSettings settings, double waveNumber, double cosine)
         {
-            if (!(cosine > 0) || settings.ShortestWave > 0 && waveNumber * settings.ShortestWave > 2 * Math.PI)
+            if (!(cosine >= 0) || settings.ShortestWave > 0 && waveNumber * settings.ShortestWave > 2 * Math.PI)
                 return 0;
+            if (settings.Kind == SeaSpectrumKind.Elfouhaily)
+                return Folded(new Elfouhaily(settings.WindSpeed, settings.Fetch), waveNumber, cosine);
             double squared = cosine * cosine;
             return settings.Kind == SeaSpectrumKind.Phillips
                 ? Phillips(waveNumber, settings.WindSpeed) * squared
                 : Omnidirectional(settings, waveNumber) / waveNumber * (2 / Math.PI) * squared;
         }
 
+        /// <summary>Density of Elfouhaily's spectrum without waves against the wind, m4.</summary>
+        public static double Folded(in Elfouhaily spectrum, double waveNumber, double cosine) =>
+            cosine >= 0 ? 2 * spectrum.Density(waveNumber, cosine) : 0;
+
         /// <summary>
-        /// Angular frequency in rad/s of a deep-water wave without surface tension, w^2 = g k; the wave number in
-        /// rad/m.
+        /// Angular frequency in rad/s of a deep-water wave; the wave number in rad/m. Elfouhaily's waves have surface
+        /// tension, the others w^2 = g k.
         /// </summary>
-        public static double AngularFrequency(double waveNumber) => Math.Sqrt(Gravity * waveNumber);
+        public static double AngularFrequency(SeaSpectrumKind kind, double waveNumber) =>
+            kind == SeaSpectrumKind.Elfouhaily
+                ? waveNumber * Elfouhaily.PhaseSpeed(waveNumber)
+                : Math.Sqrt(Gravity * waveNumber);
 
         // Tessendorf 2001, eq. 40.
         static double Phillips(double k, double wind)
@@ -40,10 +49,16 @@ namespace Glint.Core
         }
 
         /// <summary>Variance per wave number, over all directions, m3.</summary>
-        public static double Omnidirectional(in SeaSettings settings, double k) =>
-            settings.Kind == SeaSpectrumKind.PiersonMoskowitz
-                ? PiersonMoskowitz(k, settings.WindSpeed)
-                : Jonswap(settings, k);
+        public static double Omnidirectional(in SeaSettings settings, double k)
+        {
+            switch (settings.Kind)
+            {
+                case SeaSpectrumKind.Phillips: return Phillips(k, settings.WindSpeed) * k * (Math.PI / 2);
+                case SeaSpectrumKind.PiersonMoskowitz: return PiersonMoskowitz(k, settings.WindSpeed);
+                case SeaSpectrumKind.Jonswap: return Jonswap(settings, k);
+                default: return new Elfouhaily(settings.WindSpeed, settings.Fetch).Omnidirectional(k);
+            }
+        }
 
         // Pierson and Moskowitz 1964, with the wind at 19.5 m.
         static double PiersonMoskowitz(double k, double wind)
@@ -58,7 +73,7 @@ namespace Glint.Core
             double wind = settings.WindSpeed, fetch = settings.Fetch;
             double alpha = 0.076 * PortableMath.Pow(wind * wind / (fetch * Gravity), 0.22);
             double peak = 22 * PortableMath.Pow(Gravity * Gravity / (wind * fetch), 1.0 / 3);
-            double w = AngularFrequency(k), ratio = peak / w, ratio2 = ratio * ratio;
+            double w = AngularFrequency(settings.Kind, k), ratio = peak / w, ratio2 = ratio * ratio;
             double width = (w <= peak ? 0.07 : 0.09) * peak, off = (w - peak) / width;
             double enhancement =
                 PortableMath.Exp(PortableMath.Exp(-0.5 * off * off) * PortableMath.Log(settings.PeakEnhancement));

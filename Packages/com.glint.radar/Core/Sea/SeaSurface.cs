@@ -33,7 +33,8 @@ namespace Glint.Core
             _settings = settings;
             // A wave of two grid points has no direction: the grid's last row and column are empty.
             _reach = settings.GridSize / 2 - 1;
-            _modes = Draw(settings, _reach, out double expected);
+            _modes = Draw(settings, _reach, out double expected, out double scale);
+            DensityScale = scale;
             SignificantWaveHeight = 4 * Math.Sqrt(expected);
             bool isFast = settings.Cells >= settings.GridSize && (settings.Cells & (settings.Cells - 1)) == 0;
             _sum = isFast ? (IWaveSum)new FourierSum(settings.Cells) : new TrigonometricSum(settings.Cells, _reach);
@@ -44,9 +45,13 @@ namespace Glint.Core
         public SeaSettings Settings => _settings;
 
         /// <summary>
-        /// Hs of the spectrum, metres, the mean over seeds: the requested Hs times the height factor.
+        /// Hs of the spectrum, metres, the mean over seeds: the requested Hs times the height factor. If none is
+        /// requested, that of the waves of the wind that the tile holds.
         /// </summary>
         public double SignificantWaveHeight { get; }
+
+        /// <summary>Factor from <see cref="SeaSpectrum.Density"/> to the density of the tile's waves.</summary>
+        internal double DensityScale { get; }
 
         internal IReadOnlyList<SeaMode> Modes => _modes;
 
@@ -57,7 +62,7 @@ namespace Glint.Core
 
         /// <summary>
         /// The height factor with which Hs over all these times (four times the root of the mean variance) is the
-        /// requested one.
+        /// requested one. 1 if none is requested: the waves then keep the density of their spectrum.
         /// </summary>
         /// <exception cref="GlintException">A setting is out of its range, or there are no times.</exception>
         public static double FactorFor(SeaSettings settings, IReadOnlyCollection<double> times)
@@ -65,6 +70,8 @@ namespace Glint.Core
             if (times.Count == 0)
                 throw new GlintException("sea: the height factor needs at least one time");
             settings.HeightFactor = 1;
+            if (settings.SignificantWaveHeight == 0)
+                return 1;
             var surface = new SeaSurface(settings);
             double sum = 0;
             foreach (double time in times)
@@ -108,7 +115,8 @@ namespace Glint.Core
             return new TriangleMesh(vertices, _indices);
         }
 
-        static SeaMode[] Draw(in SeaSettings settings, int reach, out double expected)
+        // The scale is that from the density of the spectrum to that of the waves drawn.
+        static SeaMode[] Draw(in SeaSettings settings, int reach, out double expected, out double densityScale)
         {
             double number = 2 * Math.PI / settings.TileSize;
             var (windX, windZ) = PortableMath.SinCos(settings.WindDirectionDegrees / 360);
@@ -122,13 +130,16 @@ namespace Glint.Core
                     if (row == 0 && column == 0)
                         continue;
                     double length = Math.Sqrt((double)row * row + (double)column * column);
-                    double variance =
-                        SeaSpectrum.Density(settings, number * length, (column * windX + row * windZ) / length);
+                    double cosine = (column * windX + row * windZ) / length;
+                    // A wave across the wind and its opposite are one mode.
+                    if (cosine == 0 && !IsMode(column, row))
+                        continue;
+                    double variance = SeaSpectrum.Density(settings, number * length, cosine);
                     if (!(variance > 0))
                         continue;
                     sum += variance;
                     variances.Add(variance);
-                    modes.Add(MakeMode(column, row, length, number, seed));
+                    modes.Add(MakeMode(settings.Kind, column, row, length, number, seed));
                 }
             if (!(sum > 1e-200))
                 throw new GlintException($"sea: the wind of {RadarSettings.Text(settings.WindSpeed)} m/s raises no "
@@ -136,7 +147,9 @@ namespace Glint.Core
                     + $"{RadarSettings.Text(settings.TileSize)} m, which are those that the grid holds: "
                     + "give it more wind, a smaller tile or a larger grid");
 
-            double asked = settings.SignificantWaveHeight * settings.HeightFactor / 4, scale = asked * asked / sum;
+            double asked = settings.SignificantWaveHeight * settings.HeightFactor / 4, area = number * number,
+                scale = asked > 0 ? asked * asked / sum : settings.HeightFactor * settings.HeightFactor * area;
+            densityScale = scale / area;
             var drawn = modes.ToArray();
             expected = 0;
             for (int i = 0; i < drawn.Length; i++)
@@ -152,19 +165,22 @@ namespace Glint.Core
 
         // Normally distributed real and imaginary part of variance 1 each, by Box and Muller.
         // The random number depends on the wave alone, not on grid or order.
-        static SeaMode MakeMode(int column, int row, double length, double number, ulong seed)
+        static SeaMode MakeMode(SeaSpectrumKind kind, int column, int row, double length, double number, ulong seed)
         {
             var random = new SplitMix64(new SplitMix64(seed + ((ulong)(uint)column << 32 | (uint)row)).Next());
             double radius = Math.Sqrt(-2 * PortableMath.Log(random.NextAboveZero()));
             var (sine, cosine) = PortableMath.SinCos(random.NextAboveZero());
-            int sign = row > 0 || row == 0 && column > 0 ? 1 : -1;
+            int sign = IsMode(column, row) ? 1 : -1;
             return new SeaMode
             {
                 Column = sign * column, Row = sign * row, Real = radius * cosine, Imaginary = sign * radius * sine,
-                Frequency = sign * SeaSpectrum.AngularFrequency(number * length) / (2 * Math.PI),
+                Frequency = sign * SeaSpectrum.AngularFrequency(kind, number * length) / (2 * Math.PI),
                 AlongX = sign * column / length, AlongZ = sign * row / length,
             };
         }
+
+        // Whether a SeaMode has this column and row, rather than their opposites.
+        static bool IsMode(int column, int row) => row > 0 || row == 0 && column > 0;
 
         WaveCoefficients At(double time)
         {

@@ -8,9 +8,9 @@ namespace Glint.Editor
     /// <summary>The options of <c>glint sea</c>: settings of the sea, and its folder.</summary>
     public static class SeaOptions
     {
-        const string Group = "Sea", SpectrumRange = "phillips, pierson-moskowitz or jonswap";
+        const string Group = "Sea", SpectrumRange = "phillips, pierson-moskowitz, jonswap or elfouhaily";
 
-        static readonly string[] s_spectra = { "phillips", "pierson-moskowitz", "jonswap" };
+        static readonly string[] s_spectra = { "phillips", "pierson-moskowitz", "jonswap", "elfouhaily" };
 
         static readonly Option[] s_measures = SeaSettings.Measures
             .Select(measure => Options.Of(measure, SeaSettings.Default, Group)).ToArray();
@@ -35,8 +35,9 @@ namespace Glint.Editor
                 Group = Group,
                 Range = SpectrumRange,
                 Choices = s_spectra,
-                DefaultText = "phillips",
-                Help = "Distribution of the waves' energy over their lengths; --wave-height sets the height."
+                DefaultText = "elfouhaily",
+                Help = "Distribution of the waves' energy over their lengths. phillips needs --wave-height or "
+                    + "--sea-state, jonswap --fetch."
             };
 
         /// <summary>Times of the snapshots, seconds.</summary>

@@ -34,8 +34,10 @@ namespace Glint.Editor
                 ? FormattableString.Invariant($"waves at {sea.TimeSeconds:0.###} s")
                     : $"snapshot {Name(sea, sea.Snapshot)}",
                 "A stored snapshot; without any, a tile made from Waves.");
+            string height = waves.SignificantWaveHeight == 0 ? "height of the wind"
+                : FormattableString.Invariant($"{waves.SignificantWaveHeight:0.###} m high");
             yield return ("Waves", FormattableString.Invariant(
-                $"{waves.Kind}, {waves.SignificantWaveHeight:0.###} m high, wind {waves.WindSpeed:0.###} m/s to {waves.WindDirectionDegrees:0.###} deg"),
+                $"{waves.Kind}, {height}, wind {waves.WindSpeed:0.###} m/s to {waves.WindDirectionDegrees:0.###} deg"),
                 "Spectrum, requested significant wave height, and wind that shapes it.");
             yield return ("Tile",
                 FormattableString.Invariant($"{waves.TileSize:0.###} m, {2L * waves.Cells * waves.Cells:N0} triangles"),
