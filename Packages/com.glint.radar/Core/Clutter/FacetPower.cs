@@ -36,6 +36,9 @@ namespace Glint.Core
         public static FacetPower operator +(in FacetPower a, in FacetPower b) => new FacetPower(a.SS + b.SS,
             a.PP + b.PP, a.SP + b.SP, a.SSPP + b.SSPP, a.SSSP + b.SSSP, a.PPSP + b.PPSP);
 
+        public FacetPower Scaled(double factor) =>
+            new FacetPower(factor * SS, factor * PP, factor * SP, factor * SSPP, factor * SSSP, factor * PPSP);
+
         /// <summary>Sigma0 in global H and V.</summary>
         /// <param name="cosine">s in the direction of H.</param>
         /// <param name="sine">s in the direction of V.</param>
