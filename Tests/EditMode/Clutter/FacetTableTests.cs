@@ -101,7 +101,7 @@ namespace Glint.Tests
             var slopes = bed.Spectrum.SlopeVariance(SeaTestBed.LongestWave, bed.Scattering.WaveNumber / divisor);
             foreach (var (incidence, hh) in new[] { (80, at80), (60, at60) })
                 Assert.That(Sigma0.Decibels(bed.Scattering.TwoScaleMean(SeaTestBed.Radar(incidence, 0), s_wind, slopes)
-                    .HH), Is.EqualTo(hh).Within(0.06));
+                    .HH), Is.EqualTo(hh).Within(0.08));
         }
 
         // Published slope variances that a facet leaves out, 10 GHz, 10 m/s.
