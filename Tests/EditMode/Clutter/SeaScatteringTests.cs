@@ -207,10 +207,12 @@ namespace Glint.Tests
         }
     }
 
-    /// <summary>A sea of one wind under a radar of 10 GHz.</summary>
+    /// <summary>A sea of one wind under a radar, of 10 GHz if not said otherwise.</summary>
     sealed class SeaTestBed
     {
         public const double Frequency = 10e9;
+
+        public const double Wavelength = 0.0299792458;
 
         /// <summary>rad/m.</summary>
         public const double LongestWave = 1e-3;
@@ -218,10 +220,12 @@ namespace Glint.Tests
         /// <summary>Meissner and Wentz, 20 C, 35 psu, 10 GHz.</summary>
         public static readonly Complex SeaWater = new Complex(55.062, -37.514);
 
-        public SeaTestBed(double wind)
+        public SeaTestBed(double wind) : this(wind, Frequency, SeaWater) { }
+
+        public SeaTestBed(double wind, double frequency, Complex permittivity)
         {
             Spectrum = new Elfouhaily(wind);
-            Scattering = new SeaScattering(Frequency, SeaWater, Spectrum.Density);
+            Scattering = new SeaScattering(frequency, permittivity, Spectrum.Density);
         }
 
         public Elfouhaily Spectrum { get; }
