@@ -3,8 +3,8 @@
 
 #include "Trigonometry.hlsl"
 
-// Speckle of the sea's surface, a function of place, seed and time alone; Core/Clutter/Speckle.cs has the same in double
-// precision.
+// Speckle of the sea's surface, a function of cell, seed and time alone; Core/Clutter/Speckle.cs has the same in
+// double precision.
 
 // Four words of one of the 2^128 inputs: pcg4d of Jarzynski and Olano, Hash Functions for GPU Rendering (2020).
 uint4 SpeckleHash(uint4 v)

@@ -8,7 +8,7 @@ namespace Glint.Tests
     /// <summary>The formulas of mean sea reflectivity against tables computed by another program.</summary>
     public sealed class ClutterModelTests
     {
-        static readonly double[] s_low = { 0.1, 0.3, 1, 3, 10 };
+        static readonly double[] s_belowTen = { 0.1, 0.3, 1, 3, 10 };
 
         [TestCase("hh", 0, -78.88, -71.63, -66.01, -61.05, -52.99, -40.34, -21.13)]
         [TestCase("hh", 3, -55.01, -48.02, -43.27, -40.48, -37.60, -31.43, -15.68)]
@@ -17,7 +17,7 @@ namespace Glint.Tests
         [TestCase("vv", 3, -55.47, -46.93, -41.20, -37.41, -32.47, -25.97, -17.44)]
         [TestCase("vv", 6, -45.00, -36.59, -31.30, -28.59, -26.14, -22.53, -15.43)]
         public void Nrl_AtTenGigahertz_IsTheTable(string polarisation, double state, params double[] expected) =>
-            AssertRow("nrl", polarisation, state, s_low.Concat(new[] { 30, 60.0 }).ToArray(), expected);
+            AssertRow("nrl", polarisation, state, s_belowTen.Concat(new[] { 30, 60.0 }).ToArray(), expected);
 
         [TestCase("hh", 9.4, 0.5, 4, -41.45)]
         [TestCase("vv", 3, 2, 5, -37.32)]
@@ -32,21 +32,21 @@ namespace Glint.Tests
         [TestCase("hh", 5, -42.55, -33.66, -31.45, -29.83, -28.77)]
         [TestCase("vv", 3, -71.79, -49.86, -36.02, -32.65, -30.06)]
         public void Git_Upwind_IsTheTable(string polarisation, double state, params double[] expected) =>
-            AssertRow("git", polarisation, state, s_low, expected);
+            AssertRow("git", polarisation, state, s_belowTen, expected);
 
         [TestCase("hh", 1, -64.79, -55.77, -47.69, -43.32, -40.86)]
         [TestCase("hh", 3, -48.10, -40.84, -36.07, -33.75, -32.35)]
         [TestCase("hh", 5, -38.91, -33.79, -30.62, -28.82, -27.79)]
         [TestCase("vv", 3, -49.94, -41.32, -35.05, -31.33, -28.42)]
         public void Tsc_Upwind_IsTheTable(string polarisation, double state, params double[] expected) =>
-            AssertRow("tsc", polarisation, state, s_low, expected);
+            AssertRow("tsc", polarisation, state, s_belowTen, expected);
 
         [TestCase("vv", 1, -60.80, -51.26, -40.80, -31.26, -25.35)]
         [TestCase("vv", 3, -50.80, -41.26, -34.90, -30.13, -24.90)]
         [TestCase("vv", 5, -40.80, -34.56, -29.33, -24.56, -19.33)]
         [TestCase("hh", 3, -48.80, -40.64, -35.82, -32.47, -28.81)]
         public void Hybrid_Upwind_IsTheTable(string polarisation, double state, params double[] expected) =>
-            AssertRow("hybrid", polarisation, state, s_low, expected);
+            AssertRow("hybrid", polarisation, state, s_belowTen, expected);
 
         // The mean of the hybrid model's directions lies 3.85 dB below upwind at X band, as NRL's report says of
         // crosswind.

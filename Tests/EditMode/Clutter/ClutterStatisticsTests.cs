@@ -16,8 +16,8 @@ namespace Glint.Tests
         [TestCase(5, 200, false, 45, 3.267)]
         [TestCase(3, 1000, true, 90, 2.732)]
         public void EmpiricalShape_IsThePublishedOne(double grazing, double area, bool isHorizontal, double swell,
-            double expected) => Assert.That(
-                ClutterStatistics.EmpiricalShape(grazing, area, isHorizontal, swell), Is.EqualTo(expected).Within(5e-4));
+            double expected) => Assert.That(ClutterStatistics.EmpiricalShape(grazing, area, isHorizontal, swell),
+                Is.EqualTo(expected).Within(5e-4));
 
         [TestCase(0.05, 100, "grazing angle 0.05 deg")]
         [TestCase(30, 100, "grazing angle 30 deg")]
@@ -29,15 +29,15 @@ namespace Glint.Tests
         // Textures of a whole shape nu are means of nu exponential numbers.
         [TestCase(1)]
         [TestCase(4)]
-        public void Shapes_OfKDistributedSamples_AreTheirs(int shape)
+        public void Shapes_OfKDistributedSamples_AreTheirs(int looks)
         {
             var random = new Random(3);
             double Exponential() => -Math.Log(1 - random.NextDouble());
             var textures = Enumerable.Range(0, 200000)
-                .Select(_ => Enumerable.Range(0, shape).Average(__ => Exponential())).ToArray();
+                .Select(_ => Enumerable.Range(0, looks).Average(__ => Exponential())).ToArray();
             var intensities = textures.Select(texture => texture * Exponential()).ToArray();
-            Assert.That(ClutterStatistics.ShapeOfTexture(textures), Is.EqualTo(shape).Within(3).Percent);
-            Assert.That(ClutterStatistics.ShapeOfIntensity(intensities), Is.EqualTo(shape).Within(5).Percent);
+            Assert.That(ClutterStatistics.ShapeOfTexture(textures), Is.EqualTo(looks).Within(3).Percent);
+            Assert.That(ClutterStatistics.ShapeOfIntensity(intensities), Is.EqualTo(looks).Within(5).Percent);
         }
 
         [TestCase(5, 8.0)]

@@ -42,8 +42,9 @@ namespace Glint.Tests
         public double2 SlopeVariance(double from, double to) => Integral(from, to,
             k => k * k * Omnidirectional(k) / 2 * new double2(1 + Spreading(k) / 2, 1 - Spreading(k) / 2));
 
-        /// <summary>Half the integral of wave number, frequency and spectrum, weighted by the cosine from the wind, with
-        /// all waves in the half-plane of the wind: m/s.</summary>
+        /// <summary>
+        /// Half the Stokes drift along the wind, m/s, of waves up to a wave number that all run with the wind.
+        /// </summary>
         public double HalfStokesDrift(double to) => Integral(1e-3, to, k => k * Math.Sqrt(Gravity * k)
             * Omnidirectional(k) * (2 / Math.PI) * (1 + Spreading(k) / 3) * new double2(1, 0)).x;
 

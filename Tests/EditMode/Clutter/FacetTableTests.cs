@@ -147,10 +147,10 @@ namespace Glint.Tests
             return 1 / weights * sum;
         }
 
-        static void AssertNear(Sigma0 found, Sigma0 expected, double decibels, string of)
+        static void AssertNear(Sigma0 sigma, Sigma0 expected, double decibels, string of)
         {
-            double hh = Sigma0.Decibels(found.HH / expected.HH), vv = Sigma0.Decibels(found.VV / expected.VV),
-                hv = Sigma0.Decibels(found.HV / expected.HV);
+            double hh = Sigma0.Decibels(sigma.HH / expected.HH), vv = Sigma0.Decibels(sigma.VV / expected.VV),
+                hv = Sigma0.Decibels(sigma.HV / expected.HV);
             Assert.That(new[] { hh, vv }, Is.All.EqualTo(0).Within(decibels), of);
             // Near the mirror direction the crossed echo is the small difference of two others.
             if (expected.HV > 1e-3 * expected.VV)

@@ -24,7 +24,9 @@ namespace Glint.Core
         /// <summary>Douglas sea state.</summary>
         public double SeaState { get; }
 
-        /// <summary>Angle from the direction that the wind comes from. Models without wind direction ignore it.</summary>
+        /// <summary>
+        /// Angle from the direction that the wind comes from. Models without wind direction ignore it.
+        /// </summary>
         public double WindAngleDegrees { get; }
 
         internal double Gigahertz => Frequency / 1e9;

@@ -30,7 +30,8 @@ namespace Glint.Core
                     + "the coherence time");
             if (!(size > 0))
                 throw new GlintException($"sea clutter: the size {Medium.Number(size)} m of a cell must be above 0");
-            return CoherenceFactor * wavelength / (wind * Math.Sqrt(ErrorFunction.Erf(SizeFactor * size / (wind * wind))));
+            double part = ErrorFunction.Erf(SizeFactor * size / (wind * wind));
+            return CoherenceFactor * wavelength / (wind * Math.Sqrt(part));
         }
 
         /// <summary>

@@ -9,7 +9,8 @@ namespace Glint.Core
         const double SeriesEnd = 2.5;
         const int FractionTerms = 60;
 
-        public static double Erf(double x) => Math.Abs(x) < SeriesEnd ? Series(x) : Math.Sign(x) * (1 - Tail(Math.Abs(x)));
+        public static double Erf(double x) =>
+            Math.Abs(x) < SeriesEnd ? Series(x) : Math.Sign(x) * (1 - Tail(Math.Abs(x)));
 
         public static double Erfc(double x) => x < SeriesEnd ? 1 - Erf(x) : Tail(x);
 
