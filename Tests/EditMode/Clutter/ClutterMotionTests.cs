@@ -63,7 +63,7 @@ namespace Glint.Tests
         [TestCase(10, 0.158)]
         [TestCase(15, 0.244)]
         public void TestSpectrum_HasThePublishedStokesDrift(double wind, double drift) =>
-            Assert.That(2 * new Elfouhaily(wind).HalfStokesDrift(37), Is.EqualTo(drift).Within(0.0006));
+            Assert.That(2 * new ElfouhailyFromPaper(wind).HalfStokesDrift(37), Is.EqualTo(drift).Within(0.0006));
 
         // C band, 10 m/s, upwind, drift 1.5 %; sigma0 is the two-scale mean of Bragg scattering.
         [TestCase(30, 23.2, 30.0)]

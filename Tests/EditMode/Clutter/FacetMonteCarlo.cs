@@ -132,7 +132,7 @@ namespace Glint.Tests
             public readonly double[] Heights, Accelerations;
             readonly double[] _slopesX, _slopesZ;
 
-            public Tile(Elfouhaily spectrum, int cells, int seed)
+            public Tile(ElfouhailyFromPaper spectrum, int cells, int seed)
             {
                 var random = new Random(seed);
                 int reach = cells / 2 - 1;

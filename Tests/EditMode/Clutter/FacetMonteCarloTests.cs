@@ -5,7 +5,7 @@ namespace Glint.Tests
 {
     /// <summary>
     /// The Monte Carlo of a sea's facets, 1024 x 1024 in each of four tiles, against the figures of another program
-    /// with other random numbers. The tolerances are three times the differences between sets of four tiles.
+    /// with other random numbers. Sets of four tiles differ by up to 0.1 dB, 0.006 lit and 18 % of a shape.
     /// </summary>
     [Category("Slow")]
     public sealed class FacetMonteCarloTests

@@ -20,7 +20,7 @@ namespace Glint.Tests
         [TestCase(10, 7.80091e-9, 100)]
         [TestCase(10, 1.68921e-10, 419.2)]
         public void TestSpectrum_IsThePublishedOne(double wind, double expected, double k) =>
-            Assert.That(new Elfouhaily(wind).Omnidirectional(k), Is.EqualTo(expected).Within(3e-4).Percent);
+            Assert.That(new ElfouhailyFromPaper(wind).Omnidirectional(k), Is.EqualTo(expected).Within(3e-4).Percent);
 
         [Test]
         public void TestSpectrum_HasThePublishedSlopes()
@@ -179,7 +179,8 @@ namespace Glint.Tests
             Assert.That(Sigma0.Decibels(found.VV - specular), Is.EqualTo(vv).Within(tolerance));
         }
 
-        [TestCase(0, 1, -1, "frequency 0 Hz")]
+        [TestCase(0, 50, -40, "frequency 0 Hz must be from 1e9 to 4.7e10 Hz")]
+        [TestCase(9.4e10, 50, -40, "frequency 94000000000 Hz")]
         [TestCase(1e10, 0.5, -1, "permittivity 0.5 - j 1")]
         [TestCase(1e10, 50, 40, "permittivity 50 - j -40")]
         public void Scattering_OfWhatIsNoSea_IsRefused(double frequency, double real, double imaginary, string says) =>
@@ -224,11 +225,11 @@ namespace Glint.Tests
 
         public SeaTestBed(double wind, double frequency, Complex permittivity)
         {
-            Spectrum = new Elfouhaily(wind);
+            Spectrum = new ElfouhailyFromPaper(wind);
             Scattering = new SeaScattering(frequency, permittivity, Spectrum.Density);
         }
 
-        public Elfouhaily Spectrum { get; }
+        public ElfouhailyFromPaper Spectrum { get; }
 
         public SeaScattering Scattering { get; }
 

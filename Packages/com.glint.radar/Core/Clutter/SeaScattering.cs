@@ -27,6 +27,12 @@ namespace Glint.Core
         /// </summary>
         public const double TiltShare = 1.0 / 3;
 
+        /// <summary>
+        /// Frequencies in Hz with Bragg waves of at most 2,000 rad/m, to which Elfouhaily's spectrum is used, and of a
+        /// permittivity that is known.
+        /// </summary>
+        public static readonly Interval Frequencies = Interval.Closed(1e9, 4.7e10);
+
         // Steps across the slopes, in standard deviations: the end and the width of one.
         const double LastSlope = 5;
         const int SlopeSteps = 120;
@@ -38,14 +44,15 @@ namespace Glint.Core
         readonly WaveDensity _density;
 
         /// <summary>The sea at one frequency.</summary>
-        /// <param name="frequency">Hz, above 0.</param>
+        /// <param name="frequency">Hz, one of <see cref="Frequencies"/>.</param>
         /// <param name="permittivity">Relative, e' - j e''.</param>
         /// <param name="density">The short waves, from <see cref="TiltCut"/> to twice the wave number.</param>
         /// <exception cref="GlintException">The frequency or the permittivity is not valid.</exception>
         public SeaScattering(double frequency, Complex permittivity, WaveDensity density)
         {
-            if (!(frequency > 0 && Medium.IsFinite(frequency)))
-                throw new GlintException($"sea clutter: the frequency {Medium.Number(frequency)} Hz must be above 0");
+            if (!Frequencies.Contains(frequency))
+                throw new GlintException($"sea clutter: the frequency {Medium.Number(frequency)} Hz must be "
+                    + $"{Frequencies} Hz, where spectra of the short waves hold");
             if (!(permittivity.Real > 1 && permittivity.Imaginary <= 0 && Medium.IsFinite(permittivity.Real)
                 && Medium.IsFinite(permittivity.Imaginary)))
                 throw new GlintException($"sea clutter: the relative permittivity {Medium.Number(permittivity.Real)} - "

@@ -7,13 +7,13 @@ namespace Glint.Tests
     /// The spectrum of Elfouhaily et al. 1997 for a fully developed sea, written from the paper with System.Math, and
     /// integrals over it.
     /// </summary>
-    sealed class Elfouhaily
+    sealed class ElfouhailyFromPaper
     {
         const double Gravity = 9.81, Peak = 370, SlowestSpeed = 0.23, InverseAge = 0.84;
 
         readonly double _peak, _peakSpeed, _friction;
 
-        public Elfouhaily(double wind)
+        public ElfouhailyFromPaper(double wind)
         {
             _peak = Gravity / (wind * wind) * InverseAge * InverseAge;
             _peakSpeed = Speed(_peak);
