@@ -55,6 +55,7 @@ namespace Glint.Tests
             Assert.That(ClutterMotion.ApproachingShare(0, 2), Is.EqualTo(0.5));
             // cos^4 of 30 deg is 9/16, sin^4 1/16.
             Assert.That(ClutterMotion.ApproachingShare(0.5, 2), Is.EqualTo(0.9).Within(1e-12));
+            Assert.That(ClutterMotion.ApproachingShare(0.3, 1e4), Is.EqualTo(1));
             Assert.That(ClutterMotion.ApproachingShare(0.3, 7) + ClutterMotion.ApproachingShare(-0.3, 7),
                 Is.EqualTo(1).Within(1e-12));
         }

@@ -31,7 +31,7 @@ namespace Glint.Tests
         [TestCase(4)]
         public void Shapes_OfKDistributedSamples_AreTheirs(int looks)
         {
-            var random = new Random(3);
+            var random = new System.Random(3);
             double Exponential() => -Math.Log(1 - random.NextDouble());
             var textures = Enumerable.Range(0, 200000)
                 .Select(_ => Enumerable.Range(0, looks).Average(__ => Exponential())).ToArray();

@@ -134,7 +134,7 @@ namespace Glint.Tests
 
             public Tile(ElfouhailyFromPaper spectrum, int cells, int seed)
             {
-                var random = new Random(seed);
+                var random = new System.Random(seed);
                 int reach = cells / 2 - 1;
                 double step = 2 * Math.PI / (cells * FacetSide);
                 var (heights, accelerations, slopesX, slopesZ) = (new WaveCoefficients(reach),
@@ -171,7 +171,7 @@ namespace Glint.Tests
                 return sorted[(int)(fraction * sorted.Length)];
             }
 
-            static double Normal(Random random) => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble()))
+            static double Normal(System.Random random) => Math.Sqrt(-2 * Math.Log(1 - random.NextDouble()))
                 * Math.Cos(2 * Math.PI * random.NextDouble());
         }
     }

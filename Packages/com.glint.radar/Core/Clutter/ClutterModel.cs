@@ -100,7 +100,9 @@ namespace Glint.Core
     sealed class NrlModel : ClutterModel
     {
         public NrlModel() : base("nrl", "Gregers-Hansen and Mital 2012", Interval.Closed(0.5, 35),
-            Interval.Closed(0.1, 60), Interval.Closed(0, 6)) { }
+            Interval.Closed(0.1, 60), Interval.Closed(0, 6))
+        {
+        }
 
         private protected override double Compute(bool isHorizontal, in ClutterConditions at)
         {
@@ -124,7 +126,9 @@ namespace Glint.Core
         const double HeightOffset = 0.015, WavelengthOffset = 0.015, AngleOffset = 1e-4;
 
         public GitModel() : base("git", "Horst, Dyer and Tuley 1978", Interval.Closed(1, 12), Interval.Closed(0.1, 10),
-            Interval.Closed(1, 6)) { }
+            Interval.Closed(1, 6))
+        {
+        }
 
         private protected override double Compute(bool isHorizontal, in ClutterConditions at)
         {
@@ -152,7 +156,9 @@ namespace Glint.Core
         const double MetresPerFoot = 0.3048;
 
         public TscModel() : base("tsc", "TSC, Antipov 1999", Interval.Closed(0.5, 35), Interval.Closed(0.1, 60),
-            Interval.Closed(1, 6)) { }
+            Interval.Closed(1, 6))
+        {
+        }
 
         private protected override double Compute(bool isHorizontal, in ClutterConditions at)
         {
@@ -186,7 +192,9 @@ namespace Glint.Core
         const double Transition = 0.0632, ReferenceDegrees = 0.1, DegreesPerRadian = 180 / Math.PI;
 
         public HybridModel() : base("hybrid", "Reilly and Dockery 1990", Interval.Closed(3, 35),
-            Interval.Closed(0.1, 30), Interval.Closed(1, 5)) { }
+            Interval.Closed(0.1, 30), Interval.Closed(1, 5))
+        {
+        }
 
         private protected override double Compute(bool isHorizontal, in ClutterConditions at)
         {

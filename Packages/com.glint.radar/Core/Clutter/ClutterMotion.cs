@@ -40,12 +40,8 @@ namespace Glint.Core
         /// </summary>
         /// <param name="windCosine">Cosine of the angle from the direction to the radar to the wind.</param>
         /// <param name="exponent">s, above 0; large: all waves run with the wind.</param>
-        public static double ApproachingShare(double windCosine, double exponent)
-        {
-            double towards = Math.Pow(Math.Max(0, (1 + windCosine) / 2), exponent),
-                away = Math.Pow(Math.Max(0, (1 - windCosine) / 2), exponent);
-            return towards / (towards + away);
-        }
+        public static double ApproachingShare(double windCosine, double exponent) =>
+            1 / (1 + Math.Pow(Math.Max(0, 1 - windCosine) / Math.Max(0, 1 + windCosine), exponent));
 
         /// <summary>
         /// Mean velocity towards the radar in m/s of a sea that travels towards it: linear waves without shadow and
