@@ -36,6 +36,8 @@ namespace Glint.Tests
 
         public static ComputeShader Shadow => Load("Packages/com.glint.tests/EditMode/Shaders/Shadow.compute");
 
+        public static ComputeShader Speckle => Load("Packages/com.glint.tests/EditMode/Shaders/Speckle.compute");
+
         /// <summary>The tracer's kernels with other group sizes.</summary>
         public static ComputeShader OtherGroups =>
             Load("Packages/com.glint.tests/EditMode/Shaders/OtherGroups.compute");
