@@ -79,9 +79,9 @@ namespace Glint.Tests
         public void Taylor_OutOfRange_IsRefusedWithItsRange()
         {
             Assert.That(() => Window.Taylor(1, -30), Throws.TypeOf<GlintException>().With.Message
-                .EqualTo("window: Taylor's number of near sidelobes is 1, it must be from 2 to 20"));
+                .EqualTo("window: the Taylor number of near sidelobes is 1, it must be from 2 to 20"));
             Assert.That(() => Window.Taylor(4, 30), Throws.TypeOf<GlintException>().With.Message
-                .EqualTo("window: Taylor's sidelobe level is 30 dB, it must be from -100 to -15"));
+                .EqualTo("window: the Taylor sidelobe level is 30 dB, it must be from -100 to -15"));
             Assert.That(() => Window.Taylor(4, double.NaN), Throws.TypeOf<GlintException>());
         }
 

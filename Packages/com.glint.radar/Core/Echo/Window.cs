@@ -47,12 +47,8 @@ namespace Glint.Core
         /// <exception cref="GlintException">A number is out of its range.</exception>
         public static Window Taylor(int nearSidelobes, double levelDb)
         {
-            if (!s_nearSidelobes.Contains(nearSidelobes))
-                throw new GlintException($"window: Taylor's number of near sidelobes is {nearSidelobes}, "
-                    + $"it must be {s_nearSidelobes}");
-            if (!s_level.Contains(levelDb))
-                throw new GlintException($"window: Taylor's sidelobe level is {RadarSettings.Text(levelDb)} dB, "
-                    + $"it must be {s_level}");
+            Require.Within("window", "Taylor number of near sidelobes", nearSidelobes, "", s_nearSidelobes);
+            Require.Within("window", "Taylor sidelobe level", levelDb, "dB", s_level);
             double ratio = Math.Pow(10, -levelDb / 20), a = Math.Log(ratio + Math.Sqrt(ratio * ratio - 1)) / Math.PI,
                 dilation = nearSidelobes * nearSidelobes / (a * a + (nearSidelobes - 0.5) * (nearSidelobes - 0.5));
             var cosines = new double[nearSidelobes];
