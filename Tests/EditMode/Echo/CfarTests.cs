@@ -28,8 +28,8 @@ namespace Glint.Tests
             Assert.That(10 * Math.Log10(Cfar.Factor(CfarLevel.Mean, cells, rate) / -Math.Log(rate)),
                 Is.EqualTo(loss).Within(0.005));
 
-        // Of N exponential powers the one of rank k is a sum of independent ones with means 1 / i, i from N - k + 1 to N.
-        // The mean of exp(-factor times it) is the rate.
+        // Of N exponential powers the one of rank k is a sum of independent ones with means 1 / i, i from N - k + 1
+        // to N. The mean of exp(-factor times it) is the rate.
         [TestCase(16, 1e-4)]
         [TestCase(32, 1e-6)]
         public void Factor_OfTheRank_GivesTheRate(int cells, double rate)
@@ -69,11 +69,12 @@ namespace Glint.Tests
         [TestCase(0.5, 2.7e-2)]
         [TestCase(1, 1.7e-2)]
         [TestCase(5, 4.2e-3)]
-        public void FalseAlarms_InKClutter_RiseWithItsSpikes(double shape, double rate)
+        public void FalseAlarms_InKClutter_RiseWithItsSpikes(double nu, double rate)
         {
             const int cells = 500000;
             var random = new Random(3);
-            double[] speckle = Noise(cells), clutter = speckle.Select(power => power * Texture(random, shape)).ToArray();
+            double[] speckle = Noise(cells),
+                clutter = speckle.Select(power => power * Texture(random, nu)).ToArray();
             var cfar = new Cfar(CfarLevel.Mean, 1e-3, 16, 0);
             Assert.That(cfar.Detect(clutter, cells).Count / (double)cells, Is.EqualTo(rate).Within(5).Percent);
             var common = speckle.Select(power => power * 7.5).ToArray();
@@ -142,11 +143,12 @@ namespace Glint.Tests
         }
 
         // Gamma of shape 1/2 is the square of a normal number, of a whole shape the sum of exponential ones.
-        static double Texture(Random random, double shape)
+        static double Texture(Random random, double nu)
         {
-            if (shape == 0.5)
-                return -2 * Math.Log(1 - random.NextDouble()) * Math.Pow(Math.Cos(2 * Math.PI * random.NextDouble()), 2);
-            return Enumerable.Range(0, (int)shape).Average(_ => -Math.Log(1 - random.NextDouble()));
+            if (nu == 0.5)
+                return -2 * Math.Log(1 - random.NextDouble())
+                    * Math.Pow(Math.Cos(2 * Math.PI * random.NextDouble()), 2);
+            return Enumerable.Range(0, (int)nu).Average(_ => -Math.Log(1 - random.NextDouble()));
         }
     }
 }

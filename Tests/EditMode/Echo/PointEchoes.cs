@@ -31,7 +31,7 @@ namespace Glint.Tests
         public static Complex[] Point(FrequencyBand band, double range, double crossSection) =>
             Sum(band, new[] { 2 * range }, new[] { new Complex(Math.Sqrt(crossSection), 0) });
 
-        /// <summary>Index and value of the largest of some powers, by a parabola through three of their decibels.</summary>
+        /// <summary>Index and value of the highest of some levels, by a parabola through three of them.</summary>
         public static (double index, double decibels) Peak(double[] decibels)
         {
             int at = Array.IndexOf(decibels, decibels.Max());

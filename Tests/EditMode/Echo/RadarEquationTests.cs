@@ -40,8 +40,8 @@ namespace Glint.Tests
             Assert.That(Dbw(_radar, 100, 1), Is.EqualTo(level + 20).Within(1e-9), "hundredfold cross section");
             Assert.That(Dbw(new RadarEquation(25e3, 9.41e9, 3), 1, 1), Is.EqualTo(level - 3).Within(1e-9), "3 dB loss");
             Assert.That(Dbw(new RadarEquation(2.5e3, 9.41e9), 1, 1), Is.EqualTo(level - 10).Within(1e-9), "less power");
-            Assert.That(Dbw(new RadarEquation(25e3, 4.705e9), 1, 1), Is.EqualTo(level + 20 * Math.Log10(2)).Within(1e-9),
-                "twice the wavelength");
+            Assert.That(Dbw(new RadarEquation(25e3, 4.705e9), 1, 1),
+                Is.EqualTo(level + 20 * Math.Log10(2)).Within(1e-9), "twice the wavelength");
         }
 
         // Half of the power on each way: 6 dB in the echo.

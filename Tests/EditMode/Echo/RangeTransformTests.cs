@@ -50,7 +50,8 @@ namespace Glint.Tests
             var band = PointEchoes.Band();
             var transform = new RangeTransform(band, window, 64);
             double cellsABin = transform.Cells / 256;
-            var decibels = PowerLevel.Decibels(transform.Profile(PointEchoes.Point(band, 64 * band.RangeResolution, 1)));
+            var responses = PointEchoes.Point(band, 64 * band.RangeResolution, 1);
+            var decibels = PowerLevel.Decibels(transform.Profile(responses));
             int peak = 64 * transform.Cells / 256;
             Assert.That(decibels[peak], Is.EqualTo(0).Within(1e-9));
             int inside = decibels.Count(level => level > 10 * Math.Log10(0.5));

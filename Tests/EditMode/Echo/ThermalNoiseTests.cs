@@ -67,6 +67,7 @@ namespace Glint.Tests
         }
 
         static double Correlation(Complex[] a, Complex[] b) =>
-            Complex.Abs(a.Zip(b, (x, y) => x * Complex.Conjugate(y)).Aggregate(Complex.Add)) / Math.Min(a.Length, b.Length);
+            Complex.Abs(a.Zip(b, (x, y) => x * Complex.Conjugate(y)).Aggregate(Complex.Add))
+                / Math.Min(a.Length, b.Length);
     }
 }

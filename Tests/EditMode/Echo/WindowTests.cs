@@ -35,8 +35,8 @@ namespace Glint.Tests
 
         // The figures are computed from coefficients; here they are measured on the weights themselves.
         [TestCaseSource(nameof(Figures))]
-        public void Weights_OfEachWindow_HaveItsFigures(Window window, double width, double quarterWidth, double sidelobe,
-            double loss)
+        public void Weights_OfEachWindow_HaveItsFigures(Window window, double width, double quarterWidth,
+            double sidelobe, double loss)
         {
             double[] weights = window.Weights(256);
             double sum = weights.Sum();

@@ -28,7 +28,7 @@ namespace Glint.Core
             return new AntennaPattern(angle => GaussianField(angle / width));
         }
 
-        /// <summary>A line or rectangle of constant field: sin(x) / x, sidelobes of -13 dB, nothing behind it.</summary>
+        /// <summary>A line or rectangle of constant field: sin(x) / x, sidelobes of -13 dB, 0 behind it.</summary>
         /// <inheritdoc cref="Gaussian" path="/exception"/>
         public static AntennaPattern Sinc(double beamWidthDegrees)
         {
@@ -73,7 +73,8 @@ namespace Glint.Core
             for (int i = 1; i < degrees.Count; i++)
                 if (!(degrees[i] > degrees[i - 1]))
                     throw new GlintException($"antenna: the angle {RadarSettings.Text(degrees[i])} degrees of the "
-                        + $"pattern's table follows {RadarSettings.Text(degrees[i - 1])}: put the rows in ascending order");
+                        + $"pattern's table follows {RadarSettings.Text(degrees[i - 1])}: put the rows in ascending "
+                        + "order");
             double[] angles = degrees.Select(Radians).ToArray();
             Complex[] values = fields.ToArray();
             return new AntennaPattern(angle => Interpolate(angles, values, angle));

@@ -9,7 +9,9 @@ namespace Glint.Core
         /// <summary>CA-CFAR: the mean of the reference cells.</summary>
         Mean,
 
-        /// <summary>OS-CFAR: the reference cell at three quarters of their order. Other targets hardly raise it.</summary>
+        /// <summary>
+        /// OS-CFAR: the reference cell at three quarters of their order. Other targets change it little.
+        /// </summary>
         Rank
     }
 

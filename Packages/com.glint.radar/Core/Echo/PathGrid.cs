@@ -26,13 +26,13 @@ namespace Glint.Core
         readonly double _steepness, _peak;
 
         // Index of the frequency whose phase is exact.
-        readonly int _carrier;
+        readonly int _centre;
 
         /// <summary>A grid without paths.</summary>
         public PathGrid(FrequencyBand band)
         {
             _band = band;
-            _carrier = band.Count / 2;
+            _centre = band.Count / 2;
             _transform = new FourierTransform(FourierTransform.SizeFor(Math.Max(Taps, Oversampling * band.Count)));
             _cells = new Complex[_transform.Size];
             double ratio = (double)_cells.Length / band.Count, width = Taps / ratio * (ratio - 0.5);
@@ -43,7 +43,7 @@ namespace Glint.Core
         /// <summary>Adds a path of this length, metres out and back.</summary>
         public void Add(double length, Complex amplitude)
         {
-            var (sine, cosine) = PortableMath.SinCos(-_band.Frequency(_carrier) * length / Signal.SpeedOfLight);
+            var (sine, cosine) = PortableMath.SinCos(-_band.Frequency(_centre) * length / Signal.SpeedOfLight);
             var atCarrier = amplitude * new Complex(cosine, sine);
             double periods = length * _band.Step / Signal.SpeedOfLight,
                 position = (periods - Math.Floor(periods)) * _cells.Length;
@@ -59,7 +59,7 @@ namespace Glint.Core
             var responses = new Complex[_band.Count];
             for (int n = 0; n < responses.Length; n++)
             {
-                int offset = n - _carrier;
+                int offset = n - _centre;
                 responses[n] = spectrum[offset & (_cells.Length - 1)] / KernelTransform(offset);
             }
             return responses;
