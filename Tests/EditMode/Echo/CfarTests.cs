@@ -1,6 +1,5 @@
 using System;
 using System.Linq;
-using System.Numerics;
 using Glint.Core;
 using NUnit.Framework;
 
@@ -8,7 +7,7 @@ namespace Glint.Tests
 {
     public sealed class CfarTests
     {
-        const int Cells = 2000000;
+        const int Cells = 1000000;
 
         [TestCase(16, 1e-2, 5.3363)]
         [TestCase(16, 1e-4, 12.4525)]
@@ -40,14 +39,14 @@ namespace Glint.Tests
             Assert.That(Math.Exp(logarithm), Is.EqualTo(rate).Within(1e-6).Percent);
         }
 
-        // 2,000 false alarms in 2 million cells have a spread of 2.2 %.
+        // 1,000 false alarms in a million cells have a spread of 3.2 %.
         [Test]
         public void FalseAlarms_InNoise_AreAsManyAsAskedFor([Values] CfarLevel level)
         {
             double[] noise = Noise(Cells);
             Assert.That(new Cfar(level, 1e-3, 16, 2).Detect(noise, Cells).Count / (double)Cells,
-                Is.EqualTo(1e-3).Within(8).Percent, "profile");
-            Assert.That(new Cfar(level, 1e-2, 4, 1, 2, 1).Detect(noise.Take(500000).ToArray(), 500).Count / 5e5,
+                Is.EqualTo(1e-3).Within(10).Percent, "profile");
+            Assert.That(new Cfar(level, 1e-2, 4, 1, 2, 1).Detect(noise.Take(200000).ToArray(), 500).Count / 2e5,
                 Is.EqualTo(1e-2).Within(8).Percent, "map");
         }
 

@@ -58,7 +58,7 @@ namespace Glint.Tests
             foreach (var window in new[] { Window.None, Window.Hann, Window.Blackman, Window.Taylor(4, -35) })
             {
                 double[] weights = window.Weights(count);
-                Assert.That(weights, Is.EqualTo(weights.Reverse()).Within(1e-15));
+                Assert.That(weights, Is.EqualTo(Enumerable.Reverse(weights)).Within(1e-15));
                 Assert.That(weights.Max(), Is.LessThanOrEqualTo(1 + 1e-15));
                 if (count % 2 == 1)
                     Assert.That(weights[count / 2], Is.EqualTo(1).Within(1e-15));
@@ -86,7 +86,7 @@ namespace Glint.Tests
         }
 
         static TestCaseData Case(string name, Window window, double width, double quarterWidth, double sidelobe,
-            double loss) => new TestCaseData(window, width, quarterWidth, sidelobe, loss).SetArgDisplayNames(name);
+            double loss) => new TestCaseData(window, width, quarterWidth, sidelobe, loss).SetName("{m}(" + name + ")");
 
         // Decibels of the weights' transform at a distance from its peak.
         static double Level(double[] weights, double bins)

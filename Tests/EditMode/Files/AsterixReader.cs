@@ -5,7 +5,7 @@ using System.IO;
 namespace Glint.Tests
 {
     /// <summary>
-    /// A video message of ASTERIX category 240, read item by item in the order of its standard user application profile.
+    /// A video message of ASTERIX category 240, read item by item in the order of its user application profile.
     /// </summary>
     sealed class AsterixReader
     {

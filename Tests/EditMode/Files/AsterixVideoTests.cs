@@ -7,8 +7,8 @@ namespace Glint.Tests
 {
     public sealed class AsterixVideoTests
     {
-        // By hand from the specification: 5 cells of 50 ns from cell 2 on, 90 to 91 degrees, half an hour past midnight,
-        // in two groups of 4 octets. 50 ns are 7.49481145 m.
+        // By hand from the specification: 5 cells of 50 ns from cell 2 on, 90 to 91 degrees, half past midnight, in two
+        // groups of 4 octets. 50 ns are 7.49481145 m.
         [Test]
         public void Message_OfFiveCells_HasTheFormatsBytes()
         {

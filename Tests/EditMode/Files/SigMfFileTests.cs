@@ -55,7 +55,7 @@ namespace Glint.Tests
             }
         }
 
-        // Read as a radar's samples: time from the sample rate gives the range, the phase from pulse to pulse the speed.
+        // As a radar's samples: time by the sample rate gives the range, the phase from pulse to pulse the speed.
         [Test]
         public void Recording_OfAMovingPoint_GivesItsRangeAndSpeed()
         {

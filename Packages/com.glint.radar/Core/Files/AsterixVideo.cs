@@ -38,12 +38,12 @@ namespace Glint.Core
         }
 
         /// <summary>The data block of an azimuth. Messages are numbered from 0.</summary>
-        /// <param name="startDegrees">Azimuth of the begin of the cells, clockwise from north, any number of turns.</param>
+        /// <param name="startDegrees">Azimuth where the cells begin, clockwise from north, any number of turns.</param>
         /// <param name="endDegrees">That of their end.</param>
         /// <param name="startCell">Number of the first cell: its range is that times the cell size.</param>
         /// <param name="cells">Levels from 0 to 255, at most 65,280.</param>
         /// <param name="secondsOfDay">Time after midnight UTC.</param>
-        /// <exception cref="GlintException">The cells are none or too many, or a number is out of its range.</exception>
+        /// <exception cref="GlintException">No cells or too many, or a number out of its range.</exception>
         public byte[] Encode(double startDegrees, double endDegrees, uint startCell, byte[] cells, double secondsOfDay)
         {
             int largest = MaxBlocks * s_groups[s_groups.Length - 1].Size;

@@ -15,7 +15,7 @@ namespace Glint.Core
         readonly UdpClient _client;
 
         /// <param name="port">1 to 65535.</param>
-        /// <param name="host">Name or address; an address of a multicast group sends to all that joined it.</param>
+        /// <param name="host">Name or address; that of a multicast group sends to all that joined it.</param>
         /// <param name="multicastTtl">Networks that a multicast datagram may pass, 0 to 255: 1 is the local one.</param>
         /// <exception cref="GlintException">The host is unknown, or a number is out of its range.</exception>
         public DatagramSender(int port, string host = "127.0.0.1", int multicastTtl = 1)

@@ -84,7 +84,8 @@ namespace Glint.Core
             else
                 WriteTag(type, data.Length);
             _file.Write(data);
-            _file.Write(new byte[ElementLength(data.Length) - data.Length - (IsSmall(data.Length) ? TagLength - SmallElement : TagLength)]);
+            int tag = IsSmall(data.Length) ? TagLength - SmallElement : TagLength;
+            _file.Write(new byte[ElementLength(data.Length) - data.Length - tag]);
         }
 
         void WriteTag(int type, int length)
