@@ -21,8 +21,8 @@ namespace Glint.Core
         /// </summary>
         public static double MillerBrown(double roughness) => ScaledBessel(2 * roughness * roughness);
 
-        // exp(-x) I0(x), x of 0 or more.
-        static double ScaledBessel(double x)
+        /// <summary>exp(-x) I0(x), x of 0 or more.</summary>
+        internal static double ScaledBessel(double x)
         {
             if (!(x <= LargeArgument))
                 return double.IsPositiveInfinity(x) ? 0 : Asymptotic(x);

@@ -1,0 +1,89 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Numerics;
+using System.Text;
+using Newtonsoft.Json;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// Writes the profiles of a train of pulses as a SigMF recording: complex samples in float32, pulse after pulse
+    /// without the pauses between them, and metadata in JSON with a capture for each pulse. Fields of the namespace
+    /// glint give times and ranges.
+    /// </summary>
+    public static class SigMfFile
+    {
+        const string SpecificationVersion = "1.2.0", NamespaceVersion = "1.0.0";
+
+        /// <summary>Writes the samples: the content of a .sigmf-data file.</summary>
+        /// <param name="output">Stays open.</param>
+        /// <param name="profiles">Of <see cref="RangeTransform"/>, in the root of a watt.</param>
+        public static void WriteData(Stream output, IEnumerable<IReadOnlyList<Complex>> profiles)
+        {
+            using (var file = new BinaryWriter(output, Encoding.ASCII, leaveOpen: true))
+                foreach (var profile in profiles)
+                    foreach (var sample in profile)
+                    {
+                        file.Write((float)sample.Real);
+                        file.Write((float)sample.Imaginary);
+                    }
+        }
+
+        /// <summary>Writes the metadata: the content of a .sigmf-meta file.</summary>
+        /// <param name="output">Stays open.</param>
+        /// <param name="band">The band of the responses: its centre is the frequency of the captures.</param>
+        public static void WriteMeta(TextWriter output, FrequencyBand band, RangeTransform range, PulseTrain pulses)
+        {
+            using (var json = new JsonTextWriter(output) { Formatting = Formatting.Indented, CloseOutput = false })
+            {
+                json.WriteStartObject();
+                json.WritePropertyName("global");
+                WriteGlobal(json, band, range, pulses);
+                json.WritePropertyName("captures");
+                json.WriteStartArray();
+                for (int pulse = 0; pulse < pulses.Count; pulse++)
+                {
+                    json.WriteStartObject();
+                    Write(json, "core:sample_start", (long)pulse * range.Cells);
+                    Write(json, "core:frequency", band.Centre);
+                    Write(json, "glint:time_s", pulses.TimeOf(pulse));
+                    json.WriteEndObject();
+                }
+                json.WriteEndArray();
+                json.WritePropertyName("annotations");
+                json.WriteStartArray();
+                json.WriteEndArray();
+                json.WriteEndObject();
+            }
+        }
+
+        static void WriteGlobal(JsonTextWriter json, FrequencyBand band, RangeTransform range, PulseTrain pulses)
+        {
+            json.WriteStartObject();
+            Write(json, "core:datatype", "cf32_le");
+            Write(json, "core:version", SpecificationVersion);
+            Write(json, "core:sample_rate", range.Cells * band.Step);
+            Write(json, "core:recorder", "Glint " + GlintVersion.Text);
+            json.WritePropertyName("core:extensions");
+            json.WriteStartArray();
+            json.WriteStartObject();
+            Write(json, "name", "glint");
+            Write(json, "version", NamespaceVersion);
+            Write(json, "optional", true);
+            json.WriteEndObject();
+            json.WriteEndArray();
+            Write(json, "glint:pulse_repetition_frequency_hz", pulses.RepetitionFrequency);
+            Write(json, "glint:samples_per_pulse", range.Cells);
+            Write(json, "glint:start_range_m", range.StartRange);
+            Write(json, "glint:range_step_m", range.CellSize);
+            Write(json, "glint:bandwidth_hz", band.Bandwidth);
+            json.WriteEndObject();
+        }
+
+        static void Write(JsonTextWriter json, string name, object value)
+        {
+            json.WritePropertyName(name);
+            json.WriteValue(value);
+        }
+    }
+}
