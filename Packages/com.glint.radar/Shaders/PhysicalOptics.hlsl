@@ -123,25 +123,22 @@ float Thinning(float2 gradient, float side)
     return min(1.0, 3.0 / max(_WaveNumber * length(gradient) * side, 1.0e-6));
 }
 
-// About the largest p.C of a hit, m2 a base cell: that of a conductor; and as it counts for part of a square of a side.
-float2 StrengthAt(TubePath tube, SurfacePoint at, uint receivers, float side)
+// About the largest p.C of a hit, m2 a base cell: that of a conductor.
+float StrengthAt(TubePath tube, SurfacePoint at, uint receivers)
 {
     if (at.IsLost)
         return 0.0;
     float3 d = tube.Path.Ray.Direction;
     float cosine = -dot(d, at.Normal), section = abs(Section(tube.PlaceU, tube.PlaceV, d));
     float scale = FadeOf(at) * sqrt(abs(tube.StartSection) * section) / cosine;
-    float2 strength = 0.0;
+    float strength = 0.0;
     [loop]
     for (uint index = 0; index < _ReceiverCount; index++)
     {
         if ((receivers >> index & 1) == 0)
             continue;
         Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
-        float3 slope = receiver.Direction - d;
-        float2 gradient = float2(dot(slope, tube.PlaceU), dot(slope, tube.PlaceV));
-        float plain = receiver.Strength * (cosine + abs(dot(receiver.Direction, at.Normal)));
-        strength = max(strength, plain * float2(1.0, Thinning(gradient, side)));
+        strength = max(strength, receiver.Strength * (cosine + abs(dot(receiver.Direction, at.Normal))));
     }
     return scale * strength;
 }

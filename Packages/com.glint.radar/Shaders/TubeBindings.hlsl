@@ -101,14 +101,15 @@ float _UnitsPerSquareMetre;                // of sums of squared errors
 StructuredBuffer<float4> _WaveNumbers;     // per frequency: k rad/m; k / 2 pi: float32 and its Lo part
 
 // Places where borders may turn, which rays through corners of cells can miss: corners of patches, relative to the scene's
-// centre, m; and bits of the base cells that they fall into, MARKS x MARKS a cell.
-static const uint MARK_LEVEL = 3;
-static const uint MARKS = 8;
+// centre, m. Each base cell has a list of those within half a cell of it.
+static const uint VERTEX_LINKS = 4;        // lists that a corner is in
+static const uint MAX_VERTICES = 32;       // of a list that is read
 uint _VertexCount;
 uint _MarkWords;
 float4 _GridX, _GridY, _GridDepth;         // base cell of a place: (X.place) / (Depth.place), w constant
 StructuredBuffer<float4> _Vertices;
-StructuredBuffer<uint> _Marks;             // two words a base cell, then those of the cover
+StructuredBuffer<uint> _Marks;             // per base cell 1 + first element of _Links, or 0; then those of the cover
+StructuredBuffer<uint4> _Links;            // place of a corner, base cells; 1 + next element, or 0
 
 // Cover: a bit for each block of base cells in which triangles may be seen, then a word that is not 0 if all may be.
 static const uint COVER_SIDE = 8;           // of a block, in base cells

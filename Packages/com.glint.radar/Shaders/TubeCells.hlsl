@@ -59,23 +59,25 @@ void AddBorder(Cell cell)
         _Borders[border] = cell;
 }
 
-// Whether a corner of a patch is seen in the cell, or, if the cell is smaller than the parts that marks are for, in its
-// part. Between rays a corner may reach into a cell as far as half its side.
-bool IsMarked(Cell cell)
+// Whether a corner of a patch is seen in the cell or within half its side: between rays it may reach into it.
+bool HasVertex(Cell cell)
 {
     if (cell.Level >= _MaxLevel)
         return false;
-    if (cell.Level >= MARK_LEVEL)
+    float side = SideOfCell(cell);
+    float2 centre = CentreOfCell(cell);
+    uint2 base = cell.Position >> cell.Level;
+    uint link = _Marks[base.x + base.y * _Grid.x];
+    bool isNear = false;
+    [loop]
+    for (uint read = 0; read < MAX_VERTICES && link != 0 && !isNear; read++)
     {
-        uint2 part = cell.Position >> (cell.Level - MARK_LEVEL), whole = part >> MARK_LEVEL, at = part & (MARKS - 1);
-        return (_Marks[2 * (whole.x + whole.y * _Grid.x) + (at.y >> 2)] >> (8 * (at.y & 3) + at.x) & 1) != 0;
+        uint4 vertex = _Links[link - 1];
+        isNear = all(abs(asfloat(vertex.xy) - centre) <= side);
+        link = vertex.z;
     }
-    uint parts = MARKS >> cell.Level;
-    uint2 base = cell.Position >> cell.Level, first = (cell.Position - (base << cell.Level)) * parts;
-    uint word = 2 * (base.x + base.y * _Grid.x), row = ((1u << parts) - 1) << first.x, bits = 0;
-    for (uint y = first.y; y < first.y + parts; y++)
-        bits |= _Marks[word + (y >> 2)] >> 8 * (y & 3) & row;
-    return bits != 0;
+    // A longer list is not read: its corners may be anywhere.
+    return isNear || link != 0;
 }
 
 // Whether a triangle may be seen in the base cell.
@@ -180,7 +182,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     Cell cell;
     if (!LoadCell(IndexOf(group, thread), cell) || _Round == 0 && !IsCovered(cell.Position))
         return;
-    if (IsMarked(cell))
+    if (HasVertex(cell))
     {
         cell.Strength = MISS;
         cell.Bent = MISS;
@@ -213,19 +215,19 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         {
             uint bounce = tube.Path.Bounces - 1, receivers = ReceiversOf(tube, at);
             Sign(tube, receivers);
-            float2 strength = StrengthAt(tube, at, receivers, side);
+            float strength = StrengthAt(tube, at, receivers);
             if (isCentre)
             {
                 goesOn = bounce < common && bounces[bounce].Signature == tube.Signature;
                 areSame = areSame && goesOn;
                 if (goesOn && bounce >= cell.FirstBounce)
                 {
-                    goesOn = AddSquare(bounces[bounce], tube, at, receivers, strength.x, side, canDivide);
+                    goesOn = AddSquare(bounces[bounce], tube, at, receivers, strength, side, canDivide);
                     done = goesOn ? bounce + 1 : done;
                 }
             }
             strengths[bounce] = max(strengths[bounce],
-                strength.y * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side)));
+                strength * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side)));
             if (!isCentre && bounce < common)
             {
                 Bounce met = (Bounce)0;
@@ -234,7 +236,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     met = bounces[bounce];
                 if (met.Signature != tube.Signature)
                     common = bounce;
-                AddCorner(met, tube, strength.x, fromCentre);
+                AddCorner(met, tube, strength, fromCentre);
                 bounces[bounce] = met;
             }
             goesOn = goesOn && ScatterTube(tube, at);

@@ -77,10 +77,11 @@ Border BorderOf(Cell cell)
     return border;
 }
 
-// Bisections of the sides of a cell, each of which halves the error of its border (AreaError).
+// Bisections of the sides of a cell, each of which halves the error of its border (AreaError). A border is found to an
+// eighth of a cell's error: two rays more, where a division takes twenty.
 uint BisectionsOf(Cell cell)
 {
-    float side = SideOfCell(cell), halvings = ceil(log2(0.4 * side * side * cell.Strength / _CellError));
+    float side = SideOfCell(cell), halvings = ceil(log2(1.6 * side * side * cell.Strength / _CellError));
     return (uint)clamp(halvings, 1.0, max(2.0, (float)_MaxBisections - 2.0 * cell.Level));
 }
 

@@ -30,6 +30,7 @@ uint GroupsOf(uint count, uint list, uint size)
 }
 
 RWStructuredBuffer<uint> _WrittenMarks;    // _Marks
+RWStructuredBuffer<uint4> _WrittenLinks;   // _Links
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void ClearMarks(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
@@ -39,7 +40,7 @@ void ClearMarks(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         _WrittenMarks[word] = 0;
 }
 
-// Marks the parts of base cells in which corners of patches are seen.
+// Lists the corners of patches that are seen in or near base cells.
 [numthreads(GLINT_GROUP, 1, 1)]
 void MarkVertices(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -49,14 +50,15 @@ void MarkVertices(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     float3 place = _Vertices[index].xyz;
     float2 at = float2(dot(place, _GridX.xyz) + _GridX.w, dot(place, _GridY.xyz) + _GridY.w)
         / (dot(place, _GridDepth.xyz) + _GridDepth.w);
-    // The corner may round into the neighbouring part.
-    for (uint i = 0; i < 4; i++)
+    int2 first = (int2)floor(at - 0.5);
+    for (uint i = 0; i < VERTEX_LINKS; i++)
     {
-        int2 part = (int2)floor(at * MARKS + 0.05 * float2((i & 1) != 0 ? 1.0 : -1.0, i >= 2 ? 1.0 : -1.0));
-        uint2 cell = (uint2)(part >> MARK_LEVEL), bit = (uint2)(part & (MARKS - 1));
-        uint word = 2 * (cell.x + cell.y * _Grid.x) + (bit.y >> 2);
-        if (all(part >= 0) && cell.x < _Grid.x && word < _MarkWords)
-            InterlockedOr(_WrittenMarks[word], 1u << (bit.x + 8 * (bit.y & 3)));
+        int2 cell = first + int2(i & 1, i >> 1);
+        uint word = cell.x + cell.y * _Grid.x, link = VERTEX_LINKS * index + i, next;
+        if (any(cell < 0) || (uint)cell.x >= _Grid.x || word >= FirstCoverWord())
+            continue;
+        InterlockedExchange(_WrittenMarks[word], 1 + link, next);
+        _WrittenLinks[link] = uint4(asuint(at), next, 0);
     }
 }
 

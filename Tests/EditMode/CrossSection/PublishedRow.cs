@@ -22,6 +22,8 @@ namespace Glint.Tests
 
         public string Polarisation => _fields[10];
 
+        public bool IsCrossPolarised => Polarisation == "HV" || Polarisation == "VH";
+
         public double Dbsm => Number(11);
 
         public double ToleranceDb => Number(12);

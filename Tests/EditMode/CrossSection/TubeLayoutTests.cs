@@ -72,9 +72,7 @@ namespace Glint.Tests
                     ["BORDER_ARGUMENTS"] = TubeRounds.BorderArguments,
                     ["CELL_ARGUMENTS"] = TubeRounds.CellArguments, ["TUBE_ARGUMENTS"] = TubeRounds.TubeArguments,
                     ["BISECT_ARGUMENTS"] = TubeRounds.BisectArguments,
-                    // A bit for each part of a cell, in words of 32.
-                    ["MARKS"] = sqrt(32.0 * TubeKernels.MarkWordsOfACell), ["MARK_LEVEL"] =
-                        log2(sqrt(32.0 * TubeKernels.MarkWordsOfACell))
+                    ["VERTEX_LINKS"] = TubeKernels.VertexLinks
                 }));
             Assert.That(s_ofTheDevice, Is.SubsetOf(constants.Keys));
         }
@@ -106,7 +104,7 @@ namespace Glint.Tests
                 Is.GreaterThan(5).And.LessThan(65536), "polygons have 5 corners");
         }
 
-        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED",
+        static readonly string[] s_ofTheDevice = { "TUBE_CELLS", "TUBE_BORDERS", "EDGE_CORNERS", "TUBES_A_GROUP", "MAX_COVERED", "MAX_VERTICES",
             "TUBE_POINTS" };
     }
 }

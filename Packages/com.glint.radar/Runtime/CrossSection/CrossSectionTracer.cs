@@ -33,6 +33,7 @@ namespace Glint
         readonly DeviceBuffer<TubeCell> _cells = new DeviceBuffer<TubeCell>("cells of tubes");
         readonly DeviceBuffer<TubeCell> _borders = new DeviceBuffer<TubeCell>("border cells");
         readonly DeviceBuffer<uint> _marks = new DeviceBuffer<uint>("marks of cells");
+        readonly DeviceBuffer<uint4> _links = new DeviceBuffer<uint4>("corners of cells");
         readonly DeviceBuffer<float4> _waveNumbers = new DeviceBuffer<float4>("frequencies");
         readonly DispatchPacer _pacer = new DispatchPacer();
 
@@ -167,7 +168,8 @@ namespace Glint
             _waveNumbers.Upload(pose.Frequencies.Select(TubeRounds.WaveNumber).ToArray());
             _kernels.SetLists(_output, _tubes, _tubeParts, _cells, _borders, _waveNumbers);
             _marks.Reserve(TubeKernels.MarkWordsOf(grid));
-            _kernels.Mark(grid, _surfaces, _marks);
+            _links.Reserve(Math.Max(1, TubeKernels.VertexLinks * _surfaces.VertexCount));
+            _kernels.Mark(grid, _surfaces, _marks, _links);
         }
 
         static int OutputSize(CrossSectionPose pose) =>
@@ -177,9 +179,10 @@ namespace Glint
         void TraceCells(double cellError, CrossSectionPose pose, TubeGrid grid, int outputSize, Action<uint[]> add,
             IProgress<double> progress, CancellationToken cancel)
         {
-            // A division makes a cell's share a quarter; a bisection halves the error of its border.
-            int maxLevel = (int)Math.Ceiling(0.5 * Math.Log(1.2 / cellError, 2));
-            int maxBisections = (int)Math.Ceiling(Math.Log(1 / cellError, 2));
+            // A division makes a cell's share a quarter; a bisection halves the error of its border. Where curved surfaces
+            // focus, a base cell returns up to 64 times what a plate does.
+            int maxLevel = (int)Math.Ceiling(0.5 * Math.Log(1.2 / cellError, 2)) + 3;
+            int maxBisections = (int)Math.Ceiling(Math.Log(1 / cellError, 2)) + 8;
             _kernels.SetAccuracy(cellError * 2 * grid.Side * grid.Side, maxLevel, maxBisections);
             var read = new uint[outputSize];
             long max = long.MaxValue;
@@ -243,6 +246,7 @@ namespace Glint
             _cells.Dispose();
             _borders.Dispose();
             _marks.Dispose();
+            _links.Dispose();
             _waveNumbers.Dispose();
         }
     }

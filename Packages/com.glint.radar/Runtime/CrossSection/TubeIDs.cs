@@ -44,6 +44,8 @@ namespace Glint
         public static readonly int _GridDepth = Shader.PropertyToID("_GridDepth");
         public static readonly int _Marks = Shader.PropertyToID("_Marks");
         public static readonly int _WrittenMarks = Shader.PropertyToID("_WrittenMarks");
+        public static readonly int _Links = Shader.PropertyToID("_Links");
+        public static readonly int _WrittenLinks = Shader.PropertyToID("_WrittenLinks");
         public static readonly int _SphereCount = Shader.PropertyToID("_SphereCount");
         public static readonly int _Spheres = Shader.PropertyToID("_Spheres");
         public static readonly int _Blocks = Shader.PropertyToID("_Blocks");

@@ -20,8 +20,8 @@ namespace Glint
 
         const int Group = 64;              // GLINT_GROUP
 
-        /// <summary>Words of the marks of a cell: MARKS x MARKS bits.</summary>
-        public const int MarkWordsOfACell = 2;
+        /// <summary>Lists that a corner of a patch is in: VERTEX_LINKS.</summary>
+        public const int VertexLinks = 4;
 
         /// <summary>Side of a block of base cells in which a triangle may be seen: COVER_SIDE.</summary>
         public const int CoverSide = 8;
@@ -135,14 +135,14 @@ namespace Glint
             _shader.SetBuffer(_parts, TubeIDs._WaveNumbers, waveNumbers.Buffer);
         }
 
-        /// <summary>Words of the marks of a grid: MARKS and COVER_SIDE.</summary>
+        /// <summary>Words of the marks of a grid: a list of corners a cell, and the cover.</summary>
         public static int MarkWordsOf(TubeGrid grid) =>
-            MarkWordsOfACell * (int)grid.Count + (BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 1;
+            (int)grid.Count + (BlocksOf(grid).x * BlocksOf(grid).y + 31) / 32 + 1;
 
         static int2 BlocksOf(TubeGrid grid) => (grid.Cells + CoverSide - 1) / CoverSide;
 
-        /// <summary>Marks the cells in which corners of patches are seen, and those in which any triangle is.</summary>
-        public void Mark(TubeGrid grid, SurfaceBuffers surfaces, DeviceBuffer<uint> marks)
+        /// <summary>Lists the corners of patches seen near each cell, and marks the cells in which any triangle is.</summary>
+        public void Mark(TubeGrid grid, SurfaceBuffers surfaces, DeviceBuffer<uint> marks, DeviceBuffer<uint4> links)
         {
             var toCell = grid.ToCell();
             _shader.SetVector(TubeIDs._GridX, KernelCalls.ToVector(toCell[0].Vector, (float)toCell[0].Constant));
@@ -159,7 +159,9 @@ namespace Glint
                 _shader.SetBuffer(kernel, TubeIDs._WrittenMarks, marks.Buffer);
             _shader.SetBuffer(_mark, TubeIDs._Vertices, surfaces.Vertices.Buffer);
             _shader.SetBuffer(_cover, TubeIDs._Spheres, surfaces.Spheres.Buffer);
+            _shader.SetBuffer(_mark, TubeIDs._WrittenLinks, links.Buffer);
             _shader.SetBuffer(_cells, TubeIDs._Marks, marks.Buffer);
+            _shader.SetBuffer(_cells, TubeIDs._Links, links.Buffer);
             _shader.DispatchThreads(_clearMarks, words);
             _shader.DispatchThreads(_mark, surfaces.VertexCount);
             _shader.DispatchThreads(_cover, surfaces.SphereCount);
