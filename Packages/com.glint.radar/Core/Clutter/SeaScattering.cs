@@ -196,7 +196,9 @@ namespace Glint.Core
 
         const double Exponent = 3.41;
 
-        static readonly Interval s_coefficients = Interval.Closed(0, 1e-3), s_winds = Interval.Closed(0, 30);
+        internal static readonly Interval Coefficients = Interval.Closed(0, 1e-3);
+
+        static readonly Interval s_winds = Interval.Closed(0, 30);
 
         readonly double _coefficient;
 
@@ -204,9 +206,9 @@ namespace Glint.Core
         /// <exception cref="GlintException">The coefficient is out of its range.</exception>
         public WhitecapLaw(double coefficient)
         {
-            if (!s_coefficients.Contains(coefficient))
+            if (!Coefficients.Contains(coefficient))
                 throw new GlintException($"sea clutter: the whitecap coefficient {Medium.Number(coefficient)} must be "
-                    + $"{s_coefficients}; the default is {Medium.Number(DefaultCoefficient)}");
+                    + $"{Coefficients}; the default is {Medium.Number(DefaultCoefficient)}");
             _coefficient = coefficient;
         }
 

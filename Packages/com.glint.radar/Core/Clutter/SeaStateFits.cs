@@ -5,6 +5,9 @@ namespace Glint.Core
     /// <summary>Sea state, wave height and wind, by the fits of the published models.</summary>
     public static class SeaStateFits
     {
+        // Of the wind of a fully risen sea: factor and exponent.
+        const double WindFactor = 7.18, WindExponent = 0.4;
+
         static readonly Interval s_states = Interval.Closed(0, 6), s_heights = Interval.Closed(0, 12),
             s_winds = Interval.Closed(0, 20);
 
@@ -18,12 +21,12 @@ namespace Glint.Core
         /// </summary>
         /// <exception cref="GlintException">The height is out of the range of the fit.</exception>
         public static double Wind(double waveHeight) =>
-            7.18 * Math.Pow(Checked(s_heights, waveHeight, "significant wave height", " m"), 0.4);
+            RisenWind(Checked(s_heights, waveHeight, "significant wave height", " m"));
 
         /// <summary>Significant wave height in metres of a wind in m/s: the inverse of <see cref="Wind"/>.</summary>
         /// <exception cref="GlintException">The wind is out of the range of the fit.</exception>
         public static double WaveHeightOfWind(double wind) =>
-            Math.Pow(Checked(s_winds, wind, "wind", " m/s") / 7.18, 2.5);
+            Math.Pow(Checked(s_winds, wind, "wind", " m/s") / WindFactor, 1 / WindExponent);
 
         /// <summary>Douglas sea state of a significant wave height in metres: the inverse of Nathanson's fit.</summary>
         /// <exception cref="GlintException">The height is out of the range of the fit.</exception>
@@ -32,6 +35,10 @@ namespace Glint.Core
             var range = Interval.Closed(WaveHeight(0), WaveHeight(6));
             return Math.Pow((Checked(range, waveHeight, "significant wave height", " m") - 0.04) / 0.1, 1 / 2.1);
         }
+
+        /// <summary><see cref="Wind"/> of any height, the same bits on any machine.</summary>
+        internal static double RisenWind(double waveHeight) =>
+            waveHeight > 0 ? WindFactor * PortableMath.Pow(waveHeight, WindExponent) : 0;
 
         /// <summary>Wind in m/s of Georgia Tech's model.</summary>
         internal static double GitWind(double state) => 2.15 * Math.Pow(state, 1.04);

@@ -12,18 +12,18 @@ namespace Glint.Core
         public static readonly Interval Frequencies = Interval.Closed(1e9, 90e9);
 
         // Range of the model, degrees Celsius and practical salinity units.
-        static readonly Interval s_temperatures = Interval.Closed(-2, 29), s_salinities = Interval.Closed(0, 40);
+        internal static readonly Interval Temperatures = Interval.Closed(-2, 29), Salinities = Interval.Closed(0, 40);
 
         /// <summary>Refuses water outside the range of the model.</summary>
         /// <exception cref="GlintException">Temperature or salinity is out of its range.</exception>
         public static void Validate(double celsius, double salinity)
         {
-            if (!s_temperatures.Contains(celsius))
+            if (!Temperatures.Contains(celsius))
                 throw new GlintException($"sea water: temperature {Medium.Number(celsius)} C must be "
-                    + $"{s_temperatures}, the range of Meissner and Wentz' model: give one in that range, or the "
+                    + $"{Temperatures}, the range of Meissner and Wentz' model: give one in that range, or the "
                     + "water's permittivity itself");
-            if (!s_salinities.Contains(salinity))
-                throw new GlintException($"sea water: salinity {Medium.Number(salinity)} psu must be {s_salinities}, "
+            if (!Salinities.Contains(salinity))
+                throw new GlintException($"sea water: salinity {Medium.Number(salinity)} psu must be {Salinities}, "
                     + "the range of Meissner and Wentz' model: give one in that range (the ocean has 35), or the "
                     + "water's permittivity itself");
         }

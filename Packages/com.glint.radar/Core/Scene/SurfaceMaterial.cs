@@ -25,13 +25,24 @@ namespace Glint.Core
         /// <param name="name">For messages and results.</param>
         /// <param name="layers">Outermost first; copied. Null for none.</param>
         /// <param name="halfSpace">Medium behind the layers; null for a perfect conductor.</param>
-        public SurfaceMaterial(string name, IEnumerable<MaterialLayer> layers = null, Medium halfSpace = null)
+        /// <param name="roughness">
+        /// Root mean square height of what is too fine for the mesh, metres: <see cref="RoughnessLoss.MillerBrown"/>
+        /// multiplies both reflection coefficients. 0: smooth.
+        /// </param>
+        /// <exception cref="GlintException">The roughness is negative or not finite.</exception>
+        public SurfaceMaterial(string name, IEnumerable<MaterialLayer> layers = null, Medium halfSpace = null,
+            double roughness = 0)
         {
+            if (!(roughness >= 0 && roughness < double.PositiveInfinity))
+                throw new GlintException($"material '{name}': its roughness {Medium.Number(roughness)} m is not a "
+                    + "height: give 0 for a smooth surface, or metres above 0");
             Name = name;
             Layers = layers?.ToArray() ?? Array.Empty<MaterialLayer>();
             HalfSpace = halfSpace;
+            Roughness = roughness;
             string behind = halfSpace == null ? "perfect conductor" : $"half-space of {halfSpace}";
-            _text = $"{name}: {string.Concat(Layers.Select(layer => $"{layer} on "))}{behind}";
+            _text = $"{name}: {string.Concat(Layers.Select(layer => $"{layer} on "))}{behind}"
+                + (roughness > 0 ? $", roughness {Medium.Number(roughness)} m" : "");
         }
 
         /// <summary>For messages and results.</summary>
@@ -43,8 +54,11 @@ namespace Glint.Core
         /// <summary>Medium behind the layers; null for a perfect conductor.</summary>
         public Medium HalfSpace { get; }
 
-        /// <summary>Whether it is a perfect conductor without layers.</summary>
-        public bool IsConductor => HalfSpace == null && Layers.Count == 0;
+        /// <summary>Root mean square height of what is too fine for the mesh, metres; 0: smooth.</summary>
+        public double Roughness { get; }
+
+        /// <summary>Whether it is a smooth perfect conductor without layers.</summary>
+        public bool IsConductor => HalfSpace == null && Layers.Count == 0 && Roughness == 0;
 
         /// <summary>Confirms that there is data at a frequency.</summary>
         /// <param name="frequency">Hz.</param>
@@ -75,8 +89,12 @@ namespace Glint.Core
             var (s, p) = BehindLayers(cosine, frequency);
             foreach (var layer in Layers.Reverse())
                 ThroughLayer(layer, cosine, frequency, wavenumber, ref s, ref p);
-            return new FresnelCoefficients((s.Over * cosine - s.Under) / (s.Over * cosine + s.Under),
-                (p.Under * cosine - p.Over) / (p.Under * cosine + p.Over));
+            var ofS = (s.Over * cosine - s.Under) / (s.Over * cosine + s.Under);
+            var ofP = (p.Under * cosine - p.Over) / (p.Under * cosine + p.Over);
+            if (Roughness == 0)
+                return new FresnelCoefficients(ofS, ofP);
+            double loss = RoughnessLoss.MillerBrown(wavenumber * Roughness * cosine);
+            return new FresnelCoefficients(loss * ofS, loss * ofP);
         }
 
         /// <summary>Everything of the material in one line: equal materials have equal lines.</summary>

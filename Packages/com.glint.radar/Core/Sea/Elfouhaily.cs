@@ -20,10 +20,14 @@ namespace Glint.Core
         // ln 2 / 4 and ln 10.
         const double QuarterOfLn2 = 0.17328679513998632, Ln10 = 2.302585092994046;
 
-        /// <summary>Wave numbers for which the spectrum is used, rad/m.</summary>
-        public static readonly Interval WaveNumbers = Interval.Closed(1e-3, 2e3);
+        internal const double MaxWaveNumber = 2e3;
 
-        internal static readonly Interval Winds = Interval.Closed(3, 20);
+        /// <summary>Wave numbers for which the spectrum is used, rad/m.</summary>
+        public static readonly Interval WaveNumbers = Interval.Closed(1e-3, MaxWaveNumber);
+
+        internal const double MaxWind = 20;
+
+        internal static readonly Interval Winds = Interval.Closed(3, MaxWind);
 
         readonly double _peak, _peakSpeed, _inverseAge, _logEnhancement, _width, _longLevel, _shortLevel, _windTerm;
 
@@ -52,11 +56,7 @@ namespace Glint.Core
         }
 
         /// <summary>Phase speed in m/s of a deep-water wave with surface tension.</summary>
-        public static double PhaseSpeed(double waveNumber)
-        {
-            double ratio = waveNumber / SlowestWave;
-            return Math.Sqrt(SeaSpectrum.Gravity / waveNumber * (1 + ratio * ratio));
-        }
+        public static double PhaseSpeed(double waveNumber) => SeaSpectrum.PhaseSpeed(waveNumber, SlowestWave);
 
         /// <summary>Variance of the height per wave number, over all directions, m3.</summary>
         public double Omnidirectional(double waveNumber)

@@ -41,6 +41,17 @@ namespace Glint.Core
                 ? waveNumber * Elfouhaily.PhaseSpeed(waveNumber)
                 : Math.Sqrt(Gravity * waveNumber);
 
+        /// <summary>Phase speed in m/s of a deep-water wave with surface tension.</summary>
+        /// <param name="waveNumber">rad/m.</param>
+        /// <param name="slowest">
+        /// Wave number of the slowest wave, where surface tension and gravity are equal, rad/m.
+        /// </param>
+        public static double PhaseSpeed(double waveNumber, double slowest)
+        {
+            double ratio = waveNumber / slowest;
+            return Math.Sqrt(Gravity / waveNumber * (1 + ratio * ratio));
+        }
+
         // Tessendorf 2001, eq. 40.
         static double Phillips(double k, double wind)
         {

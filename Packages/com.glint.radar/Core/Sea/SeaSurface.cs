@@ -55,6 +55,9 @@ namespace Glint.Core
 
         internal IReadOnlyList<SeaMode> Modes => _modes;
 
+        /// <summary>Vertices of the triangles of <see cref="Mesh"/>, which are the same at any time.</summary>
+        internal IReadOnlyList<int> Indices => _indices;
+
         /// <summary>
         /// Hs of this sea, metres: four standard deviations of the height over the tile.
         /// </summary>
@@ -113,6 +116,50 @@ namespace Glint.Core
                         (float)(z == cells ? positionZ + tile : positionZ));
                 }
             return new TriangleMesh(vertices, _indices);
+        }
+
+        /// <summary>
+        /// Upward acceleration in m/s2 of the linear waves at the vertices of <see cref="Mesh"/>, in their order.
+        /// </summary>
+        /// <exception cref="GlintException">The time is not finite, or too far from 0.</exception>
+        public double[] Accelerations(double timeSeconds)
+        {
+            var waves = At(timeSeconds);
+            foreach (var mode in _modes)
+            {
+                int at = waves.IndexOf(mode.Column, mode.Row);
+                double frequency = 2 * Math.PI * mode.Frequency, factor = -frequency * frequency;
+                waves.Real[at] *= factor;
+                waves.Imaginary[at] *= factor;
+            }
+            double[] ofCells = _sum.Sum(waves);
+            int cells = _settings.Cells, side = cells + 1;
+            var ofVertices = new double[side * side];
+            for (int i = 0; i < ofVertices.Length; i++)
+                ofVertices[i] = ofCells[i / side % cells * cells + i % side % cells];
+            return ofVertices;
+        }
+
+        /// <summary>
+        /// Mean square slopes along and across the wind of the tile's linear waves up to a wave number in rad/m. They
+        /// are the same at any time.
+        /// </summary>
+        public double2 SlopeVariances(double to)
+        {
+            var (windX, windZ) = PortableMath.SinCos(_settings.WindDirectionDegrees / 360);
+            double number = 2 * Math.PI / _settings.TileSize;
+            double2 sum = 0;
+            foreach (var mode in _modes)
+            {
+                double k = number * Math.Sqrt((double)mode.Column * mode.Column + (double)mode.Row * mode.Row);
+                if (k > to)
+                    continue;
+                double cosine = mode.AlongX * windX + mode.AlongZ * windZ,
+                    sine = mode.AlongX * windZ - mode.AlongZ * windX;
+                double height = 2 * (mode.Real * mode.Real + mode.Imaginary * mode.Imaginary);
+                sum += height * k * k * new double2(cosine * cosine, sine * sine);
+            }
+            return sum;
         }
 
         // The scale is that from the density of the spectrum to that of the waves drawn.
@@ -273,27 +320,5 @@ namespace Glint.Core
 
         /// <summary>k over its length.</summary>
         public double AlongX, AlongZ;
-    }
-
-    /// <summary>
-    /// The SplitMix64 generator (Steele, Lea and Flood 2014): integers only, so the same on every machine.
-    /// </summary>
-    struct SplitMix64
-    {
-        ulong _state;
-
-        public SplitMix64(ulong seed) => _state = seed;
-
-        public ulong Next()
-        {
-            _state += 0x9E3779B97F4A7C15;
-            ulong mixed = _state;
-            mixed = (mixed ^ (mixed >> 30)) * 0xBF58476D1CE4E5B9;
-            mixed = (mixed ^ (mixed >> 27)) * 0x94D049BB133111EB;
-            return mixed ^ (mixed >> 31);
-        }
-
-        /// <summary>Uniform in (0, 1], in steps of 2^-53.</summary>
-        public double NextAboveZero() => ((Next() >> 11) + 1) * (1.0 / (1L << 53));
     }
 }

@@ -59,6 +59,11 @@ namespace Glint.Core
         /// </summary>
         public double Step { get; }
 
+        /// <summary>
+        /// Root mean square height of all waves that the mesh leaves out, metres: up to the end of the spectrum.
+        /// </summary>
+        public double Height => HeightDeviation(Cut, Elfouhaily.MaxWaveNumber);
+
         /// <summary>Message about a step above 3 dB; null without one.</summary>
         public string StepWarning => !(Math.Abs(Step) > LargestStep) ? null
             : FormattableString.Invariant($"sea: where its mesh ends, at waves of {2 * Math.PI / Cut:0.###} m, ")
@@ -82,12 +87,12 @@ namespace Glint.Core
 
         /// <summary>
         /// The clutter wind if none is given, m/s: the sea's own with Elfouhaily's spectrum or the height of the wind;
-        /// otherwise that which raises a sea of the requested height, 7.18 Hs^0.4.
+        /// otherwise that which raises a sea of the requested height, <see cref="SeaStateFits.Wind"/>.
         /// </summary>
         public static double DefaultWind(in SeaSettings settings) =>
             settings.Kind == SeaSpectrumKind.Elfouhaily || settings.SignificantWaveHeight == 0
                 ? settings.WindSpeed
-                : 7.18 * PortableMath.Pow(settings.SignificantWaveHeight, 0.4);
+                : SeaStateFits.RisenWind(settings.SignificantWaveHeight);
 
         /// <summary>Mean square slopes along and across the wind of waves between two wave numbers, rad/m.</summary>
         /// <exception cref="GlintException">A wave number is out of the spectrum's range.</exception>

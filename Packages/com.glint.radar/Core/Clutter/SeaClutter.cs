@@ -1,0 +1,149 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// The diffuse echo of a sea at one time, for kernels and commands: what the facets of its tile scatter, which of
+    /// them break, and how their echo changes in time. Immutable.
+    /// </summary>
+    public sealed class SeaClutter
+    {
+        /// <summary>
+        /// Exponent of <see cref="ClutterMotion.ApproachingShare"/>: short waves are divided between both ways along
+        /// the radar's direction as cos^4 of half the angle to the wind. Along and across the wind the share does not
+        /// depend on it.
+        /// </summary>
+        public const double ApproachingExponent = 2;
+
+        // Rounding of a direction that was given in float32.
+        const double DirectionTolerance = 1e-5;
+
+        readonly Dictionary<double, FacetTable> _tables;
+        readonly Lazy<bool[]> _breakingFacets;
+
+        /// <summary>The echo of a sea.</summary>
+        /// <param name="longWaves">The waves of its mesh.</param>
+        /// <param name="time">Seconds.</param>
+        /// <param name="wind">Direction in which the wind blows, in the world: horizontal, of length 1.</param>
+        /// <param name="settings">The settings of the echo; whether it is on is not read.</param>
+        /// <exception cref="GlintException">
+        /// A setting is out of its range, or the mesh ends outside the wave numbers of the short waves' spectrum.
+        /// </exception>
+        public SeaClutter(SeaSurface longWaves, double time, double3 wind, SeaClutterSettings settings)
+            : this(longWaves, time, wind, settings, null)
+        {
+        }
+
+        SeaClutter(SeaSurface longWaves, double time, double3 wind, in SeaClutterSettings settings, SeaClutter other)
+        {
+            if (!(Math.Abs(math.length(wind) - 1) < DirectionTolerance && Math.Abs(wind.y) < DirectionTolerance))
+                throw new ArgumentOutOfRangeException(nameof(wind), wind, "horizontal, of length 1");
+            settings.Validate();
+            (LongWaves, Time, Settings) = (longWaves, time, settings);
+            Wind = math.normalize(new double3(wind.x, 0, wind.z));
+            ShortWaves = other?.ShortWaves ?? new ShortWaves(longWaves, settings.Wind);
+            Water = other?.Water ?? Medium.SeaWater(settings.WaterTemperature, settings.Salinity);
+            Surface = other?.Surface ?? new SurfaceMaterial("sea water", null, Water, ShortWaves.Height);
+            BreakingFraction = new WhitecapLaw(settings.WhitecapCoefficient).Fraction(ShortWaves.Wind);
+            _tables = other?._tables ?? new Dictionary<double, FacetTable>();
+            _breakingFacets = new Lazy<bool[]>(FindBreakingFacets);
+        }
+
+        /// <summary>The waves of the mesh.</summary>
+        public SeaSurface LongWaves { get; }
+
+        /// <summary>Time of the mesh, seconds.</summary>
+        public double Time { get; }
+
+        /// <summary>The settings.</summary>
+        public SeaClutterSettings Settings { get; }
+
+        /// <summary>The waves that the mesh leaves out.</summary>
+        public ShortWaves ShortWaves { get; }
+
+        /// <summary>Direction in which the wind blows, in the world: horizontal, of length 1.</summary>
+        public double3 Wind { get; }
+
+        /// <summary>The water.</summary>
+        public Medium Water { get; }
+
+        /// <summary>
+        /// The mirror part of the facets: sea water with the roughness of all waves that the mesh leaves out.
+        /// </summary>
+        public SurfaceMaterial Surface { get; }
+
+        /// <summary>Seed of the speckle.</summary>
+        public uint Seed => (uint)Settings.Seed;
+
+        /// <summary>Fraction of the facets that break.</summary>
+        public double BreakingFraction { get; }
+
+        /// <summary>
+        /// Whether each triangle of the tile's mesh breaks, in the order of its triangles: the
+        /// <see cref="BreakingFraction"/> with the largest downward acceleration of the linear waves.
+        /// </summary>
+        public IReadOnlyList<bool> BreakingFacets => _breakingFacets.Value;
+
+        /// <summary>The echo of the same sea at another time. Both share their tables.</summary>
+        public SeaClutter At(double time) => new SeaClutter(LongWaves, time, Wind, Settings, this);
+
+        /// <summary>
+        /// Sigma0 of the facets over their direction. Computed once a frequency, which takes a part of a second.
+        /// </summary>
+        /// <param name="frequency">Hz.</param>
+        /// <exception cref="GlintException">
+        /// The frequency is not one of <see cref="SeaScattering.Frequencies"/>, or so low that the mesh itself holds
+        /// Bragg waves.
+        /// </exception>
+        public FacetTable TableAt(double frequency)
+        {
+            lock (_tables)
+            {
+                if (!_tables.TryGetValue(frequency, out var table))
+                    _tables.Add(frequency, table = MakeTable(frequency));
+                return table;
+            }
+        }
+
+        /// <summary>
+        /// Time in seconds in which the speckle of a facet decorrelates: <see cref="ClutterMotion.CoherenceTime"/> of
+        /// half the shortest wave of the mesh, the side of its facets.
+        /// </summary>
+        /// <param name="frequency">Hz.</param>
+        public double CoherenceTimeAt(double frequency) => ClutterMotion.CoherenceTime(
+            Signal.Wavelength(frequency), ShortWaves.Wind, Math.PI / ShortWaves.Cut);
+
+        FacetTable MakeTable(double frequency)
+        {
+            var (permittivity, _) = Water.At(frequency);
+            var scattering = new SeaScattering(frequency, permittivity, ShortWaves.Spectrum.Density);
+            if (ShortWaves.Cut > scattering.TiltCut)
+                throw new GlintException($"sea clutter: at {Medium.Number(frequency)} Hz the mesh holds waves up to "
+                    + $"{RadarSettings.Text(ShortWaves.Cut)} rad/m, and waves from "
+                    + $"{RadarSettings.Text(scattering.TiltCut)} rad/m on are Bragg waves, which would count twice: "
+                    + "give the sea fewer cells, or a higher frequency");
+            var (along, across) = ShortWaves.SlopeVariances(ShortWaves.Cut, scattering.TiltCut);
+            return new FacetTable(scattering, LongWaves.SlopeVariances(ShortWaves.Cut), new double2(along, across));
+        }
+
+        bool[] FindBreakingFacets()
+        {
+            double[] ofVertices = LongWaves.Accelerations(Time);
+            var indices = LongWaves.Indices;
+            var accelerations = new double[indices.Count / 3];
+            for (int i = 0; i < accelerations.Length; i++)
+                accelerations[i] =
+                    (ofVertices[indices[3 * i]] + ofVertices[indices[3 * i + 1]] + ofVertices[indices[3 * i + 2]]) / 3;
+            int[] order = Enumerable.Range(0, accelerations.Length).ToArray();
+            Array.Sort(accelerations, order);
+            var breaks = new bool[accelerations.Length];
+            int count = (int)Math.Floor(BreakingFraction * breaks.Length + 0.5);
+            for (int i = 0; i < count; i++)
+                breaks[order[i]] = true;
+            return breaks;
+        }
+    }
+}
