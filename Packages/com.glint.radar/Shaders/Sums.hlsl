@@ -36,6 +36,17 @@ void AddUnsigned(uint word, uint value)
     AddWords(word, 2, value, 0, 0);
 }
 
+// Adds a whole number of units to a sum of two or three words.
+void AddUnits(uint word, uint words, float units)
+{
+    float magnitude = abs(units);
+    uint upper = (uint)(magnitude / TWO_TO_32), lower = (uint)(magnitude - upper * TWO_TO_32);
+    if (units < 0.0)
+        AddWords(word, words, 0 - lower, lower == 0 ? 0 - upper : ~upper, 0xffffffff);
+    else
+        AddWords(word, words, lower, upper, 0);
+}
+
 // Adds one ray's part to a channel of two or three words. A part above maxPart, or NaN, sets the bit of SUM_OVERFLOW
 // instead.
 void AddPart(uint slot, uint channel, uint words, float part, float maxPart, float unitsPerPart, uint overflow)
@@ -45,12 +56,7 @@ void AddPart(uint slot, uint channel, uint words, float part, float maxPart, flo
         InterlockedOr(_Sums[slot + SUM_OVERFLOW], overflow);
         return;
     }
-    float units = round(part * unitsPerPart), magnitude = abs(units);
-    uint upper = (uint)(magnitude / TWO_TO_32), lower = (uint)(magnitude - upper * TWO_TO_32);
-    if (units < 0.0)
-        AddWords(slot + channel, words, 0 - lower, lower == 0 ? 0 - upper : ~upper, 0xffffffff);
-    else
-        AddWords(slot + channel, words, lower, upper, 0);
+    AddUnits(slot + channel, words, round(part * unitsPerPart));
 }
 
 // Each ray adds for itself: a reduction within the group gains nothing on a GPU, and its barriers cost a software

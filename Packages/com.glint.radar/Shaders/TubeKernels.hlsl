@@ -17,6 +17,8 @@
 #endif
 #elif defined(GLINT_CELLS)
 #include "TubeCells.hlsl"
+#elif defined(GLINT_SEA)
+#include "SeaFacets.hlsl"
 #elif defined(GLINT_FRINGES)
 #include "TubeFringes.hlsl"
 #else

@@ -21,7 +21,8 @@ namespace Glint.Core
 
         /// <summary>
         /// Floats of an element, in m2/m2: the products SS, PP, SP, SSPP of <see cref="FacetPower"/>, then SSSP and
-        /// PPSP over the sine of twice the angle to the wind, and two that are 0.
+        /// PPSP over the sine of twice the angle to the wind; sigma0 of breaking waves, whose row is over the incidence
+        /// on the mean sea; and one that is 0.
         /// </summary>
         public const int Stride = 8;
 
@@ -34,6 +35,9 @@ namespace Glint.Core
 
         // Angle from the axes at which SSSP and PPSP are divided by a sine: they vanish on the axes themselves.
         const double OffAxis = 1e-3;
+
+        // Cosine of the incidence at which breaking waves are taken for grazing incidence.
+        const double GrazingCosine = 1e-3;
 
         readonly SeaScattering _scattering;
         readonly double2 _slopeVariance;
@@ -96,7 +100,8 @@ namespace Glint.Core
             double windCosine = Math.Cos(angle), windSine = Math.Sin(angle), twice = Math.Sin(2 * angle);
             var power = Mean(cosine, Math.Sqrt(1 - cosine * cosine), windCosine, windSine);
             int at = (row * Columns + column) * Stride;
-            var values = new[] { power.SS, power.PP, power.SP, power.SSPP, power.SSSP / twice, power.PPSP / twice };
+            var values = new[] { power.SS, power.PP, power.SP, power.SSPP, power.SSSP / twice, power.PPSP / twice,
+                SeaScattering.Breaking(Math.Max(GrazingCosine, cosine)) };
             for (int i = 0; i < values.Length; i++)
                 Values[at + i] = (float)values[i];
         }

@@ -134,9 +134,9 @@ namespace Glint.Core
             double[] ofVertices = LongWaves.Accelerations(Time);
             var indices = LongWaves.Indices;
             var accelerations = new double[indices.Count / 3];
+            // At a corner: a mean over corners would lose the shortest waves, which accelerate most.
             for (int i = 0; i < accelerations.Length; i++)
-                accelerations[i] =
-                    (ofVertices[indices[3 * i]] + ofVertices[indices[3 * i + 1]] + ofVertices[indices[3 * i + 2]]) / 3;
+                accelerations[i] = ofVertices[indices[3 * i]];
             int[] order = Enumerable.Range(0, accelerations.Length).ToArray();
             Array.Sort(accelerations, order);
             var breaks = new bool[accelerations.Length];

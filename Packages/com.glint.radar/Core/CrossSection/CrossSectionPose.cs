@@ -31,6 +31,9 @@ namespace Glint.Core
         /// </summary>
         public double Range { get; set; } = double.PositiveInfinity;
 
+        /// <summary>The part of the scene that the radar lights; null: all of it.</summary>
+        public RadarFootprint Footprint { get; set; }
+
         /// <summary>Hertz, in ascending order.</summary>
         public double[] Frequencies { get; set; }
 

@@ -29,6 +29,9 @@ namespace Glint.Core
         /// </summary>
         public IReadOnlyList<SurfaceMaterial> Surfaces { get; set; } = new[] { SurfaceMaterial.PerfectConductor };
 
+        /// <summary>Seas with a diffuse echo.</summary>
+        public IReadOnlyList<SceneSea> Seas { get; set; } = Array.Empty<SceneSea>();
+
         /// <summary>
         /// Position of the scene's origin in the world, metres, for output; the axes are the world's. Tracing does not
         /// use it.

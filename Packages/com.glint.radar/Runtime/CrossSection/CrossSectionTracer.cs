@@ -142,10 +142,7 @@ namespace Glint
             _scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
             if (_scene.IsEmpty)
                 return;
-            if (_scene.Pages.Count > 1)
-                throw new GlintException($"{_owner}: the BVHs of {pose.Scene.TriangleCount} triangles take "
-                    + $"{_scene.Pages.Count} buffers of {UnityEngine.SystemInfo.graphicsDeviceName}, and a cross "
-                    + "section takes one: trace fewer triangles");
+            _scene.RequireOnePage(_owner, "a cross section takes");
             _surfaces.Set(pose.Scene, _scene.Centre, pose.CreaseDegrees, pose.Frequencies.Last());
             if (pose.HasEdges)
                 _edges.Set(pose.Scene, _surfaces.Patches, _surfaces.Parts, _scene.Centre,

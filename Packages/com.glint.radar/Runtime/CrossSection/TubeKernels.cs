@@ -66,21 +66,12 @@ namespace Glint
 
             _shader.SetVector(TubeIDs._SentV, KernelCalls.ToVector(pose.Radar.Up));
             _shader.SetVector(TubeIDs._SentH, KernelCalls.ToVector(pose.Radar.Right));
-            double3 from = pose.PhaseCentre - rays.SceneCentre;
-            _shader.SetVectorArray(TubeIDs._Receivers, Padded(pose, receiver =>
-            {
-                double3 at = pose.IsFar ? receiver.ToRadar : from + pose.Range * receiver.ToRadar;
-                return KernelCalls.ToVector(at, (float)math.length(at));
-            }));
-            _shader.SetVectorArray(TubeIDs._ReceiversV, Padded(pose, receiver => KernelCalls.ToVector(receiver.Up)));
-            _shader.SetVectorArray(TubeIDs._ReceiversH, Padded(pose, receiver => KernelCalls.ToVector(receiver.Right)));
+            SetReceivers(_shader, pose, rays.SceneCentre);
             _shader.SetFloat(TubeIDs._RadarPhase, (float)grid.RadarPhaseOf(pose));
             _shader.SetInt(TubeIDs._ReceiverCount, pose.Receivers.Length);
             bool isMonostatic =
                 pose.Receivers.Length == 1 && pose.Receivers[0].ToRadar.Equals(pose.Radar.ToRadar);
             _shader.SetInt(TubeIDs._IsMonostatic, isMonostatic ? 1 : 0);
-            _shader.SetInt(TubeIDs._IsNear, pose.IsFar ? 0 : 1);
-            _shader.SetFloat(TubeIDs._Range, pose.IsFar ? 0 : (float)pose.Range);
             _shader.SetInt(TubeIDs._FadesShadows, pose.FadesShadows ? 1 : 0);
             _shader.SetInt(TubeIDs._OnlyBounce, pose.OnlyBounce);
             _shader.SetInt(TubeIDs._FrequencyCount, pose.Frequencies.Length);
@@ -89,6 +80,22 @@ namespace Glint
                 together *= 2;
             _shader.SetInt(TubeIDs._FrequenciesAGroup, together);
             _shader.SetInt(TubeIDs._FrequencyGroups, (pose.Frequencies.Length + together - 1) / together);
+        }
+
+        /// <summary>Sets the receivers, and behind them the radar.</summary>
+        /// <param name="centre">Origin of the kernels' coordinates.</param>
+        public static void SetReceivers(ComputeShader shader, CrossSectionPose pose, double3 centre)
+        {
+            double3 from = pose.PhaseCentre - centre;
+            shader.SetVectorArray(TubeIDs._Receivers, Padded(pose, receiver =>
+            {
+                double3 at = pose.IsFar ? receiver.ToRadar : from + pose.Range * receiver.ToRadar;
+                return KernelCalls.ToVector(at, (float)math.length(at));
+            }));
+            shader.SetVectorArray(TubeIDs._ReceiversV, Padded(pose, receiver => KernelCalls.ToVector(receiver.Up)));
+            shader.SetVectorArray(TubeIDs._ReceiversH, Padded(pose, receiver => KernelCalls.ToVector(receiver.Right)));
+            shader.SetInt(TubeIDs._IsNear, pose.IsFar ? 0 : 1);
+            shader.SetFloat(TubeIDs._Range, pose.IsFar ? 0 : (float)pose.Range);
         }
 
         /// <summary>Sets the units of the sums.</summary>

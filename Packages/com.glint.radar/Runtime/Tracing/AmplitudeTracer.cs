@@ -164,10 +164,7 @@ namespace Glint
 
         RayGrid Bind(in RadarPose pose, AmplitudeGrid grid)
         {
-            if (_scene.Pages.Count > 1)
-                throw new GlintException($"{_owner}: the BVHs of {pose.Scene.TriangleCount} triangles take "
-                    + $"{_scene.Pages.Count} buffers of {SystemInfo.graphicsDeviceName}, and ray tubes take one: trace "
-                    + "fewer triangles, or leave the tolerance out");
+            _scene.RequireOnePage(_owner, "ray tubes take", ", or leave the tolerance out");
             var settings = pose.Settings;
             // Facets of one plane are one mirror.
             _surfaces.Set(pose.Scene, _scene.Centre, 0, settings.FrequencyHz);

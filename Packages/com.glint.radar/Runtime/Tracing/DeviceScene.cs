@@ -88,6 +88,18 @@ namespace Glint
             return hasBuilt;
         }
 
+        /// <summary>Refuses a scene whose BVHs need several buffers.</summary>
+        /// <param name="subject">What takes one: "a cross section takes".</param>
+        /// <param name="wayOut">What to do, beside tracing fewer triangles; may be empty.</param>
+        /// <exception cref="GlintException">They need several.</exception>
+        public void RequireOnePage(string owner, string subject, string wayOut = "")
+        {
+            if (Pages.Count > 1)
+                throw new GlintException($"{owner}: the BVHs of {_scene.TriangleCount} triangles take {Pages.Count} "
+                    + $"buffers of {UnityEngine.SystemInfo.graphicsDeviceName}, and {subject} one: trace fewer "
+                    + $"triangles{wayOut}");
+        }
+
         /// <summary>Adds the tiles that may see the scene.</summary>
         public void AddTo(PictureTiles tiles)
         {

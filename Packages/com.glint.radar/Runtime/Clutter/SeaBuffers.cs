@@ -1,0 +1,89 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint
+{
+    /// <summary>The facets of a sea on the device: those of one tile, and the tiles.</summary>
+    sealed class SeaBuffers : IDisposable
+    {
+        TriangleMesh _mesh;
+        IReadOnlyList<bool> _breaking;
+        FacetTable _table;
+
+        public DeviceBuffer<SeaFacet> Facets { get; } = new DeviceBuffer<SeaFacet>("facets of a sea");
+        public DeviceBuffer<SeaTileRecord> Tiles { get; } = new DeviceBuffer<SeaTileRecord>("tiles of a sea");
+        public DeviceBuffer<float4> Table { get; } = new DeviceBuffer<float4>("elements of a table of facets");
+
+        public int FacetCount { get; private set; }
+
+        public int TileCount { get; private set; }
+
+        /// <summary>Uploads what has changed.</summary>
+        /// <param name="centre">Origin of the kernels' coordinates.</param>
+        /// <param name="frequency">Of the table, hertz.</param>
+        public void Set(RadarScene scene, SceneSea sea, double3 centre, double frequency)
+        {
+            var mesh = scene.Instances[sea.Instances[0]].Mesh;
+            var breaking = sea.Clutter.BreakingFacets;
+            if (mesh != _mesh || breaking != _breaking)
+                Facets.Upload(FacetsOf(mesh, breaking));
+            var table = sea.Clutter.TableAt(frequency);
+            if (table != _table)
+                Table.Upload(Enumerable.Range(0, table.Values.Length / 4).Select(i => new float4(table.Values[4 * i],
+                    table.Values[4 * i + 1], table.Values[4 * i + 2], table.Values[4 * i + 3])).ToArray());
+            (_mesh, _breaking, _table) = (mesh, breaking, table);
+            FacetCount = mesh.TriangleCount;
+            TileCount = sea.Instances.Count;
+            Tiles.Upload(sea.Instances.Select((instance, i) =>
+                RecordOf(scene.Instances[instance].ToWorld, centre, NumberOf(sea.Tiles[i]))).ToArray());
+        }
+
+        public void Dispose()
+        {
+            Facets.Dispose();
+            Tiles.Dispose();
+            Table.Dispose();
+            (_mesh, _breaking, _table) = (null, null, null);
+        }
+
+        // Facets look up, whichever way the triangles turn.
+        static SeaFacet[] FacetsOf(TriangleMesh mesh, IReadOnlyList<bool> breaking)
+        {
+            var facets = new SeaFacet[mesh.TriangleCount];
+            for (int i = 0; i < facets.Length; i++)
+            {
+                mesh.GetTriangle(i, out var a, out var b, out var c);
+                double3 section = 0.5 * math.cross((double3)b - a, (double3)c - a);
+                facets[i] = new SeaFacet
+                {
+                    Centre = (float3)(((double3)a + b + c) / 3), IsBreaking = breaking[i] ? 1u : 0,
+                    Section = (float3)(section.y < 0 ? -section : section)
+                };
+            }
+            return facets;
+        }
+
+        // Sections transform by the cofactors, and stay upwards in a mirroring transform.
+        static SeaTileRecord RecordOf(in Affine toWorld, double3 centre, int number)
+        {
+            double sign = toWorld.Determinant < 0 ? -1 : 1;
+            double3 origin = toWorld.Origin - centre, x = sign * math.cross(toWorld.Y, toWorld.Z),
+                y = sign * math.cross(toWorld.Z, toWorld.X), z = sign * math.cross(toWorld.X, toWorld.Y);
+            return new SeaTileRecord
+            {
+                X = (float4)new double4(toWorld.X.x, toWorld.Y.x, toWorld.Z.x, origin.x),
+                Y = (float4)new double4(toWorld.X.y, toWorld.Y.y, toWorld.Z.y, origin.y),
+                Z = (float4)new double4(toWorld.X.z, toWorld.Y.z, toWorld.Z.z, origin.z),
+                SectionX = new float3((float)x.x, (float)y.x, (float)z.x),
+                SectionY = new float3((float)x.y, (float)y.y, (float)z.y),
+                SectionZ = new float3((float)x.z, (float)y.z, (float)z.z), Number = number
+            };
+        }
+
+        // Seas of 65,536 tiles and more across repeat their speckle.
+        static int NumberOf(int2 tile) => tile.x << 16 | tile.y & 0xffff;
+    }
+}

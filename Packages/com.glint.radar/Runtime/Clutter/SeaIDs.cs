@@ -1,0 +1,22 @@
+using UnityEngine;
+
+namespace Glint
+{
+    // Names as in Shaders/SeaFacets.hlsl.
+    static class SeaIDs
+    {
+        public static readonly int _SeaFacets = Shader.PropertyToID("_SeaFacets");
+        public static readonly int _SeaTiles = Shader.PropertyToID("_SeaTiles");
+        public static readonly int _FacetTable = Shader.PropertyToID("_FacetTable");
+        public static readonly int _SeaRange = Shader.PropertyToID("_SeaRange");
+        public static readonly int _SeaWind = Shader.PropertyToID("_SeaWind");
+        public static readonly int _SeaTime = Shader.PropertyToID("_SeaTime");
+        public static readonly int _FootprintPosition = Shader.PropertyToID("_FootprintPosition");
+        public static readonly int _FootprintRight = Shader.PropertyToID("_FootprintRight");
+        public static readonly int _FootprintUp = Shader.PropertyToID("_FootprintUp");
+        public static readonly int _FootprintForward = Shader.PropertyToID("_FootprintForward");
+        public static readonly int _SeaCellX = Shader.PropertyToID("_SeaCellX");
+        public static readonly int _SeaCellY = Shader.PropertyToID("_SeaCellY");
+        public static readonly int _SeaCells = Shader.PropertyToID("_SeaCells");
+    }
+}

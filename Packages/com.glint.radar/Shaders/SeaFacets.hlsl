@@ -1,0 +1,214 @@
+#ifndef GLINT_SEA_FACETS
+#define GLINT_SEA_FACETS
+
+#include "PhysicalOptics.hlsl"
+#include "Speckle.hlsl"
+#include "Sums.hlsl"
+
+// The diffuse echo of a sea (Documentation~/clutter.md): the waves that its mesh leaves out scatter back from each facet
+// that the radar sees. One thread a facet, one shadow ray.
+
+// GLINT_SEA_FACET: a triangle of a tile, in the tile's frame (Runtime/Clutter/SeaFacet.cs).
+struct SeaFacet
+{
+    float3 Centre;         // m
+    uint IsBreaking;       // 1: it breaks
+    float3 Section;        // normal times area, m2
+    uint Unused;
+};
+
+// GLINT_SEA_TILE: an instance of the tile (Runtime/Clutter/SeaFacet.cs).
+struct SeaTile
+{
+    float4 X, Y, Z;        // rows of the transform to the scene relative to its centre, m
+    float3 SectionX;       // rows of the transform of sections
+    int Number;            // of the tile in its sea, for speckle
+    float3 SectionY;
+    uint Unused;
+    float3 SectionZ;
+    uint Unused2;
+};
+
+StructuredBuffer<SeaFacet> _SeaFacets;
+StructuredBuffer<SeaTile> _SeaTiles;
+StructuredBuffer<float4> _FacetTable;      // FacetTable.Values: two elements a value
+uint4 _SeaRange;                           // facets of a tile; first and number of this dispatch; seed of the speckle
+float4 _SeaWind;                           // horizontal unit vector along the wind; w: offset of a shadow ray's start, m
+float4 _SeaTime;                           // time: s; in coherence times, whole and fraction; exponent of ApproachShare
+
+// The camera's picture, outside of which nothing is lit.
+float4 _FootprintPosition;                 // relative to the scene's centre, m; w: 0: everything is lit
+float4 _FootprintRight, _FootprintUp;      // w: half the picture's width and height, at a distance of 1 or of parallel rays
+float4 _FootprintForward;                  // w: 1: parallel rays
+
+// Cells of the ground whose echoes are summed apart. Each cell has copies of its sums, which reduce contention.
+float4 _SeaCellX, _SeaCellY;               // place in cells: dot(xyz, position) + w
+uint4 _SeaCells;                           // cells by x and y; copies
+
+// Words of a copy, 64 bits each.
+static const uint SEA_FIELD = 0;           // S of VV, HV and HH: real and imaginary part
+static const uint SEA_POWER = 12;          // without speckle: VV, HV, HH
+static const uint SEA_AREA = 18;           // of the mean sea below the facets,
+static const uint SEA_LIT_AREA = 20;       // and below those that the radar sees
+static const uint SEA_OVERFLOW = 22;       // 1: an echo was too large for a sum
+static const uint SEA_WORDS = 24;
+static const float SEA_FIELD_UNITS = 16777216.0;       // a metre
+static const float SEA_POWER_UNITS = 1099511627776.0;  // a square metre
+static const float SEA_AREA_UNITS = 1048576.0;         // a square metre
+static const float SEA_MAX_UNITS = 4.0e18;
+
+// Of Core/Clutter/FacetTable.cs.
+static const uint FACET_ROWS = 257;
+static const uint FACET_COLUMNS = 9;
+
+// Of Core/Clutter/ClutterMotion.cs.
+static const float GRAVITY = 9.81;         // m/s2
+static const float TENSION = 7.2e-5;       // m3/s2
+
+// Products of the elements of a facet's scattering matrix: Core/Clutter/FacetPower.cs. Its s is along normal x direction
+// to the radar.
+struct FacetPower
+{
+    float SS, PP, SP, SSPP, SSSP, PPSP;
+};
+
+// Two elements of the table, interpolated.
+void ReadTable(float cosine, float squaredWindSine, out float4 first, out float4 second)
+{
+    float row = (FACET_ROWS - 1) * sqrt(saturate(1.0 - cosine)), column = (FACET_COLUMNS - 1) * saturate(squaredWindSine);
+    uint top = min((uint)row, FACET_ROWS - 2), left = min((uint)column, FACET_COLUMNS - 2);
+    uint element = 2 * (top * FACET_COLUMNS + left), below = element + 2 * FACET_COLUMNS;
+    float down = row - top, right = column - left;
+    first = lerp(lerp(_FacetTable[element], _FacetTable[element + 2], right),
+        lerp(_FacetTable[below], _FacetTable[below + 2], right), down);
+    second = lerp(lerp(_FacetTable[element + 1], _FacetTable[element + 3], right),
+        lerp(_FacetTable[below + 1], _FacetTable[below + 3], right), down);
+}
+
+// Cosine and sine of the angle from a direction to the wind, seen from above.
+float2 ToWind(float3 direction)
+{
+    float size = length(direction.xz);
+    return size > 0.0 ? float2(dot(_SeaWind.xz, direction.xz), _SeaWind.x * direction.z - _SeaWind.z * direction.x) / size
+        : float2(1.0, 0.0);
+}
+
+// Sigma0 of VV, HV and HH of a facet that does not break.
+float3 SigmaOf(float3 normal, Receiver radar)
+{
+    float3 across = cross(normal, radar.Direction);
+    float cosine = dot(normal, radar.Direction), sine = length(across);
+    float2 wind = float2(1.0, 0.0), turn = float2(1.0, 0.0);
+    if (sine > 0.0)
+    {
+        float3 s = across / sine, h = cross(radar.V, radar.Direction);
+        turn = float2(dot(s, h), dot(s, radar.V));
+        turn /= max(length(turn), 1.0e-20);
+        wind = ToWind((radar.Direction - cosine * normal) / sine);
+    }
+    float4 first, second;
+    ReadTable(cosine, wind.y * wind.y, first, second);
+    float twice = 2.0 * wind.x * wind.y;
+    FacetPower power;
+    power.SS = first.x;
+    power.PP = first.y;
+    power.SP = first.z;
+    power.SSPP = first.w;
+    power.SSSP = twice * second.x;
+    power.PPSP = twice * second.y;
+    float a = turn.x * turn.x, b = turn.y * turn.y, product = turn.x * turn.y;
+    float both = 4.0 * a * b * power.SP + 2.0 * a * b * power.SSPP;
+    return max(0.0, float3(
+        b * b * power.SS + a * a * power.PP + both + 4.0 * product * (b * power.SSSP + a * power.PPSP),
+        a * b * (power.SS + power.PP - 2.0 * power.SSPP) + (a - b) * (a - b) * power.SP
+            + 2.0 * product * (a - b) * (power.SSSP - power.PPSP),
+        a * a * power.SS + b * b * power.PP + both - 4.0 * product * (a * power.SSSP + b * power.PPSP)));
+}
+
+// Sigma0 of a breaking facet in VV and HH; its incidence is that on the mean sea.
+float BreakingSigma(float cosine)
+{
+    float4 first, second;
+    ReadTable(cosine, 0.0, first, second);
+    return second.z;
+}
+
+// The speckle of a facet now: Bragg waves that run towards the radar, and away from it.
+float2 SpeckleOf(uint facet, SeaTile tile, Receiver radar)
+{
+    float4 numbers = SpeckleBetween(int2(facet, tile.Number), _SeaRange.w, (int)_SeaTime.y, _SeaTime.z);
+    float windCosine = ToWind(radar.Direction).x, sine = sqrt(saturate(1.0 - radar.Direction.y * radar.Direction.y));
+    float ratio = max(0.0, 1.0 - windCosine) / max(1.0e-6, 1.0 + windCosine);
+    float approaching = 1.0 / (1.0 + pow(ratio, _SeaTime.w));
+    float bragg = 2.0 * _WaveNumber * sine;
+    float2 turn = PhasorOf(sqrt(GRAVITY * bragg + TENSION * bragg * bragg * bragg) * _SeaTime.x);
+    return sqrt(approaching) * ComplexMul(numbers.xy, turn)
+        + sqrt(1.0 - approaching) * ComplexMul(numbers.zw, float2(turn.x, -turn.y));
+}
+
+bool IsInFootprint(float3 position)
+{
+    float3 from = position - _FootprintPosition.xyz;
+    float ahead = dot(from, _FootprintForward.xyz), reach = _FootprintForward.w != 0.0 ? 1.0 : ahead;
+    return _FootprintPosition.w == 0.0 || ahead > 0.0 && abs(dot(from, _FootprintRight.xyz)) <= reach * _FootprintRight.w
+        && abs(dot(from, _FootprintUp.xyz)) <= reach * _FootprintUp.w;
+}
+
+bool IsLit(float3 position, float3 normal, Receiver radar)
+{
+    Ray ray = (Ray)0;
+    ray.Origin = position + _SeaWind.w * normal;
+    ray.Start = ray.Origin;
+    ray.Direction = radar.Direction;
+    ray.ExcludedTriangle = NO_INSTANCE;
+    bool isAmbiguous;
+    return dot(normal, radar.Direction) > 0.0 && !AnyHit(ray, radar.Distance, isAmbiguous);
+}
+
+void AddSea(uint first, uint word, float value, float unitsPerValue)
+{
+    float units = round(value * unitsPerValue);
+    if (IsNaN(units) || abs(units) > SEA_MAX_UNITS)
+        InterlockedOr(_Sums[first + SEA_OVERFLOW], 1);
+    else
+        AddUnits(first + word, 2, units);
+}
+
+[numthreads(GLINT_GROUP, 1, 1)]
+void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
+{
+    uint index = IndexOf(group, thread), number = _SeaRange.y + index;
+    if (index >= _SeaRange.z)
+        return;
+    SeaTile tile = _SeaTiles[number / _SeaRange.x];
+    SeaFacet facet = _SeaFacets[number % _SeaRange.x];
+    float4 centre = float4(facet.Centre, 1.0);
+    float3 position = float3(dot(tile.X, centre), dot(tile.Y, centre), dot(tile.Z, centre));
+    float3 section = float3(dot(tile.SectionX, facet.Section), dot(tile.SectionY, facet.Section),
+        dot(tile.SectionZ, facet.Section));
+    int2 cell = (int2)floor(float2(dot(_SeaCellX.xyz, position) + _SeaCellX.w, dot(_SeaCellY.xyz, position) + _SeaCellY.w));
+    float area = length(section);
+    if (area == 0.0 || any(cell < 0) || any(cell >= (int2)_SeaCells.xy) || !IsInFootprint(position))
+        return;
+    uint first = SEA_WORDS * ((cell.x + cell.y * _SeaCells.x) * _SeaCells.z + number % _SeaCells.z);
+    float3 normal = section / area;
+    Receiver radar = ReceiverFrom(RADAR, position);
+    AddSea(first, SEA_AREA, section.y, SEA_AREA_UNITS);
+    if (!IsLit(position, normal, radar))
+        return;
+    AddSea(first, SEA_LIT_AREA, section.y, SEA_AREA_UNITS);
+    float3 sigma = SigmaOf(normal, radar);
+    if (facet.IsBreaking != 0)
+        sigma.xz = BreakingSigma(saturate(radar.Direction.y));
+    float3 power = area * sigma * radar.Strength * radar.Strength * radar.Strength * radar.Strength;
+    float2 field = ComplexMul(SpeckleOf(number % _SeaRange.x, tile, radar), PhasorOf(2.0 * _WaveNumber * radar.Phase));
+    [unroll]
+    for (uint i = 0; i < 3; i++)
+    {
+        AddSea(first, SEA_POWER + 2 * i, power[i], SEA_POWER_UNITS);
+        AddSea(first, SEA_FIELD + 4 * i, sqrt(power[i]) * field.x, SEA_FIELD_UNITS);
+        AddSea(first, SEA_FIELD + 4 * i + 2, sqrt(power[i]) * field.y, SEA_FIELD_UNITS);
+    }
+}
+
+#endif
