@@ -36,6 +36,9 @@ uint4 _SeaRange;                           // facets of a tile; first and number
 float4 _SeaWind;                           // horizontal unit vector along the wind; w: offset of a shadow ray's start, m
 float4 _SeaTime;                           // time: s; in coherence times, whole and fraction; exponent of ApproachShare
 
+float4 _SeaMirror;                         // of mirror points: halves of the inverse covariances of the unresolved slopes,
+                                           // along and across the wind and mixed; factor
+
 // The camera's picture, outside of which nothing is lit.
 float4 _FootprintPosition;                 // relative to the scene's centre, m; w: 0: everything is lit
 float4 _FootprintRight, _FootprintUp;      // w: half the picture's width and height, at a distance of 1 or of parallel rays
@@ -93,8 +96,8 @@ float2 ToWind(float3 direction)
         : float2(1.0, 0.0);
 }
 
-// Sigma0 of VV, HV and HH of a facet that does not break.
-float3 SigmaOf(float3 normal, Receiver radar)
+// Bragg scattering of a facet: sigma0 of VV, HV and HH.
+float3 BraggSigma(float3 normal, Receiver radar)
 {
     float3 across = cross(normal, radar.Direction);
     float cosine = dot(normal, radar.Direction), sine = length(across);
@@ -123,6 +126,16 @@ float3 SigmaOf(float3 normal, Receiver radar)
         a * b * (power.SS + power.PP - 2.0 * power.SSPP) + (a - b) * (a - b) * power.SP
             + 2.0 * product * (a - b) * (power.SSSP - power.PPSP),
         a * a * power.SS + b * b * power.PP + both - 4.0 * product * (a * power.SSSP + b * power.PPSP)));
+}
+
+// Mirror points of a facet, in VV and HH: SeaScattering.Specular.
+float SpecularSigma(float3 normal, float3 toRadar)
+{
+    float2 slope = normal.xz / max(normal.y, 1.0e-6) - toRadar.xz / max(toRadar.y, 1.0e-6);
+    float along = dot(slope, _SeaWind.xz), across = slope.x * _SeaWind.z - slope.y * _SeaWind.x;
+    float exponent = along * along * _SeaMirror.x + across * across * _SeaMirror.y + 2.0 * along * across * _SeaMirror.z;
+    float squared = max(toRadar.y * toRadar.y, 1.0e-12);
+    return max(0.0, normal.y) * _SeaMirror.w * exp(-min(exponent, 80.0)) / (squared * squared);
 }
 
 // Sigma0 of a breaking facet in VV and HH; its incidence is that on the mean sea.
@@ -197,7 +210,8 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (!IsLit(position, normal, radar))
         return;
     AddSea(first, SEA_LIT_AREA, section.y, SEA_AREA_UNITS);
-    float3 sigma = SigmaOf(normal, radar);
+    float3 sigma = BraggSigma(normal, radar);
+    sigma.xz += SpecularSigma(normal, radar.Direction);
     if (facet.IsBreaking != 0)
         sigma.xz = BreakingSigma(saturate(radar.Direction.y));
     float3 power = area * sigma * radar.Strength * radar.Strength * radar.Strength * radar.Strength;

@@ -55,11 +55,17 @@ float4 SpeckleAt(int2 cell, uint seed, int time)
         sqrt(SpeckleIntensity(words.z)) * Phasor(words.w / 16777216.0));
 }
 
-// The same at any time, in coherence times: between the values of whole numbers, with a mean square of 1 throughout.
+// In place of a time, for the fraction at which those of a cell begin.
+static const uint NO_TIME = 0x80000000;
+
+// The same at any time, in coherence times: between the values of two whole times of the cell, which begin at a random
+// fraction; with a mean square of 1 throughout.
 float4 SpeckleBetween(int2 cell, uint seed, int time, float fraction)
 {
-    float2 weights = Phasor(0.25 * fraction);
-    return weights.x * SpeckleAt(cell, seed, time) + weights.y * SpeckleAt(cell, seed, time + 1);
+    float at = fraction + (SpeckleHash(uint4(asuint(cell), seed, NO_TIME)).x >> 8) / 16777216.0;
+    int whole = time + (at >= 1.0 ? 1 : 0);
+    float2 weights = Phasor(0.25 * (at - (at >= 1.0 ? 1.0 : 0.0)));
+    return weights.x * SpeckleAt(cell, seed, whole) + weights.y * SpeckleAt(cell, seed, whole + 1);
 }
 
 #endif

@@ -27,7 +27,7 @@ namespace Glint.Tests
             Assert.That(water.Imaginary, Is.EqualTo(-37.513).Within(0.001));
         }
 
-        // Of the waves beyond the mesh at 10 m/s: 15.6 mm for facets of 1 m, from a wave number of pi.
+        // Of the waves that the mesh leaves out at 10 m/s: 15.6 mm for facets of 1 m, from a wave number of pi.
         [Test]
         public void Surface_IsSeaWaterWithTheRoughnessOfTheShortWaves()
         {

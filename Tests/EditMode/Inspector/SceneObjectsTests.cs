@@ -78,6 +78,8 @@ namespace Glint.Tests
             Assert.That(radar.Gather().Scene.TriangleCount, Is.EqualTo(2 * waves.Cells * waves.Cells * sea.TileCount));
             Assert.That(sea.TileCount, Is.EqualTo(2));
             Assert.That(sea.GetComponentInChildren<MeshRenderer>().sharedMaterial != null);
+            Assert.That(sea.Clutter, Is.EqualTo(SeaClutterSettings.On));
+            Assert.That(radar.Gather().Scene.Seas.Single().Tiles.Count, Is.EqualTo(2));
         }
 
         [Test]

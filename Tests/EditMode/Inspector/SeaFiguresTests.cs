@@ -30,6 +30,49 @@ namespace Glint.Tests
         }
 
         [Test]
+        public void Clutter_NamesEveryFieldThatCanBeSet_WithALabelAndATooltip()
+        {
+            var fields = typeof(SeaClutterSettings).GetFields(BindingFlags.Public | BindingFlags.Instance)
+                .Select(field => field.Name);
+            Assert.That(SeaFigures.Clutter.Select(it => it.field), Is.EqualTo(fields));
+            Assert.That(SeaFigures.Clutter, Has.All.Matches<(string field, string label, string tooltip)>(
+                it => it.label.Length > 0 && it.tooltip.EndsWith(".")));
+        }
+
+        // 64 grid points over 64 m hold 31.5 waves.
+        [Test]
+        public void Rows_WithClutter_SayWhatTheMeshLeavesOut()
+        {
+            Assert.That(SeaFigures.Rows(_sea).Select(row => row.label), Has.None.EqualTo("Clutter wind"));
+            _sea.Clutter = SeaClutterSettings.On;
+            Assert.That(Row("Clutter wind"), Is.EqualTo("7.0 m/s"));
+            Assert.That(Row("Mesh ends at"), Is.EqualTo("3.093 rad/m, waves of 2.032 m"));
+            Assert.That(Row("Step there"), Is.EqualTo("0.0 dB"));
+            Assert.That(Row("Breaking"), Is.EqualTo("0.29 %"));
+            double height = 1e3 * new ShortWaves(new SeaSurface(_sea.Waves)).HeightDeviation(3.0925, 2000);
+            Assert.That(Row("Height left out"), Is.EqualTo($"{height:0.0} mm"));
+        }
+
+        // Waves of half their wind's height have a quarter of its variance: a step of 6 dB.
+        [Test]
+        public void Check_ClutterThatDoesNotFit_IsReported()
+        {
+            _sea.Clutter = SeaClutterSettings.On;
+            Assert.That(SeaFigures.Check(_sea), Is.Null);
+            var waves = _sea.Waves;
+            waves.HeightFactor = 0.5;
+            _sea.Waves = waves;
+            Assert.That(SeaFigures.Check(_sea).Severity, Is.EqualTo(Severity.Warning));
+            Assert.That(SeaFigures.Check(_sea).Text, Does.Contain("6.0 dB above"));
+            var settings = _sea.Clutter;
+            settings.Wind = 1;
+            _sea.Clutter = settings;
+            Assert.That(SeaFigures.Check(_sea).Severity, Is.EqualTo(Severity.Error));
+            Assert.That(SeaFigures.Check(_sea).Text, Does.StartWith("Sea of 'Sea': "));
+            Assert.That(SeaFigures.Rows(_sea).Select(row => row.label), Has.None.EqualTo("Clutter wind"));
+        }
+
+        [Test]
         public void Rows_OfWaves_CountTilesAndTriangles()
         {
             _sea.Extent = new Vector2(128, 192);

@@ -226,12 +226,159 @@ namespace Glint.Tests
                 Does.Contain("'Sea'").And.Contain("Waves"));
         }
 
+        [Test]
+        public void Clutter_Off_LeavesMirrorsAndNoSeas()
+        {
+            Rebuild(64, 64);
+            Assert.That(_sea.Clutter.IsOn, Is.False);
+            Assert.That(_sea.CurrentClutter(), Is.Null);
+            var scene = _scene.Gather(_gatherer);
+            Assert.That(scene.Seas, Is.Empty);
+            Assert.That(scene.Surfaces, Is.EqualTo(new[] { SurfaceMaterial.PerfectConductor }));
+            Assert.That(scene.Instances.Length, Is.EqualTo(1), "tiles of few triangles are merged");
+        }
+
+        [Test]
+        public void Clutter_On_MakesEachTileAnInstanceOfSeaWater()
+        {
+            TurnClutterOn(64, 96);
+            var scene = _scene.Gather(_gatherer);
+            var sea = scene.Seas.Single();
+            Assert.That(sea.Clutter, Is.SameAs(_sea.CurrentClutter()));
+            Assert.That(sea.Tiles.Select(tile => tile.Instance), Is.EqualTo(Enumerable.Range(0, 6)));
+            Assert.That(sea.Tiles.Select(tile => tile.Number), Is.Unique);
+            Assert.That(scene.Instances.Select(instance => instance.Mesh).Distinct().Count(), Is.EqualTo(1));
+            // Tiles 32 m apart have numbers 1 apart.
+            double3 first = scene.Instances[0].ToWorld.Origin;
+            foreach (var tile in sea.Tiles)
+                Assert.That((scene.Instances[tile.Instance].ToWorld.Origin - first).xz / Tile,
+                    Is.EqualTo((double2)(tile.Number - sea.Tiles[0].Number)));
+            foreach (var instance in scene.Instances)
+                Assert.That(instance.Ranges.Select(range => scene.Surfaces[range.Surface]),
+                    Is.EqualTo(new[] { sea.Clutter.Surface }));
+            Assert.That(_scene.Gather(_gatherer), Is.SameAs(scene), "nothing has changed");
+        }
+
+        // The facets of the tile's mesh are those that break.
+        [Test]
+        public void Clutter_On_HasTheTrianglesOfTheTileInTheirOrder()
+        {
+            TurnClutterOn(32, 32);
+            var scene = _scene.Gather(_gatherer);
+            var expected = new SeaSurface(Settings(1)).Mesh(0);
+            Assert.That(scene.Instances.Single().Mesh.Indices, Is.EqualTo(expected.Indices));
+            Assert.That(scene.Seas[0].Clutter.BreakingFacets.Count, Is.EqualTo(expected.TriangleCount));
+        }
+
+        [Test]
+        public void Clutter_WithAnotherCentre_KeepsTheNumberOfEachPlace([Values(64, 96)] int extent)
+        {
+            TurnClutterOn(extent, extent);
+            var before = Numbers();
+            _sea.Centre = _scene.Empty("Radar");
+            _sea.Centre.localPosition = new Vector3(40, 7, -20);
+            _sea.Rebuild();
+            var after = Numbers();
+            var common = before.Keys.Intersect(after.Keys).ToArray();
+            Assert.That(common.Length, Is.GreaterThan(0).And.LessThan(before.Count));
+            foreach (var place in common)
+                Assert.That(after[place], Is.EqualTo(before[place]));
+        }
+
+        [Test]
+        public void Clutter_BelowARadarSurface_HasItsMaterial()
+        {
+            TurnClutterOn(32, 32);
+            var oil = new SurfaceMaterial("oil", null, Medium.Constant(2, 0.1));
+            _sea.gameObject.AddComponent<RadarSurface>().Material = RadarMaterial.Of(oil);
+            var scene = _scene.Gather(_gatherer);
+            Assert.That(scene.Surfaces[scene.Instances[0].Ranges[0].Surface], Is.EqualTo(oil));
+            Assert.That(scene.Seas.Count, Is.EqualTo(1));
+        }
+
+        [TestCase(0, 0, 1)]
+        [TestCase(90, 1, 0)]
+        public void Clutter_OfATurnedSea_HasATurnedWind(float degrees, double x, double z)
+        {
+            TurnClutterOn(32, 32);
+            _sea.transform.localRotation = Quaternion.Euler(0, degrees, 0);
+            Assert.That(math.distance(_sea.CurrentClutter().Wind, new double3(x, 0, z)), Is.LessThan(1e-6));
+        }
+
+        [Test]
+        public void Clutter_AtAnotherTime_KeepsItsTables()
+        {
+            TurnClutterOn(32, 32);
+            var before = _sea.CurrentClutter();
+            _sea.TimeSeconds = 3;
+            var after = _sea.CurrentClutter();
+            Assert.That((before.Time, after.Time), Is.EqualTo((0.0, 3.0)));
+            Assert.That(after.TableAt(10e9), Is.SameAs(before.TableAt(10e9)));
+            var settings = _sea.Clutter;
+            settings.Wind = 12;
+            _sea.Clutter = settings;
+            Assert.That(_sea.CurrentClutter().ShortWaves.Wind, Is.EqualTo(12));
+        }
+
+        [Test]
+        public void Clutter_OfASnapshot_IsThatOfItsSettings()
+        {
+            AddSnapshots();
+            _sea.Snapshot = 2;
+            TurnClutterOn(32, 32);
+            Assert.That(_sea.CurrentClutter().LongWaves.Settings.Seed, Is.EqualTo(2));
+            Assert.That(_scene.Gather(_gatherer).Seas.Count, Is.EqualTo(1));
+            _sea.Snapshots[1].Set(MeshMaker.Make("Flat", new float3[3], new[] { 0, 1, 2 }), Settings(2), 0, 0);
+            _sea.Rebuild();
+            Assert.That(Assert.Throws<GlintException>(() => _scene.Gather(_gatherer)).Message,
+                Is.EqualTo("Sea of 'Sea': its tile has 1 triangles, and its settings make 512: store the snapshot "
+                    + "again with glint sea, or turn clutter off"));
+        }
+
+        [TestCase(0.1f, 1, "horizontal sea")]
+        [TestCase(0, 2, "horizontal sea in metres")]
+        public void Clutter_OfATiltedOrScaledSea_IsRefused(float degrees, float scale, string part)
+        {
+            TurnClutterOn(32, 32);
+            _sea.transform.localRotation = Quaternion.Euler(degrees, 0, 0);
+            _sea.transform.localScale = scale * Vector3.one;
+            Assert.That(Assert.Throws<GlintException>(() => _scene.Gather(_gatherer)).Message,
+                Does.StartWith("Sea of 'Sea': ").And.Contain(part).And.Contain("turn clutter off"));
+        }
+
+        [Test]
+        public void Clutter_OutOfRange_IsRefusedWithTheSeasName()
+        {
+            var settings = SeaClutterSettings.On;
+            settings.Salinity = 50;
+            Assert.That(Assert.Throws<GlintException>(() => _sea.Clutter = settings).Message,
+                Does.StartWith("Sea of 'Sea': salinity 50 psu must be from 0 to 40"));
+            settings = SeaClutterSettings.On;
+            settings.Wind = 2;
+            _sea.Clutter = settings;
+            Assert.That(Assert.Throws<GlintException>(() => _sea.CurrentClutter()).Message,
+                Does.StartWith("Sea of 'Sea': sea: clutter wind 2 m/s must be from 3 to 20"));
+        }
+
         static SeaSettings Settings(int seed)
         {
             var settings = SeaSettings.Default;
             (settings.TileSize, settings.GridSize, settings.Cells, settings.SignificantWaveHeight, settings.Seed) =
                 (Tile, 16, Cells, 1, seed);
             return settings;
+        }
+
+        void TurnClutterOn(float x, float z)
+        {
+            _sea.Clutter = SeaClutterSettings.On;
+            Rebuild(x, z);
+        }
+
+        Dictionary<double2, int2> Numbers()
+        {
+            var scene = _scene.Gather(_gatherer);
+            return scene.Seas.Single().Tiles.ToDictionary(
+                tile => scene.Instances[tile.Instance].ToWorld.Origin.xz, tile => tile.Number);
         }
 
         void Rebuild(float x, float z)

@@ -68,6 +68,60 @@ namespace Glint.Tests
 
         // Sums of waves that bounce between the interfaces, by reflection coefficients of each interface: another
         // recursion than that of impedances.
+        // A sea of 0.29 m at 10 GHz (Miller, Brown and Vegh 1984): published factors.
+        [TestCase(0.5, 0.616)]
+        [TestCase(1, 0.287)]
+        [TestCase(2, 0.135)]
+        [TestCase(3, 0.089)]
+        public void Reflection_OfARoughSurface_IsWeakerByThePublishedFactor(double grazing, double factor)
+        {
+            double cosine = Math.Sin(grazing * Math.PI / 180);
+            var rough = new SurfaceMaterial("sea", null, s_sea, 0.29).Reflection(cosine, 10e9);
+            var smooth = new SurfaceMaterial("sea", null, s_sea).Reflection(cosine, 10e9);
+            Assert.That(Complex.Abs(rough.S / smooth.S - factor), Is.LessThan(6e-4));
+            Assert.That(Complex.Abs(rough.P / smooth.P - factor), Is.LessThan(6e-4));
+        }
+
+        [TestCase(0)]
+        [TestCase(0.002)]
+        [TestCase(0.03)]
+        [TestCase(0.1)]
+        public void Reflection_OfARoughSurface_IsThatOfTheReference(double roughness)
+        {
+            var layer = new[] { new MaterialLayer(s_coating, 1e-3) };
+            foreach (var material in new[]
+            {
+                new SurfaceMaterial("metal", roughness: roughness),
+                new SurfaceMaterial("sea", null, s_sea, roughness),
+                new SurfaceMaterial("coated", layer, s_sea, roughness)
+            })
+                for (double cosine = 0.01; cosine <= 1; cosine += 0.11)
+                {
+                    var (s, p) = new Reference.ReferenceSurface(material, 10e9).Coefficients(cosine);
+                    var found = material.Reflection(cosine, 10e9);
+                    Assert.That(Complex.Abs(found.S - s), Is.LessThan(1e-10), $"{material} at {cosine}");
+                    Assert.That(Complex.Abs(found.P - p), Is.LessThan(1e-10), $"{material} at {cosine}");
+                }
+        }
+
+        [Test]
+        public void Roughness_IsPartOfTheMaterial()
+        {
+            SurfaceMaterial smooth = new SurfaceMaterial("metal"), rough = new SurfaceMaterial("metal", roughness: 0.01);
+            Assert.That(rough, Is.Not.EqualTo(smooth));
+            Assert.That(rough, Is.EqualTo(new SurfaceMaterial("metal", roughness: 0.01)));
+            Assert.That((smooth.IsConductor, rough.IsConductor), Is.EqualTo((true, false)));
+            Assert.That(rough.ToString(), Is.EqualTo("metal: perfect conductor, roughness 0.01 m"));
+            Assert.That(smooth.ToString(), Is.EqualTo("metal: perfect conductor"));
+        }
+
+        [TestCase(-1)]
+        [TestCase(double.NaN)]
+        [TestCase(double.PositiveInfinity)]
+        public void Roughness_ThatIsNoHeight_IsRefused(double roughness) => Assert.That(
+            Assert.Throws<GlintException>(() => new SurfaceMaterial("sea", roughness: roughness)).Message,
+            Does.StartWith("material 'sea': its roughness ").And.Contain("give 0 for a smooth surface"));
+
         [Test]
         public void Reflection_OfRandomStacks_IsThatOfWavesBetweenInterfaces()
         {

@@ -30,9 +30,6 @@ namespace Glint.Core
                 power * RealProduct(ss, pp), power * RealProduct(ss, sp), power * RealProduct(pp, sp));
         }
 
-        /// <summary>Power of a mirror at normal incidence: the same in every polarisation, none crossed.</summary>
-        public static FacetPower OfMirror(double power) => new FacetPower(power, power, 0, power, 0, 0);
-
         public static FacetPower operator +(in FacetPower a, in FacetPower b) => new FacetPower(a.SS + b.SS,
             a.PP + b.PP, a.SP + b.SP, a.SSPP + b.SSPP, a.SSSP + b.SSSP, a.PPSP + b.PPSP);
 

@@ -5,8 +5,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Sigma0 of a mesh's facets whose unresolved slopes are Gaussian, for one frequency, wind and facet size: Bragg
-    /// scattering and mirror points, for every direction of facet and radar. It is what a kernel reads.
+    /// Sigma0 of a mesh's facets whose unresolved slopes are Gaussian, for one frequency, wind and facet size: a table of
+    /// Bragg scattering for every direction of facet and radar, and mirror points. It is what a kernel reads.
     /// </summary>
     public sealed class FacetTable
     {
@@ -50,9 +50,10 @@ namespace Glint.Core
         /// The same of the waves from the facet's size to <see cref="SeaScattering.TiltCut"/>; 0 if the mesh carries
         /// all of them.
         /// </param>
-        public FacetTable(SeaScattering scattering, in double2 resolved, in double2 unresolved)
+        /// <param name="covariance">Of the unresolved slopes along and across the wind; Bragg scattering ignores it.</param>
+        public FacetTable(SeaScattering scattering, in double2 resolved, in double2 unresolved, double covariance = 0)
         {
-            _scattering = scattering;
+            (_scattering, Unresolved, Covariance) = (scattering, unresolved, covariance);
             // The slopes of waves add, but parts of a facet are tilted from the facet, and tilts add to more than
             // slopes. This keeps the variance of all slopes, to second order.
             _slopeVariance = unresolved / (1 + 4 * resolved + resolved.yx);
@@ -69,7 +70,16 @@ namespace Glint.Core
         /// </summary>
         public float[] Values { get; }
 
-        /// <summary>Sigma0 of a facet per its true area, by bilinear interpolation; 0 from behind.</summary>
+        /// <summary>Slope variance of the waves that the mesh leaves out, along and across the wind.</summary>
+        public double2 Unresolved { get; }
+
+        /// <summary>Covariance of these slopes.</summary>
+        public double Covariance { get; }
+
+        /// <summary>Power reflection of the mirror points.</summary>
+        public double MirrorPower => _scattering.MirrorPower;
+
+        /// <summary>Sigma0 of a facet per its true area, Bragg scattering by bilinear interpolation; 0 from behind.</summary>
         /// <param name="normal">Of the facet.</param>
         /// <param name="toRadar">Towards the radar.</param>
         /// <param name="wind">Horizontal, along the wind.</param>
@@ -88,8 +98,9 @@ namespace Glint.Core
                 + down * ((1 - right) * Values[at + Columns * Stride + i]
                     + right * Values[at + (Columns + 1) * Stride + i]);
             double twice = 2 * view.WindSine * view.WindCosine;
+            double specular = _scattering.Specular(normal, toRadar, wind, Unresolved, Covariance);
             return new FacetPower(Value(0), Value(1), Value(2), Value(3), twice * Value(4), twice * Value(5))
-                .Seen(view.TurnCosine, view.TurnSine);
+                .Seen(view.TurnCosine, view.TurnSine) + new Sigma0(specular, specular, 0);
         }
 
         void Write(int row, int column)
@@ -122,8 +133,7 @@ namespace Glint.Core
                         slopeU * windSine + slopeV * windCosine, windCosine, windSine, weight);
                     weights += weight;
                 }
-            double specular = _scattering.Specular(cosine, sine, windCosine, windSine, _slopeVariance);
-            return sum.Scaled(1 / weights) + FacetPower.OfMirror(specular);
+            return sum.Scaled(1 / weights);
         }
 
         // A part of the facet with a slope of its own.

@@ -126,7 +126,10 @@ namespace Glint.Core
                     + $"{RadarSettings.Text(scattering.TiltCut)} rad/m on are Bragg waves, which would count twice: "
                     + "give the sea fewer cells, or a higher frequency");
             var (along, across) = ShortWaves.SlopeVariances(ShortWaves.Cut, scattering.TiltCut);
-            return new FacetTable(scattering, LongWaves.SlopeVariances(ShortWaves.Cut), new double2(along, across));
+            // What facets lose of the mesh's own waves counts with the unresolved ones: the sum is that of all waves.
+            var (resolved, covariance) = LongWaves.FacetSlopeVariances();
+            var lost = LongWaves.SlopeVariances(ShortWaves.Cut) - resolved;
+            return new FacetTable(scattering, resolved, math.max(0, new double2(along, across) + lost), -covariance);
         }
 
         bool[] FindBreakingFacets()

@@ -107,8 +107,9 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Mirror points of a facet whose unresolved slopes are Gaussian, per its true area; the same in HH and VV,
-        /// 0 in HV. It belongs to incidences up to some 20 deg, and vanishes by itself at larger ones.
+        /// Mirror points of a facet whose unresolved slopes are Gaussian and add to its own, per its true area; the
+        /// same in HH and VV, 0 in HV. It belongs to incidences up to some 20 deg, and vanishes by itself at larger
+        /// ones.
         /// </summary>
         /// <param name="normal">Of the facet.</param>
         /// <param name="toRadar">Towards the radar.</param>
@@ -116,10 +117,22 @@ namespace Glint.Core
         /// <param name="slopeVariance">
         /// Of the waves from the facet's size to <see cref="TiltCut"/>, along and across the wind. 0: none.
         /// </param>
-        public double Specular(in double3 normal, in double3 toRadar, in double3 wind, in double2 slopeVariance)
+        /// <param name="covariance">Of the slopes along and across the wind.</param>
+        public double Specular(in double3 normal, in double3 toRadar, in double3 wind, in double2 slopeVariance,
+            double covariance = 0)
         {
-            var view = new FacetView(normal, toRadar, wind);
-            return Specular(view.Cosine, view.Sine, view.WindCosine, view.WindSine, slopeVariance);
+            double determinant = slopeVariance.x * slopeVariance.y - covariance * covariance;
+            if (!(normal.y > 0 && toRadar.y > 0 && slopeVariance.x > 0 && determinant > 0))
+                return 0;
+            // The slope that looks at the radar, from that of the facet.
+            double2 slope = new double2(normal.x, normal.z) / normal.y - new double2(toRadar.x, toRadar.z) / toRadar.y;
+            double along = slope.x * wind.x + slope.y * wind.z, across = slope.x * wind.z - slope.y * wind.x;
+            double exponent = (along * along * slopeVariance.y + across * across * slopeVariance.x
+                - 2 * along * across * covariance) / (2 * determinant);
+            double squared = toRadar.y * toRadar.y;
+            // Far from the mirror direction the exponential is 0 before the quotient overflows.
+            return exponent > -PortableMath.MinExponent ? 0 : normal.y * MirrorPower * Math.Exp(-exponent)
+                / (2 * Math.Sqrt(determinant) * squared * squared);
         }
 
         /// <summary>
@@ -168,19 +181,6 @@ namespace Glint.Core
         {
             double squared = WaveNumber * WaveNumber * cosine * cosine;
             return 16 * Math.PI * squared * squared * _density(2 * WaveNumber * sine, windCosine);
-        }
-
-        internal double Specular(double cosine, double sine, double windCosine, double windSine,
-            in double2 slopeVariance)
-        {
-            if (!(cosine > 0 && slopeVariance.x > 0 && slopeVariance.y > 0))
-                return 0;
-            double along = sine * windCosine / cosine, across = sine * windSine / cosine;
-            double exponent = (along * along / slopeVariance.x + across * across / slopeVariance.y) / 2;
-            double squared = cosine * cosine;
-            // Far from the mirror direction the exponential is 0 before the quotient overflows.
-            return exponent > -PortableMath.MinExponent ? 0 : MirrorPower * Math.Exp(-exponent)
-                / (2 * Math.Sqrt(slopeVariance.x * slopeVariance.y) * squared * squared);
         }
 
         static double Deviation(int step) => LastSlope * (2.0 * step / SlopeSteps - 1);

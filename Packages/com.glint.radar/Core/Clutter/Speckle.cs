@@ -12,6 +12,9 @@ namespace Glint.Core
     {
         const double Steps = 1 << 24;
 
+        // In place of a time, for the fraction at which those of a cell begin.
+        const uint NoTime = 0x80000000;
+
         Speckle(Complex approaching, Complex receding) => (Approaching, Receding) = (approaching, receding);
 
         /// <summary>Of the Bragg waves that run towards the radar.</summary>
@@ -31,14 +34,15 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// The numbers at any time. Their correlation falls from 1 to 1 / pi over one coherence time, near
-        /// exp(-t^2 / tau^2), and is 0 from two on.
+        /// The numbers at any time: those of two whole times of the cell, which are at random fractions. Over the cells
+        /// the correlation falls from 1 to 1 / pi over one coherence time, near exp(-t^2 / tau^2), and is 0 from two on.
         /// </summary>
         /// <param name="cell">Cell of the surface.</param>
         /// <param name="seed">Seed of the sea and its tile.</param>
         /// <param name="time">In coherence times.</param>
         public static Speckle Between(int2 cell, uint seed, double time)
         {
+            time += (Hash(new uint4((uint)cell.x, (uint)cell.y, seed, NoTime)).x >> 8) / Steps;
             int whole = (int)Math.Floor(time);
             double angle = Math.PI / 2 * (time - whole), cosine = Math.Cos(angle), sine = Math.Sin(angle);
             Speckle before = At(cell, seed, whole), after = At(cell, seed, whole + 1);

@@ -90,7 +90,7 @@ namespace Glint.Core
                 Ranges = Array.ConvertAll(instance.Ranges,
                     range => new MeshRange(range.FirstTriangle, range.Object, places[range.Surface]))
             }))
-            { Origin = scene.Origin, Surfaces = surfaces };
+            { Origin = scene.Origin, Surfaces = surfaces, Seas = scene.Seas };
         }
 
         static SurfaceMaterial ReadMaterial(string name, string[] parts)

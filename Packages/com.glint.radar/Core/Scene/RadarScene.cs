@@ -29,8 +29,8 @@ namespace Glint.Core
         /// </summary>
         public IReadOnlyList<SurfaceMaterial> Surfaces { get; set; } = new[] { SurfaceMaterial.PerfectConductor };
 
-        /// <summary>Seas with a diffuse echo.</summary>
-        public IReadOnlyList<SceneSea> Seas { get; set; } = Array.Empty<SceneSea>();
+        /// <summary>Seas with a diffuse echo; empty if all are mirrors.</summary>
+        public IReadOnlyList<RadarSea> Seas { get; set; } = Array.Empty<RadarSea>();
 
         /// <summary>
         /// Position of the scene's origin in the world, metres, for output; the axes are the world's. Tracing does not
@@ -38,9 +38,12 @@ namespace Glint.Core
         /// </summary>
         public double3 Origin { get; set; }
 
-        /// <summary>Whether both have the same meshes at the same places, with the same ranges and surfaces.</summary>
+        /// <summary>
+        /// Whether both have the same meshes at the same places, with the same ranges, surfaces and seas.
+        /// </summary>
         public bool IsSame(RadarScene other) =>
-            Instances.AsSpan().SequenceEqual(other.Instances) && Surfaces.SequenceEqual(other.Surfaces);
+            Instances.AsSpan().SequenceEqual(other.Instances) && Surfaces.SequenceEqual(other.Surfaces)
+            && Seas.SequenceEqual(other.Seas);
 
         /// <summary>The box around all triangles, metres; its corners are infinite if there are none.</summary>
         public (double3 Min, double3 Max) Bound()

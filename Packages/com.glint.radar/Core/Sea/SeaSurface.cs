@@ -162,6 +162,34 @@ namespace Glint.Core
             return sum;
         }
 
+        /// <summary>
+        /// Mean square slopes along and across the wind of the facets of a tile of linear waves, at time 0, and their
+        /// covariance. Facets lose a part of the shortest waves, least along their diagonals, and have those of a square
+        /// grid's corners beyond <see cref="ShortWaves.Cut"/>.
+        /// </summary>
+        public (double2 Variances, double Covariance) FacetSlopeVariances()
+        {
+            var (windX, windZ) = PortableMath.SinCos(_settings.WindDirectionDegrees / 360);
+            double[] height = _sum.Sum(At(0));
+            int cells = _settings.Cells, side = cells + 1;
+            double HeightOf(int vertex) => height[vertex / side % cells * cells + vertex % side % cells];
+            double3 PlaceOf(int vertex) => new double3(vertex % side, HeightOf(vertex) * cells / _settings.TileSize,
+                vertex / side);
+            double2 sum = 0;
+            double product = 0;
+            for (int i = 0; i < _indices.Length; i += 3)
+            {
+                double3 corner = PlaceOf(_indices[i]);
+                var normal = math.cross(PlaceOf(_indices[i + 1]) - corner, PlaceOf(_indices[i + 2]) - corner);
+                double along = (windX * normal.x + windZ * normal.z) / normal.y,
+                    across = (windZ * normal.x - windX * normal.z) / normal.y;
+                sum += new double2(along * along, across * across);
+                product += along * across;
+            }
+            int count = _indices.Length / 3;
+            return (sum / count, product / count);
+        }
+
         // The scale is that from the density of the spectrum to that of the waves drawn.
         static SeaMode[] Draw(in SeaSettings settings, int reach, out double expected, out double densityScale)
         {

@@ -15,9 +15,24 @@ namespace Glint.Editor
             .Append(("HeightFactor", "Height Factor",
                 "Multiplies the height, 0.001 to 1000: 1, or the scale of a stored sea.")).ToArray();
 
-        /// <summary>Why the sea cannot be shown, or looks wrong; null if neither.</summary>
-        public static Finding Check(Sea sea) => Finding.Of(sea.Check) ?? (sea.Material != null ? null
-            : new Finding(Severity.Warning, sea.HasNoMaterial, AssignMaterial(sea)));
+        /// <summary>Labels and tooltips of the fields of <see cref="SeaClutterSettings"/>, in their order.</summary>
+        public static readonly (string field, string label, string tooltip)[] Clutter = SeaClutterSettings.Measures
+            .Select(measure => measure.Row)
+            .Prepend(("IsOn", "Clutter", "Diffuse echo of the sea, and the reflection of its water. Off: the tiles "
+                + "are perfect mirrors.")).ToArray();
+
+        /// <summary>Why the sea cannot be shown or has no clutter, or looks wrong; null if neither.</summary>
+        public static Finding Check(Sea sea)
+        {
+            SeaClutter clutter = null;
+            var refusal = Finding.Of(sea.Check) ?? Finding.Of(() => clutter = sea.CurrentClutter());
+            if (refusal != null)
+                return refusal;
+            if (sea.Material == null)
+                return new Finding(Severity.Warning, sea.HasNoMaterial, AssignMaterial(sea));
+            return clutter?.ShortWaves.StepWarning == null ? null
+                : new Finding(Severity.Warning, clutter.ShortWaves.StepWarning);
+        }
 
         static Fix AssignMaterial(Sea sea) => new Fix("Assign Unity's material", () =>
         {
@@ -45,6 +60,28 @@ namespace Glint.Editor
             yield return ("Tiles", FormattableString.Invariant(
                     $"{sea.TileCount:N0}, {2L * waves.Cells * waves.Cells * sea.TileCount:N0} triangles"),
                 "All are instances of one mesh and take little more memory than one.");
+            foreach (var row in ClutterRows(sea))
+                yield return row;
+        }
+
+        // None while clutter is off or refused.
+        static IEnumerable<(string label, string value, string tooltip)> ClutterRows(Sea sea)
+        {
+            SeaClutter clutter = null;
+            if (Finding.Of(() => clutter = sea.CurrentClutter()) != null || clutter == null)
+                yield break;
+            var waves = clutter.ShortWaves;
+            yield return ("Clutter wind", FormattableString.Invariant($"{waves.Wind:0.0} m/s"),
+                "Wind of the waves that the mesh leaves out.");
+            yield return ("Mesh ends at", FormattableString.Invariant(
+                    $"{waves.Cut:0.###} rad/m, waves of {2 * Math.PI / waves.Cut:0.###} m"),
+                "The mesh carries the longer waves, clutter and roughness are of the shorter ones.");
+            yield return ("Step there", FormattableString.Invariant($"{waves.Step:+0.0;-0.0;0.0} dB"),
+                "Density of the short waves over that of the mesh's waves.");
+            yield return ("Height left out", FormattableString.Invariant($"{1e3 * waves.Height:0.0} mm"),
+                "Root mean square height of the waves that the mesh leaves out: it weakens the mirrored field.");
+            yield return ("Breaking", FormattableString.Invariant($"{100 * clutter.BreakingFraction:0.00} %"),
+                "Fraction of the facets that break.");
         }
 
         /// <summary>Number (from 1), time and wave height of a snapshot.</summary>

@@ -1,4 +1,5 @@
 using System.Linq;
+using Glint.Core;
 using Glint.Reference;
 using UnityEditor;
 using UnityEngine;
@@ -63,12 +64,13 @@ namespace Glint.Editor
             return reflector;
         }
 
-        /// <summary>A sea of the standard waves, without stored snapshots.</summary>
+        /// <summary>A sea of the standard waves with clutter, without stored snapshots.</summary>
         /// <param name="parent">May be null.</param>
         public static Sea MakeSea(GameObject parent)
         {
             var sea = new GameObject("Sea").AddComponent<Sea>();
             sea.Material = ProjectAssets.StandardMaterial;
+            sea.Clutter = SeaClutterSettings.On;
             AddToScene(sea.gameObject, parent);
             PutAtSeaLevel(sea.transform);
             sea.Rebuild();

@@ -24,9 +24,9 @@ namespace Glint
         /// <summary>Uploads what has changed.</summary>
         /// <param name="centre">Origin of the kernels' coordinates.</param>
         /// <param name="frequency">Of the table, hertz.</param>
-        public void Set(RadarScene scene, SceneSea sea, double3 centre, double frequency)
+        public void Set(RadarScene scene, RadarSea sea, double3 centre, double frequency)
         {
-            var mesh = scene.Instances[sea.Instances[0]].Mesh;
+            var mesh = scene.Instances[sea.Tiles[0].Instance].Mesh;
             var breaking = sea.Clutter.BreakingFacets;
             if (mesh != _mesh || breaking != _breaking)
                 Facets.Upload(FacetsOf(mesh, breaking));
@@ -36,9 +36,9 @@ namespace Glint
                     table.Values[4 * i + 1], table.Values[4 * i + 2], table.Values[4 * i + 3])).ToArray());
             (_mesh, _breaking, _table) = (mesh, breaking, table);
             FacetCount = mesh.TriangleCount;
-            TileCount = sea.Instances.Count;
-            Tiles.Upload(sea.Instances.Select((instance, i) =>
-                RecordOf(scene.Instances[instance].ToWorld, centre, NumberOf(sea.Tiles[i]))).ToArray());
+            TileCount = sea.Tiles.Count;
+            Tiles.Upload(sea.Tiles.Select(tile =>
+                RecordOf(scene.Instances[tile.Instance].ToWorld, centre, NumberOf(tile.Number))).ToArray());
         }
 
         public void Dispose()

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Glint.Core;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint
@@ -31,6 +32,10 @@ namespace Glint
         [SerializeField, Tooltip("Time of the sea in seconds if there are no snapshots.")]
         double _timeSeconds;
 
+        [SerializeField, Tooltip("Diffuse echo of the sea, and the reflection of its water. Off: the tiles are "
+            + "perfect mirrors.")]
+        SeaClutterSettings _clutter = SeaClutterSettings.Off;
+
         [SerializeField, Tooltip("Minimum extent along this object's X and Z in metres; it is covered by whole tiles.")]
         Vector2 _extent = new Vector2(64, 128);
 
@@ -52,8 +57,15 @@ namespace Glint
             + "a large sea takes long to draw.")]
         bool _drawInScene = true;
 
+        // Largest tilt in rad and largest error of a scale with clutter: roundings of float32 are far below.
+        const double MaxTilt = 1e-4;
+
+        // Added before rounding down: positions are whole or half tiles.
+        const double QuarterTile = 0.25;
+
         readonly SeaTiles _tiles = new SeaTiles();
         SeaSurface _surface;
+        SeaClutter _echo;
         Mesh _made;
         Material _instanced;
         Vector3 _localCentre;
@@ -96,6 +108,21 @@ namespace Glint
             {
                 _timeSeconds = value;
                 Show();
+            }
+        }
+
+        /// <summary>
+        /// Settings of the diffuse echo. While it is on, tiles reflect as sea water unless a <see cref="RadarSurface"/>
+        /// gives them another material.
+        /// </summary>
+        /// <exception cref="GlintException">A setting is out of its range.</exception>
+        public SeaClutterSettings Clutter
+        {
+            get => _clutter;
+            set
+            {
+                value.Validate(Subject);
+                _clutter = value;
             }
         }
 
@@ -176,6 +203,50 @@ namespace Glint
                 CheckSnapshot(_snapshot);
             else
                 _waves.Validate(Subject);
+            if (_clutter.IsOn)
+                _clutter.Validate(Subject);
+        }
+
+        /// <summary>
+        /// The diffuse echo of what is shown; the same object until something changes. Null if clutter is off.
+        /// </summary>
+        /// <exception cref="GlintException">
+        /// A setting is out of its range, a snapshot is missing, or the sea is tilted or scaled.
+        /// </exception>
+        public SeaClutter CurrentClutter()
+        {
+            if (!_clutter.IsOn)
+                return null;
+            Check();
+            var shown = CurrentSnapshot;
+            var waves = ShownWaves;
+            double time = shown == null ? _timeSeconds : shown.TimeSeconds;
+            try
+            {
+                double3 wind = WindInWorld(waves.WindDirectionDegrees);
+                if (_echo == null || !_echo.LongWaves.Settings.Equals(waves) || !_echo.Settings.Equals(_clutter)
+                    || !_echo.Wind.Equals(wind))
+                    _echo = new SeaClutter(shown == null && _surface != null ? _surface : new SeaSurface(waves), time,
+                        wind, _clutter);
+                else if (_echo.Time != time)
+                    _echo = _echo.At(time);
+                return _echo;
+            }
+            catch (GlintException refusal)
+            {
+                throw new GlintException($"{Subject}: {refusal.Message}", refusal);
+            }
+        }
+
+        /// <summary>
+        /// Position of a tile in this object's coordinates, in tiles: whole numbers, also for an even number of tiles,
+        /// which are centred on half ones.
+        /// </summary>
+        internal int2 NumberOf(Transform tile)
+        {
+            double size = ShownWaves.TileSize;
+            return new int2((int)Math.Floor(tile.localPosition.x / size + QuarterTile),
+                (int)Math.Floor(tile.localPosition.z / size + QuarterTile));
         }
 
         /// <summary>Refuses a number without snapshot.</summary>
@@ -190,6 +261,21 @@ namespace Glint
             if (_snapshots[number - 1] == null || _snapshots[number - 1].Tile == null)
                 throw new GlintException($"{Subject}: entry {number} of its list Snapshots is empty or has no tile: "
                     + "put a prefab there that glint sea wrote");
+        }
+
+        SeaSettings ShownWaves => CurrentSnapshot == null ? _waves : CurrentSnapshot.Settings;
+
+        // Echoes are those of a mean surface that is horizontal, and of waves in metres.
+        double3 WindInWorld(double degrees)
+        {
+            Vector3 up = transform.rotation * Vector3.up, scale = transform.lossyScale;
+            double tilt = math.length(new double2(up.x, up.z));
+            if (!(up.y > 0 && tilt < MaxTilt && (scale - Vector3.one).magnitude < MaxTilt))
+                throw new GlintException("its clutter needs a horizontal sea in metres: rotate it, and what is above it "
+                    + "in the hierarchy, about Y alone, give all a scale of 1, or turn clutter off");
+            double angle = math.radians(degrees);
+            Vector3 wind = transform.rotation * new Vector3((float)Math.Sin(angle), 0, (float)Math.Cos(angle));
+            return math.normalize(new double3(wind.x, 0, wind.z));
         }
 
         Mesh Tile(out double size)

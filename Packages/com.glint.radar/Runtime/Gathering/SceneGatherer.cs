@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Glint.Core;
 using Unity.Mathematics;
@@ -16,7 +17,7 @@ namespace Glint
     /// do not move relative to each other (a <see cref="RigidGroup"/>) are merged into one mesh, a <see
     /// cref="MergedMesh"/>, in a frame of their own. A transform moves if it differs from that of the last gather, or
     /// if <see cref="ExpectMotion"/> announced it. Objects whose mesh changes, or is used many times, are instances of
-    /// their mesh. Vertices are rounded to float32 relative to such a frame, never to the scene; frames are in double.
+    /// their mesh, and so are the tiles of a sea with clutter. Vertices are rounded to float32 relative to such a frame, never to the scene; frames are in double.
     /// </remarks>
     public sealed class SceneGatherer
     {
@@ -33,6 +34,7 @@ namespace Glint
         readonly Dictionary<(RigidGroup, int3), MergedMesh> _cells = new Dictionary<(RigidGroup, int3), MergedMesh>();
         readonly List<(TransformNode node, Renderer renderer)> _objects = new List<(TransformNode, Renderer)>();
         readonly List<(MergedMesh merged, TransformNode lone)> _pieces = new List<(MergedMesh, TransformNode)>();
+        readonly GatheredSeas _seas = new GatheredSeas();
         readonly List<SurfaceMaterial> _surfaces = new List<SurfaceMaterial>();
         readonly List<string> _warnings = new List<string>();
         MeshReader _reader = new MeshReader();
@@ -93,7 +95,10 @@ namespace Glint
             _transforms.End();
             _sources.End();
             _mergedMeshes.End();
-            var scene = new RadarScene(instances) { Origin = origin, Surfaces = _surfaces.ToArray() };
+            var scene = new RadarScene(instances)
+            {
+                Origin = origin, Surfaces = _surfaces.ToArray(), Seas = _seas.ToSeas()
+            };
             if (_scene == null || !origin.Equals(_scene.Origin) || !scene.IsSame(_scene))
                 _scene = scene;
             return _scene;
@@ -136,6 +141,9 @@ namespace Glint
                 for (int submesh = 0; submesh < node.Source.SubmeshTriangles.Length; submesh++)
                     content.Add(node.MaterialOf(submesh).GetHashCode());
             }
+            foreach (var sea in _scene.Seas)
+                foreach (var measure in SeaClutterSettings.Measures)
+                    content.Add((ulong)BitConverter.DoubleToInt64Bits(measure.Of(sea.Clutter.Settings)));
             return content.Value;
         }
 
@@ -148,6 +156,7 @@ namespace Glint
             _groups.Clear();
             _cells.Clear();
             _objects.Clear();
+            _seas.Clear();
             _pieces.Clear();
             (_reader, _hashedBefore) = (new MeshReader(), 0);
             _scene = null;
@@ -156,6 +165,7 @@ namespace Glint
         void CollectObjects(LayerMask layers, IReadOnlyList<Transform> roots, Transform receiver)
         {
             _objects.Clear();
+            _seas.Clear();
             _warnings.Clear();
             var skinned = new List<string>();
             foreach (var renderer in _visible.Find(layers, roots, receiver))
@@ -197,6 +207,7 @@ namespace Glint
             source.AddObject();
             node.SetSource(source);
             node.ObjectNumber = _objects.Count;
+            _seas.Visit(node, renderer);
             _objects.Add((node, renderer));
         }
 
@@ -231,7 +242,7 @@ namespace Glint
             {
                 node.Source.CheckTransform(node.ToScene, _reader, renderer);
                 if (node.Source.TriangleCount > 0)
-                    AddPiece(node);
+                    AddPiece(node, renderer);
             }
             var instances = new MeshInstance[_pieces.Count];
             for (int i = 0; i < instances.Length; i++)
@@ -289,8 +300,14 @@ namespace Glint
         }
 
         // Adds a separate instance, or a part of a merged mesh, which has the position of its first object.
-        void AddPiece(TransformNode node)
+        void AddPiece(TransformNode node, Renderer renderer)
         {
+            if (_seas.HasTile(node))
+            {
+                _seas.Add(node, renderer.transform, _pieces.Count);
+                _pieces.Add((null, node));
+                return;
+            }
             var source = node.Source;
             bool isApart = node.SwapsMesh || source.Version > 0;
             bool isRepeated = source.ObjectCount > 1

@@ -48,6 +48,9 @@ namespace Glint
         /// <summary>Index of its object in this gather.</summary>
         public int ObjectNumber { get; set; }
 
+        /// <summary>Material of its object where no <see cref="RadarSurface"/> gives one.</summary>
+        public SurfaceMaterial OwnMaterial { get; set; }
+
         // Its own components.
         RadarSurface[] _surfaces;
 
@@ -60,9 +63,9 @@ namespace Glint
         public SurfaceMaterial MaterialOf(int submesh)
         {
             var surface = Array.Find(_surfaces, own => own.Submesh == submesh) ?? _surface;
-            return surface == null || surface.Material == null
-                ? SurfaceMaterial.PerfectConductor
-                : surface.Material.ToSurface();
+            if (surface == null)
+                return OwnMaterial;
+            return surface.Material == null ? SurfaceMaterial.PerfectConductor : surface.Material.ToSurface();
         }
 
         /// <summary>The parent of roots.</summary>
@@ -88,7 +91,7 @@ namespace Glint
             (Parent, _position, _rotation, _scale) = (parent, position, rotation, scale);
             _depth = parent._depth + 1;
             _local = Local((float3)position, (float3)scale);
-            (_frame, Group, IsTaken) = (null, null, false);
+            (_frame, Group, IsTaken, OwnMaterial) = (null, null, false, SurfaceMaterial.PerfectConductor);
             _surfaces = transform.TryGetComponent<RadarSurface>(out _)
                 ? transform.GetComponents<RadarSurface>()
                 : Array.Empty<RadarSurface>();

@@ -22,6 +22,7 @@ namespace Glint.Editor.Views
                 targets.Length == 1 ? (VisualElement)_snapshot : Parts.Field("_snapshot", "Snapshot")));
             inspector.Add(Parts.Group("Without snapshots", Parts.Struct("_waves", "Waves", SeaFigures.Waves),
                 Parts.Field("_timeSeconds", "Time (s)")));
+            inspector.Add(Parts.Struct("_clutter", "Clutter", SeaFigures.Clutter));
             inspector.Add(Parts.Group("Extent and look", Parts.Field("_extent", "Extent (m)"),
                 Parts.Field("_centre", "Centre"), Parts.Field("_material", "Material"),
                 Parts.Field("_drawInScene", "Draw In Scene")));
