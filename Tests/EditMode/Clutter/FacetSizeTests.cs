@@ -12,9 +12,12 @@ namespace Glint.Tests
     {
         const double Tile = 256, Seeds = 2;
 
+        // dB; 0.09 were found, 0.5 are asked for.
+        const double Limit = 0.15;
+
         // Against the wind, without shadow. Facets of 0.5 to 4 m.
         [Test]
-        public void Sigma0_OfFacetsOfHalfToFourMetres_IsTheSameWithinHalfADecibel(
+        public void Sigma0_OfFacetsOfHalfToFourMetres_IsTheSame(
             [Values(5, 10, 15)] double wind)
         {
             var seas = new[] { 512, 256, 128, 64 }.Select(cells => Sea(wind, cells)).ToArray();
@@ -25,8 +28,8 @@ namespace Glint.Tests
                 double Spread(Func<Sigma0, double> of) => Sigma0.Decibels(means.Max(of) / means.Min(of));
                 TestContext.WriteLine(FormattableString.Invariant($"wind {wind} m/s, grazing {grazing} deg: ")
                     + FormattableString.Invariant($"HH {Spread(it => it.HH):0.00} dB, VV {Spread(it => it.VV):0.00} dB"));
-                Assert.That(Spread(it => it.HH), Is.LessThan(0.5), $"HH at {grazing} deg");
-                Assert.That(Spread(it => it.VV), Is.LessThan(0.5), $"VV at {grazing} deg");
+                Assert.That(Spread(it => it.HH), Is.LessThan(Limit), $"HH at {grazing} deg");
+                Assert.That(Spread(it => it.VV), Is.LessThan(Limit), $"VV at {grazing} deg");
             }
         }
 

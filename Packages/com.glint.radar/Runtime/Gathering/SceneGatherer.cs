@@ -141,7 +141,7 @@ namespace Glint
                 for (int submesh = 0; submesh < node.Source.SubmeshTriangles.Length; submesh++)
                     content.Add(node.MaterialOf(submesh).GetHashCode());
             }
-            foreach (var sea in _scene.Seas)
+            foreach (var sea in _seas.ToSeas())
                 foreach (var measure in SeaClutterSettings.Measures)
                     content.Add((ulong)BitConverter.DoubleToInt64Bits(measure.Of(sea.Clutter.Settings)));
             return content.Value;
