@@ -79,6 +79,9 @@ namespace Glint
         /// </summary>
         public bool HasContributions { get; set; }
 
+        /// <summary>What is made of the responses over a band; null for cross sections alone.</summary>
+        public EchoSettings Echo { get; set; }
+
         /// <summary>Names of the scene's objects, by their numbers, for results.json.</summary>
         public IReadOnlyList<string> ObjectNames { get; set; }
 
