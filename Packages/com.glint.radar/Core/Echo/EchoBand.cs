@@ -9,9 +9,6 @@ namespace Glint.Core
         // Bins on either side for the main lobe of a window.
         const int Margin = 4;
 
-        /// <summary>Smallest number of frequencies of a profile.</summary>
-        public const int Min = 8;
-
         /// <summary>
         /// The largest range, metres, of an echo of at most two bounces: the farthest corner of the box around the
         /// target, and for the way between the bounces half of the box's diagonal.
@@ -23,7 +20,7 @@ namespace Glint.Core
 
         /// <summary>The number of frequencies whose unambiguous range holds echoes up to a reach on both sides.</summary>
         public static double CountFor(double reach, double bandwidthHz) =>
-            Math.Max(Min, 2 * (Math.Ceiling(reach * 2 * bandwidthHz / Signal.SpeedOfLight) + Margin));
+            2 * (Math.Ceiling(reach * 2 * bandwidthHz / Signal.SpeedOfLight) + Margin);
 
         /// <summary>The frequencies of a band, each in the middle of its step.</summary>
         public static double[] Frequencies(double centreHz, double bandwidthHz, int count)
