@@ -46,7 +46,13 @@ namespace Glint.Core
         public IReadOnlyList<Polarisation> Polarisations { get; }
 
         /// <summary>Number of directions.</summary>
-        public int Directions => Plan.Poses * Plan.Receivers;
+        public int Directions => DirectionsOf(Plan);
+
+        /// <summary>Number of directions of a run.</summary>
+        /// <exception cref="FormatException">It has no plan.</exception>
+        public static int DirectionsOf(RunInfo info) => DirectionsOf(CrossSectionPlan.Of(info.Sweep));
+
+        static int DirectionsOf(CrossSectionPlan plan) => plan.Poses * plan.Receivers;
 
         /// <summary>The rows of a direction, in order of the frequencies.</summary>
         public IReadOnlyList<StoredRow> RowsOf(int direction) => Enumerable.Range(0, Band.Count)
