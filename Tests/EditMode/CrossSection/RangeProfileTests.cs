@@ -9,6 +9,7 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>Responses of the kernels over a band and their range profiles, beside closed forms.</summary>
+    [Category("Slow")]
     public sealed class RangeProfileTests
     {
         // Metres and hertz.
@@ -40,7 +41,7 @@ namespace Glint.Tests
                 .Within(0.1));
             int inside = profile.Count(each => each > level - 10 * Math.Log10(2));
             Assert.That(inside * transform.CellSize / bin, Is.EqualTo(Window.Named(window).Width(0.5)).Within(0.1));
-            // The highest sidelobe; the trihedral's own single and double bounces are 50 dB below its peak.
+            // The highest sidelobe.
             int peak = (int)Math.Round(cell), end = peak;
             while (profile[end + 1] < profile[end])
                 end++;
