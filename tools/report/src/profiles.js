@@ -80,7 +80,7 @@ export class Profiles {
       if (row === null) return;
       row.forEach((level, pixel) => image.data.set([...colours[Math.round(10 * Math.max(0, level - top + span))], 255], 4 * pixel));
       to.putImageData(image, 0, 0);
-      const [low, high] = this.band(index);
+      const [low, high] = this.band(index).map(Math.round);
       ctx.drawImage(strip, margin.left, high, width, low - high);
     });
     return top;
@@ -105,7 +105,7 @@ export class Profiles {
     for (let i = Math.ceil(from / step); i * step <= from + extent; i++) {
       const x = margin.left + (i * step - from) / extent * width;
       ctx.fillRect(x, bottom, 1, 4);
-      ctx.fillText(number(i * step), x, bottom + 6);
+      ctx.fillText(number(i * step + 0), x, bottom + 6);
     }
     ctx.fillText('range, m', margin.left + width / 2, bottom + 24);
     [ctx.textAlign, ctx.textBaseline] = ['right', 'middle'];

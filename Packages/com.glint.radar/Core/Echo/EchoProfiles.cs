@@ -25,7 +25,7 @@ namespace Glint.Core
             Settings = EchoSettings.Of(info);
             Band = Settings.BandOf(Plan);
             Range = Settings.RangeOf(Plan);
-            Polarisations = Polarisation.Read(EchoSettings.Find(info, "polarisations").Text);
+            Polarisations = EchoSettings.PolarisationsOf(info);
             _noise = Settings.Radar?.NoiseOf(Band);
             _rows = rows;
         }
@@ -81,6 +81,27 @@ namespace Glint.Core
 
         /// <summary>The range profile of responses or of received amplitudes; null of null.</summary>
         public Complex[] Profile(Complex[] responses) => responses == null ? null : Range.Profile(responses);
+
+        /// <summary>From the profiles to the image; only with <see cref="EchoSettings.Image"/>.</summary>
+        public IsarTransform NewImage() => NewImage(Settings.RangeOf(Plan, IsarTransform.Padding));
+
+        /// <summary>The image in metres, row by row; null if the polarisation was not asked for.</summary>
+        public Complex[] Image(Polarisation polarisation)
+        {
+            if (!Polarisations.Contains(polarisation))
+                return null;
+            var range = Settings.RangeOf(Plan, IsarTransform.Padding);
+            return NewImage(range).Image(Enumerable.Range(0, Directions).Select(direction =>
+                range.Profile(Responses(direction, polarisation))).ToArray());
+        }
+
+        IsarTransform NewImage(RangeTransform range)
+        {
+            var looks = Enumerable.Range(0, Directions).Select(Planned).ToArray();
+            double middle = 0.5 * (looks[0].AzimuthDegrees + looks[looks.Length - 1].AzimuthDegrees);
+            return new IsarTransform(range, Band, looks.Select(look => look.Radar).ToArray(), middle,
+                Window.Named(Settings.Window), Settings.Image.Side, Settings.Image.Pixels);
+        }
 
         int NumberOf(int direction, int frequency) =>
             (direction / Plan.Receivers * Band.Count + frequency) * Plan.Receivers + direction % Plan.Receivers;

@@ -27,15 +27,19 @@ namespace Glint.Core
         /// <summary>Whether a SigMF recording is written.</summary>
         public bool HasSigMf { get; set; }
 
+        /// <summary>The image made of the looks of a sweep; null for none.</summary>
+        public IsarSettings Image { get; set; }
+
         /// <summary>The band of a plan.</summary>
         public FrequencyBand BandOf(CrossSectionPlan plan) => new FrequencyBand(plan.Frequencies[0],
             Bandwidth / plan.Frequencies.Count, plan.Frequencies.Count);
 
         /// <summary>From the responses of a plan to profiles: the unambiguous range around the phase centre.</summary>
-        public RangeTransform RangeOf(CrossSectionPlan plan)
+        /// <param name="padding">Cells a bin, at least.</param>
+        public RangeTransform RangeOf(CrossSectionPlan plan, int padding = 8)
         {
             var band = BandOf(plan);
-            return new RangeTransform(band, Core.Window.Named(Window), startRange: -0.5 * band.UnambiguousRange);
+            return new RangeTransform(band, Core.Window.Named(Window), padding, -0.5 * band.UnambiguousRange);
         }
 
         /// <summary>Adds the settings to those of results.json.</summary>
@@ -49,6 +53,7 @@ namespace Glint.Core
             settings.Add(new RunSetting("unambiguous_range", band.UnambiguousRange, "m"));
             settings.Add(new RunSetting("window", Window));
             Radar?.AddTo(settings);
+            Image?.AddTo(settings);
             settings.Add(new RunSetting("mat", HasMatlab ? On : Off));
             settings.Add(new RunSetting("sigmf", HasSigMf ? On : Off));
         }
@@ -58,9 +63,14 @@ namespace Glint.Core
         public static EchoSettings Of(RunInfo info) => new EchoSettings
         {
             Bandwidth = Find(info, "bandwidth").Number, Window = Find(info, "window").Text,
-            Radar = EchoRadar.Of(info), HasMatlab = Find(info, "mat").Text == On,
+            Radar = EchoRadar.Of(info), Image = IsarSettings.Of(info), HasMatlab = Find(info, "mat").Text == On,
             HasSigMf = Find(info, "sigmf").Text == On
         };
+
+        /// <summary>The polarisations of a run.</summary>
+        /// <exception cref="FormatException">They are not there.</exception>
+        internal static IReadOnlyList<Polarisation> PolarisationsOf(RunInfo info) =>
+            Polarisation.Read(Find(info, "polarisations").Text);
 
         /// <summary>A setting of results.json.</summary>
         /// <exception cref="FormatException">It is not there.</exception>
@@ -135,5 +145,31 @@ namespace Glint.Core
                 Seed = hasNoise ? (int)Number(SeedName) : 0, Range = Number(RangeName)
             };
         }
+    }
+
+    /// <summary>The image of a sweep.</summary>
+    public sealed class IsarSettings
+    {
+        const string SideName = "image_side", PixelsName = "image_pixels";
+
+        /// <summary>Side of the image, metres.</summary>
+        public double Side { get; set; }
+
+        /// <summary>Pixels along a side.</summary>
+        public int Pixels { get; set; }
+
+        internal void AddTo(List<RunSetting> settings)
+        {
+            settings.Add(new RunSetting(SideName, Side, "m"));
+            settings.Add(new RunSetting(PixelsName, Pixels, "1"));
+        }
+
+        internal static IsarSettings Of(RunInfo info) => !EchoSettings.Has(info, SideName)
+            ? null
+            : new IsarSettings
+            {
+                Side = EchoSettings.Find(info, SideName).Number,
+                Pixels = (int)EchoSettings.Find(info, PixelsName).Number
+            };
     }
 }

@@ -37,8 +37,7 @@ namespace Glint.Core
         }
 
         static IEnumerable<Complex> Matrix(StoredRow row) =>
-            Polarisation.All.OrderBy(polarisation => polarisation.Received).ThenBy(polarisation => polarisation.Sent)
-                .Select(polarisation => CrossSectionColumn.Amplitude(row, polarisation)
+            Polarisation.Matrix.Select(polarisation => CrossSectionColumn.Amplitude(row, polarisation)
                     ?? new Complex(double.NaN, double.NaN));
     }
 }

@@ -16,10 +16,6 @@ namespace Glint.Core
             CrossSectionColumn.ReceiverElevation
         };
 
-        // V before H, the sent polarisation changing fastest.
-        static readonly Polarisation[] s_matrix = Polarisation.All
-            .OrderBy(polarisation => polarisation.Received).ThenBy(polarisation => polarisation.Sent).ToArray();
-
         /// <summary>Writes profile.csv: a line for each range of each direction.</summary>
         public static void WriteTable(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
         {
@@ -94,7 +90,7 @@ namespace Glint.Core
             file.Add("range", new[] { cells }, Enumerable.Range(0, cells).Select(cell => echo.Range.RangeOf(cell)));
             void Add(string name, int length, Func<int, Polarisation, Complex[]> values) => file.Add(name,
                 new[] { echo.Plan.Poses, echo.Plan.Receivers, 2, 2, length },
-                Enumerable.Range(0, echo.Directions).SelectMany(direction => s_matrix.SelectMany(polarisation =>
+                Enumerable.Range(0, echo.Directions).SelectMany(direction => Polarisation.Matrix.SelectMany(polarisation =>
                     values(direction, polarisation)
                         ?? Enumerable.Repeat(new Complex(double.NaN, double.NaN), length))));
             Add("profile", cells, (direction, each) => echo.Profile(echo.Responses(direction, each)));
@@ -104,8 +100,8 @@ namespace Glint.Core
             Add("received_profile", cells, (direction, each) => echo.Profile(echo.Received(direction, each)));
         }
 
-        // Decibels; none for a polarisation that was not asked for, or for 0.
-        static string Level(Complex[] profile, int cell) => profile == null || profile[cell] == Complex.Zero
+        /// <summary>Decibels as a text; none for a polarisation that was not asked for, or for 0.</summary>
+        public static string Level(Complex[] profile, int cell) => profile == null || profile[cell] == Complex.Zero
             ? null
             : Numbers.Format(ScatteringMatrix.Dbsm(profile[cell]));
 

@@ -39,7 +39,7 @@ namespace Glint.Core
                     (info, rows) => EchoSettings.Of(info).HasSigMf),
                 new WholeFile("echo.sigmf-meta", EchoFiles.WriteSigMfMeta,
                     (info, rows) => EchoSettings.Of(info).HasSigMf)
-            }
+            }.Concat(ImageFiles.All).ToArray()
         };
 
         /// <summary>Every table.</summary>

@@ -183,6 +183,32 @@ namespace Glint.Editor
                 }
         };
 
+        /// <summary>Computes an image of a sweep of looks.</summary>
+        public static readonly Command Isar = new Command("isar", "Compute an ISAR image of a scene or a mesh file in "
+            + "dBsm from a sweep of small angles, and write image.csv, image.npz, a PNG file for each polarisation, and "
+            + "the files of glint echo.")
+        {
+            Options = EchoOptions.AllOfImage,
+            Required = new Option[] { CrossSectionOptions.Azimuth },
+            Notes = new[]
+                {
+                    "The responses of all azimuths are those of glint echo. Backprojection puts them on a horizontal "
+                        + "plane through the phase centre: down range away from the radar at the middle azimuth, cross "
+                        + "range to its right. A point on the plane keeps its cross section; one above it is moved "
+                        + "towards the radar, unless the elevation is 0.",
+                    "A bin of cross range is the wavelength over twice the angle of all azimuths in radians; the "
+                        + "unambiguous cross range has as many bins as there are azimuths.",
+                    "Without --out the files go to Results/<name of the input>-echo beside the project's Assets."
+                },
+            Handler = EchoCommand.Execute,
+            UnityMethod = "Glint.Editor.Batch.Isar",
+            Examples = new[]
+                {
+                    Example("isar ship.stl --unit mm --up z --azimuth 29:31:0.01 --bandwidth 300e6 --polarisation vv",
+                        "An image with bins of 0.5 m in range and 0.43 m in cross range.")
+                }
+        };
+
         /// <summary>Makes an HTML report of results.</summary>
         public static readonly Command Report = new Command("report", "Write one HTML file of a sweep, run, "
             + "cross sections or range profiles that opens offline: charts, table, and the scene in 3-D with its "
@@ -365,7 +391,8 @@ namespace Glint.Editor
         public static IReadOnlyList<Command> All { get; } =
             new[]
             {
-                Sweep, Merge, Run, Rcs, Echo, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info, Completion
+                Sweep, Merge, Run, Rcs, Echo, Isar, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info,
+                Completion
             };
 
         /// <summary>Description of INPUT for a command.</summary>

@@ -7,7 +7,10 @@ using UnityEngine;
 
 namespace Glint.Editor
 {
-    /// <summary><c>glint echo</c>: responses of a scene or a mesh file over a band, and range profiles.</summary>
+    /// <summary>
+    /// <c>glint echo</c>: responses of a scene or a mesh file over a band, and range profiles; <c>glint isar</c>: an
+    /// image of its looks too.
+    /// </summary>
     static class EchoCommand
     {
         public static int Execute(CommandLine line, IProgressSink progress)
@@ -20,8 +23,24 @@ namespace Glint.Editor
             var setup = CrossSectionCommand.SetupOf(line, opened, plan);
             setup.Echo = settings;
             Describe(settings.BandOf(plan), reach, opened.name, progress);
+            if (line.Command == Commands.Isar)
+                settings.Image = ImageOf(line, setup, opened.name, progress);
             return CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
                 progress);
+        }
+
+        static IsarSettings ImageOf(CommandLine line, CrossSectionSetup setup, string name, IProgressSink progress)
+        {
+            var band = setup.Echo.BandOf(setup.Plan);
+            double[] looks = line.Get(CrossSectionOptions.Azimuth);
+            var image = EchoOptions.ImageOf(line, band, setup.Extent);
+            double bin = EchoOptions.CrossBin(band, looks), unambiguous = looks.Length * bin;
+            progress.Print(FormattableString.Invariant(
+                $"image {image.Side:g5} m wide, {image.Pixels} x {image.Pixels} pixels, cross-range bin {bin:g4} m, unambiguous cross range {unambiguous:g5} m"));
+            if (unambiguous < 2 * setup.Extent)
+                Debug.LogWarning(FormattableString.Invariant(
+                    $"{name}: the unambiguous cross range is {unambiguous:g4} m, but the target may take {2 * setup.Extent:g4} m: parts may be folded over others; give a smaller step for {CrossSectionOptions.Azimuth.Flag}"));
+            return image;
         }
 
         static void Describe(FrequencyBand band, double reach, string name, IProgressSink progress)

@@ -7,7 +7,8 @@ namespace Glint.Editor
     /// <summary>The options of <c>glint echo</c> beside those of <c>glint rcs</c>.</summary>
     public static class EchoOptions
     {
-        const string Group = "Band and profile", RadarGroup = "Received power", ResultGroup = "Results";
+        const string Group = "Band and profile", RadarGroup = "Received power", ResultGroup = "Results",
+            ImageGroup = "Image";
 
         static readonly Interval s_bandwidth = Interval.Closed(1, 1e12), s_count = Interval.Closed(2, 1 << 16),
             s_power = Interval.Closed(1e-12, 1e12), s_gain = Interval.Closed(-50, 100),
@@ -88,6 +89,56 @@ namespace Glint.Editor
                 option != CrossSectionOptions.Frequency && option != CrossSectionOptions.Contributions
                 && option != CrossSectionOptions.Out)).Concat(new Option[] { CrossSectionOptions.Out, Matlab, SigMf })
             .ToArray();
+
+        /// <summary>The options of <c>glint isar</c> beside those of <c>glint echo</c>.</summary>
+        public static readonly Option<double?> Side =
+            new Option<double?>("side", "M", text => Values.Real(text, SweepAxis.Range.List.Range))
+            {
+                Group = ImageGroup,
+                Range = SweepAxis.Range.List.Range.ToString(),
+                Help = "Side of the square image in metres. Without it: twice the distance of the target's farthest "
+                    + "corner from the phase centre."
+            };
+
+        /// <inheritdoc cref="Side"/>
+        public static readonly Option<double?> Pixel =
+            new Option<double?>("pixel", "M", text => Values.Real(text, SweepAxis.Range.List.Range))
+            {
+                Group = ImageGroup,
+                Range = SweepAxis.Range.List.Range.ToString(),
+                Help = "Side of a pixel in metres. Without it: half of the finer of the two bins."
+            };
+
+        /// <summary>All options of <c>glint isar</c>, in the order of the help.</summary>
+        public static readonly Option[] AllOfImage = All.Where(option => option != CrossSectionOptions.Bistatic
+            && option != CrossSectionOptions.Receivers && option != CrossSectionOptions.Range && option != Power
+            && option != Gain && option != Loss && option != NoiseFigure && option != Seed)
+            .Concat(new Option[] { Side, Pixel }).ToArray();
+
+        /// <summary>The image of a command line.</summary>
+        /// <param name="band">The band of the plan.</param>
+        /// <param name="extent">Distance of the target's farthest corner from the phase centre, metres.</param>
+        /// <exception cref="UsageException">The looks make no image, or it has too many pixels.</exception>
+        public static IsarSettings ImageOf(CommandLine line, FrequencyBand band, double extent)
+        {
+            double[] looks = line.Get(CrossSectionOptions.Azimuth);
+            double step = looks.Length < 2 ? 0 : (looks[looks.Length - 1] - looks[0]) / (looks.Length - 1);
+            if (step == 0 || looks.Where((look, i) => Math.Abs(look - looks[0] - i * step) > 1e-6).Any())
+                throw new UsageException($"{CrossSectionOptions.Azimuth.Flag}: an image takes at least two azimuths at "
+                    + "equal steps: give FROM:TO:STEP, such as -1:1:0.05");
+            if (line.Get(CrossSectionOptions.Elevation).Length > 1)
+                throw new UsageException($"{CrossSectionOptions.Elevation.Flag}: an image takes one elevation");
+            double finer = Math.Min(band.RangeResolution, CrossBin(band, looks)), side = line.Get(Side) ?? 2 * extent,
+                pixels = Math.Max(1, Math.Ceiling(side / (line.Get(Pixel) ?? finer / 2)));
+            return pixels <= IsarTransform.MaxPixels
+                ? new IsarSettings { Side = side, Pixels = (int)pixels }
+                : throw new UsageException(FormattableString.Invariant(
+                    $"the image has {pixels:0} pixels along a side, at most {IsarTransform.MaxPixels} are possible: give a smaller {Side.Flag}, or a larger {Pixel.Flag}"));
+        }
+
+        /// <summary>lambda / 2 over the angle of all looks, metres: a bin of cross range.</summary>
+        public static double CrossBin(FrequencyBand band, double[] looks) => Signal.Wavelength(band.Centre)
+            / (2 * looks.Length / (looks.Length - 1.0) * Math.Abs(looks[looks.Length - 1] - looks[0]) * Math.PI / 180);
 
         /// <summary>What is made of the responses.</summary>
         /// <exception cref="UsageException">The band begins below 0 Hz.</exception>

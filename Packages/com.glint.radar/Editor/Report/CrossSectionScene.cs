@@ -24,7 +24,7 @@ namespace Glint.Editor
         {
             if (run.Info.Command == null)
                 throw new GlintException("the results name no command: their scene cannot be opened again");
-            var command = run.Table == ResultTable.Echo ? Commands.Echo : Commands.Rcs;
+            var command = Commands.All.Single(each => each.Name == run.Info.Command[0]);
             var line = CommandLine.Parse(command, run.Info.Command.Skip(1).ToArray());
             return new CrossSectionScene(run, CrossSectionCommand.OpenScene(line).scene, row);
         }

@@ -198,6 +198,53 @@ public sealed class EchoCommandTests
         Assert.That(Number(highest, "range_m"), Is.EqualTo(0.15 / Math.Sqrt(2)).Within(0.2 * C / (2 * 3e9)));
     }
 
+    /// <summary>
+    /// Spheres of 0.1 m at the origin, 0.8 m to the right of the radar at azimuth 0 and 1.2 m behind: each is a point
+    /// 0.1 m before its middle, of pi a^2 within the ripple of Mie's series at ka = 21.
+    /// </summary>
+    [Test]
+    public void Isar_OfThreeSpheres_HasThemAtTheirPlaces()
+    {
+        var places = new[] { (down: 0.0, cross: 0.0), (0, 0.8), (1.2, 0) };
+        File.WriteAllText(At("spheres.obj"), string.Concat(places.Select((place, i) =>
+            Sphere(0.1, place.cross, place.down, i))));
+        var (isar, output, problem) = TestShell.Run("isar", At("spheres.obj"), "--azimuth", "-2.875:2.875:0.25", "--bandwidth", "900e6",
+            "--polarisation", "vv", "--tolerance", "0.5", "--pixel", "0.04", "--out", At("image"));
+        Assert.That(isar, Is.Zero, problem);
+        Assert.That(output, Does.Contain("cross-range bin 0.1432 m"));
+        var table = Table("image/image.csv");
+        var picture = PngFile.Read(At("image/image-vv.png"));
+        int pixels = (int)Math.Sqrt(table.Count);
+        Assert.That((picture.Width, picture.Height), Is.EqualTo((pixels, pixels)));
+        foreach (var (down, cross) in places)
+        {
+            var highest = table.Where(line => Math.Abs(Number(line, "down_range_m") - down) < 0.3
+                && Math.Abs(Number(line, "cross_range_m") - cross) < 0.3).MaxBy(line => Number(line, "vv_dbsm"));
+            Assert.That(Number(highest, "down_range_m"), Is.EqualTo(down - 0.1).Within(0.03));
+            Assert.That(Number(highest, "cross_range_m"), Is.EqualTo(cross).Within(0.03));
+            Assert.That(Number(highest, "vv_dbsm"), Is.EqualTo(10 * Math.Log10(Math.PI * 0.01)).Within(0.5));
+        }
+        var image = NumpyReader.Read(At("image/image.npz"), "image");
+        Assert.That(image.Sizes, Is.EqualTo(new[] { 2, 2, pixels, pixels }));
+        Assert.That(10 * Math.Log10(image.Numbers[0] * image.Numbers[0] + image.Numbers[1] * image.Numbers[1]),
+            Is.EqualTo(Number(table[0], "vv_dbsm")).Within(1e-6));
+        var (code, _, error) = TestShell.Run("report", At("image"));
+        Assert.That(code, Is.Zero, error);
+    }
+
+    [TestCase("--azimuth is missing", "--out", "x")]
+    [TestCase("an image takes at least two azimuths at equal steps", "--azimuth", "1")]
+    [TestCase("an image takes at least two azimuths at equal steps", "--azimuth", "0,1,3")]
+    [TestCase("an image takes one elevation", "--azimuth", "0,1", "--elevation", "0,1")]
+    [TestCase("at most 4096 are possible: give a smaller --side, or a larger --pixel", "--azimuth", "0,1",
+        "--pixel", "1e-4")]
+    public void Isar_OfWhatMakesNoImage_IsRefused(string message, params string[] options)
+    {
+        var (code, _, error) = TestShell.Run(["isar", At("plate.obj"), .. options]);
+        Assert.That(error, Does.Contain(message));
+        Assert.That(code, Is.EqualTo(2));
+    }
+
     [TestCase(2, "--bandwidth 20000000000: must be below twice --frequency, 20000000000 Hz", "--bandwidth", "2e10")]
     [TestCase(2, "--bandwidth 0: must be from 1 to 1e12", "--bandwidth", "0")]
     [TestCase(2, "--frequencies 1: must be from 2 to 65536", "--frequencies", "1")]
@@ -270,6 +317,29 @@ public sealed class EchoCommandTests
         double.Parse(row[column], CultureInfo.InvariantCulture);
 
     string At(string name) => Path.Combine(_folder, name);
+
+    // Around its middle in the plane y = 0, with a vertex at either end of the vertical axis.
+    static string Sphere(double radius, double x, double z, int number)
+    {
+        const int rings = 24, sectors = 48;
+        var text = new System.Text.StringBuilder();
+        int first = number * (rings + 1) * sectors + 1;
+        for (int ring = 0; ring <= rings; ring++)
+            for (int sector = 0; sector < sectors; sector++)
+            {
+                double polar = Math.PI * ring / rings, around = 2 * Math.PI * sector / sectors;
+                text.Append(CultureInfo.InvariantCulture, $"v {x + radius * Math.Sin(polar) * Math.Cos(around)} ");
+                text.Append(CultureInfo.InvariantCulture,
+                    $"{radius * Math.Cos(polar)} {z + radius * Math.Sin(polar) * Math.Sin(around)}\n");
+            }
+        for (int ring = 0; ring < rings; ring++)
+            for (int sector = 0; sector < sectors; sector++)
+            {
+                int a = first + ring * sectors + sector, b = first + ring * sectors + (sector + 1) % sectors;
+                text.Append($"f {a} {b} {b + sectors} {a + sectors}\n");
+            }
+        return text.ToString();
+    }
 
     static string Run(params string[] arguments)
     {
