@@ -88,8 +88,8 @@ export class HotSpots extends View {
   list(row, name, column, spots) {
     const { scene, run } = this, isBistatic = typeof row.receiver_azimuth_deg === 'number';
     const coarse = scene.drawn < scene.triangles ? ` Of ${number(scene.triangles)} triangles the view has ${number(scene.drawn)}: surfaces are drawn coarser than traced, and may hide parts of hot spots.` : '';
-    const hot = scene.is_changed ? ' The scene has changed since the run: hot spots are not shown.'
-      : this.corners.length === 0 ? ' The run has no hot spots: glint rcs --contributions finds them.'
+    const hot = scene.is_changed ? ` The scene has changed since the run${run.table === 'echo' ? '' : ': hot spots are not shown'}.`
+      : this.corners.length === 0 ? run.table === 'echo' ? '' : ' The run has no hot spots: glint rcs --contributions finds them.'
         : spots.length === 0 ? ` No triangle returns anything in ${name.toUpperCase()}.`
         : ` Coloured are the ${plural(spots.length, 'triangle')} that return most in ${name.toUpperCase()}: the coherent sums over their currents, without edges.`;
     byId('scene-text').textContent = `${this.poses.name(row)[0].toUpperCase()}${this.poses.name(row).slice(1)}: the purple arrow is the wave from the radar${isBistatic ? ', the green one points to the receiver' : ''}.${hot}${coarse}`;

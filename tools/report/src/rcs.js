@@ -4,6 +4,7 @@ import { Contributions } from './contributions.js';
 import { HotSpots } from './hotspots.js';
 import { Polar } from './polar.js';
 import { Poses } from './poses.js';
+import { Profiles } from './profiles.js';
 import { PoseTable } from './table.js';
 import { dash, diamonds, draw, squares, stroke } from './charts.js';
 import { settingsTable, showFacts } from './settings.js';
@@ -22,11 +23,11 @@ const axes = [
   ['receiver_azimuth_deg', { plural: 'receivers', text: 'received at azimuth {0} {1}', shown_unit: 'deg', shown_scale: 1 }]
 ];
 
-let run, poses, present, charts;
+let run, echo, poses, present, charts;
 
 /** @param {object} data The report's data. @returns what draws the charts again. */
 export function showCrossSections(data) {
-  ({ run } = data);
+  ({ run, echo } = data);
   const { scene } = data, columns = { ...run.columns };
   axes.forEach(([name, axis], order) => {
     if (run.rows.some(row => typeof row[name] === 'number')) columns[name] = { ...columns[name], axis: { ...axis, order, is_whole: false } };
@@ -36,12 +37,15 @@ export function showCrossSections(data) {
   const strongest = strongestRow();
   poses.chosen = Math.max(0, scene?.pose ?? strongest);
   head(strongest);
-  new PoseTable(poses, columns, 'rcs.csv');
+  new PoseTable(poses, columns, echo ? 'profile.csv' : 'rcs.csv');
   settingsTable(run, poses);
   byId('settings-note').hidden = true;
   errors();
   chooseRow();
-  charts = [new Levels()];
+  charts = echo ? [new Profiles(echo, poses, maxSpan)] : [];
+  if (echo) nameForEcho();
+  if (echo && poses.rows.length === 1) byId('levels-section').remove();
+  else charts.push(new Levels());
   if (run.rows.some(row => row.contributions)) charts.push(new Contributions(run, poses, present, maxSpan));
   else byId('parts-section').remove();
   const paint = () => charts.forEach(chart => chart.draw());
@@ -49,6 +53,12 @@ export function showCrossSections(data) {
   showScene(data);
   poses.onChange(paint);
   return paint;
+}
+
+function nameForEcho() {
+  document.querySelector('label[for=row]').textContent = 'Direction';
+  byId('levels-heading').textContent = 'Highest echo';
+  byId('levels-text').textContent = 'The bands are the largest standard error of the integration among the frequencies, not of physical optics.';
 }
 
 const levelsOf = row => present.map(name => row[`${name}_dbsm`]).filter(level => typeof level === 'number');
@@ -60,7 +70,7 @@ function strongestRow() {
 
 function head(strongest) {
   const plan = poses.plan === '' ? '' : ` (${poses.plan})`;
-  byId('lead').textContent = `Cross sections in ${plural(poses.rows.length, 'row')}${plan}; traced ${run.started_utc?.replace('T', ' ').replace('Z', ' UTC') ?? ''} with Glint ${run.versions?.glint} on ${run.device?.name ?? 'an unknown device'}.`;
+  byId('lead').textContent = `${echo ? `Range profiles in ${plural(poses.rows.length, 'direction')}` : `Cross sections in ${plural(poses.rows.length, 'row')}`}${plan}; traced ${run.started_utc?.replace('T', ' ').replace('Z', ' UTC') ?? ''} with Glint ${run.versions?.glint} on ${run.device?.name ?? 'an unknown device'}.`;
   const unmet = run.rows.filter(row => row.tolerance_met === 0).length, outside = run.rows.filter(row => row.outside_physical_optics === 1).length;
   byId('warning').hidden = unmet + outside === 0;
   byId('warning').textContent = [
@@ -69,10 +79,11 @@ function head(strongest) {
   ].filter(text => text).join(' ');
   const best = run.rows[strongest];
   showFacts([
-    ['Rows', number(run.rows.length)],
-    [best ? `Largest cross section, ${poses.name(best)}` : 'Cross section', best ? `${number(Math.max(...levelsOf(best)), 4)} dBsm` : '-'],
+    [echo ? 'Directions' : 'Rows', number(run.rows.length)],
+    [best ? `${echo ? 'Highest echo' : 'Largest cross section'}, ${poses.name(best)}` : 'Cross section', best ? `${number(Math.max(...levelsOf(best)), 4)} dBsm` : '-'],
     ['Tolerance', `${number(run.settings.tolerance?.value)} dB`],
-    ['Frequency', poses.span('frequency_hz') ?? (best ? `${number(best.frequency_hz / 1e9)} GHz` : '-')],
+    ...echo ? [['Bandwidth', `${number(run.settings.bandwidth?.value / 1e6)} MHz`], ['Range bin', `${number(run.settings.range_resolution?.value, 4)} m`]] : [],
+    [echo ? 'Middle of the band' : 'Frequency', poses.span('frequency_hz') ?? (best ? `${number(best.frequency_hz / 1e9)} GHz` : '-')],
     ['Triangles', number(run.scene?.triangles)],
     ['Whole run', seconds(run.elapsed_ms ?? NaN)]
   ]);
@@ -146,9 +157,9 @@ class Levels {
       around.push({ values, stroke: stroke(i), dash: dash(2 * i), marks: [{ holds: place => isUnmet(line[place]), stroke: theme('--mark') }, { holds: place => isOutside(line[place]), stroke: theme('--mark'), isDiamond: true }] });
     });
     const highest = around.flatMap(series => series.values.map((value, place) => [value, place])).filter(([value]) => value !== null).reduce((a, b) => b[0] > a[0] ? b : a, [-Infinity, 0]);
-    const description = `Cross section in dBsm over ${x.label}${highest[0] > -Infinity ? `; the largest is ${number(highest[0], 4)} dBsm at ${poses.name(line[highest[1]])}` : ''}. The table below has the figures.`;
+    const description = `${echo ? 'Highest echo' : 'Cross section'} in dBsm over ${x.label}${highest[0] > -Infinity ? `; the largest is ${number(highest[0], 4)} dBsm at ${poses.name(line[highest[1]])}` : ''}. The table below has the figures.`;
     draw(byId('levels'), {
-      x, series: curves, bands, yLabel: 'cross section, dBsm', maxSpan, description, height: 400,
+      x, series: curves, bands, yLabel: `${echo ? 'highest echo' : 'cross section'}, dBsm`, maxSpan, description, height: 400,
       marked: () => poses.xOf(poses.chosen), onPick: index => poses.choose(poses.at(index))
     });
     this.polar?.draw({ angles: x.values, series: around, description, marked: () => poses.xOf(poses.chosen) });
@@ -164,7 +175,7 @@ function edgeOf(row, name, sign) {
 }
 
 function showScene({ scene, no_scene: problem }) {
-  byId('view-heading').textContent = 'Hot spots on the model';
+  byId('view-heading').textContent = echo ? 'The target' : 'Hot spots on the model';
   if (!scene) {
     byId('scene-text').textContent = `There is no 3-D view: ${problem}`;
     byId('view-part').hidden = true;

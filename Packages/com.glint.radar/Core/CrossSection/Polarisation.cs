@@ -18,6 +18,10 @@ namespace Glint.Core
             new Polarisation("vh", 0, 1, s => s.VH), new Polarisation("hh", 1, 1, s => s.HH)
         };
 
+        /// <summary>In the order of arrays: V before H, the sent polarisation changing fastest.</summary>
+        public static readonly IReadOnlyList<Polarisation> Matrix = All
+            .OrderBy(polarisation => polarisation.Received).ThenBy(polarisation => polarisation.Sent).ToArray();
+
         readonly Func<ScatteringMatrix, Complex> _element;
 
         Polarisation(string name, int received, int sent, Func<ScatteringMatrix, Complex> element) =>

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Linq;
 
 namespace Glint.Core
@@ -19,6 +20,12 @@ namespace Glint.Core
 
         // Of 1, cos(2 pi x), cos(4 pi x) and so on; x from -1/2 to 1/2. Their sum is 1.
         readonly double[] _cosines;
+
+        static readonly (string name, Func<Window> window)[] s_named =
+        {
+            ("taylor", () => Taylor(4, -35)), ("hann", () => Hann), ("hamming", () => Hamming),
+            ("blackman", () => Blackman), ("none", () => None)
+        };
 
         Window(params double[] cosines)
         {
@@ -67,6 +74,15 @@ namespace Glint.Core
             }
             return new Window(cosines);
         }
+
+        /// <summary>Names of windows, the usual one first: Taylor's has 4 near sidelobes of -35 dB.</summary>
+        public static IReadOnlyList<string> Names { get; } = s_named.Select(named => named.name).ToArray();
+
+        /// <summary>The window of one of <see cref="Names"/>.</summary>
+        /// <exception cref="FormatException">There is no such window.</exception>
+        public static Window Named(string name) => Names.Contains(name)
+            ? s_named.First(named => named.name == name).window()
+            : throw new FormatException($"must be one of {string.Join(", ", Names)}");
 
         /// <summary>Mean of the weights.</summary>
         public double CoherentGain => _cosines[0];

@@ -11,7 +11,7 @@ namespace Glint.Core
     /// Writes arrays as MATLAB loads them: a MAT-file of version 5, not compressed. Indices have the order that they
     /// have in <see cref="NumpyArchive"/>; an array of one index is a column. The same arrays give the same bytes.
     /// </summary>
-    public sealed class MatlabFile : IDisposable
+    public sealed class MatlabFile : IArrayFile
     {
         // Types of data elements, and the class of arrays of doubles with its flag for complex ones.
         const int Int8 = 1, Int32 = 5, UInt32 = 6, Double = 9, Matrix = 14;
@@ -34,15 +34,13 @@ namespace Glint.Core
             _file.Write(new[] { (byte)'I', (byte)'M' });
         }
 
-        /// <summary>Adds an array of doubles.</summary>
-        /// <param name="name">Letters, digits and _, a letter first, at most 63 characters.</param>
-        /// <param name="values">As many as the sizes have, the last index changing fastest.</param>
+        /// <inheritdoc/>
         /// <exception cref="GlintException">The name is none of MATLAB's, or the array is too large.</exception>
         public void Add(string name, int[] sizes, IEnumerable<double> values) =>
             Write(name, sizes, 0, new[] { ByColumns(sizes, values.ToArray()) });
 
-        /// <summary>Adds an array of complex numbers of two doubles each.</summary>
-        /// <inheritdoc cref="Add(string, int[], IEnumerable{double})" path="/param|/exception"/>
+        /// <inheritdoc/>
+        /// <exception cref="GlintException">The name is none of MATLAB's, or the array is too large.</exception>
         public void Add(string name, int[] sizes, IEnumerable<Complex> values)
         {
             var array = ByColumns(sizes, values.ToArray());

@@ -12,7 +12,7 @@ namespace Glint.Core
     /// Writes arrays as numpy.load reads them: a ZIP archive, not compressed, of files in NPY format 1.0. The same
     /// arrays give the same bytes.
     /// </summary>
-    public sealed class NumpyArchive : IDisposable
+    public sealed class NumpyArchive : IArrayFile
     {
         // Magic text, two bytes of version, two of the header's length.
         const int PrefixLength = 10, Alignment = 64;
@@ -25,12 +25,10 @@ namespace Glint.Core
         /// <param name="output">Receives the archive; stays open.</param>
         public NumpyArchive(Stream output) => _zip = new ZipArchive(output, ZipArchiveMode.Create, leaveOpen: true);
 
-        /// <summary>Adds an array of doubles.</summary>
-        /// <param name="values">As many as the sizes have, the last index changing fastest.</param>
+        /// <inheritdoc/>
         public void Add(string name, int[] sizes, IEnumerable<double> values) => Write(name, "<f8", sizes, values);
 
-        /// <summary>Adds an array of complex numbers of two doubles each.</summary>
-        /// <inheritdoc cref="Add(string, int[], IEnumerable{double})" path="/param"/>
+        /// <inheritdoc/>
         public void Add(string name, int[] sizes, IEnumerable<Complex> values) =>
             Write(name, "<c16", sizes, values.SelectMany(value => new[] { value.Real, value.Imaginary }));
 

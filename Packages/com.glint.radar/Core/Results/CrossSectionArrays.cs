@@ -8,33 +8,36 @@ namespace Glint.Core
     /// <summary>Writes rcs.npz: the rows of cross sections as arrays.</summary>
     static class CrossSectionArrays
     {
+        /// <summary>Writes the arrays of <see cref="AddTo"/>.</summary>
+        public static void Write(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        {
+            using (var arrays = new NumpyArchive(output))
+                AddTo(arrays, info, rows);
+        }
+
         /// <summary>
-        /// Writes azimuth and elevation of each pose, frequency, receiver (azimuth and elevation; those of the pose, as
+        /// Adds azimuth and elevation of each pose, frequency, receiver (azimuth and elevation; those of the pose, as
         /// NaN, where the radar receives), S by pose, frequency, receiver, received and sent polarisation (V, H; NaN
         /// where it was not asked for), and error.
         /// </summary>
-        public static void Write(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        public static void AddTo(IArrayFile arrays, RunInfo info, IReadOnlyList<StoredRow> rows)
         {
             var plan = CrossSectionPlan.Of(info.Sweep);
             int frequencies = plan.Frequencies.Count, receivers = plan.Receivers, rowsOfPose = frequencies * receivers;
             var poses = Enumerable.Range(0, plan.Poses).Select(pose => plan[pose * rowsOfPose]).ToArray();
             var received = Enumerable.Range(0, receivers).Select(receiver => plan[receiver]);
-            using (var arrays = new NumpyArchive(output))
-            {
-                arrays.Add("azimuth", new[] { poses.Length }, poses.Select(pose => pose.AzimuthDegrees));
-                arrays.Add("elevation", new[] { poses.Length }, poses.Select(pose => pose.ElevationDegrees));
-                arrays.Add("frequency", new[] { frequencies }, plan.Frequencies);
-                arrays.Add("receiver", new[] { receivers, 2 }, received.SelectMany(planned => new[]
-                    { planned.ReceiverAzimuthDegrees ?? double.NaN, planned.ReceiverElevationDegrees ?? double.NaN }));
-                arrays.Add("S", new[] { poses.Length, frequencies, receivers, 2, 2 }, rows.SelectMany(Matrix));
-                arrays.Add("error", new[] { poses.Length, frequencies, receivers },
-                    rows.Select(row => row[CrossSectionColumn.Error].Value));
-            }
+            arrays.Add("azimuth", new[] { poses.Length }, poses.Select(pose => pose.AzimuthDegrees));
+            arrays.Add("elevation", new[] { poses.Length }, poses.Select(pose => pose.ElevationDegrees));
+            arrays.Add("frequency", new[] { frequencies }, plan.Frequencies);
+            arrays.Add("receiver", new[] { receivers, 2 }, received.SelectMany(planned => new[]
+                { planned.ReceiverAzimuthDegrees ?? double.NaN, planned.ReceiverElevationDegrees ?? double.NaN }));
+            arrays.Add("S", new[] { poses.Length, frequencies, receivers, 2, 2 }, rows.SelectMany(Matrix));
+            arrays.Add("error", new[] { poses.Length, frequencies, receivers },
+                rows.Select(row => row[CrossSectionColumn.Error].Value));
         }
 
         static IEnumerable<Complex> Matrix(StoredRow row) =>
-            Polarisation.All.OrderBy(polarisation => polarisation.Received).ThenBy(polarisation => polarisation.Sent)
-                .Select(polarisation => CrossSectionColumn.Amplitude(row, polarisation)
+            Polarisation.Matrix.Select(polarisation => CrossSectionColumn.Amplitude(row, polarisation)
                     ?? new Complex(double.NaN, double.NaN));
     }
 }

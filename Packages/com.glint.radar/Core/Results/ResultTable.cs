@@ -18,14 +18,32 @@ namespace Glint.Core
             FolderSuffix = "-rcs",
             WholeFiles = new[]
             {
-                new WholeFile("rcs.npz", CrossSectionArrays.Write, rows => true),
-                new WholeFile("contributions.csv", ContributionFiles.WriteContributions, ContributionFiles.AreIn),
-                new WholeFile("hotspots.csv", ContributionFiles.WriteHotSpots, ContributionFiles.AreIn)
+                new WholeFile("rcs.npz", CrossSectionArrays.Write, (info, rows) => true),
+                new WholeFile("contributions.csv", ContributionFiles.WriteContributions,
+                    (info, rows) => ContributionFiles.AreIn(rows)),
+                new WholeFile("hotspots.csv", ContributionFiles.WriteHotSpots,
+                    (info, rows) => ContributionFiles.AreIn(rows))
             }
         };
 
+        /// <summary>Responses over a band, and the range profiles made of them.</summary>
+        public static readonly ResultTable Echo = new ResultTable("echo", "responses.csv", CrossSectionColumn.All)
+        {
+            FolderSuffix = "-echo",
+            WholeFiles = new[]
+            {
+                new WholeFile("profile.csv", EchoFiles.WriteTable, (info, rows) => true),
+                new WholeFile("echo.npz", EchoFiles.WriteNumpy, (info, rows) => true),
+                new WholeFile("echo.mat", EchoFiles.WriteMatlab, (info, rows) => EchoSettings.Of(info).HasMatlab),
+                new WholeFile("echo.sigmf-data", EchoFiles.WriteSigMfData,
+                    (info, rows) => EchoSettings.Of(info).HasSigMf),
+                new WholeFile("echo.sigmf-meta", EchoFiles.WriteSigMfMeta,
+                    (info, rows) => EchoSettings.Of(info).HasSigMf)
+            }.Concat(ImageFiles.All).ToArray()
+        };
+
         /// <summary>Every table.</summary>
-        public static readonly IReadOnlyList<ResultTable> All = new[] { Sweep, CrossSection };
+        public static readonly IReadOnlyList<ResultTable> All = new[] { Sweep, CrossSection, Echo };
 
         ResultTable(string name, string csvName, IReadOnlyList<ResultColumn> columns) =>
             (Name, CsvName, Columns) = (name, csvName, columns);
@@ -61,13 +79,14 @@ namespace Glint.Core
     sealed class WholeFile
     {
         public WholeFile(string name, Action<Stream, RunInfo, IReadOnlyList<StoredRow>> write,
-            Func<IReadOnlyList<StoredRow>, bool> isWanted) => (Name, Write, IsWanted) = (name, write, isWanted);
+            Func<RunInfo, IReadOnlyList<StoredRow>, bool> isWanted) =>
+            (Name, Write, IsWanted) = (name, write, isWanted);
 
         public string Name { get; }
 
         public Action<Stream, RunInfo, IReadOnlyList<StoredRow>> Write { get; }
 
         /// <summary>Whether it is written for these rows.</summary>
-        public Func<IReadOnlyList<StoredRow>, bool> IsWanted { get; }
+        public Func<RunInfo, IReadOnlyList<StoredRow>, bool> IsWanted { get; }
     }
 }

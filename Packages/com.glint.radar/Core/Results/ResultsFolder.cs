@@ -180,7 +180,7 @@ namespace Glint.Core
             try
             {
                 if (info.Sweep != null && info.Sweep.Shard == null)
-                    foreach (var whole in _table.WholeFiles.Where(whole => whole.IsWanted(_rows)))
+                    foreach (var whole in _table.WholeFiles.Where(whole => whole.IsWanted(info, _rows)))
                         Try($"{PathOf(whole)}: cannot be written ({CsvPath} is complete)",
                             () => Replace(PathOf(whole), file => whole.Write(file, info, _rows)));
                 var text = new StringWriter { NewLine = "\n" };

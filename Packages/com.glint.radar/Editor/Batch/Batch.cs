@@ -27,6 +27,12 @@ namespace Glint.Editor
         /// <summary>Entry of Unity's -executeMethod: <c>glint rcs</c>.</summary>
         public static void Rcs() => ExecuteAndExit(Commands.Rcs, Environment.GetCommandLineArgs());
 
+        /// <summary>Entry of Unity's -executeMethod: <c>glint echo</c>.</summary>
+        public static void Echo() => ExecuteAndExit(Commands.Echo, Environment.GetCommandLineArgs());
+
+        /// <summary>Entry of Unity's -executeMethod: <c>glint isar</c>.</summary>
+        public static void Isar() => ExecuteAndExit(Commands.Isar, Environment.GetCommandLineArgs());
+
         /// <summary>Entry of Unity's -executeMethod: <c>glint merge</c>.</summary>
         public static void Merge() => ExecuteAndExit(Commands.Merge, Environment.GetCommandLineArgs());
 

@@ -149,10 +149,70 @@ namespace Glint.Editor
                 }
         };
 
+        /// <summary>Computes range profiles.</summary>
+        public static readonly Command Echo = new Command("echo", "Compute the responses of a scene or a mesh file over "
+            + "a band of frequencies, and its range profiles in dBsm and dBW, and write profile.csv, echo.npz and "
+            + "results.json.")
+        {
+            Options = EchoOptions.All,
+            Notes = new[]
+                {
+                    "Each frequency of the band is computed exactly, as by glint rcs, to the error that is asked for. "
+                        + "A window and a Fourier transform make the range profile: the peak of a point is its cross "
+                        + "section in dBsm, whatever the window.",
+                    "Range is half of the path out and back, in metres: 0 at the phase centre, positive away from the "
+                        + "radar. The phase centre is the origin of a mesh file's coordinates, or the centre of the box "
+                        + "around a scene's objects. Echoes outside the unambiguous range, c / 2 over the step of the "
+                        + "frequencies, are folded into it.",
+                    "With --power the files also have received power in dBW by the radar equation, with the receiver's "
+                        + "noise if --noise-figure is given.",
+                    "Without --out the files go to Results/<name of the input>-echo beside the project's Assets."
+                },
+            Handler = EchoCommand.Execute,
+            UnityMethod = "Glint.Editor.Batch.Echo",
+            Examples = new[]
+                {
+                    Example("echo ship.stl --unit mm --up z --azimuth 30 --bandwidth 300e6 --out ship",
+                        "A range profile of a ship with bins of 0.5 m."),
+                    Example("echo ship.stl --unit mm --up z --azimuth 0:359:1 --bandwidth 150e6 --window hamming "
+                            + "--polarisation vv",
+                        "A profile a degree; glint report shows them as a waterfall."),
+                    Example("echo boat.obj --frequency 9.41e9 --range 5000 --power 25000 --gain 30 --noise-figure 5 "
+                            + "--mat --sigmf",
+                        "Received power at 5 km with noise, for MATLAB and as a SigMF recording too.")
+                }
+        };
+
+        /// <summary>Computes an image of a sweep of looks.</summary>
+        public static readonly Command Isar = new Command("isar", "Compute an ISAR image of a scene or a mesh file in "
+            + "dBsm from a sweep of small angles, and write image.csv, image.npz, a PNG file for each polarisation, and "
+            + "the files of glint echo.")
+        {
+            Options = EchoOptions.AllOfImage,
+            Required = new Option[] { CrossSectionOptions.Azimuth },
+            Notes = new[]
+                {
+                    "The responses of all azimuths are those of glint echo. Backprojection puts them on a horizontal "
+                        + "plane through the phase centre: down range away from the radar at the middle azimuth, cross "
+                        + "range to its right. A point on the plane keeps its cross section; one above it is moved "
+                        + "towards the radar, unless the elevation is 0.",
+                    "A bin of cross range is the wavelength over twice the angle of all azimuths in radians; the "
+                        + "unambiguous cross range has as many bins as there are azimuths.",
+                    "Without --out the files go to Results/<name of the input>-echo beside the project's Assets."
+                },
+            Handler = EchoCommand.Execute,
+            UnityMethod = "Glint.Editor.Batch.Isar",
+            Examples = new[]
+                {
+                    Example("isar ship.stl --unit mm --up z --azimuth 29:31:0.01 --bandwidth 300e6 --polarisation vv",
+                        "An image with bins of 0.5 m in range and 0.43 m in cross range.")
+                }
+        };
+
         /// <summary>Makes an HTML report of results.</summary>
-        public static readonly Command Report = new Command("report", "Write one HTML file of a sweep, run or "
-            + "cross sections that opens offline: charts, table, and the scene in 3-D with its received rays or "
-            + "hot spots.")
+        public static readonly Command Report = new Command("report", "Write one HTML file of a sweep, run, "
+            + "cross sections or range profiles that opens offline: charts, table, and the scene in 3-D with its "
+            + "received rays or hot spots.")
         {
             Inputs = InputKind.Results,
             Options = new Option[] { ReportOptions.Out, ReportOptions.Pose, Options.Device },
@@ -161,7 +221,7 @@ namespace Glint.Editor
                     "One pose is traced again for the 3-D view and the radar's picture. "
                         + "If its scene or mesh file cannot be opened, the report says so and has everything else; "
                         + "a relative path of a mesh file is resolved from the current folder.",
-                    "Of cross sections nothing is traced again. Their contributions and hot spots are there if "
+                    "Of cross sections and range profiles nothing is traced again. Contributions and hot spots are there if "
                         + "glint rcs had --contributions."
                 },
             Handler = ReportCommand.Write,
@@ -331,7 +391,8 @@ namespace Glint.Editor
         public static IReadOnlyList<Command> All { get; } =
             new[]
             {
-                Sweep, Merge, Run, Rcs, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info, Completion
+                Sweep, Merge, Run, Rcs, Echo, Isar, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info,
+                Completion
             };
 
         /// <summary>Description of INPUT for a command.</summary>

@@ -3,6 +3,7 @@ using System.IO;
 using System.Linq;
 using System.Numerics;
 using Glint.Core;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint.Editor
@@ -12,12 +13,24 @@ namespace Glint.Editor
     {
         public static int Execute(CommandLine line, IProgressSink progress)
         {
-            var plan = CrossSectionOptions.PlanOf(line);
-            var (setup, name) = Open(line, plan);
+            var plan = CrossSectionOptions.PlanOf(line, line.Get(CrossSectionOptions.Frequency));
+            var opened = OpenScene(line);
+            var setup = SetupOf(line, opened, plan);
+            return Compute(line, setup, opened.name, ResultTable.CrossSection, new CrossSectionTable(setup), progress);
+        }
+
+        /// <summary>Computes the rows of a setup into the folder of a command line, prints them and warns.</summary>
+        /// <param name="table">What the rows are written as.</param>
+        /// <param name="lines">What is printed of the rows.</param>
+        /// <returns>The exit code.</returns>
+        /// <exception cref="GlintException">A row cannot be computed or written; earlier rows are kept.</exception>
+        public static int Compute(CommandLine line, CrossSectionSetup setup, string name, ResultTable table,
+            IRowLines lines, IProgressSink progress)
+        {
             string path = line.IsGiven(CrossSectionOptions.Out)
                 ? Path.GetFullPath(line.Get(CrossSectionOptions.Out))
-                : RunDescription.DefaultFolder(name, ResultTable.CrossSection);
-            using (var folder = ResultsFolder.Open(path, ResultTable.CrossSection))
+                : RunDescription.DefaultFolder(name, table);
+            using (var folder = ResultsFolder.Open(path, table))
             {
                 Batch.WarnOfUnfinished(line, folder);
                 using (var run = new CrossSectionRun(setup, ProjectAssets.TubesKernel, folder,
@@ -26,7 +39,7 @@ namespace Glint.Editor
                     if (!run.IsComplete)
                         Describe(setup, name, progress);
                     var comparison = new CrossSectionComparison(setup, line.Get(CrossSectionOptions.Reference));
-                    int code = Trace(run, setup, name, folder, comparison, progress);
+                    int code = Trace(run, setup, name, folder, lines, comparison, progress);
                     if (code == Batch.Done)
                         comparison.Execute(name, progress);
                     return code;
@@ -34,12 +47,15 @@ namespace Glint.Editor
             }
         }
 
-        static (CrossSectionSetup setup, string name) Open(CommandLine line, CrossSectionPlan plan)
+        /// <summary>The setup of a command line.</summary>
+        public static CrossSectionSetup SetupOf(CommandLine line,
+            (RadarScene scene, SceneGatherer gatherer, string path, string name) opened, CrossSectionPlan plan)
         {
-            var (scene, gatherer, path, name) = OpenScene(line);
-            var setup = new CrossSectionSetup(scene, plan)
+            var (scene, gatherer, path, _) = opened;
+            return new CrossSectionSetup(scene, plan)
             {
                 ScenePath = path, Objects = gatherer.ObjectCount, Command = Batch.ArgumentsOf(line),
+                PhaseCentre = PhaseCentreOf(line, scene),
                 Polarisations = line.Get(CrossSectionOptions.Polarisations),
                 ToleranceDb = line.Get(CrossSectionOptions.Tolerance),
                 GivenFloorDbsm = line.Get(CrossSectionOptions.Floor),
@@ -51,9 +67,16 @@ namespace Glint.Editor
                 ObjectNames = Enumerable.Range(0, gatherer.ObjectCount)
                     .Select(number => LoadedScene.PathOf(gatherer.ObjectAt(number))).ToArray()
             };
+        }
+
+        /// <summary>The phase centre of a command line's scene, in the scene's frame.</summary>
+        public static double3 PhaseCentreOf(CommandLine line, RadarScene scene)
+        {
             // Files have an origin of their own; a scene's is arbitrary.
-            setup.PhaseCentre = line.InputKind == InputKind.Scene ? setup.BoxCentre : -scene.Origin;
-            return (setup, name);
+            if (line.InputKind != InputKind.Scene)
+                return -scene.Origin;
+            var (min, max) = scene.Bound();
+            return (min + max) / 2;
         }
 
         /// <summary>Opens and gathers the scene or mesh file of a command line.</summary>
@@ -90,7 +113,7 @@ namespace Glint.Editor
         }
 
         static int Trace(CrossSectionRun run, CrossSectionSetup setup, string name, ResultsFolder folder,
-            CrossSectionComparison comparison, IProgressSink progress)
+            IRowLines lines, CrossSectionComparison comparison, IProgressSink progress)
         {
             int before = run.Done;
             if (before > 0)
@@ -107,8 +130,9 @@ namespace Glint.Editor
                 {
                     var row = run.Step(progress, progress.Cancel);
                     if (run.Done == before + 1)
-                        progress.Print(CrossSectionTable.Header(setup));
-                    progress.Print(CrossSectionTable.Row(setup, row));
+                        progress.Print(lines.Header);
+                    if (lines.Add(row) is string text)
+                        progress.Print(text);
                     unmet.Add(row);
                     comparison.Add(row);
                     progress.Advance(run.Done, run.Count == 1 ? null : row.ToString());
@@ -157,28 +181,48 @@ namespace Glint.Editor
         }
     }
 
-    /// <summary>The table that <c>glint rcs</c> prints, a line for each row.</summary>
-    static class CrossSectionTable
+    /// <summary>What a command prints of its rows.</summary>
+    interface IRowLines
     {
         /// <summary>Heading of the columns.</summary>
-        public static string Header(CrossSectionSetup setup) => "azimuth  elevation"
-            + (setup.Plan.Frequencies.Count > 1 ? "     frequency" : "")
-            + (setup.Plan.IsBistatic ? "  received at" : "")
-            + string.Concat(setup.Polarisations.Select(polarisation =>
+        string Header { get; }
+
+        /// <summary>Takes the next row.</summary>
+        /// <returns>The line that it completes; null for none.</returns>
+        string Add(CrossSectionRow row);
+    }
+
+    /// <summary>The table that <c>glint rcs</c> prints, a line for each row.</summary>
+    sealed class CrossSectionTable : IRowLines
+    {
+        readonly CrossSectionSetup _setup;
+
+        public CrossSectionTable(CrossSectionSetup setup) => _setup = setup;
+
+        public string Header => HeaderOf(_setup, _setup.Plan.Frequencies.Count > 1 ? "     frequency" : "")
+            + string.Concat(_setup.Polarisations.Select(polarisation =>
                 $"{polarisation.Name.ToUpperInvariant() + " dBsm",10}")) + "  error dB";
 
-        /// <summary>The line of a row.</summary>
-        public static string Row(CrossSectionSetup setup, CrossSectionRow row) =>
-            FormattableString.Invariant($"{row.Planned.AzimuthDegrees,7:0.###}  {row.Planned.ElevationDegrees,9:0.###}")
-            + (setup.Plan.Frequencies.Count > 1 ? FormattableString.Invariant($"  {row.Planned.Frequency,12:g6}") : "")
-            + (setup.Plan.IsBistatic
-                ? FormattableString.Invariant($"  {row.Planned.ReceiverAzimuthDegrees,11:0.###}")
+        public string Add(CrossSectionRow row) => DirectionOf(_setup, row, _setup.Plan.Frequencies.Count > 1
+                ? FormattableString.Invariant($"  {row.Planned.Frequency,12:g6}")
                 : "")
-            + string.Concat(setup.Polarisations.Select(polarisation =>
-                $"{Level(polarisation.Of(row.S)),10}"))
+            + string.Concat(_setup.Polarisations.Select(polarisation => $"{Level(polarisation.Of(row.S)),10}"))
             + FormattableString.Invariant($"  {row.Accuracy.ErrorDb,8:0.000}") + (row.MeetsTolerance ? "" : " !");
 
-        static string Level(Complex amplitude) => amplitude == Complex.Zero
+        /// <summary>Heading of the directions, with another column between those of radar and receiver.</summary>
+        public static string HeaderOf(CrossSectionSetup setup, string between) =>
+            "azimuth  elevation" + between + (setup.Plan.IsBistatic ? "  received at" : "");
+
+        /// <summary>The directions of a row.</summary>
+        public static string DirectionOf(CrossSectionSetup setup, CrossSectionRow row, string between) =>
+            FormattableString.Invariant($"{row.Planned.AzimuthDegrees,7:0.###}  {row.Planned.ElevationDegrees,9:0.###}")
+            + between
+            + (setup.Plan.IsBistatic
+                ? FormattableString.Invariant($"  {row.Planned.ReceiverAzimuthDegrees,11:0.###}")
+                : "");
+
+        /// <summary>The level of an amplitude, dBsm.</summary>
+        public static string Level(Complex amplitude) => amplitude == Complex.Zero
             ? "-"
             : FormattableString.Invariant($"{ScatteringMatrix.Dbsm(amplitude):0.000}");
     }

@@ -150,9 +150,9 @@ namespace Glint.Editor
 
         /// <summary>The plan of a command line.</summary>
         /// <exception cref="UsageException">The lists do not go together.</exception>
-        public static CrossSectionPlan PlanOf(CommandLine line)
+        public static CrossSectionPlan PlanOf(CommandLine line, double[] frequencies)
         {
-            double[] azimuths = line.Get(Azimuth), elevations = line.Get(Elevation), frequencies = line.Get(Frequency);
+            double[] azimuths = line.Get(Azimuth), elevations = line.Get(Elevation);
             CrossSectionPlan plan;
             if (line.Get(Receivers) is double[] receivers)
                 plan = elevations.Length == 1

@@ -25,7 +25,7 @@ namespace Glint.Editor
             Choices = new[] { "none" },
             Group = Group,
             Help = "The pose shown in 3-D and as the radar's picture: its row in results.csv, from 1; of cross "
-                + "sections the row of rcs.csv that the report opens with. Without it: the one with the largest "
+                + "sections the row of rcs.csv, of range profiles the direction, that the report opens with. Without it: the one with the largest "
                 + "amplitude. With none the scene is not opened and no GPU is needed."
         };
 

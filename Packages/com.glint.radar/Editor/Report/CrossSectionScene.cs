@@ -6,7 +6,7 @@ using Unity.Mathematics;
 
 namespace Glint.Editor
 {
-    /// <summary>The part of a report that shows the target of cross sections and its hot spots.</summary>
+    /// <summary>The part of a report that shows the target of cross sections or range profiles and its hot spots.</summary>
     public sealed class CrossSectionScene
     {
         readonly StoredRun _run;
@@ -24,7 +24,8 @@ namespace Glint.Editor
         {
             if (run.Info.Command == null)
                 throw new GlintException("the results name no command: their scene cannot be opened again");
-            var line = CommandLine.Parse(Commands.Rcs, run.Info.Command.Skip(1).ToArray());
+            var command = Commands.All.Single(each => each.Name == run.Info.Command[0]);
+            var line = CommandLine.Parse(command, run.Info.Command.Skip(1).ToArray());
             return new CrossSectionScene(run, CrossSectionCommand.OpenScene(line).scene, row);
         }
 

@@ -19,8 +19,9 @@ namespace Glint.Editor
         {
             var run = StoredRun.ReadAny(line.Input);
             int pose = line.Get(ReportOptions.Pose);
-            if (pose > run.Count)
-                throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: must be from 1 to {run.Count}, "
+            int poses = run.Table == ResultTable.Echo ? EchoProfiles.DirectionsOf(run.Info) : run.Count;
+            if (pose > poses)
+                throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: must be from 1 to {poses}, "
                     + $"the rows of {line.Input}, or none");
             string path = line.IsGiven(ReportOptions.Out)
                 ? line.Get(ReportOptions.Out)
@@ -46,7 +47,7 @@ namespace Glint.Editor
         // Of the given row, or of the strongest pose.
         static Func<JObject> CaptureOf(StoredRun run, int row, IProgressSink progress)
         {
-            if (run.Table == ResultTable.CrossSection)
+            if (run.Table != ResultTable.Sweep)
                 return () => CrossSectionScene.Of(run, row).ToJson();
             int shown = row >= 0 ? row : run.Strongest();
             return () => SceneCapture.Of(run, shown, SceneCapture.Open(run), progress).ToJson();

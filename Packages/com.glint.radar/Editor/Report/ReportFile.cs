@@ -22,17 +22,22 @@ namespace Glint.Editor
         /// <param name="template">Editor/Report/Template.txt.</param>
         /// <param name="scene">The scene in the form of the report's page; null: not shown.</param>
         /// <param name="noScene">Why there is no scene, as a sentence; null if there is one.</param>
-        /// <exception cref="GlintException">The template does not have exactly one placeholder.</exception>
+        /// <exception cref="GlintException">
+        /// The template does not have exactly one placeholder, or the run is a part of range profiles.
+        /// </exception>
         public static string Fill(string template, StoredRun run, JObject scene, string noScene)
         {
             int index = template.IndexOf(Placeholder, StringComparison.Ordinal);
             if (index < 0 || template.IndexOf(Placeholder, index + 1, StringComparison.Ordinal) >= 0)
                 throw new GlintException("the report's template is damaged: "
                     + "restore Editor/Report/Template.txt of the package");
+            var echo = run.Table == ResultTable.Echo ? new EchoReport(run) : null;
             var data = new JObject
             {
                 ["glint"] = GlintVersion.Text,
-                ["run"] = new JRaw(ResultsJson.Line(run.Info, run.Rows, run.Table)),
+                ["run"] = echo?.RunToJson()
+                    ?? (JToken)new JRaw(ResultsJson.Line(run.Info, run.Rows, run.Table)),
+                ["echo"] = echo?.ToJson(),
                 ["scene"] = scene,
                 ["no_scene"] = noScene
             };

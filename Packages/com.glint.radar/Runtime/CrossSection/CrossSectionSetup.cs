@@ -47,6 +47,10 @@ namespace Glint
         /// <summary>Radius of the sphere around the scene's box, metres.</summary>
         public double Radius => math.distance(BoxMin, BoxMax) / 2;
 
+        /// <summary>Distance of the box's farthest corner from the phase centre, metres.</summary>
+        public double Extent =>
+            math.length(math.max(math.abs(BoxMin - PhaseCentre), math.abs(BoxMax - PhaseCentre)));
+
         /// <summary>Elements of the scattering matrix that are written.</summary>
         public IReadOnlyList<Polarisation> Polarisations { get; set; } = Polarisation.All;
 
@@ -78,6 +82,9 @@ namespace Glint
         /// Whether each row says what the parts of the scene contribute, which takes one more trace a row.
         /// </summary>
         public bool HasContributions { get; set; }
+
+        /// <summary>What is made of the responses over a band; null for cross sections alone.</summary>
+        public EchoSettings Echo { get; set; }
 
         /// <summary>Names of the scene's objects, by their numbers, for results.json.</summary>
         public IReadOnlyList<string> ObjectNames { get; set; }
@@ -151,10 +158,9 @@ namespace Glint
             if (highest > possible)
                 throw new GlintException(FormattableString.Invariant(
                     $"{subject}: {highest:g6} Hz is too high for its size of {2 * Radius:g6} m and a tolerance of {ToleranceDb:g4} dB: phases in float32 are off by {PhaseError(highest):g2} rad; up to {possible:g4} Hz is possible, with a larger tolerance up to {MaxFrequency(double.PositiveInfinity):g4} Hz; or compute its parts alone"));
-            double farthest = FarthestCorner();
-            if (Range <= farthest)
+            if (Range <= Extent)
                 throw new GlintException(FormattableString.Invariant(
-                    $"{subject}: a range of {Range:g6} m is inside of it: its farthest corner is {farthest:g6} m from the phase centre; give a larger range"));
+                    $"{subject}: a range of {Range:g6} m is inside of it: its farthest corner is {Extent:g6} m from the phase centre; give a larger range"));
             if (WedgeFinder.FindOpenDielectric(Scene, _patches.Value) is SurfaceMaterial open)
                 throw new GlintException($"{subject}: the surface with material '{open.Name}' is open, with air on "
                     + "both sides, but nothing is followed into a dielectric: close the mesh, or make it a perfect "
@@ -176,9 +182,6 @@ namespace Glint
         internal IReadOnlyList<SurfaceMaterial> UsedMaterials() => Scene.Instances
             .SelectMany(instance => instance.Ranges).Select(range => range.Surface).Distinct()
             .OrderBy(surface => surface).Select(surface => Scene.Surfaces[surface]).ToArray();
-
-        double FarthestCorner() =>
-            math.length(math.max(math.abs(BoxMin - PhaseCentre), math.abs(BoxMax - PhaseCentre)));
 
         SurfacePatches[] Patches()
         {

@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// The responses and range profiles of a whole run, by direction and polarisation. A direction is a pose and one
+    /// of its receivers, the receivers of a pose after each other.
+    /// </summary>
+    public sealed class EchoProfiles
+    {
+        readonly IReadOnlyList<StoredRow> _rows;
+        readonly ThermalNoise _noise;
+
+        /// <summary>The profiles of a run.</summary>
+        /// <param name="rows">All rows of the plan.</param>
+        /// <exception cref="FormatException">The run is no whole run of echoes.</exception>
+        public EchoProfiles(RunInfo info, IReadOnlyList<StoredRow> rows)
+        {
+            Plan = CrossSectionPlan.Of(info.Sweep);
+            if (rows.Count != Plan.Count)
+                throw new FormatException($"it has {rows.Count} of {Plan.Count} rows");
+            Settings = EchoSettings.Of(info);
+            Band = Settings.BandOf(Plan);
+            Range = Settings.RangeOf(Plan);
+            Polarisations = EchoSettings.PolarisationsOf(info);
+            _noise = Settings.Radar?.NoiseOf(Band);
+            _rows = rows;
+        }
+
+        /// <summary>Directions and frequencies.</summary>
+        public CrossSectionPlan Plan { get; }
+
+        /// <summary>What is made of the responses.</summary>
+        public EchoSettings Settings { get; }
+
+        /// <summary>The frequencies.</summary>
+        public FrequencyBand Band { get; }
+
+        /// <summary>Makes the profiles.</summary>
+        public RangeTransform Range { get; }
+
+        /// <summary>The elements of the scattering matrix that were asked for.</summary>
+        public IReadOnlyList<Polarisation> Polarisations { get; }
+
+        /// <summary>Number of directions.</summary>
+        public int Directions => DirectionsOf(Plan);
+
+        /// <summary>Number of directions of a run.</summary>
+        /// <exception cref="FormatException">It has no plan.</exception>
+        public static int DirectionsOf(RunInfo info) => DirectionsOf(CrossSectionPlan.Of(info.Sweep));
+
+        static int DirectionsOf(CrossSectionPlan plan) => plan.Poses * plan.Receivers;
+
+        /// <summary>The rows of a direction, in order of the frequencies.</summary>
+        public IReadOnlyList<StoredRow> RowsOf(int direction) => Enumerable.Range(0, Band.Count)
+            .Select(frequency => _rows[NumberOf(direction, frequency)]).ToArray();
+
+        /// <summary>The direction, as planned for its first frequency.</summary>
+        public PlannedCrossSection Planned(int direction) => Plan[NumberOf(direction, 0)];
+
+        /// <summary>S in metres in order of the frequencies; null if it was not asked for.</summary>
+        public Complex[] Responses(int direction, Polarisation polarisation) => Polarisations.Contains(polarisation)
+            ? RowsOf(direction).Select(row => CrossSectionColumn.Amplitude(row, polarisation).Value).ToArray()
+            : null;
+
+        /// <summary>
+        /// Received amplitudes in the root of a watt, with noise; null if it was not asked for, or without a radar.
+        /// </summary>
+        public Complex[] Received(int direction, Polarisation polarisation)
+        {
+            if (Settings.Radar == null || !(Responses(direction, polarisation) is Complex[] responses))
+                return null;
+            var received = Settings.Radar.Receive(Band, responses);
+            // The same noise whatever other polarisations were asked for.
+            long pulse = 4L * direction + 2 * polarisation.Received + polarisation.Sent;
+            return _noise?.AddTo(received, pulse) ?? received;
+        }
+
+        /// <summary>The range profile of responses or of received amplitudes; null of null.</summary>
+        public Complex[] Profile(Complex[] responses) => responses == null ? null : Range.Profile(responses);
+
+        /// <summary>From the profiles to the image; only with <see cref="EchoSettings.Image"/>.</summary>
+        public IsarTransform NewImage() => NewImage(Settings.RangeOf(Plan, IsarTransform.Padding));
+
+        /// <summary>The image in metres, row by row; null if the polarisation was not asked for.</summary>
+        public Complex[] Image(Polarisation polarisation)
+        {
+            if (!Polarisations.Contains(polarisation))
+                return null;
+            var range = Settings.RangeOf(Plan, IsarTransform.Padding);
+            return NewImage(range).Image(Enumerable.Range(0, Directions).Select(direction =>
+                range.Profile(Responses(direction, polarisation))).ToArray());
+        }
+
+        IsarTransform NewImage(RangeTransform range)
+        {
+            var looks = Enumerable.Range(0, Directions).Select(Planned).ToArray();
+            double middle = 0.5 * (looks[0].AzimuthDegrees + looks[looks.Length - 1].AzimuthDegrees);
+            return new IsarTransform(range, Band, looks.Select(look => look.Radar).ToArray(), middle,
+                Window.Named(Settings.Window), Settings.Image.Side, Settings.Image.Pixels);
+        }
+
+        int NumberOf(int direction, int frequency) =>
+            (direction / Plan.Receivers * Band.Count + frequency) * Plan.Receivers + direction % Plan.Receivers;
+    }
+
+    /// <summary>The highest echo of a profile.</summary>
+    public static class EchoPeak
+    {
+        /// <summary>The cell of the largest magnitude; of equals the first.</summary>
+        public static int Of(IReadOnlyList<Complex> profile)
+        {
+            int peak = 0;
+            for (int cell = 1; cell < profile.Count; cell++)
+                if (profile[cell].Magnitude > profile[peak].Magnitude)
+                    peak = cell;
+            return peak;
+        }
+    }
+}

@@ -1,0 +1,93 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using System.Threading.Tasks;
+using Unity.Mathematics;
+
+namespace Glint.Core
+{
+    /// <summary>
+    /// From the range profiles of many looks to an image by backprojection: the sum over the looks of the profile at
+    /// the pixel's range, turned back by the phase of the carrier. A point on the image's plane keeps its cross
+    /// section. The plane is horizontal, through the phase centre; its axes are those of a radar at the middle of the
+    /// looks: down range away from it, cross range to its right.
+    /// </summary>
+    public sealed class IsarTransform
+    {
+        /// <summary>
+        /// Cells a bin that profiles need: reading between two cells takes less than 0.05 dB of a point.
+        /// </summary>
+        public const int Padding = 16;
+
+        /// <summary>Maximum number of pixels along a side.</summary>
+        public const int MaxPixels = 4096;
+
+        readonly RangeTransform _range;
+        readonly double _carrier;
+        readonly IReadOnlyList<RadarAspect> _looks;
+        readonly double[] _weights;
+        readonly double3 _down, _cross;
+
+        /// <param name="range">Made the profiles.</param>
+        /// <param name="looks">The radar of each profile.</param>
+        /// <param name="middleDegrees">Azimuth of the image's axes.</param>
+        /// <param name="window">Weights over the looks.</param>
+        /// <param name="side">Side of the image, metres.</param>
+        /// <param name="pixels">Pixels along a side.</param>
+        public IsarTransform(RangeTransform range, FrequencyBand band, IReadOnlyList<RadarAspect> looks,
+            double middleDegrees, Window window, double side, int pixels)
+        {
+            Require.Count("image", "number of pixels along a side", pixels, MaxPixels);
+            Require.Positive("image", "side", side, "m");
+            (_range, _carrier, _looks) = (range, band.Centre, looks);
+            var middle = RadarAspect.At(middleDegrees, 0);
+            (_down, _cross) = (-middle.ToRadar, middle.Right);
+            double[] weights = window.Weights(looks.Count);
+            double sum = weights.Sum();
+            _weights = weights.Select(weight => weight / sum).ToArray();
+            (Pixels, Pixel) = (pixels, side / pixels);
+        }
+
+        /// <summary>Pixels along a side.</summary>
+        public int Pixels { get; }
+
+        /// <summary>Side of a pixel, metres.</summary>
+        public double Pixel { get; }
+
+        /// <summary>Place of a row or column, metres: the middle of the image is the phase centre.</summary>
+        public double PlaceOf(double index) => (index - 0.5 * (Pixels - 1)) * Pixel;
+
+        /// <summary>The image, row by row: rows are down range, columns cross range.</summary>
+        /// <param name="profiles">Of each look, with <see cref="Padding"/>.</param>
+        public Complex[] Image(IReadOnlyList<Complex[]> profiles)
+        {
+            Require.Equal("image", "profiles", profiles.Count, _looks.Count);
+            var image = new Complex[Pixels * Pixels];
+            Parallel.For(0, Pixels, row =>
+            {
+                for (int column = 0; column < Pixels; column++)
+                {
+                    var place = PlaceOf(row) * _down + PlaceOf(column) * _cross;
+                    var sum = Complex.Zero;
+                    for (int look = 0; look < _looks.Count; look++)
+                        sum += _weights[look] * At(profiles[look], -math.dot(_looks[look].ToRadar, place));
+                    image[row * Pixels + column] = sum;
+                }
+            });
+            return image;
+        }
+
+        // The profile at a range, turned back by the phase of the carrier; 0 outside the unambiguous range.
+        Complex At(Complex[] profile, double range)
+        {
+            double cell = (range - _range.StartRange) / _range.CellSize;
+            int first = (int)Math.Floor(cell);
+            if (first < 0 || first + 1 >= profile.Length)
+                return Complex.Zero;
+            double part = cell - first;
+            var (sine, cosine) = PortableMath.SinCos(2 * _carrier * range / Signal.SpeedOfLight);
+            return ((1 - part) * profile[first] + part * profile[first + 1]) * new Complex(cosine, sine);
+        }
+    }
+}

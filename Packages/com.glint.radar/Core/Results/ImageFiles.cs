@@ -1,0 +1,75 @@
+using System;
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using System.Numerics;
+using System.Text;
+
+namespace Glint.Core
+{
+    /// <summary>The files of the image of a sweep, written from the rows of a whole run.</summary>
+    static class ImageFiles
+    {
+        // Decibels from white to black.
+        const double Span = 60;
+
+        /// <summary>image.csv, image.npz and a picture for each polarisation.</summary>
+        public static readonly IReadOnlyList<WholeFile> All = new[]
+        {
+            new WholeFile("image.csv", WriteTable, (info, rows) => HasImage(info)),
+            new WholeFile("image.npz", WriteNumpy, (info, rows) => HasImage(info))
+        }.Concat(Polarisation.All.Select(polarisation => new WholeFile($"image-{polarisation}.png",
+            (output, info, rows) => WritePicture(output, info, rows, polarisation),
+            (info, rows) => HasImage(info) && EchoSettings.PolarisationsOf(info).Contains(polarisation)))).ToArray();
+
+        static bool HasImage(RunInfo info) => EchoSettings.Of(info).Image != null;
+
+        // A line for each pixel.
+        static void WriteTable(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        {
+            var echo = new EchoProfiles(info, rows);
+            var transform = echo.NewImage();
+            var images = Polarisation.All.Select(echo.Image).ToArray();
+            using (var text = new StreamWriter(output, new UTF8Encoding(false), 1 << 16, true) { NewLine = "\n" })
+            {
+                text.WriteLine("down_range_m,cross_range_m,"
+                    + string.Join(",", Polarisation.All.Select(each => $"{each}_dbsm")));
+                for (int i = 0; i < transform.Pixels * transform.Pixels; i++)
+                    text.WriteLine($"{Numbers.Format(transform.PlaceOf(i / transform.Pixels))},"
+                        + $"{Numbers.Format(transform.PlaceOf(i % transform.Pixels))},"
+                        + string.Join(",", images.Select(image => EchoFiles.Level(image, i))));
+            }
+        }
+
+        static void WriteNumpy(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
+        {
+            var echo = new EchoProfiles(info, rows);
+            var transform = echo.NewImage();
+            int pixels = transform.Pixels;
+            var places = Enumerable.Range(0, pixels).Select(index => transform.PlaceOf(index)).ToArray();
+            var empty = new Lazy<Complex[]>(() =>
+                Enumerable.Repeat(new Complex(double.NaN, double.NaN), pixels * pixels).ToArray());
+            using (var file = new NumpyArchive(output))
+            {
+                file.Add("down_range", new[] { pixels }, places);
+                file.Add("cross_range", new[] { pixels }, places);
+                file.Add("image", new[] { 2, 2, pixels, pixels }, Polarisation.Matrix.SelectMany(polarisation =>
+                    echo.Image(polarisation) ?? empty.Value));
+            }
+        }
+
+        // As seen by the radar from above: near pixels below, those to its right on the right.
+        static void WritePicture(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows, Polarisation polarisation)
+        {
+            var image = new EchoProfiles(info, rows).Image(polarisation);
+            int pixels = (int)Math.Round(Math.Sqrt(image.Length));
+            double[] levels = image.Select(value => ScatteringMatrix.Dbsm(value)).ToArray();
+            double highest = levels.Max();
+            PngFile.WriteGrey(output, pixels, Enumerable.Range(0, image.Length).Select(i =>
+            {
+                double below = highest - levels[(pixels - 1 - i / pixels) * pixels + i % pixels];
+                return (byte)Math.Round(255 * Math.Max(0, 1 - below / Span));
+            }).ToArray());
+        }
+    }
+}

@@ -1,0 +1,191 @@
+using System;
+using System.Linq;
+using Glint.Core;
+
+namespace Glint.Editor
+{
+    /// <summary>The options of <c>glint echo</c> beside those of <c>glint rcs</c>.</summary>
+    public static class EchoOptions
+    {
+        const string Group = "Band and profile", RadarGroup = "Received power", ResultGroup = "Results",
+            ImageGroup = "Image";
+
+        static readonly Interval s_bandwidth = Interval.Closed(1, 1e12), s_count = Interval.Closed(2, 1 << 16),
+            s_power = Interval.Closed(1e-12, 1e12), s_gain = Interval.Closed(-50, 100),
+            s_decibels = Interval.Closed(0, 100), s_seed = Interval.Closed(0, int.MaxValue);
+
+        /// <summary>Middle of the band, hertz.</summary>
+        public static readonly Option<double> Frequency = Options.Number("frequency", "HZ", "10e9",
+            SweepAxis.Frequency.List.Range, Group, InputKind.Any, "Middle of the band in hertz.");
+
+        /// <summary>Width of the band, hertz.</summary>
+        public static readonly Option<double> Bandwidth = Options.Number("bandwidth", "HZ", "150e6", s_bandwidth, Group,
+            InputKind.Any, "Width B of the band in hertz: a bin of range is c / (2 B), 1 m at 150e6.");
+
+        /// <summary>Number of frequencies; null when not given.</summary>
+        public static readonly Option<int?> Frequencies =
+            new Option<int?>("frequencies", "N", text => Values.Whole(text, s_count))
+            {
+                Group = Group,
+                Range = s_count.ToString(),
+                Help = "Number of frequencies of the band, whose step is B / N; the unambiguous range is N bins. "
+                    + "Without it: as many as tell all echoes of up to two bounces apart."
+            };
+
+        /// <summary>Name of the window.</summary>
+        public static readonly Option<string> Window = new Option<string>("window", "NAME", ReadWindow)
+        {
+            Group = Group,
+            Choices = Core.Window.Names,
+            Range = "one of " + string.Join(", ", Core.Window.Names),
+            DefaultText = Core.Window.Names[0],
+            Help = "Weights over the band, which lower the sidelobes of an echo and widen it. taylor has four near "
+                + "sidelobes of -35 dB."
+        };
+
+        /// <summary>Transmit power, watts; null when not given.</summary>
+        public static readonly Option<double?> Power =
+            new Option<double?>("power", "W", text => Values.Real(text, s_power))
+            {
+                Group = RadarGroup,
+                Range = s_power.ToString(),
+                Needs = new Option[] { CrossSectionOptions.Range },
+                Help = "Peak transmit power in watts: the files then have received power in dBW at --range too."
+            };
+
+        /// <summary>Gain of the antenna, decibels.</summary>
+        public static readonly Option<double> Gain = Needing(Power, Options.Number("gain", "DBI", "0", s_gain,
+            RadarGroup, InputKind.Any, "Gain in dBi of the antenna, which sends and receives."));
+
+        /// <summary>Losses, decibels.</summary>
+        public static readonly Option<double> Loss = Needing(Power, Options.Number("loss", "DB", "0", s_decibels,
+            RadarGroup, InputKind.Any, "Losses of transmitter, lines and receiver together in dB."));
+
+        /// <summary>Noise figure, decibels; null when not given.</summary>
+        public static readonly Option<double?> NoiseFigure = Needing(Power,
+            new Option<double?>("noise-figure", "DB", text => Values.Real(text, s_decibels))
+            {
+                Group = RadarGroup,
+                Range = s_decibels.ToString(),
+                Help = "Noise figure F of the receiver in dB: noise of the power k T0 B F is added to each received "
+                    + "amplitude, T0 290 K. Without it: no noise."
+            });
+
+        /// <summary>Seed of the noise.</summary>
+        public static readonly Option<int> Seed = Needing(NoiseFigure, Options.Whole("seed", "N", "0", s_seed,
+            RadarGroup, "Seed of the noise: the same number gives the same noise."));
+
+        /// <summary>Whether a MAT-file is written.</summary>
+        public static readonly Option<bool> Matlab = Options.Switch("mat", ResultGroup,
+            "Also write echo.mat, the arrays of echo.npz for MATLAB and Octave.");
+
+        /// <summary>Whether a SigMF recording is written.</summary>
+        public static readonly Option<bool> SigMf = Options.Switch("sigmf", ResultGroup,
+            "Also write echo.sigmf-data and echo.sigmf-meta, the complex profiles as a SigMF recording.");
+
+        /// <summary>All options, in the order of the help.</summary>
+        public static readonly Option[] All = new Option[] { Frequency, Bandwidth, Frequencies, Window, Power, Gain,
+            Loss, NoiseFigure, Seed }.Concat(CrossSectionOptions.All.Where(option =>
+                option != CrossSectionOptions.Frequency && option != CrossSectionOptions.Contributions
+                && option != CrossSectionOptions.Out)).Concat(new Option[] { CrossSectionOptions.Out, Matlab, SigMf })
+            .ToArray();
+
+        /// <summary>The options of <c>glint isar</c> beside those of <c>glint echo</c>.</summary>
+        public static readonly Option<double?> Side =
+            new Option<double?>("side", "M", text => Values.Real(text, SweepAxis.Range.List.Range))
+            {
+                Group = ImageGroup,
+                Range = SweepAxis.Range.List.Range.ToString(),
+                Help = "Side of the square image in metres. Without it: twice the distance of the target's farthest "
+                    + "corner from the phase centre."
+            };
+
+        /// <inheritdoc cref="Side"/>
+        public static readonly Option<double?> Pixel =
+            new Option<double?>("pixel", "M", text => Values.Real(text, SweepAxis.Range.List.Range))
+            {
+                Group = ImageGroup,
+                Range = SweepAxis.Range.List.Range.ToString(),
+                Help = "Side of a pixel in metres. Without it: half of the finer of the two bins."
+            };
+
+        /// <summary>All options of <c>glint isar</c>, in the order of the help.</summary>
+        public static readonly Option[] AllOfImage = All.Where(option => option != CrossSectionOptions.Bistatic
+            && option != CrossSectionOptions.Receivers && option != CrossSectionOptions.Range && option != Power
+            && option != Gain && option != Loss && option != NoiseFigure && option != Seed)
+            .Concat(new Option[] { Side, Pixel }).ToArray();
+
+        /// <summary>The image of a command line.</summary>
+        /// <param name="band">The band of the plan.</param>
+        /// <param name="extent">Distance of the target's farthest corner from the phase centre, metres.</param>
+        /// <exception cref="UsageException">The looks make no image, or it has too many pixels.</exception>
+        public static IsarSettings ImageOf(CommandLine line, FrequencyBand band, double extent)
+        {
+            double[] looks = line.Get(CrossSectionOptions.Azimuth);
+            double step = looks.Length < 2 ? 0 : (looks[looks.Length - 1] - looks[0]) / (looks.Length - 1);
+            if (step == 0 || looks.Where((look, i) => Math.Abs(look - looks[0] - i * step) > 1e-6).Any())
+                throw new UsageException($"{CrossSectionOptions.Azimuth.Flag}: an image takes at least two azimuths at "
+                    + "equal steps: give FROM:TO:STEP, such as -1:1:0.05");
+            if (line.Get(CrossSectionOptions.Elevation).Length > 1)
+                throw new UsageException($"{CrossSectionOptions.Elevation.Flag}: an image takes one elevation");
+            double finer = Math.Min(band.RangeResolution, CrossBin(band, looks)), side = line.Get(Side) ?? 2 * extent,
+                pixels = Math.Max(1, Math.Ceiling(side / (line.Get(Pixel) ?? finer / 2)));
+            return pixels <= IsarTransform.MaxPixels
+                ? new IsarSettings { Side = side, Pixels = (int)pixels }
+                : throw new UsageException(FormattableString.Invariant(
+                    $"the image has {pixels:0} pixels along a side, at most {IsarTransform.MaxPixels} are possible: give a smaller {Side.Flag}, or a larger {Pixel.Flag}"));
+        }
+
+        /// <summary>lambda / 2 over the angle of all looks, metres: a bin of cross range.</summary>
+        public static double CrossBin(FrequencyBand band, double[] looks) => Signal.Wavelength(band.Centre)
+            / (2 * looks.Length / (looks.Length - 1.0) * Math.Abs(looks[looks.Length - 1] - looks[0]) * Math.PI / 180);
+
+        /// <summary>What is made of the responses.</summary>
+        /// <exception cref="UsageException">The band begins below 0 Hz.</exception>
+        public static EchoSettings SettingsOf(CommandLine line)
+        {
+            double bandwidth = line.Get(Bandwidth), centre = line.Get(Frequency);
+            if (bandwidth >= 2 * centre)
+                throw new UsageException($"{Bandwidth.Flag} {Numbers.Format(bandwidth)}: must be below twice "
+                    + $"{Frequency.Flag}, {Numbers.Format(2 * centre)} Hz");
+            return new EchoSettings
+            {
+                Bandwidth = bandwidth, Window = line.Get(Window), HasMatlab = line.Get(Matlab),
+                HasSigMf = line.Get(SigMf),
+                Radar = line.Get(Power) is double power
+                    ? new EchoRadar
+                    {
+                        Power = power, GainDb = line.Get(Gain), LossDb = line.Get(Loss),
+                        NoiseFigureDb = line.Get(NoiseFigure), Seed = line.Get(Seed),
+                        Range = line.Get(CrossSectionOptions.Range).Value
+                    }
+                    : null
+            };
+        }
+
+        /// <summary>The plan of a command line, with the frequencies of its band.</summary>
+        /// <param name="reach">Of <see cref="EchoBand.Reach"/>.</param>
+        /// <exception cref="UsageException">The lists do not go together, or are too long.</exception>
+        public static CrossSectionPlan PlanOf(CommandLine line, double reach)
+        {
+            double bandwidth = line.Get(Bandwidth), count = line.Get(Frequencies) ?? EchoBand.CountFor(reach, bandwidth);
+            if (!s_count.Contains(count))
+                throw new UsageException(FormattableString.Invariant(
+                    $"{Bandwidth.Flag} {Numbers.Format(bandwidth)}: the target takes {count:0} frequencies, at most {1 << 16} are possible: give a smaller band, or {Frequencies.Flag}, with echoes folded into the unambiguous range"));
+            return CrossSectionOptions.PlanOf(line,
+                EchoBand.Frequencies(line.Get(Frequency), bandwidth, (int)count));
+        }
+
+        static string ReadWindow(string text)
+        {
+            Core.Window.Named(text);
+            return text;
+        }
+
+        static Option<T> Needing<T>(Option needed, Option<T> option)
+        {
+            option.Needs = new[] { needed };
+            return option;
+        }
+    }
+}

@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using Glint.Core;
+using Newtonsoft.Json;
+using Newtonsoft.Json.Linq;
+
+namespace Glint.Editor
+{
+    /// <summary>The part of a report that shows range profiles.</summary>
+    sealed class EchoReport
+    {
+        // Levels of a report: of more the highest of neighbouring cells is shown.
+        const int MaxLevels = 1 << 22;
+
+        readonly StoredRun _run;
+        readonly EchoProfiles _echo;
+
+        // Of directions and polarisations.
+        readonly Complex[][][] _profiles;
+
+        /// <exception cref="GlintException">The run is part of another one.</exception>
+        public EchoReport(StoredRun run)
+        {
+            if (run.Info.Sweep.Shard is SweepShard shard)
+                throw new GlintException($"the results are part {shard} of a run, and a range profile takes all of its "
+                    + "frequencies: join the parts with glint merge");
+            _run = run;
+            _echo = new EchoProfiles(run.Info, run.Rows);
+            _profiles = ProfilesOf(_echo.Responses);
+        }
+
+        /// <summary>The run in the form of results.json, with one row for each direction: its highest echo.</summary>
+        public JObject RunToJson()
+        {
+            var run = Parse(ResultsJson.Line(_run.Info, Array.Empty<StoredRow>(), _run.Table));
+            foreach (var polarisation in _echo.Polarisations)
+            {
+                string name = polarisation.Name.ToUpperInvariant();
+                run["columns"][$"{polarisation}_dbsm"]["title"] = $"Highest echo, {name}";
+                run["columns"][RangeColumn(polarisation)] =
+                    new JObject { ["title"] = $"Range of the highest echo, {name}", ["unit"] = "m" };
+            }
+            run["rows"] = new JArray(Enumerable.Range(0, _echo.Directions).Select(RowToJson));
+            return run;
+        }
+
+        /// <summary>
+        /// The profiles: levels by direction, polarisation and cell in hundredths of a decibel, 16 bits, as base64,
+        /// little-endian.
+        /// </summary>
+        public JObject ToJson()
+        {
+            int group = 1, cells = _echo.Range.Cells, lines = _echo.Directions * _echo.Polarisations.Count;
+            while ((long)lines * (cells / group) > MaxLevels && group < cells)
+                group *= 2;
+            var quantities = new JArray { Quantity("dBsm", _profiles, group) };
+            if (_echo.Settings.Radar != null)
+                quantities.Add(Quantity("dBW", ProfilesOf(_echo.Received), group));
+            return new JObject
+            {
+                ["start"] = _echo.Range.RangeOf(0.5 * (group - 1)), ["step"] = group * _echo.Range.CellSize,
+                ["cells"] = cells / group, ["group"] = group, ["unambiguous"] = _echo.Band.UnambiguousRange,
+                ["window"] = _echo.Settings.Window,
+                ["polarisations"] = new JArray(_echo.Polarisations.Select(polarisation => polarisation.Name)),
+                ["quantities"] = quantities
+            };
+        }
+
+        static string RangeColumn(Polarisation polarisation) => $"{polarisation}_range_m";
+
+        Complex[][][] ProfilesOf(Func<int, Polarisation, Complex[]> responses) =>
+            Enumerable.Range(0, _echo.Directions).Select(direction => _echo.Polarisations.Select(polarisation =>
+                _echo.Profile(responses(direction, polarisation))).ToArray()).ToArray();
+
+        JObject RowToJson(int direction)
+        {
+            var rows = _echo.RowsOf(direction);
+            var json = Parse(ResultsJson.Line(rows[0], _run.Table));
+            json[CrossSectionColumn.Frequency.Name] = _echo.Band.Centre;
+            for (int i = 0; i < _echo.Polarisations.Count; i++)
+            {
+                var polarisation = _echo.Polarisations[i];
+                var profile = _profiles[direction][i];
+                int cell = EchoPeak.Of(profile);
+                json[$"{polarisation}_dbsm"] =
+                    profile[cell] == Complex.Zero ? null : (JToken)ScatteringMatrix.Dbsm(profile[cell]);
+                json[$"{polarisation}_re_m"] = profile[cell].Real;
+                json[$"{polarisation}_im_m"] = profile[cell].Imaginary;
+                json[RangeColumn(polarisation)] = _echo.Range.RangeOf(cell);
+            }
+            foreach (var column in new[] { CrossSectionColumn.Error, CrossSectionColumn.ErrorDb,
+                CrossSectionColumn.OutsidePhysicalOptics })
+                json[column.Name] = rows.Max(row => row[column].Value);
+            json[CrossSectionColumn.ToleranceMet.Name] =
+                rows.Min(row => row[CrossSectionColumn.ToleranceMet].Value);
+            return json;
+        }
+
+        static JObject Quantity(string unit, Complex[][][] profiles, int group) => new JObject
+        {
+            ["unit"] = unit,
+            ["levels"] = ReportModel.Base64(profiles.SelectMany(direction => direction)
+                .SelectMany(profile => Levels(profile, group)).ToArray(), sizeof(short))
+        };
+
+        static IEnumerable<short> Levels(Complex[] profile, int group)
+        {
+            for (int first = 0; first < profile.Length; first += group)
+            {
+                double highest = Enumerable.Range(first, group).Max(cell => ScatteringMatrix.Dbsm(profile[cell]));
+                yield return (short)Math.Max(-short.MaxValue, Math.Min(short.MaxValue, Math.Round(100 * highest)));
+            }
+        }
+
+        static JObject Parse(string json) => JsonConvert.DeserializeObject<JObject>(json,
+            new JsonSerializerSettings { DateParseHandling = DateParseHandling.None });
+    }
+}

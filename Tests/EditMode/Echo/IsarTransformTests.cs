@@ -1,0 +1,86 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Glint.Tests
+{
+    public sealed class IsarTransformTests
+    {
+        const double Middle = 20, Spacing = 5, Level = 2;
+        const int LookCount = 72;
+
+        static readonly FrequencyBand s_band = new FrequencyBand(9.85e9, 300e6 / 72, 72);
+
+        // A bin of cross range equals one of range: both 0.5 m.
+        static readonly double s_bin = s_band.RangeResolution,
+            s_lookStep = PointEchoes.C / s_band.Centre / (2 * s_bin) / LookCount * 180 / Math.PI;
+
+        /// <summary>
+        /// 5 x 5 points 5 m apart, turned to 30 degrees: all are at their places within a tenth of a bin and equal within
+        /// 0.3 dB. No mirror image of the turned grid falls on it.
+        /// </summary>
+        [Test]
+        public void Image_OfAGridOfPoints_HasThemAtTheirPlacesWithTheirCrossSections()
+        {
+            var (sine, cosine) = (Math.Sin(Math.PI / 6), Math.Cos(Math.PI / 6));
+            var points = Enumerable.Range(0, 25).Select(i => Spacing * new double2(i / 5 - 2, i % 5 - 2))
+                .Select(at => new double2(cosine * at.x - sine * at.y, sine * at.x + cosine * at.y)).ToArray();
+            var transform = NewTransform(32, 256, out var range);
+            double[] levels = PowerLevel.Decibels(transform.Image(Profiles(points, range)));
+            foreach (var point in points)
+            {
+                var (row, column) = ((int)Math.Round(Index(point.x)), (int)Math.Round(Index(point.y)));
+                double[] down = Enumerable.Range(row - 4, 9).Select(i => levels[i * 256 + column]).ToArray(),
+                    across = Enumerable.Range(column - 4, 9).Select(i => levels[row * 256 + i]).ToArray();
+                var (downAt, downLevel) = PointEchoes.Peak(down);
+                var (acrossAt, acrossLevel) = PointEchoes.Peak(across);
+                Assert.That(transform.PlaceOf(row - 4 + downAt), Is.EqualTo(point.x).Within(0.1 * s_bin), "down range");
+                Assert.That(transform.PlaceOf(column - 4 + acrossAt), Is.EqualTo(point.y).Within(0.1 * s_bin),
+                    "cross range");
+                Assert.That(new[] { downLevel, acrossLevel }, Is.All.EqualTo(10 * Math.Log10(Level)).Within(0.3));
+            }
+
+            double Index(double place) => (place - transform.PlaceOf(0)) / transform.Pixel;
+        }
+
+        /// <summary>Widths of a point at -3 dB are those of the window, along both axes.</summary>
+        [Test]
+        public void Image_OfAPoint_HasTheWindowsWidthOnBothAxes()
+        {
+            var transform = NewTransform(4, 201, out var range);
+            double[] levels = PowerLevel.Decibels(transform.Image(Profiles(new[] { new double2(0, 0) }, range)));
+            double width = Window.Named("taylor").Width(0.5) * s_bin, highest = levels.Max();
+            Assert.That(highest, Is.EqualTo(10 * Math.Log10(Level)).Within(0.05));
+            Assert.That(Array.IndexOf(levels, highest), Is.EqualTo(100 * 201 + 100), "in the middle");
+            foreach (int stride in new[] { 1, 201 })
+                Assert.That(Enumerable.Range(-100, 201).Count(i =>
+                        levels[100 * 202 + i * stride] > highest - 10 * Math.Log10(2)) * transform.Pixel,
+                    Is.EqualTo(width).Within(2 * transform.Pixel));
+        }
+
+        static IEnumerable<RadarAspect> Looks => Enumerable.Range(0, LookCount).Select(look =>
+            RadarAspect.At(Middle + (look - 0.5 * (LookCount - 1)) * s_lookStep, 0));
+
+        static IsarTransform NewTransform(double side, int pixels, out RangeTransform range)
+        {
+            range = new RangeTransform(s_band, Window.Named("taylor"), IsarTransform.Padding,
+                -0.5 * s_band.UnambiguousRange);
+            return new IsarTransform(range, s_band, Looks.ToArray(), Middle, Window.Named("taylor"), side, pixels);
+        }
+
+        // Points at places down range and cross range, summed term by term.
+        static Complex[][] Profiles(double2[] points, RangeTransform range)
+        {
+            double azimuth = Middle * Math.PI / 180;
+            double3 down = new double3(Math.Sin(azimuth), 0, Math.Cos(azimuth)),
+                right = new double3(Math.Cos(azimuth), 0, -Math.Sin(azimuth));
+            var amplitudes = points.Select(point => new Complex(Math.Sqrt(Level), 0)).ToArray();
+            return Looks.Select(look => range.Profile(PointEchoes.Sum(s_band, points.Select(point =>
+                -2 * math.dot(look.ToRadar, point.x * down + point.y * right)).ToArray(), amplitudes))).ToArray();
+        }
+    }
+}

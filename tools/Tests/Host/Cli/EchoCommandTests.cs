@@ -1,0 +1,353 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Numerics;
+using System.Text.RegularExpressions;
+using Glint.Editor;
+using Glint.Tests;
+using Newtonsoft.Json.Linq;
+using NUnit.Framework;
+
+namespace Glint.Host.Tests;
+
+/// <summary>glint echo: profiles, received power, files, resumption, parts, report, refusals.</summary>
+[Category("Slow")]
+public sealed class EchoCommandTests
+{
+    // Metres and hertz.
+    const double C = 299792458, Width = 0.3, Height = 0.2, Frequency = 10e9, Wavelength = C / Frequency, Range = 2.5;
+
+    string _folder;
+
+    // A plate 2.5 m behind the origin as seen from azimuth 0.
+    [SetUp]
+    public void MakePlate()
+    {
+        _folder = Directory.CreateTempSubdirectory("glint-echo-").FullName;
+        File.WriteAllText(At("plate.obj"),
+            "v -0.15 -0.1 2.5\nv 0.15 -0.1 2.5\nv 0.15 0.1 2.5\nv -0.15 0.1 2.5\nf 1 2 3 4\n");
+    }
+
+    [TearDown]
+    public void RemovePlate() => Directory.Delete(_folder, true);
+
+    /// <summary>4 pi A^2 / lambda^2 in dBsm at 2.5 m, in every file; the arrays are the sums of the page's formula.</summary>
+    [Test]
+    public void Plate_AtNormalIncidence_IsAPointOfItsCrossSection()
+    {
+        string output = Run(At("plate.obj"), "--bandwidth", "600e6", "--edges", "off", "--window", "none",
+            "--polarisation", "vv", "--tolerance", "0.01", "--out", At("echo"));
+        double expected = 20 * Math.Log10(Math.Sqrt(4 * Math.PI) * Width * Height / Wavelength), bin = C / (2 * 600e6);
+        var table = Table("echo/profile.csv");
+        var highest = table.MaxBy(line => Number(line, "vv_dbsm"));
+        Assert.That(Number(highest, "vv_dbsm"), Is.EqualTo(expected).Within(0.07));
+        Assert.That(Number(highest, "range_m"), Is.EqualTo(Range).Within(bin / 15));
+        Assert.That(output, Does.Match(@"(?m)^ +0 +0 +16\.9\d+ +2\.\d+ +0\.0\d+\r?$"));
+        Assert.That(table.Select(line => line["hh_dbsm"]), Is.All.Empty, "not asked for");
+
+        var f = NumpyReader.Read(At("echo/echo.npz"), "frequency").Numbers;
+        Assert.That(f.Average(), Is.EqualTo(Frequency).Within(1e-3));
+        Assert.That(f[1] - f[0], Is.EqualTo(600e6 / f.Length).Within(1e-3));
+        var s = NumpyReader.Read(At("echo/echo.npz"), "S");
+        Assert.That(s.Sizes, Is.EqualTo(new[] { 1, f.Length, 1, 2, 2 }));
+        var range = NumpyReader.Read(At("echo/echo.npz"), "range").Numbers;
+        var profile = NumpyReader.Read(At("echo/echo.npz"), "profile");
+        Assert.That(profile.Sizes, Is.EqualTo(new[] { 1, 1, 2, 2, range.Length }));
+        Assert.That(range[0], Is.EqualTo(-f.Length * bin / 2).Within(1e-9));
+        foreach (int cell in new[] { 0, 17, range.Length / 2, range.Length - 1 })
+        {
+            var sum = Enumerable.Range(0, f.Length).Aggregate(Complex.Zero, (all, n) =>
+                all + new Complex(s.Numbers[8 * n], s.Numbers[8 * n + 1])
+                    * Complex.FromPolarCoordinates(1, 4 * Math.PI * (f[n] - Frequency) * range[cell] / C) / f.Length);
+            Assert.That(profile.Numbers[2 * cell], Is.EqualTo(sum.Real).Within(1e-9));
+            Assert.That(profile.Numbers[2 * cell + 1], Is.EqualTo(sum.Imaginary).Within(1e-9));
+            Assert.That(Number(table[cell], "vv_dbsm"), Is.EqualTo(20 * Math.Log10(sum.Magnitude)).Within(1e-6));
+            Assert.That(Number(table[cell], "range_m"), Is.EqualTo(range[cell]));
+        }
+        Assert.That(profile.Numbers.Skip(2 * range.Length), Is.All.NaN);
+    }
+
+    /// <summary>Pt G^2 lambda^2 sigma / ((4 pi)^3 R^4 L), and noise of k T0 B F in each response.</summary>
+    [Test]
+    public void Received_HasThePowerOfTheRadarEquation_AndTheReceiversNoise()
+    {
+        string[] echo = [At("plate.obj"), "--bandwidth", "600e6", "--frequencies", "1024", "--edges", "off",
+            "--tolerance", "0.1", "--range", "1000", "--power", "50", "--gain", "20", "--loss", "3"];
+        Run([.. echo, "--out", At("silent")]);
+        double sigma = 4 * Math.PI * Math.Pow(Width * Height / Wavelength, 2);
+        double expected = 50 * 1e4 * Wavelength * Wavelength * sigma
+            / (Math.Pow(4 * Math.PI, 3) * 1e12 * Math.Pow(10, 0.3));
+        Assert.That(Table("silent/profile.csv").Max(line => Number(line, "hh_dbw")),
+            Is.EqualTo(10 * Math.Log10(expected)).Within(0.1));
+
+        Run([.. echo, "--noise-figure", "6", "--seed", "5", "--out", At("noisy")]);
+        Run([.. echo, "--noise-figure", "6", "--seed", "5", "--polarisation", "hh", "--out", At("again")]);
+        double[] Received(string folder) => NumpyReader.Read(At(folder + "/echo.npz"), "received").Numbers;
+        double[] silent = Received("silent"), noisy = Received("noisy");
+        // 4 polarisations of 1024 responses: the mean power is known to 1.6 %, a standard deviation.
+        double noise = noisy.Zip(silent, (a, b) => (a - b) * (a - b)).Sum() / (4 * 1024);
+        Assert.That(noise, Is.EqualTo(1.380649e-23 * 290 * 600e6 * Math.Pow(10, 0.6)).Within(7).Percent);
+        Assert.That(Received("again").TakeLast(2048), Is.EqualTo(noisy.TakeLast(2048)).Within(1e-15),
+            "the same seed, other polarisations");
+        Assert.That(Table("noisy/profile.csv").Select(line => line["hh_dbsm"]),
+            Is.EqualTo(Table("silent/profile.csv").Select(line => line["hh_dbsm"])), "cross sections have no noise");
+    }
+
+    [Test]
+    public void Matlab_AndSigMf_HaveTheArraysAndTheProfiles()
+    {
+        Run(At("plate.obj"), "--azimuth", "0,10", "--frequencies", "16", "--polarisation", "vv,hh", "--tolerance", "0.5",
+            "--mat", "--sigmf", "--out", At("echo"));
+        var arrays = MatlabReader.Read(File.ReadAllBytes(At("echo/echo.mat")));
+        Assert.That(arrays.Select(array => array.Name + ".npy"), Is.EqualTo(NumpyReader.Names(At("echo/echo.npz"))));
+        var profile = NumpyReader.Read(At("echo/echo.npz"), "profile");
+        var same = arrays.Single(array => array.Name == "profile");
+        Assert.That(same.Sizes, Is.EqualTo(profile.Sizes));
+        // Indices pose and range, of the received and sent V.
+        int cells = profile.Sizes[4];
+        for (int pose = 0; pose < 2; pose++)
+            Assert.That(same.Real[pose + 8 * 5], Is.EqualTo(profile.Numbers[2 * (4 * cells * pose + 5)]));
+
+        var meta = JObject.Parse(File.ReadAllText(At("echo/echo.sigmf-meta")));
+        Assert.That((string)meta["global"]["glint:unit"], Is.EqualTo("m"));
+        Assert.That(meta["captures"].Select(capture =>
+                $"{capture["glint:azimuth_deg"]} {capture["glint:polarisation"]} {capture["core:sample_start"]}"),
+            Is.EqualTo(new[] { "0 vv 0", $"0 hh {cells}", $"10 vv {2 * cells}", $"10 hh {3 * cells}" }));
+        byte[] data = File.ReadAllBytes(At("echo/echo.sigmf-data"));
+        Assert.That(data, Has.Length.EqualTo(4 * cells * 8));
+        // The last capture: received and sent in H.
+        for (int i = 0; i < 2 * cells; i++)
+            Assert.That(BitConverter.ToSingle(data, 4 * (6 * cells + i)),
+                Is.EqualTo((float)profile.Numbers[2 * 7 * cells + i]));
+        Run(At("plate.obj"), "--frequencies", "16", "--tolerance", "0.5", "--out", At("echo"));
+        Assert.That(File.Exists(At("echo/echo.mat")) || File.Exists(At("echo/echo.sigmf-data")), Is.False,
+            "older ones are removed");
+    }
+
+    [Test]
+    public void Run_CancelledOrInParts_EndsWithTheFilesOfAnUndisturbedOne()
+    {
+        string[] echo = [At("plate.obj"), "--azimuth", "0:3:1", "--frequencies", "16", "--tolerance", "0.5",
+            "--sigmf"];
+        Run([.. echo, "--out", At("whole")]);
+        var line = CommandLine.Parse(Commands.Echo, [.. echo, "--out", At("stopped")]);
+        Project.Open(Project.FindRoot(AppContext.BaseDirectory));
+        Assert.That(Batch.Execute(line, new CancelAfter(21)), Is.EqualTo(130));
+        Assert.That(Run([.. echo, "--out", At("stopped"), "--resume"]), Does.Contain("resumed: 21 of 64 rows are done"));
+        AssertSame("stopped");
+        // Three parts of 64 rows divide directions.
+        for (int number = 1; number <= 3; number++)
+            Run([.. echo, "--shard", $"{number}/3", "--out", At($"{number}")]);
+        Assert.That(File.Exists(At("2/profile.csv")), Is.False, "the merged whole has it");
+        var (code, _, error) = TestShell.Run("report", At("2"), "--pose", "none");
+        Assert.That((code, error.Trim()), Is.EqualTo((1, "glint: the results are part 2/3 of a run, and a range profile "
+            + "takes all of its frequencies: join the parts with glint merge")));
+        (code, _, error) = TestShell.Run("merge", At("1"), At("2"), At("3"), "--out", At("merged"));
+        Assert.That(code, Is.Zero, error);
+        AssertSame("merged");
+        (code, _, error) = Execute([.. echo, "--window", "hann", "--out", At("stopped"), "--resume"]);
+        Assert.That(code, Is.EqualTo(1));
+        Assert.That(error, Does.Contain("is of another sweep: window was taylor and is hann"));
+    }
+
+    [Test]
+    public void Report_HasARowADirection_AndTheLevelsOfTheProfiles()
+    {
+        Run(At("plate.obj"), "--azimuth", "0,4,8", "--frequencies", "32", "--edges", "off", "--tolerance", "0.5",
+            "--polarisation", "vv,hh", "--out", At("echo"));
+        var (code, _, error) = TestShell.Run("report", At("echo"));
+        Assert.That(code, Is.Zero, error);
+        string page = File.ReadAllText(At("echo/report.html"));
+        const string start = "<script type=\"application/json\" id=\"data\">";
+        int from = page.IndexOf(start) + start.Length;
+        var data = JObject.Parse(page[from..page.IndexOf("</script>", from)]);
+        var rows = data["run"]["rows"].ToArray();
+        Assert.That(rows.Select(row => (double)row["azimuth_deg"]), Is.EqualTo(new[] { 0, 4, 8 }));
+        Assert.That((double)rows[0]["hh_range_m"], Is.EqualTo(Range).Within(0.1));
+        var table = Table("echo/profile.csv");
+        int cells = (int)data["echo"]["cells"];
+        Assert.That(table, Has.Count.EqualTo(3 * cells));
+        byte[] levels = Convert.FromBase64String((string)data["echo"]["quantities"][0]["levels"]);
+        for (int direction = 0; direction < 3; direction++)
+            for (int cell = 0; cell < cells; cell++)
+                Assert.That(BitConverter.ToInt16(levels, 2 * ((2 * direction + 1) * cells + cell)) / 100.0,
+                    Is.EqualTo(Number(table[direction * cells + cell], "hh_dbsm")).Within(0.0051));
+        Assert.That((double)rows[1]["vv_dbsm"],
+            Is.EqualTo(table.Skip(cells).Take(cells).Max(line => Number(line, "vv_dbsm"))).Within(1e-9));
+        Assert.That((double)data["echo"]["start"], Is.EqualTo(Number(table[0], "range_m")).Within(1e-9));
+        (code, _, error) = TestShell.Run("report", At("echo"), "--pose", "4");
+        Assert.That((code, error), Is.EqualTo((1, $"glint: --pose 4: must be from 1 to 3, the rows of {At("echo")}, "
+            + "or none" + Environment.NewLine)));
+    }
+
+    /// <summary>
+    /// The phase centre of a scene is the centre of its box. The dihedral's faces of 0.3 m open by 45 degrees to either
+    /// side of the radar at azimuth 0: the box is 0.3 / sqrt 2 deep, and its double bounce returns from the edge.
+    /// </summary>
+    [Test]
+    public void Scene_OfADihedral_HasItsEdgeHalfItsDepthBehindThePhaseCentre()
+    {
+        Run("Scenes/CrossSection.unity", "--bandwidth", "3e9", "--receivers", "0,20", "--polarisation", "hh",
+            "--tolerance", "0.2", "--out", At("echo"));
+        var table = Table("echo/profile.csv");
+        Assert.That(table.Select(line => line["receiver_azimuth_deg"]).Distinct(), Is.EqualTo(new[] { "0", "20" }));
+        var highest = table.Where(line => line["receiver_azimuth_deg"] == "0").MaxBy(line => Number(line, "hh_dbsm"));
+        Assert.That(Number(highest, "range_m"), Is.EqualTo(0.15 / Math.Sqrt(2)).Within(0.2 * C / (2 * 3e9)));
+    }
+
+    /// <summary>
+    /// Spheres of 0.1 m at the origin, 0.8 m to the right of the radar at azimuth 0 and 1.2 m behind: each is a point
+    /// 0.1 m before its middle, of pi a^2 within the ripple of Mie's series at ka = 21.
+    /// </summary>
+    [Test]
+    public void Isar_OfThreeSpheres_HasThemAtTheirPlaces()
+    {
+        var places = new[] { (down: 0.0, cross: 0.0), (0, 0.8), (1.2, 0) };
+        File.WriteAllText(At("spheres.obj"), string.Concat(places.Select((place, i) =>
+            Sphere(0.1, place.cross, place.down, i))));
+        var (isar, output, problem) = TestShell.Run("isar", At("spheres.obj"), "--azimuth", "-2.875:2.875:0.25", "--bandwidth", "900e6",
+            "--polarisation", "vv", "--tolerance", "0.5", "--pixel", "0.04", "--out", At("image"));
+        Assert.That(isar, Is.Zero, problem);
+        Assert.That(output, Does.Contain("cross-range bin 0.1432 m"));
+        var table = Table("image/image.csv");
+        var picture = PngFile.Read(At("image/image-vv.png"));
+        int pixels = (int)Math.Sqrt(table.Count);
+        Assert.That((picture.Width, picture.Height), Is.EqualTo((pixels, pixels)));
+        foreach (var (down, cross) in places)
+        {
+            var highest = table.Where(line => Math.Abs(Number(line, "down_range_m") - down) < 0.3
+                && Math.Abs(Number(line, "cross_range_m") - cross) < 0.3).MaxBy(line => Number(line, "vv_dbsm"));
+            Assert.That(Number(highest, "down_range_m"), Is.EqualTo(down - 0.1).Within(0.03));
+            Assert.That(Number(highest, "cross_range_m"), Is.EqualTo(cross).Within(0.03));
+            Assert.That(Number(highest, "vv_dbsm"), Is.EqualTo(10 * Math.Log10(Math.PI * 0.01)).Within(0.5));
+        }
+        var image = NumpyReader.Read(At("image/image.npz"), "image");
+        Assert.That(image.Sizes, Is.EqualTo(new[] { 2, 2, pixels, pixels }));
+        Assert.That(10 * Math.Log10(image.Numbers[0] * image.Numbers[0] + image.Numbers[1] * image.Numbers[1]),
+            Is.EqualTo(Number(table[0], "vv_dbsm")).Within(1e-6));
+        var (code, _, error) = TestShell.Run("report", At("image"));
+        Assert.That(code, Is.Zero, error);
+    }
+
+    [TestCase("--azimuth is missing", "--out", "x")]
+    [TestCase("an image takes at least two azimuths at equal steps", "--azimuth", "1")]
+    [TestCase("an image takes at least two azimuths at equal steps", "--azimuth", "0,1,3")]
+    [TestCase("an image takes one elevation", "--azimuth", "0,1", "--elevation", "0,1")]
+    [TestCase("at most 4096 are possible: give a smaller --side, or a larger --pixel", "--azimuth", "0,1",
+        "--pixel", "1e-4")]
+    public void Isar_OfWhatMakesNoImage_IsRefused(string message, params string[] options)
+    {
+        var (code, _, error) = TestShell.Run(["isar", At("plate.obj"), .. options]);
+        Assert.That(error, Does.Contain(message));
+        Assert.That(code, Is.EqualTo(2));
+    }
+
+    [TestCase(2, "--bandwidth 20000000000: must be below twice --frequency, 20000000000 Hz", "--bandwidth", "2e10")]
+    [TestCase(2, "--bandwidth 0: must be from 1 to 1e12", "--bandwidth", "0")]
+    [TestCase(2, "--frequencies 1: must be from 2 to 65536", "--frequencies", "1")]
+    [TestCase(2, "--window kaiser: must be one of taylor, hann, hamming, blackman, none", "--window", "kaiser")]
+    [TestCase(2, "--power: needs --range M", "--power", "10")]
+    [TestCase(2, "--gain: needs --power W", "--gain", "10")]
+    [TestCase(2, "--seed: needs --noise-figure DB", "--seed", "10")]
+    [TestCase(2, "--contributions: echo has no such option", "--contributions")]
+    // Bins of 0.0214 m; the farthest corner is 2506.5 m away, half of the plate's diagonal is 180.3 m.
+    [TestCase(2, "the target takes 250948 frequencies, at most 65536 are possible", "--bandwidth", "7e9", "--unit",
+        "km")]
+    [TestCase(1, "is too high for its size", "--unit", "km", "--frequencies", "8", "--frequency", "9e11")]
+    public void Input_ThatCannotBeComputed_IsRefusedBeforeAnyFile(int code, string message, params string[] options)
+    {
+        var (actual, _, error) = Execute([At("plate.obj"), .. options, "--out", At("echo")]);
+        Assert.That(error, Does.Contain(message));
+        Assert.That(actual, Is.EqualTo(code));
+        Assert.That(Directory.Exists(At("echo")), Is.False);
+    }
+
+    [Test]
+    public void Frequencies_TooFewForTheTarget_AreWarnedOf()
+    {
+        var (code, _, error) = Execute(At("plate.obj"), "--frequencies", "4", "--tolerance", "1", "--out", At("echo"));
+        Assert.That(code, Is.Zero, error);
+        Assert.That(error, Does.Match(@"plate: the unambiguous range is 3\.997 m, but echoes of up to two bounces take "
+            + @"5\.374 m: some may be folded over others; give at least 14 for --frequencies"));
+    }
+
+    /// <summary>The page's example, in Debian's Python.</summary>
+    [Test]
+    [Platform("Linux")]
+    public void PythonExample_OfThePage_ReadsAndPlotsTheFile()
+    {
+        string page = File.ReadAllText(Path.Combine(Project.FindRoot(AppContext.BaseDirectory),
+            "Packages/com.glint.radar/Documentation~/echo.md"));
+        string code = Regex.Match(page, "```python\n(.*?)```", RegexOptions.Singleline).Groups[1].Value;
+        Run(At("plate.obj"), "--azimuth", "-2,0,2", "--edges", "off", "--tolerance", "0.02", "--out", At("."));
+        File.WriteAllText(At("example.py"), code);
+        using var process = Process.Start(new ProcessStartInfo("/usr/bin/python3", [At("example.py")])
+        {
+            WorkingDirectory = _folder, RedirectStandardOutput = true, RedirectStandardError = true
+        });
+        string output = process.StandardOutput.ReadToEnd(), error = process.StandardError.ReadToEnd();
+        process.WaitForExit();
+        Assert.That(process.ExitCode, Is.Zero, error);
+        Assert.That(output, Does.Match(@"^highest: (17\.0|16\.9)\d dBsm at 2\.\d\d m, azimuth 0\.0 deg\n$"));
+        Assert.That(File.ReadAllBytes(At("profile.png")).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
+    }
+
+    void AssertSame(string folder)
+    {
+        string[] names = ["responses.csv", "profile.csv", "echo.npz", "echo.sigmf-data", "echo.sigmf-meta"];
+        Assert.That(Directory.GetFiles(At(folder)).Select(Path.GetFileName),
+            Is.EquivalentTo(names.Append("results.json")));
+        foreach (string name in names)
+            Assert.That(File.ReadAllBytes(At($"{folder}/{name}")), Is.EqualTo(File.ReadAllBytes(At($"whole/{name}"))),
+                name);
+        Assert.That(Timeless.Json(At(folder)), Is.EqualTo(Timeless.Json(At("whole"))));
+    }
+
+    List<Dictionary<string, string>> Table(string path)
+    {
+        var lines = File.ReadAllLines(At(path)).Select(line => line.Split(',')).ToArray();
+        return [.. lines.Skip(1).Select(cells =>
+            lines[0].Zip(cells).ToDictionary(cell => cell.First, cell => cell.Second))];
+    }
+
+    static double Number(Dictionary<string, string> row, string column) =>
+        double.Parse(row[column], CultureInfo.InvariantCulture);
+
+    string At(string name) => Path.Combine(_folder, name);
+
+    // Around its middle in the plane y = 0, with a vertex at either end of the vertical axis.
+    static string Sphere(double radius, double x, double z, int number)
+    {
+        const int rings = 24, sectors = 48;
+        var text = new System.Text.StringBuilder();
+        int first = number * (rings + 1) * sectors + 1;
+        for (int ring = 0; ring <= rings; ring++)
+            for (int sector = 0; sector < sectors; sector++)
+            {
+                double polar = Math.PI * ring / rings, around = 2 * Math.PI * sector / sectors;
+                text.Append(CultureInfo.InvariantCulture, $"v {x + radius * Math.Sin(polar) * Math.Cos(around)} ");
+                text.Append(CultureInfo.InvariantCulture,
+                    $"{radius * Math.Cos(polar)} {z + radius * Math.Sin(polar) * Math.Sin(around)}\n");
+            }
+        for (int ring = 0; ring < rings; ring++)
+            for (int sector = 0; sector < sectors; sector++)
+            {
+                int a = first + ring * sectors + sector, b = first + ring * sectors + (sector + 1) % sectors;
+                text.Append($"f {a} {b} {b + sectors} {a + sectors}\n");
+            }
+        return text.ToString();
+    }
+
+    static string Run(params string[] arguments)
+    {
+        var (code, output, error) = Execute(arguments);
+        Assert.That(code, Is.Zero, error);
+        return output;
+    }
+
+    static (int code, string output, string error) Execute(params string[] arguments) =>
+        TestShell.Run(["echo", .. arguments]);
+}
