@@ -40,11 +40,16 @@ Receiver ReceiverFrom(uint index, float3 position)
     return receiver;
 }
 
+// Cosine of the angle from the mirror direction up to which paths that have met a sea alone radiate: further off, the
+// diffuse echo of its facets is what returns, and the edges of its facets are none of the water's.
+static const float MIN_SEA_MIRROR = 0.643;
+
 // Whether the current at a hit radiates to a receiver: that of the first bounce also makes the shadow behind the
 // surface, later ones do not pass through it.
 bool Radiates(TubePath tube, SurfacePoint at, Receiver receiver)
 {
-    if (at.IsLost)
+    if (at.IsLost || !tube.HasMetTarget
+        && dot(Mirrored(tube.Path.Ray.Direction, at.Normal), receiver.Direction) < MIN_SEA_MIRROR)
         return false;
     bool isFacing = dot(at.FacetNormal, receiver.Direction) > 0.0, isFirst = tube.Path.Bounces == 1;
     if (isFirst && (!isFacing || _IsMonostatic != 0))
@@ -86,6 +91,12 @@ float2 Radiated(float3 received, float4 field, float3 toReceiver, float3 directi
         + ComplexMul(alongP, float2(incidentP, 0.0) + reflected * reflection.zw);
 }
 
+// Of the sums of a receiver: paths that have met a sea alone are summed apart, behind all receivers.
+uint SlotOf(TubePath tube, uint receiver)
+{
+    return tube.HasMetTarget ? receiver : _ReceiverCount + receiver;
+}
+
 // The currents at a hit, towards a receiver: a tube without its polygon.
 Tube CurrentsAt(TubePath tube, SurfacePoint at, uint index, Receiver receiver)
 {
@@ -98,7 +109,7 @@ Tube CurrentsAt(TubePath tube, SurfacePoint at, uint index, Receiver receiver)
     currents.Phase = receiver.Phase - tube.Path.RelativeLength;
     float3 slope = receiver.Direction - d;
     currents.Gradient = float2(dot(slope, tube.PlaceU), dot(slope, tube.PlaceV));
-    currents.Tag = index | tube.Path.Bounces << 8;
+    currents.Tag = SlotOf(tube, index) | tube.Path.Bounces << 8;
     currents.CoPolar = scale * float4(
         Radiated(receiver.V, tube.FieldV, receiver.Direction, d, at.Normal, tube.V, tube.H, reflection),
         Radiated(receiver.H, tube.FieldH, receiver.Direction, d, at.Normal, tube.V, tube.H, reflection));

@@ -45,7 +45,7 @@ struct Tube
 {
     float2 Gradient;      // of the phase along the grid, m a base cell
     float Phase;          // distance to the receiver less path length at the place of the ray, m
-    uint Tag;             // receiver | bounce << 8 | corners << 16; no corners: a square about the ray
+    uint Tag;             // slot (SlotOf) | bounce << 8 | corners << 16; no corners: a square about the ray
     float4 CoPolar;       // p.C times area a base cell, m2: VV, HH
     float4 CrossPolar;    // HV, VH
     float4 Corners01;     // of the polygon, from the place of the ray; of a square its side and bends, m
@@ -71,7 +71,8 @@ struct Cell
 StructuredBuffer<uint2> _Facets;           // per triangle: patch, first row in _NormalFields or FLAT
 StructuredBuffer<float4> _NormalFields;    // three rows a facet: gradient of a component of the normal; its value at
                                            // the centroid
-StructuredBuffer<uint4> _InstanceFacets;   // per instance: first element of _Facets, first patch, first part
+StructuredBuffer<uint4> _InstanceFacets;   // per instance: first element of _Facets, first patch, first
+                                           // part; 1: a sea with a diffuse echo
 StructuredBuffer<float4> _Reflections;     // per surface REFLECTION_STEPS + 1 elements: R_s, R_p over the cosine
 
 // Input: the radar and the receivers. At a finite range places are relative to the scene's centre.
@@ -81,6 +82,7 @@ float4 _Receivers[MAX_RECEIVERS + 1];
 float4 _ReceiversV[MAX_RECEIVERS + 1];
 float4 _ReceiversH[MAX_RECEIVERS + 1];
 uint _ReceiverCount;
+uint _SlotCount;                           // of sums: receivers, and again if there is a sea with a diffuse echo
 uint _IsMonostatic;                        // 1: the only receiver is at the radar
 uint _IsNear;                              // 1: finite range
 float _Range;                              // at which the field is 1 at a finite range, m

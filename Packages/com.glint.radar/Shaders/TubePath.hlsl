@@ -16,6 +16,7 @@ struct TubePath
     float4 FieldV, FieldH;          // complex parts along V and H of the field for V sent, for H sent; without spread
     float StartSection;             // where the field is 1, m2 a base cell
     uint Signature;                 // of the patches met, and who sees them
+    bool HasMetTarget;              // anything but a sea with a diffuse echo
 };
 
 // What a tube meets.
@@ -31,6 +32,7 @@ struct SurfacePoint
     uint Surface;
     uint2 Triangle;        // see NumberOf
     uint Part;             // see _TubeParts
+    bool IsSea;            // with a diffuse echo
     float3 NextStart;      // of shadow rays
     bool IsLost;           // grazing or spread so much that the tube ends here and radiates nothing
 };
@@ -107,6 +109,7 @@ SurfacePoint PointOf(TubePath tube, Hit hit, float3 facetNormal, float3 placeU, 
     at.Surface = identity.Surface;
     at.Triangle = NumberOf(hit.Instance, hit.Row, hit.Second);
     at.Part = first.z + identity.Triangle;
+    at.IsSea = first.w != 0;
     at.FacetNormal = facetNormal;
     at.Normal = facetNormal;
     at.Cosine = -dot(facetNormal, tube.Path.Ray.Direction);
@@ -187,6 +190,7 @@ bool AdvanceTube(inout TubePath tube, out SurfacePoint at)
         tube.PlaceU = 0.0;
         tube.PlaceV = 0.0;
     }
+    tube.HasMetTarget = tube.HasMetTarget || !at.IsSea;
     Sign(tube, at.Patch);
     return true;
 }

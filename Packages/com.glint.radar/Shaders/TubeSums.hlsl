@@ -195,7 +195,7 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         return;
     float4 waveNumber = _WaveNumbers[frequency];
     [loop]
-    for (uint receiver = 0; receiver < _ReceiverCount; receiver++)
+    for (uint slot = 0; slot < _SlotCount; slot++)
     {
         Sum sums[11];
         Clear(sums);
@@ -204,7 +204,7 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         for (uint i = tubes.x + share; i < tubes.y; i += shares)
         {
             Tube tube = _Tubes[i];
-            if ((tube.Tag & 0xff) != receiver)
+            if ((tube.Tag & 0xff) != slot)
                 continue;
             Radiation radiation = RadiationOf(tube, waveNumber);
             Accumulate(sums, radiation, overflow);
@@ -215,11 +215,11 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             float squares = error * error + dot(bent, bent) / (_UnitsPerMetre * _UnitsPerMetre);
             Accumulate(sums[10], min(_UnitsPerSquareMetre * squares, MAX_ERROR_UNITS), overflow);
         }
-        uint slot = TUBE_SUMS + (receiver * _FrequencyCount + frequency) * TUBE_SUM_WORDS;
+        uint first = TUBE_SUMS + (slot * _FrequencyCount + frequency) * TUBE_SUM_WORDS;
         for (uint sum = 0; sum < 11; sum++)
-            AddWords(slot + SUM_S + 2 * sum, 2, sums[sum].Lower, sums[sum].Upper, 0);
+            AddWords(first + SUM_S + 2 * sum, 2, sums[sum].Lower, sums[sum].Upper, 0);
         if (overflow != 0)
-            InterlockedOr(_Sums[slot + SUM_TUBE_OVERFLOW], 1);
+            InterlockedOr(_Sums[first + SUM_TUBE_OVERFLOW], 1);
     }
 }
 
@@ -237,7 +237,7 @@ void TubeParts(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     for (uint i = tubes.x + thread; i < tubes.y; i += GLINT_GROUP)
     {
         Tube tube = _Tubes[i];
-        if ((tube.Tag & 0xff) != _Parts.x)
+        if ((tube.Tag & 0xff) % _ReceiverCount != _Parts.x)
             continue;
         Sum sums[11];
         Clear(sums);

@@ -9,11 +9,22 @@ namespace Glint.Core
         public CrossSectionResult(int receivers, int frequencies)
         {
             S = new ScatteringMatrix[receivers, frequencies];
+            Sea = new ScatteringMatrix[receivers, frequencies];
+            Clutter = new ClutterEcho[frequencies];
             Errors = new double[receivers, frequencies];
         }
 
         /// <summary>Scattering matrix of each receiver and frequency, metres.</summary>
         public ScatteringMatrix[,] S { get; }
+
+        /// <summary>
+        /// The part of <see cref="S"/> of paths that met nothing but seas with a diffuse echo, and of that echo: 0
+        /// without such a sea.
+        /// </summary>
+        public ScatteringMatrix[,] Sea { get; }
+
+        /// <summary>Diffuse echo of the seas at each frequency: included in <see cref="Sea"/>.</summary>
+        public ClutterEcho[] Clutter { get; }
 
         /// <summary>Standard error of the integration, of each complex amplitude, metres.</summary>
         public double[,] Errors { get; }
@@ -35,6 +46,18 @@ namespace Glint.Core
         /// finds the same tubes again.
         /// </summary>
         public double CellError { get; set; }
+
+        /// <summary>Adds the diffuse echo of seas at each frequency, which returns to the only receiver.</summary>
+        /// <param name="clutter">Null: none.</param>
+        public void Add(ClutterEcho[] clutter)
+        {
+            for (int frequency = 0; clutter != null && frequency < clutter.Length; frequency++)
+            {
+                Clutter[frequency] = clutter[frequency];
+                Sea[0, frequency] += clutter[frequency].S;
+                S[0, frequency] += clutter[frequency].S;
+            }
+        }
 
         /// <summary>Rays traced, those that only look for borders included.</summary>
         public long Rays { get; set; }

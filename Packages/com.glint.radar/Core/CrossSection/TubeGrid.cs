@@ -25,6 +25,18 @@ namespace Glint.Core
         {
             Side = side;
             _range = pose.Range;
+            View = pose.Footprint == null ? ViewOf(pose, boxMin, boxMax) : ViewOf(pose.Footprint, pose);
+            Settings = new RadarSettings
+            {
+                FrequencyHz = pose.Frequencies[pose.Frequencies.Length - 1], RaysAcross = Cells.x, RaysDown = Cells.y,
+                MaxBounces = pose.MaxBounces
+            };
+            Rays = new RayGrid(Settings, View, boxMin, boxMax);
+        }
+
+        // Sets the cells too.
+        RadarView ViewOf(CrossSectionPose pose, double3 boxMin, double3 boxMax)
+        {
             double turn = math.radians(TurnDegrees), cos = Math.Cos(turn), sin = Math.Sin(turn);
             double3 right = cos * pose.Radar.Right + sin * pose.Radar.Up;
             double3 up = cos * pose.Radar.Up - sin * pose.Radar.Right;
@@ -47,29 +59,37 @@ namespace Glint.Core
                 upper = math.max(math.abs(lower), math.abs(upper));
                 (lower, centre) = (-upper, 0);
             }
-            Cells = (int2)math.max(1, math.ceil((upper - lower) / side + 1));
-            double distance = pose.IsFar ? depth + side : pose.Range;
-            double height = Cells.y * side;
-            View = new RadarView
+            Cells = (int2)math.max(1, math.ceil((upper - lower) / Side + 1));
+            double distance = pose.IsFar ? depth + Side : pose.Range;
+            double height = Cells.y * Side;
+            return new RadarView
             {
                 Position = pose.PhaseCentre + distance * pose.Radar.ToRadar + centre.x * right + centre.y * up,
                 Right = right, Up = up, Forward = -pose.Radar.ToRadar,
                 ApertureHeight = pose.IsFar ? height : 0,
-                VerticalFovDegrees = pose.IsFar ? 60 : math.degrees(2 * Math.Atan(height / (2 * pose.Range)))
+                VerticalFovDegrees = FovOf(height, pose)
             };
-            Settings = new RadarSettings
-            {
-                FrequencyHz = pose.Frequencies[pose.Frequencies.Length - 1], RaysAcross = Cells.x, RaysDown = Cells.y,
-                MaxBounces = pose.MaxBounces
-            };
-            Rays = new RayGrid(Settings, View, boxMin, boxMax);
         }
+
+        // The camera's picture, in cells that it may exceed by one.
+        RadarView ViewOf(RadarFootprint footprint, CrossSectionPose pose)
+        {
+            double2 size = (pose.IsFar ? 2 : 2 * pose.Range) * footprint.HalfSize;
+            Cells = (int2)math.max(1, math.ceil(size / Side));
+            var view = footprint.View;
+            (view.ApertureHeight, view.VerticalFovDegrees) =
+                (pose.IsFar ? Cells.y * Side : 0, FovOf(Cells.y * Side, pose));
+            return view;
+        }
+
+        static double FovOf(double height, CrossSectionPose pose) =>
+            pose.IsFar ? 60 : math.degrees(2 * Math.Atan(height / (2 * pose.Range)));
 
         /// <summary>Side of a cell, metres; at a finite range, at that range.</summary>
         public double Side { get; }
 
         /// <summary>Cells across and up.</summary>
-        public int2 Cells { get; }
+        public int2 Cells { get; private set; }
 
         /// <summary>Number of cells.</summary>
         public long Count => (long)Cells.x * Cells.y;

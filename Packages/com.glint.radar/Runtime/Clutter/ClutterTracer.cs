@@ -1,9 +1,6 @@
 using System;
-using System.Diagnostics;
-using Complex = System.Numerics.Complex;
 using System.Threading;
 using Glint.Core;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint
@@ -13,18 +10,9 @@ namespace Glint
     /// </summary>
     public sealed class ClutterTracer : IDisposable
     {
-        const int TileFacets = 64;         // the pacer counts tiles
-
-        // Of a shadow ray's start above its facet, as a fraction of the scene's size: several roundings of float32.
-        const double RelativeOffset = 1e-6;
-
         readonly string _owner;
-        readonly ComputeShader _shader;
-        readonly int _clear, _facets;
+        readonly SeaKernel _kernel;
         readonly DeviceScene _scene;
-        readonly SeaBuffers _sea = new SeaBuffers();
-        readonly DeviceBuffer<uint> _output = new DeviceBuffer<uint>("sums of a sea");
-        readonly DispatchPacer _pacer = new DispatchPacer();
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
@@ -34,9 +22,8 @@ namespace Glint
         public ClutterTracer(ComputeShader shader, string owner = nameof(ClutterTracer))
         {
             CrossSectionTracer.Check(shader, owner);
-            (_shader, _owner) = (shader, owner);
-            _clear = shader.FindKernel("ClearTubes");
-            _facets = shader.FindKernel("SeaFacets");
+            _owner = owner;
+            _kernel = new SeaKernel(shader, owner);
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
         }
 
@@ -53,116 +40,16 @@ namespace Glint
         public ClutterEcho[] Trace(CrossSectionPose pose, double frequency, ClutterGrid grid = null,
             IProgress<double> progress = null, CancellationToken cancel = default)
         {
-            grid ??= ClutterGrid.Whole;
             _scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
             _scene.RequireOnePage(_owner, "clutter takes");
-            var echoes = new ClutterEcho[grid.Count];
-            for (int i = 0; i < pose.Scene.Seas.Count; i++)
-            {
-                var part = Trace(pose, pose.Scene.Seas[i], frequency, grid, progress, cancel);
-                for (int cell = 0; cell < echoes.Length; cell++)
-                    echoes[cell] += part[cell];
-            }
-            return echoes;
-        }
-
-        ClutterEcho[] Trace(CrossSectionPose pose, RadarSea sea, double frequency, ClutterGrid grid,
-            IProgress<double> progress, CancellationToken cancel)
-        {
-            _sea.Set(pose.Scene, sea, _scene.Centre, frequency);
-            var read = new uint[ClutterSums.Words * grid.Count * ClutterSums.CopiesOf(grid.Count)];
-            _output.Reserve(read.Length);
-            Bind(pose, sea.Clutter, frequency, grid);
-            _shader.SetInt(TubeIDs._ClearedWords, read.Length);
-            _shader.DispatchThreads(_clear, read.Length);
-            long total = (long)_sea.FacetCount * _sea.TileCount;
-            for (long first = 0; first < total;)
-            {
-                cancel.ThrowIfCancellationRequested();
-                int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (total - first + TileFacets - 1) / TileFacets),
-                    1);
-                int count = (int)Math.Min(total - first, (long)tiles * TileFacets);
-                var watch = Stopwatch.StartNew();
-                _shader.SetInts(SeaIDs._SeaRange, _sea.FacetCount, (int)first, count, (int)sea.Clutter.Seed);
-                _shader.DispatchThreads(_facets, count);
-                _output.ReadBack(read, read.Length);
-                _pacer.Took(tiles, watch.Elapsed.TotalSeconds);
-                first += count;
-                progress?.Report((double)first / total);
-            }
-            return ClutterSums.Echoes(read, grid.Count, PhaseOf(pose, frequency), _owner);
-        }
-
-        void Bind(CrossSectionPose pose, SeaClutter clutter, double frequency, ClutterGrid grid)
-        {
-            _shader.SetBvhs(_facets, _scene);
-            _shader.SetBuffer(_clear, ShaderIDs._Sums, _output.Buffer);
-            _shader.SetBuffer(_facets, ShaderIDs._Sums, _output.Buffer);
-            _shader.SetBuffer(_facets, SeaIDs._SeaFacets, _sea.Facets.Buffer);
-            _shader.SetBuffer(_facets, SeaIDs._SeaTiles, _sea.Tiles.Buffer);
-            _shader.SetBuffer(_facets, SeaIDs._FacetTable, _sea.Table.Buffer);
-            TubeKernels.SetReceivers(_shader, pose, _scene.Centre);
-            double extent = math.distance(_scene.Min, _scene.Max);
-            _shader.SetVector(ShaderIDs._SceneCentreExtent, KernelCalls.ToVector(_scene.Centre, (float)extent));
-            _shader.SetFloat(TubeIDs._WaveNumber, (float)(2 * Math.PI / Signal.Wavelength(frequency)));
-            _shader.SetVector(SeaIDs._SeaWind, KernelCalls.ToVector(clutter.Wind, (float)(RelativeOffset * extent)));
-            SetMirrorPoints(clutter.TableAt(frequency));
-            double times = clutter.Time / clutter.CoherenceTimeAt(frequency), whole = Math.Floor(times);
-            _shader.SetVector(SeaIDs._SeaTime, new Vector4((float)clutter.Time, (float)whole, (float)(times - whole),
-                (float)SeaClutter.ApproachingExponent));
-            SetFootprint(pose.Footprint);
-            SetCells(grid);
-        }
-
-        void SetMirrorPoints(FacetTable table)
-        {
-            double2 variance = table.Unresolved;
-            double determinant = variance.x * variance.y - table.Covariance * table.Covariance;
-            _shader.SetVector(SeaIDs._SeaMirror, !(variance.x > 0 && determinant > 0) ? Vector4.zero : new Vector4(
-                (float)(variance.y / (2 * determinant)), (float)(variance.x / (2 * determinant)),
-                (float)(-table.Covariance / (2 * determinant)),
-                (float)(table.MirrorPower / (2 * Math.Sqrt(determinant)))));
-        }
-
-        void SetFootprint(RadarFootprint footprint)
-        {
-            if (footprint == null)
-            {
-                _shader.SetVector(SeaIDs._FootprintPosition, Vector4.zero);
-                return;
-            }
-            var view = footprint.View;
-            _shader.SetVector(SeaIDs._FootprintPosition, KernelCalls.ToVector(view.Position - _scene.Centre, 1));
-            _shader.SetVector(SeaIDs._FootprintRight, KernelCalls.ToVector(view.Right, (float)footprint.HalfSize.x));
-            _shader.SetVector(SeaIDs._FootprintUp, KernelCalls.ToVector(view.Up, (float)footprint.HalfSize.y));
-            _shader.SetVector(SeaIDs._FootprintForward,
-                KernelCalls.ToVector(view.Forward, view.IsParallel ? 1 : 0));
-        }
-
-        void SetCells(ClutterGrid grid)
-        {
-            double3 from = _scene.Centre - grid.Corner;
-            _shader.SetVector(SeaIDs._SeaCellX, KernelCalls.ToVector(grid.X, (float)math.dot(grid.X, from)));
-            _shader.SetVector(SeaIDs._SeaCellY, KernelCalls.ToVector(grid.Y, (float)math.dot(grid.Y, from)));
-            _shader.SetInts(SeaIDs._SeaCells, grid.Cells.x, grid.Cells.y, ClutterSums.CopiesOf(grid.Count), 0);
-        }
-
-        // From the scene's centre to the phase centre.
-        Complex PhaseOf(CrossSectionPose pose, double frequency)
-        {
-            double3 centre = _scene.Centre - pose.PhaseCentre;
-            double nearer = pose.IsFar
-                ? math.dot(pose.Radar.ToRadar, centre)
-                : pose.Range - math.distance(pose.Range * pose.Radar.ToRadar, centre);
-            return Complex.FromPolarCoordinates(1, 4 * Math.PI / Signal.Wavelength(frequency) * nearer);
+            return _kernel.Sum(_scene, pose, frequency, grid ?? ClutterGrid.Whole, progress, cancel);
         }
 
         /// <summary>Releases all buffers on the device.</summary>
         public void Dispose()
         {
             _scene.Dispose();
-            _sea.Dispose();
-            _output.Dispose();
+            _kernel.Dispose();
         }
     }
 }

@@ -35,6 +35,7 @@ namespace Glint
         readonly DeviceBuffer<uint> _marks = new DeviceBuffer<uint>("marks of cells");
         readonly DeviceBuffer<uint4> _links = new DeviceBuffer<uint4>("corners of cells");
         readonly DeviceBuffer<float4> _waveNumbers = new DeviceBuffer<float4>("frequencies");
+        readonly SeaKernel _sea;
         readonly DispatchPacer _pacer = new DispatchPacer();
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
@@ -45,6 +46,7 @@ namespace Glint
             Check(shader, owner);
             _owner = owner;
             _kernels = new TubeKernels(shader);
+            _sea = new SeaKernel(shader, owner);
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
         }
 
@@ -80,6 +82,8 @@ namespace Glint
             double floor = pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max);
             // The same for every attempt.
             TraceEdges(pose, OutputSize(pose), read => edges.Add(read, _owner), cancel);
+            var clutter = Clutter(pose, cancel);
+            floor = Math.Max(floor, FloorOf(clutter));
             long rays = 0;
             for (double cellError = CellError > 0 ? CellError : FirstCellError; ;)
             {
@@ -87,6 +91,7 @@ namespace Glint
                 TraceCells(cellError, pose, grid, OutputSize(pose), read => sums.Add(read, _owner), progress, cancel);
                 sums.Add(edges);
                 var result = sums.ToResult();
+                result.Add(clutter);
                 result.CellError = cellError;
                 result.Rays = (rays += result.Rays) + edges.Rays;
                 result.FloorDbsm = floor;
@@ -98,6 +103,22 @@ namespace Glint
                 cellError = Math.Max(MinCellError, cellError / math.clamp(2 * excess, 2, 64));
             }
         }
+
+        // The diffuse echo of the seas: none if the radar does not receive.
+        ClutterEcho[] Clutter(CrossSectionPose pose, CancellationToken cancel)
+        {
+            if (pose.Scene.Seas.Count == 0)
+                return null;
+            if (pose.Receivers.Length != 1 || !pose.Receivers[0].ToRadar.Equals(pose.Radar.ToRadar))
+                throw new GlintException($"{_owner}: the clutter of a sea is that which returns to the radar, and this "
+                    + "pose has another receiver: switch the sea's clutter off, or leave the receiver out");
+            return Array.ConvertAll(pose.Frequencies,
+                frequency => _sea.Sum(_scene, pose, frequency, ClutterGrid.Whole, null, cancel)[0]);
+        }
+
+        // No echo need be known better than against the clutter that it is seen in, dBsm.
+        static double FloorOf(ClutterEcho[] clutter) => clutter == null ? double.NegativeInfinity
+            : 10 * Math.Log10(clutter.Min(echo => Math.Min(echo.SigmaVV, echo.SigmaHH)));
 
         /// <summary>Traces a pose again and sums what the parts of the scene contribute to one cross section.</summary>
         /// <param name="result">Of the pose: the same tubes are summed.</param>
@@ -170,7 +191,7 @@ namespace Glint
         }
 
         static int OutputSize(CrossSectionPose pose) =>
-            TubeKernels.FirstSum + TubeKernels.SumWords * pose.Receivers.Length * pose.Frequencies.Length;
+            TubeKernels.FirstSum + TubeKernels.SumWords * TubeSums.SlotsOf(pose) * pose.Frequencies.Length;
 
         // Traces all cells to an error of each, slice by slice, and hands each slice's output over.
         void TraceCells(double cellError, CrossSectionPose pose, TubeGrid grid, int outputSize, Action<uint[]> add,
@@ -234,6 +255,7 @@ namespace Glint
         public void Dispose()
         {
             _kernels.Dispose();
+            _sea.Dispose();
             _scene.Dispose();
             _surfaces.Dispose();
             _edges.Dispose();

@@ -78,6 +78,7 @@ namespace Glint
             var vertices = new List<float4>();
             var spheres = new List<float4>();
             Parts = new SceneParts(scene);
+            var seas = new HashSet<int>(scene.Seas.SelectMany(sea => sea.Tiles).Select(tile => tile.Instance));
             Patches = Array.ConvertAll(scene.Instances, instance => PatchesOf(instance, creaseDegrees));
             for (int i = 0; i < scene.Instances.Length; i++)
             {
@@ -88,7 +89,8 @@ namespace Glint
                     first.Add(patches, firstFacet = (uint)facets.Count);
                     AddFacets(instance.Mesh, patches, facets, fields);
                 }
-                firsts.Add(new uint4(firstFacet, patchCount, (uint)Parts.FirstOf(i), 0));
+                firsts.Add(new uint4(firstFacet, patchCount, (uint)Parts.FirstOf(i),
+                    seas.Contains(i) ? 1u : 0));
                 patchCount += (uint)patches.PatchCount;
                 foreach (float3 corner in PatchCorners.Of(patches))
                     vertices.Add(new float4((float3)(instance.ToWorld.Point(corner) - centre), 0));

@@ -27,8 +27,14 @@ namespace Glint
             double tube = 2 * Math.Sqrt(Math.PI) * wavelength;
             UnitsPerMetre = Math.Pow(2, 24) / tube;
             UnitsPerSquareMetre = Math.Pow(2, 40) / (tube * tube);
-            _sums = new long[pose.Receivers.Length * pose.Frequencies.Length * SumCount];
+            _sums = new long[SlotsOf(pose) * pose.Frequencies.Length * SumCount];
         }
+
+        /// <summary>
+        /// Slots of sums at each frequency: the receivers, and again for paths that have met a sea alone.
+        /// </summary>
+        public static int SlotsOf(CrossSectionPose pose) =>
+            (pose.Scene.Seas.Count > 0 ? 2 : 1) * pose.Receivers.Length;
 
         /// <summary>Rays traced.</summary>
         public long Rays { get; private set; }
@@ -91,17 +97,23 @@ namespace Glint
             {
                 Tubes = _tubes, Rays = Rays
             };
-            int first = 0;
-            for (int receiver = 0; receiver < _pose.Receivers.Length; receiver++)
+            int first = 0, receivers = _pose.Receivers.Length;
+            for (int slot = 0; slot < SlotsOf(_pose); slot++)
                 for (int frequency = 0; frequency < _pose.Frequencies.Length; frequency++, first += SumCount)
                 {
-                    result.S[receiver, frequency] = MatrixOf(_sums, first, receiver, frequency);
+                    int receiver = slot % receivers;
+                    var s = MatrixOf(_sums, first, receiver, frequency);
+                    result.S[receiver, frequency] += s;
+                    if (slot >= receivers)
+                        result.Sea[receiver, frequency] = s;
                     double bent =
                         new Complex(_sums[first + Bent], _sums[first + Bent + 1]).Magnitude / UnitsPerMetre;
-                    result.Errors[receiver, frequency] =
-                        Math.Sqrt(_sums[first + Border] / UnitsPerSquareMetre + bent * bent);
+                    result.Errors[receiver, frequency] = Norm(result.Errors[receiver, frequency],
+                        Norm(Math.Sqrt(_sums[first + Border] / UnitsPerSquareMetre), bent));
                 }
             return result;
         }
+
+        static double Norm(double a, double b) => Math.Sqrt(a * a + b * b);
     }
 }
