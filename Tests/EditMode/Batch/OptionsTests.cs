@@ -192,9 +192,9 @@ namespace Glint.Tests
             Assert.That(Assert.Throws<UsageException>(() => Commands.Sweep.Options.Single(option => option.Name == name)
                 .ParseValue(text)).Message, Is.EqualTo(message));
 
-        // A sweep, cross sections and range profiles have options of the same names with other values.
+        // A sweep, cross sections, range profiles and images have options of the same names with other values.
         static Option Find(string name) => Commands.All
-            .OrderBy(command => command == Commands.Sweep || command == Commands.Rcs || command == Commands.Echo)
+            .OrderBy(new[] { Commands.Sweep, Commands.Rcs, Commands.Echo, Commands.Isar }.Contains)
             .SelectMany(command => command.Options).First(option => option.Name == name);
     }
 }

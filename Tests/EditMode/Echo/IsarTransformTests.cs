@@ -10,7 +10,7 @@ namespace Glint.Tests
 {
     public sealed class IsarTransformTests
     {
-        const double Middle = 20, Spacing = 5, Level = 2;
+        const double Azimuth = 20, Spacing = 5, Level = 2;
         const int LookCount = 72;
 
         static readonly FrequencyBand s_band = new FrequencyBand(9.85e9, 300e6 / 72, 72);
@@ -63,19 +63,19 @@ namespace Glint.Tests
         }
 
         static IEnumerable<RadarAspect> Looks => Enumerable.Range(0, LookCount).Select(look =>
-            RadarAspect.At(Middle + (look - 0.5 * (LookCount - 1)) * s_lookStep, 0));
+            RadarAspect.At(Azimuth + (look - 0.5 * (LookCount - 1)) * s_lookStep, 0));
 
         static IsarTransform NewTransform(double side, int pixels, out RangeTransform range)
         {
             range = new RangeTransform(s_band, Window.Named("taylor"), IsarTransform.Padding,
                 -0.5 * s_band.UnambiguousRange);
-            return new IsarTransform(range, s_band, Looks.ToArray(), Middle, Window.Named("taylor"), side, pixels);
+            return new IsarTransform(range, s_band, Looks.ToArray(), Azimuth, Window.Named("taylor"), side, pixels);
         }
 
         // Points at places down range and cross range, summed term by term.
         static Complex[][] Profiles(double2[] points, RangeTransform range)
         {
-            double azimuth = Middle * Math.PI / 180;
+            double azimuth = Azimuth * Math.PI / 180;
             double3 down = new double3(Math.Sin(azimuth), 0, Math.Cos(azimuth)),
                 right = new double3(Math.Cos(azimuth), 0, -Math.Sin(azimuth));
             var amplitudes = points.Select(point => new Complex(Math.Sqrt(Level), 0)).ToArray();

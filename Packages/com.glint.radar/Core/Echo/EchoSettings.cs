@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Numerics;
 
 namespace Glint.Core
 {
@@ -108,8 +109,7 @@ namespace Glint.Core
 
         /// <summary>Received amplitudes in the root of a watt, from S in metres, without noise.</summary>
         /// <param name="responses">In order of the frequencies.</param>
-        public System.Numerics.Complex[] Receive(FrequencyBand band,
-            IReadOnlyList<System.Numerics.Complex> responses)
+        public Complex[] Receive(FrequencyBand band, IReadOnlyList<Complex> responses)
         {
             double field = Math.Sqrt(PowerLevel.FromDecibels(GainDb));
             return responses.Select((response, n) => new RadarEquation(Power, band.Frequency(n), LossDb)

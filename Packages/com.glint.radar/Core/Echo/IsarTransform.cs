@@ -24,7 +24,7 @@ namespace Glint.Core
         public const int MaxPixels = 4096;
 
         readonly RangeTransform _range;
-        readonly double _carrier;
+        readonly double _centreFrequency;
         readonly IReadOnlyList<RadarAspect> _looks;
         readonly double[] _weights;
         readonly double3 _down, _cross;
@@ -40,7 +40,7 @@ namespace Glint.Core
         {
             Require.Count("image", "number of pixels along a side", pixels, MaxPixels);
             Require.Positive("image", "side", side, "m");
-            (_range, _carrier, _looks) = (range, band.Centre, looks);
+            (_range, _centreFrequency, _looks) = (range, band.Centre, looks);
             var middle = RadarAspect.At(middleDegrees, 0);
             (_down, _cross) = (-middle.ToRadar, middle.Right);
             double[] weights = window.Weights(looks.Count);
@@ -86,7 +86,7 @@ namespace Glint.Core
             if (first < 0 || first + 1 >= profile.Length)
                 return Complex.Zero;
             double part = cell - first;
-            var (sine, cosine) = PortableMath.SinCos(2 * _carrier * range / Signal.SpeedOfLight);
+            var (sine, cosine) = PortableMath.SinCos(2 * _centreFrequency * range / Signal.SpeedOfLight);
             return ((1 - part) * profile[first] + part * profile[first + 1]) * new Complex(cosine, sine);
         }
     }

@@ -1,10 +1,13 @@
 using System;
+using System.Buffers.Binary;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
 using System.IO;
+using System.IO.Compression;
 using System.Linq;
 using System.Numerics;
+using System.Text;
 using System.Text.RegularExpressions;
 using Glint.Editor;
 using Glint.Tests;
@@ -199,31 +202,37 @@ public sealed class EchoCommandTests
     }
 
     /// <summary>
-    /// Spheres of 0.1 m at the origin, 0.8 m to the right of the radar at azimuth 0 and 1.2 m behind: each is a point
-    /// 0.1 m before its middle, of pi a^2 within the ripple of Mie's series at ka = 21.
+    /// Trihedrals of 0.3 m with their corners at the origin, 0.6 m to the right of the radar at azimuth 0, and 1.2 m
+    /// behind and 0.7 m to the left: each is a point of 4 pi a^4 / (3 lambda^2).
     /// </summary>
     [Test]
-    public void Isar_OfThreeSpheres_HasThemAtTheirPlaces()
+    public void Isar_OfThreeTrihedrals_HasThemAtTheirPlaces()
     {
-        var places = new[] { (down: 0.0, cross: 0.0), (0, 0.8), (1.2, 0) };
-        File.WriteAllText(At("spheres.obj"), string.Concat(places.Select((place, i) =>
-            Sphere(0.1, place.cross, place.down, i))));
-        var (isar, output, problem) = TestShell.Run("isar", At("spheres.obj"), "--azimuth", "-2.875:2.875:0.25", "--bandwidth", "900e6",
-            "--polarisation", "vv", "--tolerance", "0.5", "--pixel", "0.04", "--out", At("image"));
+        const double edge = 0.3;
+        (double down, double cross)[] places = [(0, 0), (0, 0.6), (1.2, -0.7)];
+        File.WriteAllText(At("trihedrals.obj"), string.Concat(places.Select((place, i) =>
+            Trihedral(edge, place.cross, place.down, i))));
+        var (isar, output, problem) = TestShell.Run("isar", At("trihedrals.obj"), "--azimuth", "-2.875:2.875:0.25",
+            "--bandwidth", "900e6", "--polarisation", "vv", "--edges", "off", "--tolerance", "0.2", "--pixel", "0.04",
+            "--out", At("image"));
         Assert.That(isar, Is.Zero, problem);
-        Assert.That(output, Does.Contain("cross-range bin 0.1432 m"));
+        Assert.That(output, Does.Contain("cross-range bin 0.1431 m"));
         var table = Table("image/image.csv");
-        var picture = PngFile.Read(At("image/image-vv.png"));
-        int pixels = (int)Math.Sqrt(table.Count);
-        Assert.That((picture.Width, picture.Height), Is.EqualTo((pixels, pixels)));
         foreach (var (down, cross) in places)
         {
-            var highest = table.Where(line => Math.Abs(Number(line, "down_range_m") - down) < 0.3
-                && Math.Abs(Number(line, "cross_range_m") - cross) < 0.3).MaxBy(line => Number(line, "vv_dbsm"));
-            Assert.That(Number(highest, "down_range_m"), Is.EqualTo(down - 0.1).Within(0.03));
+            var highest = table.Where(line => Math.Abs(Number(line, "down_range_m") - down) < 0.25
+                && Math.Abs(Number(line, "cross_range_m") - cross) < 0.25).MaxBy(line => Number(line, "vv_dbsm"));
+            Assert.That(Number(highest, "down_range_m"), Is.EqualTo(down).Within(0.03));
             Assert.That(Number(highest, "cross_range_m"), Is.EqualTo(cross).Within(0.03));
-            Assert.That(Number(highest, "vv_dbsm"), Is.EqualTo(10 * Math.Log10(Math.PI * 0.01)).Within(0.5));
+            Assert.That(Number(highest, "vv_dbsm"), Is.EqualTo(
+                10 * Math.Log10(4 * Math.PI * Math.Pow(edge, 4) / (3 * Wavelength * Wavelength))).Within(0.3));
         }
+        int pixels = (int)Math.Sqrt(table.Count);
+        double[] levels = table.Select(line => Number(line, "vv_dbsm")).ToArray();
+        // Near rows are at the bottom.
+        Assert.That(GreysOf(At("image/image-vv.png"), pixels), Is.EqualTo(Enumerable.Range(0, levels.Length).Select(i =>
+                255 * Math.Max(0, 1 - (levels.Max() - levels[(pixels - 1 - i / pixels) * pixels + i % pixels]) / 60)))
+            .Within(0.501));
         var image = NumpyReader.Read(At("image/image.npz"), "image");
         Assert.That(image.Sizes, Is.EqualTo(new[] { 2, 2, pixels, pixels }));
         Assert.That(10 * Math.Log10(image.Numbers[0] * image.Numbers[0] + image.Numbers[1] * image.Numbers[1]),
@@ -318,26 +327,35 @@ public sealed class EchoCommandTests
 
     string At(string name) => Path.Combine(_folder, name);
 
-    // Around its middle in the plane y = 0, with a vertex at either end of the vertical axis.
-    static string Sphere(double radius, double x, double z, int number)
+    // Of a square picture of grey levels without filters; the stream's sum is checked.
+    static IEnumerable<byte> GreysOf(string path, int pixels)
     {
-        const int rings = 24, sectors = 48;
-        var text = new System.Text.StringBuilder();
-        int first = number * (rings + 1) * sectors + 1;
-        for (int ring = 0; ring <= rings; ring++)
-            for (int sector = 0; sector < sectors; sector++)
-            {
-                double polar = Math.PI * ring / rings, around = 2 * Math.PI * sector / sectors;
-                text.Append(CultureInfo.InvariantCulture, $"v {x + radius * Math.Sin(polar) * Math.Cos(around)} ");
-                text.Append(CultureInfo.InvariantCulture,
-                    $"{radius * Math.Cos(polar)} {z + radius * Math.Sin(polar) * Math.Sin(around)}\n");
-            }
-        for (int ring = 0; ring < rings; ring++)
-            for (int sector = 0; sector < sectors; sector++)
-            {
-                int a = first + ring * sectors + sector, b = first + ring * sectors + (sector + 1) % sectors;
-                text.Append($"f {a} {b} {b + sectors} {a + sectors}\n");
-            }
+        byte[] png = File.ReadAllBytes(path);
+        Assert.That(new[] { 16, 20 }.Select(at => BinaryPrimitives.ReadInt32BigEndian(png.AsSpan(at))),
+            Is.All.EqualTo(pixels));
+        Assert.That(png.AsSpan(24, 5).ToArray(), Is.EqualTo(new byte[] { 8, 0, 0, 0, 0 }), "grey levels of 8 bits");
+        Assert.That(Encoding.ASCII.GetString(png, 37, 4), Is.EqualTo("IDAT"));
+        using var stream = new ZLibStream(
+            new MemoryStream(png, 41, BinaryPrimitives.ReadInt32BigEndian(png.AsSpan(33))), CompressionMode.Decompress);
+        using var rows = new MemoryStream();
+        stream.CopyTo(rows);
+        Assert.That(rows.Length, Is.EqualTo(pixels * (pixels + 1)));
+        return rows.ToArray().Where((_, i) => i % (pixels + 1) != 0);
+    }
+
+    // Open to -Z, its axis horizontal.
+    static string Trihedral(double edge, double x, double z, int number)
+    {
+        var text = new StringBuilder().Append(CultureInfo.InvariantCulture, $"v {x} 0 {z}\n");
+        for (int i = 0; i < 3; i++)
+        {
+            var (sine, cosine) = Math.SinCos(2 * Math.PI * i / 3 + Math.PI / 2);
+            double across = edge * Math.Sqrt(2.0 / 3), along = edge * Math.Sqrt(1.0 / 3);
+            text.Append(CultureInfo.InvariantCulture, $"v {x + across * cosine} {across * sine} {z - along}\n");
+        }
+        int first = 4 * number + 1;
+        for (int i = 0; i < 3; i++)
+            text.Append($"f {first} {first + 1 + i} {first + 1 + (i + 1) % 3}\n");
         return text.ToString();
     }
 

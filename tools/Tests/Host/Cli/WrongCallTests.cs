@@ -22,6 +22,8 @@ public sealed class WrongCallTests
         ["merge"] = ["DIR", "--out", "DIR/out"],
         ["run"] = ["MESH", "--size", "4x4"],
         ["rcs"] = ["MESH", "--tolerance", "10", "--out", "DIR/out"],
+        ["echo"] = ["MESH", "--tolerance", "10", "--frequencies", "4", "--out", "DIR/out"],
+        ["isar"] = ["MESH", "--tolerance", "10", "--frequencies", "4", "--azimuth", "0,1", "--out", "DIR/out"],
         ["report"] = ["DIR", "--pose", "none"],
         ["sea"] = [],
         ["ship"] = [],
