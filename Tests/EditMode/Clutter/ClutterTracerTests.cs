@@ -237,12 +237,13 @@ namespace Glint.Tests
     sealed class TestSea
     {
         public TestSea(double wind, double tileSize, int cells, double windDegrees,
-            double whitecaps = WhitecapLaw.DefaultCoefficient, int seed = 1, int tiles = 1, int? grid = null)
+            double whitecaps = WhitecapLaw.DefaultCoefficient, int seed = 1, int tiles = 1, int? grid = null,
+            double height = 1)
         {
             var settings = SeaSettings.Default;
             (settings.Kind, settings.WindSpeed, settings.Choppiness) = (SeaSpectrumKind.Elfouhaily, wind, 0);
             (settings.TileSize, settings.Cells, settings.GridSize) = (tileSize, cells, grid ?? cells);
-            (settings.WindDirectionDegrees, settings.Seed) = (windDegrees, seed);
+            (settings.WindDirectionDegrees, settings.Seed, settings.HeightFactor) = (windDegrees, seed, height);
             Surface = new SeaSurface(settings);
             Mesh = Surface.Mesh(0);
             var clutter = SeaClutterSettings.On;

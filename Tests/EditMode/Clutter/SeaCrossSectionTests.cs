@@ -1,0 +1,84 @@
+using System;
+using System.Linq;
+using Glint.Core;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Glint.Tests
+{
+    /// <summary>Cross sections of scenes that have a sea with a diffuse echo.</summary>
+    public sealed class SeaCrossSectionTests
+    {
+        const double TenGigahertz = 1e10;
+
+        CrossSectionTracer _tracer;
+
+        [OneTimeSetUp]
+        public void MakeTracer() => _tracer = new CrossSectionTracer(TestKernels.Tubes);
+
+        [OneTimeTearDown]
+        public void DisposeTracer() => _tracer.Dispose();
+
+        // The plate and the water in front of it are a dihedral: sigma = 4 pi (2 a b cos)^2 |R|^2 / lambda^2.
+        [TestCase(12)]
+        [TestCase(25)]
+        public void Trace_PlateOnACalmSea_IsTheDihedralOfBoth(double grazing)
+        {
+            var pose = CalmSea(grazing, new[] { Plate() });
+            var result = _tracer.Trace(pose);
+            var sea = result.Sea[0, 0];
+            double incidence = Math.Sin(math.radians(grazing)), wavelength = Signal.Wavelength(TenGigahertz);
+            var water = pose.Scene.Surfaces[1].Reflection(incidence, TenGigahertz);
+            double area = 2 * 0.5 * 0.6 * Math.Cos(math.radians(grazing));
+            double Expected(double coefficient) => Math.Sqrt(4 * Math.PI) * area * coefficient / wavelength;
+            double DecibelsOf(double found, double coefficient) => 20 * Math.Log10(found / Expected(coefficient));
+            var signal = result.S[0, 0] + -1 * sea;
+            TestContext.WriteLine($"{result.Rays} rays, error {result.Errors[0, 0]}, sea {sea.VV.Magnitude} {sea.HH.Magnitude}");
+            Assert.That(DecibelsOf(signal.HH.Magnitude, water.S.Magnitude), Is.EqualTo(0).Within(0.3));
+            Assert.That(DecibelsOf(signal.VV.Magnitude, water.P.Magnitude), Is.EqualTo(0).Within(0.3));
+        }
+
+        // Off the mirror direction nothing but the diffuse echo returns from a sea.
+        [Test]
+        public void Trace_SeaAlone_IsItsDiffuseEcho()
+        {
+            var pose = CalmSea(40, Array.Empty<MeshInstance>());
+            var result = _tracer.Trace(pose);
+            Assert.That(result.Sea[0, 0].VV, Is.EqualTo(result.Clutter[0].S.VV));
+            Assert.That(result.S[0, 0].VV, Is.EqualTo(result.Clutter[0].S.VV));
+            Assert.That(result.Clutter[0].SigmaVV, Is.GreaterThan(0));
+        }
+
+        [Test]
+        public void Trace_ReceiverElsewhere_IsRefused()
+        {
+            var pose = CalmSea(40, Array.Empty<MeshInstance>());
+            pose.Receivers = new[] { RadarAspect.At(30, 40) };
+            Assert.That(() => _tracer.Trace(pose), Throws.TypeOf<GlintException>().With.Message.Contains("receiver"));
+        }
+
+        static CrossSectionPose CalmSea(double grazing, MeshInstance[] targets)
+        {
+            var sea = new TestSea(5, 8, 8, 0, 0, height: 0.001);
+            var pose = sea.Pose(0, grazing);
+            var water = sea.Instances[0];
+            water.Ranges = new[] { new MeshRange(0, 0, 1) };
+            pose.Scene = new RadarScene(targets.Prepend(water).ToArray())
+            {
+                Seas = pose.Scene.Seas, Surfaces = new[] { SurfaceMaterial.PerfectConductor, sea.Clutter.Surface }
+            };
+            pose.HasEdges = false;
+            return pose;
+        }
+
+        // 0.5 m wide and 0.6 m high, on the water, towards -Z.
+        static MeshInstance Plate() => new MeshInstance
+        {
+            Mesh = new TriangleMesh(new[]
+            {
+                new float3(-0.25f, 0, 3), new float3(0.25f, 0, 3), new float3(0.25f, 0.6f, 3), new float3(-0.25f, 0.6f, 3)
+            }, new[] { 0, 2, 1, 0, 3, 2 }),
+            ToWorld = Affine.Identity
+        };
+    }
+}
