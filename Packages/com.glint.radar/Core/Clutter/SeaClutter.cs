@@ -125,8 +125,11 @@ namespace Glint.Core
                     + $"{RadarSettings.Text(ShortWaves.Cut)} rad/m, and waves from "
                     + $"{RadarSettings.Text(scattering.TiltCut)} rad/m on are Bragg waves, which would count twice: "
                     + "give the sea fewer cells, or a higher frequency");
+            // What its facets lose of the mesh's own waves is unresolved too.
             var (along, across) = ShortWaves.SlopeVariances(ShortWaves.Cut, scattering.TiltCut);
-            return new FacetTable(scattering, LongWaves.SlopeVariances(ShortWaves.Cut), new double2(along, across));
+            double2 all = LongWaves.SlopeVariances(ShortWaves.Cut) + new double2(along, across),
+                resolved = LongWaves.FacetSlopeVariances();
+            return new FacetTable(scattering, resolved, math.max(0, all - resolved));
         }
 
         bool[] FindBreakingFacets()

@@ -162,6 +162,31 @@ namespace Glint.Core
             return sum;
         }
 
+        /// <summary>
+        /// Mean square slopes along and across the wind of the facets of <see cref="Mesh"/>, at any time and without
+        /// choppiness. A facet cuts off the crests of waves that are not much longer than itself: its slopes are those
+        /// of chords.
+        /// </summary>
+        public double2 FacetSlopeVariances()
+        {
+            var (windX, windZ) = PortableMath.SinCos(_settings.WindDirectionDegrees / 360);
+            double side = _settings.TileSize / _settings.Cells, halfTurns = 0.5 / _settings.Cells;
+            double2 sum = 0;
+            foreach (var mode in _modes)
+            {
+                double x = 2 * PortableMath.SinCos(mode.Column * halfTurns).Sine / side,
+                    z = 2 * PortableMath.SinCos(mode.Row * halfTurns).Sine / side;
+                // Chords along X and Z begin at one corner; their middles are apart.
+                double both = 2 * windX * windZ * x * z
+                    * PortableMath.SinCos((mode.Column - mode.Row) * halfTurns).Cosine;
+                double height = 2 * (mode.Real * mode.Real + mode.Imaginary * mode.Imaginary);
+                (double xx, double zz) = (x * x, z * z);
+                sum += height * new double2(windX * windX * xx + windZ * windZ * zz + both,
+                    windZ * windZ * xx + windX * windX * zz - both);
+            }
+            return sum;
+        }
+
         // The scale is that from the density of the spectrum to that of the waves drawn.
         static SeaMode[] Draw(in SeaSettings settings, int reach, out double expected, out double densityScale)
         {
