@@ -62,7 +62,8 @@ namespace Glint.Tests
                 return (2 * Of(0) + Of(90)) / 3 - nrl.Decibels(Polarisation.Read("vv").Single(),
                     new ClutterConditions(5.6e9, grazing, state, 0));
             })).ToArray();
-            TestContext.WriteLine(FormattableString.Invariant($"{differences.Min():0.0} to {differences.Max():0.0} dB"));
+            TestContext.WriteLine(FormattableString.Invariant(
+                $"{differences.Min():0.0} to {differences.Max():0.0} dB"));
             Assert.That(differences.Min(), Is.InRange(1.5, 2.5));
             Assert.That(differences.Max(), Is.InRange(7, 8));
         }

@@ -66,20 +66,26 @@ namespace Glint.Tests
             var settings = Waves(10, 64, 256);
             (settings.GridSize, settings.Choppiness, settings.WindDirectionDegrees) = (16, 0, direction);
             var surface = new SeaSurface(settings);
-            var mesh = surface.Mesh(5);
-            double2 wind = new double2(Math.Sin(math.radians(direction)), Math.Cos(math.radians(direction))), sum = 0;
-            for (int t = 0; t < mesh.TriangleCount; t++)
-            {
-                double3 normal = Normal(mesh, t);
-                double2 slope = -normal.xz / normal.y;
-                double along = math.dot(slope, wind), across = slope.x * wind.y - slope.y * wind.x;
-                sum += new double2(along * along, across * across);
-            }
-            double2 mean = sum / mesh.TriangleCount, found = surface.SlopeVariances(1e3);
+            double2 mean = MeanSquareSlopes(surface.Mesh(5), direction), found = surface.SlopeVariances(1e3);
             Assert.That(found.x, Is.EqualTo(mean.x).Within(0.5).Percent);
             Assert.That(found.y, Is.EqualTo(mean.y).Within(0.5).Percent);
             Assert.That(found.x, Is.GreaterThan(1.2 * found.y));
             Assert.That(surface.SlopeVariances(0.5).x, Is.LessThan(0.9 * found.x));
+        }
+
+        // The facets of a mesh as coarse as its waves, whose slopes are those of chords.
+        [TestCase(0)]
+        [TestCase(40)]
+        [TestCase(130)]
+        public void FacetSlopeVariances_AreThoseOfTheMesh(double direction)
+        {
+            var settings = Waves(10, 64, 16);
+            (settings.Choppiness, settings.WindDirectionDegrees) = (0, direction);
+            var surface = new SeaSurface(settings);
+            double2 found = surface.FacetSlopeVariances().Variances, mean = MeanSquareSlopes(surface.Mesh(5), direction);
+            Assert.That(found.x, Is.EqualTo(mean.x).Within(0.1).Percent);
+            Assert.That(found.y, Is.EqualTo(mean.y).Within(0.1).Percent);
+            Assert.That(surface.SlopeVariances(1e3).x, Is.GreaterThan(1.1 * found.x));
         }
 
         // Breaking facets fall fastest, and are the crests.
@@ -193,6 +199,20 @@ namespace Glint.Tests
         {
             mesh.GetTriangle(triangle, out var a, out var b, out var c);
             return math.normalize(math.cross((double3)b - a, (double3)c - a));
+        }
+
+        // Along and across the wind.
+        static double2 MeanSquareSlopes(TriangleMesh mesh, double direction)
+        {
+            double2 wind = new double2(Math.Sin(math.radians(direction)), Math.Cos(math.radians(direction))), sum = 0;
+            for (int t = 0; t < mesh.TriangleCount; t++)
+            {
+                double3 normal = Normal(mesh, t);
+                double2 slope = -normal.xz / normal.y;
+                double along = math.dot(slope, wind), across = slope.x * wind.y - slope.y * wind.x;
+                sum += new double2(along * along, across * across);
+            }
+            return sum / mesh.TriangleCount;
         }
 
         static SeaClutter Of(SeaSettings settings) =>

@@ -4,7 +4,6 @@ using Glint.Core;
 using Glint.Editor;
 using NUnit.Framework;
 using UnityEditor;
-using UnityEditor.SceneManagement;
 using UnityEngine;
 
 namespace Glint.Tests
@@ -85,16 +84,6 @@ namespace Glint.Tests
             Assert.That(Row("Shown"), Is.EqualTo("waves at 0 s"));
             _sea.enabled = false;
             Assert.That(Row("Tiles"), Is.EqualTo("0, 0 triangles"));
-        }
-
-        // Stored before there was clutter: the field is not in the file.
-        [Test]
-        public void StoredScene_HasClutterOff()
-        {
-            EditorSceneManager.OpenScene("Packages/com.glint.scenes/ShipLargeSea.unity", OpenSceneMode.Single);
-            var stored = Object.FindFirstObjectByType<Sea>();
-            Assert.That(stored.Clutter, Is.EqualTo(SeaClutterSettings.Off));
-            EditorSceneManager.NewScene(NewSceneSetup.EmptyScene, NewSceneMode.Single);
         }
 
         [Test]

@@ -36,6 +36,14 @@ namespace Glint.Tests
             Assert.That(Corners(pose.Scene), Is.EqualTo(Corners(new RadarScene(CornerReflector.Mesh))));
         }
 
+        // Stored before there was clutter: the field is not in the file.
+        [Test]
+        public void SeaOfAStoredScene_HasClutterOff()
+        {
+            EditorSceneManager.OpenScene("Packages/com.glint.scenes/ShipLargeSea.unity", OpenSceneMode.Single);
+            Assert.That(Object.FindFirstObjectByType<Sea>().Clutter, Is.EqualTo(SeaClutterSettings.Off));
+        }
+
         // In steps of 0.1 mm, in any order.
         static double3[] Corners(RadarScene scene) => scene.Instances.SelectMany(
                 instance => instance.Mesh.Vertices.Select(vertex => instance.ToWorld.Point(vertex)))

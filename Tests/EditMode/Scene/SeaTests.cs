@@ -257,6 +257,7 @@ namespace Glint.Tests
                 Assert.That(instance.Ranges.Select(range => scene.Surfaces[range.Surface]),
                     Is.EqualTo(new[] { sea.Clutter.Surface }));
             Assert.That(_scene.Gather(_gatherer), Is.SameAs(scene), "nothing has changed");
+            Assert.That(MaterialAssignment.Apply(scene, new MaterialAssignment[0]).Seas, Is.SameAs(scene.Seas));
         }
 
         // The facets of the tile's mesh are those that break.
@@ -318,6 +319,24 @@ namespace Glint.Tests
             settings.Wind = 12;
             _sea.Clutter = settings;
             Assert.That(_sea.CurrentClutter().ShortWaves.Wind, Is.EqualTo(12));
+        }
+
+        [Test]
+        public void Content_KnowsTheSettingsOfClutter()
+        {
+            TurnClutterOn(32, 32);
+            ulong Content(int seed)
+            {
+                var settings = _sea.Clutter;
+                settings.Seed = seed;
+                _sea.Clutter = settings;
+                _scene.Gather(_gatherer);
+                return _gatherer.Content();
+            }
+
+            ulong first = Content(1), other = Content(2);
+            Assert.That(other, Is.Not.EqualTo(first));
+            Assert.That(Content(1), Is.EqualTo(first));
         }
 
         [Test]

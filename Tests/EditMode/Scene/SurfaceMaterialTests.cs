@@ -107,7 +107,8 @@ namespace Glint.Tests
         [Test]
         public void Roughness_IsPartOfTheMaterial()
         {
-            SurfaceMaterial smooth = new SurfaceMaterial("metal"), rough = new SurfaceMaterial("metal", roughness: 0.01);
+            var smooth = new SurfaceMaterial("metal");
+            var rough = new SurfaceMaterial("metal", roughness: 0.01);
             Assert.That(rough, Is.Not.EqualTo(smooth));
             Assert.That(rough, Is.EqualTo(new SurfaceMaterial("metal", roughness: 0.01)));
             Assert.That((smooth.IsConductor, rough.IsConductor), Is.EqualTo((true, false)));

@@ -125,11 +125,11 @@ namespace Glint.Core
                     + $"{RadarSettings.Text(ShortWaves.Cut)} rad/m, and waves from "
                     + $"{RadarSettings.Text(scattering.TiltCut)} rad/m on are Bragg waves, which would count twice: "
                     + "give the sea fewer cells, or a higher frequency");
+            // What its facets lose of the mesh's own waves is unresolved too.
             var (along, across) = ShortWaves.SlopeVariances(ShortWaves.Cut, scattering.TiltCut);
-            // What facets lose of the mesh's own waves counts with the unresolved ones: the sum is that of all waves.
+            double2 all = LongWaves.SlopeVariances(ShortWaves.Cut) + new double2(along, across);
             var (resolved, covariance) = LongWaves.FacetSlopeVariances();
-            var lost = LongWaves.SlopeVariances(ShortWaves.Cut) - resolved;
-            return new FacetTable(scattering, resolved, math.max(0, new double2(along, across) + lost), -covariance);
+            return new FacetTable(scattering, resolved, math.max(0, all - resolved), -covariance);
         }
 
         bool[] FindBreakingFacets()

@@ -11,7 +11,8 @@ namespace Glint.Core
         /// <summary>A sea.</summary>
         /// <param name="clutter">Its echo.</param>
         /// <param name="tiles">Its tiles; kept, not copied.</param>
-        public RadarSea(SeaClutter clutter, IReadOnlyList<SeaTileInstance> tiles) => (Clutter, Tiles) = (clutter, tiles);
+        public RadarSea(SeaClutter clutter, IReadOnlyList<SeaTileInstance> tiles) =>
+            (Clutter, Tiles) = (clutter, tiles);
 
         /// <summary>Its echo: that of the triangles of each tile, in their order.</summary>
         public SeaClutter Clutter { get; }

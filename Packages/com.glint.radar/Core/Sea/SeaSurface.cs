@@ -163,31 +163,30 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Mean square slopes along and across the wind of the facets of a tile of linear waves, at time 0, and their
-        /// covariance. Facets lose a part of the shortest waves, least along their diagonals, and have those of a square
-        /// grid's corners beyond <see cref="ShortWaves.Cut"/>.
+        /// Mean square slopes along and across the wind of the facets of <see cref="Mesh"/>, at any time and without
+        /// choppiness, and their covariance. A facet cuts off the crests of waves that are not much longer than itself:
+        /// its slopes are those of chords, and fall least along the diagonals that divide the cells.
         /// </summary>
         public (double2 Variances, double Covariance) FacetSlopeVariances()
         {
             var (windX, windZ) = PortableMath.SinCos(_settings.WindDirectionDegrees / 360);
-            double[] height = _sum.Sum(At(0));
-            int cells = _settings.Cells, side = cells + 1;
-            double HeightOf(int vertex) => height[vertex / side % cells * cells + vertex % side % cells];
-            double3 PlaceOf(int vertex) => new double3(vertex % side, HeightOf(vertex) * cells / _settings.TileSize,
-                vertex / side);
+            double side = _settings.TileSize / _settings.Cells, halfTurns = 0.5 / _settings.Cells;
             double2 sum = 0;
-            double product = 0;
-            for (int i = 0; i < _indices.Length; i += 3)
+            double covariance = 0;
+            foreach (var mode in _modes)
             {
-                double3 corner = PlaceOf(_indices[i]);
-                var normal = math.cross(PlaceOf(_indices[i + 1]) - corner, PlaceOf(_indices[i + 2]) - corner);
-                double along = (windX * normal.x + windZ * normal.z) / normal.y,
-                    across = (windZ * normal.x - windX * normal.z) / normal.y;
-                sum += new double2(along * along, across * across);
-                product += along * across;
+                double x = 2 * PortableMath.SinCos(mode.Column * halfTurns).Sine / side,
+                    z = 2 * PortableMath.SinCos(mode.Row * halfTurns).Sine / side;
+                // Chords along X and Z begin at one corner; their middles are apart.
+                double product = x * z * PortableMath.SinCos((mode.Column - mode.Row) * halfTurns).Cosine,
+                    both = 2 * windX * windZ * product;
+                double height = 2 * (mode.Real * mode.Real + mode.Imaginary * mode.Imaginary);
+                (double xx, double zz) = (x * x, z * z);
+                sum += height * new double2(windX * windX * xx + windZ * windZ * zz + both,
+                    windZ * windZ * xx + windX * windX * zz - both);
+                covariance += height * (windX * windZ * (xx - zz) + (windZ * windZ - windX * windX) * product);
             }
-            int count = _indices.Length / 3;
-            return (sum / count, product / count);
+            return (sum, covariance);
         }
 
         // The scale is that from the density of the spectrum to that of the waves drawn.

@@ -271,8 +271,8 @@ namespace Glint
             Vector3 up = transform.rotation * Vector3.up, scale = transform.lossyScale;
             double tilt = math.length(new double2(up.x, up.z));
             if (!(up.y > 0 && tilt < MaxTilt && (scale - Vector3.one).magnitude < MaxTilt))
-                throw new GlintException("its clutter needs a horizontal sea in metres: rotate it, and what is above it "
-                    + "in the hierarchy, about Y alone, give all a scale of 1, or turn clutter off");
+                throw new GlintException("its clutter needs a horizontal sea in metres: rotate it, and what is above "
+                    + "it in the hierarchy, about Y alone, give all a scale of 1, or turn clutter off");
             double angle = math.radians(degrees);
             Vector3 wind = transform.rotation * new Vector3((float)Math.Sin(angle), 0, (float)Math.Cos(angle));
             return math.normalize(new double3(wind.x, 0, wind.z));

@@ -18,7 +18,7 @@ namespace Glint
         }
 
         /// <summary>Finds the sea of an object that may be a tile, and gives the tile its water.</summary>
-        /// <exception cref="GlintException">The sea's clutter cannot be computed; the message names the sea.</exception>
+        /// <exception cref="GlintException">The sea's clutter is refused; the message names the sea.</exception>
         public void Visit(TransformNode node, Renderer renderer)
         {
             if (!renderer.TryGetComponent<SeaTile>(out _) || renderer.transform.parent == null
@@ -41,8 +41,9 @@ namespace Glint
             var gathered = _ofTiles[node];
             int cells = gathered.Clutter.LongWaves.Settings.Cells, triangles = 2 * cells * cells;
             if (node.Source.TriangleCount != triangles)
-                throw new GlintException($"Sea of '{gathered.Sea.name}': its tile has {node.Source.TriangleCount} triangles, "
-                    + $"and its settings make {triangles}: store the snapshot again with glint sea, or turn clutter off");
+                throw new GlintException($"Sea of '{gathered.Sea.name}': its tile has {node.Source.TriangleCount} "
+                    + $"triangles, and its settings make {triangles}: store the snapshot again with glint sea, "
+                    + "or turn clutter off");
             gathered.Tiles.Add(new SeaTileInstance(instance, gathered.Sea.NumberOf(tile)));
         }
 

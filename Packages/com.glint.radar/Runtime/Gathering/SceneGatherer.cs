@@ -17,7 +17,8 @@ namespace Glint
     /// do not move relative to each other (a <see cref="RigidGroup"/>) are merged into one mesh, a <see
     /// cref="MergedMesh"/>, in a frame of their own. A transform moves if it differs from that of the last gather, or
     /// if <see cref="ExpectMotion"/> announced it. Objects whose mesh changes, or is used many times, are instances of
-    /// their mesh, and so are the tiles of a sea with clutter. Vertices are rounded to float32 relative to such a frame, never to the scene; frames are in double.
+    /// their mesh, and so are the tiles of a sea with clutter. Vertices are rounded to float32 relative to such a frame,
+    /// never to the scene; frames are in double.
     /// </remarks>
     public sealed class SceneGatherer
     {
