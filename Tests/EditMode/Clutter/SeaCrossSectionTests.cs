@@ -33,7 +33,6 @@ namespace Glint.Tests
             double Expected(double coefficient) => Math.Sqrt(4 * Math.PI) * area * coefficient / wavelength;
             double DecibelsOf(double found, double coefficient) => 20 * Math.Log10(found / Expected(coefficient));
             var signal = result.S[0, 0] + -1 * sea;
-            TestContext.WriteLine($"{result.Rays} rays, error {result.Errors[0, 0]}, sea {sea.VV.Magnitude} {sea.HH.Magnitude}");
             Assert.That(DecibelsOf(signal.HH.Magnitude, water.S.Magnitude), Is.EqualTo(0).Within(0.3));
             Assert.That(DecibelsOf(signal.VV.Magnitude, water.P.Magnitude), Is.EqualTo(0).Within(0.3));
         }

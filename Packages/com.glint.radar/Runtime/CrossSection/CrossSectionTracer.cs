@@ -77,13 +77,14 @@ namespace Glint
                 return new CrossSectionResult(pose.Receivers.Length, pose.Frequencies.Length) { IsMet = true };
             var grid = GridOf(pose);
             var edges = new TubeSums(pose, grid);
+            // Before the tubes' buffers are bound: it clears sums of its own.
+            var clutter = Clutter(pose, cancel);
             Bind(pose, grid, edges, OutputSize(pose), 1);
             _kernels.SumAll();
-            double floor = pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max);
+            double floor =
+                Math.Max(pose.FloorDbsm ?? CrossSectionFloor.Of(_scene.Min, _scene.Max), FloorOf(clutter));
             // The same for every attempt.
             TraceEdges(pose, OutputSize(pose), read => edges.Add(read, _owner), cancel);
-            var clutter = Clutter(pose, cancel);
-            floor = Math.Max(floor, FloorOf(clutter));
             long rays = 0;
             for (double cellError = CellError > 0 ? CellError : FirstCellError; ;)
             {
