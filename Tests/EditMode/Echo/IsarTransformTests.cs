@@ -20,8 +20,8 @@ namespace Glint.Tests
             s_lookStep = PointEchoes.C / s_band.Centre / (2 * s_bin) / LookCount * 180 / Math.PI;
 
         /// <summary>
-        /// 5 x 5 points 5 m apart, turned to 30 degrees: all are at their places within a tenth of a bin and equal within
-        /// 0.3 dB. No mirror image of the turned grid falls on it.
+        /// 5 x 5 points 5 m apart, turned to 30 degrees: all are at their places within a tenth of a bin and equal
+        /// within 0.3 dB. No mirror image of the turned grid falls on it.
         /// </summary>
         [Test]
         public void Image_OfAGridOfPoints_HasThemAtTheirPlacesWithTheirCrossSections()

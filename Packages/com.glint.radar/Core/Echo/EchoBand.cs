@@ -18,7 +18,7 @@ namespace Glint.Core
             math.length(math.max(math.abs(boxMin - phaseCentre), math.abs(boxMax - phaseCentre)))
             + math.distance(boxMin, boxMax) / 2;
 
-        /// <summary>The number of frequencies whose unambiguous range holds echoes up to a reach on both sides.</summary>
+        /// <summary>Number of frequencies whose unambiguous range holds echoes up to a reach on both sides.</summary>
         public static double CountFor(double reach, double bandwidthHz) =>
             2 * (Math.Ceiling(reach * 2 * bandwidthHz / Signal.SpeedOfLight) + Margin);
 

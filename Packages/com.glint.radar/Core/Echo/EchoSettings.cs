@@ -9,7 +9,8 @@ namespace Glint.Core
     public sealed class EchoSettings
     {
         // In the words of echo.md.
-        const string RangeMeaning = "half of the path out and back, 0 at the phase centre, positive away from the radar";
+        const string RangeMeaning =
+            "half of the path out and back, 0 at the phase centre, positive away from the radar";
 
         const string On = "on", Off = "off";
 

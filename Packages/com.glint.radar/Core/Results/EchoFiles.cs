@@ -90,8 +90,8 @@ namespace Glint.Core
             file.Add("range", new[] { cells }, Enumerable.Range(0, cells).Select(cell => echo.Range.RangeOf(cell)));
             void Add(string name, int length, Func<int, Polarisation, Complex[]> values) => file.Add(name,
                 new[] { echo.Plan.Poses, echo.Plan.Receivers, 2, 2, length },
-                Enumerable.Range(0, echo.Directions).SelectMany(direction => Polarisation.Matrix.SelectMany(polarisation =>
-                    values(direction, polarisation)
+                Enumerable.Range(0, echo.Directions).SelectMany(direction =>
+                    Polarisation.Matrix.SelectMany(polarisation => values(direction, polarisation)
                         ?? Enumerable.Repeat(new Complex(double.NaN, double.NaN), length))));
             Add("profile", cells, (direction, each) => echo.Profile(echo.Responses(direction, each)));
             if (echo.Settings.Radar == null)

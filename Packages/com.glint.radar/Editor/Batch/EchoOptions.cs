@@ -168,7 +168,8 @@ namespace Glint.Editor
         /// <exception cref="UsageException">The lists do not go together, or are too long.</exception>
         public static CrossSectionPlan PlanOf(CommandLine line, double reach)
         {
-            double bandwidth = line.Get(Bandwidth), count = line.Get(Frequencies) ?? EchoBand.CountFor(reach, bandwidth);
+            double bandwidth = line.Get(Bandwidth),
+                count = line.Get(Frequencies) ?? EchoBand.CountFor(reach, bandwidth);
             if (!s_count.Contains(count))
                 throw new UsageException(FormattableString.Invariant(
                     $"{Bandwidth.Flag} {Numbers.Format(bandwidth)}: the target takes {count:0} frequencies, at most {1 << 16} are possible: give a smaller band, or {Frequencies.Flag}, with echoes folded into the unambiguous range"));

@@ -25,8 +25,8 @@ namespace Glint.Editor
             Choices = new[] { "none" },
             Group = Group,
             Help = "The pose shown in 3-D and as the radar's picture: its row in results.csv, from 1; of cross "
-                + "sections the row of rcs.csv, of range profiles the direction, that the report opens with. Without it: the one with the largest "
-                + "amplitude. With none the scene is not opened and no GPU is needed."
+                + "sections the row of rcs.csv, of range profiles the direction, that the report opens with. "
+                + "Without it: the one with the largest amplitude. With none the scene is not opened and no GPU is needed."
         };
 
         static int ReadPose(string text)

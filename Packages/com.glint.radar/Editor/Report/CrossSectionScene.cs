@@ -6,7 +6,9 @@ using Unity.Mathematics;
 
 namespace Glint.Editor
 {
-    /// <summary>The part of a report that shows the target of cross sections or range profiles and its hot spots.</summary>
+    /// <summary>
+    /// The part of a report that shows the target of cross sections or range profiles, and its hot spots.
+    /// </summary>
     public sealed class CrossSectionScene
     {
         readonly StoredRun _run;

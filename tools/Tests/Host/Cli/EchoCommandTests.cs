@@ -37,7 +37,7 @@ public sealed class EchoCommandTests
     [TearDown]
     public void RemovePlate() => Directory.Delete(_folder, true);
 
-    /// <summary>4 pi A^2 / lambda^2 in dBsm at 2.5 m, in every file; the arrays are the sums of the page's formula.</summary>
+    /// <summary>4 pi A^2 / lambda^2 at 2.5 m in every file; the arrays are the sums of the page's formula.</summary>
     [Test]
     public void Plate_AtNormalIncidence_IsAPointOfItsCrossSection()
     {
@@ -102,8 +102,8 @@ public sealed class EchoCommandTests
     [Test]
     public void Matlab_AndSigMf_HaveTheArraysAndTheProfiles()
     {
-        Run(At("plate.obj"), "--azimuth", "0,10", "--frequencies", "16", "--polarisation", "vv,hh", "--tolerance", "0.5",
-            "--mat", "--sigmf", "--out", At("echo"));
+        Run(At("plate.obj"), "--azimuth", "0,10", "--frequencies", "16", "--polarisation", "vv,hh", "--tolerance",
+            "0.5", "--mat", "--sigmf", "--out", At("echo"));
         var arrays = MatlabReader.Read(File.ReadAllBytes(At("echo/echo.mat")));
         Assert.That(arrays.Select(array => array.Name + ".npy"), Is.EqualTo(NumpyReader.Names(At("echo/echo.npz"))));
         var profile = NumpyReader.Read(At("echo/echo.npz"), "profile");
@@ -139,15 +139,16 @@ public sealed class EchoCommandTests
         var line = CommandLine.Parse(Commands.Echo, [.. echo, "--out", At("stopped")]);
         Project.Open(Project.FindRoot(AppContext.BaseDirectory));
         Assert.That(Batch.Execute(line, new CancelAfter(21)), Is.EqualTo(130));
-        Assert.That(Run([.. echo, "--out", At("stopped"), "--resume"]), Does.Contain("resumed: 21 of 64 rows are done"));
+        Assert.That(Run([.. echo, "--out", At("stopped"), "--resume"]),
+            Does.Contain("resumed: 21 of 64 rows are done"));
         AssertSame("stopped");
         // Three parts of 64 rows divide directions.
         for (int number = 1; number <= 3; number++)
             Run([.. echo, "--shard", $"{number}/3", "--out", At($"{number}")]);
         Assert.That(File.Exists(At("2/profile.csv")), Is.False, "the merged whole has it");
         var (code, _, error) = TestShell.Run("report", At("2"), "--pose", "none");
-        Assert.That((code, error.Trim()), Is.EqualTo((1, "glint: the results are part 2/3 of a run, and a range profile "
-            + "takes all of its frequencies: join the parts with glint merge")));
+        Assert.That((code, error.Trim()), Is.EqualTo((1, "glint: the results are part 2/3 of a run, and a range "
+            + "profile takes all of its frequencies: join the parts with glint merge")));
         (code, _, error) = TestShell.Run("merge", At("1"), At("2"), At("3"), "--out", At("merged"));
         Assert.That(code, Is.Zero, error);
         AssertSame("merged");
