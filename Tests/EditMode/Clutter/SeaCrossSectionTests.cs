@@ -56,6 +56,46 @@ namespace Glint.Tests
             Assert.That(() => _tracer.Trace(pose), Throws.TypeOf<GlintException>().With.Message.Contains("receiver"));
         }
 
+        // A camera's picture that holds the target changes nothing; parallel rays on half of a plate leave half of its
+        // amplitude.
+        [TestCase(double.PositiveInfinity)]
+        [TestCase(60)]
+        public void Trace_WithAFootprint_IsThatOfThePicture(double range)
+        {
+            var pose = CalmSea(0, new[] { Plate() });
+            pose.Scene = new RadarScene(pose.Scene.Instances[1]);
+            pose.PhaseCentre = new double3(0, 0.3, 3);
+            (pose.Range, pose.ToleranceDb) = (range, 0.02);
+            var whole = _tracer.Trace(pose).S[0, 0].VV;
+            pose.Footprint = FootprintOf(pose, 0);
+            var seen = _tracer.Trace(pose).S[0, 0].VV;
+            Assert.That((seen - whole).Magnitude, Is.LessThan(0.005 * whole.Magnitude));
+            if (!pose.IsFar)
+                return;
+            // The picture begins at the middle of the plate.
+            pose.Footprint = FootprintOf(pose, 1);
+            var half = _tracer.Trace(pose).S[0, 0].VV;
+            Assert.That((half - 0.5 * whole).Magnitude, Is.LessThan(0.02 * whole.Magnitude));
+        }
+
+        // 80 cells high, twice as wide; up: parallel rays begin that much higher, in half pictures.
+        static RadarFootprint FootprintOf(CrossSectionPose pose, double up)
+        {
+            double side = TubeGrid.SideFor(pose, new double3(-0.25, 0, 3), new double3(0.25, 0.6, 3)),
+                distance = pose.IsFar ? 30 : pose.Range, height = 80 * side;
+            var view = new RadarView
+            {
+                Position = pose.PhaseCentre + distance * pose.Radar.ToRadar, Right = pose.Radar.Right,
+                Up = pose.Radar.Up, Forward = -pose.Radar.ToRadar, ApertureHeight = pose.IsFar ? height : 0,
+                VerticalFovDegrees = math.degrees(2 * Math.Atan(height / 2 / distance))
+            };
+            if (pose.IsFar)
+                view.Position += up * height / 2 * view.Up;
+            var settings = RadarSettings.Default;
+            (settings.RaysAcross, settings.RaysDown) = (1000, 500);
+            return new RadarFootprint(view, settings);
+        }
+
         static CrossSectionPose CalmSea(double grazing, MeshInstance[] targets)
         {
             var sea = new TestSea(5, 8, 8, 0, 0, height: 0.001);
