@@ -98,6 +98,8 @@ namespace Glint.Editor
         static LoadedScene OpenScene(CommandLine line)
         {
             OpenSceneFile(line.Input);
+            if (line.IsGiven(Options.Clutter))
+                SceneClutter.Set(line.Get(Options.Clutter), line.Input);
             var radar = SceneSearch.FindRadar(line.Input);
             if (line.IsGiven(Options.Size) && radar.IsFitted)
                 throw new GlintException($"{line.Input}: its radar fits its aperture to the scene by Ray Spacing, "
@@ -106,6 +108,8 @@ namespace Glint.Editor
             // A scene that was stored before there were tubes has no kernels of them.
             if (radar.TubeKernel == null)
                 radar.TubeKernel = ProjectAssets.TubeKernel;
+            if (radar.ClutterKernel == null)
+                radar.ClutterKernel = ProjectAssets.TubesKernel;
             if (line.IsGiven(Options.Receiver))
             {
                 var size = line.Get(Options.Receiver);

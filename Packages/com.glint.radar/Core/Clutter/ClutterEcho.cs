@@ -20,6 +20,12 @@ namespace Glint.Core
         /// <summary>Mean cross section per area of the mean sea; NaN without facets.</summary>
         public Sigma0 Sigma0 => new Sigma0(SigmaHH / Area, SigmaVV / Area, SigmaHV / Area);
 
+        /// <summary>Mean cross section of a polarisation over the speckle, square metres.</summary>
+        public double SigmaOf(Polarisation polarisation) => polarisation.Of(new ScatteringMatrix
+        {
+            VV = SigmaVV, HV = SigmaHV, VH = SigmaHV, HH = SigmaHH
+        }).Real;
+
         /// <summary>Echo of two parts.</summary>
         public static ClutterEcho operator +(in ClutterEcho a, in ClutterEcho b) => new ClutterEcho
         {

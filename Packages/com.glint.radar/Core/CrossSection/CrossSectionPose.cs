@@ -12,6 +12,11 @@ namespace Glint.Core
         /// <summary>Default of <see cref="ToleranceDb"/>.</summary>
         public const double DefaultToleranceDb = 0.1;
 
+        /// <summary>Tolerance of a radar's picture, decibels.</summary>
+        public const double PictureToleranceDb = 0.5;
+
+        const double MinRange = 1;
+
         /// <summary>The scene, metres.</summary>
         public RadarScene Scene { get; set; }
 
@@ -62,6 +67,27 @@ namespace Glint.Core
         /// Cross section below which the tolerance is that of this one, dBsm; null: <see cref="CrossSectionFloor"/>.
         /// </summary>
         public double? FloorDbsm { get; set; }
+
+        /// <summary>
+        /// The pose of a radar's picture: what its camera lights returns to it. The phase centre is the point of its
+        /// axis beside the scene's centre; parallel rays are a plane wave.
+        /// </summary>
+        public static CrossSectionPose Of(in RadarPose pose)
+        {
+            var view = pose.View;
+            var radar = new RadarAspect(-view.Forward, view.Up, view.Right);
+            var (boxMin, boxMax) = pose.Scene.Bound();
+            // In front of the camera, whatever is behind it.
+            double range = Math.Max(MinRange, math.dot((boxMin + boxMax) / 2 - view.Position, view.Forward));
+            return new CrossSectionPose
+            {
+                Scene = pose.Scene, Radar = radar, Receivers = new[] { radar },
+                PhaseCentre = view.Position + range * view.Forward,
+                Range = view.IsParallel ? double.PositiveInfinity : range,
+                Footprint = new RadarFootprint(view, pose.Settings), Frequencies = new[] { pose.Settings.FrequencyHz },
+                MaxBounces = pose.Settings.MaxBounces, ToleranceDb = PictureToleranceDb
+            };
+        }
 
         /// <summary>Whether the radar is so far that its wave is plane.</summary>
         public bool IsFar => double.IsPositiveInfinity(Range);

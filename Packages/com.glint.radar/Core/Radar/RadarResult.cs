@@ -71,6 +71,17 @@ namespace Glint.Core
         /// <summary>Work counts and wall times of the pose.</summary>
         public TraceStatistics Statistics { get; }
 
+        /// <summary>The echo in square metres, of a scene with a sea that has clutter; null of others.</summary>
+        public PoseEcho Echo { get; private set; }
+
+        /// <summary>The same result with an echo.</summary>
+        public RadarResult With(PoseEcho echo)
+        {
+            var result = (RadarResult)MemberwiseClone();
+            result.Echo = echo;
+            return result;
+        }
+
         /// <inheritdoc cref="SamplingReport.Error"/>
         public double? SamplingError => Sampling?.Error;
 

@@ -68,7 +68,8 @@ namespace Glint.Core
             { MayBeMissing = true, Missing = NotEstimated },
             Undersampled,
             new ResultColumn("ray_area_m2", "Ray area", "m2", row => row.Result.RayArea) { MayBeMissing = true }
-        }.Concat(SweepAxis.Columns.Skip(1).Select(axis => new ResultColumn(axis))).ToArray());
+        }.Concat(SweepAxis.Columns.Skip(1).Select(axis => new ResultColumn(axis)))
+            .Concat(Polarisation.All.Where(it => it.Sent == it.Received).SelectMany(EchoColumns)).ToArray());
 
         Func<object, double?> _value;
 
@@ -81,6 +82,18 @@ namespace Glint.Core
         ResultColumn(SweepAxis axis) : this(axis.Column, axis.Title, axis.Unit,
             row => row.Pose[axis] ?? (axis == SweepAxis.Angle ? 0 : (double?)null)) =>
             (Axis, MayBeMissing) = (axis, axis != SweepAxis.Angle);
+
+        // Of scenes with a sea that has clutter.
+        static IEnumerable<ResultColumn> EchoColumns(Polarisation polarisation)
+        {
+            string suffix = polarisation.Name, name = suffix.ToUpperInvariant();
+            yield return new ResultColumn($"sigma_{suffix}_dbsm", $"Cross section {name}", "dBsm",
+                row => row.Result.Echo?.SigmaDbsm(polarisation)) { MayBeMissing = true };
+            yield return new ResultColumn($"sigma_clutter_{suffix}_dbsm", $"Clutter {name}", "dBsm",
+                row => row.Result.Echo?.ClutterDbsm(polarisation)) { MayBeMissing = true };
+            yield return new ResultColumn($"signal_to_clutter_{suffix}_db", $"Signal to clutter {name}", "dB",
+                row => row.Result.Echo?.SignalToClutterDb(polarisation)) { MayBeMissing = true };
+        }
 
         /// <summary>Every column, in the order of the files.</summary>
         public static IReadOnlyList<ResultColumn> All => Table;

@@ -37,8 +37,8 @@ namespace Glint.Editor
             Options = Options.Axes.Concat(new Option[]
                 {
                     Options.Target, Options.Shard, Options.Out, Options.Resume, Options.Size,
-                    Options.Region, Options.Bounces, Options.Tolerance, Options.NoSamplingError, Options.Receiver,
-                    Options.Unit, Options.Up, Options.Azimuth, Options.Fov,
+                    Options.Region, Options.Bounces, Options.Tolerance, Options.NoSamplingError, Options.Clutter,
+                    Options.Receiver, Options.Unit, Options.Up, Options.Azimuth, Options.Fov,
                     Options.Spacing, Options.Aperture, Options.Aim, Options.Device
                 }).ToArray(),
             Required = new Option[] { Options.Target },
@@ -96,7 +96,8 @@ namespace Glint.Editor
         public static readonly Command Run =
             new Command("run", "Trace one pose of a scene or a mesh file.")
             {
-                Options = Options.Radar.Prepend(Options.Tolerance).Prepend(Options.Out).Append(Options.Device).ToArray(),
+                Options = Options.Radar.Prepend(Options.Tolerance).Prepend(Options.Out).Append(Options.Clutter)
+                    .Append(Options.Device).ToArray(),
                 Notes = new[] { "Without --out the result is printed and no file is written." },
                 Handler = Batch.TracePoses,
                 UnityMethod = "Glint.Editor.Batch.Run",

@@ -141,6 +141,18 @@ namespace Glint.Editor
                 + "amplitude, in_phase and quadrature matter."
         };
 
+        /// <summary>Whether seas have clutter; each sea's own setting when not given.</summary>
+        public static readonly Option<bool> Clutter = new Option<bool>("clutter", "on|off", Values.OnOrOff)
+        {
+            Group = RadarGroup,
+            Inputs = InputKind.Scene,
+            Refusal = "only seas of a scene have clutter: leave it out",
+            Choices = new[] { "on", "off" },
+            Help = "Switches the diffuse echo of the scene's seas on or off. With it each row also has the cross "
+                + "section of what the picture shows, that of the clutter, and signal to clutter, in VV and HH. "
+                + "Without it: the setting of each Sea."
+        };
+
         /// <summary>Width and height of the receiver, metres.</summary>
         public static readonly Option<double2> Receiver =
             new Option<double2>("receiver", "M|WxH", text => Values.Area(text, Length))

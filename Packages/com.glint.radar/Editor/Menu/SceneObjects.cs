@@ -32,6 +32,7 @@ namespace Glint.Editor
             var radar = camera.gameObject.AddComponent<RadarController>();
             radar.Kernel = ProjectAssets.Kernel;
             radar.TubeKernel = ProjectAssets.TubeKernel;
+            radar.ClutterKernel = ProjectAssets.TubesKernel;
             radar.Receiver = MeshFileScene.MakeReceiver(camera.transform, false);
             radar.gameObject.AddComponent<RayPaths>();
             AddToScene(radar.gameObject, null);

@@ -86,12 +86,16 @@ namespace Glint
         [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Amplitude.compute; only for a tolerance.")]
         ComputeShader _tubeKernel;
 
+        [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Tubes.compute; only for a sea with clutter.")]
+        ComputeShader _clutterKernel;
+
         static readonly ProfilerMarker s_gather = new ProfilerMarker("Glint.Gather");
 
         readonly SceneGatherer _gatherer = new SceneGatherer();
         readonly HashSet<string> _warned = new HashSet<string>();
         RayTracer _tracer;
         AmplitudeTracer _amplitudes;
+        CrossSectionTracer _crossSections; // of scenes with a sea that has clutter
         PoseInFlight _pending; // of ray tubes, which are traced when the pose is finished
         RadarPose _traced;
         ulong _tracedContent;
@@ -180,6 +184,19 @@ namespace Glint
         }
 
         /// <summary>
+        /// Packages/com.glint.radar/Shaders/Tubes.compute; only used if a sea has clutter.
+        /// </summary>
+        public ComputeShader ClutterKernel
+        {
+            get => _clutterKernel;
+            set
+            {
+                _clutterKernel = value;
+                Release(); // the current tracer has the old kernel
+            }
+        }
+
+        /// <summary>
         /// Count the nodes visited and pairs tested: <see cref="TraceStatistics"/>. Slower; for benchmarks.
         /// </summary>
         public bool CountVisits { get; set; }
@@ -259,6 +276,12 @@ namespace Glint
             _pending = null;
             var result = isOfTubes ? _amplitudes.Trace(inFlight.Pose, progress, cancel, inFlight.Statistics)
                 : _tracer.Finish(inFlight, progress, cancel);
+            if (inFlight.Pose.Scene.Seas.Count > 0)
+            {
+                _crossSections ??= new CrossSectionTracer(_clutterKernel, Subject);
+                var echo = _crossSections.Trace(CrossSectionPose.Of(inFlight.Pose), progress, cancel);
+                result = result.With(PoseEcho.Of(echo));
+            }
             (_traced.Settings, _traced.View) = (inFlight.Pose.Settings, inFlight.Pose.View);
             _tracedContent = inFlight.Content;
             Result = result;
@@ -422,7 +445,8 @@ namespace Glint
             _gatherer.Forget();
             _tracer?.Dispose();
             _amplitudes?.Dispose();
-            (_tracer, _amplitudes, _pending) = (null, null, null);
+            _crossSections?.Dispose();
+            (_tracer, _amplitudes, _crossSections, _pending) = (null, null, null, null);
         }
 
         /// <summary>Name in messages.</summary>

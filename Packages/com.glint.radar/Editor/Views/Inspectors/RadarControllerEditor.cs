@@ -64,7 +64,8 @@ namespace Glint.Editor.Views
                 Parts.Field("_skipSamplingError", "Skip Sampling Error"),
                 Parts.Field("_keptRays", "Kept Rays"),
                 Parts.Field("_kernel", "Kernel"),
-                Parts.Field("_tubeKernel", "Tube Kernel")));
+                Parts.Field("_tubeKernel", "Tube Kernel"),
+                Parts.Field("_clutterKernel", "Clutter Kernel")));
         }
 
         void AddLook(VisualElement inspector)

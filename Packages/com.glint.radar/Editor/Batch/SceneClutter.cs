@@ -1,0 +1,49 @@
+using System.Linq;
+using Glint.Core;
+using UnityEngine;
+
+namespace Glint.Editor
+{
+    /// <summary>The clutter of the open scene's seas, as a command line asks for it.</summary>
+    static class SceneClutter
+    {
+        /// <summary>
+        /// Switches the clutter of all seas on or off. A stored snapshot that stands alone is shown by a Sea then.
+        /// </summary>
+        /// <param name="input">The scene, for messages.</param>
+        /// <exception cref="GlintException">The scene has no sea, or a sea cannot have clutter.</exception>
+        public static void Set(bool isOn, string input)
+        {
+            if (isOn)
+                foreach (var snapshot in Find<SeaSnapshot>().Where(it => it.GetComponentInChildren<Sea>() == null))
+                    AddSea(snapshot);
+            var seas = Find<Sea>();
+            if (seas.Length == 0)
+                throw new GlintException($"{input}: has no sea whose clutter could be switched: leave "
+                    + $"{Options.Clutter.Flag} out, or add a Sea (Glint > Sea)");
+            foreach (var sea in seas)
+            {
+                var clutter = sea.Clutter;
+                clutter.IsOn = isOn;
+                sea.Clutter = clutter;
+                sea.Rebuild();
+            }
+        }
+
+        static T[] Find<T>() where T : MonoBehaviour => Object
+            .FindObjectsByType<T>(FindObjectsInactive.Exclude, FindObjectsSortMode.None)
+            .Where(found => found.isActiveAndEnabled).ToArray();
+
+        // Below the snapshot's own object, so that it is traced where that was.
+        static void AddSea(SeaSnapshot snapshot)
+        {
+            foreach (var renderer in snapshot.GetComponentsInChildren<Renderer>())
+                renderer.enabled = false;
+            var sea = new GameObject(snapshot.name).AddComponent<Sea>();
+            sea.transform.SetParent(snapshot.transform, false);
+            sea.Snapshots.Add(snapshot);
+            float side = (float)snapshot.Settings.TileSize;
+            sea.Extent = new Vector2(side, side);
+        }
+    }
+}
