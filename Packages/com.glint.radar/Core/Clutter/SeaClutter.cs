@@ -83,7 +83,7 @@ namespace Glint.Core
 
         /// <summary>
         /// Whether each triangle of the tile's mesh breaks, in the order of its triangles: the
-        /// <see cref="BreakingFraction"/> with the largest downward acceleration of the linear waves.
+        /// <see cref="BreakingFraction"/> whose first corner has the largest downward acceleration of the linear waves.
         /// </summary>
         public IReadOnlyList<bool> BreakingFacets => _breakingFacets.Value;
 
