@@ -109,6 +109,23 @@ namespace Glint.Core
         }
 
         /// <summary>
+        /// Douglas sea state, by the requested height of the waves, or by the wind if none is requested. Above 6 no
+        /// published model holds.
+        /// </summary>
+        public double SeaState => SeaStateFits.OfAnyHeight(LongWaves.Settings.SignificantWaveHeight > 0
+            ? LongWaves.Settings.SignificantWaveHeight : SeaStateFits.WaveHeightOfWind(ShortWaves.Wind));
+
+        /// <summary>What published models are asked for.</summary>
+        /// <param name="frequency">Hz.</param>
+        /// <param name="azimuthDegrees">As of <see cref="RadarAspect.At"/>.</param>
+        public ClutterConditions ConditionsAt(double frequency, double azimuthDegrees, double grazingDegrees)
+        {
+            double cosine = math.dot(RadarAspect.At(azimuthDegrees, 0).ToRadar, Wind);
+            return new ClutterConditions(frequency, grazingDegrees, SeaState,
+                math.degrees(Math.Acos(Math.Max(-1, Math.Min(1, cosine)))));
+        }
+
+        /// <summary>
         /// Time in seconds in which the speckle of a facet decorrelates: <see cref="ClutterMotion.CoherenceTime"/> of
         /// half the shortest wave of the mesh, the side of its facets.
         /// </summary>
