@@ -232,16 +232,16 @@ namespace Glint.Tests
     }
 
     /// <summary>
-    /// A sea of Elfouhaily's linear waves with clutter, in tiles along Z. The wind blows along Z, turned towards X.
+    /// A sea of Elfouhaily's waves with clutter, linear unless it has a choppiness, in tiles along Z. The wind blows along Z, turned towards X.
     /// </summary>
     sealed class TestSea
     {
         public TestSea(double wind, double tileSize, int cells, double windDegrees,
             double whitecaps = WhitecapLaw.DefaultCoefficient, int seed = 1, int tiles = 1, int? grid = null,
-            double height = 1)
+            double height = 1, double choppiness = 0)
         {
             var settings = SeaSettings.Default;
-            (settings.Kind, settings.WindSpeed, settings.Choppiness) = (SeaSpectrumKind.Elfouhaily, wind, 0);
+            (settings.Kind, settings.WindSpeed, settings.Choppiness) = (SeaSpectrumKind.Elfouhaily, wind, choppiness);
             (settings.TileSize, settings.Cells, settings.GridSize) = (tileSize, cells, grid ?? cells);
             (settings.WindDirectionDegrees, settings.Seed, settings.HeightFactor) = (windDegrees, seed, height);
             Surface = new SeaSurface(settings);

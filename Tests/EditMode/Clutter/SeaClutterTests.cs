@@ -88,18 +88,18 @@ namespace Glint.Tests
             Assert.That(surface.SlopeVariances(1e3).x, Is.GreaterThan(1.1 * found.x));
         }
 
-        // Breaking facets fall fastest, and are the crests.
+        // Breaking facets fall fastest, at their first corners, and are the crests.
         [Test]
         public void BreakingFacets_AreTheFractionThatFallsFastest()
         {
             var settings = Waves(12, 128, 64);
             var clutter = new SeaClutter(new SeaSurface(settings), 7, s_wind, SeaClutterSettings.On);
             var mesh = clutter.LongWaves.Mesh(7);
-            var accelerations = clutter.LongWaves.Accelerations(7);
-            double[] Of(double[] values) => Enumerable.Range(0, mesh.TriangleCount).Select(t =>
-                Enumerable.Range(3 * t, 3).Average(i => values[mesh.Indices[i]])).ToArray();
-            double[] falls = Of(accelerations),
-                heights = Of(mesh.Vertices.Select(vertex => (double)vertex.y).ToArray());
+            double[] accelerations = clutter.LongWaves.Accelerations(7),
+                falls = Enumerable.Range(0, mesh.TriangleCount).Select(t => accelerations[mesh.Indices[3 * t]])
+                    .ToArray(),
+                heights = Enumerable.Range(0, mesh.TriangleCount).Select(t => Enumerable.Range(3 * t, 3)
+                    .Average(i => (double)mesh.Vertices[mesh.Indices[i]].y)).ToArray();
             var breaking = Enumerable.Range(0, mesh.TriangleCount).Where(t => clutter.BreakingFacets[t]).ToArray();
             Assert.That(clutter.BreakingFacets.Count, Is.EqualTo(mesh.TriangleCount));
             // 3.84e-6 x 12^3.41 = 1.84 % of 8,192.

@@ -81,6 +81,31 @@ namespace Glint.Core
             return Compute(polarisation.Sent == 1, at);
         }
 
+        /// <summary>The same; null where the model does not hold.</summary>
+        public double? DecibelsOrNull(Polarisation polarisation, in ClutterConditions at)
+        {
+            try
+            {
+                return Decibels(polarisation, at);
+            }
+            catch (GlintException)
+            {
+                return null;
+            }
+        }
+
+        /// <summary>Refuses conditions in which the model does not hold for both VV and HH.</summary>
+        /// <exception cref="GlintException">A condition is out of the model's range.</exception>
+        public void Require(in ClutterConditions at)
+        {
+            Decibels(Polarisation.VV, at);
+            Decibels(Polarisation.HH, at);
+        }
+
+        /// <summary>Whether the model holds for both VV and HH.</summary>
+        public bool Holds(in ClutterConditions at) =>
+            DecibelsOrNull(Polarisation.VV, at) != null && DecibelsOrNull(Polarisation.HH, at) != null;
+
         // All conditions are in range.
         private protected abstract double Compute(bool isHorizontal, in ClutterConditions at);
 
@@ -88,7 +113,8 @@ namespace Glint.Core
         {
             unit = unit == null ? "" : " " + unit;
             if (!range.Contains(value))
-                throw new GlintException($"clutter model {Name}: the {noun} {Medium.Number(value)}{unit} must be "
+                throw new GlintException(FormattableString.Invariant(
+                    $"clutter model {Name}: the {noun} {value:g6}{unit} must be ")
                     + $"{range}{unit}, where {Title} holds: choose another model, or physics");
         }
     }

@@ -10,7 +10,10 @@ namespace Glint.Core
     /// </summary>
     public static class ClutterStatistics
     {
-        static readonly Interval s_grazing = Interval.Closed(0.1, 10);
+        /// <summary>Largest grazing angle in degrees of <see cref="EmpiricalShape"/>.</summary>
+        public const double MaxGrazingOfShape = 10;
+
+        static readonly Interval s_grazing = Interval.Closed(0.1, MaxGrazingOfShape);
 
         /// <summary>
         /// Shape measured at X band (Ward, Baker and Watts 1990).

@@ -10,6 +10,9 @@ namespace Glint.Core
     /// </summary>
     public sealed class NathansonTable : ClutterModel
     {
+        /// <summary>Its name, and authors and year.</summary>
+        public const string Id = "nathanson", Source = "Nathanson 1991";
+
         static readonly double[] s_gigahertz = { 0.5, 1.25, 3, 5.6, 9.3, 17, 35 },
             s_grazing = { 0.1, 0.3, 1, 3, 10, 30, 60 };
 
@@ -22,7 +25,7 @@ namespace Glint.Core
         /// <param name="text">Lines of pol, grazing_deg, sea_state, freq_GHz, sigma0_dB, below a header.</param>
         /// <param name="path">For messages.</param>
         /// <exception cref="GlintException">A line is malformed.</exception>
-        public NathansonTable(string text, string path) : base("nathanson", "Nathanson 1991",
+        public NathansonTable(string text, string path) : base(Id, Source,
             Interval.Closed(s_gigahertz[0], s_gigahertz[s_gigahertz.Length - 1]),
             Interval.Closed(s_grazing[0], s_grazing[s_grazing.Length - 1]), Interval.Closed(0, SeaStates - 1))
         {

@@ -83,7 +83,7 @@ namespace Glint.Core
 
         /// <summary>
         /// Whether each triangle of the tile's mesh breaks, in the order of its triangles: the
-        /// <see cref="BreakingFraction"/> with the largest downward acceleration of the linear waves.
+        /// <see cref="BreakingFraction"/> whose first corner has the largest downward acceleration of the linear waves.
         /// </summary>
         public IReadOnlyList<bool> BreakingFacets => _breakingFacets.Value;
 
@@ -106,6 +106,23 @@ namespace Glint.Core
                     _tables.Add(frequency, table = MakeTable(frequency));
                 return table;
             }
+        }
+
+        /// <summary>
+        /// Douglas sea state, by the requested height of the waves, or by the wind if none is requested. Above 6 no
+        /// published model holds.
+        /// </summary>
+        public double SeaState => SeaStateFits.OfAnyHeight(LongWaves.Settings.SignificantWaveHeight > 0
+            ? LongWaves.Settings.SignificantWaveHeight : SeaStateFits.WaveHeightOfWind(ShortWaves.Wind));
+
+        /// <summary>What published models are asked for.</summary>
+        /// <param name="frequency">Hz.</param>
+        /// <param name="azimuthDegrees">As of <see cref="RadarAspect.At"/>.</param>
+        public ClutterConditions ConditionsAt(double frequency, double azimuthDegrees, double grazingDegrees)
+        {
+            double cosine = math.dot(RadarAspect.At(azimuthDegrees, 0).ToRadar, Wind);
+            return new ClutterConditions(frequency, grazingDegrees, SeaState,
+                math.degrees(Math.Acos(Math.Max(-1, Math.Min(1, cosine)))));
         }
 
         /// <summary>

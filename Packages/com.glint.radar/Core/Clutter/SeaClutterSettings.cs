@@ -31,6 +31,9 @@ namespace Glint.Core
         /// <summary>Whether the sea has a diffuse echo, and the reflection of sea water.</summary>
         public bool IsOn;
 
+        /// <summary>Where the mean of the diffuse echo comes from.</summary>
+        public ClutterLevel Level;
+
         /// <summary>
         /// Wind of the short waves in m/s, 3 to 20; 0: <see cref="ShortWaves.DefaultWind"/>.
         /// </summary>

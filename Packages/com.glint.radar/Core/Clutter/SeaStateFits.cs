@@ -33,8 +33,12 @@ namespace Glint.Core
         public static double OfWaveHeight(double waveHeight)
         {
             var range = Interval.Closed(WaveHeight(0), WaveHeight(6));
-            return Math.Pow((Checked(range, waveHeight, "significant wave height", " m") - 0.04) / 0.1, 1 / 2.1);
+            return OfAnyHeight(Checked(range, waveHeight, "significant wave height", " m"));
         }
+
+        /// <summary><see cref="OfWaveHeight"/>, also above the range of the fit; 0 below.</summary>
+        internal static double OfAnyHeight(double waveHeight) =>
+            Math.Pow(Math.Max(0, waveHeight - 0.04) / 0.1, 1 / 2.1);
 
         /// <summary><see cref="Wind"/> of any height, the same bits on any machine.</summary>
         internal static double RisenWind(double waveHeight) =>

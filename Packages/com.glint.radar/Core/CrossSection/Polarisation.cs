@@ -18,6 +18,12 @@ namespace Glint.Core
             new Polarisation("vh", 0, 1, s => s.VH), new Polarisation("hh", 1, 1, s => s.HH)
         };
 
+        /// <summary>Sent and received in V.</summary>
+        public static Polarisation VV => All[0];
+
+        /// <summary>Sent and received in H.</summary>
+        public static Polarisation HH => All[3];
+
         /// <summary>In the order of arrays: V before H, the sent polarisation changing fastest.</summary>
         public static readonly IReadOnlyList<Polarisation> Matrix = All
             .OrderBy(polarisation => polarisation.Received).ThenBy(polarisation => polarisation.Sent).ToArray();

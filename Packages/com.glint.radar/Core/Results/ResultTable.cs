@@ -42,8 +42,14 @@ namespace Glint.Core
             }.Concat(ImageFiles.All).ToArray()
         };
 
+        /// <summary>Mean echo and texture of a sea.</summary>
+        public static readonly ResultTable Clutter = new ResultTable("clutter", "clutter.csv", ClutterColumn.All)
+        {
+            FolderSuffix = "-clutter"
+        };
+
         /// <summary>Every table.</summary>
-        public static readonly IReadOnlyList<ResultTable> All = new[] { Sweep, CrossSection, Echo };
+        public static readonly IReadOnlyList<ResultTable> All = new[] { Sweep, CrossSection, Echo, Clutter };
 
         ResultTable(string name, string csvName, IReadOnlyList<ResultColumn> columns) =>
             (Name, CsvName, Columns) = (name, csvName, columns);

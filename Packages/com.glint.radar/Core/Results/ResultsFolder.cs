@@ -152,6 +152,9 @@ namespace Glint.Core
         /// <inheritdoc cref="Append(SweepRow)"/>
         public void Append(CrossSectionRow row) => Append(new StoredRow(row));
 
+        /// <inheritdoc cref="Append(SweepRow)"/>
+        public void Append(ClutterRow row) => Append(new StoredRow(row));
+
         internal void Append(StoredRow row)
         {
             RequireUnfinished();

@@ -24,6 +24,11 @@ namespace Glint.Core
         public StoredRow(CrossSectionRow row) : this(ResultTable.CrossSection, row, row.ToString()) =>
             Contributions = row.Contributions;
 
+        /// <exception cref="GlintException">A value is NaN or infinite.</exception>
+        public StoredRow(ClutterRow row) : this(ResultTable.Clutter, row, row.ToString())
+        {
+        }
+
         StoredRow(ResultTable table, object row, string where) =>
             _values = table.Columns.Select(column => column.Value(row, where)).ToArray();
 

@@ -33,6 +33,9 @@ namespace Glint.Editor
         /// <summary>Entry of Unity's -executeMethod: <c>glint isar</c>.</summary>
         public static void Isar() => ExecuteAndExit(Commands.Isar, Environment.GetCommandLineArgs());
 
+        /// <summary>Entry of Unity's -executeMethod: <c>glint clutter</c>.</summary>
+        public static void Clutter() => ExecuteAndExit(Commands.Clutter, Environment.GetCommandLineArgs());
+
         /// <summary>Entry of Unity's -executeMethod: <c>glint merge</c>.</summary>
         public static void Merge() => ExecuteAndExit(Commands.Merge, Environment.GetCommandLineArgs());
 

@@ -170,10 +170,14 @@ namespace Glint.Editor
                 throw new UsageException($"{Command.Name}: {Values.Shown(Input)}: no such shell: give {WhatInputIs}");
             InputKind = Command.Inputs == InputKind.Results
                 || Command.Inputs == InputKind.Shell ? Command.Inputs : KindOf(Input);
+            if ((Command.Inputs & InputKind) == 0)
+                throw new UsageException($"{Values.Shown(Input)}: {Command.Name} does not take such a file: "
+                    + $"give {WhatInputIs}");
         }
 
         string WhatInputIs => Command.Inputs == InputKind.Results ? "a folder with results"
             : Command.Inputs == InputKind.Shell ? string.Join(", ", Commands.Shells)
+            : Command.Inputs == InputKind.Scene ? "a scene (.unity)"
             : "a scene (.unity) or a mesh file (.obj, .stl)";
 
         void SetFolders(IReadOnlyList<string> folders)

@@ -16,6 +16,9 @@ namespace Glint.Editor
             "A scene (.unity) or a mesh file (.obj, .stl). A scene is given by its path on disk or by its asset path: "
             + "Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity.";
 
+        const string SceneHelp = "A scene (.unity), by its path on disk or by its asset path: "
+            + "Scenes/X.unity is Packages/com.glint.scenes/X.unity in Unity.";
+
         const string FoldersHelp = "The results folders of all parts, in any order.";
 
         /// <summary>The shells supported by <see cref="Completion"/>.</summary>
@@ -210,10 +213,40 @@ namespace Glint.Editor
                 }
         };
 
+        /// <summary>Computes the diffuse echo of a sea.</summary>
+        public static readonly Command Clutter = new Command("clutter", "Compute sigma0, the lit fraction and the "
+            + "texture of the sea of a scene over grazing angle, wind direction and frequency, beside published models, "
+            + "and write clutter.csv and results.json.")
+        {
+            Inputs = InputKind.Scene,
+            Options = ClutterOptions.All,
+            Notes = new[]
+                {
+                    "The sea has no end: the echo is that of one tile under a plane wave, shaded by as many copies of "
+                        + "the tile towards the radar as its shadows are long. Objects in the sea do not matter.",
+                    "Models are those of the sea's state: of its requested height, or of its wind. Where a model does "
+                        + "not hold, its columns are empty.",
+                    "The grazing angle changes from row to row, then the azimuth, the frequency, and the snapshot or "
+                        + "time slowest. Without --out the files go to Results/<name of the scene>-clutter beside the "
+                        + "project's Assets."
+                },
+            Handler = ClutterCommand.Execute,
+            UnityMethod = "Glint.Editor.Batch.Clutter",
+            Examples = new[]
+                {
+                    Example("clutter Scenes/SeaState5.unity --clutter on --cell 8x8",
+                        "The stored sea, whose clutter is off, at twelve grazing angles."),
+                    Example("clutter Assets/Sea.unity --grazing 1:10:1 --azimuth 0,90,180 --frequency 3e9,9.4e9 "
+                            + "--times 0:45:5 --out sea",
+                        "A sea of your own in three directions, at two frequencies and ten times."),
+                    Example("clutter Assets/Sea.unity --clutter nrl", "With the mean of a published model.")
+                }
+        };
+
         /// <summary>Makes an HTML report of results.</summary>
         public static readonly Command Report = new Command("report", "Write one HTML file of a sweep, run, "
-            + "cross sections or range profiles that opens offline: charts, table, and the scene in 3-D with its "
-            + "received rays or hot spots.")
+            + "cross sections, range profiles or sea clutter that opens offline: charts, table, and the scene in 3-D "
+            + "with its received rays or hot spots.")
         {
             Inputs = InputKind.Results,
             Options = new Option[] { ReportOptions.Out, ReportOptions.Pose, Options.Device },
@@ -392,7 +425,7 @@ namespace Glint.Editor
         public static IReadOnlyList<Command> All { get; } =
             new[]
             {
-                Sweep, Merge, Run, Rcs, Echo, Isar, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info,
+                Sweep, Merge, Run, Rcs, Echo, Isar, Clutter, Report, Sea, Ship, Reflector, Experiments, Bench, Verify, Info,
                 Completion
             };
 
@@ -400,6 +433,7 @@ namespace Glint.Editor
         public static string InputHelpOf(Command command) => command.Inputs == InputKind.Folders ? FoldersHelp
             : command.Inputs == InputKind.Results ? ResultsHelp
             : command.Inputs == InputKind.Shell ? string.Join(", ", Shells) + "."
+            : command.Inputs == InputKind.Scene ? SceneHelp
             : command.HasBuiltIn ? $"{InputHelp} {WithoutInputHelp}"
             : InputHelp;
 

@@ -15,6 +15,14 @@ namespace Glint.Editor
         /// <exception cref="GlintException">The table is missing or malformed.</exception>
         public static IReadOnlyList<ClutterModel> Models => ClutterModel.Formulas.Append(Nathanson()).ToArray();
 
+        /// <summary>The model of a level; null for physics.</summary>
+        /// <exception cref="GlintException">The table is missing or malformed.</exception>
+        public static ClutterModel Of(ClutterLevel level) => level == ClutterLevel.Physics ? null
+            : Models.Single(model => model.Name == NameOf(level));
+
+        /// <summary>"nrl".</summary>
+        public static string NameOf(ClutterLevel level) => level.ToString().ToLowerInvariant();
+
         static NathansonTable Nathanson()
         {
             var asset = AssetDatabase.LoadAssetAtPath<TextAsset>(Path);

@@ -53,7 +53,7 @@ namespace Glint
         }
 
         /// <summary>The device and the versions.</summary>
-        internal static RunInfo OfMachine() => new RunInfo
+        public static RunInfo OfMachine() => new RunInfo
         {
             DeviceName = SystemInfo.graphicsDeviceName,
             GraphicsApi = SystemInfo.graphicsDeviceVersion,

@@ -1,0 +1,91 @@
+using System;
+using System.Linq;
+using Glint.Core;
+using Unity.Mathematics;
+
+namespace Glint.Editor
+{
+    /// <summary>The options of <c>glint clutter</c>.</summary>
+    public static class ClutterOptions
+    {
+        const string Group = "Sea clutter", On = "on";
+
+        static readonly Interval s_grazing = Interval.Closed(0.1, 90), s_cells = Interval.Closed(0.5, 10000),
+            s_seconds = Interval.Closed(-1e6, 1e6);
+
+        static readonly string[] s_clutter = Enum.GetValues(typeof(ClutterLevel)).Cast<ClutterLevel>()
+            .Select(PublishedClutter.NameOf).Prepend(On).ToArray();
+
+        /// <summary>Grazing angles, degrees.</summary>
+        public static readonly Option<double[]> Grazing = List("grazing",
+            new NumberList("grazing angle", s_grazing, "degrees", ("1:10:1", "1,3,10")),
+            "1,2,3,5,7,10,15,20,30,45,60,70",
+            "Grazing angles in degrees, from the horizontal: FROM:TO:STEP or a list with commas. Without it, with the "
+                + "level of a published model: those at which the model holds.");
+
+        /// <summary>Azimuths of the radar, degrees.</summary>
+        public static readonly Option<double[]> Azimuth = List("azimuth", CrossSectionRanges.Azimuths, "0",
+            "Azimuths of the radar in degrees, positive as Unity's rotation about Y, as a range or list. At 0 it looks "
+                + "north, along +Z; at 90 east, along +X.");
+
+        /// <summary>Frequencies, hertz.</summary>
+        public static readonly Option<double[]> Frequency = List("frequency", SweepAxis.Frequency.List, "10e9",
+            "Frequencies in hertz, as a range or list, from 1e9 to 4.7e10.");
+
+        /// <summary>Times of a sea without snapshots, seconds; null when not given.</summary>
+        public static readonly Option<double[]> Times = new Option<double[]>("times", "LIST",
+            new NumberList("time", s_seconds, "seconds", ("0:45:5", "0,3.5,60")).Read)
+        {
+            Group = Group,
+            Range = "each " + s_seconds,
+            Excludes = new (Option, string)[] { (Options.Snapshots, "snapshots have times of their own") },
+            Help = "Times in seconds of a sea that has no snapshots, as a range or list. Without it: its own."
+        };
+
+        /// <summary>Size of a cell, metres, along the direction of the radar and across.</summary>
+        public static readonly Option<double2> Cell = new Option<double2>("cell", "RxA",
+            text => Values.Area(text, s_cells))
+        {
+            Group = Group,
+            Range = "each " + s_cells,
+            DefaultText = "15x30",
+            Help = "Cells in which the texture is measured, in metres along the direction of the radar and across, or "
+                + "the side of square ones. The shape is the squared mean of their echoes without speckle over the "
+                + "variance."
+        };
+
+        /// <summary>Switches clutter on, at a level; null without one.</summary>
+        public static readonly Option<ClutterLevel?> Clutter =
+            new Option<ClutterLevel?>("clutter", "LEVEL", ReadClutter)
+            {
+                Group = Group,
+                Choices = s_clutter,
+                Range = "one of " + string.Join(", ", s_clutter),
+                Help = "Switches the sea's clutter on, and chooses its level: physics is the echo of the waves, the "
+                    + "others scale it so that its mean is that of a published model, for each polarisation and "
+                    + "grazing angle. Texture, speckle and motion stay. on: the level of the sea's settings."
+            };
+
+        /// <summary>Folder for the result files; null when not given.</summary>
+        public static readonly Option<string> Out = Options.Text("out", "DIR", "Results",
+            "Folder for clutter.csv and results.json, created with its parents if missing.");
+
+        /// <summary>All options, in the order of the help.</summary>
+        public static readonly Option[] All =
+            { Grazing, Azimuth, Frequency, Options.Snapshots, Times, Cell, Clutter, Out, Options.Device };
+
+        static Option<double[]> List(string name, NumberList list, string standard, string help) =>
+            new Option<double[]>(name, "LIST", list.Read)
+            {
+                Group = Group, Range = "each " + list.Range, DefaultText = standard, Help = help
+            };
+
+        static ClutterLevel? ReadClutter(string text)
+        {
+            int choice = Array.IndexOf(s_clutter, text);
+            if (choice < 0)
+                throw new FormatException("must be one of " + string.Join(", ", s_clutter));
+            return choice == 0 ? (ClutterLevel?)null : (ClutterLevel)(choice - 1);
+        }
+    }
+}

@@ -1,0 +1,48 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Threading;
+using Glint.Core;
+
+namespace Glint
+{
+    /// <summary>
+    /// The factors that scale seas to a published model. Computed once a sea, frequency and direction, from the mean
+    /// echo of the sea at the time at which it is asked for first.
+    /// </summary>
+    public sealed class ClutterLevels
+    {
+        readonly ClutterTracer _tracer;
+        readonly ClutterModel _model;
+        readonly Dictionary<(SeaSurface, double, double), ClutterLevelTable> _tables =
+            new Dictionary<(SeaSurface, double, double), ClutterLevelTable>();
+
+        /// <param name="tracer">Traces the mean echo.</param>
+        /// <param name="model">The published model.</param>
+        public ClutterLevels(ClutterTracer tracer, ClutterModel model) => (_tracer, _model) = (tracer, model);
+
+        /// <summary>The factors of a sea.</summary>
+        /// <param name="frequency">Hertz.</param>
+        /// <param name="azimuthDegrees">As of <see cref="RadarAspect.At"/>.</param>
+        /// <param name="progress">Receives the fraction done, 0 to 1; may be null.</param>
+        /// <exception cref="GlintException">The model does not hold for the sea, or the sea cannot be traced.</exception>
+        /// <exception cref="OperationCanceledException">It was cancelled.</exception>
+        public ClutterLevelTable TableOf(EndlessSea sea, double frequency, double azimuthDegrees,
+            IProgress<double> progress = null, CancellationToken cancel = default)
+        {
+            var key = (sea.Clutter.LongWaves, frequency, azimuthDegrees);
+            if (_tables.TryGetValue(key, out var table))
+                return table;
+            ClutterConditions At(double grazing) => sea.Clutter.ConditionsAt(frequency, azimuthDegrees, grazing);
+            var angles = ClutterLevelTable.AnglesOf(_model, At);
+            var own = angles.Select((grazing, i) =>
+            {
+                progress?.Report((double)i / angles.Count);
+                return _tracer.Trace(sea.PoseOf(azimuthDegrees, grazing, frequency), frequency, null, null, cancel)
+                    .Single().Sigma0;
+            }).ToArray();
+            _tables.Add(key, table = new ClutterLevelTable(_model, angles, own, At));
+            return table;
+        }
+    }
+}
