@@ -39,6 +39,11 @@ float4 _SeaTime;                           // time: s; in coherence times, whole
 float4 _SeaMirror;                         // of mirror points: halves of the inverse covariances of the unresolved slopes,
                                            // along and across the wind and mixed; factor
 
+// Natural logarithms of factors of the power of VV, HV and HH, and of the sine of the grazing angle at which they hold, in
+// ascending order.
+StructuredBuffer<float4> _SeaLevels;
+uint _SeaLevelCount;
+
 // The camera's picture, outside of which nothing is lit.
 float4 _FootprintPosition;                 // relative to the scene's centre, m; w: 0: everything is lit
 float4 _FootprintRight, _FootprintUp;      // w: half the picture's width and height, at a distance of 1 or of parallel rays
@@ -146,6 +151,19 @@ float BreakingSigma(float cosine)
     return second.z;
 }
 
+// Factors that bring the power of VV, HV and HH to a published level: ClutterLevelTable.FactorAt.
+float3 LevelAt(float sine)
+{
+    float place = log(max(sine, 1.0e-6));
+    uint next = 0;
+    [loop]
+    while (next < _SeaLevelCount && _SeaLevels[next].w <= place)
+        next++;
+    float4 above = _SeaLevels[min(next, _SeaLevelCount - 1)], below = _SeaLevels[max(next, 1) - 1];
+    float share = above.w > below.w ? (place - below.w) / (above.w - below.w) : 0.0;
+    return exp(lerp(below.xyz, above.xyz, saturate(share)));
+}
+
 // The speckle of a facet now: Bragg waves that run towards the radar, and away from it.
 float2 SpeckleOf(uint facet, SeaTile tile, Receiver radar)
 {
@@ -214,6 +232,8 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     sigma.xz += SpecularSigma(normal, radar.Direction);
     if (facet.IsBreaking != 0)
         sigma.xz = BreakingSigma(saturate(radar.Direction.y));
+    if (_SeaLevelCount > 0)
+        sigma *= LevelAt(radar.Direction.y);
     float3 power = area * sigma * radar.Strength * radar.Strength * radar.Strength * radar.Strength;
     float2 field = ComplexMul(SpeckleOf(number % _SeaRange.x, tile, radar), PhasorOf(2.0 * _WaveNumber * radar.Phase));
     [unroll]

@@ -48,6 +48,36 @@ namespace Glint.Tests
             Assert.That(result.Clutter[0].SigmaVV, Is.GreaterThan(0));
         }
 
+        // The mean of a published model, in both polarisations; the speckle is the same.
+        [TestCase(ClutterLevel.Nrl)]
+        [TestCase(ClutterLevel.Git)]
+        public void Trace_AtAPublishedLevel_HasItsMean(ClutterLevel level)
+        {
+            var sea = new TestSea(8, 64, 64, 0);
+            var pose = sea.Pose(30, 10);
+            var plain = _tracer.Trace(pose).Clutter[0];
+            var settings = SeaClutterSettings.On;
+            settings.Level = level;
+            pose = sea.Pose(30, 10, new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings));
+            var scaled = _tracer.Trace(pose).Clutter[0];
+            var conditions = sea.Clutter.ConditionsAt(TenGigahertz, 30, 10);
+            var model = ClutterModel.Of(level);
+            // The tile alone, whose edge no other tile shades.
+            Assert.That(Sigma0.Decibels(scaled.Sigma0.VV), Is.EqualTo(model.Decibels(Polarisation.VV, conditions)).Within(0.5));
+            Assert.That(Sigma0.Decibels(scaled.Sigma0.HH), Is.EqualTo(model.Decibels(Polarisation.HH, conditions)).Within(0.5));
+            Assert.That(scaled.S.VV.Phase, Is.EqualTo(plain.S.VV.Phase).Within(1e-3));
+        }
+
+        [Test]
+        public void Trace_AtTheLevelOfATable_IsRefusedInPlayMode()
+        {
+            var sea = new TestSea(8, 16, 16, 0);
+            var settings = SeaClutterSettings.On;
+            settings.Level = ClutterLevel.Nathanson;
+            Assert.That(() => _tracer.Trace(sea.Pose(30, 10, new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings))),
+                Throws.TypeOf<GlintException>().With.Message.Contains("nathanson"));
+        }
+
         [Test]
         public void Trace_ReceiverElsewhere_IsRefused()
         {

@@ -48,6 +48,20 @@ namespace Glint.Core
         public static readonly IReadOnlyList<ClutterModel> Formulas =
             new ClutterModel[] { new NrlModel(), new GitModel(), new TscModel(), new HybridModel() };
 
+        /// <summary>The model of a level that is a formula; null for physics.</summary>
+        /// <exception cref="GlintException">The level is a table.</exception>
+        public static ClutterModel Of(ClutterLevel level)
+        {
+            switch (level)
+            {
+                case ClutterLevel.Physics: return null;
+                case ClutterLevel.Nrl: return Formulas[0];
+                case ClutterLevel.Git: return Formulas[1];
+                default: throw new GlintException("clutter level nathanson: its table is there in the editor and for the "
+                    + "commands, not in play mode: choose physics, nrl or git");
+            }
+        }
+
         readonly Interval _gigahertz, _grazing, _seaStates;
 
         private protected ClutterModel(string name, string title, in Interval gigahertz, in Interval grazing,

@@ -13,7 +13,7 @@ namespace Glint.Core
         public const double DefaultToleranceDb = 0.1;
 
         /// <summary>Tolerance of a radar's picture, decibels.</summary>
-        public const double PictureToleranceDb = 0.5;
+        public const double PictureToleranceDb = 1;
 
         const double MinRange = 1;
 

@@ -118,17 +118,6 @@ namespace Glint.Core
         /// <summary>Value of an option that takes none.</summary>
         public const string GivenText = "given";
 
-        /// <summary>on or off.</summary>
-        public static bool OnOrOff(string text)
-        {
-            switch (text)
-            {
-                case "on": return true;
-                case "off": return false;
-                default: throw new FormatException("must be on or off");
-            }
-        }
-
         /// <summary>The value of an option that takes none.</summary>
         public static bool Given(string text) => text == GivenText ? true : throw new FormatException("takes no value");
 

@@ -1,5 +1,3 @@
-using System;
-using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
 
@@ -8,13 +6,10 @@ namespace Glint.Editor
     /// <summary>The options of <c>glint clutter</c>.</summary>
     public static class ClutterOptions
     {
-        const string Group = "Sea clutter", On = "on";
+        const string Group = "Sea clutter";
 
         static readonly Interval s_grazing = Interval.Closed(0.1, 90), s_cells = Interval.Closed(0.5, 10000),
             s_seconds = Interval.Closed(-1e6, 1e6);
-
-        static readonly string[] s_clutter = Enum.GetValues(typeof(ClutterLevel)).Cast<ClutterLevel>()
-            .Select(PublishedClutter.NameOf).Prepend(On).ToArray();
 
         /// <summary>Grazing angles, degrees.</summary>
         public static readonly Option<double[]> Grazing = List("grazing",
@@ -54,38 +49,18 @@ namespace Glint.Editor
                 + "variance."
         };
 
-        /// <summary>Switches clutter on, at a level; null without one.</summary>
-        public static readonly Option<ClutterLevel?> Clutter =
-            new Option<ClutterLevel?>("clutter", "LEVEL", ReadClutter)
-            {
-                Group = Group,
-                Choices = s_clutter,
-                Range = "one of " + string.Join(", ", s_clutter),
-                Help = "Switches the sea's clutter on, and chooses its level: physics is the echo of the waves, the "
-                    + "others scale it so that its mean is that of a published model, for each polarisation and "
-                    + "grazing angle. Texture, speckle and motion stay. on: the level of the sea's settings."
-            };
-
         /// <summary>Folder for the result files; null when not given.</summary>
         public static readonly Option<string> Out = Options.Text("out", "DIR", "Results",
             "Folder for clutter.csv and results.json, created with its parents if missing.");
 
         /// <summary>All options, in the order of the help.</summary>
         public static readonly Option[] All =
-            { Grazing, Azimuth, Frequency, Options.Snapshots, Times, Cell, Clutter, Out, Options.Device };
+            { Grazing, Azimuth, Frequency, Options.Snapshots, Times, Cell, Options.Clutter, Out, Options.Device };
 
         static Option<double[]> List(string name, NumberList list, string standard, string help) =>
             new Option<double[]>(name, "LIST", list.Read)
             {
                 Group = Group, Range = "each " + list.Range, DefaultText = standard, Help = help
             };
-
-        static ClutterLevel? ReadClutter(string text)
-        {
-            int choice = Array.IndexOf(s_clutter, text);
-            if (choice < 0)
-                throw new FormatException("must be one of " + string.Join(", ", s_clutter));
-            return choice == 0 ? (ClutterLevel?)null : (ClutterLevel)(choice - 1);
-        }
     }
 }

@@ -104,11 +104,11 @@ namespace Glint.Editor
         void SwitchOn()
         {
             var settings = _sea.Clutter;
-            if (_line.IsGiven(ClutterOptions.Clutter))
-                (settings.IsOn, settings.Level) = (true, _line.Get(ClutterOptions.Clutter) ?? settings.Level);
+            if (_line.IsGiven(Options.Clutter))
+                settings = _line.Get(Options.Clutter).AppliedTo(settings);
             if (!settings.IsOn)
                 throw new GlintException($"{_line.Input}: the clutter of '{_sea.name}' is off: switch it on in its "
-                    + $"inspector, or give {ClutterOptions.Clutter.Flag} on");
+                    + $"inspector, or give {Options.Clutter.Flag} on");
             _sea.Clutter = settings;
         }
 

@@ -141,17 +141,21 @@ namespace Glint.Editor
                 + "amplitude, in_phase and quadrature matter."
         };
 
-        /// <summary>Whether seas have clutter; each sea's own setting when not given.</summary>
-        public static readonly Option<bool> Clutter = new Option<bool>("clutter", "on|off", Values.OnOrOff)
-        {
-            Group = RadarGroup,
-            Inputs = InputKind.Scene,
-            Refusal = "only seas of a scene have clutter: leave it out",
-            Choices = new[] { "on", "off" },
-            Help = "Switches the diffuse echo of the scene's seas on or off. With it each row also has the cross "
-                + "section of what the picture shows, that of the clutter, and signal to clutter, in VV and HH. "
-                + "Without it: the setting of each Sea."
-        };
+        /// <summary>Clutter of the scene's seas; each sea's own setting when not given.</summary>
+        public static readonly Option<ClutterChoice> Clutter =
+            new Option<ClutterChoice>("clutter", "on|off|LEVEL", ClutterChoice.Read)
+            {
+                Group = RadarGroup,
+                Inputs = InputKind.Scene,
+                Refusal = "only seas of a scene have clutter: leave it out",
+                Choices = ClutterChoice.Names,
+                Range = "one of " + string.Join(", ", ClutterChoice.Names),
+                Help = "Switches the diffuse echo of the scene's seas on or off. physics is the echo of the waves; the "
+                    + "other levels scale it so that its mean is that of a published model, for each polarisation and "
+                    + "grazing angle, and keep texture, speckle and motion. on: the level of the sea's settings. With "
+                    + "clutter each row of a sweep also has the cross section of what the picture shows, that of the "
+                    + "clutter, and signal to clutter, in VV and HH. Without it: the setting of each Sea."
+            };
 
         /// <summary>Width and height of the receiver, metres.</summary>
         public static readonly Option<double2> Receiver =

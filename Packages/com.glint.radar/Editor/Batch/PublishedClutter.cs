@@ -17,8 +17,8 @@ namespace Glint.Editor
 
         /// <summary>The model of a level; null for physics.</summary>
         /// <exception cref="GlintException">The table is missing or malformed.</exception>
-        public static ClutterModel Of(ClutterLevel level) => level == ClutterLevel.Physics ? null
-            : Models.Single(model => model.Name == NameOf(level));
+        public static ClutterModel Of(ClutterLevel level) =>
+            level == ClutterLevel.Nathanson ? Nathanson() : ClutterModel.Of(level);
 
         /// <summary>"nrl".</summary>
         public static string NameOf(ClutterLevel level) => level.ToString().ToLowerInvariant();

@@ -8,13 +8,14 @@ namespace Glint.Editor
     static class SceneClutter
     {
         /// <summary>
-        /// Switches the clutter of all seas on or off. A stored snapshot that stands alone is shown by a Sea then.
+        /// Switches the clutter of all seas on or off. With clutter, a stored snapshot that stands alone is shown by a
+        /// Sea.
         /// </summary>
         /// <param name="input">The scene, for messages.</param>
         /// <exception cref="GlintException">The scene has no sea, or a sea cannot have clutter.</exception>
-        public static void Set(bool isOn, string input)
+        public static void Set(ClutterChoice choice, string input)
         {
-            if (isOn)
+            if (choice.AppliedTo(SeaClutterSettings.Off).IsOn)
                 foreach (var snapshot in Find<SeaSnapshot>().Where(it => it.GetComponentInChildren<Sea>() == null))
                     AddSea(snapshot);
             var seas = Find<Sea>();
@@ -23,9 +24,7 @@ namespace Glint.Editor
                     + $"{Options.Clutter.Flag} out, or add a Sea (Glint > Sea)");
             foreach (var sea in seas)
             {
-                var clutter = sea.Clutter;
-                clutter.IsOn = isOn;
-                sea.Clutter = clutter;
+                sea.Clutter = choice.AppliedTo(sea.Clutter);
                 sea.Rebuild();
             }
         }

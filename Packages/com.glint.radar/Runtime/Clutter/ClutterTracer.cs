@@ -27,7 +27,9 @@ namespace Glint
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
         }
 
-        /// <summary>Sums the echo of all seas of a scene with clutter, at one frequency of a pose.</summary>
+        /// <summary>
+        /// Sums the echo of all seas of a scene with clutter, at one frequency of a pose, at the level of their waves.
+        /// </summary>
         /// <param name="pose">The receiver is at the radar; others are not read.</param>
         /// <param name="frequency">Hertz.</param>
         /// <param name="grid">Cells that are summed apart; null: one cell that holds everything.</param>
@@ -42,7 +44,7 @@ namespace Glint
         {
             _scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
             _scene.RequireOnePage(_owner, "clutter takes");
-            return _kernel.Sum(_scene, pose, frequency, grid ?? ClutterGrid.Whole, progress, cancel);
+            return _kernel.Sum(_scene, pose, frequency, grid ?? ClutterGrid.Whole, null, progress, cancel);
         }
 
         /// <summary>Releases all buffers on the device.</summary>

@@ -17,6 +17,8 @@ namespace Glint
         public DeviceBuffer<SeaTileRecord> Tiles { get; } = new DeviceBuffer<SeaTileRecord>("tiles of a sea");
         public DeviceBuffer<float4> Table { get; } = new DeviceBuffer<float4>("elements of a table of facets");
 
+        public DeviceBuffer<float4> Levels { get; } = new DeviceBuffer<float4>("levels of a sea");
+
         public int FacetCount { get; private set; }
 
         public int TileCount { get; private set; }
@@ -46,6 +48,7 @@ namespace Glint
             Facets.Dispose();
             Tiles.Dispose();
             Table.Dispose();
+            Levels.Dispose();
             (_mesh, _breaking, _table) = (null, null, null);
         }
 

@@ -12,6 +12,8 @@ namespace Glint
         public static readonly int _SeaWind = Shader.PropertyToID("_SeaWind");
         public static readonly int _SeaTime = Shader.PropertyToID("_SeaTime");
         public static readonly int _SeaMirror = Shader.PropertyToID("_SeaMirror");
+        public static readonly int _SeaLevels = Shader.PropertyToID("_SeaLevels");
+        public static readonly int _SeaLevelCount = Shader.PropertyToID("_SeaLevelCount");
         public static readonly int _FootprintPosition = Shader.PropertyToID("_FootprintPosition");
         public static readonly int _FootprintRight = Shader.PropertyToID("_FootprintRight");
         public static readonly int _FootprintUp = Shader.PropertyToID("_FootprintUp");

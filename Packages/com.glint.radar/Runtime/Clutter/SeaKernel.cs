@@ -1,5 +1,6 @@
 using System;
 using System.Diagnostics;
+using System.Linq;
 using Complex = System.Numerics.Complex;
 using System.Threading;
 using Glint.Core;
@@ -36,13 +37,15 @@ namespace Glint
 
         /// <summary>Sums the echo of all seas with clutter; see <see cref="ClutterTracer.Trace"/>.</summary>
         /// <param name="scene">Holds the pose's scene.</param>
+        /// <param name="levelOf">Factors of the power of a sea; null, or null of a sea: none.</param>
         public ClutterEcho[] Sum(DeviceScene scene, CrossSectionPose pose, double frequency, ClutterGrid grid,
-            IProgress<double> progress, CancellationToken cancel)
+            Func<RadarSea, ClutterLevelTable> levelOf, IProgress<double> progress, CancellationToken cancel)
         {
             _scene = scene;
             var echoes = new ClutterEcho[grid.Count];
             foreach (var sea in pose.Scene.Seas)
             {
+                SetLevel(levelOf?.Invoke(sea));
                 var part = Sum(pose, sea, frequency, grid, progress, cancel);
                 for (int cell = 0; cell < echoes.Length; cell++)
                     echoes[cell] += part[cell];
@@ -106,6 +109,13 @@ namespace Glint
                 (float)(variance.y / (2 * determinant)), (float)(variance.x / (2 * determinant)),
                 (float)(-table.Covariance / (2 * determinant)),
                 (float)(table.MirrorPower / (2 * Math.Sqrt(determinant)))));
+        }
+
+        void SetLevel(ClutterLevelTable level)
+        {
+            _sea.Levels.Upload(level == null ? Array.Empty<float4>() : level.Values.ToArray());
+            _shader.SetInt(SeaIDs._SeaLevelCount, level == null ? 0 : level.Values.Count);
+            _shader.SetBuffer(_facets, SeaIDs._SeaLevels, _sea.Levels.Buffer);
         }
 
         void SetFootprint(RadarFootprint footprint)

@@ -36,6 +36,7 @@ namespace Glint
         readonly DeviceBuffer<uint4> _links = new DeviceBuffer<uint4>("corners of cells");
         readonly DeviceBuffer<float4> _waveNumbers = new DeviceBuffer<float4>("frequencies");
         readonly SeaKernel _sea;
+        readonly SeaLevels _levels;
         readonly DispatchPacer _pacer = new DispatchPacer();
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
@@ -47,6 +48,7 @@ namespace Glint
             _owner = owner;
             _kernels = new TubeKernels(shader);
             _sea = new SeaKernel(shader, owner);
+            _levels = new SeaLevels(shader, owner);
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
         }
 
@@ -60,6 +62,9 @@ namespace Glint
         /// the tolerance takes.
         /// </summary>
         internal double CellError { get; set; }
+
+        /// <inheritdoc cref="SeaLevels.ModelOf"/>
+        internal Func<ClutterLevel, ClutterModel> ClutterModelOf { set => _levels.ModelOf = value; }
 
         /// <summary>Cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
         internal int CellsADispatch { get; set; }
@@ -114,7 +119,8 @@ namespace Glint
                 throw new GlintException($"{_owner}: the clutter of a sea is that which returns to the radar, and this "
                     + "pose has another receiver: switch the sea's clutter off, or leave the receiver out");
             return Array.ConvertAll(pose.Frequencies,
-                frequency => _sea.Sum(_scene, pose, frequency, ClutterGrid.Whole, null, cancel)[0]);
+                frequency => _sea.Sum(_scene, pose, frequency, ClutterGrid.Whole,
+                    sea => _levels.Of(pose, sea, frequency, cancel), null, cancel)[0]);
         }
 
         // No echo need be known better than against the clutter that it is seen in, dBsm.
@@ -257,6 +263,7 @@ namespace Glint
         {
             _kernels.Dispose();
             _sea.Dispose();
+            _levels.Dispose();
             _scene.Dispose();
             _surfaces.Dispose();
             _edges.Dispose();

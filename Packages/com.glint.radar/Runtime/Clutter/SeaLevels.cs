@@ -1,0 +1,40 @@
+using System;
+using System.Collections.Generic;
+using System.Threading;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>The factors that bring the seas of poses to the published levels that they ask for.</summary>
+    sealed class SeaLevels : IDisposable
+    {
+        readonly ComputeShader _shader;
+        readonly string _owner;
+        readonly Dictionary<ClutterModel, ClutterLevels> _ofModels = new Dictionary<ClutterModel, ClutterLevels>();
+        ClutterTracer _tracer;
+
+        public SeaLevels(ComputeShader shader, string owner) => (_shader, _owner) = (shader, owner);
+
+        /// <summary>The model of a level; null: nothing is scaled.</summary>
+        public Func<ClutterLevel, ClutterModel> ModelOf { get; set; } = ClutterModel.Of;
+
+        /// <summary>The factors of a sea of a pose; null for none. Traced once a direction.</summary>
+        /// <exception cref="GlintException">The model is not at hand or does not hold for the sea.</exception>
+        public ClutterLevelTable Of(CrossSectionPose pose, RadarSea sea, double frequency, CancellationToken cancel)
+        {
+            var model = ModelOf(sea.Clutter.Settings.Level);
+            if (model == null)
+                return null;
+            _tracer ??= new ClutterTracer(_shader, _owner);
+            if (!_ofModels.TryGetValue(model, out var levels))
+                _ofModels.Add(model, levels = new ClutterLevels(_tracer, model));
+            double3 toRadar = pose.Radar.ToRadar;
+            double azimuth = math.degrees(Math.Atan2(-toRadar.x, -toRadar.z));
+            return levels.TableOf(new EndlessSea(pose.Scene, sea), frequency, azimuth, null, cancel);
+        }
+
+        public void Dispose() => _tracer?.Dispose();
+    }
+}
