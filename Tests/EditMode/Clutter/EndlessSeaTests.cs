@@ -143,10 +143,10 @@ namespace Glint.Tests
                     + "from 0 to 6, where Gregers-Hansen and Mital 2012 holds: choose another model, or physics$"));
         }
 
-        static MeshInstance At(TestSea sea, double3 place)
+        static MeshInstance At(TestSea sea, double3 position)
         {
             var toWorld = Affine.Identity;
-            toWorld.Origin = place;
+            toWorld.Origin = position;
             return new MeshInstance { Mesh = sea.Mesh, ToWorld = toWorld };
         }
     }
