@@ -196,14 +196,14 @@ namespace Glint.Tests
             }
         }
 
-        static void AssertShape(double shape, double expected) =>
-            Assert.That(shape, Is.EqualTo(expected).Within(expected > 5 ? 50 : 30).Percent);
+        static void AssertShape(double actual, double expected) =>
+            Assert.That(actual, Is.EqualTo(expected).Within(expected > 5 ? 50 : 30).Percent);
 
-        static void AssertNear(in Sigma0 found, in Sigma0 expected, double decibels, string where)
+        static void AssertNear(in Sigma0 actual, in Sigma0 expected, double decibels, string where)
         {
-            TestContext.WriteLine(FormattableString.Invariant($"{where}: HH {Sigma0.Decibels(found.HH / expected.HH):0.00} dB, VV {Sigma0.Decibels(found.VV / expected.VV):0.00} dB"));
-            Assert.That(Sigma0.Decibels(found.HH / expected.HH), Is.EqualTo(0).Within(decibels), where);
-            Assert.That(Sigma0.Decibels(found.VV / expected.VV), Is.EqualTo(0).Within(decibels), where);
+            TestContext.WriteLine(FormattableString.Invariant($"{where}: HH {Sigma0.Decibels(actual.HH / expected.HH):0.00} dB, VV {Sigma0.Decibels(actual.VV / expected.VV):0.00} dB"));
+            Assert.That(Sigma0.Decibels(actual.HH / expected.HH), Is.EqualTo(0).Within(decibels), where);
+            Assert.That(Sigma0.Decibels(actual.VV / expected.VV), Is.EqualTo(0).Within(decibels), where);
         }
 
         static Sigma0 Sum(TestSea sea, CrossSectionPose pose)

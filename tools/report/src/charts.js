@@ -13,12 +13,17 @@ export const dash = i => dashes[Math.floor(i / 2) % dashes.length];
 
 const wholeSteps = [1, 2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000, 5000, 1e4, 1e5, 1e6];
 
-function axis(label, size, isWhole = false) {
+// Of a logarithmic scale the ends, and the values at which lines are labelled.
+const logarithmic = (u, low, high) => low === null ? [1, 10] : uPlot.rangeLog(low, high, 10, false);
+const isLabelled = value => [1, 2, 5].includes(Number((value / 10 ** Math.floor(Math.log10(value) + 1e-9)).toPrecision(6)));
+
+function axis(label, size, isWhole = false, isLogarithmic = false) {
   const font = '12px system-ui, "Segoe UI", "Liberation Sans", sans-serif';
   return {
     label, size, font, labelFont: font, labelSize: 20, stroke: theme('--soft'),
     grid: { stroke: theme('--grid'), width: 1 }, ticks: { stroke: theme('--line'), width: 1 },
     ...isWhole ? { incrs: wholeSteps } : {},
+    ...isLogarithmic ? { filter: (plot, splits) => splits.map(split => isLabelled(split) ? split : null) } : {},
     values: (plot, splits) => splits.map(split => split === null ? '' : number(split, 6))
   };
 }
@@ -26,7 +31,7 @@ function axis(label, size, isWhole = false) {
 /**
  * A chart that fills its element and follows its width.
  * @param {HTMLElement} element
- * @param {object} what x: {label, values}, series: [{label, values, ...uPlot's}], bands, yLabel, height, maxSpan below the highest value, marked(): x of the chosen pose, onPick(index, x)
+ * @param {object} what x: {label, values}, series: [{label, values, ...uPlot's}], bands, yLabel, height, maxSpan below the highest value, isLogarithmic and isXLogarithmic scales, marked(): x of the chosen pose, onPick(index, x)
  */
 export function draw(element, what) {
   element.replaceChildren();
@@ -50,10 +55,10 @@ export function draw(element, what) {
     width: element.clientWidth || 600,
     height: what.height ?? 300,
     scales: {
-      x: { time: false, range: what.xRange ?? (single ? (u, low) => [low - 1, low + 1] : undefined) },
-      y: { range: (u, low, high) => low === null ? [0, 1] : what.fromZero ? [0, high > 0 ? high * 1.08 : 1] : low === high ? [low - 1, high + 1] : uPlot.rangeNum(Math.max(low, high - (what.maxSpan ?? Infinity)), high, 0.08, true) }
+      x: { time: false, distr: what.isXLogarithmic ? 3 : 1, range: what.isXLogarithmic ? logarithmic : what.xRange ?? (single ? (u, low) => [low - 1, low + 1] : undefined) },
+      y: { distr: what.isLogarithmic ? 3 : 1, range: what.isLogarithmic ? logarithmic : (u, low, high) => low === null ? [0, 1] : what.fromZero ? [0, high > 0 ? high * 1.08 : 1] : low === high ? [low - 1, high + 1] : uPlot.rangeNum(Math.max(low, high - (what.maxSpan ?? Infinity)), high, 0.08, true) }
     },
-    axes: [axis(what.x.label, 46, what.x.isWhole), axis(what.yLabel, 72)],
+    axes: [axis(what.x.label, 46, what.x.isWhole, what.isXLogarithmic), axis(what.yLabel, 72, false, what.isLogarithmic)],
     series: [{ label: what.x.label, value: (u, value) => number(value) }, ...what.series.map(series => ({
       value: (u, value) => number(value), width: 2, ...series, values: undefined
     }))],

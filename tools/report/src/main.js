@@ -1,16 +1,21 @@
 import 'uplot/dist/uPlot.min.css';
 import { byId } from './text.js';
+import { showClutter } from './clutter.js';
 import { showCrossSections } from './rcs.js';
 import { showRun } from './run.js';
 
 const data = JSON.parse(byId('data').textContent);
 const { run } = data;
 const name = (run.scene?.path ?? 'Built-in scene').split(/[\\/]/).pop().replace(/\.(unity|obj|stl)$/i, '');
-const isOfRun = run.table === undefined, parts = isOfRun ? ['run'] : run.table === 'echo' ? ['rcs', 'echo'] : ['rcs'];
+// The parts of the page of each table of results; without a table it is a run or sweep.
+const { parts, show } = {
+  run: { parts: ['run'], show: showRun }, rcs: { parts: ['rcs'], show: showCrossSections },
+  echo: { parts: ['rcs', 'echo'], show: showCrossSections }, clutter: { parts: ['clutter'], show: showClutter }
+}[run.table ?? 'run'];
 document.title = `${name} - Glint report`;
 byId('title').textContent = name;
-document.querySelectorAll('[data-for]').forEach(part => { if (!parts.includes(part.dataset.for)) part.remove(); });
-const paint = isOfRun ? showRun(data) : showCrossSections(data);
+document.querySelectorAll('[data-for]').forEach(part => { if (!part.dataset.for.split(' ').some(name => parts.includes(name))) part.remove(); });
+const paint = show(data);
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', paint);
 // The frame after the one in which everything is drawn.
 requestAnimationFrame(() => requestAnimationFrame(() => { document.documentElement.dataset.ready = Math.round(performance.now()); }));

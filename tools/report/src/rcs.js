@@ -1,5 +1,6 @@
 // The report of cross sections.
 import { byId, make, number, plural, seconds } from './text.js';
+import { chooseRow } from './rows.js';
 import { Contributions } from './contributions.js';
 import { HotSpots } from './hotspots.js';
 import { Polar } from './polar.js';
@@ -41,7 +42,7 @@ export function showCrossSections(data) {
   settingsTable(run, poses);
   byId('settings-note').hidden = true;
   errors();
-  chooseRow();
+  chooseRow(poses, 'others', row => `${present.map(name => `${name.toUpperCase()} ${number(row[`${name}_dbsm`], 4)}`).join(', ')} dBsm, error ${number(row.integration_error_db, 2)} dB`);
   charts = echo ? [new Profiles(echo, poses, maxSpan)] : [];
   if (echo) nameForEcho();
   if (echo && poses.rows.length === 1) byId('levels-section').remove();
@@ -87,34 +88,6 @@ function head(strongest) {
     ['Triangles', number(run.scene?.triangles)],
     ['Whole run', seconds(run.elapsed_ms ?? NaN)]
   ]);
-}
-
-function chooseRow() {
-  const slider = byId('row');
-  slider.max = Math.max(0, poses.rows.length - 1);
-  slider.addEventListener('input', () => poses.choose(Number(slider.value)));
-  const selects = poses.others.map(axis => {
-    const label = make('label', axis.label), select = make('select');
-    for (const value of [...new Set(poses.rows.map(row => row[axis.name]))].sort((a, b) => a - b)) select.append(make('option', number(value / axis.unit, 9), { value }));
-    select.addEventListener('change', () => {
-      const wanted = { ...poses.rows[poses.chosen], [axis.name]: Number(select.value) };
-      poses.choose(poses.rows.findIndex(row => [poses.x, ...poses.others].every(({ name }) => row[name] === wanted[name])));
-    });
-    label.append(select);
-    byId('others').append(label);
-    return [axis, select];
-  });
-  const show = () => {
-    const row = poses.rows[poses.chosen];
-    if (!row) return;
-    const words = `${poses.name(row)}: ${present.map(name => `${name.toUpperCase()} ${number(row[`${name}_dbsm`], 4)}`).join(', ')} dBsm, error ${number(row.integration_error_db, 2)} dB`;
-    slider.value = poses.chosen;
-    slider.setAttribute('aria-valuetext', words);
-    byId('row-text').textContent = words;
-    for (const [axis, select] of selects) select.value = row[axis.name];
-  };
-  show();
-  poses.onChange(show);
 }
 
 // Cross sections over the axis of the charts, around a centre too if it is a direction.

@@ -27,9 +27,9 @@ namespace Glint.Core
     /// </summary>
     public sealed class ClutterLevelTable
     {
-        // Dense where the echo of mirror points is steep.
+        // Dense where the echo is steep: of few lit crests, and of mirror points.
         static readonly double[] s_grazing =
-            { 0.1, 0.2, 0.5, 1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 35, 40, 45, 50, 55, 60 };
+            { 0.1, 0.2, 0.3, 0.5, 0.7, 1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 35, 40, 45, 50, 55, 60 };
 
         readonly float4[] _values;
 

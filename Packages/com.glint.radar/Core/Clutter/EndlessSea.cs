@@ -98,12 +98,12 @@ namespace Glint.Core
                 }
         }
 
-        // The part of a way during which two boxes overlap in one coordinate; from above to if never.
-        static (double From, double To) Meeting(double way, int place, double width)
+        // The part of a movement during which two boxes overlap in one coordinate; from above to if never.
+        static (double From, double To) Meeting(double movement, int position, double width)
         {
-            if (way == 0)
-                return Math.Abs(place) < width ? (0, 1) : (1, 0);
-            double one = (place - width) / way, other = (place + width) / way;
+            if (movement == 0)
+                return Math.Abs(position) < width ? (0, 1) : (1, 0);
+            double one = (position - width) / movement, other = (position + width) / movement;
             return (Math.Min(one, other), Math.Max(one, other));
         }
 

@@ -23,9 +23,9 @@ namespace Glint.Core
                 Level("vv", row => row.Sigma0.VV), Level("hh", row => row.Sigma0.HH), Level("hv", row => row.Sigma0.HV),
                 Of("lit_fraction", "Lit fraction", "1", row => row.LitFraction),
                 Of("cells", "Cells of the shapes", "1", row => row.Cells),
-                Shape("shape_vv", "Shape, VV", row => row.ShapeVV), Shape("shape_hh", "Shape, HH", row => row.ShapeHH),
-                Shape("measured_shape_vv", "Measured shape, VV", row => row.MeasuredShapeVV),
-                Shape("measured_shape_hh", "Measured shape, HH", row => row.MeasuredShapeHH)
+                OfTexture("shape_vv", "Shape, VV", row => row.ShapeVV), OfTexture("shape_hh", "Shape, HH", row => row.ShapeHH),
+                OfTexture("measured_shape_vv", "Measured shape, VV", row => row.MeasuredShapeVV),
+                OfTexture("measured_shape_hh", "Measured shape, HH", row => row.MeasuredShapeHH)
             }.Concat(Models.SelectMany((model, i) => new[]
             {
                 MayBeMissing(Of($"{model.Name}_vv_db", $"{model.Title}, VV", "dB", row => row.Models[i].VV)),
@@ -37,7 +37,7 @@ namespace Glint.Core
             $"sigma0_{polarisation}_db", $"Sigma0, {polarisation.ToUpperInvariant()}", "dB",
             row => value(row) > 0 ? Sigma0.Decibels(value(row)) : (double?)null));
 
-        static ResultColumn Shape(string name, string title, Func<ClutterRow, double?> value) =>
+        static ResultColumn OfTexture(string name, string title, Func<ClutterRow, double?> value) =>
             MayBeMissing(Of(name, title, "1", value));
 
         static ResultColumn Of(string name, string title, string unit, Func<ClutterRow, double?> value) =>

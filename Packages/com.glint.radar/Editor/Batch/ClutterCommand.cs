@@ -79,11 +79,11 @@ namespace Glint.Editor
             var whole = cells.Where((_, i) => areWhole[i]).ToArray();
             var all = ClutterEcho.Sum(cells);
             (row.Sigma0, row.LitFraction, row.Cells) = (all.Sigma0, all.LitFraction, whole.Length);
-            row.ShapeVV = Shape(whole.Select(cell => cell.SigmaVV).ToArray());
-            row.ShapeHH = Shape(whole.Select(cell => cell.SigmaHH).ToArray());
+            row.ShapeVV = ShapeOf(whole.Select(cell => cell.SigmaVV).ToArray());
+            row.ShapeHH = ShapeOf(whole.Select(cell => cell.SigmaHH).ToArray());
         }
 
-        static double? Shape(double[] textures)
+        static double? ShapeOf(double[] textures)
         {
             double shape = textures.Length < ClutterSetup.MinCells ? double.NaN
                 : ClutterStatistics.ShapeOfTexture(textures);
@@ -119,12 +119,12 @@ namespace Glint.Editor
         public static string Line(ClutterRow row) => FormattableString.Invariant(
                 $"{row.Conditions.Frequency,13:g6}  {row.AzimuthDegrees,7:0.###}  {row.Conditions.GrazingDegrees,7:0.###}")
             + Level(row.Sigma0.VV) + Level(row.Sigma0.HH) + Level(row.Sigma0.HV)
-            + FormattableString.Invariant($"  {row.LitFraction,5:0.000}") + Shape(row.ShapeVV) + Shape(row.ShapeHH);
+            + FormattableString.Invariant($"  {row.LitFraction,5:0.000}") + Text(row.ShapeVV) + Text(row.ShapeHH);
 
         static string Level(double sigma) => "  " + (sigma > 0
             ? FormattableString.Invariant($"{Sigma0.Decibels(sigma),6:0.0}") : "     -");
 
-        static string Shape(double? shape) => "  " + (shape is double value
+        static string Text(double? number) => "  " + (number is double value
             ? FormattableString.Invariant($"{value,8:0.00}") : "       -");
     }
 }

@@ -23,10 +23,14 @@ namespace Glint.Editor
             if (pose > poses)
                 throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: must be from 1 to {poses}, "
                     + $"the rows of {line.Input}, or none");
+            bool isOfClutter = run.Table == ResultTable.Clutter;
+            if (isOfClutter && line.IsGiven(ReportOptions.Pose) && pose != ReportOptions.NoPose)
+                throw new GlintException($"{ReportOptions.Pose.Flag} {pose}: a report of sea clutter shows no pose: "
+                    + "leave it out");
             string path = line.IsGiven(ReportOptions.Out)
                 ? line.Get(ReportOptions.Out)
                 : Path.Combine(line.Input, ReportFile.Name);
-            bool hasScene = pose != ReportOptions.NoPose && run.Count > 0;
+            bool hasScene = !isOfClutter && pose != ReportOptions.NoPose && run.Count > 0;
             Write(run, hasScene ? CaptureOf(run, pose - 1, progress) : null, path);
             progress.Print($"written: {path} ({new FileInfo(path).Length / 1e6:0.0} MB)");
             return Batch.Done;

@@ -24,6 +24,7 @@ public sealed class WrongCallTests
         ["rcs"] = ["MESH", "--tolerance", "10", "--out", "DIR/out"],
         ["echo"] = ["MESH", "--tolerance", "10", "--frequencies", "4", "--out", "DIR/out"],
         ["isar"] = ["MESH", "--tolerance", "10", "--frequencies", "4", "--azimuth", "0,1", "--out", "DIR/out"],
+        ["clutter"] = ["Scenes/SeaState5.unity", "--clutter", "on", "--grazing", "60", "--out", "DIR/out"],
         ["report"] = ["DIR", "--pose", "none"],
         ["sea"] = [],
         ["ship"] = [],
