@@ -87,12 +87,17 @@ namespace Glint.Core
         static IEnumerable<ResultColumn> EchoColumns(Polarisation polarisation)
         {
             string suffix = polarisation.Name, name = suffix.ToUpperInvariant();
-            yield return new ResultColumn($"sigma_{suffix}_dbsm", $"Cross section {name}", "dBsm",
-                row => row.Result.Echo?.SigmaDbsm(polarisation)) { MayBeMissing = true };
-            yield return new ResultColumn($"sigma_clutter_{suffix}_dbsm", $"Clutter {name}", "dBsm",
-                row => row.Result.Echo?.ClutterDbsm(polarisation)) { MayBeMissing = true };
-            yield return new ResultColumn($"signal_to_clutter_{suffix}_db", $"Signal to clutter {name}", "dB",
-                row => row.Result.Echo?.SignalToClutterDb(polarisation)) { MayBeMissing = true };
+            ResultColumn Column(string column, string title, string unit, Func<PoseEcho, double?> value) =>
+                new ResultColumn(column, title, unit, row => row.Result.Echo == null ? null : value(row.Result.Echo))
+                {
+                    MayBeMissing = true, IsOptional = true
+                };
+            yield return Column($"sigma_{suffix}_dbsm", $"Cross section {name}", "dBsm",
+                echo => echo.SigmaDbsm(polarisation));
+            yield return Column($"sigma_clutter_{suffix}_dbsm", $"Clutter {name}", "dBsm",
+                echo => echo.ClutterDbsm(polarisation));
+            yield return Column($"signal_to_clutter_{suffix}_db", $"Signal to clutter {name}", "dB",
+                echo => echo.SignalToClutterDb(polarisation));
         }
 
         /// <summary>Every column, in the order of the files.</summary>
@@ -109,6 +114,9 @@ namespace Glint.Core
 
         /// <summary>Whether a row, or a whole file, may lack the value.</summary>
         public bool MayBeMissing { get; internal set; }
+
+        /// <summary>Whether files whose rows have no such value are without the column.</summary>
+        public bool IsOptional { get; private set; }
 
         /// <summary>Text in place of a missing value; null for none.</summary>
         public string Missing { get; private set; }

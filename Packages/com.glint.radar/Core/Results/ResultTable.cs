@@ -66,6 +66,15 @@ namespace Glint.Core
         /// <summary>The columns, in the order of the files.</summary>
         public IReadOnlyList<ResultColumn> Columns { get; }
 
+        /// <summary>The columns of the files of rows: optional ones if a row has a value of any.</summary>
+        internal IReadOnlyList<ResultColumn> ColumnsOf(IEnumerable<StoredRow> rows)
+        {
+            var optional = Columns.Where(column => column.IsOptional).ToArray();
+            return optional.Length == 0 || rows.Any(row => optional.Any(column => row[column] != null))
+                ? Columns
+                : Columns.Where(column => !column.IsOptional).ToArray();
+        }
+
         /// <summary>Whether each row has timings.</summary>
         public bool HasTimings { get; private set; }
 

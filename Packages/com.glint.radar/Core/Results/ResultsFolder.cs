@@ -160,8 +160,10 @@ namespace Glint.Core
             RequireUnfinished();
             if (_csv == null)
                 Create();
+            // Those of the first row, since all rows have an echo or none has.
+            var columns = _table.ColumnsOf(_rows.Take(1).DefaultIfEmpty(row));
             Write(_sweep == null ? "" : ResultsJson.Line(row, _table) + "\n",
-                (_rows.Count == 0 ? Csv(_table.Columns) : "") + row.ToCsv(_table.Columns));
+                (_rows.Count == 0 ? Csv(columns) : "") + row.ToCsv(columns));
             _rows.Add(row);
         }
 
@@ -177,7 +179,7 @@ namespace Glint.Core
             if (_csv == null)
             {
                 Create();
-                Write("", Csv(_table.Columns));
+                Write("", Csv(_table.ColumnsOf(_rows)));
             }
             Close();
             try
@@ -252,7 +254,7 @@ namespace Glint.Core
             int kept = Math.Min(earlier.Rows.Count, poses - 1);
             if (kept == 0)
                 return 0;
-            var csv = Utf8.GetBytes(Csv(_table.Columns, earlier.Rows.Take(kept)));
+            var csv = Utf8.GetBytes(Csv(_table.ColumnsOf(earlier.Rows.Take(1)), earlier.Rows.Take(kept)));
             Try($"{CsvPath}: cannot be written", () =>
             {
                 int same = CheckCsv(earlier.Rows, csv);
@@ -276,9 +278,10 @@ namespace Glint.Core
         {
             var there = File.Exists(CsvPath) ? File.ReadAllBytes(CsvPath) : Array.Empty<byte>();
             var names = Utf8.GetString(there.TakeWhile(letter => letter != '\n').ToArray()).Split(',');
-            var columns = _table.Columns.Where(column => names.Contains(column.Name)).ToArray();
-            bool isOlder = columns.Length == names.Length && columns.Length < _table.Columns.Count;
-            var expected = Utf8.GetBytes(Csv(isOlder ? columns : _table.Columns, rows));
+            var all = _table.ColumnsOf(rows.Take(1));
+            var columns = all.Where(column => names.Contains(column.Name)).ToArray();
+            bool isOlder = columns.Length == names.Length && columns.Length < all.Count;
+            var expected = Utf8.GetBytes(Csv(isOlder ? columns : all, rows));
             int same = 0;
             while (same < there.Length && same < expected.Length && there[same] == expected[same])
                 same++;

@@ -76,7 +76,7 @@ namespace Glint.Core
             WriteMachine(info);
             if (_table.HasTimings)
                 WriteTimings(rows);
-            WriteColumns();
+            WriteColumns(rows);
             Open("rows", array: true);
             foreach (var row in rows)
                 WriteRow(row);
@@ -149,10 +149,10 @@ namespace Glint.Core
         }
 
         // What readers need to show a column; what does not hold for it is left out.
-        void WriteColumns()
+        void WriteColumns(IReadOnlyList<StoredRow> rows)
         {
             Open("columns");
-            foreach (var column in _table.Columns)
+            foreach (var column in _table.ColumnsOf(rows))
             {
                 Open(column.Name);
                 OnOneLine(() => WriteColumn(column));
@@ -189,7 +189,7 @@ namespace Glint.Core
         void WriteRow(StoredRow row)
         {
             _json.WriteStartObject();
-            foreach (var column in _table.Columns)
+            foreach (var column in _table.ColumnsOf(new[] { row }))
                 Raw(column.Name, row.Cell(column));
             if (_table.HasTimings)
                 WriteTimings(new[] { row });
