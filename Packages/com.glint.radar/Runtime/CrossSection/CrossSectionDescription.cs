@@ -40,6 +40,7 @@ namespace Glint
             info.Settings.Add(new RunSetting("crease", setup.CreaseDegrees, "deg"));
             info.Settings.Add(new RunSetting("materials",
                 string.Join("; ", setup.UsedMaterials().Select(material => material.ToString()))));
+            RunDescription.AddSeas(info, setup.Scene);
             setup.Echo?.AddTo(info.Settings, setup.Plan);
             AddMeshes(info, setup);
             return info;

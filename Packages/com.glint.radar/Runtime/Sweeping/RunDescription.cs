@@ -49,7 +49,15 @@ namespace Glint
             Add(info, "receiver", pose.Scene.Origin + pose.View.ReceiverCentre, "m");
             Add(info, "receiver_forward", pose.View.ReceiverForward, "1");
             Add(info, "receiver_up", pose.View.ReceiverUp, "1");
+            AddSeas(info, pose.Scene);
             return info;
+        }
+
+        /// <summary>Adds the clutter of a scene's seas; nothing without any.</summary>
+        internal static void AddSeas(RunInfo info, RadarScene scene)
+        {
+            if (scene.Seas.Count > 0)
+                info.Settings.Add(new RunSetting("clutter", string.Join("; ", scene.Seas.Select(sea => sea.Clutter))));
         }
 
         /// <summary>The device and the versions.</summary>
