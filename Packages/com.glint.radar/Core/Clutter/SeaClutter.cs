@@ -83,7 +83,8 @@ namespace Glint.Core
 
         /// <summary>
         /// Whether each triangle of the tile's mesh breaks, in the order of its triangles: the
-        /// <see cref="BreakingFraction"/> whose first corner has the largest downward acceleration of the linear waves.
+        /// <see cref="BreakingFraction"/> with the largest downward acceleration of the linear waves at the windward corner
+        /// of their cell, so that waves break on their forward faces.
         /// </summary>
         public IReadOnlyList<bool> BreakingFacets => _breakingFacets.Value;
 
@@ -157,10 +158,17 @@ namespace Glint.Core
         {
             double[] ofVertices = LongWaves.Accelerations(Time);
             var indices = LongWaves.Indices;
+            double direction = math.radians(LongWaves.Settings.WindDirectionDegrees);
+            int side = LongWaves.Settings.Cells + 1;
+            // In cells. Corners at one distance have equal numbers.
+            double AlongWind(int vertex) => Math.Round(
+                vertex % side * Math.Sin(direction) + vertex / side * Math.Cos(direction), 6);
             var accelerations = new double[indices.Count / 3];
-            // At a corner: a mean over corners would lose the shortest waves, which accelerate most.
+            // Of both triangles of a cell at its windward corner, the crest: waves break on their forward faces. A mean
+            // over corners would lose the shortest waves, which accelerate most.
             for (int i = 0; i < accelerations.Length; i++)
-                accelerations[i] = ofVertices[indices[3 * i]];
+                accelerations[i] = Enumerable.Range(i / 2 * 6, 6).Select(corner => indices[corner])
+                    .Min(vertex => (AlongWind(vertex), ofVertices[vertex])).Item2;
             int[] order = Enumerable.Range(0, accelerations.Length).ToArray();
             Array.Sort(accelerations, order);
             var breaks = new bool[accelerations.Length];

@@ -88,6 +88,23 @@ public sealed class ClutterCommandTests
         }
     }
 
+    /// <summary>The large sea is made from its waves; their mean echo hardly changes in time.</summary>
+    [Test]
+    public void Times_OfASeaWithoutSnapshots_MoveItsWaves()
+    {
+        var (code, _, error) = TestShell.Run("clutter", "Scenes/ShipLargeSea.unity", "--clutter", "on", "--grazing", "20",
+            "--times", "0,5", "--cell", "8", "--out", At("out"));
+        Assert.That(code, Is.Zero, error);
+        var rows = Rows("out");
+        Assert.That(rows.Select(row => row["time_s"]), Is.EqualTo(new[] { "0", "5" }));
+        Assert.That(rows.Select(row => row["snapshot"]), Is.All.Empty);
+        Assert.That(rows[1]["sigma0_hh_db"], Is.Not.EqualTo(rows[0]["sigma0_hh_db"]));
+        Assert.That(Number(rows[1], "sigma0_hh_db"), Is.EqualTo(Number(rows[0], "sigma0_hh_db")).Within(1));
+        (code, _, error) = TestShell.Run("clutter", "Scenes/ShipLargeSea.unity", "--clutter", "on", "--snapshots", "1");
+        Assert.That((code, error.Trim()), Is.EqualTo((1, "glint: Sea of 'Sea' has no snapshots: put prefabs that glint "
+            + "sea wrote into its list Snapshots")));
+    }
+
     /// <summary>The mean is the model's, also between the angles of its factors; the texture is that of the waves.</summary>
     [TestCase("nrl", 11)]
     [TestCase("git", 6)]
@@ -104,10 +121,11 @@ public sealed class ClutterCommandTests
             foreach (string polarisation in new[] { "vv", "hh" })
                 Assert.That(Number(row, $"sigma0_{polarisation}_db"),
                     Is.EqualTo(Number(row, $"{name}_{polarisation}_db")).Within(0.3), row["grazing_deg"]);
-            Assert.That(Math.Abs(Number(row, "sigma0_vv_db") - Number(own, "sigma0_vv_db")), Is.GreaterThan(0.3));
             foreach (string same in new[] { "shape_vv", "shape_hh", "lit_fraction", "nrl_vv_db" })
                 Assert.That(row[same], Is.EqualTo(own[same]));
         }
+        Assert.That(Rows("model").Zip(Rows("physics"), (row, own) =>
+            Math.Abs(Number(row, "sigma0_hh_db") - Number(own, "sigma0_hh_db"))).Max(), Is.GreaterThan(2));
         foreach (string folder in new[] { "model", "physics" })
             Assert.That((string)JObject.Parse(File.ReadAllText(At(folder + "/results.json")))["settings"]["level"],
                 Is.EqualTo(folder == "model" ? name : folder));
