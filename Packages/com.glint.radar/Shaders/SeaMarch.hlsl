@@ -68,23 +68,23 @@ uint SeaLevelOf(uint cascade, uint level)
     return min(max(level, above) - above, SEA_LEVELS - 1);
 }
 
-// The ray's way out of a cell, m. Cells of the top level are the whole sea.
+// The ray's way out of a cell, m.
 float SeaExit(float2 within, float side, float2 rate)
 {
     float2 exits = rate == 0.0 ? 1.0e30 : ((rate > 0.0 ? side : 0.0) - within) / rate;
     return min(exits.x, exits.y);
 }
 
-// The first distance within the cells around a position at which the ray meets the sea; -1: none.
-// The ray's height above the sea is a quadratic function of the distance from "from".
-float SeaMeeting(float3 clearance, float2 position, float2 direction, float ahead, float from)
+// The distance from "start", at a position, to where the ray meets the sea if the cells around the position went on; -1:
+// none. The ray's height above the sea is a quadratic function of the distance.
+float SeaMeeting(float3 clearance, float start, float2 position, float2 direction)
 {
-    float a = clearance.z, b = clearance.y + 2.0 * clearance.z * from,
-        c = clearance.x + from * (clearance.y + from * clearance.z);
+    float a = clearance.z, b = clearance.y + 2.0 * clearance.z * start,
+        c = clearance.x + start * (clearance.y + start * clearance.z);
     for (uint cascade = 0; cascade < _SeaCascadeCount; cascade++)
     {
-        float2 cells = SeaCellsOf(cascade, position), corner = floor(cells),
-            rate = direction * _SeaCascades[cascade].y, within = cells - corner - ahead * rate;
+        float2 cells = SeaCellsOf(cascade, position), corner = floor(cells), within = cells - corner,
+            rate = direction * _SeaCascades[cascade].y;
         float4 heights = SeaPatch(cascade, corner);
         c -= heights.x + dot(heights.yz, within) + heights.w * within.x * within.y;
         b -= dot(heights.yz, rate) + heights.w * (within.x * rate.y + within.y * rate.x);
@@ -96,7 +96,8 @@ float SeaMeeting(float3 clearance, float2 position, float2 direction, float ahea
     return discriminant < 0.0 || divisor <= 0.0 ? -1.0 : 2.0 * c / divisor;
 }
 
-// The first point of a ray on or below the sea. A unit direction has distances in metres.
+// The first point of a ray on or below the sea. A unit direction has distances in metres. Blocks of cells whose highest
+// point is below the ray are passed in one step.
 SeaCrossing MarchSea(float3 origin, float3 direction, float reach)
 {
     SeaCrossing crossing = (SeaCrossing)0;
@@ -107,9 +108,9 @@ SeaCrossing MarchSea(float3 origin, float3 direction, float reach)
     while (from < reach)
     {
         crossing.Steps++;
-        // Beyond the rounding of a border, so that each step enters another cell.
-        float ahead = 2.4e-7 * from + 1.0e-5;
-        float2 position = origin.xz + (from + ahead) * direction.xz;
+        // Past the rounding of a border, so that each step enters another cell.
+        float start = from + 2.4e-7 * from + 1.0e-5;
+        float2 position = origin.xz + start * direction.xz;
         float to = reach, highest = 0.0;
         for (uint cascade = 0; cascade < _SeaCascadeCount; cascade++)
         {
@@ -117,10 +118,11 @@ SeaCrossing MarchSea(float3 origin, float3 direction, float reach)
             float2 cells = SeaCellsOf(cascade, position), corner = side * floor(cells / side);
             uint2 cell = ((uint2)(int2)corner & (SEA_SIDE - 1)) >> own;
             highest += _SeaBounds[SeaBoundsOf(cascade, own) + cell.y * (SEA_SIDE >> own) + cell.x].y;
+            // The last level is the whole sea, as tiles repeat.
             if (own < SEA_LEVELS - 1)
-                to = min(to, from + ahead + SeaExit(cells - corner, side, direction.xz * _SeaCascades[cascade].y));
+                to = min(to, start + SeaExit(cells - corner, side, direction.xz * _SeaCascades[cascade].y));
         }
-        to = min(reach, max(to, from + ahead));
+        to = min(reach, max(to, start));
         bool isAbove = SeaLowest(clearance, from, to) > highest;
         if (!isAbove && level > 0)
         {
@@ -129,11 +131,11 @@ SeaCrossing MarchSea(float3 origin, float3 direction, float reach)
         }
         if (!isAbove)
         {
-            float meeting = SeaMeeting(clearance, position, direction.xz, ahead, from);
-            if (meeting >= 0.0 && meeting <= to - from)
+            float meeting = SeaMeeting(clearance, start, position, direction.xz);
+            if (meeting >= 0.0 && meeting <= to - start)
             {
                 crossing.IsHit = true;
-                crossing.Distance = from + meeting;
+                crossing.Distance = start + meeting;
                 return crossing;
             }
         }

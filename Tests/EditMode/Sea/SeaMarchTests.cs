@@ -15,10 +15,10 @@ namespace Glint.Tests
 
         static readonly double3 s_radar = math.double3(40, 12, -25);
 
-        // Metres: roundings of float32 at 2 km, 1e-4 m along a ray and across, times slopes.
+        // Metres: roundings of float32 5 km away, 5e-4 m, times slopes.
         const double Tolerance = 1e-3;
 
-        // Rays from above down to the sea, near the crests, up again, and along the axes.
+        // Rays from above down to the sea, near the crests and upwards, along the axes, vertical, far from the centre, long.
         [Test]
         public void March_OfAnyRay_EndsWhereSmallStepsMeetTheSea([Values(1, 2)] int cascades)
         {
@@ -142,9 +142,13 @@ namespace Glint.Tests
             double3 origin = math.double3(Between(-500, 500), Between(3, 12), Between(-500, 500));
             if (i % 4 == 0)
                 origin.y = 4;
+            // Where cells have other fractions of float32.
+            if (i % 8 == 3)
+                origin.x += 5000;
             double turn = i % 8 == 1 ? random.Next(4) * Math.PI / 2 : Between(0, 2 * Math.PI),
                 down = i % 8 == 2 ? 1 : Between(-0.005, 0.03);
-            return new Ray(origin, math.normalize(math.double3(Math.Cos(turn), -down, Math.Sin(turn))), 300);
+            return new Ray(origin, math.normalize(math.double3(Math.Cos(turn), -down, Math.Sin(turn))),
+                i % 64 == 5 ? 3000 : 300);
         }
 
         static Vector4[] March(SeaField field, Ray[] rays, double radius) => Run(field, "March",
