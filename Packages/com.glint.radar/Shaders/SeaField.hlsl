@@ -1,8 +1,8 @@
 #ifndef GLINT_SEA_FIELD
 #define GLINT_SEA_FIELD
 
-// A sea as a height field: the sum of one or two cascades, tiles of different size that repeat. Its frame has x and z in
-// metres from the centre of a tile of each cascade, and y upwards from the mean level.
+// A sea as a height field: the sum of one or two cascades, tiles of different size that repeat. Its frame has x and z
+// in metres from the centre of a tile of each cascade, and y upwards from the mean level.
 
 static const uint SEA_SIDE = 256;          // points along a side of a tile
 static const uint SEA_LEVELS = 9;          // of bounds: 256 to 1 cells along a side

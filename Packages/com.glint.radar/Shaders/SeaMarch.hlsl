@@ -75,8 +75,8 @@ float SeaExit(float2 within, float side, float2 rate)
     return min(exits.x, exits.y);
 }
 
-// The distance from "start", at a position, to where the ray meets the sea if the cells around the position went on; -1:
-// none. The ray's height above the sea is a quadratic function of the distance.
+// The distance from "start", at a position, to where the ray meets the sea if the cells around the position went on;
+// -1: none. The ray's height above the sea is a quadratic function of the distance.
 float SeaMeeting(float3 clearance, float start, float2 position, float2 direction)
 {
     float a = clearance.z, b = clearance.y + 2.0 * clearance.z * start,

@@ -7,8 +7,9 @@
 // From a sea's waves to its points: fast Fourier transforms along x, then along z, a row or column a group. A point has
 // seven real fields. Two of them are the real and the imaginary part of one transform.
 
-// GLINT_SEA_WAVE: a wave of a cascade (Runtime/Sea/SeaPoint.cs), at row * SEA_SIDE + column, negative columns from above.
-// It is a wave of each pair k and -k, SeaMode of Core/Sea/SeaSurface.cs; its row is below SEA_SIDE / 2.
+// GLINT_SEA_WAVE: a wave of a cascade (Runtime/Sea/SeaPoint.cs) at row * SEA_SIDE + column; negative columns are
+// counted from SEA_SIDE down. It is one of each pair k and -k, SeaMode of Core/Sea/SeaSurface.cs; its row is below
+// SEA_SIDE / 2.
 struct SeaWave
 {
     float2 Amplitude;      // complex, at the start of the clock, m

@@ -9,8 +9,8 @@ namespace Glint.Tests
     /// <summary>A finer tile continues the spectrum of a sea where the grid of the larger tile ends.</summary>
     public sealed class SeaCascadeTests
     {
-        // Waves of the finer tile are "ratio" steps of the larger tile's wave numbers apart. The first of them stand for a
-        // steep part of the spectrum, by its density in their middle: the variance is larger by a few percent.
+        // Waves of the finer tile are "ratio" steps of the larger tile's wave numbers apart. The first of them stand
+        // for a steep part of the spectrum, by its density in their middle: the variance differs by a few percent.
         [Test]
         public void Finer_AndItsTile_HaveTheVarianceOfATileThatHoldsAllWaves([Values] SeaSpectrumKind kind,
             [Values(4, 8)] int ratio)
@@ -18,7 +18,8 @@ namespace Glint.Tests
             var settings = SettingsOf(kind, 64);
             var coarse = new SeaSurface(settings);
             settings.GridSize = 512;
-            double rest = new SeaSurface(settings).Modes.Where(mode => Largest(mode) > 31 && Largest(mode) < 31.5 * ratio)
+            double rest = new SeaSurface(settings).Modes
+                .Where(mode => Largest(mode) > 31 && Largest(mode) < 31.5 * ratio)
                 .Sum(mode => SeaSpectrum.Density(settings, WaveNumber(mode, 128), CosineToWind(mode, settings)));
             double asked = coarse.DensityScale * rest * math.square(2 * Math.PI / 128),
                 variance = math.square(coarse.Finer(128 / ratio).SignificantWaveHeight) / 16;

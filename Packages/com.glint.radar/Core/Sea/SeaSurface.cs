@@ -298,7 +298,11 @@ namespace Glint.Core
             if (coarser == null)
                 return 1;
             double end = _settings.TileSize / coarser.ShortestLength;
-            double Inside(int number) => Math.Max(0, Math.Min(1, end + 0.5 - Math.Abs(number)));
+            double Inside(int number)
+            {
+                double inside = end + 0.5 - Math.Abs(number);
+                return inside < 0 ? 0 : inside > 1 ? 1 : inside;
+            }
             return 1 - Inside(column) * Inside(row);
         }
 

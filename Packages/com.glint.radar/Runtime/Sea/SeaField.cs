@@ -57,7 +57,7 @@ namespace Glint
             DeviceCheck.Require(shader, nameof(SeaField), "SeaRows", owner);
             if (cascades.Length < 1 || cascades.Length > MaxCascades)
                 throw new GlintException($"{owner}: the sea field has {cascades.Length} cascades: "
-                    + $"give it a sea, or a sea and its finer tile");
+                    + "give it a sea, or a sea and its finer tile");
             foreach (var cascade in cascades)
                 if (cascade.Settings.GridSize > Side)
                     throw new GlintException($"{owner}: grid size {cascade.Settings.GridSize} of the sea must be at "
