@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using System.Linq;
 using System.Runtime.InteropServices;
+using Glint.Core;
 using NUnit.Framework;
 using static Unity.Mathematics.math;
 
@@ -15,6 +16,8 @@ namespace Glint.Tests
             Assert.That(Marshal.SizeOf<Tube>(), Is.EqualTo(96));
             Assert.That(Marshal.SizeOf<TubeCell>(), Is.EqualTo(48));
             Assert.That(Marshal.SizeOf<EdgePiece>(), Is.EqualTo(48));
+            Assert.That(Marshal.SizeOf<SeaFacet>(), Is.EqualTo(32));
+            Assert.That(Marshal.SizeOf<SeaTileRecord>(), Is.EqualTo(96));
         }
 
         [Test]
@@ -36,14 +39,23 @@ namespace Glint.Tests
                 Centre = float3(37, 38, 39), Length = 40, Along = float3(41, 42, 43), OuterAngle = 44,
                 Into = float3(45, 46, 47), Part = 48
             };
-            bool IsWhole(int field) =>
-                field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36 || field == 48;
+            var facet = new SeaFacet { Centre = float3(49, 50, 51), IsBreaking = 52, Section = float3(53, 54, 55), Unused = 56 };
+            var tile = new SeaTileRecord
+            {
+                X = float4(57, 58, 59, 60), Y = float4(61, 62, 63, 64), Z = float4(65, 66, 67, 68),
+                SectionX = float3(69, 70, 71), Number = 72, SectionY = float3(73, 74, 75), Unused = 76,
+                SectionZ = float3(77, 78, 79), Unused2 = 80
+            };
+            bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36
+                || field == 48 || field >= 52 && field <= 80 && field % 4 == 0 && (field < 57 || field > 68);
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {
                 fields.Bind("_TubeIn", tube);
                 fields.Bind("_CellIn", cell);
                 fields.Bind("_EdgePieceIn", piece);
-                Assert.That(fields.Unpack(48), Is.EqualTo(Enumerable.Range(1, 48)
+                fields.Bind("_SeaFacetIn", facet);
+                fields.Bind("_SeaTileIn", tile);
+                Assert.That(fields.Unpack(80), Is.EqualTo(Enumerable.Range(1, 80)
                     .Select(i => IsWhole(i) ? (uint)i : asuint((float)i))));
             }
         }
@@ -76,6 +88,18 @@ namespace Glint.Tests
                 }));
             Assert.That(s_ofTheDevice, Is.SubsetOf(constants.Keys));
         }
+
+        [Test]
+        public void Constants_OfTheSea_AreThoseOfCSharp() =>
+            Assert.That(ShaderConstants.Of("SeaFacets.hlsl"), Is.EquivalentTo(new Dictionary<string, double>
+            {
+                ["SEA_FIELD"] = ClutterSums.Field, ["SEA_POWER"] = ClutterSums.Power, ["SEA_AREA"] = ClutterSums.Area,
+                ["SEA_LIT_AREA"] = ClutterSums.LitArea, ["SEA_OVERFLOW"] = ClutterSums.Overflow,
+                ["SEA_WORDS"] = ClutterSums.CopyWords, ["SEA_FIELD_UNITS"] = ClutterSums.FieldUnits,
+                ["SEA_POWER_UNITS"] = ClutterSums.PowerUnits, ["SEA_AREA_UNITS"] = ClutterSums.AreaUnits,
+                ["SEA_MAX_UNITS"] = 4e18, ["FACET_ROWS"] = FacetTable.Rows, ["FACET_COLUMNS"] = FacetTable.Columns,
+                ["GRAVITY"] = SeaSpectrum.Gravity, ["TENSION"] = ClutterMotion.Tension
+            }));
 
         // Sums and counts share a buffer, and the arguments of dispatches another one.
         [Test]

@@ -38,6 +38,13 @@ namespace Glint.Tests
 
         public static ComputeShader Speckle => Load("Packages/com.glint.tests/EditMode/Shaders/Speckle.compute");
 
+        public static ComputeShader SeaField => Load("Packages/com.glint.radar/Shaders/SeaField.compute");
+
+        public static ComputeShader SeaFieldLayout =>
+            Load("Packages/com.glint.tests/EditMode/Shaders/SeaFieldLayout.compute");
+
+        public static ComputeShader SeaMarch => Load("Packages/com.glint.tests/EditMode/Shaders/SeaMarch.compute");
+
         /// <summary>The tracer's kernels with other group sizes.</summary>
         public static ComputeShader OtherGroups =>
             Load("Packages/com.glint.tests/EditMode/Shaders/OtherGroups.compute");

@@ -5,9 +5,12 @@ namespace Glint.Core
     /// <summary>How the sea's echo changes in time: Bragg waves, coherence and mean velocity.</summary>
     public static class ClutterMotion
     {
-        // Where surface tension over density, 7.2e-5 m3/s2, equals gravity: the published Bragg lines have this value.
-        // Elfouhaily's spectrum has 370 rad/m, which lowers a line by up to 0.25 %.
-        static readonly double s_slowestWave = Math.Sqrt(SeaSpectrum.Gravity / 7.2e-5);
+        /// <summary>Surface tension over density, m3/s2.</summary>
+        internal const double Tension = 7.2e-5;
+
+        // Where surface tension equals gravity: the published Bragg lines have this value. Elfouhaily's spectrum has
+        // 370 rad/m, which lowers a line by up to 0.25 %.
+        static readonly double s_slowestWave = Math.Sqrt(SeaSpectrum.Gravity / Tension);
 
         // Of the coherence time (OceanSAR): 3.29 wavelength / (U sqrt(erf(2.688 size / U^2))).
         const double CoherenceFactor = 3.29, SizeFactor = 2.688;

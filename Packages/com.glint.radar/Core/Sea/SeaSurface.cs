@@ -22,18 +22,24 @@ namespace Glint.Core
         readonly IWaveSum _sum;
         readonly int _reach;
         readonly int[] _indices;
+        readonly ulong _seed;
 
         /// <summary>Draws the amplitudes.</summary>
         /// <exception cref="GlintException">
         /// A setting is out of its range, or the spectrum has no wave that the tile's grid holds.
         /// </exception>
-        public SeaSurface(SeaSettings settings)
+        public SeaSurface(SeaSettings settings) : this(settings, null)
+        {
+        }
+
+        SeaSurface(SeaSettings settings, SeaSurface coarser)
         {
             settings.Validate();
             _settings = settings;
             // A wave of two grid points has no direction: the grid's last row and column are empty.
             _reach = settings.GridSize / 2 - 1;
-            _modes = Draw(settings, _reach, out double expected, out double scale);
+            _seed = new SplitMix64(coarser == null ? (ulong)settings.Seed : coarser._seed).Next();
+            _modes = Draw(coarser, out double expected, out double scale);
             DensityScale = scale;
             SignificantWaveHeight = 4 * Math.Sqrt(expected);
             bool isFast = settings.Cells >= settings.GridSize && (settings.Cells & (settings.Cells - 1)) == 0;
@@ -46,7 +52,8 @@ namespace Glint.Core
 
         /// <summary>
         /// Hs of the spectrum, metres, the mean over seeds: the requested Hs times the height factor. If none is
-        /// requested, that of the waves of the wind that the tile holds.
+        /// requested, that of the waves of the wind that the tile holds. A <see cref="Finer"/> tile has that of its
+        /// own waves.
         /// </summary>
         public double SignificantWaveHeight { get; }
 
@@ -55,6 +62,9 @@ namespace Glint.Core
 
         internal IReadOnlyList<SeaMode> Modes => _modes;
 
+        // Metres along x or z: shorter waves are those of a finer tile.
+        double ShortestLength => _settings.TileSize / (_reach + 0.5);
+
         /// <summary>Vertices of the triangles of <see cref="Mesh"/>, which are the same at any time.</summary>
         internal IReadOnlyList<int> Indices => _indices;
 
@@ -62,6 +72,49 @@ namespace Glint.Core
         /// Hs of this sea, metres: four standard deviations of the height over the tile.
         /// </summary>
         public double MeasuredWaveHeight(double timeSeconds) => 4 * Math.Sqrt(Variance(timeSeconds));
+
+        /// <summary>
+        /// A smaller tile of the same sea, with as many grid points: the waves that are too short for the grid of this
+        /// tile, of the same density, with random numbers of their own. The heights of both add up to the sea.
+        /// </summary>
+        /// <param name="tileSize">Side in metres.</param>
+        /// <exception cref="GlintException">
+        /// The size is out of its range or not smaller, or the sea has no shorter waves.
+        /// </exception>
+        public SeaSurface Finer(double tileSize)
+        {
+            if (!(tileSize < _settings.TileSize))
+                throw new GlintException($"sea: the finer tile of {RadarSettings.Text(tileSize)} m must be smaller "
+                    + $"than the tile of {RadarSettings.Text(_settings.TileSize)} m, whose shorter waves it holds");
+            var settings = _settings;
+            (settings.TileSize, settings.Cells) = (tileSize, settings.GridSize);
+            return new SeaSurface(settings, this);
+        }
+
+        /// <summary>The tile's waves with the phases that they have at a time.</summary>
+        /// <exception cref="GlintException">The time is not finite, or too far from 0.</exception>
+        public SeaMode[] ModesAt(double timeSeconds)
+        {
+            CheckTime(timeSeconds);
+            var modes = (SeaMode[])_modes.Clone();
+            for (int i = 0; i < modes.Length; i++)
+            {
+                var mode = _modes[i];
+                var (sine, cosine) = PortableMath.SinCos(-mode.Frequency * timeSeconds);
+                modes[i].Real = mode.Real * cosine - mode.Imaginary * sine;
+                modes[i].Imaginary = mode.Real * sine + mode.Imaginary * cosine;
+            }
+            return modes;
+        }
+
+        /// <summary>Refuses a time at which the phases of waves are not known well enough.</summary>
+        /// <exception cref="GlintException">The time is not finite, or too far from 0.</exception>
+        public static void CheckTime(double timeSeconds)
+        {
+            if (!(Math.Abs(timeSeconds) <= LongestTime))
+                throw new GlintException($"sea: time {RadarSettings.Text(timeSeconds)} s must be within "
+                    + $"{RadarSettings.Text(LongestTime)} s of 0");
+        }
 
         /// <summary>
         /// The height factor with which Hs over all these times (four times the root of the mean variance) is the
@@ -190,16 +243,16 @@ namespace Glint.Core
         }
 
         // The scale is that from the density of the spectrum to that of the waves drawn.
-        static SeaMode[] Draw(in SeaSettings settings, int reach, out double expected, out double densityScale)
+        SeaMode[] Draw(SeaSurface coarser, out double expected, out double densityScale)
         {
+            var settings = _settings;
             double number = 2 * Math.PI / settings.TileSize;
             var (windX, windZ) = PortableMath.SinCos(settings.WindDirectionDegrees / 360);
-            ulong seed = new SplitMix64((ulong)settings.Seed).Next();
             var modes = new List<SeaMode>();
             var variances = new List<double>();
             double sum = 0;
-            for (int row = -reach; row <= reach; row++)
-                for (int column = -reach; column <= reach; column++)
+            for (int row = -_reach; row <= _reach; row++)
+                for (int column = -_reach; column <= _reach; column++)
                 {
                     if (row == 0 && column == 0)
                         continue;
@@ -208,21 +261,23 @@ namespace Glint.Core
                     // A wave across the wind and its opposite are one mode.
                     if (cosine == 0 && !IsMode(column, row))
                         continue;
-                    double variance = SeaSpectrum.Density(settings, number * length, cosine);
+                    double variance = SeaSpectrum.Density(settings, number * length, cosine)
+                        * ShareBeyond(coarser, column, row);
                     if (!(variance > 0))
                         continue;
                     sum += variance;
                     variances.Add(variance);
-                    modes.Add(MakeMode(settings.Kind, column, row, length, number, seed));
+                    modes.Add(MakeMode(settings.Kind, column, row, length, number, _seed));
                 }
             if (!(sum > 1e-200))
                 throw new GlintException($"sea: the wind of {RadarSettings.Text(settings.WindSpeed)} m/s raises no "
-                    + $"wave between {RadarSettings.Text(settings.TileSize / reach)} and "
-                    + $"{RadarSettings.Text(settings.TileSize)} m, which are those that the grid holds: "
-                    + "give it more wind, a smaller tile or a larger grid");
+                    + $"wave between {RadarSettings.Text(settings.TileSize / _reach)} and "
+                    + $"{RadarSettings.Text(coarser == null ? settings.TileSize : coarser.ShortestLength)} m, "
+                    + "which are those that the grid holds: give it more wind, a smaller tile or a larger grid");
 
             double asked = settings.SignificantWaveHeight * settings.HeightFactor / 4, area = number * number,
-                scale = asked > 0 ? asked * asked / sum : settings.HeightFactor * settings.HeightFactor * area;
+                scale = coarser != null ? coarser.DensityScale * area
+                    : asked > 0 ? asked * asked / sum : settings.HeightFactor * settings.HeightFactor * area;
             densityScale = scale / area;
             var drawn = modes.ToArray();
             expected = 0;
@@ -235,6 +290,20 @@ namespace Glint.Core
                 expected += variance;
             }
             return drawn;
+        }
+
+        // A wave stands for the square of wave numbers around it. The share of it that a larger tile's grid leaves.
+        double ShareBeyond(SeaSurface coarser, int column, int row)
+        {
+            if (coarser == null)
+                return 1;
+            double end = _settings.TileSize / coarser.ShortestLength;
+            double Inside(int number)
+            {
+                double inside = end + 0.5 - Math.Abs(number);
+                return inside < 0 ? 0 : inside > 1 ? 1 : inside;
+            }
+            return 1 - Inside(column) * Inside(row);
         }
 
         // Normally distributed real and imaginary part of variance 1 each, by Box and Muller.
@@ -258,16 +327,11 @@ namespace Glint.Core
 
         WaveCoefficients At(double time)
         {
-            if (!(Math.Abs(time) <= LongestTime))
-                throw new GlintException($"sea: time {RadarSettings.Text(time)} s must be within "
-                    + $"{RadarSettings.Text(LongestTime)} s of 0");
             var waves = new WaveCoefficients(_reach);
-            foreach (var mode in _modes)
+            foreach (var mode in ModesAt(time))
             {
-                var (sine, cosine) = PortableMath.SinCos(-mode.Frequency * time);
                 int at = waves.IndexOf(mode.Column, mode.Row);
-                waves.Real[at] = mode.Real * cosine - mode.Imaginary * sine;
-                waves.Imaginary[at] = mode.Real * sine + mode.Imaginary * cosine;
+                (waves.Real[at], waves.Imaginary[at]) = (mode.Real, mode.Imaginary);
             }
             return waves;
         }
@@ -331,7 +395,7 @@ namespace Glint.Core
     /// One wave of a sea's tile. Its height is 2 Re(h e^(i(2 pi (Column x + Row z) / tile - w t))),
     /// x and z from the tile's corner.
     /// </summary>
-    struct SeaMode
+    public struct SeaMode
     {
         /// <summary>
         /// Waves a tile along x and z; of each pair k and -k, which are the same wave,

@@ -8,7 +8,7 @@ namespace Glint
     static class ClutterSums
     {
         /// <summary>Words of a copy of a cell's sums: SEA_WORDS and the places of the sums in it.</summary>
-        public const int Words = 24, Field = 0, Power = 12, Area = 18, LitArea = 20, Overflow = 22;
+        public const int CopyWords = 24, Field = 0, Power = 12, Area = 18, LitArea = 20, Overflow = 22;
 
         /// <summary>Units: SEA_FIELD_UNITS a metre, SEA_POWER_UNITS and SEA_AREA_UNITS a square metre.</summary>
         public const double FieldUnits = 1 << 24, PowerUnits = 1L << 40, AreaUnits = 1 << 20;
@@ -29,9 +29,9 @@ namespace Glint
             int copies = CopiesOf(cells);
             for (int cell = 0; cell < cells; cell++)
             {
-                var sums = new long[Words / 2];
+                var sums = new long[CopyWords / 2];
                 for (int copy = 0; copy < copies; copy++)
-                    Add(output, Words * (cell * copies + copy), sums, owner);
+                    Add(output, CopyWords * (cell * copies + copy), sums, owner);
                 echoes[cell] = EchoOf(sums, phase);
             }
             return echoes;

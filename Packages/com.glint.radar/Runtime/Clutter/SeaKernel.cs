@@ -57,7 +57,7 @@ namespace Glint
             IProgress<double> progress, CancellationToken cancel)
         {
             _sea.Set(pose.Scene, sea, _scene.Centre, frequency);
-            var read = new uint[ClutterSums.Words * grid.Count * ClutterSums.CopiesOf(grid.Count)];
+            var read = new uint[ClutterSums.CopyWords * grid.Count * ClutterSums.CopiesOf(grid.Count)];
             _output.Reserve(read.Length);
             Bind(pose, sea.Clutter, frequency, grid);
             _shader.SetInt(TubeIDs._ClearedWords, read.Length);

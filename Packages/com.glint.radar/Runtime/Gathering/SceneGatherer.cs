@@ -143,8 +143,11 @@ namespace Glint
                     content.Add(node.MaterialOf(submesh).GetHashCode());
             }
             foreach (var sea in _seas.ToSeas())
+            {
+                content.Add((ulong)sea.Clutter.Settings.Level);
                 foreach (var measure in SeaClutterSettings.Measures)
                     content.Add((ulong)BitConverter.DoubleToInt64Bits(measure.Of(sea.Clutter.Settings)));
+            }
             return content.Value;
         }
 

@@ -1,0 +1,26 @@
+using System.Runtime.InteropServices;
+using Unity.Mathematics;
+
+namespace Glint
+{
+    // GLINT_SEA_POINT: Shaders/SeaField.hlsl, where the fields are explained.
+    [StructLayout(LayoutKind.Sequential)]
+    struct SeaPoint
+    {
+        public float Height;
+        public float Acceleration;
+        public float2 Slope;
+        public float2 Flow;
+        public float Rise;
+        public float Unused;
+    }
+
+    // GLINT_SEA_WAVE: Shaders/SeaTransform.hlsl
+    [StructLayout(LayoutKind.Sequential)]
+    struct SeaWave
+    {
+        public float2 Amplitude;
+        public float Frequency;
+        public uint Turns;
+    }
+}
