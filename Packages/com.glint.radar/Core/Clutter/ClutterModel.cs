@@ -57,8 +57,9 @@ namespace Glint.Core
                 case ClutterLevel.Physics: return null;
                 case ClutterLevel.Nrl: return Formulas[0];
                 case ClutterLevel.Git: return Formulas[1];
-                default: throw new GlintException("clutter level nathanson: its table is there in the editor and for the "
-                    + "commands, not in play mode: choose physics, nrl or git");
+                default:
+                    throw new GlintException("clutter level nathanson: its table is there in the editor and for the "
+                        + "commands, not in play mode: choose physics, nrl or git");
             }
         }
 
