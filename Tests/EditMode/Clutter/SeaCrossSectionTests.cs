@@ -63,8 +63,10 @@ namespace Glint.Tests
             var conditions = sea.Clutter.ConditionsAt(TenGigahertz, 30, 10);
             var model = ClutterModel.Of(level);
             // The tile alone, whose edge no other tile shades.
-            Assert.That(Sigma0.Decibels(scaled.Sigma0.VV), Is.EqualTo(model.Decibels(Polarisation.VV, conditions)).Within(0.5));
-            Assert.That(Sigma0.Decibels(scaled.Sigma0.HH), Is.EqualTo(model.Decibels(Polarisation.HH, conditions)).Within(0.5));
+            Assert.That(Sigma0.Decibels(scaled.Sigma0.VV),
+                Is.EqualTo(model.Decibels(Polarisation.VV, conditions)).Within(0.5));
+            Assert.That(Sigma0.Decibels(scaled.Sigma0.HH),
+                Is.EqualTo(model.Decibels(Polarisation.HH, conditions)).Within(0.5));
             Assert.That(scaled.S.VV.Phase, Is.EqualTo(plain.S.VV.Phase).Within(1e-3));
         }
 
@@ -74,7 +76,8 @@ namespace Glint.Tests
             var sea = new TestSea(8, 16, 16, 0);
             var settings = SeaClutterSettings.On;
             settings.Level = ClutterLevel.Nathanson;
-            Assert.That(() => _tracer.Trace(sea.Pose(30, 10, new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings))),
+            var clutter = new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings);
+            Assert.That(() => _tracer.Trace(sea.Pose(30, 10, clutter)),
                 Throws.TypeOf<GlintException>().With.Message.Contains("nathanson"));
         }
 
@@ -145,7 +148,8 @@ namespace Glint.Tests
         {
             Mesh = new TriangleMesh(new[]
             {
-                new float3(-0.25f, 0, 3), new float3(0.25f, 0, 3), new float3(0.25f, 0.6f, 3), new float3(-0.25f, 0.6f, 3)
+                new float3(-0.25f, 0, 3), new float3(0.25f, 0, 3), new float3(0.25f, 0.6f, 3),
+                new float3(-0.25f, 0.6f, 3)
             }, new[] { 0, 2, 1, 0, 3, 2 }),
             ToWorld = Affine.Identity
         };

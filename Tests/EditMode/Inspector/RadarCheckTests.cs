@@ -29,6 +29,11 @@ namespace Glint.Tests
                 "Error: RadarController of 'Radar' has no kernel");
             yield return Case("another kernel",
                 test => test._radar.Kernel = TestKernels.Layout, "has no kernel 'Trace");
+            yield return Case("no kernel of tubes", test =>
+                {
+                    test._radar.TubeKernel = null;
+                    test.Change(settings => { settings.ToleranceDb = 1; return settings; });
+                }, "Error: RadarController of 'Radar': a tolerance needs the kernels of ray tubes");
             yield return Case("empty root", test => test._radar.Roots.Add(null),
                 "Error: RadarController of 'Radar': an entry of Roots is empty");
             yield return Case("disabled", test => test._radar.enabled = false,

@@ -5,8 +5,8 @@ using Unity.Mathematics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Sigma0 of a mesh's facets whose unresolved slopes are Gaussian, for one frequency, wind and facet size: a table of
-    /// Bragg scattering for every direction of facet and radar, and mirror points. It is what a kernel reads.
+    /// Sigma0 of a mesh's facets whose unresolved slopes are Gaussian, for one frequency, wind and facet size: a table
+    /// of Bragg scattering for every direction of facet and radar, and mirror points. It is what a kernel reads.
     /// </summary>
     public sealed class FacetTable
     {
@@ -50,7 +50,9 @@ namespace Glint.Core
         /// The same of the waves from the facet's size to <see cref="SeaScattering.TiltCut"/>; 0 if the mesh carries
         /// all of them.
         /// </param>
-        /// <param name="covariance">Of the unresolved slopes along and across the wind; Bragg scattering ignores it.</param>
+        /// <param name="covariance">
+        /// Of the unresolved slopes along and across the wind; Bragg scattering ignores it.
+        /// </param>
         public FacetTable(SeaScattering scattering, in double2 resolved, in double2 unresolved, double covariance = 0)
         {
             (_scattering, Unresolved, Covariance) = (scattering, unresolved, covariance);
@@ -79,7 +81,9 @@ namespace Glint.Core
         /// <summary>Power reflection of the mirror points.</summary>
         public double MirrorPower => _scattering.MirrorPower;
 
-        /// <summary>Sigma0 of a facet per its true area, Bragg scattering by bilinear interpolation; 0 from behind.</summary>
+        /// <summary>
+        /// Sigma0 of a facet per its true area, Bragg scattering by bilinear interpolation; 0 from behind.
+        /// </summary>
         /// <param name="normal">Of the facet.</param>
         /// <param name="toRadar">Towards the radar.</param>
         /// <param name="wind">Horizontal, along the wind.</param>

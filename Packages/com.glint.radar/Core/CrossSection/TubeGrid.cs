@@ -15,8 +15,8 @@ namespace Glint.Core
         /// <summary>Wavelengths that a piece of an edge is long: what hides less of it is not found.</summary>
         public const double EdgeWavelengths = 1;
 
-        // Side of a cell of a camera's picture, most of which returns nothing: cells are divided where corners of patches
-        // are, and where paths differ.
+        // Side of a cell of a camera's picture, most of which returns nothing: cells are divided where corners of
+        // patches are, and where paths differ.
         const double PictureWavelengths = 4;
 
         // Maximum side of a cell at a finite range, as a fraction of sqrt(wavelength x range).
@@ -125,8 +125,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Side of a cell: a wavelength, or some in a camera's picture; less for a target of few wavelengths, or where the
-        /// wave is curved.
+        /// Side of a cell: a wavelength, or some in a camera's picture; less for a target of few wavelengths, or where
+        /// the wave is curved.
         /// </summary>
         public static double SideFor(CrossSectionPose pose, double3 boxMin, double3 boxMax)
         {

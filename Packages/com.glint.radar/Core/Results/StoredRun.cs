@@ -135,7 +135,9 @@ namespace Glint.Core
         }
 
         /// <summary>One JSON object; dates stay texts.</summary>
-        internal static JObject Parse(string text)
+        /// <exception cref="JsonException">It is malformed.</exception>
+        /// <exception cref="FormatException">There is text after it.</exception>
+        public static JObject Parse(string text)
         {
             using (var reader = new JsonTextReader(
                 new StringReader(text))

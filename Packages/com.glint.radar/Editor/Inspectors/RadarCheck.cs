@@ -49,6 +49,12 @@ namespace Glint.Editor
             CheckRadar();
             Attempt(() => RayTracer.Check(_radar.Kernel, _radar.Subject),
                 () => RadarFixes.AssignKernel(_radar));
+            if (_radar.Settings.ToleranceDb > 0)
+                Attempt(() => AmplitudeTracer.Check(_radar.TubeKernel, _radar.Subject),
+                    () => RadarFixes.AssignTubeKernel(_radar));
+            if (HasClutter())
+                Attempt(() => CrossSectionTracer.Check(_radar.ClutterKernel, _radar.Subject),
+                    () => RadarFixes.AssignClutterKernel(_radar));
             CheckMeshes();
             if (_findings.All(finding => finding.Severity != Severity.Error))
                 CheckPose();
@@ -57,6 +63,10 @@ namespace Glint.Editor
             _findings.AddRange(ordered);
             Seconds = watch.Elapsed.TotalSeconds;
         }
+
+        static bool HasClutter() => UnityEngine.Object
+            .FindObjectsByType<Sea>(FindObjectsInactive.Exclude, FindObjectsSortMode.None)
+            .Any(sea => sea.isActiveAndEnabled && sea.Clutter.IsOn);
 
         void Add(Severity severity, string text, Fix fix = null, UnityEngine.Object where = null) =>
             _findings.Add(new Finding(severity, text, fix, where));

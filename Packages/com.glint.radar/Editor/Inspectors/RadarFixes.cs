@@ -82,12 +82,20 @@ namespace Glint.Editor
         }
 
         /// <summary>Null if the radar has the kernel, or the project has none.</summary>
-        public static Fix AssignKernel(RadarController radar)
-        {
-            var kernel = ProjectAssets.Kernel;
-            return kernel == null || radar.Kernel == kernel ? null : new Fix("Assign Trace.compute",
-                () => Fix.Change(radar, "Assign Trace.compute", it => it.Kernel = kernel));
-        }
+        public static Fix AssignKernel(RadarController radar) => Assign(radar, "Trace.compute", ProjectAssets.Kernel,
+            radar.Kernel, (it, kernel) => it.Kernel = kernel);
+
+        /// <inheritdoc cref="AssignKernel"/>
+        public static Fix AssignTubeKernel(RadarController radar) => Assign(radar, "Amplitude.compute",
+            ProjectAssets.TubeKernel, radar.TubeKernel, (it, kernel) => it.TubeKernel = kernel);
+
+        /// <inheritdoc cref="AssignKernel"/>
+        public static Fix AssignClutterKernel(RadarController radar) => Assign(radar, "Tubes.compute",
+            ProjectAssets.TubesKernel, radar.ClutterKernel, (it, kernel) => it.ClutterKernel = kernel);
+
+        static Fix Assign(RadarController radar, string file, ComputeShader kernel, ComputeShader current,
+            Action<RadarController, ComputeShader> set) => kernel == null || current == kernel ? null
+                : new Fix($"Assign {file}", () => Fix.Change(radar, $"Assign {file}", it => set(it, kernel)));
 
         public static bool IsBatchingStatic(Renderer renderer) =>
             GameObjectUtility.AreStaticEditorFlagsSet(renderer.gameObject, StaticEditorFlags.BatchingStatic);

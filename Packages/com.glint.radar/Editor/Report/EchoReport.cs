@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Numerics;
 using Glint.Core;
-using Newtonsoft.Json;
 using Newtonsoft.Json.Linq;
 
 namespace Glint.Editor
@@ -34,7 +33,7 @@ namespace Glint.Editor
         /// <summary>The run in the form of results.json, with one row for each direction: its highest echo.</summary>
         public JObject RunToJson()
         {
-            var run = Parse(ResultsJson.Line(_run.Info, Array.Empty<StoredRow>(), _run.Table));
+            var run = StoredRun.Parse(ResultsJson.Line(_run.Info, Array.Empty<StoredRow>(), _run.Table));
             foreach (var polarisation in _echo.Polarisations)
             {
                 string name = polarisation.Name.ToUpperInvariant();
@@ -77,7 +76,7 @@ namespace Glint.Editor
         JObject RowToJson(int direction)
         {
             var rows = _echo.RowsOf(direction);
-            var json = Parse(ResultsJson.Line(rows[0], _run.Table));
+            var json = StoredRun.Parse(ResultsJson.Line(rows[0], _run.Table));
             json[CrossSectionColumn.Frequency.Name] = _echo.Band.Centre;
             for (int i = 0; i < _echo.Polarisations.Count; i++)
             {
@@ -113,8 +112,5 @@ namespace Glint.Editor
                 yield return (short)Math.Max(-short.MaxValue, Math.Min(short.MaxValue, Math.Round(100 * highest)));
             }
         }
-
-        static JObject Parse(string json) => JsonConvert.DeserializeObject<JObject>(json,
-            new JsonSerializerSettings { DateParseHandling = DateParseHandling.None });
     }
 }

@@ -40,8 +40,8 @@ namespace Glint
         static void Add(uint[] output, int first, long[] sums, string owner)
         {
             if (output[first + Overflow] != 0)
-                throw new GlintException($"{owner}: the echo of a facet of the sea is not finite or too large: the mesh "
-                    + "may have coordinates that float32 does not resolve");
+                throw new GlintException($"{owner}: the echo of a facet of the sea is not finite or too large: the "
+                    + "mesh may have coordinates that float32 does not resolve");
             for (int i = 0; i < Overflow / 2; i++)
                 sums[i] += TubeSums.At(output, first + 2 * i);
         }

@@ -204,8 +204,8 @@ namespace Glint
         void TraceCells(double cellError, CrossSectionPose pose, TubeGrid grid, int outputSize, Action<uint[]> add,
             IProgress<double> progress, CancellationToken cancel)
         {
-            // A division makes a cell's share a quarter; a bisection halves the error of its border. Where curved surfaces
-            // focus, a base cell returns up to 64 times what a plate does.
+            // A division makes a cell's share a quarter; a bisection halves the error of its border. Where curved
+            // surfaces focus, a base cell returns up to 64 times what a plate does.
             int maxLevel = (int)Math.Ceiling(0.5 * Math.Log(1.2 / cellError, 2)) + 3;
             int maxBisections = (int)Math.Ceiling(Math.Log(1 / cellError, 2)) + 8;
             _kernels.SetAccuracy(cellError * 2 * grid.Side * grid.Side, maxLevel, maxBisections);

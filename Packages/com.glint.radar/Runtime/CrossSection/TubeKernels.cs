@@ -149,7 +149,9 @@ namespace Glint
 
         static int2 BlocksOf(TubeGrid grid) => (grid.Cells + CoverSide - 1) / CoverSide;
 
-        /// <summary>Lists the corners of patches seen near each cell, and marks the cells in which any triangle is.</summary>
+        /// <summary>
+        /// Lists the corners of patches seen near each cell, and marks the cells in which any triangle is.
+        /// </summary>
         public void Mark(TubeGrid grid, SurfaceBuffers surfaces, DeviceBuffer<uint> marks, DeviceBuffer<uint4> links)
         {
             var toCell = grid.ToCell();

@@ -67,12 +67,19 @@ namespace Glint
         /// <exception cref="GlintException">The shader is missing or another one.</exception>
         public AmplitudeTracer(ComputeShader shader, string owner = nameof(AmplitudeTracer))
         {
-            if (shader == null || !shader.HasKernel("AmplitudePoints"))
-                throw new GlintException($"{owner}: a tolerance needs the kernels of ray tubes: assign "
-                    + "Packages/com.glint.radar/Shaders/Amplitude.compute to Tube Kernel");
+            Check(shader, owner);
             _owner = owner;
             _kernels = new AmplitudeKernels(shader);
             _scene = new DeviceScene(BvhLayout.Binary, owner, long.MaxValue);
+        }
+
+        /// <summary>Refuses another shader.</summary>
+        /// <exception cref="GlintException">The message says what to assign.</exception>
+        public static void Check(ComputeShader shader, string owner)
+        {
+            if (shader == null || !shader.HasKernel("AmplitudePoints"))
+                throw new GlintException($"{owner}: a tolerance needs the kernels of ray tubes: assign "
+                    + "Packages/com.glint.radar/Shaders/Amplitude.compute to Tube Kernel");
         }
 
         /// <summary>Rows of base cells of a dispatch, for tests; 0: by the times of earlier dispatches.</summary>
