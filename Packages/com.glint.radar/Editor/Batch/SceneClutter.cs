@@ -15,11 +15,13 @@ namespace Glint.Editor
         /// <exception cref="GlintException">The scene has no sea, or a sea cannot have clutter.</exception>
         public static void Set(ClutterChoice choice, string input)
         {
+            var alone = Find<SeaSnapshot>().Where(it => it.GetComponentInChildren<Sea>() == null).ToArray();
             if (choice.AppliedTo(SeaClutterSettings.Off).IsOn)
-                foreach (var snapshot in Find<SeaSnapshot>().Where(it => it.GetComponentInChildren<Sea>() == null))
+                foreach (var snapshot in alone)
                     AddSea(snapshot);
             var seas = Find<Sea>();
-            if (seas.Length == 0)
+            // A snapshot without a Sea has no clutter to switch off.
+            if (seas.Length == 0 && alone.Length == 0)
                 throw new GlintException($"{input}: has no sea whose clutter could be switched: leave "
                     + $"{Options.Clutter.Flag} out, or add a Sea (Glint > Sea)");
             foreach (var sea in seas)
