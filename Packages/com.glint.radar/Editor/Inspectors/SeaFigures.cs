@@ -18,8 +18,8 @@ namespace Glint.Editor
         /// <summary>Labels and tooltips of the fields of <see cref="SeaClutterSettings"/>, in their order.</summary>
         public static readonly (string field, string label, string tooltip)[] Clutter = SeaClutterSettings.Measures
             .Select(measure => measure.Row)
-            .Prepend(("Level", "Level", "Mean of the diffuse echo: of the waves, or of a published model. The command "
-                + "glint clutter uses it."))
+            .Prepend(("Level", "Level", "Mean of the diffuse echo: of the waves, or of a published model. Nathanson's "
+                + "table is there for commands, not in play mode."))
             .Prepend(("IsOn", "Clutter", "Diffuse echo of the sea, and the reflection of its water. Off: the tiles "
                 + "are perfect mirrors.")).ToArray();
 

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.Linq;
 using System.Threading;
 using Glint.Core;
+using Unity.Mathematics;
 
 namespace Glint
 {
@@ -14,8 +15,9 @@ namespace Glint
     {
         readonly ClutterTracer _tracer;
         readonly ClutterModel _model;
-        readonly Dictionary<(SeaSurface, double, double), ClutterLevelTable> _tables =
-            new Dictionary<(SeaSurface, double, double), ClutterLevelTable>();
+        // By the sea, its settings and wind, frequency and azimuth.
+        readonly Dictionary<(SeaSurface, SeaClutterSettings, double3, double, double), ClutterLevelTable> _tables =
+            new Dictionary<(SeaSurface, SeaClutterSettings, double3, double, double), ClutterLevelTable>();
 
         /// <param name="tracer">Traces the mean echo.</param>
         /// <param name="model">The published model.</param>
@@ -30,10 +32,11 @@ namespace Glint
         public ClutterLevelTable TableOf(EndlessSea sea, double frequency, double azimuthDegrees,
             IProgress<double> progress = null, CancellationToken cancel = default)
         {
-            var key = (sea.Clutter.LongWaves, frequency, azimuthDegrees);
+            var clutter = sea.Clutter;
+            var key = (clutter.LongWaves, clutter.Settings, clutter.Wind, frequency, azimuthDegrees);
             if (_tables.TryGetValue(key, out var table))
                 return table;
-            ClutterConditions At(double grazing) => sea.Clutter.ConditionsAt(frequency, azimuthDegrees, grazing);
+            ClutterConditions At(double grazing) => clutter.ConditionsAt(frequency, azimuthDegrees, grazing);
             var angles = ClutterLevelTable.AnglesOf(_model, At);
             var own = angles.Select((grazing, i) =>
             {

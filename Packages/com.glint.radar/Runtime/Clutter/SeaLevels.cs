@@ -12,24 +12,24 @@ namespace Glint
     {
         readonly ComputeShader _shader;
         readonly string _owner;
-        readonly Dictionary<ClutterModel, ClutterLevels> _ofModels = new Dictionary<ClutterModel, ClutterLevels>();
+        readonly Dictionary<ClutterLevel, ClutterLevels> _levels = new Dictionary<ClutterLevel, ClutterLevels>();
         ClutterTracer _tracer;
 
         public SeaLevels(ComputeShader shader, string owner) => (_shader, _owner) = (shader, owner);
 
-        /// <summary>The model of a level; null: nothing is scaled.</summary>
+        /// <summary>The model of a published level. A table is read once.</summary>
         public Func<ClutterLevel, ClutterModel> ModelOf { get; set; } = ClutterModel.Of;
 
         /// <summary>The factors of a sea of a pose; null for none. Traced once a direction.</summary>
         /// <exception cref="GlintException">The model is not at hand or does not hold for the sea.</exception>
         public ClutterLevelTable Of(CrossSectionPose pose, RadarSea sea, double frequency, CancellationToken cancel)
         {
-            var model = ModelOf(sea.Clutter.Settings.Level);
-            if (model == null)
+            var level = sea.Clutter.Settings.Level;
+            if (level == ClutterLevel.Physics)
                 return null;
             _tracer ??= new ClutterTracer(_shader, _owner);
-            if (!_ofModels.TryGetValue(model, out var levels))
-                _ofModels.Add(model, levels = new ClutterLevels(_tracer, model));
+            if (!_levels.TryGetValue(level, out var levels))
+                _levels.Add(level, levels = new ClutterLevels(_tracer, ModelOf(level)));
             double3 toRadar = pose.Radar.ToRadar;
             double azimuth = math.degrees(Math.Atan2(-toRadar.x, -toRadar.z));
             return levels.TableOf(new EndlessSea(pose.Scene, sea), frequency, azimuth, null, cancel);

@@ -59,7 +59,7 @@ namespace Glint
                 if (resume)
                     Done = folder.Resume(Count);
             }
-            _tracer = new CrossSectionTracer(shader, subject);
+            _tracer = new CrossSectionTracer(shader, subject) { ClutterModelOf = setup.ClutterModelOf };
         }
 
         /// <summary>Number of rows of the run, or of the part.</summary>
