@@ -63,8 +63,7 @@ namespace Glint.Editor
         /// <exception cref="GlintException">A sea cannot be shown.</exception>
         public static void RebuildSeas()
         {
-            foreach (var sea in Object.FindObjectsByType<Sea>(FindObjectsInactive.Exclude, FindObjectsSortMode.None)
-                .Where(sea => sea.isActiveAndEnabled))
+            foreach (var sea in SceneSearch.FindEnabled<Sea>())
                 sea.Rebuild();
         }
 

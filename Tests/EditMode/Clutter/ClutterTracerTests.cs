@@ -8,17 +8,9 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>The diffuse echo that the device sums over facets, against sums and means in double precision.</summary>
-    public sealed class ClutterTracerTests
+    public sealed class ClutterTracerTests : ClutterFixture
     {
         const double TenGigahertz = 1e10;
-
-        ClutterTracer _tracer;
-
-        [OneTimeSetUp]
-        public void MakeTracer() => _tracer = new ClutterTracer(TestKernels.Tubes);
-
-        [OneTimeTearDown]
-        public void DisposeTracer() => _tracer.Dispose();
 
         // From above nothing is in the shade.
         [TestCase(50, 20, 0)]
@@ -31,7 +23,7 @@ namespace Glint.Tests
             var pose = sea.Pose(azimuth, grazing);
             if (range > 0)
                 pose.Range = range;
-            var echo = _tracer.Trace(pose, TenGigahertz).Single();
+            var echo = Tracer.Trace(pose, TenGigahertz).Single();
             var expected = Sum(sea, pose);
             Assert.That(echo.LitFraction, Is.EqualTo(1).Within(1e-6));
             Assert.That(echo.Area, Is.EqualTo(32 * 32).Within(1e-3).Percent);
@@ -54,7 +46,7 @@ namespace Glint.Tests
                 foreach (double grazing in new[] { 20, 30, 45, 60, 70.0 })
                 {
                     var found = ClutterEcho.Sum(seas.SelectMany(sea => new[] { azimuth, azimuth + 180 }
-                        .SelectMany(side => _tracer.Trace(sea.Pose(side, grazing), TenGigahertz)))).Sigma0;
+                        .SelectMany(side => Tracer.Trace(sea.Pose(side, grazing), TenGigahertz)))).Sigma0;
                     var expected = scattering.TwoScaleMean(RadarAspect.At(azimuth, grazing).ToRadar, clutter.Wind,
                         new double2(along, across));
                     AssertNear(found, expected, 0.3, $"azimuth {azimuth}, grazing {grazing}");
@@ -71,8 +63,8 @@ namespace Glint.Tests
             var sea = new TestSea(10, 128, cells, 20, 0, grid: grid);
             var other = new TestSea(10, 128, otherCells, 20, 0, grid: otherGrid);
             foreach (double grazing in new[] { 25, 50.0 })
-                AssertNear(_tracer.Trace(other.Pose(10, grazing), TenGigahertz).Single().Sigma0,
-                    _tracer.Trace(sea.Pose(10, grazing), TenGigahertz).Single().Sigma0, decibels,
+                AssertNear(Tracer.Trace(other.Pose(10, grazing), TenGigahertz).Single().Sigma0,
+                    Tracer.Trace(sea.Pose(10, grazing), TenGigahertz).Single().Sigma0, decibels,
                     $"grazing {grazing}");
         }
 
@@ -80,7 +72,7 @@ namespace Glint.Tests
         public void Trace_TilesInAnotherOrder_ChangeNoBit()
         {
             var sea = new TestSea(10, 32, 32, 0, tiles: 3);
-            var expected = _tracer.Trace(sea.Pose(25, 12), TenGigahertz).Single();
+            var expected = Tracer.Trace(sea.Pose(25, 12), TenGigahertz).Single();
             var pose = sea.Pose(25, 12);
             var tiles = pose.Scene.Seas[0].Tiles;
             pose.Scene = new RadarScene(pose.Scene.Instances.Reverse().ToArray())
@@ -88,7 +80,7 @@ namespace Glint.Tests
                 Seas = new[] { new RadarSea(sea.Clutter,
                     tiles.Select(tile => new SeaTileInstance(tiles.Count - 1 - tile.Instance, tile.Number)).ToArray()) }
             };
-            Assert.That(_tracer.Trace(pose, TenGigahertz).Single(), Is.EqualTo(expected));
+            Assert.That(Tracer.Trace(pose, TenGigahertz).Single(), Is.EqualTo(expected));
         }
 
         // Float32 about the scene's centre: the field turns, and nothing else changes.
@@ -96,13 +88,13 @@ namespace Glint.Tests
         public void Trace_ElsewhereInTheWorld_TurnsThePhaseOnly()
         {
             var sea = new TestSea(10, 32, 32, 0);
-            var expected = _tracer.Trace(sea.Pose(25, 12), TenGigahertz).Single();
+            var expected = Tracer.Trace(sea.Pose(25, 12), TenGigahertz).Single();
             var pose = sea.Pose(25, 12);
             double3 move = new double3(3000.125, 2, -7000.25);
             var instance = pose.Scene.Instances[0];
             instance.ToWorld.Origin += move;
             pose.Scene = new RadarScene(instance) { Seas = pose.Scene.Seas };
-            var found = _tracer.Trace(pose, TenGigahertz).Single();
+            var found = Tracer.Trace(pose, TenGigahertz).Single();
             Assert.That(found.SigmaVV, Is.EqualTo(expected.SigmaVV).Within(1e-3).Percent);
             Assert.That(found.LitArea, Is.EqualTo(expected.LitArea).Within(1e-3).Percent);
             var turn = Complex.FromPolarCoordinates(1,
@@ -117,7 +109,7 @@ namespace Glint.Tests
             var sea = new TestSea(8, 128, 128, 0);
             var grid = new ClutterGrid(new double3(-64, 0, -64), new double3(1, 0, 0), new double3(0, 0, 1), 4,
                 new int2(32, 32));
-            var cells = _tracer.Trace(sea.Pose(30, 40), TenGigahertz, grid);
+            var cells = Tracer.Trace(sea.Pose(30, 40), TenGigahertz, grid);
             SpeckleTests.AssertExponential(cells.Select(cell => cell.S.VV.Magnitude * cell.S.VV.Magnitude / cell.SigmaVV));
             SpeckleTests.AssertExponential(cells.Select(cell => cell.S.HH.Magnitude * cell.S.HH.Magnitude / cell.SigmaHH));
         }
@@ -130,7 +122,7 @@ namespace Glint.Tests
             var sea = new TestSea(10, 32, 32, 0, 0);
             var grid = new ClutterGrid(new double3(-16, 0, -16), new double3(1, 0, 0), new double3(0, 0, 1), 1,
                 new int2(32, 32));
-            Complex[] FieldAt(double time) => _tracer.Trace(sea.Pose(azimuth, 60, sea.Clutter.At(time)), TenGigahertz, grid)
+            Complex[] FieldAt(double time) => Tracer.Trace(sea.Pose(azimuth, 60, sea.Clutter.At(time)), TenGigahertz, grid)
                 .Select(cell => cell.S.VV / Math.Sqrt(cell.SigmaVV)).ToArray();
             double coherence = sea.Clutter.CoherenceTimeAt(TenGigahertz);
             var first = FieldAt(0);
@@ -158,10 +150,10 @@ namespace Glint.Tests
             var settings = RadarSettings.Default;
             (settings.RaysAcross, settings.RaysDown) = (400, 200);
             pose.Footprint = new RadarFootprint(view, settings);
-            Assert.That(_tracer.Trace(pose, TenGigahertz).Single().Area, Is.EqualTo(40 * 20).Within(2).Percent);
+            Assert.That(Tracer.Trace(pose, TenGigahertz).Single().Area, Is.EqualTo(40 * 20).Within(2).Percent);
             (view.ApertureHeight, view.VerticalFovDegrees) = (0, 2 * math.degrees(Math.Atan(0.2)));
             pose.Footprint = new RadarFootprint(view, settings);
-            Assert.That(_tracer.Trace(pose, TenGigahertz).Single().Area, Is.EqualTo(40 * 20).Within(2).Percent);
+            Assert.That(Tracer.Trace(pose, TenGigahertz).Single().Area, Is.EqualTo(40 * 20).Within(2).Percent);
         }
 
         // Figures of another program with other random numbers: sigma0 of HH and VV with shadow and breaking waves, and
@@ -181,10 +173,10 @@ namespace Glint.Tests
                 (10, 0.910, -35.0, -23.0, 0.92, 10.8), (30, 1.000, -27.7, -17.0, 7.0, 61.0)
             })
             {
-                var cells = _tracer.Trace(sea.Pose(180, grazing), TenGigahertz, grid);
+                var cells = Tracer.Trace(sea.Pose(180, grazing), TenGigahertz, grid);
                 var found = ClutterEcho.Sum(cells);
                 double ofHH = ClutterStatistics.ShapeOfTexture(cells.Select(cell => cell.SigmaHH).ToArray()),
-                    ofVV = ClutterStatistics.ShapeOfTexture(_tracer.Trace(sea.Pose(180, grazing, unbroken), TenGigahertz,
+                    ofVV = ClutterStatistics.ShapeOfTexture(Tracer.Trace(sea.Pose(180, grazing, unbroken), TenGigahertz,
                         grid).Select(cell => cell.SigmaVV).ToArray());
                 TestContext.WriteLine(FormattableString.Invariant(
                     $"| {grazing} | {found.LitFraction:0.000} | {Sigma0.Decibels(found.Sigma0.HH):0.0} | {Sigma0.Decibels(found.Sigma0.VV):0.0} | {ofHH:0.00} | {ofVV:0.00} |"));

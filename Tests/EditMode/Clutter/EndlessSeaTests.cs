@@ -7,17 +7,9 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>One tile of a sea without end, and factors that bring its mean echo to that of a model.</summary>
-    public sealed class EndlessSeaTests
+    public sealed class EndlessSeaTests : ClutterFixture
     {
         const double TenGigahertz = 1e10;
-
-        ClutterTracer _tracer;
-
-        [OneTimeSetUp]
-        public void MakeTracer() => _tracer = new ClutterTracer(TestKernels.Tubes);
-
-        [OneTimeTearDown]
-        public void DisposeTracer() => _tracer.Dispose();
 
         // 41 x 41 tiles reach farther than the shadows, which are 10 m / tan(1 deg) = 573 m at most.
         [TestCase(0, 1, 0)]
@@ -42,7 +34,7 @@ namespace Glint.Tests
                 },
                 Radar = pose.Radar, Receivers = pose.Receivers, Frequencies = pose.Frequencies
             };
-            ClutterEcho expected = _tracer.Trace(all, TenGigahertz).Single(), alone = _tracer.Trace(pose, TenGigahertz)
+            ClutterEcho expected = Tracer.Trace(all, TenGigahertz).Single(), alone = Tracer.Trace(pose, TenGigahertz)
                 .Single();
             var endless = new EndlessSea(pose.Scene, pose.Scene.Seas[0]).PoseOf(azimuth, grazing, TenGigahertz);
             Assert.That(endless.Scene.Instances.Length, Is.LessThan(tiles.Length / 10));
@@ -51,7 +43,7 @@ namespace Glint.Tests
             {
                 Seas = endless.Scene.Seas
             };
-            var found = _tracer.Trace(endless, TenGigahertz).Single();
+            var found = Tracer.Trace(endless, TenGigahertz).Single();
             Assert.That(found.LitArea, Is.EqualTo(expected.LitArea).Within(1e-3));
             Assert.That(found.SigmaVV, Is.EqualTo(expected.SigmaVV).Within(1e-3).Percent);
             if (grazing < 5)
@@ -71,9 +63,9 @@ namespace Glint.Tests
                 SeaClutterSettings.On);
             var one = new EndlessSea(turned.Scene, new RadarSea(clutter, turned.Scene.Seas[0].Tiles));
             var other = new TestSea(10, 32, 32, 0).Pose(20, 4);
-            var expected = _tracer.Trace(new EndlessSea(other.Scene, other.Scene.Seas[0]).PoseOf(20, 4, TenGigahertz),
+            var expected = Tracer.Trace(new EndlessSea(other.Scene, other.Scene.Seas[0]).PoseOf(20, 4, TenGigahertz),
                 TenGigahertz).Single();
-            var found = _tracer.Trace(one.PoseOf(80, 4, TenGigahertz), TenGigahertz).Single();
+            var found = Tracer.Trace(one.PoseOf(80, 4, TenGigahertz), TenGigahertz).Single();
             Assert.That(found.SigmaVV, Is.EqualTo(expected.SigmaVV).Within(1).Percent);
             Assert.That(found.LitArea, Is.EqualTo(expected.LitArea).Within(2));
         }
@@ -89,8 +81,8 @@ namespace Glint.Tests
             var pose = sea.Pose(azimuth, 40);
             var endless = new EndlessSea(pose.Scene, pose.Scene.Seas[0]);
             var (grid, areWhole) = endless.CellsOf(azimuth, new double2(8, 16));
-            var cells = _tracer.Trace(endless.PoseOf(azimuth, 40, TenGigahertz), TenGigahertz, grid);
-            var all = _tracer.Trace(endless.PoseOf(azimuth, 40, TenGigahertz), TenGigahertz).Single();
+            var cells = Tracer.Trace(endless.PoseOf(azimuth, 40, TenGigahertz), TenGigahertz, grid);
+            var all = Tracer.Trace(endless.PoseOf(azimuth, 40, TenGigahertz), TenGigahertz).Single();
             Assert.That(ClutterEcho.Sum(cells).Area, Is.EqualTo(64 * 64).Within(0.01).Percent);
             Assert.That(ClutterEcho.Sum(cells).SigmaHH, Is.EqualTo(all.SigmaHH).Within(0.01).Percent);
             Assert.That(areWhole.Count(it => it), Is.EqualTo(whole));
@@ -119,11 +111,11 @@ namespace Glint.Tests
             var pose = new TestSea(10, 64, 64, 0).Pose(130, 20);
             var sea = new EndlessSea(pose.Scene, pose.Scene.Seas[0]);
             var model = ClutterModel.Formulas.Single(it => it.Name == name);
-            var levels = new ClutterLevels(_tracer, model);
+            var levels = new ClutterLevels(Tracer, model);
             var table = levels.TableOf(sea, 9.4e9, 130);
             Assert.That(levels.TableOf(sea, 9.4e9, 130), Is.SameAs(table));
             Assert.That(table.Values.Select(value => value.w), Is.Ordered.Ascending);
-            var own = _tracer.Trace(sea.PoseOf(130, grazing, 9.4e9), 9.4e9).Single().Sigma0;
+            var own = Tracer.Trace(sea.PoseOf(130, grazing, 9.4e9), 9.4e9).Single().Sigma0;
             var factor = table.FactorAt(math.radians(grazing));
             // 10 m/s raise 2.29 m, sea state 4.4; against the wind 130 degrees from azimuth 0 are 50.
             var at = new ClutterConditions(9.4e9, grazing, Math.Pow((Math.Pow(10 / 7.18, 2.5) - 0.04) / 0.1, 1 / 2.1), 50);
@@ -138,7 +130,7 @@ namespace Glint.Tests
         {
             var pose = new TestSea(18, 64, 32, 0).Pose(0, 20);
             var sea = new EndlessSea(pose.Scene, pose.Scene.Seas[0]);
-            Assert.That(() => new ClutterLevels(_tracer, ClutterModel.Formulas[0]).TableOf(sea, 9.4e9, 0),
+            Assert.That(() => new ClutterLevels(Tracer, ClutterModel.Formulas[0]).TableOf(sea, 9.4e9, 0),
                 Throws.TypeOf<GlintException>().With.Message.Matches(@"^clutter model nrl: the sea state 8\.\d+ must be "
                     + "from 0 to 6, where Gregers-Hansen and Mital 2012 holds: choose another model, or physics$"));
         }

@@ -7,17 +7,9 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>Cross sections of scenes that have a sea with a diffuse echo.</summary>
-    public sealed class SeaCrossSectionTests
+    public sealed class SeaCrossSectionTests : CrossSectionFixture
     {
         const double TenGigahertz = 1e10;
-
-        CrossSectionTracer _tracer;
-
-        [OneTimeSetUp]
-        public void MakeTracer() => _tracer = new CrossSectionTracer(TestKernels.Tubes);
-
-        [OneTimeTearDown]
-        public void DisposeTracer() => _tracer.Dispose();
 
         // The plate and the water in front of it are a dihedral: sigma = 4 pi (2 a b cos)^2 |R|^2 / lambda^2.
         [TestCase(12)]
@@ -25,7 +17,7 @@ namespace Glint.Tests
         public void Trace_PlateOnACalmSea_IsTheDihedralOfBoth(double grazing)
         {
             var pose = CalmSea(grazing, new[] { Plate() });
-            var result = _tracer.Trace(pose);
+            var result = Tracer.Trace(pose);
             var sea = result.Sea[0, 0];
             double incidence = Math.Sin(math.radians(grazing)), wavelength = Signal.Wavelength(TenGigahertz);
             var water = pose.Scene.Surfaces[1].Reflection(incidence, TenGigahertz);
@@ -42,7 +34,7 @@ namespace Glint.Tests
         public void Trace_SeaAlone_IsItsDiffuseEcho()
         {
             var pose = CalmSea(40, Array.Empty<MeshInstance>());
-            var result = _tracer.Trace(pose);
+            var result = Tracer.Trace(pose);
             Assert.That(result.Sea[0, 0].VV, Is.EqualTo(result.Clutter[0].S.VV));
             Assert.That(result.S[0, 0].VV, Is.EqualTo(result.Clutter[0].S.VV));
             Assert.That(result.Clutter[0].SigmaVV, Is.GreaterThan(0));
@@ -55,11 +47,11 @@ namespace Glint.Tests
         {
             var sea = new TestSea(8, 64, 64, 0);
             var pose = sea.Pose(30, 10);
-            var plain = _tracer.Trace(pose).Clutter[0];
+            var plain = Tracer.Trace(pose).Clutter[0];
             var settings = SeaClutterSettings.On;
             settings.Level = level;
             pose = sea.Pose(30, 10, new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings));
-            var scaled = _tracer.Trace(pose).Clutter[0];
+            var scaled = Tracer.Trace(pose).Clutter[0];
             var conditions = sea.Clutter.ConditionsAt(TenGigahertz, 30, 10);
             var model = ClutterModel.Of(level);
             // The tile alone, whose edge no other tile shades.
@@ -77,7 +69,7 @@ namespace Glint.Tests
             var settings = SeaClutterSettings.On;
             settings.Level = ClutterLevel.Nathanson;
             var clutter = new SeaClutter(sea.Surface, 0, sea.Clutter.Wind, settings);
-            Assert.That(() => _tracer.Trace(sea.Pose(30, 10, clutter)),
+            Assert.That(() => Tracer.Trace(sea.Pose(30, 10, clutter)),
                 Throws.TypeOf<GlintException>().With.Message.Contains("nathanson"));
         }
 
@@ -86,7 +78,7 @@ namespace Glint.Tests
         {
             var pose = CalmSea(40, Array.Empty<MeshInstance>());
             pose.Receivers = new[] { RadarAspect.At(30, 40) };
-            Assert.That(() => _tracer.Trace(pose), Throws.TypeOf<GlintException>().With.Message.Contains("receiver"));
+            Assert.That(() => Tracer.Trace(pose), Throws.TypeOf<GlintException>().With.Message.Contains("receiver"));
         }
 
         // A camera's picture that holds the target changes nothing; parallel rays on half of a plate leave half of its
@@ -99,15 +91,15 @@ namespace Glint.Tests
             pose.Scene = new RadarScene(pose.Scene.Instances[1]);
             pose.PhaseCentre = new double3(0, 0.3, 3);
             (pose.Range, pose.ToleranceDb) = (range, 0.02);
-            var whole = _tracer.Trace(pose).S[0, 0].VV;
+            var whole = Tracer.Trace(pose).S[0, 0].VV;
             pose.Footprint = FootprintOf(pose, 0);
-            var seen = _tracer.Trace(pose).S[0, 0].VV;
+            var seen = Tracer.Trace(pose).S[0, 0].VV;
             Assert.That((seen - whole).Magnitude, Is.LessThan(0.005 * whole.Magnitude));
             if (!pose.IsFar)
                 return;
             // The picture begins at the middle of the plate.
             pose.Footprint = FootprintOf(pose, 1);
-            var half = _tracer.Trace(pose).S[0, 0].VV;
+            var half = Tracer.Trace(pose).S[0, 0].VV;
             Assert.That((half - 0.5 * whole).Magnitude, Is.LessThan(0.02 * whole.Magnitude));
         }
 

@@ -13,7 +13,7 @@ namespace Glint.Tests
     /// independent program: CrossSectionCases.txt, with the columns of <see cref="PublishedRow"/> after the case.
     /// </summary>
     [Category("Slow")]
-    public sealed class CrossSectionCaseTests
+    public sealed class CrossSectionCaseTests : CrossSectionFixture
     {
         const string Folder = "Packages/com.glint.tests/EditMode/CrossSection/";
 
@@ -28,7 +28,6 @@ namespace Glint.Tests
             AssetDatabase.LoadAssetAtPath<TextAsset>(Folder + "CrossSectionCases.txt").text
                 .Split(new[] { '\n', '\r' }, StringSplitOptions.RemoveEmptyEntries).Skip(1).ToArray());
 
-        CrossSectionTracer _tracer;
         string _mesh;
 
         // Known before assets can be loaded.
@@ -41,12 +40,6 @@ namespace Glint.Tests
             "plate_half_space", "plate_sea_water", "trihedral_all", "dihedral_100deg", "dihedral_oblique",
             "dihedral_bistatic", "two_plates_bistatic", "plate_edges"
         };
-
-        [OneTimeSetUp]
-        public void MakeTracer() => _tracer = new CrossSectionTracer(TestKernels.Tubes);
-
-        [OneTimeTearDown]
-        public void DisposeTracer() => _tracer.Dispose();
 
         [TestCaseSource(nameof(Cases)), Timeout(300000)]
         public void Trace_PublishedCase_IsWithinItsTolerance(string name)
@@ -62,7 +55,7 @@ namespace Glint.Tests
                 pose.Scene = scene;
                 var published = rows.Select(line => new PublishedRow(line)).ToArray();
                 pose.ToleranceDb = published.Any(row => row.IsCrossPolarised) ? CrossToleranceDb : ToleranceDb;
-                var result = _tracer.Trace(pose);
+                var result = Tracer.Trace(pose);
                 foreach (var row in published)
                 {
                     var s = PublishedRow.Of(result.S[0, 0], row.Polarisation);
@@ -83,7 +76,7 @@ namespace Glint.Tests
             var pose = rows[0].Pose();
             pose.Receivers = rows.Where((_, i) => i % 2 == 0).Select(row => row.ReceiverAspect()).ToArray();
             pose.ToleranceDb = ToleranceDb;
-            var result = _tracer.Trace(pose);
+            var result = Tracer.Trace(pose);
             for (int i = 0; i < rows.Length; i++)
             {
                 double angle = 15 * (i / 2);

@@ -9,17 +9,9 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>Contributions of objects, bounces and triangles to a cross section.</summary>
-    public sealed class CrossSectionContributionsTests
+    public sealed class CrossSectionContributionsTests : CrossSectionFixture
     {
         const double TenGigahertz = 1e10;
-
-        CrossSectionTracer _tracer;
-
-        [OneTimeSetUp]
-        public void MakeTracer() => _tracer = new CrossSectionTracer(TestKernels.Tubes);
-
-        [OneTimeTearDown]
-        public void DisposeTracer() => _tracer.Dispose();
 
         /// <summary>Sums are whole units, of which each tube adds the same ones to its parts as to S.</summary>
         [Test, Timeout(60000)]
@@ -31,12 +23,12 @@ namespace Glint.Tests
             pose.Receivers = new[] { pose.Radar, PublishedRow.Aspect(80, 20) };
             pose.Frequencies = new[] { 0.95 * TenGigahertz, TenGigahertz };
             pose.HasEdges = true;
-            var result = _tracer.Trace(pose);
+            var result = Tracer.Trace(pose);
             foreach (var (receiver, frequency) in new[] { (0, 0), (1, 0), (0, 1), (1, 1) })
             {
                 var s = result.S[receiver, frequency];
                 var contributions =
-                    _tracer.Contributions(pose, result, receiver, frequency, Polarisation.All);
+                    Tracer.Contributions(pose, result, receiver, frequency, Polarisation.All);
                 Assert.That(contributions.Objects.Select(each => each.Number), Is.EquivalentTo(new[] { 0, 1, 2 }));
                 Assert.That(contributions.Bounces.Select(each => each.Number), Is.EqualTo(new[] { 0, 1, 2, 3 }));
                 foreach (var parts in new[] { contributions.Objects, contributions.Bounces })
@@ -54,11 +46,11 @@ namespace Glint.Tests
         {
             var pose = PoseOf(SceneOf(CrossSectionTargets.Trihedral(0.2, CrossSectionTargets.TrihedralFace.Square)),
                 PublishedRow.Aspect(60, 40));
-            var result = _tracer.Trace(pose);
-            var expected = _tracer.Contributions(pose, result, 0, 0, Polarisation.All);
-            _tracer.CellsADispatch = 177;
-            var divided = _tracer.Contributions(pose, result, 0, 0, Polarisation.All);
-            _tracer.CellsADispatch = 0;
+            var result = Tracer.Trace(pose);
+            var expected = Tracer.Contributions(pose, result, 0, 0, Polarisation.All);
+            Tracer.CellsADispatch = 177;
+            var divided = Tracer.Contributions(pose, result, 0, 0, Polarisation.All);
+            Tracer.CellsADispatch = 0;
             Assert.That(divided.Bounces, Is.EqualTo(expected.Bounces));
             Assert.That(divided.Objects, Is.EqualTo(expected.Objects));
             Assert.That(divided.HotSpots.Select(Text), Is.EqualTo(expected.HotSpots.Select(Text)));
@@ -77,7 +69,7 @@ namespace Glint.Tests
                     Moved(CrossSectionTargets.Plate(second.x, second.y), 3, -farther)),
                 PublishedRow.Aspect(90, 0));
             pose.Frequencies = new[] { frequency };
-            var contributions = _tracer.Contributions(pose, _tracer.Trace(pose), 0, 0, Polarisation.All);
+            var contributions = Tracer.Contributions(pose, Tracer.Trace(pose), 0, 0, Polarisation.All);
             var s = contributions.Objects.ToDictionary(each => each.Number, each => each.S.VV);
             double Expected(double2 size) => Math.Sqrt(4 * Math.PI) * size.x * size.y / wavelength;
             // The tolerance is 0.02 dB of the sum.
@@ -111,7 +103,7 @@ namespace Glint.Tests
             pose.OnlyBounce = 2;
             // Footprints on the lower face, 3 wavelengths long, must be small beside its strips.
             pose.Frequencies = new[] { 3e10 };
-            var contributions = _tracer.Contributions(pose, _tracer.Trace(pose), 0, 0, Polarisation.All);
+            var contributions = Tracer.Contributions(pose, Tracer.Trace(pose), 0, 0, Polarisation.All);
             var strip = contributions.HotSpots.ToLookup(spot => spot.Object, spot => spot.Triangle / 2);
             Assert.That(strip[0].Distinct(), Is.EquivalentTo(Enumerable.Range(0, strips)));
             int last = (int)(strips * Math.Tan(math.radians(grazing)));
@@ -129,7 +121,7 @@ namespace Glint.Tests
             var pose = PoseOf(SceneOf(Moved(CrossSectionTargets.Plate(0.3, 0.2), 3),
                 At(CrossSectionTargets.Plate(0.2, 0.2))), PublishedRow.Aspect(90, 89.9));
             pose.HasEdges = true;
-            var contributions = _tracer.Contributions(pose, _tracer.Trace(pose), 0, 0, Polarisation.All);
+            var contributions = Tracer.Contributions(pose, Tracer.Trace(pose), 0, 0, Polarisation.All);
             var edges = contributions.Bounces.Single(each => each.Number == 0).S.VV;
             var both = contributions.Objects.Aggregate(Complex.Zero, (all, each) => all + each.S.VV);
             Assert.That(edges.Magnitude, Is.GreaterThan(10 * (both - edges).Magnitude));

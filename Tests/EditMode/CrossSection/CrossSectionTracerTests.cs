@@ -9,17 +9,9 @@ using Unity.Mathematics;
 namespace Glint.Tests
 {
     /// <summary>Symmetries, closed forms and promises of the kernels' cross sections.</summary>
-    public sealed class CrossSectionTracerTests
+    public sealed class CrossSectionTracerTests : CrossSectionFixture
     {
         const double TenGigahertz = 1e10;
-
-        CrossSectionTracer _tracer;
-
-        [OneTimeSetUp]
-        public void MakeTracer() => _tracer = new CrossSectionTracer(TestKernels.Tubes);
-
-        [OneTimeTearDown]
-        public void DisposeTracer() => _tracer.Dispose();
 
         [Test, Timeout(60000)]
         public void Trace_CellsOfADispatch_ChangeNoBit()
@@ -28,9 +20,9 @@ namespace Glint.Tests
             var expected = Trace(pose);
             foreach (int cells in new[] { 1000, 177, 64 })
             {
-                _tracer.CellsADispatch = cells;
+                Tracer.CellsADispatch = cells;
                 var s = Trace(pose);
-                _tracer.CellsADispatch = 0;
+                Tracer.CellsADispatch = 0;
                 Assert.That(new[] { s.VV, s.HV, s.VH, s.HH },
                     Is.EqualTo(new[] { expected.VV, expected.HV, expected.VH, expected.HH }), $"{cells} cells");
             }
@@ -129,7 +121,7 @@ namespace Glint.Tests
         {
             var pose = PoseOf(CrossSectionTargets.Dihedral(0.3, 0.2), 25, 12);
             pose.Frequencies = Enumerable.Range(0, 21).Select(i => TenGigahertz + 25e6 * i).ToArray();
-            var together = _tracer.Trace(pose);
+            var together = Tracer.Trace(pose);
             for (int i = 0; i < together.S.GetLength(1); i += 5)
             {
                 var single = PoseOf(CrossSectionTargets.Dihedral(0.3, 0.2), 25, 12);
@@ -144,7 +136,7 @@ namespace Glint.Tests
         {
             var pose = PoseOf(CrossSectionTargets.Dihedral(0.3, 0.2), 30, 0);
             pose.Receivers = new[] { -110.0, -120, -135, -150 }.Select(a => RadarAspect.At(a, 5)).ToArray();
-            var together = _tracer.Trace(pose);
+            var together = Tracer.Trace(pose);
             for (int i = 0; i < pose.Receivers.Length; i++)
             {
                 var single = PoseOf(CrossSectionTargets.Dihedral(0.3, 0.2), 30, 0);
@@ -159,9 +151,9 @@ namespace Glint.Tests
         {
             var pose = PoseOf(CrossSectionTargets.Trihedral(0.3, CrossSectionTargets.TrihedralFace.Square), 40, 30);
             pose.ToleranceDb = 1;
-            var coarse = _tracer.Trace(pose);
+            var coarse = Tracer.Trace(pose);
             pose.ToleranceDb = 0.001;
-            var fine = _tracer.Trace(pose);
+            var fine = Tracer.Trace(pose);
             Assert.That(coarse.IsMet && fine.IsMet);
             Assert.That(fine.Rays, Is.GreaterThan(coarse.Rays));
             Assert.That(fine.Errors[0, 0], Is.LessThan(coarse.Errors[0, 0]));
@@ -174,14 +166,14 @@ namespace Glint.Tests
             var pose = PoseOf(CrossSectionTargets.Plate(0.3, 0.2), 37, 21);
             pose.ToleranceDb = 1e-7;
             pose.FloorDbsm = -200;
-            Assert.That(_tracer.Trace(pose).IsMet, Is.False);
+            Assert.That(Tracer.Trace(pose).IsMet, Is.False);
         }
 
         [Test, Timeout(60000)]
         public void Trace_EmptyScene_ReturnsNothing()
         {
             var pose = PoseOf(new TriangleMesh(new float3[0], new int[0]), 0, 0);
-            Assert.That(_tracer.Trace(pose).S[0, 0].VV, Is.EqualTo(Complex.Zero));
+            Assert.That(Tracer.Trace(pose).S[0, 0].VV, Is.EqualTo(Complex.Zero));
         }
 
         static CrossSectionPose PoseOf(TriangleMesh mesh, double phi, double elevation)
@@ -205,7 +197,7 @@ namespace Glint.Tests
             }).ToArray());
         }
 
-        ScatteringMatrix Trace(CrossSectionPose pose) => _tracer.Trace(pose).S[0, 0];
+        ScatteringMatrix Trace(CrossSectionPose pose) => Tracer.Trace(pose).S[0, 0];
 
         // Twice what the tolerance allows: both amplitudes have errors.
         static double AllowedOf(CrossSectionPose pose, Complex s)

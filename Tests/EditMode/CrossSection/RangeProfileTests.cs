@@ -10,18 +10,10 @@ namespace Glint.Tests
 {
     /// <summary>Responses of the kernels over a band and their range profiles, beside closed forms.</summary>
     [Category("Slow")]
-    public sealed class RangeProfileTests
+    public sealed class RangeProfileTests : CrossSectionFixture
     {
         // Metres and hertz.
         const double C = 299792458, Centre = 10e9, Wavelength = C / Centre;
-
-        CrossSectionTracer _tracer;
-
-        [OneTimeSetUp]
-        public void MakeTracer() => _tracer = new CrossSectionTracer(TestKernels.Tubes);
-
-        [OneTimeTearDown]
-        public void DisposeTracer() => _tracer.Dispose();
 
         /// <summary>4 pi a^4 / (3 lambda^2) on the axis, at the corner's range.</summary>
         [Test, Timeout(60000)]
@@ -59,7 +51,7 @@ namespace Glint.Tests
             const double width = 10, height = 10;
             var pose = PoseOf(CrossSectionTargets.Plate(width, height), PublishedRow.Aspect(90, 45), 0);
             var band = Sample(pose, 300e6, 128);
-            var s = _tracer.Trace(pose).S;
+            var s = Tracer.Trace(pose).S;
             double error = 0, highest = 0;
             for (int n = 0; n < band.Count; n++)
             {
@@ -162,7 +154,7 @@ namespace Glint.Tests
         double[] ProfileOf(CrossSectionPose pose, FrequencyBand band, string window, out RangeTransform transform,
             int padding = 8)
         {
-            var s = _tracer.Trace(pose).S;
+            var s = Tracer.Trace(pose).S;
             transform = new RangeTransform(band, Window.Named(window), padding, -0.5 * band.UnambiguousRange);
             return PowerLevel.Decibels(transform.Profile(
                 Enumerable.Range(0, band.Count).Select(n => s[0, n].VV).ToArray()));

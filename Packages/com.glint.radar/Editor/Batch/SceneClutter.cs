@@ -15,11 +15,12 @@ namespace Glint.Editor
         /// <exception cref="GlintException">The scene has no sea, or a sea cannot have clutter.</exception>
         public static void Set(ClutterChoice choice, string input)
         {
-            var alone = Find<SeaSnapshot>().Where(it => it.GetComponentInChildren<Sea>() == null).ToArray();
+            var alone = SceneSearch.FindEnabled<SeaSnapshot>()
+                .Where(it => it.GetComponentInChildren<Sea>() == null).ToArray();
             if (choice.AppliedTo(SeaClutterSettings.Off).IsOn)
                 foreach (var snapshot in alone)
                     AddSea(snapshot);
-            var seas = Find<Sea>();
+            var seas = SceneSearch.FindEnabled<Sea>();
             // A snapshot without a Sea has no clutter to switch off.
             if (seas.Length == 0 && alone.Length == 0)
                 throw new GlintException($"{input}: has no sea whose clutter could be switched: leave "
@@ -30,10 +31,6 @@ namespace Glint.Editor
                 sea.Rebuild();
             }
         }
-
-        static T[] Find<T>() where T : MonoBehaviour => Object
-            .FindObjectsByType<T>(FindObjectsInactive.Exclude, FindObjectsSortMode.None)
-            .Where(found => found.isActiveAndEnabled).ToArray();
 
         // Below the snapshot's own object, so that it is traced where that was.
         static void AddSea(SeaSnapshot snapshot)

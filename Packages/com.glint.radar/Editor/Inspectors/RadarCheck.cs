@@ -52,7 +52,7 @@ namespace Glint.Editor
             if (_radar.Settings.ToleranceDb > 0)
                 Attempt(() => AmplitudeTracer.Check(_radar.TubeKernel, _radar.Subject),
                     () => RadarFixes.AssignTubeKernel(_radar));
-            if (HasClutter())
+            if (SceneSearch.FindEnabled<Sea>().Any(sea => sea.Clutter.IsOn))
                 Attempt(() => CrossSectionTracer.Check(_radar.ClutterKernel, _radar.Subject),
                     () => RadarFixes.AssignClutterKernel(_radar));
             CheckMeshes();
@@ -63,10 +63,6 @@ namespace Glint.Editor
             _findings.AddRange(ordered);
             Seconds = watch.Elapsed.TotalSeconds;
         }
-
-        static bool HasClutter() => UnityEngine.Object
-            .FindObjectsByType<Sea>(FindObjectsInactive.Exclude, FindObjectsSortMode.None)
-            .Any(sea => sea.isActiveAndEnabled && sea.Clutter.IsOn);
 
         void Add(Severity severity, string text, Fix fix = null, UnityEngine.Object where = null) =>
             _findings.Add(new Finding(severity, text, fix, where));

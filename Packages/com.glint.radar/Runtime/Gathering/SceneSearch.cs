@@ -20,6 +20,11 @@ namespace Glint
         public static Sea FindSea(string searcher) =>
             FindOnly<Sea>(searcher, "sea", "Sea (Glint > Sea) with snapshots to an object of the scene");
 
+        /// <summary>All enabled components of a kind in the loaded scenes.</summary>
+        public static T[] FindEnabled<T>() where T : Behaviour =>
+            Array.FindAll(Object.FindObjectsByType<T>(FindObjectsInactive.Exclude, FindObjectsSortMode.None),
+                found => found.isActiveAndEnabled);
+
         /// <summary>Message for a component that is disabled.</summary>
         public static string IsDisabled(Behaviour component) =>
             $"{component.GetType().Name} of '{component.name}' is disabled or inactive; enable it";

@@ -30,8 +30,8 @@ namespace Glint
             _radar = radar;
             _azimuthDegrees = azimuthDegrees;
             _rollDegrees = rollDegrees;
-            _followers = Object.FindObjectsByType<Sea>(FindObjectsInactive.Exclude, FindObjectsSortMode.None)
-                .Where(sea => sea.isActiveAndEnabled && sea.Centre != null && sea.Centre.IsChildOf(radar)).ToArray();
+            _followers = SceneSearch.FindEnabled<Sea>()
+                .Where(sea => sea.Centre != null && sea.Centre.IsChildOf(radar)).ToArray();
         }
 
         /// <summary>An orbit of a radar that looks at a mesh file; the radar is a child of the aim.</summary>

@@ -365,18 +365,8 @@ public sealed class CrossSectionCommandTests
     [Test]
     public void PythonExample_OfThePage_ReadsTheFile()
     {
-        string page = File.ReadAllText(Path.Combine(Project.FindRoot(AppContext.BaseDirectory),
-            "Packages/com.glint.radar/Documentation~/batch.md"));
-        string code = Regex.Match(page, "```python\n(.*?)```", RegexOptions.Singleline).Groups[1].Value;
         Run(At("plate.obj"), "--azimuth", "-2,0,2", "--edges", "off", "--tolerance", "0.02", "--out", At("rcs"));
-        File.WriteAllText(At("example.py"), code);
-        using var process = Process.Start(new ProcessStartInfo("python3", [At("example.py")])
-        {
-            WorkingDirectory = _folder, RedirectStandardOutput = true, RedirectStandardError = true
-        });
-        string output = process.StandardOutput.ReadToEnd(), error = process.StandardError.ReadToEnd();
-        process.WaitForExit();
-        Assert.That(process.ExitCode, Is.Zero, error);
+        string output = PythonExample.Run("batch.md", "python3", _folder);
         Assert.That(output, Does.Match(@"^strongest: 17\.0[12] dBsm at azimuth 0\.0 deg, error 0\.0\d+ dB\r?\n"
             + @"mean: \d+\.\d\d dBsm over 3 angles\r?\n$"));
         double mean = Rows("rcs").Average(row => Math.Pow(10, Number(row, "vv_dbsm") / 10));

@@ -1,14 +1,12 @@
 using System;
 using System.Buffers.Binary;
 using System.Collections.Generic;
-using System.Diagnostics;
 using System.Globalization;
 using System.IO;
 using System.IO.Compression;
 using System.Linq;
 using System.Numerics;
 using System.Text;
-using System.Text.RegularExpressions;
 using Glint.Editor;
 using Glint.Tests;
 using Newtonsoft.Json.Linq;
@@ -289,18 +287,8 @@ public sealed class EchoCommandTests
     [Platform("Linux")]
     public void PythonExample_OfThePage_ReadsAndPlotsTheFile()
     {
-        string page = File.ReadAllText(Path.Combine(Project.FindRoot(AppContext.BaseDirectory),
-            "Packages/com.glint.radar/Documentation~/echo.md"));
-        string code = Regex.Match(page, "```python\n(.*?)```", RegexOptions.Singleline).Groups[1].Value;
         Run(At("plate.obj"), "--azimuth", "-2,0,2", "--edges", "off", "--tolerance", "0.02", "--out", At("."));
-        File.WriteAllText(At("example.py"), code);
-        using var process = Process.Start(new ProcessStartInfo("/usr/bin/python3", [At("example.py")])
-        {
-            WorkingDirectory = _folder, RedirectStandardOutput = true, RedirectStandardError = true
-        });
-        string output = process.StandardOutput.ReadToEnd(), error = process.StandardError.ReadToEnd();
-        process.WaitForExit();
-        Assert.That(process.ExitCode, Is.Zero, error);
+        string output = PythonExample.Run("echo.md", "/usr/bin/python3", _folder);
         Assert.That(output, Does.Match(@"^highest: (17\.0|16\.9)\d dBsm at 2\.\d\d m, azimuth 0\.0 deg\n$"));
         Assert.That(File.ReadAllBytes(At("profile.png")).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
     }
