@@ -92,7 +92,8 @@ uint _FadesShadows;
 uint _OnlyBounce;                          // 0: all
 
 // Input: the work.
-uint4 _Grid;                               // base cells across; first and number of this dispatch
+uint4 _Grid;                               // base cells across; first and number of this dispatch; of a cross
+                                           // section even, and cells are counted in blocks of 2 x 2
 uint4 _ListCapacity;                       // x: tubes, y: cells, z: borders
 uint _MaxLevel;                            // cells at it are not divided
 uint _MaxBisections;                       // of the sides of a base cell towards a border

@@ -68,9 +68,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         TubePath tube = BeginTube(CentreOfCell(cell) + place);
         SurfacePoint at;
         rays++;
-        bool goesOn = true;
         [loop]
-        while (goesOn && AdvanceTube(tube, at))
+        while (AdvanceTube(tube, at))
         {
             uint receivers = ReceiversOf(tube, at), bounce = tube.Path.Bounces - 1;
             Sign(tube, receivers);
@@ -96,7 +95,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                     currents.Bent = BentErrorAt(tube, at, receiver, side);
                     AddTube(currents, at.Part);
                 }
-            goesOn = ScatterTube(tube, at);
+            if (!ScatterTube(tube, at))
+                break;
         }
         if (ray < checks)
             isStraight = isStraight && tube.Signature == (ray == 0 ? border.SignatureBefore : border.SignatureAfter);

@@ -1,54 +1,43 @@
 #ifndef GLINT_TUBE_CELLS
 #define GLINT_TUBE_CELLS
 
-#include "TubeGrid.hlsl"
+#include "TubeSquares.hlsl"
 #include "Sums.hlsl"
 
-// Sums the cells whose corners see the same, as one tube each, and lists the others as borders. One thread a cell.
+// Sums the cells whose corners see the same, as one tube each, and lists the others as borders. Cells come in blocks of
+// 2 x 2, which share corners: a block has a thread for each of its 9 corners and 4 centres. A bounce is one step of all.
 
-// Strength at the centre of a square below which that of its corners says nothing about its currents, in theirs.
-static const float MIN_STRENGTH = 1.0e-3;
+static const uint BLOCK_THREADS = 16, BLOCK_CORNERS = 9;
 
-// How much phases that are bent at the corners of a square matter, rad (SquareIntegral): where the phase runs along a side,
-// x half of it over the side, the integral of a curvature's powers falls faster than the square's own.
-float SizeOf(float3 bends, float2 x)
-{
-    float size = dot(abs(bends.xy), min(1.0, 5.4 / max(abs(x), 1.0))) + abs(bends.z);
-    // Compilers may take a comparison with NaN for either.
-    return IsNaN(size) ? 1.0e6 : size;
-}
-
-// Relative error of a square's integral by a phase whose bend grows from side to side: the gradient between the sides
-// differs from that at the centre by this, rad.
-float CubicError(float2 difference, float2 x)
-{
-    return 0.15 * dot(difference, min(1.0, 5.4 / max(abs(x), 1.0)));
-}
-
-// What the rays through the corners have met at a bounce.
-struct Bounce
+// What the ray through a corner of a block has met at a bounce.
+struct Corner
 {
     uint Signature;
-    // Sums over the corners of the differentials of place and length by u and v, times the way to the corner, m.
-    float4 AlongU, AlongV;
-    // Place and length, m: mean of the corners; halves of their differences along u and v; twist.
-    float4 Mean, SlopeU, SlopeV, Twist;
-    float4 Strength;       // mean of the corners, halves of the differences along u and v, twist
+    bool HasHit;
+    float2 Strength;       // and its product with the error by bent phases
+    float4 Place;          // PlaceOf
+    float4 AlongU;         // its differentials
+    float4 AlongV;
 };
 
-bool LoadCell(uint index, out Cell cell)
+groupshared Corner s_corners[GLINT_GROUP];
+groupshared bool s_isTraced[GLINT_GROUP];  // of the threads of centres: whether their cell is
+groupshared uint s_rays;
+
+// The cell of a block.
+bool LoadCell(uint block, uint number, out Cell cell)
 {
     cell = (Cell)0;
     if (_Round > 0)
     {
-        if (index >= min(_Sums[TUBE_CELLS], _ListCapacity.y))
+        if (4 * block >= min(_Sums[TUBE_CELLS], _ListCapacity.y))
             return false;
-        cell = _TubeCells[index];
+        cell = _TubeCells[4 * block + number];
         return true;
     }
-    uint number = _Grid.y + index;
-    cell.Position = uint2(number % _Grid.x, number / _Grid.x);
-    return index < _Grid.z;
+    uint at = _Grid.y / 4 + block, across = _Grid.x / 2;
+    cell.Position = 2 * uint2(at % across, at / across) + uint2(number & 1, number >> 1);
+    return 4 * block < _Grid.z;
 }
 
 void AddBorder(Cell cell)
@@ -87,179 +76,171 @@ bool IsCovered(uint2 cell)
     return _Marks[_MarkWords - 1] != 0 || (_Marks[FirstCoverWord() + (bit >> 5)] >> (bit & 31) & 1) != 0;
 }
 
-// Place and length of a corner; at a finite range, where the receiver's direction differs from corner to corner, minus the
-// phase instead.
-float4 PlaceOf(TubePath tube)
+// The corner of a block at a corner of a cell.
+uint CornerOfBlock(uint number, uint corner)
 {
-    float3 place = tube.Path.Ray.Origin;
-    if (_IsNear != 0)
-        return float4(0.0, 0.0, 0.0, tube.Path.RelativeLength - ReceiverFrom(0, place).Phase);
-    return float4(place, tube.Path.RelativeLength);
-}
-
-// The differential of PlaceOf by u or v.
-float4 DifferentialOf(TubePath tube, float3 step)
-{
-    float3 d = tube.Path.Ray.Direction;
-    if (_IsNear != 0)
-        return float4(0.0, 0.0, 0.0, dot(d - ReceiverFrom(0, tube.Path.Ray.Origin).Direction, step));
-    return float4(step, dot(step, d));
-}
-
-// The phase of PlaceOf, or of a difference of such, m.
-float PhaseOf(float4 position, Receiver receiver)
-{
-    return dot(position.xyz, receiver.Direction) - position.w;
-}
-
-// Phases of the corners less the linear ones, m: of the curvature by u, by v, and of the twist. The gradients at the
-// corners differ by the second derivatives.
-float3 BendsOf(Bounce bounce, Receiver receiver)
-{
-    return float3(0.125 * PhaseOf(bounce.AlongU, receiver), 0.125 * PhaseOf(bounce.AlongV, receiver),
-        PhaseOf(bounce.Twist, receiver));
+    uint2 at = uint2(number & 1, number >> 1) + uint2(CornerOf(corner) > 0.0);
+    return at.x + 3 * at.y;
 }
 
 // Adds what the ray through a corner has met.
-void AddCorner(inout Bounce bounce, TubePath tube, float strength, float2 fromCentre)
+void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre)
 {
-    float4 position = 0.25 * PlaceOf(tube);
+    float4 position = 0.25 * corner.Place;
     float2 sides = fromCentre > 0.0 ? 1.0 : -1.0;
-    bounce.AlongU += fromCentre.x * DifferentialOf(tube, tube.PlaceU);
-    bounce.AlongV += fromCentre.y * DifferentialOf(tube, tube.PlaceV);
+    bounce.AlongU += fromCentre.x * corner.AlongU;
+    bounce.AlongV += fromCentre.y * corner.AlongV;
     bounce.Mean += position;
     bounce.SlopeU += sides.x * position;
     bounce.SlopeV += sides.y * position;
     bounce.Twist += sides.x * sides.y * position;
-    bounce.Strength += 0.25 * strength * float4(1.0, sides, sides.x * sides.y);
+    bounce.Strength += 0.25 * corner.Strength.x * float4(1.0, sides, sides.x * sides.y);
 }
 
-// Sums a cell at a bounce, from the ray through its centre; false if its phase is bent or its strength changes too much.
-bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, float strength, float side, bool canDivide)
+// What the rays through the corners of a cell have met at a bounce. first: thread of the block's first corner.
+Bounce BounceOf(uint first, uint number, float side)
 {
-    float mean = bounce.Strength.x, most = max(mean, strength);
-    // Between the corners a strength that bends is off by up to this.
-    float change = most > 0.0 ? abs(mean - strength) / most : 0.0;
-    [loop]
-    for (uint step = canDivide ? 0 : 1; step < 2; step++)
-        for (uint index = 0; index < _ReceiverCount; index++)
-        {
-            if ((receivers >> index & 1) == 0)
-                continue;
-            Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
-            float3 bends = BendsOf(bounce, receiver), slope = receiver.Direction - tube.Path.Ray.Direction;
-            float2 halves = float2(PhaseOf(bounce.SlopeU, receiver), PhaseOf(bounce.SlopeV, receiver));
-            float2 x = _WaveNumber * halves;
-            float2 atCentre = 0.5 * _WaveNumber * side * float2(dot(slope, tube.PlaceU), dot(slope, tube.PlaceV));
-            float size = SizeOf(_WaveNumber * bends, x);
-            float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + 0.67 * change);
-            float2 falls = 1.0 / max(abs(x), 1.0);
-            if (step == 0)
-            {
-                if (error * falls.x * falls.y * side * side * most > _CellError)
-                    return false;
-                continue;
-            }
-            Tube currents = CurrentsAt(tube, at, index, receiver);
-            currents.Bent = error;
-            // Where the expansion fails, on cells too small to matter, the square is taken as plane.
-            if (size < MAX_BENDS)
-            {
-                currents.Phase = PhaseOf(bounce.Mean, receiver);
-                currents.Gradient = halves * (2.0 / side);
-                currents.Corners01.yzw = bends;
-            }
-            currents.Corners01.x = side;
-            currents.Corners23 = strength > MIN_STRENGTH * mean ? bounce.Strength / strength : float4(1.0, 0.0, 0.0, 0.0);
-            AddTube(currents, at.Part);
-        }
-    return true;
+    Bounce bounce = (Bounce)0;
+    bounce.IsCommon = true;
+    bounce.Signature = s_corners[first + CornerOfBlock(number, 0)].Signature;
+    for (uint i = 0; i < 4; i++)
+    {
+        Corner corner = s_corners[first + CornerOfBlock(number, i)];
+        bounce.IsCommon = bounce.IsCommon && corner.HasHit && corner.Signature == bounce.Signature;
+        AddCorner(bounce, corner, side * CornerOf(i));
+    }
+    return bounce;
+}
+
+// What is known of a cell.
+struct CellState
+{
+    bool IsCommon;         // the rays through its corners have met the same so far,
+    bool AreSame;          // and that through its centre too
+    bool IsWhole;          // all that they have met is summed
+    uint Done;             // bounces summed
+    float2 Left;           // largest strength of those that are not (Corner.Strength)
+};
+
+// Sums a cell at a bounce, if all its rays have met the same. goesOn: whether the ray through its centre has a hit; false
+// afterwards if the others have not met it, or if the cell must be divided.
+void AddBounce(inout CellState state, Cell cell, uint number, uint bounce, uint first, TubePath tube, SurfacePoint at,
+    uint receivers, float2 strength, inout bool goesOn)
+{
+    float side = SideOfCell(cell);
+    Bounce met = BounceOf(first, number, side);
+    state.IsCommon = state.IsCommon && met.IsCommon;
+    bool isSame = state.IsCommon && goesOn && met.Signature == tube.Signature;
+    state.AreSame = state.AreSame && isSame == (state.IsCommon || goesOn);
+    if (isSame && bounce >= cell.FirstBounce)
+    {
+        isSame = AddSquare(met, tube, at, receivers, strength.x, side, cell.Level < _MaxLevel);
+        state.Done = isSame ? bounce + 1 : state.Done;
+    }
+    state.IsWhole = state.IsWhole && (isSame || !state.IsCommon);
+    if (bounce >= state.Done)
+    {
+        state.Left = max(state.Left, strength);
+        for (uint i = 0; i < 4; i++)
+            state.Left = max(state.Left, s_corners[first + CornerOfBlock(number, i)].Strength);
+    }
+    goesOn = isSame;
+}
+
+// Whether the cell is to be traced. One that may hide a corner of a patch is listed without.
+bool IsToTrace(Cell cell)
+{
+    if (_Round == 0 && !IsCovered(cell.Position))
+        return false;
+    if (!HasVertex(cell))
+        return true;
+    cell.Strength = MISS;
+    cell.Bent = MISS;
+    AddBorder(cell);
+    return false;
+}
+
+// Whether a cell at a corner of a block is traced.
+bool HasTracedCell(uint first, uint corner)
+{
+    bool isTraced = false;
+    for (uint i = 0; i < 16; i++)
+        isTraced = isTraced || CornerOfBlock(i >> 2, i & 3) == corner && s_isTraced[first + BLOCK_CORNERS + (i >> 2)];
+    return isTraced;
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
+    uint place = thread % BLOCK_THREADS, first = thread - place, block = IndexOf(group, thread) / BLOCK_THREADS;
+    bool isCorner = place < BLOCK_CORNERS, isCentre = !isCorner && place < BLOCK_CORNERS + 4;
+    uint number = isCentre ? place - BLOCK_CORNERS : 0;
     Cell cell;
-    if (!LoadCell(IndexOf(group, thread), cell) || _Round == 0 && !IsCovered(cell.Position))
-        return;
-    if (HasVertex(cell))
-    {
-        cell.Strength = MISS;
-        cell.Bent = MISS;
-        AddBorder(cell);
-        return;
-    }
-    float side = SideOfCell(cell);
-    bool canDivide = cell.Level < _MaxLevel;
-    Bounce bounces[MAX_BOUNCES];
-    float2 strengths[MAX_BOUNCES];
-    for (uint clear = 0; clear < MAX_BOUNCES; clear++)
-        strengths[clear] = 0.0;
-    uint signatures[4];
-    // The same at all corners, and summed.
-    uint common = MAX_BOUNCES, done = cell.FirstBounce, rays = 0;
-    bool areSame = true;
+    bool isTraced = LoadCell(block, number, cell) && isCentre;
+    if (isTraced)
+        isTraced = IsToTrace(cell);
+    s_isTraced[thread] = isTraced;
+    if (thread == 0)
+        s_rays = 0;
+    GroupMemoryBarrierWithGroupSync();
+
+    float2 corner = float2(cell.Position) + float2(place % 3, place / 3);
+    TubePath tube = BeginTube(isCorner ? SideOfCell(cell) * corner : CentreOfCell(cell));
+    bool goesOn = isCorner ? HasTracedCell(first, place) : isTraced;
+    if (goesOn)
+        InterlockedAdd(s_rays, 1);
+    CellState state = (CellState)0;
+    state.IsCommon = true;
+    state.AreSame = true;
+    state.IsWhole = true;
+    state.Done = cell.FirstBounce;
     [loop]
-    for (uint ray = 0; ray < 5; ray++)
+    for (uint bounce = 0; bounce < _MaxBounces; bounce++)
     {
-        bool isCentre = ray == 4;
-        if (isCentre && common <= cell.FirstBounce)
-            break;
-        float2 fromCentre = isCentre ? 0.0 : side * CornerOf(ray);
-        TubePath tube = BeginTube(CentreOfCell(cell) + fromCentre);
-        SurfacePoint at;
-        rays++;
-        bool goesOn = true;
-        [loop]
-        while (goesOn && AdvanceTube(tube, at))
+        SurfacePoint at = (SurfacePoint)0;
+        Corner met = (Corner)0;
+        uint receivers = 0;
+        if (goesOn)
+            goesOn = AdvanceTube(tube, at);
+        if (goesOn)
         {
-            uint bounce = tube.Path.Bounces - 1, receivers = ReceiversOf(tube, at);
+            receivers = ReceiversOf(tube, at);
             Sign(tube, receivers);
-            float strength = StrengthAt(tube, at, receivers);
-            if (isCentre)
-            {
-                goesOn = bounce < common && bounces[bounce].Signature == tube.Signature;
-                areSame = areSame && goesOn;
-                if (goesOn && bounce >= cell.FirstBounce)
-                {
-                    goesOn = AddSquare(bounces[bounce], tube, at, receivers, strength, side, canDivide);
-                    done = goesOn ? bounce + 1 : done;
-                }
-            }
-            strengths[bounce] = max(strengths[bounce],
-                strength * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side)));
-            if (!isCentre && bounce < common)
-            {
-                Bounce met = (Bounce)0;
-                met.Signature = tube.Signature;
-                if (ray > 0)
-                    met = bounces[bounce];
-                if (met.Signature != tube.Signature)
-                    common = bounce;
-                AddCorner(met, tube, strength, fromCentre);
-                bounces[bounce] = met;
-            }
-            goesOn = goesOn && ScatterTube(tube, at);
+            met.Signature = tube.Signature;
+            met.HasHit = true;
+            met.Strength = StrengthAt(tube, at, receivers)
+                * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), SideOfCell(cell)));
+            met.Place = PlaceOf(tube);
+            met.AlongU = DifferentialOf(tube, tube.PlaceU);
+            met.AlongV = DifferentialOf(tube, tube.PlaceV);
         }
-        if (isCentre)
-        {
-            areSame = areSame && tube.Path.Bounces >= common;
-            break;
-        }
-        signatures[ray] = tube.Signature;
-        areSame = areSame && signatures[ray] == signatures[0];
-        common = min(common, tube.Path.Bounces);
+        if (isCorner)
+            s_corners[thread] = met;
+        GroupMemoryBarrierWithGroupSync();
+        if (isTraced)
+            AddBounce(state, cell, number, bounce, first, tube, at, receivers, met.Strength, goesOn);
+        if (goesOn)
+            goesOn = ScatterTube(tube, at);
+        GroupMemoryBarrierWithGroupSync();
     }
-    AddUnsigned(TUBE_RAYS, rays);
-    if (areSame && done >= common)
+    s_corners[thread].Signature = tube.Signature;
+    GroupMemoryBarrierWithGroupSync();
+    if (thread == 0 && s_rays > 0)
+        AddUnsigned(TUBE_RAYS, s_rays);
+    if (!isTraced)
         return;
-    cell.Signatures = uint4(signatures[0], signatures[1], signatures[2], signatures[3]);
-    float2 most = 0.0;
-    for (uint left = done; left < MAX_BOUNCES; left++)
-        most = max(most, strengths[left]);
-    cell.FirstBounce = done;
-    cell.Strength = most.x;
-    cell.Bent = done < common ? MISS : most.y;
+    bool areSame = state.AreSame && state.IsWhole;
+    [unroll]
+    for (uint i = 0; i < 4; i++)
+    {
+        cell.Signatures[i] = s_corners[first + CornerOfBlock(number, i)].Signature;
+        areSame = areSame && cell.Signatures[i] == cell.Signatures[0];
+    }
+    if (areSame)
+        return;
+    cell.FirstBounce = state.Done;
+    cell.Strength = state.Left.x;
+    cell.Bent = state.IsWhole ? state.Left.y : MISS;
     AddBorder(cell);
 }
 

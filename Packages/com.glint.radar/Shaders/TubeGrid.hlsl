@@ -30,12 +30,12 @@ uint SignatureAt(float2 position)
 {
     TubePath tube = BeginTube(position);
     SurfacePoint at;
-    bool goesOn = true;
     [loop]
-    while (goesOn && AdvanceTube(tube, at))
+    while (AdvanceTube(tube, at))
     {
         Sign(tube, ReceiversOf(tube, at));
-        goesOn = ScatterTube(tube, at);
+        if (!ScatterTube(tube, at))
+            break;
     }
     return tube.Signature;
 }

@@ -16,6 +16,7 @@ namespace Glint
     public sealed class CrossSectionTracer : IDisposable
     {
         const int TileCells = 64;          // the pacer counts tiles
+        const int BlockCells = 4;          // which share corners: a dispatch has whole blocks
         const int ListCapacity = 1 << 20;
 
         // Error that a cell may have, as a fraction of what a conducting plate of a base cell returns: at first, and at
@@ -218,6 +219,7 @@ namespace Glint
                 int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (left + TileCells - 1) / TileCells),
                     pose.MaxBounces);
                 int count = (int)Math.Min(left, CellsADispatch > 0 ? CellsADispatch : (long)tiles * TileCells);
+                count = (count + BlockCells - 1) / BlockCells * BlockCells;
                 var watch = Stopwatch.StartNew();
                 _kernels.Clear(read.Length);
                 _kernels.Trace(grid, first, count, maxLevel + 1, maxBisections);
@@ -226,10 +228,10 @@ namespace Glint
                 if (TubeSums.HasOverflown(read))
                 {
                     // A list was full: the slice is traced again in two.
-                    max = Math.Max(1, count / 2);
-                    if (count == 1)
-                        throw new GlintException($"{_owner}: one cell of the grid has too many parts at this tolerance: "
-                            + "ask for a larger one");
+                    max = count / 2;
+                    if (count == BlockCells)
+                        throw new GlintException($"{_owner}: four cells of the grid have too many parts at this "
+                            + "tolerance: ask for a larger one");
                     continue;
                 }
                 add(read);

@@ -19,6 +19,7 @@ namespace Glint
         public const int PartWords = 16;
 
         const int Group = 64;              // GLINT_GROUP
+        const int ThreadsACell = 4;        // BLOCK_THREADS / 4
 
         /// <summary>Lists that a corner of a patch is in: VERTEX_LINKS.</summary>
         public const int VertexLinks = 4;
@@ -34,7 +35,7 @@ namespace Glint
         public TubeKernels(ComputeShader shader)
         {
             _shader = shader;
-            _rounds = new TubeRounds(shader, "TubeCells", "TubeBorders");
+            _rounds = new TubeRounds(shader, "TubeCells", ThreadsACell, "TubeBorders");
             _clearMarks = shader.FindKernel("ClearMarks");
             _mark = shader.FindKernel("MarkVertices");
             _cover = shader.FindKernel("MarkCover");

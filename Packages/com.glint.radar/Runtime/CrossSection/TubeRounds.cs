@@ -21,15 +21,17 @@ namespace Glint
 
         readonly ComputeShader _shader;
         readonly int _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _sums;
+        readonly int _threadsACell;
         int _summing;                      // _sums or another kernel
         readonly GraphicsBuffer _arguments = new GraphicsBuffer(
             GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
 
-        /// <param name="cells">Name of the kernel that takes a thread for a cell.</param>
+        /// <param name="cells">Name of the kernel that takes cells.</param>
+        /// <param name="threadsACell">Its threads for each.</param>
         /// <param name="borders">Name of the kernel that takes a thread for a border cell.</param>
-        public TubeRounds(ComputeShader shader, string cells, string borders)
+        public TubeRounds(ComputeShader shader, string cells, int threadsACell, string borders)
         {
-            _shader = shader;
+            (_shader, _threadsACell) = (shader, threadsACell);
             _clear = shader.FindKernel("ClearTubes");
             _cells = shader.FindKernel(cells);
             _prepareBorders = shader.FindKernel("PrepareBorders");
@@ -95,11 +97,12 @@ namespace Glint
         public void Trace(int cellsAcross, long first, int count, int rounds, int bisections)
         {
             _shader.SetInts(TubeIDs._Grid, cellsAcross, (int)first, count, 0);
+            _shader.SetInt(TubeIDs._ThreadsACell, _threadsACell);
             for (int round = 0; round < rounds; round++)
             {
                 _shader.SetInt(TubeIDs._Round, round);
                 if (round == 0)
-                    _shader.DispatchThreads(_cells, count);
+                    _shader.DispatchThreads(_cells, (long)count * _threadsACell);
                 else
                     _shader.DispatchIndirect(_cells, _arguments, CellArguments);
                 _shader.Dispatch(_prepareBorders, 1, 1, 1);

@@ -1,0 +1,116 @@
+#ifndef GLINT_TUBE_SQUARES
+#define GLINT_TUBE_SQUARES
+
+#include "TubeGrid.hlsl"
+
+// Sums a cell whose rays have met the same at a bounce, as one tube.
+
+// Strength at the centre of a square below which that of its corners says nothing about its currents: in theirs, and
+// in m2 a base cell, below which devices may round it to 0.
+static const float MIN_STRENGTH = 1.0e-3, MIN_CURRENTS = 1.0e-30;
+
+// How much phases that are bent at the corners of a square matter, rad (SquareIntegral): where the phase runs along a side,
+// x half of it over the side, the integral of a curvature's powers falls faster than the square's own.
+float SizeOf(float3 bends, float2 x)
+{
+    float size = dot(abs(bends.xy), min(1.0, 5.4 / max(abs(x), 1.0))) + abs(bends.z);
+    // Compilers may take a comparison with NaN for either.
+    return IsNaN(size) ? 1.0e6 : size;
+}
+
+// Relative error of a square's integral by a phase whose bend grows from side to side: the gradient between the sides
+// differs from that at the centre by this, rad.
+float CubicError(float2 difference, float2 x)
+{
+    return 0.15 * dot(difference, min(1.0, 5.4 / max(abs(x), 1.0)));
+}
+
+// What the rays through the corners of a cell have met at a bounce, if it is the same.
+struct Bounce
+{
+    bool IsCommon;
+    uint Signature;
+    // Sums over the corners of the differentials of place and length by u and v, times the way to the corner, m.
+    float4 AlongU, AlongV;
+    // Place and length, m: mean of the corners; halves of their differences along u and v; twist.
+    float4 Mean, SlopeU, SlopeV, Twist;
+    float4 Strength;       // mean of the corners, halves of the differences along u and v, twist
+};
+
+// Place and length of a corner; at a finite range, where the receiver's direction differs from corner to corner, minus the
+// phase instead.
+float4 PlaceOf(TubePath tube)
+{
+    float3 place = tube.Path.Ray.Origin;
+    if (_IsNear != 0)
+        return float4(0.0, 0.0, 0.0, tube.Path.RelativeLength - ReceiverFrom(0, place).Phase);
+    return float4(place, tube.Path.RelativeLength);
+}
+
+// The differential of PlaceOf by u or v.
+float4 DifferentialOf(TubePath tube, float3 step)
+{
+    float3 d = tube.Path.Ray.Direction;
+    if (_IsNear != 0)
+        return float4(0.0, 0.0, 0.0, dot(d - ReceiverFrom(0, tube.Path.Ray.Origin).Direction, step));
+    return float4(step, dot(step, d));
+}
+
+// The phase of PlaceOf, or of a difference of such, m.
+float PhaseOf(float4 position, Receiver receiver)
+{
+    return dot(position.xyz, receiver.Direction) - position.w;
+}
+
+// Phases of the corners less the linear ones, m: of the curvature by u, by v, and of the twist. The gradients at the
+// corners differ by the second derivatives.
+float3 BendsOf(Bounce bounce, Receiver receiver)
+{
+    return float3(0.125 * PhaseOf(bounce.AlongU, receiver), 0.125 * PhaseOf(bounce.AlongV, receiver),
+        PhaseOf(bounce.Twist, receiver));
+}
+
+// Sums a cell at a bounce, from the ray through its centre; false if its phase is bent or its strength changes too much.
+bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, float strength, float side, bool canDivide)
+{
+    float mean = bounce.Strength.x, most = max(mean, strength);
+    // Between the corners a strength that bends is off by up to this.
+    float change = most > 0.0 ? abs(mean - strength) / most : 0.0;
+    [loop]
+    for (uint step = canDivide ? 0 : 1; step < 2; step++)
+        for (uint index = 0; index < _ReceiverCount; index++)
+        {
+            if ((receivers >> index & 1) == 0)
+                continue;
+            Receiver receiver = ReceiverFrom(index, tube.Path.Ray.Origin);
+            float3 bends = BendsOf(bounce, receiver), slope = receiver.Direction - tube.Path.Ray.Direction;
+            float2 halves = float2(PhaseOf(bounce.SlopeU, receiver), PhaseOf(bounce.SlopeV, receiver));
+            float2 x = _WaveNumber * halves;
+            float2 atCentre = 0.5 * _WaveNumber * side * float2(dot(slope, tube.PlaceU), dot(slope, tube.PlaceV));
+            float size = SizeOf(_WaveNumber * bends, x);
+            float error = min(1.0, BentError(size) + CubicError(abs(x - atCentre), x) + 0.67 * change);
+            float2 falls = 1.0 / max(abs(x), 1.0);
+            if (step == 0)
+            {
+                if (error * falls.x * falls.y * side * side * most > _CellError)
+                    return false;
+                continue;
+            }
+            Tube currents = CurrentsAt(tube, at, index, receiver);
+            currents.Bent = error;
+            // Where the expansion fails, on cells too small to matter, the square is taken as plane.
+            if (size < MAX_BENDS)
+            {
+                currents.Phase = PhaseOf(bounce.Mean, receiver);
+                currents.Gradient = halves * (2.0 / side);
+                currents.Corners01.yzw = bends;
+            }
+            currents.Corners01.x = side;
+            currents.Corners23 = strength > max(MIN_STRENGTH * mean, MIN_CURRENTS) ? bounce.Strength / strength
+                : float4(1.0, 0.0, 0.0, 0.0);
+            AddTube(currents, at.Part);
+        }
+    return true;
+}
+
+#endif
