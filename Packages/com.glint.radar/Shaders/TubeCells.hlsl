@@ -5,9 +5,11 @@
 #include "Sums.hlsl"
 
 // Sums the cells whose corners see the same, as one tube each, and lists the others as borders. Cells come in blocks of
-// 2 x 2, which share corners: a block has a thread for each of its 9 corners and 4 centres. A bounce is one step of all.
+// 2 x 2, which share corners. A thread takes a ray: those of a group take the 9 corners of each of its blocks, and behind
+// them the 4 centres of each. A bounce is one step of all.
 
-static const uint BLOCK_THREADS = 16, BLOCK_CORNERS = 9;
+static const uint BLOCKS_A_GROUP = GLINT_GROUP / 16, BLOCK_CORNERS = 9, BLOCK_CELLS = 4;
+static const uint GROUP_CORNERS = BLOCKS_A_GROUP * BLOCK_CORNERS, GROUP_CELLS = BLOCKS_A_GROUP * BLOCK_CELLS;
 
 // What the ray through a corner of a block has met at a bounce.
 struct Corner
@@ -20,8 +22,8 @@ struct Corner
     float4 AlongV;
 };
 
-groupshared Corner s_corners[GLINT_GROUP];
-groupshared bool s_isTraced[GLINT_GROUP];  // of the threads of centres: whether their cell is
+groupshared Corner s_corners[GROUP_CORNERS];
+groupshared bool s_isTraced[GROUP_CELLS];
 groupshared uint s_rays;
 
 // The cell of a block.
@@ -97,7 +99,7 @@ void AddCorner(inout Bounce bounce, Corner corner, float2 fromCentre)
     bounce.Strength += 0.25 * corner.Strength.x * float4(1.0, sides, sides.x * sides.y);
 }
 
-// What the rays through the corners of a cell have met at a bounce. first: thread of the block's first corner.
+// What the rays through the corners of a cell have met at a bounce. first: the block's first corner in the group.
 Bounce BounceOf(uint first, uint number, float side)
 {
     Bounce bounce = (Bounce)0;
@@ -160,33 +162,36 @@ bool IsToTrace(Cell cell)
     return false;
 }
 
-// Whether a cell at a corner of a block is traced.
+// Whether a cell at a corner of a block is traced. first: the block's first cell in the group.
 bool HasTracedCell(uint first, uint corner)
 {
     bool isTraced = false;
-    for (uint i = 0; i < 16; i++)
-        isTraced = isTraced || CornerOfBlock(i >> 2, i & 3) == corner && s_isTraced[first + BLOCK_CORNERS + (i >> 2)];
+    for (uint i = 0; i < 4 * BLOCK_CELLS; i++)
+        isTraced = isTraced || CornerOfBlock(i >> 2, i & 3) == corner && s_isTraced[first + (i >> 2)];
     return isTraced;
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
-    uint place = thread % BLOCK_THREADS, first = thread - place, block = IndexOf(group, thread) / BLOCK_THREADS;
-    bool isCorner = place < BLOCK_CORNERS, isCentre = !isCorner && place < BLOCK_CORNERS + 4;
-    uint number = isCentre ? place - BLOCK_CORNERS : 0;
+    bool isCorner = thread < GROUP_CORNERS, isCentre = !isCorner && thread < GROUP_CORNERS + GROUP_CELLS;
+    uint place = isCorner ? thread % BLOCK_CORNERS : (thread - GROUP_CORNERS) % BLOCK_CELLS;
+    uint block = isCorner ? thread / BLOCK_CORNERS : (thread - GROUP_CORNERS) / BLOCK_CELLS, first = BLOCK_CORNERS * block;
     Cell cell;
-    bool isTraced = LoadCell(block, number, cell) && isCentre;
+    bool isTraced = LoadCell(IndexOf(group, 0) / 16 + block, isCentre ? place : 0, cell) && isCentre;
     if (isTraced)
         isTraced = IsToTrace(cell);
-    s_isTraced[thread] = isTraced;
+    if (isCentre)
+        s_isTraced[thread - GROUP_CORNERS] = isTraced;
     if (thread == 0)
         s_rays = 0;
     GroupMemoryBarrierWithGroupSync();
 
     float2 corner = float2(cell.Position) + float2(place % 3, place / 3);
     TubePath tube = BeginTube(isCorner ? SideOfCell(cell) * corner : CentreOfCell(cell));
-    bool goesOn = isCorner ? HasTracedCell(first, place) : isTraced;
+    bool goesOn = isTraced;
+    if (isCorner)
+        goesOn = HasTracedCell(BLOCK_CELLS * block, place);
     if (goesOn)
         InterlockedAdd(s_rays, 1);
     CellState state = (CellState)0;
@@ -218,12 +223,13 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             s_corners[thread] = met;
         GroupMemoryBarrierWithGroupSync();
         if (isTraced)
-            AddBounce(state, cell, number, bounce, first, tube, at, receivers, met.Strength, goesOn);
+            AddBounce(state, cell, place, bounce, first, tube, at, receivers, met.Strength, goesOn);
         if (goesOn)
             goesOn = ScatterTube(tube, at);
         GroupMemoryBarrierWithGroupSync();
     }
-    s_corners[thread].Signature = tube.Signature;
+    if (isCorner)
+        s_corners[thread].Signature = tube.Signature;
     GroupMemoryBarrierWithGroupSync();
     if (thread == 0 && s_rays > 0)
         AddUnsigned(TUBE_RAYS, s_rays);
@@ -233,7 +239,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     [unroll]
     for (uint i = 0; i < 4; i++)
     {
-        cell.Signatures[i] = s_corners[first + CornerOfBlock(number, i)].Signature;
+        cell.Signatures[i] = s_corners[first + CornerOfBlock(place, i)].Signature;
         areSame = areSame && cell.Signatures[i] == cell.Signatures[0];
     }
     if (areSame)
