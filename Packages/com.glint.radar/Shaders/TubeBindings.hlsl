@@ -31,6 +31,8 @@ static const uint REFLECTION_STEPS = 1024; // of a table over the cosine of the 
 static const uint FLAT = 0xffffffff;       // a facet without a field of normals
 // Rays that one thread traces: a software device ends a thread's loops after 65,535 iterations in all.
 static const uint RAYS_A_THREAD = 4;
+static const uint BLOCK_CELLS = 4;         // into which a cell is divided
+static const uint BLOCK_CORNERS = 9;
 static const uint TUBES_A_GROUP = 256;      // of the kernel that sums
 
 // Byte offsets of the indirect dispatches in _Arguments.
@@ -38,6 +40,7 @@ static const uint BORDER_ARGUMENTS = 0;
 static const uint CELL_ARGUMENTS = 12;
 static const uint TUBE_ARGUMENTS = 24;
 static const uint BISECT_ARGUMENTS = 36;
+static const uint CORNER_ARGUMENTS = 48;
 
 // GLINT_TUBE: the currents of a piece of a ray tube at one hit, towards one receiver (Runtime/CrossSection/Tube.cs).
 // The piece is a polygon in the plane of the grid, whose unit is a base cell.
@@ -92,8 +95,8 @@ uint _FadesShadows;
 uint _OnlyBounce;                          // 0: all
 
 // Input: the work.
-uint4 _Grid;                               // base cells across; first and number of this dispatch; of a cross
-                                           // section even, and cells are counted in blocks of 2 x 2
+uint4 _Grid;                               // base cells across; first and number of this dispatch, a rectangle; its
+                                           // cells across
 uint4 _ListCapacity;                       // x: tubes, y: cells, z: borders
 uint _MaxLevel;                            // cells at it are not divided
 uint _MaxBisections;                       // of the sides of a base cell towards a border
@@ -131,6 +134,18 @@ RWStructuredBuffer<Tube> _Tubes;
 // Parts, whose contributions are summed apart: the triangles of all instances, the edges of each object, the bounces.
 RWStructuredBuffer<uint> _TubeParts;       // of each tube: the triangle, or the edges of an object
 uint _HasParts;                            // 0: they are not asked for
+// GLINT_CORNER: what the ray through a corner of a cell has met at a bounce (Runtime/CrossSection/Tube.cs).
+struct Corner
+{
+    uint Signature;       // of the path up to it
+    uint Bounces;         // in the first element of a corner: those of its ray
+    float2 Strength;      // and its product with the error by bent phases
+    float4 Place;         // see PlaceOf
+    float4 AlongU;        // its differentials
+    float4 AlongV;
+};
+
+RWStructuredBuffer<Corner> _Corners;       // _MaxBounces elements a corner
 RWStructuredBuffer<Cell> _TubeCells;
 RWStructuredBuffer<Cell> _Borders;
 

@@ -15,6 +15,8 @@
 #else
 #include "AmplitudeBorders.hlsl"
 #endif
+#elif defined(GLINT_CORNERS)
+#include "TubeCorners.hlsl"
 #elif defined(GLINT_CELLS)
 #include "TubeCells.hlsl"
 #elif defined(GLINT_SEA)

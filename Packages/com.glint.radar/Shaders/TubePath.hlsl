@@ -19,6 +19,9 @@ struct TubePath
     bool HasMetTarget;              // anything but a sea with a diffuse echo
 };
 
+// Of a ray that meets nothing.
+static const uint NO_SIGNATURE = 2166136261u;
+
 // What a tube meets.
 struct SurfacePoint
 {
@@ -67,7 +70,7 @@ TubePath BeginTube(float2 position)
     tube.FieldH = float4(0.0, 0.0, 1.0, 0.0);
     tube.StartSection = _IsNear != 0
         ? _Range * _Range * Section(tube.DirectionU, tube.DirectionV, d) : Section(tube.PlaceU, tube.PlaceV, d);
-    tube.Signature = 2166136261u;
+    tube.Signature = NO_SIGNATURE;
     return tube;
 }
 

@@ -28,8 +28,6 @@ float CubicError(float2 difference, float2 x)
 // What the rays through the corners of a cell have met at a bounce, if it is the same.
 struct Bounce
 {
-    bool IsCommon;
-    uint Signature;
     // Sums over the corners of the differentials of place and length by u and v, times the way to the corner, m.
     float4 AlongU, AlongV;
     // Place and length, m: mean of the corners; halves of their differences along u and v; twist.

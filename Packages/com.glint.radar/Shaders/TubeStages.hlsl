@@ -7,7 +7,6 @@
 
 RWByteAddressBuffer _Arguments;            // groups of the indirect dispatches
 uint _ClearedWords;
-uint _ThreadsACell;                        // of the kernel that takes cells
 uint _FrequencyGroups;                     // of the kernel that sums
 
 [numthreads(GLINT_GROUP, 1, 1)]
@@ -105,7 +104,9 @@ void PrepareBorders()
 [numthreads(1, 1, 1)]
 void PrepareCells()
 {
-    StoreGroups(CELL_ARGUMENTS, GroupsOf(_Sums[TUBE_CELLS], _ListCapacity.y, GLINT_GROUP / _ThreadsACell), 1);
+    StoreGroups(CELL_ARGUMENTS, GroupsOf(_Sums[TUBE_CELLS], _ListCapacity.y, GLINT_GROUP), 1);
+    StoreGroups(CORNER_ARGUMENTS, GroupsOf(BLOCK_CORNERS * (_Sums[TUBE_CELLS] / BLOCK_CELLS),
+        BLOCK_CORNERS * (_ListCapacity.y / BLOCK_CELLS), GLINT_GROUP), 1);
     StoreGroups(TUBE_ARGUMENTS, GroupsOf(_Sums[TUBE_COUNT], _ListCapacity.x, TUBES_A_GROUP), _FrequencyGroups);
     _Sums[TUBE_BORDERS] = 0;
 }

@@ -63,7 +63,7 @@ namespace Glint.Core
                 upper = math.max(math.abs(lower), math.abs(upper));
                 (lower, centre) = (-upper, 0);
             }
-            Cells = EvenCells((upper - lower) / Side + 1);
+            Cells = (int2)math.max(1, math.ceil((upper - lower) / Side + 1));
             double distance = pose.IsFar ? depth + Side : pose.Range;
             double height = Cells.y * Side;
             return new RadarView
@@ -75,14 +75,11 @@ namespace Glint.Core
             };
         }
 
-        // The kernels take blocks of 2 x 2 cells.
-        static int2 EvenCells(double2 atLeast) => 2 * (int2)math.max(1, math.ceil(atLeast / 2));
-
-        // The camera's picture, in cells that it may exceed by two.
+        // The camera's picture, in cells that it may exceed by one.
         RadarView ViewOf(RadarFootprint footprint, CrossSectionPose pose)
         {
             double2 size = (pose.IsFar ? 2 : 2 * pose.Range) * footprint.HalfSize;
-            Cells = EvenCells(size / Side);
+            Cells = (int2)math.max(1, math.ceil(size / Side));
             var view = footprint.View;
             (view.ApertureHeight, view.VerticalFovDegrees) =
                 (pose.IsFar ? Cells.y * Side : 0, FovOf(Cells.y * Side, pose));
@@ -95,7 +92,7 @@ namespace Glint.Core
         /// <summary>Side of a cell, metres; at a finite range, at that range.</summary>
         public double Side { get; }
 
-        /// <summary>Cells across and up: even numbers.</summary>
+        /// <summary>Cells across and up.</summary>
         public int2 Cells { get; private set; }
 
         /// <summary>Number of cells.</summary>

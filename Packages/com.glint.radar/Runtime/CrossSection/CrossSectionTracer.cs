@@ -16,8 +16,10 @@ namespace Glint
     public sealed class CrossSectionTracer : IDisposable
     {
         const int TileCells = 64;          // the pacer counts tiles
-        const int BlockCells = 4;          // which share corners: a dispatch has whole blocks
-        const int ListCapacity = 1 << 20;
+
+        // Elements of the lists, and of the corners of a dispatch times their bounces, for each of 8 GB of memory up to
+        // MaxLists: long lists fill a device with large memory.
+        const int ListElements = 1 << 20, CornerElements = 1 << 21, MaxLists = 8, MebibytesAList = 8192;
 
         // Error that a cell may have, as a fraction of what a conducting plate of a base cell returns: at first, and at
         // least.
@@ -33,12 +35,15 @@ namespace Glint
         readonly DeviceBuffer<uint> _tubeParts = new DeviceBuffer<uint>("parts of tubes");
         readonly DeviceBuffer<TubeCell> _cells = new DeviceBuffer<TubeCell>("cells of tubes");
         readonly DeviceBuffer<TubeCell> _borders = new DeviceBuffer<TubeCell>("border cells");
+        readonly DeviceBuffer<TubeCorner> _corners = new DeviceBuffer<TubeCorner>("corners of cells");
         readonly DeviceBuffer<uint> _marks = new DeviceBuffer<uint>("marks of cells");
-        readonly DeviceBuffer<uint4> _links = new DeviceBuffer<uint4>("corners of cells");
+        readonly DeviceBuffer<uint4> _links = new DeviceBuffer<uint4>("corners of patches");
         readonly DeviceBuffer<float4> _waveNumbers = new DeviceBuffer<float4>("frequencies");
         readonly SeaKernel _sea;
         readonly SeaLevels _levels;
         readonly DispatchPacer _pacer = new DispatchPacer();
+        readonly int _lists = SoftwareDevice.IsInUse ? 1
+            : math.clamp(SystemInfo.graphicsMemorySize / MebibytesAList, 1, MaxLists);
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         /// <param name="owner">Name of the owner, for messages.</param>
@@ -189,10 +194,11 @@ namespace Glint
             _output.Reserve(outputSize);
             _tubes.Reserve(ListCapacity);
             _tubeParts.Reserve(tubeParts);
-            _cells.Reserve(ListCapacity);
+            _cells.Reserve(CellCapacity(pose));
+            _corners.Reserve(_lists * CornerElements);
             _borders.Reserve(ListCapacity);
             _waveNumbers.Upload(pose.Frequencies.Select(TubeRounds.WaveNumber).ToArray());
-            _kernels.SetLists(_output, _tubes, _tubeParts, _cells, _borders, _waveNumbers);
+            _kernels.SetLists(_output, _tubes, _tubeParts, _cells, _borders, _corners, _waveNumbers);
             _marks.Reserve(TubeKernels.MarkWordsOf(grid));
             _links.Reserve(Math.Max(1, TubeKernels.VertexLinks * _surfaces.VertexCount));
             _kernels.Mark(grid, _surfaces, _marks, _links);
@@ -211,7 +217,7 @@ namespace Glint
             int maxBisections = (int)Math.Ceiling(Math.Log(1 / cellError, 2)) + 8;
             _kernels.SetAccuracy(cellError * 2 * grid.Side * grid.Side, maxLevel, maxBisections);
             var read = new uint[outputSize];
-            long max = long.MaxValue;
+            long max = CellCapacity(pose);
             for (long first = 0; first < grid.Count;)
             {
                 cancel.ThrowIfCancellationRequested();
@@ -219,25 +225,39 @@ namespace Glint
                 int tiles = _pacer.NextTiles((int)Math.Min(int.MaxValue, (left + TileCells - 1) / TileCells),
                     pose.MaxBounces);
                 int count = (int)Math.Min(left, CellsADispatch > 0 ? CellsADispatch : (long)tiles * TileCells);
-                count = (count + BlockCells - 1) / BlockCells * BlockCells;
+                count = RowsOf(first, count, grid.Cells.x);
                 var watch = Stopwatch.StartNew();
                 _kernels.Clear(read.Length);
                 _kernels.Trace(grid, first, count, maxLevel + 1, maxBisections);
                 _output.ReadBack(read, read.Length);
-                _pacer.Took(tiles, watch.Elapsed.TotalSeconds);
+                _pacer.Took(Math.Max(1, count / TileCells), watch.Elapsed.TotalSeconds);
                 if (TubeSums.HasOverflown(read))
                 {
                     // A list was full: the slice is traced again in two.
-                    max = count / 2;
-                    if (count == BlockCells)
-                        throw new GlintException($"{_owner}: four cells of the grid have too many parts at this "
-                            + "tolerance: ask for a larger one");
+                    max = Math.Max(1, count / 2);
+                    if (count == 1)
+                        throw new GlintException($"{_owner}: one cell of the grid has too many parts at this tolerance: "
+                            + "ask for a larger one");
                     continue;
                 }
                 add(read);
                 first += count;
+                max = Math.Min(CellCapacity(pose), max + max / 2);
                 progress?.Report((double)first / grid.Count);
             }
+        }
+
+        int ListCapacity => _lists * ListElements;
+
+        // Cells of a dispatch, whose corners are kept.
+        int CellCapacity(CrossSectionPose pose) =>
+            _lists * CornerElements / pose.MaxBounces / TubeKernels.BlockCorners * TubeKernels.BlockCells;
+
+        // Of a number of cells those that make whole rows, or a part of the row begun.
+        static int RowsOf(long first, int count, int across)
+        {
+            int left = across - (int)(first % across);
+            return left < across || count < across ? Math.Min(count, left) : count / across * across;
         }
 
         // Traces the edges, as many pieces at a time as the list of tubes holds.
@@ -273,6 +293,7 @@ namespace Glint
             _tubes.Dispose();
             _tubeParts.Dispose();
             _cells.Dispose();
+            _corners.Dispose();
             _borders.Dispose();
             _marks.Dispose();
             _links.Dispose();

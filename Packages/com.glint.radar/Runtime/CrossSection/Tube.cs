@@ -15,6 +15,15 @@ namespace Glint
         public float Error, Bent;
     }
 
+    // GLINT_CORNER: Shaders/TubeBindings.hlsl, where the fields are explained.
+    [StructLayout(LayoutKind.Sequential)]
+    struct TubeCorner
+    {
+        public uint Signature, Bounces;
+        public float2 Strength;
+        public float4 Place, AlongU, AlongV;
+    }
+
     // GLINT_CELL: Shaders/TubeBindings.hlsl, where the fields are explained.
     [StructLayout(LayoutKind.Sequential)]
     struct TubeCell

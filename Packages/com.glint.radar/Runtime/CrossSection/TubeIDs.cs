@@ -34,7 +34,7 @@ namespace Glint
         public static readonly int _TubeCells = Shader.PropertyToID("_TubeCells");
         public static readonly int _Borders = Shader.PropertyToID("_Borders");
         public static readonly int _ClearedWords = Shader.PropertyToID("_ClearedWords");
-        public static readonly int _ThreadsACell = Shader.PropertyToID("_ThreadsACell");
+        public static readonly int _Corners = Shader.PropertyToID("_Corners");
         public static readonly int _FrequencyGroups = Shader.PropertyToID("_FrequencyGroups");
         public static readonly int _FrequenciesAGroup = Shader.PropertyToID("_FrequenciesAGroup");
         public static readonly int _UnitsPerMetre = Shader.PropertyToID("_UnitsPerMetre");

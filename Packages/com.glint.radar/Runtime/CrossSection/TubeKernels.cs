@@ -19,7 +19,9 @@ namespace Glint
         public const int PartWords = 16;
 
         const int Group = 64;              // GLINT_GROUP
-        const int ThreadsACell = 4;        // BLOCK_THREADS / 4
+
+        /// <summary>Cells into which one is divided, and their corners: BLOCK_CELLS, BLOCK_CORNERS.</summary>
+        public const int BlockCells = 4, BlockCorners = 9;
 
         /// <summary>Lists that a corner of a patch is in: VERTEX_LINKS.</summary>
         public const int VertexLinks = 4;
@@ -29,16 +31,17 @@ namespace Glint
 
         readonly ComputeShader _shader;
         readonly TubeRounds _rounds;
-        readonly int _clearMarks, _mark, _cover, _cells, _fringes, _parts;
+        readonly int _clearMarks, _mark, _cover, _corners, _cells, _fringes, _parts;
 
         /// <param name="shader">Shaders/Tubes.compute.</param>
         public TubeKernels(ComputeShader shader)
         {
             _shader = shader;
-            _rounds = new TubeRounds(shader, "TubeCells", ThreadsACell, "TubeBorders");
+            _rounds = new TubeRounds(shader, "TubeCells", "TubeBorders", "TubeCorners");
             _clearMarks = shader.FindKernel("ClearMarks");
             _mark = shader.FindKernel("MarkVertices");
             _cover = shader.FindKernel("MarkCover");
+            _corners = shader.FindKernel("TubeCorners");
             _cells = shader.FindKernel("TubeCells");
             _fringes = shader.FindKernel("TubeFringes");
             _parts = shader.FindKernel("TubeParts");
@@ -130,8 +133,11 @@ namespace Glint
 
         /// <inheritdoc cref="TubeRounds.SetLists"/>
         public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<uint> tubeParts,
-            DeviceBuffer<TubeCell> cells, DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers)
+            DeviceBuffer<TubeCell> cells, DeviceBuffer<TubeCell> borders, DeviceBuffer<TubeCorner> corners,
+            DeviceBuffer<float4> waveNumbers)
         {
+            foreach (int kernel in new[] { _corners, _cells })
+                _shader.SetBuffer(kernel, TubeIDs._Corners, corners.Buffer);
             _rounds.SetLists(output, tubes, cells, borders, waveNumbers);
             foreach (int kernel in new[] { _fringes, _parts })
             {
@@ -171,8 +177,11 @@ namespace Glint
             _shader.SetBuffer(_mark, TubeIDs._Vertices, surfaces.Vertices.Buffer);
             _shader.SetBuffer(_cover, TubeIDs._Spheres, surfaces.Spheres.Buffer);
             _shader.SetBuffer(_mark, TubeIDs._WrittenLinks, links.Buffer);
-            _shader.SetBuffer(_cells, TubeIDs._Marks, marks.Buffer);
-            _shader.SetBuffer(_cells, TubeIDs._Links, links.Buffer);
+            foreach (int kernel in new[] { _corners, _cells })
+            {
+                _shader.SetBuffer(kernel, TubeIDs._Marks, marks.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._Links, links.Buffer);
+            }
             _shader.DispatchThreads(_clearMarks, words);
             _shader.DispatchThreads(_mark, surfaces.VertexCount);
             _shader.DispatchThreads(_cover, surfaces.SphereCount);

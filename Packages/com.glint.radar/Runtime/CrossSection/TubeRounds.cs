@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Glint.Core;
 using Unity.Mathematics;
 using UnityEngine;
@@ -11,27 +12,30 @@ namespace Glint
     sealed class TubeRounds : IDisposable
     {
         /// <summary>Words of the arguments of the indirect dispatches, and their byte offsets: _ARGUMENTS.</summary>
-        public const int ArgumentWords = 12;
+        public const int ArgumentWords = 15;
 
         /// <summary>Rays that a thread traces at most: RAYS_A_THREAD.</summary>
         public const int RaysAThread = 4;
 
         /// <inheritdoc cref="ArgumentWords"/>
-        public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36;
+        public const uint BorderArguments = 0, CellArguments = 12, TubeArguments = 24, BisectArguments = 36, CornerArguments = 48;
 
         readonly ComputeShader _shader;
         readonly int _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _sums;
-        readonly int _threadsACell;
+        readonly int? _corners;
         int _summing;                      // _sums or another kernel
         readonly GraphicsBuffer _arguments = new GraphicsBuffer(
             GraphicsBuffer.Target.IndirectArguments | GraphicsBuffer.Target.Raw, ArgumentWords, sizeof(uint));
 
-        /// <param name="cells">Name of the kernel that takes cells.</param>
-        /// <param name="threadsACell">Its threads for each.</param>
+        /// <param name="cells">Name of the kernel that takes a thread for a cell.</param>
         /// <param name="borders">Name of the kernel that takes a thread for a border cell.</param>
-        public TubeRounds(ComputeShader shader, string cells, int threadsACell, string borders)
+        /// <param name="corners">
+        /// Name of the kernel that takes a thread for a corner of cells, before that of the cells; null: none.
+        /// </param>
+        public TubeRounds(ComputeShader shader, string cells, string borders, string corners = null)
         {
-            (_shader, _threadsACell) = (shader, threadsACell);
+            _shader = shader;
+            _corners = corners == null ? (int?)null : shader.FindKernel(corners);
             _clear = shader.FindKernel("ClearTubes");
             _cells = shader.FindKernel(cells);
             _prepareBorders = shader.FindKernel("PrepareBorders");
@@ -40,7 +44,8 @@ namespace Glint
             _prepareCells = shader.FindKernel("PrepareCells");
             _sums = shader.FindKernel("TubeSums");
             _summing = _sums;
-            Tracing = new[] { _cells, _bisect, _borders };
+            Tracing = new[] { _cells, _bisect, _borders }.Concat(_corners is int kernel ? new[] { kernel } : new int[0])
+                .ToArray();
         }
 
         /// <summary>The kernels that trace rays.</summary>
@@ -71,7 +76,7 @@ namespace Glint
         public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<TubeCell> cells,
             DeviceBuffer<TubeCell> borders, DeviceBuffer<float4> waveNumbers)
         {
-            foreach (int kernel in new[] { _clear, _cells, _prepareBorders, _bisect, _borders, _prepareCells, _sums })
+            foreach (int kernel in Tracing.Concat(new[] { _clear, _prepareBorders, _prepareCells, _sums }))
                 _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);
             foreach (int kernel in new[] { _cells, _bisect, _borders, _sums })
                 _shader.SetBuffer(kernel, TubeIDs._Tubes, tubes.Buffer);
@@ -96,13 +101,18 @@ namespace Glint
         /// <summary>Traces base cells, in rounds the parts of those that are divided, and sums the tubes.</summary>
         public void Trace(int cellsAcross, long first, int count, int rounds, int bisections)
         {
-            _shader.SetInts(TubeIDs._Grid, cellsAcross, (int)first, count, 0);
-            _shader.SetInt(TubeIDs._ThreadsACell, _threadsACell);
+            // Whole rows, or a part of one.
+            int across = Math.Min(count, cellsAcross);
+            _shader.SetInts(TubeIDs._Grid, cellsAcross, (int)first, count, across);
             for (int round = 0; round < rounds; round++)
             {
                 _shader.SetInt(TubeIDs._Round, round);
+                if (_corners is int corners && round == 0)
+                    _shader.DispatchThreads(corners, (across + 1L) * (count / across + 1));
+                else if (_corners is int kernel)
+                    _shader.DispatchIndirect(kernel, _arguments, CornerArguments);
                 if (round == 0)
-                    _shader.DispatchThreads(_cells, (long)count * _threadsACell);
+                    _shader.DispatchThreads(_cells, count);
                 else
                     _shader.DispatchIndirect(_cells, _arguments, CellArguments);
                 _shader.Dispatch(_prepareBorders, 1, 1, 1);

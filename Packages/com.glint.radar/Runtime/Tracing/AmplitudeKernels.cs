@@ -35,7 +35,7 @@ namespace Glint
             _corners = shader.FindKernel("AmplitudePoints");
             _cells = shader.FindKernel("AmplitudeCells");
             _borders = shader.FindKernel("AmplitudeBorders");
-            Rounds = new TubeRounds(shader, "AmplitudeCells", 1, "AmplitudeBorders");
+            Rounds = new TubeRounds(shader, "AmplitudeCells", "AmplitudeBorders");
         }
 
         /// <summary>The kernels that divide cells.</summary>
