@@ -124,7 +124,7 @@ uint _SphereCount;
 StructuredBuffer<float4> _Spheres;         // about the triangles, relative to the scene's centre, m; w: radius
 uint2 _Blocks;                             // across and up
 
-uint FirstCoverWord()
+uint FirstCoverWord()                      // base cells of the grid
 {
     return _MarkWords - (_Blocks.x * _Blocks.y + 31) / 32 - 1;
 }

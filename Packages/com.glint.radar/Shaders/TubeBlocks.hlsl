@@ -17,6 +17,11 @@ uint2 SliceStart()
     return uint2(_Grid.y % _Grid.x, _Grid.y / _Grid.x);
 }
 
+uint2 CellsOfGrid()
+{
+    return uint2(_Grid.x, FirstCoverWord() / _Grid.x);
+}
+
 uint CellCount()
 {
     return _Round == 0 ? _Grid.z : min(_Sums[TUBE_CELLS], _ListCapacity.y);

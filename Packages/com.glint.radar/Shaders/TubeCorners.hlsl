@@ -6,16 +6,17 @@
 
 // Follows the rays through the corners of cells, and notes what they meet at each bounce. One thread a corner.
 
-// Whether a cell at a corner of the slice is to be traced.
+// Whether a base cell at a corner of the grid is to be traced.
 bool HasBaseCell(uint2 corner)
 {
     bool isTraced = false;
     [loop]
     for (uint i = 0; i < 4 && !isTraced; i++)
     {
-        int2 at = (int2)corner - int2(i & 1, i >> 1);
-        if (all(at >= 0) && all((uint2)at < SliceSize()))
-            isTraced = IsToTrace(LoadCell(at.x + at.y * _Grid.w));
+        Cell cell = (Cell)0;
+        cell.Position = corner - uint2(i & 1, i >> 1);
+        if (all(cell.Position < CellsOfGrid()))
+            isTraced = IsToTrace(cell);
     }
     return isTraced;
 }
@@ -31,33 +32,47 @@ bool HasPart(uint block, uint2 corner)
     return isTraced;
 }
 
-// The place of a corner, base cells. False if no cell needs it.
-bool PlaceOfCorner(uint index, out float2 place)
+// A corner of cells.
+struct Place
 {
+    float2 Position;       // base cells
+    float Side;            // of its cells
+    bool IsTraced;         // some cell needs it
+    bool IsCounted;        // dispatches that share a base corner count it once
+};
+
+Place PlaceOfCorner(uint index)
+{
+    Place place;
+    place.Side = 1.0;
+    place.IsCounted = true;
     if (_Round == 0)
     {
-        uint2 corner = uint2(index % (_Grid.w + 1), index / (_Grid.w + 1));
-        place = SliceStart() + corner;
-        return HasBaseCell(corner);
+        uint2 inSlice = uint2(index % (_Grid.w + 1), index / (_Grid.w + 1)), corner = SliceStart() + inSlice;
+        place.Position = corner;
+        place.IsTraced = HasBaseCell(corner);
+        place.IsCounted = all(inSlice > 0 || corner == 0);
+        return place;
     }
     uint block = index / BLOCK_CORNERS, number = index % BLOCK_CORNERS;
     uint2 at = uint2(number % 3, number / 3);
     Cell cell = LoadCell(BLOCK_CELLS * block);
-    place = SideOfCell(cell) * (cell.Position + at);
-    return HasPart(block, at);
+    place.Side = SideOfCell(cell);
+    place.Position = place.Side * (cell.Position + at);
+    place.IsTraced = HasPart(block, at);
+    return place;
 }
 
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
     uint index = IndexOf(group, thread), bounces = 0;
-    float2 place;
     if (index >= CornerCount())
         return;
-    if (!PlaceOfCorner(index, place))
+    Place place = PlaceOfCorner(index);
+    if (!place.IsTraced)
         return;
-    float side = _Round == 0 ? 1.0 : SideOfCell(LoadCell(index / BLOCK_CORNERS * BLOCK_CELLS));
-    TubePath tube = BeginTube(place);
+    TubePath tube = BeginTube(place.Position);
     SurfacePoint at;
     [loop]
     while (AdvanceTube(tube, at))
@@ -68,7 +83,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         corner.Signature = tube.Signature;
         corner.Bounces = 0;
         corner.Strength = StrengthAt(tube, at, receivers)
-            * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), side));
+            * float2(1.0, BentErrorAt(tube, at, ReceiverFrom(0, tube.Path.Ray.Origin), place.Side));
         corner.Place = PlaceOf(tube);
         corner.AlongU = DifferentialOf(tube, tube.PlaceU);
         corner.AlongV = DifferentialOf(tube, tube.PlaceV);
@@ -77,7 +92,8 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             break;
     }
     _Corners[index * _MaxBounces].Bounces = bounces;
-    AddUnsigned(TUBE_RAYS, 1);
+    if (place.IsCounted)
+        AddUnsigned(TUBE_RAYS, 1);
 }
 
 #endif

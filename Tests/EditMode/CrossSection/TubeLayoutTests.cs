@@ -15,6 +15,7 @@ namespace Glint.Tests
         {
             Assert.That(Marshal.SizeOf<Tube>(), Is.EqualTo(96));
             Assert.That(Marshal.SizeOf<TubeCell>(), Is.EqualTo(48));
+            Assert.That(Marshal.SizeOf<TubeCorner>(), Is.EqualTo(64));
             Assert.That(Marshal.SizeOf<EdgePiece>(), Is.EqualTo(48));
             Assert.That(Marshal.SizeOf<SeaFacet>(), Is.EqualTo(32));
             Assert.That(Marshal.SizeOf<SeaTileRecord>(), Is.EqualTo(96));
@@ -46,8 +47,14 @@ namespace Glint.Tests
                 SectionX = float3(69, 70, 71), Number = 72, SectionY = float3(73, 74, 75), Unused = 76,
                 SectionZ = float3(77, 78, 79), Unused2 = 80
             };
+            var corner = new TubeCorner
+            {
+                Signature = 81, Bounces = 82, Strength = float2(83, 84), Place = float4(85, 86, 87, 88),
+                AlongU = float4(89, 90, 91, 92), AlongV = float4(93, 94, 95, 96)
+            };
             bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36
-                || field == 48 || field >= 52 && field <= 80 && field % 4 == 0 && (field < 57 || field > 68);
+                || field == 48 || field >= 52 && field <= 80 && field % 4 == 0 && (field < 57 || field > 68)
+                || field == 81 || field == 82;
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {
                 fields.Bind("_TubeIn", tube);
@@ -55,7 +62,8 @@ namespace Glint.Tests
                 fields.Bind("_EdgePieceIn", piece);
                 fields.Bind("_SeaFacetIn", facet);
                 fields.Bind("_SeaTileIn", tile);
-                Assert.That(fields.Unpack(80), Is.EqualTo(Enumerable.Range(1, 80)
+                fields.Bind("_CornerIn", corner);
+                Assert.That(fields.Unpack(96), Is.EqualTo(Enumerable.Range(1, 96)
                     .Select(i => IsWhole(i) ? (uint)i : asuint((float)i))));
             }
         }
@@ -84,6 +92,8 @@ namespace Glint.Tests
                     ["BORDER_ARGUMENTS"] = TubeRounds.BorderArguments,
                     ["CELL_ARGUMENTS"] = TubeRounds.CellArguments, ["TUBE_ARGUMENTS"] = TubeRounds.TubeArguments,
                     ["BISECT_ARGUMENTS"] = TubeRounds.BisectArguments,
+                    ["CORNER_ARGUMENTS"] = TubeRounds.CornerArguments,
+                    ["BLOCK_CELLS"] = TubeKernels.BlockCells, ["BLOCK_CORNERS"] = TubeKernels.BlockCorners,
                     ["VERTEX_LINKS"] = TubeKernels.VertexLinks
                 }));
             Assert.That(s_ofTheDevice, Is.SubsetOf(constants.Keys));
@@ -113,9 +123,9 @@ namespace Glint.Tests
             Assert.That(2 * TubeSums.SumCount, Is.EqualTo(TubeSums.TooLarge));
             Assert.That(TubeSums.TooLarge, Is.LessThan(TubeKernels.SumWords));
             uint[] arguments = { TubeRounds.BorderArguments, TubeRounds.CellArguments, TubeRounds.TubeArguments,
-                TubeRounds.BisectArguments };
-            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36 }));
-            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(36 + 12));
+                TubeRounds.BisectArguments, TubeRounds.CornerArguments };
+            Assert.That(arguments.OrderBy(offset => offset), Is.EqualTo(new[] { 0, 12, 24, 36, 48 }));
+            Assert.That(4 * TubeRounds.ArgumentWords, Is.EqualTo(48 + 12));
         }
 
         // Tags of tubes have 8 bits for the receiver, 8 for the bounce, and the corners above.
