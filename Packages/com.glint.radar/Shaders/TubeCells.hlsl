@@ -171,7 +171,7 @@ bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, fl
             }
             currents.Corners01.x = side;
             currents.Corners23 = strength > MIN_STRENGTH * mean ? bounce.Strength / strength : float4(1.0, 0.0, 0.0, 0.0);
-            AddTube(currents, at.Part);
+            AddTube(currents, at.Part, RateTo(receiver, tube, at));
         }
     return true;
 }

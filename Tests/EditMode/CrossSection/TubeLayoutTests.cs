@@ -15,7 +15,7 @@ namespace Glint.Tests
         {
             Assert.That(Marshal.SizeOf<Tube>(), Is.EqualTo(96));
             Assert.That(Marshal.SizeOf<TubeCell>(), Is.EqualTo(48));
-            Assert.That(Marshal.SizeOf<EdgePiece>(), Is.EqualTo(48));
+            Assert.That(Marshal.SizeOf<EdgePiece>(), Is.EqualTo(64));
             Assert.That(Marshal.SizeOf<SeaFacet>(), Is.EqualTo(32));
             Assert.That(Marshal.SizeOf<SeaTileRecord>(), Is.EqualTo(96));
         }
@@ -37,7 +37,7 @@ namespace Glint.Tests
             var piece = new EdgePiece
             {
                 Centre = float3(37, 38, 39), Length = 40, Along = float3(41, 42, 43), OuterAngle = 44,
-                Into = float3(45, 46, 47), Part = 48
+                Into = float3(45, 46, 47), Part = 48, Instance = 81, Unused = uint3(82, 83, 84)
             };
             var facet = new SeaFacet { Centre = float3(49, 50, 51), IsBreaking = 52, Section = float3(53, 54, 55), Unused = 56 };
             var tile = new SeaTileRecord
@@ -47,7 +47,8 @@ namespace Glint.Tests
                 SectionZ = float3(77, 78, 79), Unused2 = 80
             };
             bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36
-                || field == 48 || field >= 52 && field <= 80 && field % 4 == 0 && (field < 57 || field > 68);
+                || field == 48 || field >= 52 && field <= 80 && field % 4 == 0 && (field < 57 || field > 68)
+                || field > 80;
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {
                 fields.Bind("_TubeIn", tube);
@@ -55,7 +56,7 @@ namespace Glint.Tests
                 fields.Bind("_EdgePieceIn", piece);
                 fields.Bind("_SeaFacetIn", facet);
                 fields.Bind("_SeaTileIn", tile);
-                Assert.That(fields.Unpack(80), Is.EqualTo(Enumerable.Range(1, 80)
+                Assert.That(fields.Unpack(84), Is.EqualTo(Enumerable.Range(1, 84)
                     .Select(i => IsWhole(i) ? (uint)i : asuint((float)i))));
             }
         }
