@@ -137,7 +137,9 @@ namespace Glint
             {
                 Scene = Scene, Radar = planned.Radar, Receivers = receivers, PhaseCentre = PhaseCentre, Range = Range,
                 Frequencies = frequencies, MaxBounces = MaxBounces, HasEdges = HasEdges,
-                CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb, FloorDbsm = FloorDbsm
+                CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb, FloorDbsm = FloorDbsm,
+                BandCentre = Echo?.BandOf(Plan).Centre,
+                Times = Enumerable.Range(0, Plan.PulseCount).Select(pulse => Plan.Pulses?.TimeOf(pulse) ?? 0).ToArray()
             };
 
         /// <summary>Refuses what cannot be computed, before any work on the device.</summary>

@@ -16,25 +16,8 @@ namespace Glint.Host.Tests;
 
 /// <summary>glint echo: profiles, received power, files, resumption, parts, report, refusals.</summary>
 [Category("Slow")]
-public sealed class EchoCommandTests
+public sealed class EchoCommandTests : EchoFixture
 {
-    // Metres and hertz.
-    const double C = 299792458, Width = 0.3, Height = 0.2, Frequency = 10e9, Wavelength = C / Frequency, Range = 2.5;
-
-    string _folder;
-
-    // A plate 2.5 m behind the origin as seen from azimuth 0.
-    [SetUp]
-    public void MakePlate()
-    {
-        _folder = Directory.CreateTempSubdirectory("glint-echo-").FullName;
-        File.WriteAllText(At("plate.obj"),
-            "v -0.15 -0.1 2.5\nv 0.15 -0.1 2.5\nv 0.15 0.1 2.5\nv -0.15 0.1 2.5\nf 1 2 3 4\n");
-    }
-
-    [TearDown]
-    public void RemovePlate() => Directory.Delete(_folder, true);
-
     /// <summary>4 pi A^2 / lambda^2 at 2.5 m in every file; the arrays are the sums of the page's formula.</summary>
     [Test]
     public void Plate_AtNormalIncidence_IsAPointOfItsCrossSection()
@@ -288,7 +271,7 @@ public sealed class EchoCommandTests
     public void PythonExample_OfThePage_ReadsAndPlotsTheFile()
     {
         Run(At("plate.obj"), "--azimuth", "-2,0,2", "--edges", "off", "--tolerance", "0.02", "--out", At("."));
-        string output = PythonExample.Run("echo.md", "/usr/bin/python3", _folder);
+        string output = PythonExample.Run("echo.md", "/usr/bin/python3", At("."));
         Assert.That(output, Does.Match(@"^highest: (17\.0|16\.9)\d dBsm at 2\.\d\d m, azimuth 0\.0 deg\n$"));
         Assert.That(File.ReadAllBytes(At("profile.png")).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
     }
@@ -303,18 +286,6 @@ public sealed class EchoCommandTests
                 name);
         Assert.That(Timeless.Json(At(folder)), Is.EqualTo(Timeless.Json(At("whole"))));
     }
-
-    List<Dictionary<string, string>> Table(string path)
-    {
-        var lines = File.ReadAllLines(At(path)).Select(line => line.Split(',')).ToArray();
-        return [.. lines.Skip(1).Select(cells =>
-            lines[0].Zip(cells).ToDictionary(cell => cell.First, cell => cell.Second))];
-    }
-
-    static double Number(Dictionary<string, string> row, string column) =>
-        double.Parse(row[column], CultureInfo.InvariantCulture);
-
-    string At(string name) => Path.Combine(_folder, name);
 
     // Of a square picture of grey levels without filters; the stream's sum is checked.
     static IEnumerable<byte> GreysOf(string path, int pixels)
@@ -347,14 +318,4 @@ public sealed class EchoCommandTests
             text.Append($"f {first} {first + 1 + i} {first + 1 + (i + 1) % 3}\n");
         return text.ToString();
     }
-
-    static string Run(params string[] arguments)
-    {
-        var (code, output, error) = Execute(arguments);
-        Assert.That(code, Is.Zero, error);
-        return output;
-    }
-
-    static (int code, string output, string error) Execute(params string[] arguments) =>
-        TestShell.Run(["echo", .. arguments]);
 }
