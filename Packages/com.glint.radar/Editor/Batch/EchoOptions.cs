@@ -257,7 +257,7 @@ namespace Glint.Editor
         static Option<T> OfMovingMesh<T>(Option<T> option)
         {
             (option.Group, option.Inputs) = (PulseGroup, InputKind.MeshFile);
-            option.Refusal = "only for mesh files: objects of a scene have velocities of their own";
+            option.Refusal = "only for mesh files: objects of a scene have a RadarMotion or Rigidbody of their own";
             return Needing(Pulses, option);
         }
 

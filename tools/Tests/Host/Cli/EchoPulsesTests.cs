@@ -171,6 +171,6 @@ public sealed class EchoPulsesTests : EchoFixture
         var (code, _, error) = Execute("Scenes/CrossSection.unity", "--pulses", "4", "--velocity", "1,0,0", "--out",
             At("echo"));
         Assert.That(code, Is.EqualTo(2));
-        Assert.That(error, Does.Contain("only for mesh files: objects of a scene have velocities of their own"));
+        Assert.That(error, Does.Contain("only for mesh files: objects of a scene have a RadarMotion or Rigidbody of their own"));
     }
 }
