@@ -46,14 +46,26 @@ namespace Glint.Core
             int Guard(int size, int bins) => (int)Math.Ceiling(GuardBins * (double)size / bins);
             int guard = Guard(range.Cells, echo.Band.Count);
             var level = (CfarLevel)Array.IndexOf(s_names, Level);
-            var cfar = doppler == null
-                ? new Cfar(level, FalseAlarmRate, OfProfile, guard)
-                : new Cfar(level, FalseAlarmRate, OfMap, guard, RowsOfMap, Guard(doppler.Rows, echo.Plan.PulseCount));
-            return cfar.Detect(PowerLevel.Of(cells), range.Cells).Select(cell => new EchoDetected
-            {
-                Range = range.RangeOf(cell % range.Cells), Speed = doppler?.SpeedOf(cell / range.Cells),
-                Level = ScatteringMatrix.Dbsm(cells[cell])
-            });
+            if (doppler == null)
+                return Detected(new Cfar(level, FalseAlarmRate, OfProfile, guard), cells, 0, range, null);
+            // Fast and slow speeds are neighbours: rows beyond an end are those of the other.
+            int guardRows = Guard(doppler.Rows, echo.Plan.PulseCount), beyond = RowsOfMap + guardRows;
+            return Detected(new Cfar(level, FalseAlarmRate, OfMap, guard, RowsOfMap, guardRows), cells, beyond, range,
+                doppler);
+        }
+
+        static IEnumerable<EchoDetected> Detected(Cfar cfar, Complex[] cells, int rowsBeyond, RangeTransform range,
+            RangeDopplerTransform doppler)
+        {
+            int beyond = rowsBeyond * range.Cells;
+            double[] power = PowerLevel.Of(Enumerable.Range(-beyond, cells.Length + 2 * beyond)
+                .Select(cell => cells[(cell % cells.Length + cells.Length) % cells.Length]));
+            return cfar.Detect(power, range.Cells).Select(cell => cell - beyond)
+                .Where(cell => cell >= 0 && cell < cells.Length).Select(cell => new EchoDetected
+                {
+                    Range = range.RangeOf(cell % range.Cells), Speed = doppler?.SpeedOf(cell / range.Cells),
+                    Level = ScatteringMatrix.Dbsm(cells[cell])
+                });
         }
 
         internal void AddTo(List<RunSetting> settings)

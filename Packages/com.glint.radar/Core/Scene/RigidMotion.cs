@@ -24,6 +24,15 @@ namespace Glint.Core
         /// <summary>Velocity of the body's material at a point, metres a second.</summary>
         public double3 VelocityAt(double3 point) => Velocity + math.cross(AngularVelocity, point - Pivot);
 
+        /// <summary>Velocity, and angular velocity about the pivot, if there is one.</summary>
+        public override string ToString()
+        {
+            string Text(double3 v) => $"({Numbers.Format(v.x)}, {Numbers.Format(v.y)}, {Numbers.Format(v.z)})";
+            return IsNone ? "none" : $"{Text(Velocity)} m/s" + (math.all(AngularVelocity == 0)
+                ? ""
+                : $", {Text(AngularVelocity)} rad/s about {Text(Pivot)} m");
+        }
+
         /// <summary>Whether both are equal.</summary>
         public bool Equals(RigidMotion other) => Velocity.Equals(other.Velocity)
             && AngularVelocity.Equals(other.AngularVelocity) && Pivot.Equals(other.Pivot);

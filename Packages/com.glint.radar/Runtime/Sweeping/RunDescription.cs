@@ -173,7 +173,7 @@ namespace Glint
 
         readonly IncrementalHash _hash = IncrementalHash.CreateHash(HashAlgorithmName.SHA256);
 
-        /// <summary>Adds meshes, transforms and motions, each mesh once.</summary>
+        /// <summary>Adds meshes and transforms, each mesh once.</summary>
         public void Add(RadarScene scene)
         {
             var meshes = new Dictionary<TriangleMesh, int>();
@@ -188,8 +188,6 @@ namespace Glint
                 Add(new[] { number });
                 Add(new[] { instance.ToWorld });
             }
-            if (scene.IsMoving)
-                Add(Array.ConvertAll(scene.Instances, instance => instance.Motion));
             // Scenes of perfect conductors alone keep the hash that they had before there were surfaces.
             if (scene.Surfaces.Count == 1)
                 return;
