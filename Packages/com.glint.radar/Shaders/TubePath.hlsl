@@ -232,9 +232,9 @@ float3 Mirrored(float3 v, float3 normal)
 // What a moving instance adds to the rate of a path at a place: by u and v, m/s a base cell, and itself, m/s. The rate is
 // that at which the path shortens: positive for what approaches. The velocity is that of the material at the place: along
 // a mirror a path is stationary, so that its shift over the surface does not count (Fermat).
-float3 RateOf(uint instance, float3 place, float3 placeU, float3 placeV, float3 turn, float3 turnU, float3 turnV)
+float3 RateOf(uint instance, float3 position, float3 placeU, float3 placeV, float3 turn, float3 turnU, float3 turnV)
 {
-    float3 turning = _Motions[2 * instance + 1].xyz, velocity = _Motions[2 * instance].xyz + cross(turning, place);
+    float3 turning = _Motions[2 * instance + 1].xyz, velocity = _Motions[2 * instance].xyz + cross(turning, position);
     return float3(dot(cross(turning, placeU), turn) + dot(velocity, turnU),
         dot(cross(turning, placeV), turn) + dot(velocity, turnV), dot(velocity, turn));
 }

@@ -48,19 +48,19 @@ namespace Glint.Core
             var level = (CfarLevel)Array.IndexOf(s_names, Level);
             if (doppler == null)
                 return Detected(new Cfar(level, FalseAlarmRate, OfProfile, guard), cells, 0, range, null);
-            // Fast and slow speeds are neighbours: rows beyond an end are those of the other.
-            int guardRows = Guard(doppler.Rows, echo.Plan.PulseCount), beyond = RowsOfMap + guardRows;
-            return Detected(new Cfar(level, FalseAlarmRate, OfMap, guard, RowsOfMap, guardRows), cells, beyond, range,
-                doppler);
+            // The first and the last speed are neighbours.
+            int guardRows = Guard(doppler.Rows, echo.Plan.PulseCount);
+            return Detected(new Cfar(level, FalseAlarmRate, OfMap, guard, RowsOfMap, guardRows), cells,
+                RowsOfMap + guardRows, range, doppler);
         }
 
-        static IEnumerable<EchoDetected> Detected(Cfar cfar, Complex[] cells, int rowsBeyond, RangeTransform range,
+        static IEnumerable<EchoDetected> Detected(Cfar cfar, Complex[] cells, int addedRows, RangeTransform range,
             RangeDopplerTransform doppler)
         {
-            int beyond = rowsBeyond * range.Cells;
-            double[] power = PowerLevel.Of(Enumerable.Range(-beyond, cells.Length + 2 * beyond)
+            int added = addedRows * range.Cells;
+            double[] power = PowerLevel.Of(Enumerable.Range(-added, cells.Length + 2 * added)
                 .Select(cell => cells[(cell % cells.Length + cells.Length) % cells.Length]));
-            return cfar.Detect(power, range.Cells).Select(cell => cell - beyond)
+            return cfar.Detect(power, range.Cells).Select(cell => cell - added)
                 .Where(cell => cell >= 0 && cell < cells.Length).Select(cell => new EchoDetected
                 {
                     Range = range.RangeOf(cell % range.Cells), Speed = doppler?.SpeedOf(cell / range.Cells),

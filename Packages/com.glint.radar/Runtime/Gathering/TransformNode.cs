@@ -61,8 +61,8 @@ namespace Glint
 
         // Of the nearest transform at or above it that has one: what says how it moves.
         RadarMotion _motion;
-        Rigidbody _body;
-        TransformNode _carrier;
+        Rigidbody _rigidbody;
+        TransformNode _motionNode;
 
         /// <summary>How it moves, in a scene with its origin at a point of the world.</summary>
         public RigidMotion MotionIn(double3 origin)
@@ -71,14 +71,14 @@ namespace Glint
                 return new RigidMotion
                 {
                     Velocity = (float3)_motion.Velocity, AngularVelocity = math.radians((float3)_motion.TurnRates),
-                    Pivot = _carrier.ToWorld().Origin - origin
+                    Pivot = _motionNode.ToWorld().Origin - origin
                 };
-            return _body == null
+            return _rigidbody == null
                 ? default
                 : new RigidMotion
                 {
-                    Velocity = (float3)_body.linearVelocity, AngularVelocity = (float3)_body.angularVelocity,
-                    Pivot = (float3)_body.worldCenterOfMass - origin
+                    Velocity = (float3)_rigidbody.linearVelocity, AngularVelocity = (float3)_rigidbody.angularVelocity,
+                    Pivot = (float3)_rigidbody.worldCenterOfMass - origin
                 };
         }
 
@@ -109,12 +109,12 @@ namespace Glint
             var scale = transform.localScale;
             // Compared exactly: == of Unity's vectors is approximate.
             bool isUnmoved = position.Equals(_position) && rotation.Equals(_rotation) && scale.Equals(_scale);
-            (_motion, _body, _carrier) = (parent._motion, parent._body, parent._carrier);
-            bool isCarrier = transform.TryGetComponent<RadarMotion>(out var motion)
+            (_motion, _rigidbody, _motionNode) = (parent._motion, parent._rigidbody, parent._motionNode);
+            bool hasMotion = transform.TryGetComponent<RadarMotion>(out var motion)
                 | transform.TryGetComponent<Rigidbody>(out var body);
-            if (isCarrier)
-                (_motion, _body, _carrier) = (motion, body, this);
-            Moves |= moves || isCarrier || Parent == parent && !isUnmoved;
+            if (hasMotion)
+                (_motion, _rigidbody, _motionNode) = (motion, body, this);
+            Moves |= moves || hasMotion || Parent == parent && !isUnmoved;
             Mover = Moves ? this : parent.Mover;
             (Parent, _position, _rotation, _scale) = (parent, position, rotation, scale);
             _depth = parent._depth + 1;
