@@ -13,6 +13,7 @@ namespace Glint.Core
     {
         readonly IReadOnlyList<StoredRow> _rows;
         readonly ThermalNoise _noise;
+        readonly Func<IsarTransform, IReadOnlyList<Complex[]>, Complex[]> _backproject;
 
         /// <summary>The profiles of a run.</summary>
         /// <param name="rows">All rows of the plan.</param>
@@ -29,6 +30,7 @@ namespace Glint.Core
             Polarisations = EchoSettings.PolarisationsOf(info);
             _noise = Settings.Radar?.NoiseOf(Band);
             _rows = rows;
+            _backproject = info.Backproject ?? ((transform, profiles) => transform.Image(profiles));
         }
 
         /// <summary>Directions and frequencies.</summary>
@@ -115,7 +117,7 @@ namespace Glint.Core
             if (!Polarisations.Contains(polarisation))
                 return null;
             var range = Settings.RangeOf(Plan, IsarTransform.Padding);
-            return NewImage(range).Image(Enumerable.Range(0, Directions).Select(direction =>
+            return _backproject(NewImage(range), Enumerable.Range(0, Directions).Select(direction =>
                 range.Profile(Responses(direction, polarisation))).ToArray());
         }
 

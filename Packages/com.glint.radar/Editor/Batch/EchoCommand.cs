@@ -31,10 +31,16 @@ namespace Glint.Editor
             Describe(settings.BandOf(plan), reach, opened.name, progress);
             if (plan.Pulses != null)
                 DescribePulses(settings.BandOf(plan), plan, opened.scene, opened.name, progress);
-            if (line.Command == Commands.Isar)
-                settings.Image = ImageOf(line, setup, opened.name, progress);
-            return CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
-                progress);
+            if (line.Command != Commands.Isar)
+                return CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
+                    progress);
+            settings.Image = ImageOf(line, setup, opened.name, progress);
+            using (var imager = new IsarImager(ProjectAssets.ImageKernel, opened.name))
+            {
+                setup.Backproject = imager.Image;
+                return CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
+                    progress);
+            }
         }
 
         static void Move(RadarScene scene, RigidMotion motion)

@@ -147,6 +147,7 @@ namespace Glint
                 return;
             var info = CrossSectionDescription.Of(_setup);
             info.Sweep = _identity;
+            info.Backproject = _setup.Backproject;
             info.StartedUtc = _folder.StartedUtc ?? _startedUtc;
             info.ElapsedMs = (_startedUtc - info.StartedUtc).TotalMilliseconds + _watch.Elapsed.TotalMilliseconds;
             _folder.Finish(info);

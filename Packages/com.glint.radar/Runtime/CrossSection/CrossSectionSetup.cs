@@ -89,6 +89,12 @@ namespace Glint
         /// <summary>What is made of the responses over a band; null for cross sections alone.</summary>
         public EchoSettings Echo { get; set; }
 
+        /// <inheritdoc cref="RunInfo.Backproject"/>
+        public Func<IsarTransform, IReadOnlyList<System.Numerics.Complex[]>, System.Numerics.Complex[]> Backproject
+        {
+            get; set;
+        }
+
         /// <summary>Names of the scene's objects, by their numbers, for results.json.</summary>
         public IReadOnlyList<string> ObjectNames { get; set; }
 
