@@ -56,7 +56,7 @@ async function look(width, scheme) {
     const { run, scene, echo } = JSON.parse(document.getElementById('data').textContent);
     const chosen = run.rows[scene?.pose ?? 0], isAround = new Set(run.rows.map(row => row.azimuth_deg)).size > 1;
     return {
-      expected: run.table === 'clutter' ? ['sigma0-vv', 'sigma0-hh', 'shapes'] : run.table === 'echo' ? ['profile', ...echo.doppler ? ['doppler', 'doppler-cut'] : [], ...run.rows.length > 1 ? ['waterfall', 'levels'] : [], ...scene ? ['view'] : []] : run.table === 'rcs' ? ['levels', ...isAround ? ['polar'] : [], ...run.rows.some(row => row.contributions) ? ['parts'] : [], ...scene ? ['view'] : []] : [...run.rows.length > 1 ? ['amplitude', 'other'] : [], ...chosen?.rays_received > 0 ? ['phase'] : [], ...scene ? ['view'] : [], ...scene?.picture ? ['picture'] : []],
+      expected: run.table === 'clutter' ? ['sigma0-vv', 'sigma0-hh', 'shapes'] : run.table === 'echo' ? ['profile', ...echo.image ? ['image'] : [], ...echo.doppler ? ['doppler', 'doppler-cut'] : [], ...run.rows.length > 1 ? ['waterfall', 'levels'] : [], ...scene ? ['view'] : []] : run.table === 'rcs' ? ['levels', ...isAround ? ['polar'] : [], ...run.rows.some(row => row.contributions) ? ['parts'] : [], ...scene ? ['view'] : []] : [...run.rows.length > 1 ? ['amplitude', 'other'] : [], ...chosen?.rays_received > 0 ? ['phase'] : [], ...scene ? ['view'] : [], ...scene?.picture ? ['picture'] : []],
       canvases: shown.map(canvas => ({ name: canvas.id || canvas.closest('.chart')?.id, shades: shades(canvas), label: canvas.getAttribute('aria-label') })),
       overflow: document.documentElement.scrollWidth - innerWidth,
       isOfRows: run.table !== undefined && run.rows.length > 1,

@@ -9,9 +9,15 @@ const margin = { left: 66, right: 10, top: 8, bottom: 42 };
 const steps = [1, 2, 5].flatMap(digit => [-3, -2, -1, 0, 1, 2, 3, 4, 5].map(power => digit * 10 ** power)).sort((a, b) => a - b);
 
 export class Heat {
-  /** @param {HTMLCanvasElement} canvas @param {HTMLElement} legend @param {object} range start, step and cells. */
-  constructor(canvas, legend, range) {
-    [this.canvas, this.legend, this.range, this.left, this.top] = [canvas, legend, range, margin.left, margin.top];
+  /** @param {HTMLCanvasElement} canvas @param {HTMLElement} legend @param {object} range start, step and cells. @param {string} label Of the range. */
+  constructor(canvas, legend, range, label = 'range, m') {
+    [this.canvas, this.legend, this.range, this.label, this.left, this.top] = [canvas, legend, range, label, margin.left, margin.top];
+  }
+
+  /** Makes the height of the canvas that of a square picture. */
+  makeSquare() {
+    const { canvas } = this;
+    canvas.style.height = `${canvas.clientWidth - margin.left - margin.right + margin.top + margin.bottom}px`;
   }
 
   /** False if the canvas is not shown. */
@@ -65,7 +71,7 @@ export class Heat {
       ctx.fillRect(x, bottom, 1, 4);
       ctx.fillText(number(i * step + 0), x, bottom + 6);
     }
-    ctx.fillText('range, m', left + width / 2, bottom + 24);
+    ctx.fillText(this.label, left + width / 2, bottom + 24);
     [ctx.textAlign, ctx.textBaseline] = ['right', 'middle'];
     let free = Infinity;
     for (const [value, y] of values) {

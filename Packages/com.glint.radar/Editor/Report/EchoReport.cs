@@ -61,6 +61,7 @@ namespace Glint.Editor
             json["polarisations"] = new JArray(_echo.Polarisations.Select(polarisation => polarisation.Name));
             json["quantities"] = quantities;
             json["doppler"] = _echo.Doppler == null ? null : MapsToJson();
+            json["image"] = _echo.Settings.Image == null ? null : ImageToJson();
             json["detections"] = _echo.Settings.Detection == null
                 ? null
                 : new JArray(Enumerable.Range(0, _echo.Directions).Select(DetectionsToJson));
@@ -83,6 +84,33 @@ namespace Glint.Editor
             json["blind_speed"] = _echo.Plan.Pulses.BlindSpeed(_echo.Band.Centre);
             json["quantities"] = quantities;
             return json;
+        }
+
+        // Levels by polarisation, row down range and column cross range, as the profiles.
+        JObject ImageToJson()
+        {
+            var transform = _echo.NewImage();
+            int group = 1;
+            while ((long)_echo.Polarisations.Count * (transform.Pixels / group) * (transform.Pixels / group) > MaxLevels)
+                group *= 2;
+            int pixels = transform.Pixels / group;
+            double[] azimuths = Enumerable.Range(0, _echo.Directions).Select(look =>
+                _echo.Planned(look).AzimuthDegrees).ToArray();
+            return new JObject
+            {
+                ["pixels"] = pixels, ["group"] = group, ["start"] = transform.PlaceOf(0.5 * (group - 1)),
+                ["step"] = group * transform.Pixel, ["azimuth"] = 0.5 * (azimuths.First() + azimuths.Last()),
+                ["centre"] = new JArray("xyz".Select(axis =>
+                    _run.Info.Settings.First(setting => setting.Name == $"phase_centre_{axis}").Number)),
+                ["levels"] = ReportModel.Base64(_echo.Polarisations.SelectMany(polarisation =>
+                {
+                    var image = _echo.Image(polarisation);
+                    return Enumerable.Range(0, pixels * pixels).Select(pixel => LevelOf(
+                        Enumerable.Range(0, group * group).Max(part => ScatteringMatrix.Dbsm(image[
+                            (pixel / pixels * group + part / group) * transform.Pixels
+                            + pixel % pixels * group + part % group]))));
+                }).ToArray(), sizeof(short))
+            };
         }
 
         JArray DetectionsToJson(int direction) => new JArray(_echo.Polarisations.SelectMany(polarisation =>
@@ -153,8 +181,11 @@ namespace Glint.Editor
             for (int first = 0; first < profile.Length; first += group)
             {
                 double highest = Enumerable.Range(first, group).Max(cell => ScatteringMatrix.Dbsm(profile[cell]));
-                yield return (short)Math.Max(-short.MaxValue, Math.Min(short.MaxValue, Math.Round(100 * highest)));
+                yield return LevelOf(highest);
             }
         }
+
+        static short LevelOf(double decibels) =>
+            (short)Math.Max(-short.MaxValue, Math.Min(short.MaxValue, Math.Round(100 * decibels)));
     }
 }

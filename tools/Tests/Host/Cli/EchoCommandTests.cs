@@ -145,10 +145,7 @@ public sealed class EchoCommandTests : EchoFixture
             "--polarisation", "vv,hh", "--out", At("echo"));
         var (code, _, error) = TestShell.Run("report", At("echo"));
         Assert.That(code, Is.Zero, error);
-        string page = File.ReadAllText(At("echo/report.html"));
-        const string start = "<script type=\"application/json\" id=\"data\">";
-        int from = page.IndexOf(start) + start.Length;
-        var data = JObject.Parse(page[from..page.IndexOf("</script>", from)]);
+        var data = DataOf("echo/report.html");
         var rows = data["run"]["rows"].ToArray();
         Assert.That(rows.Select(row => (double)row["azimuth_deg"]), Is.EqualTo(new[] { 0, 4, 8 }));
         Assert.That((double)rows[0]["hh_range_m"], Is.EqualTo(Range).Within(0.1));
@@ -221,6 +218,16 @@ public sealed class EchoCommandTests : EchoFixture
             Is.EqualTo(Number(table[0], "vv_dbsm")).Within(1e-6));
         var (code, _, error) = TestShell.Run("report", At("image"));
         Assert.That(code, Is.Zero, error);
+        var data = DataOf("image/report.html");
+        byte[] shown = Convert.FromBase64String((string)data["echo"]["image"]["levels"]);
+        Assert.That((int)data["echo"]["image"]["pixels"], Is.EqualTo(pixels));
+        Assert.That(Enumerable.Range(0, levels.Length).Select(i => BitConverter.ToInt16(shown, 2 * i) / 100.0),
+            Is.EqualTo(levels).Within(0.02), "of the processor");
+        Assert.That((double)data["echo"]["image"]["azimuth"], Is.EqualTo(0).Within(1e-9));
+        Assert.That((double)data["echo"]["image"]["start"], Is.EqualTo(Number(table[0], "down_range_m")).Within(1e-9));
+        // The target's middle is between its corners, and the phase centre at the file's origin.
+        Assert.That(data["echo"]["image"]["centre"].Select(each => (double)each), Is.All.EqualTo(0).Within(1e-9));
+        Assert.That((double)data["scene"]["centre"][2], Is.EqualTo((1.2 - edge * Math.Sqrt(1.0 / 3)) / 2).Within(1e-3));
     }
 
     [TestCase("--azimuth is missing", "--out", "x")]

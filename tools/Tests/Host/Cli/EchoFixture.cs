@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Newtonsoft.Json.Linq;
 using NUnit.Framework;
 
 namespace Glint.Host.Tests;
@@ -36,6 +37,15 @@ public abstract class EchoFixture
 
     protected static double Number(Dictionary<string, string> row, string column) =>
         double.Parse(row[column], CultureInfo.InvariantCulture);
+
+    /// <summary>The data of a report.</summary>
+    protected JObject DataOf(string path)
+    {
+        string page = File.ReadAllText(At(path));
+        const string start = "<script type=\"application/json\" id=\"data\">";
+        int from = page.IndexOf(start) + start.Length;
+        return JObject.Parse(page[from..page.IndexOf("</script>", from)]);
+    }
 
     protected string At(string name) => Path.Combine(_folder, name);
 

@@ -137,6 +137,30 @@ public sealed class EchoPulsesTests : EchoFixture
             Assert.That(detections.Select(line => line["speed_mps"]), Is.All.Empty);
     }
 
+    [Test]
+    public void Report_HasTheLevelsOfTheMaps_AndTheDetections()
+    {
+        Run([At("plate.obj"), .. s_pulses, "--velocity", "0,0,-4", "--azimuth", "0,3", "--polarisation", "vv,hh", .. s_radar,
+            "--detect", "os", "--out", At("echo")]);
+        var (code, _, error) = TestShell.Run("report", At("echo"));
+        Assert.That(code, Is.Zero, error);
+        var data = DataOf("echo/report.html");
+        Assert.That((bool)data["scene"]["is_changed"], Is.False, "a motion is no other scene");
+        var map = data["echo"]["doppler"];
+        var table = Table("echo/doppler.csv");
+        int cells = (int)map["cells"] * (int)map["rows"];
+        Assert.That(table, Has.Count.EqualTo(2 * cells));
+        byte[] levels = Convert.FromBase64String((string)map["quantities"][1]["levels"]);
+        for (int direction = 0; direction < 2; direction++)
+            for (int cell = 0; cell < cells; cell += 7)
+                Assert.That(BitConverter.ToInt16(levels, 2 * ((2 * direction + 1) * cells + cell)) / 100.0,
+                    Is.EqualTo(Number(table[direction * cells + cell], "hh_dbw")).Within(0.0051));
+        Assert.That((double)map["speed_start"] + (double)map["speed_step"],
+            Is.EqualTo(Number(table[(int)map["cells"]], "speed_mps")).Within(1e-9));
+        Assert.That(data["echo"]["detections"].SelectMany(each => each).Select(each => (double)each["level"]),
+            Is.EqualTo(Table("echo/detections.csv").Select(line => Number(line, "level_dbw"))).Within(1e-9));
+    }
+
     /// <summary>Noise alone: as many false alarms as asked for. The window couples neighbouring cells a little.</summary>
     [Test]
     public void FalseAlarms_InNoise_AreAsManyAsAskedFor([Values("ca", "os")] string level)
