@@ -4,15 +4,15 @@
 #include "Constants.hlsl"
 #include "Phasor.hlsl"
 
-// Backprojection: one thread a pixel, looks in a loop. The phase of the carrier is thousands of turns, so that turns and
-// cells are double-floats.
+// Backprojection: one thread a pixel, looks in a loop. The phase of the carrier is thousands of turns, so that turns
+// and cells are double-floats.
 
 // GLINT_LOOK: a look and its profile (Runtime/Echo/IsarImager.cs).
 struct Look
 {
     float4 Turns;          // of the carrier, a pixel down range and a pixel cross range, each with its Lo part
     float4 Cells;          // of the profile, as Turns
-    float2 Middle;         // cell of the image's middle, with its Lo part
+    float2 CentreCell;     // of the image, with its Lo part
     float Weight;
     uint Unused;
 };
@@ -22,7 +22,7 @@ static const uint BACKPROJECTION_GROUP = 64;
 StructuredBuffer<Look> _Looks;
 StructuredBuffer<float2> _Profiles;        // of the looks of this dispatch, one after the other
 RWStructuredBuffer<float2> _Image;         // row by row: rows are down range, columns cross range
-uint4 _ImageSize;                          // pixels along a side; cells of a profile; looks; 1: of earlier dispatches too
+uint4 _ImageSize;                          // pixels along a side; cells of a profile; looks; 1: adds to earlier ones
 
 DoubleFloat Along(float4 steps, float2 position)
 {
@@ -42,7 +42,7 @@ void Backproject(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     for (uint i = 0; i < _ImageSize.z; i++)
     {
         Look look = _Looks[i];
-        DoubleFloat cell = Add(Along(look.Cells, position), MakeDoubleFloat(look.Middle.x, look.Middle.y));
+        DoubleFloat cell = Add(Along(look.Cells, position), MakeDoubleFloat(look.CentreCell.x, look.CentreCell.y));
         float first = floor(cell.Hi), part = (cell.Hi - first) + cell.Lo, step = floor(part);
         int at = (int)first + (int)step;
         if (at < 0 || at + 1 >= (int)_ImageSize.y)

@@ -73,8 +73,8 @@ StructuredBuffer<float4> _NormalFields;    // three rows a facet: gradient of a 
                                            // the centroid
 StructuredBuffer<uint4> _InstanceFacets;   // per instance: first element of _Facets, first patch, first
                                            // part; 1: a sea with a diffuse echo
-StructuredBuffer<float4> _Motions;         // per instance two rows: velocity at the scene's centre, m/s; angular velocity,
-                                           // rad/s
+StructuredBuffer<float4> _Motions;         // per instance two rows: velocity at the scene's centre, m/s; angular
+                                           // velocity, rad/s
 uint _IsMoving;                            // 1: an instance moves
 StructuredBuffer<float4> _Reflections;     // per surface REFLECTION_STEPS + 1 elements: R_s, R_p over the cosine
 

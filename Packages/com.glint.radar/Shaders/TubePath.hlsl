@@ -229,9 +229,9 @@ float3 Mirrored(float3 v, float3 normal)
     return v - 2.0 * dot(v, normal) * normal;
 }
 
-// What a moving instance adds to the rate of a path at a place: by u and v, m/s a base cell, and itself, m/s. The rate is
-// that at which the path shortens: positive for what approaches. The velocity is that of the material at the place: along
-// a mirror a path is stationary, so that its shift over the surface does not count (Fermat).
+// What a moving instance adds to the rate of a path at a place: by u and v, m/s a base cell, and itself, m/s. The rate
+// is that at which the path shortens: positive for what approaches. The velocity is that of the material at the place:
+// along a mirror a path is stationary, so that its shift over the surface does not count (Fermat).
 float3 RateOf(uint instance, float3 position, float3 placeU, float3 placeV, float3 turn, float3 turnU, float3 turnV)
 {
     float3 turning = _Motions[2 * instance + 1].xyz, velocity = _Motions[2 * instance].xyz + cross(turning, position);

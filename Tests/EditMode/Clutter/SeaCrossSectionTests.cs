@@ -63,8 +63,8 @@ namespace Glint.Tests
             Assert.That(scaled.S.VV.Phase, Is.EqualTo(plain.S.VV.Phase).Within(1e-3));
         }
 
-        // In double precision: each facet has its power, the speckle of the band's centre at the time, which turns as its
-        // Bragg waves do, and moves with the water.
+        // In double precision: each facet has its power, the speckle of the band's centre at the time, which turns as
+        // its Bragg waves do, and moves with the water.
         [Test]
         public void Trace_OfPulses_IsTheSumOverFacetsThatMoveWithTheWater()
         {

@@ -36,8 +36,8 @@ namespace Glint.Tests
         }
 
         /// <summary>
-        /// A plate 100 km away moves, 30 m from the scene's centre, where lengths in float32 are off by 2 um: its phase is
-        /// linear in time. What holds the box around the scene returns -92 dB of it.
+        /// A plate 100 km away moves, 30 m from the scene's centre, where lengths in float32 are off by 2 um: its phase
+        /// is linear in time. What holds the box around the scene returns -92 dB of it.
         /// </summary>
         [Test, Timeout(60000)]
         public void Phase_At100Kilometres_IsLinearInTime()
@@ -46,7 +46,8 @@ namespace Glint.Tests
             double3 velocity = new double3(23.7, 1.3, -4.1);
             var moving = Moving(CrossSectionTargets.Plate(0.2, 0.2), velocity, 0);
             moving.ToWorld.Origin = new double3(30, 0, 3);
-            var pose = PoseOf(pulses, 90, 0, moving, At(CrossSectionTargets.Plate(1e-3, 1e-3), new double3(-30, 0, -3)));
+            var pose = PoseOf(pulses, 90, 0, moving,
+                At(CrossSectionTargets.Plate(1e-3, 1e-3), new double3(-30, 0, -3)));
             pose.Range = 100e3;
             var s = Responses(pose);
             double3 toRadar = math.normalize(new double3(100e3, 0, 0) - moving.ToWorld.Origin);

@@ -11,8 +11,8 @@ namespace Glint.Tests
     public sealed class IsarImagerTests
     {
         /// <summary>
-        /// Points of the whole unambiguous range, which the image exceeds, from more looks than a dispatch takes: phases
-        /// are 1,300 turns and more.
+        /// Points of the whole unambiguous range, which the image exceeds, from more looks than a dispatch takes:
+        /// phases are 1,300 turns and more.
         /// </summary>
         [TestCase(75, 75, 33)]
         [TestCase(40, 10, 64)]
@@ -20,7 +20,8 @@ namespace Glint.Tests
         public void Image_OnTheDevice_IsThatOfTheProcessor(int looks, double degrees, int pixels)
         {
             var band = new FrequencyBand(9.85e9, 300e6 / 72, 72);
-            var range = new RangeTransform(band, Window.Named("hann"), IsarTransform.Padding, -0.5 * band.UnambiguousRange);
+            var range = new RangeTransform(band, Window.Named("hann"), IsarTransform.Padding,
+                -0.5 * band.UnambiguousRange);
             var aspects = Enumerable.Range(0, looks).Select(look =>
                 RadarAspect.At(20 + degrees * ((look + 0.5) / looks - 0.5), 10)).ToArray();
             var transform = new IsarTransform(range, band, aspects, 20, Window.Named("taylor"), 40, pixels);

@@ -91,8 +91,8 @@ namespace Glint.Core
         public IReadOnlyList<bool> BreakingFacets => _breakingFacets.Value;
 
         /// <summary>
-        /// Velocity of the water of each triangle of the tile's mesh, in the order of its triangles, in the tile's frame,
-        /// m/s: the mean over its corners, of the linear waves.
+        /// Velocity of the water of each triangle of the tile's mesh, in the order of its triangles, in the tile's
+        /// frame, m/s: the mean over its corners, of the linear waves.
         /// </summary>
         public IReadOnlyList<double3> FacetVelocities => _facetVelocities.Value;
 

@@ -50,8 +50,8 @@ namespace Glint.Core
         public double? BandCentre { get; set; }
 
         /// <summary>
-        /// Times of the pulses, seconds, 0 being the moment of the scene: each has all frequencies. What moves keeps its
-        /// velocities, and what the radar sees of it.
+        /// Times of the pulses, seconds, 0 being the moment of the scene: each has all frequencies. What moves keeps
+        /// its velocities, and what the radar sees of it.
         /// </summary>
         public double[] Times { get; set; } = { 0 };
 

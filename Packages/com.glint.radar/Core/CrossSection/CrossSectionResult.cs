@@ -14,7 +14,9 @@ namespace Glint.Core
             Errors = new double[receivers, samples];
         }
 
-        /// <summary>Scattering matrix of each receiver and <see cref="CrossSectionPose.SampleOf">sample</see>, metres.</summary>
+        /// <summary>
+        /// Scattering matrix of each receiver and <see cref="CrossSectionPose.SampleOf">sample</see>, metres.
+        /// </summary>
         public ScatteringMatrix[,] S { get; }
 
         /// <summary>

@@ -6,8 +6,8 @@ using System.Numerics;
 namespace Glint.Core
 {
     /// <summary>
-    /// Detection of targets on profiles, or on maps where there are pulses: on received power with its noise if there is
-    /// a radar.
+    /// Detection of targets on profiles, or on maps where there are pulses: on received power with its noise if there
+    /// is a radar.
     /// </summary>
     public sealed class EchoDetection
     {

@@ -76,11 +76,13 @@ namespace Glint.Core
         /// <summary>S of a pulse in metres in order of the frequencies; null if it was not asked for.</summary>
         public Complex[] Responses(int direction, Polarisation polarisation, int pulse) =>
             Polarisations.Contains(polarisation)
-                ? RowsOf(direction, pulse).Select(row => CrossSectionColumn.Amplitude(row, polarisation).Value).ToArray()
+                ? RowsOf(direction, pulse)
+                    .Select(row => CrossSectionColumn.Amplitude(row, polarisation).Value).ToArray()
                 : null;
 
         /// <summary>
-        /// Received amplitudes of a pulse in the root of a watt, with noise; null if it was not asked for, or without a radar.
+        /// Received amplitudes of a pulse in the root of a watt, with noise; null if it was not asked for, or without a
+        /// radar.
         /// </summary>
         public Complex[] Received(int direction, Polarisation polarisation, int pulse)
         {
@@ -88,7 +90,8 @@ namespace Glint.Core
                 return null;
             var received = Settings.Radar.Receive(Band, responses);
             // The same noise whatever other polarisations were asked for.
-            long number = 4 * ((long)direction * Plan.PulseCount + pulse) + 2 * polarisation.Received + polarisation.Sent;
+            long number = 4 * ((long)direction * Plan.PulseCount + pulse) + 2 * polarisation.Received
+                + polarisation.Sent;
             return _noise?.AddTo(received, number) ?? received;
         }
 

@@ -87,7 +87,8 @@ namespace Glint.Core
         public static EchoSettings Of(RunInfo info) => new EchoSettings
         {
             Bandwidth = Find(info, "bandwidth").Number, Window = Find(info, "window").Text,
-            Radar = EchoRadar.Of(info), Detection = EchoDetection.Of(info), Image = IsarSettings.Of(info), HasMatlab = Find(info, "mat").Text == On,
+            Radar = EchoRadar.Of(info), Detection = EchoDetection.Of(info), Image = IsarSettings.Of(info),
+            HasMatlab = Find(info, "mat").Text == On,
             HasSigMf = Find(info, "sigmf").Text == On
         };
 

@@ -88,7 +88,7 @@ namespace Glint.Core
             return new LookSteps
             {
                 TurnsDown = turns * down, TurnsCross = turns * cross, CellsDown = cells * down,
-                CellsCross = cells * cross, MiddleCell = -cells * _range.StartRange, Weight = _weights[look]
+                CellsCross = cells * cross, CentreCell = -cells * _range.StartRange, Weight = _weights[look]
             };
         }
     }
@@ -103,7 +103,7 @@ namespace Glint.Core
         public double TurnsDown, TurnsCross;
 
         /// <summary>Cells of the profile a pixel down range and cross range, and that of the image's middle.</summary>
-        public double CellsDown, CellsCross, MiddleCell;
+        public double CellsDown, CellsCross, CentreCell;
 
         /// <summary>Of the look; all add up to 1.</summary>
         public double Weight;
@@ -114,7 +114,7 @@ namespace Glint.Core
         /// </summary>
         internal Complex At(Complex[] profile, double down, double cross)
         {
-            double cell = down * CellsDown + cross * CellsCross + MiddleCell;
+            double cell = down * CellsDown + cross * CellsCross + CentreCell;
             int first = (int)Math.Floor(cell);
             if (first < 0 || first + 1 >= profile.Length)
                 return Complex.Zero;

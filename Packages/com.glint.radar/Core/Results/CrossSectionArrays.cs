@@ -18,8 +18,8 @@ namespace Glint.Core
         /// <summary>
         /// Adds azimuth and elevation of each pose, frequency, receiver (azimuth and elevation; those of the pose, as
         /// NaN, where the radar receives), S by pose, frequency, receiver, received and sent polarisation (V, H; NaN
-        /// where it was not asked for), and error. With pulses S and error have an index more, of the pulse, after that of
-        /// the pose, and there is the time of each.
+        /// where it was not asked for), and error. With pulses S and error have an index more, of the pulse, after that
+        /// of the pose, and there is the time of each.
         /// </summary>
         public static void AddTo(IArrayFile arrays, RunInfo info, IReadOnlyList<StoredRow> rows)
         {
@@ -37,7 +37,8 @@ namespace Glint.Core
                 ? new[] { poses.Length, frequencies, receivers }
                 : new[] { poses.Length, plan.PulseCount, frequencies, receivers };
             if (plan.Pulses != null)
-                arrays.Add("time", new[] { plan.PulseCount }, Enumerable.Range(0, plan.PulseCount).Select(plan.Pulses.TimeOf));
+                arrays.Add("time", new[] { plan.PulseCount },
+                    Enumerable.Range(0, plan.PulseCount).Select(plan.Pulses.TimeOf));
             arrays.Add("S", sizes.Append(2).Append(2).ToArray(), rows.SelectMany(Matrix));
             arrays.Add("error", sizes, rows.Select(row => row[CrossSectionColumn.Error].Value));
         }

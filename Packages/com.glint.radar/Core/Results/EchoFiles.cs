@@ -42,7 +42,9 @@ namespace Glint.Core
             using (var text = NewText(output))
             {
                 text.WriteLine(string.Join(",", s_keys.Select(column => column.Name).Concat(new[]
-                    { "polarisation", "range_m", "speed_mps", echo.Settings.Radar == null ? "level_dbsm" : "level_dbw" })));
+                    {
+                        "polarisation", "range_m", "speed_mps", echo.Settings.Radar == null ? "level_dbsm" : "level_dbw"
+                    })));
                 for (int direction = 0; direction < echo.Directions; direction++)
                     foreach (var polarisation in echo.Polarisations)
                         foreach (var detected in echo.Settings.Detection.Detect(echo, direction, polarisation))
@@ -54,7 +56,8 @@ namespace Glint.Core
 
         // A line for each cell of each direction: its place, and the level of each polarisation in each unit.
         static void WriteLevels(Stream output, EchoProfiles echo, string[] places,
-            Func<int, Polarisation, Func<int, Polarisation, int, Complex[]>, Complex[]> cellsOf, Func<int, string> placeOf)
+            Func<int, Polarisation, Func<int, Polarisation, int, Complex[]>, Complex[]> cellsOf,
+            Func<int, string> placeOf)
         {
             var sources = new List<(string unit, Func<int, Polarisation, int, Complex[]> values)>
                 { ("dbsm", echo.Responses) };
@@ -94,7 +97,7 @@ namespace Glint.Core
                 AddArrays(file, info, rows);
         }
 
-        /// <summary>Writes echo.sigmf-data: the profiles of each pulse of each polarisation of each direction.</summary>
+        /// <summary>Writes echo.sigmf-data: the profiles of the pulses of each polarisation and direction.</summary>
         public static void WriteSigMfData(Stream output, RunInfo info, IReadOnlyList<StoredRow> rows)
         {
             var echo = new EchoProfiles(info, rows);
@@ -138,7 +141,8 @@ namespace Glint.Core
                         ?? Enumerable.Repeat(new Complex(double.NaN, double.NaN),
                             sizes.Aggregate((all, size) => all * size)))));
             void AddMaps(string name, Func<int, Polarisation, int, Complex[]> values) => Add(name,
-                new[] { echo.Doppler.Rows, cells }, (direction, each) => echo.Map(echo.Doppler, direction, each, values));
+                new[] { echo.Doppler.Rows, cells },
+                (direction, each) => echo.Map(echo.Doppler, direction, each, values));
             Add("profile", new[] { cells }, (direction, each) => echo.Profile(echo.Responses(direction, each)));
             int pulses = echo.Plan.PulseCount;
             if (echo.Doppler != null)

@@ -190,8 +190,8 @@ namespace Glint.Core
         }
 
         /// <summary>
-        /// Velocity in m/s of the water of the linear waves at the vertices of <see cref="Mesh"/>, in their order. Water
-        /// moves along a wave as fast as up and down: forward on crests.
+        /// Velocity in m/s of the water of the linear waves at the vertices of <see cref="Mesh"/>, in their order.
+        /// Water moves along a wave as fast as up and down: forward on crests.
         /// </summary>
         /// <exception cref="GlintException">The time is not finite, or too far from 0.</exception>
         public double3[] Velocities(double timeSeconds)
@@ -212,7 +212,8 @@ namespace Glint.Core
             }
 
             // The height turns as e^(-i w t).
-            double[] x = Part(mode => mode.AlongX, _ => 0), y = Part(_ => 0, _ => -1), z = Part(mode => mode.AlongZ, _ => 0);
+            double[] x = Part(mode => mode.AlongX, _ => 0), y = Part(_ => 0, _ => -1),
+                z = Part(mode => mode.AlongZ, _ => 0);
             return Enumerable.Range(0, x.Length).Select(i => new double3(x[i], y[i], z[i])).ToArray();
         }
 

@@ -127,11 +127,13 @@ namespace Glint.Editor
 
         public string Add(CrossSectionRow row)
         {
-            if (row.Planned.FrequencyIndex == 0 && row.Planned.Pulse == 0 || !_rows.TryGetValue(row.Planned.Receiver, out var rows))
+            if (row.Planned.FrequencyIndex == 0 && row.Planned.Pulse == 0
+                || !_rows.TryGetValue(row.Planned.Receiver, out var rows))
                 _rows[row.Planned.Receiver] = rows = new List<CrossSectionRow>();
             rows.Add(row);
             // A resumed run or a part may begin within a direction.
-            if (rows.Count < _setup.Plan.PulseCount * _setup.Plan.Frequencies.Count || rows[0].Planned.Pose != row.Planned.Pose)
+            if (rows.Count < _setup.Plan.PulseCount * _setup.Plan.Frequencies.Count
+                || rows[0].Planned.Pose != row.Planned.Pose)
                 return null;
             return CrossSectionTable.DirectionOf(_setup, row, "")
                 + string.Concat(_setup.Polarisations.Select(polarisation =>
@@ -146,7 +148,8 @@ namespace Glint.Editor
             var cells = _doppler == null
                 ? _range.Profile(responses)
                 : _doppler.Map(Enumerable.Range(0, _setup.Plan.PulseCount).Select(pulse =>
-                    (IReadOnlyList<Complex>)new ArraySegment<Complex>(responses, pulse * frequencies, frequencies)).ToArray());
+                    (IReadOnlyList<Complex>)new ArraySegment<Complex>(responses, pulse * frequencies, frequencies))
+                        .ToArray());
             int cell = EchoPeak.Of(cells);
             return $"{CrossSectionTable.Level(cells[cell]),10}"
                 + FormattableString.Invariant($"{_range.RangeOf(cell % _range.Cells),10:0.000}")

@@ -61,8 +61,8 @@ namespace Glint.Editor
 
         /// <summary>Pulse repetition frequency, hertz.</summary>
         public static readonly Option<double> Repetition = Needing(Pulses, Options.Number("prf", "HZ", "1000",
-            s_repetition, PulseGroup, InputKind.Any, "Pulse repetition frequency in hertz. Speeds are unambiguous up to "
-                + "half of the blind speed, lambda PRF / 2; a bin of speed is the blind speed over M."));
+            s_repetition, PulseGroup, InputKind.Any, "Pulse repetition frequency in hertz. Speeds are unambiguous up "
+                + "to half of the blind speed, lambda PRF / 2; a bin of speed is the blind speed over M."));
 
         /// <summary>Velocity of the mesh, metres a second; null when not given.</summary>
         public static readonly Option<double3?> Velocity = OfMovingMesh(
@@ -120,15 +120,16 @@ namespace Glint.Editor
                 Group = DetectionGroup,
                 Choices = EchoDetection.Names,
                 Range = "one of " + string.Join(", ", EchoDetection.Names),
-                Help = "Also write detections.csv, the cells of profiles, or of maps with --pulses, above a threshold of "
-                    + "constant false-alarm rate: a multiple of the mean of the cells around (ca), or of the cell at "
-                    + "three quarters of their order (os), which other targets change little. It needs --noise-figure, "
-                    + "or a scene with a Sea whose clutter is on."
+                Help = "Also write detections.csv, the cells of profiles, or of maps with --pulses, above a threshold "
+                    + "of constant false-alarm rate: a multiple of the mean of the cells around (ca), or of the cell "
+                    + "at three quarters of their order (os), which other targets change little. It needs "
+                    + "--noise-figure, or a scene with a Sea whose clutter is on."
             };
 
         /// <summary>False alarms a cell.</summary>
         public static readonly Option<double> FalseAlarm = Needing(Detect, Options.Number("false-alarm", "RATE", "1e-6",
-            s_falseAlarm, DetectionGroup, InputKind.Any, "False alarms a cell in noise. In spiky clutter there are more."));
+            s_falseAlarm, DetectionGroup, InputKind.Any,
+            "False alarms a cell in noise. In spiky clutter there are more."));
 
         /// <summary>Whether a MAT-file is written.</summary>
         public static readonly Option<bool> Matlab = Options.Switch("mat", ResultGroup,
@@ -139,8 +140,11 @@ namespace Glint.Editor
             "Also write echo.sigmf-data and echo.sigmf-meta, the complex profiles as a SigMF recording.");
 
         /// <summary>All options, in the order of the help.</summary>
-        public static readonly Option[] All = new Option[] { Frequency, Bandwidth, Frequencies, Window, Pulses,
-            Repetition, Velocity, TurnRate, Power, Gain, Loss, NoiseFigure, Seed, Detect, FalseAlarm }.Concat(CrossSectionOptions.All.Where(option =>
+        public static readonly Option[] All = new Option[]
+            {
+                Frequency, Bandwidth, Frequencies, Window, Pulses, Repetition, Velocity, TurnRate, Power, Gain, Loss,
+                NoiseFigure, Seed, Detect, FalseAlarm
+            }.Concat(CrossSectionOptions.All.Where(option =>
                 option != CrossSectionOptions.Frequency && option != CrossSectionOptions.Contributions
                 && option != CrossSectionOptions.Out)).Concat(new Option[] { CrossSectionOptions.Out, Matlab, SigMf })
             .ToArray();

@@ -91,7 +91,7 @@ namespace Glint.Editor
         {
             var transform = _echo.NewImage();
             int group = 1;
-            while ((long)_echo.Polarisations.Count * (transform.Pixels / group) * (transform.Pixels / group) > MaxLevels)
+            while (Math.Pow(transform.Pixels / group, 2) * _echo.Polarisations.Count > MaxLevels)
                 group *= 2;
             int pixels = transform.Pixels / group;
             double[] azimuths = Enumerable.Range(0, _echo.Directions).Select(look =>
@@ -142,7 +142,8 @@ namespace Glint.Editor
             OfAll((direction, polarisation) => _echo.Profile(responses(direction, polarisation)));
 
         Complex[][][] OfAll(Func<int, Polarisation, Complex[]> valuesOf) => Enumerable.Range(0, _echo.Directions)
-            .Select(direction => _echo.Polarisations.Select(polarisation => valuesOf(direction, polarisation)).ToArray())
+            .Select(direction => _echo.Polarisations
+                .Select(polarisation => valuesOf(direction, polarisation)).ToArray())
             .ToArray();
 
         JObject RowToJson(int direction)

@@ -21,7 +21,8 @@ namespace Glint
         public Vector3 Velocity { get => _velocity; set => _velocity = value; }
 
         /// <summary>
-        /// Turn rates about the world's axes through the object's position, degrees a second; about +Y from +Z towards +X.
+        /// Turn rates about the world's axes through the object's position, degrees a second; about +Y from +Z towards
+        /// +X.
         /// </summary>
         public Vector3 TurnRates { get => _turnRates; set => _turnRates = value; }
     }

@@ -44,7 +44,8 @@ namespace Glint
             for (int first = 0; first < profiles.Count; first += LooksADispatch)
             {
                 int count = Math.Min(LooksADispatch, profiles.Count - first);
-                _looks.Upload(Enumerable.Range(first, count).Select(look => new IsarLook(transform.LookOf(look))).ToArray());
+                _looks.Upload(Enumerable.Range(first, count)
+                    .Select(look => new IsarLook(transform.LookOf(look))).ToArray());
                 _profiles.Upload(profiles.Skip(first).Take(count).SelectMany(profile => profile)
                     .Select(cell => new float2((float)cell.Real, (float)cell.Imaginary)).ToArray());
                 _shader.SetBuffer(_kernel, s_looks, _looks.Buffer);
@@ -71,7 +72,7 @@ namespace Glint
     struct IsarLook
     {
         public float4 Turns, Cells;
-        public float2 Middle;
+        public float2 CentreCell;
         public float Weight;
         public uint Unused;
 
@@ -81,7 +82,7 @@ namespace Glint
                 new float4((float)down, DoubleFloat.Lo(down), (float)cross, DoubleFloat.Lo(cross));
             Turns = Steps(steps.TurnsDown, steps.TurnsCross);
             Cells = Steps(steps.CellsDown, steps.CellsCross);
-            Middle = new float2((float)steps.MiddleCell, DoubleFloat.Lo(steps.MiddleCell));
+            CentreCell = new float2((float)steps.CentreCell, DoubleFloat.Lo(steps.CentreCell));
             Weight = (float)steps.Weight;
         }
     }

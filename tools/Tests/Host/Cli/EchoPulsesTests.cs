@@ -50,8 +50,8 @@ public sealed class EchoPulsesTests : EchoFixture
         }
         var s = NumpyReader.Read(At("echo/echo.npz"), "S");
         double[] time = NumpyReader.Read(At("echo/echo.npz"), "time").Numbers;
-        Assert.That(s.Sizes, Is.EqualTo(new[] { 1, 32, NumpyReader.Read(At("echo/echo.npz"), "frequency").Numbers.Length,
-            1, 2, 2 }));
+        int frequencies = NumpyReader.Read(At("echo/echo.npz"), "frequency").Numbers.Length;
+        Assert.That(s.Sizes, Is.EqualTo(new[] { 1, 32, frequencies, 1, 2, 2 }));
         Assert.That(time, Is.EqualTo(Enumerable.Range(0, 32).Select(pulse => pulse / 1000.0)).Within(1e-12));
         Assert.That(Table("echo/responses.csv").Select(line => Number(line, "time_s")).Distinct(), Is.EqualTo(time));
 
@@ -68,15 +68,16 @@ public sealed class EchoPulsesTests : EchoFixture
         var (code, _, error) = Execute([At("plate.obj"), .. s_pulses, "--velocity", "0,0,-10", "--polarisation", "hh",
             "--out", At("echo")]);
         Assert.That(code, Is.Zero, error);
-        Assert.That(error, Does.Contain("up to 10 m/s along the line of sight, and speeds above half of the blind speed, "
-            + "7.495 m/s, are folded; give a --prf of at least 1334"));
+        Assert.That(error, Does.Contain("up to 10 m/s along the line of sight, and speeds above half of the blind "
+            + "speed, 7.495 m/s, are folded; give a --prf of at least 1334"));
         Assert.That(Number(Table("echo/doppler.csv").MaxBy(line => Number(line, "hh_dbsm")), "speed_mps"),
             Is.EqualTo(10 - Blind).Within(Blind / 64));
     }
 
     /// <summary>
-    /// The plate turns about the phase centre, 2.5 m before it: it moves across the line of sight at 90 degrees, and away
-    /// from the radar or towards it from the side. Positive turns as azimuths do: the target's far side goes to the right.
+    /// The plate turns about the phase centre, 2.5 m before it: it moves across the line of sight at 90 degrees, and
+    /// away from the radar or towards it from the side. Positive turns as azimuths do: the target's far side goes to
+    /// the right.
     /// </summary>
     [Test]
     public void TurnRate_MovesThePlateAboutThePhaseCentre()
@@ -113,13 +114,14 @@ public sealed class EchoPulsesTests : EchoFixture
         Assert.That(Batch.Execute(line, new CancelAfter(21)), Is.EqualTo(130));
         Run([.. echo, "--out", At("stopped"), "--resume"]);
         foreach (string name in new[] { "responses.csv", "profile.csv", "doppler.csv", "echo.npz" })
-            Assert.That(File.ReadAllBytes(At($"stopped/{name}")), Is.EqualTo(File.ReadAllBytes(At($"whole/{name}"))), name);
+            Assert.That(File.ReadAllBytes(At($"stopped/{name}")), Is.EqualTo(File.ReadAllBytes(At($"whole/{name}"))),
+                name);
         var (code, _, error) = Execute([At("plate.obj"), "--frequencies", "16", "--tolerance", "0.5", "--pulses", "4",
             "--velocity", "0,0,-5", "--azimuth", "0,1", "--out", At("stopped"), "--resume"]);
         Assert.That((code, error.Contains("is of another sweep")), Is.EqualTo((1, true)), error);
     }
 
-    /// <summary>Of a plate 40 dB above the noise the detections are its cells; the rest of a map is quiet at 1e-6.</summary>
+    /// <summary>Of a plate 40 dB above the noise the detections are its cells; the rest is quiet at 1e-6.</summary>
     [Test]
     public void Detections_AreThePlates([Values("ca", "os")] string level, [Values] bool hasPulses)
     {
@@ -140,8 +142,8 @@ public sealed class EchoPulsesTests : EchoFixture
     [Test]
     public void Report_HasTheLevelsOfTheMaps_AndTheDetections()
     {
-        Run([At("plate.obj"), .. s_pulses, "--velocity", "0,0,-4", "--azimuth", "0,3", "--polarisation", "vv,hh", .. s_radar,
-            "--detect", "os", "--out", At("echo")]);
+        Run([At("plate.obj"), .. s_pulses, "--velocity", "0,0,-4", "--azimuth", "0,3", "--polarisation", "vv,hh",
+            .. s_radar, "--detect", "os", "--out", At("echo")]);
         var (code, _, error) = TestShell.Run("report", At("echo"));
         Assert.That(code, Is.Zero, error);
         var data = DataOf("echo/report.html");
@@ -161,14 +163,14 @@ public sealed class EchoPulsesTests : EchoFixture
             Is.EqualTo(Table("echo/detections.csv").Select(line => Number(line, "level_dbw"))).Within(1e-9));
     }
 
-    /// <summary>Noise alone: as many false alarms as asked for. The window couples neighbouring cells a little.</summary>
+    /// <summary>Noise alone: as many false alarms as asked for.</summary>
     [Test]
     public void FalseAlarms_InNoise_AreAsManyAsAskedFor([Values("ca", "os")] string level)
     {
         const double rate = 0.01;
         Run(At("plate.obj"), "--frequencies", "1024", "--tolerance", "3", "--range", "1e5", "--power", "1e-12",
-            "--noise-figure", "6", "--azimuth", "0:24:1", "--detect", level, "--false-alarm", "0.01", "--window", "none",
-            "--out", At("echo"));
+            "--noise-figure", "6", "--azimuth", "0:24:1", "--detect", level, "--false-alarm", "0.01",
+            "--window", "none", "--out", At("echo"));
         double cells = 25 * 4 * 1024, alarms = Table("echo/detections.csv").Count;
         Assert.That(alarms, Is.EqualTo(rate * cells).Within(10).Percent);
     }
@@ -190,28 +192,30 @@ public sealed class EchoPulsesTests : EchoFixture
     }
 
     /// <summary>
-    /// A RadarMotion on the dihedral of the stored scene: it turns about its edge and goes to the radar, at azimuth 0, at
-    /// 2 m/s. Its double bounce has that speed.
+    /// A RadarMotion on the dihedral of the stored scene: it turns about its edge and goes to the radar, at azimuth 0,
+    /// at 2 m/s. Its double bounce has that speed.
     /// </summary>
     [Test]
     public void Scene_WithARadarMotion_HasItsSpeed()
     {
         string root = Project.FindRoot(AppContext.BaseDirectory), guid = File.ReadLines(Path.Combine(root,
             "Packages/com.glint.radar/Runtime/Components/RadarMotion.cs.meta")).Last()["guid: ".Length..];
-        string scene = File.ReadAllText(Path.Combine(root, "Scenes/CrossSection.unity")), before = "  - component: {fileID: 141}\n";
+        string scene = File.ReadAllText(Path.Combine(root, "Scenes/CrossSection.unity")),
+            before = "  - component: {fileID: 141}\n";
         Assert.That(scene, Does.Contain(before));
         // A scene must be in the project.
         string moving = Path.Combine(root, "Scenes", Path.GetRandomFileName() + ".unity");
         try
         {
             File.WriteAllText(moving, scene.Replace(before, before + "  - component: {fileID: 949}\n")
-                + "--- !u!114 &949\nMonoBehaviour:\n  m_ObjectHideFlags: 0\n  m_CorrespondingSourceObject: {fileID: 0}\n"
+                + "--- !u!114 &949\nMonoBehaviour:\n  m_ObjectHideFlags: 0\n"
+                + "  m_CorrespondingSourceObject: {fileID: 0}\n"
                 + "  m_PrefabInstance: {fileID: 0}\n  m_PrefabAsset: {fileID: 0}\n  m_GameObject: {fileID: 140}\n"
                 + "  m_Enabled: 1\n  m_EditorHideFlags: 0\n"
                 + $"  m_Script: {{fileID: 11500000, guid: {guid}, type: 3}}\n  m_Name: \n  m_EditorClassIdentifier: \n"
                 + "  _velocity: {x: 0, y: 0, z: -2}\n  _turnRates: {x: 0, y: 60, z: 0}\n");
-            Run(moving, "--bandwidth", "3e9", "--pulses", "16", "--polarisation", "hh", "--tolerance", "0.2", "--material",
-                "*=metal", "--out", At("echo"));
+            Run(moving, "--bandwidth", "3e9", "--pulses", "16", "--polarisation", "hh", "--tolerance", "0.2",
+                "--material", "*=metal", "--out", At("echo"));
         }
         finally
         {
@@ -228,6 +232,7 @@ public sealed class EchoPulsesTests : EchoFixture
         var (code, _, error) = Execute("Scenes/CrossSection.unity", "--pulses", "4", "--velocity", "1,0,0", "--out",
             At("echo"));
         Assert.That(code, Is.EqualTo(2));
-        Assert.That(error, Does.Contain("only for mesh files: objects of a scene have a RadarMotion or Rigidbody of their own"));
+        Assert.That(error, Does.Contain("only for mesh files: objects of a scene have a RadarMotion or Rigidbody of "
+            + "their own"));
     }
 }
