@@ -53,10 +53,10 @@ async function look(width, scheme) {
       return new Set(pixels).size;
     };
     const shown = [...document.querySelectorAll('canvas')].filter(canvas => canvas.offsetParent !== null);
-    const { run, scene } = JSON.parse(document.getElementById('data').textContent);
+    const { run, scene, echo } = JSON.parse(document.getElementById('data').textContent);
     const chosen = run.rows[scene?.pose ?? 0], isAround = new Set(run.rows.map(row => row.azimuth_deg)).size > 1;
     return {
-      expected: run.table === 'clutter' ? ['sigma0-vv', 'sigma0-hh', 'shapes'] : run.table === 'echo' ? ['profile', ...run.rows.length > 1 ? ['waterfall', 'levels'] : [], ...scene ? ['view'] : []] : run.table === 'rcs' ? ['levels', ...isAround ? ['polar'] : [], ...run.rows.some(row => row.contributions) ? ['parts'] : [], ...scene ? ['view'] : []] : [...run.rows.length > 1 ? ['amplitude', 'other'] : [], ...chosen?.rays_received > 0 ? ['phase'] : [], ...scene ? ['view'] : [], ...scene?.picture ? ['picture'] : []],
+      expected: run.table === 'clutter' ? ['sigma0-vv', 'sigma0-hh', 'shapes'] : run.table === 'echo' ? ['profile', ...echo.image ? ['image'] : [], ...echo.doppler ? ['doppler', 'doppler-cut'] : [], ...run.rows.length > 1 ? ['waterfall', 'levels'] : [], ...scene ? ['view'] : []] : run.table === 'rcs' ? ['levels', ...isAround ? ['polar'] : [], ...run.rows.some(row => row.contributions) ? ['parts'] : [], ...scene ? ['view'] : []] : [...run.rows.length > 1 ? ['amplitude', 'other'] : [], ...chosen?.rays_received > 0 ? ['phase'] : [], ...scene ? ['view'] : [], ...scene?.picture ? ['picture'] : []],
       canvases: shown.map(canvas => ({ name: canvas.id || canvas.closest('.chart')?.id, shades: shades(canvas), label: canvas.getAttribute('aria-label') })),
       overflow: document.documentElement.scrollWidth - innerWidth,
       isOfRows: run.table !== undefined && run.rows.length > 1,
@@ -133,7 +133,7 @@ async function turns(page, fail) {
 // Another row changes the charts, the table of contributions and the 3-D view; a click on the polar chart chooses one.
 async function chooses(page, fail) {
   const state = () => page.evaluate(() => new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done({
-    row: document.getElementById('row').value, ...Object.fromEntries([...document.querySelectorAll('#polar, #view, #levels canvas, #parts canvas, #profile canvas, #waterfall, #sigma0-vv canvas, #sigma0-hh canvas, #shapes canvas')].filter(canvas => canvas.offsetParent !== null).map(canvas => [canvas.id || canvas.closest('.chart').id, canvas.toDataURL()])),
+    row: document.getElementById('row').value, ...Object.fromEntries([...document.querySelectorAll('#polar, #view, #levels canvas, #parts canvas, #profile canvas, #waterfall, #doppler, #sigma0-vv canvas, #sigma0-hh canvas, #shapes canvas')].filter(canvas => canvas.offsetParent !== null).map(canvas => [canvas.id || canvas.closest('.chart').id, canvas.toDataURL()])),
     table: document.querySelector('#parts-table tbody')?.textContent
   })))));
   const first = await state();

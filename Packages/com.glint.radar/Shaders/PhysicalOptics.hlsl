@@ -119,6 +119,19 @@ Tube CurrentsAt(TubePath tube, SurfacePoint at, uint index, Receiver receiver)
     return currents;
 }
 
+// The rate of a path that ends at a receiver (see RateOf); 0 if nothing moves.
+float3 RateTo(Receiver receiver, TubePath tube, SurfacePoint at)
+{
+    if (_IsMoving == 0)
+        return 0.0;
+    float3 e = receiver.Direction;
+    float nearness = _IsNear != 0 ? 1.0 / receiver.Distance : 0.0;
+    float3 turnU = nearness * (e * dot(e, tube.PlaceU) - tube.PlaceU) - tube.DirectionU;
+    float3 turnV = nearness * (e * dot(e, tube.PlaceV) - tube.PlaceV) - tube.DirectionV;
+    return tube.Rate + RateOf(at.Instance, tube.Path.Ray.Origin, tube.PlaceU, tube.PlaceV,
+        e - tube.Path.Ray.Direction, turnU, turnV);
+}
+
 // Largest magnitude of p.C times area a base cell of the four pairs of polarisations, m2.
 float MagnitudeOf(Tube tube)
 {
@@ -154,8 +167,8 @@ float StrengthAt(TubePath tube, SurfacePoint at, uint receivers)
     return scale * strength;
 }
 
-// Part: see _TubeParts.
-void AddTube(Tube tube, uint part)
+// Part: see _TubeParts. Rate: see RateOf.
+void AddTube(Tube tube, uint part, float3 rate)
 {
     if ((tube.Tag >> 8 & 0xff) != _OnlyBounce && _OnlyBounce != 0)
         return;
@@ -166,6 +179,8 @@ void AddTube(Tube tube, uint part)
     _Tubes[at] = tube;
     if (_HasParts != 0)
         _TubeParts[at] = part;
+    if (_IsMoving != 0)
+        _TubeRates[at] = float4(rate, 0.0);
 }
 
 #endif

@@ -31,6 +31,9 @@ struct SeaTile
 
 StructuredBuffer<SeaFacet> _SeaFacets;
 StructuredBuffer<SeaTile> _SeaTiles;
+StructuredBuffer<float4> _SeaVelocities;   // of the facets of a tile, in its frame, m/s; only if _SeaElapsed is not 0
+float _SeaElapsed;                         // time since the moment of the mesh, s
+float _SeaWaveNumber;                      // of the Bragg waves' motion: the same for all frequencies of a band
 StructuredBuffer<float4> _FacetTable;      // FacetTable.Values: two elements a value
 uint4 _SeaRange;                           // facets of a tile; first and number of this dispatch; seed of the speckle
 float4 _SeaWind;                           // horizontal unit vector along the wind; w: offset of a shadow ray's start, m
@@ -171,7 +174,7 @@ float2 SpeckleOf(uint facet, SeaTile tile, Receiver radar)
     float windCosine = ToWind(radar.Direction).x, sine = sqrt(saturate(1.0 - radar.Direction.y * radar.Direction.y));
     float ratio = max(0.0, 1.0 - windCosine) / max(1.0e-6, 1.0 + windCosine);
     float approaching = 1.0 / (1.0 + pow(ratio, _SeaTime.w));
-    float bragg = 2.0 * _WaveNumber * sine;
+    float bragg = 2.0 * _SeaWaveNumber * sine;
     float2 turn = PhasorOf(sqrt(GRAVITY * bragg + TENSION * bragg * bragg * bragg) * _SeaTime.x);
     return sqrt(approaching) * ComplexMul(numbers.xy, turn)
         + sqrt(1.0 - approaching) * ComplexMul(numbers.zw, float2(turn.x, -turn.y));
@@ -235,7 +238,14 @@ void SeaFacets(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     if (_SeaLevelCount > 0)
         sigma *= LevelAt(radar.Direction.y);
     float3 power = area * sigma * radar.Strength * radar.Strength * radar.Strength * radar.Strength;
-    float2 field = ComplexMul(SpeckleOf(number % _SeaRange.x, tile, radar), PhasorOf(2.0 * _WaveNumber * radar.Phase));
+    float nearer = radar.Phase;
+    if (_SeaElapsed != 0.0)
+    {
+        float3 velocity = _SeaVelocities[number % _SeaRange.x].xyz;
+        nearer += _SeaElapsed * dot(radar.Direction,
+            float3(dot(tile.X.xyz, velocity), dot(tile.Y.xyz, velocity), dot(tile.Z.xyz, velocity)));
+    }
+    float2 field = ComplexMul(SpeckleOf(number % _SeaRange.x, tile, radar), PhasorOf(2.0 * _WaveNumber * nearer));
     [unroll]
     for (uint i = 0; i < 3; i++)
     {

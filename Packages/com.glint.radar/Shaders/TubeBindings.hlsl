@@ -76,6 +76,9 @@ StructuredBuffer<float4> _NormalFields;    // three rows a facet: gradient of a 
                                            // the centroid
 StructuredBuffer<uint4> _InstanceFacets;   // per instance: first element of _Facets, first patch, first
                                            // part; 1: a sea with a diffuse echo
+StructuredBuffer<float4> _Motions;         // per instance two rows: velocity at the scene's centre, m/s; angular
+                                           // velocity, rad/s
+uint _IsMoving;                            // 1: an instance moves
 StructuredBuffer<float4> _Reflections;     // per surface REFLECTION_STEPS + 1 elements: R_s, R_p over the cosine
 
 // Input: the radar and the receivers. At a finite range places are relative to the scene's centre.
@@ -104,7 +107,7 @@ uint _BisectStep;                          // bisections of earlier dispatches
 uint _Round;                               // 0: the base cells
 uint _FrequencyCount;
 float _UnitsPerSquareMetre;                // of sums of squared errors
-StructuredBuffer<float4> _WaveNumbers;     // per frequency: k rad/m; k / 2 pi: float32 and its Lo part
+StructuredBuffer<float4> _WaveNumbers;     // per frequency: k rad/m; k / 2 pi: float32 and its Lo part; time, s
 
 // Places where borders may turn, which rays through corners of cells can miss: corners of patches, relative to the scene's
 // centre, m. Each base cell has a list of those within half a cell of it.
@@ -134,6 +137,7 @@ RWStructuredBuffer<Tube> _Tubes;
 // Parts, whose contributions are summed apart: the triangles of all instances, the edges of each object, the bounces.
 RWStructuredBuffer<uint> _TubeParts;       // of each tube: the triangle, or the edges of an object
 uint _HasParts;                            // 0: they are not asked for
+RWStructuredBuffer<float4> _TubeRates;     // of each tube, only if something moves: see RateOf
 // GLINT_CORNER: what the ray through a corner of a cell has met at a bounce (Runtime/CrossSection/Tube.cs).
 struct Corner
 {

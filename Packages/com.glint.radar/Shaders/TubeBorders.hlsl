@@ -93,7 +93,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
                         : CRUDE_ERROR * AreaOf(piece, side) * Thinning(currents.Gradient, side);
                     currents.Error = area * MagnitudeOf(currents);
                     currents.Bent = BentErrorAt(tube, at, receiver, side);
-                    AddTube(currents, at.Part);
+                    AddTube(currents, at.Part, RateTo(receiver, tube, at));
                 }
             if (!ScatterTube(tube, at))
                 break;

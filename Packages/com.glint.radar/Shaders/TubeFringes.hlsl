@@ -17,6 +17,8 @@ struct EdgePiece
     float OuterAngle;      // through the air from the first face to the second, rad
     float3 Into;           // unit vector in the first face, across the edge
     uint Part;             // see _TubeParts
+    uint Instance;         // that it moves with
+    uint Unused[3];
 };
 
 StructuredBuffer<EdgePiece> _EdgePieces;
@@ -162,6 +164,16 @@ Tube FringeOf(EdgePiece piece, float2 part, uint index)
     return fringe;
 }
 
+// The rate of the path by an edge (see RateOf), the first by metres along it; 0 if nothing moves.
+float3 RateAt(EdgePiece piece, float2 part, uint index)
+{
+    if (_IsMoving == 0)
+        return 0.0;
+    float3 middle = piece.Centre + 0.5 * (part.x + part.y) * piece.Along;
+    float3 turn = ReceiverFrom(RADAR, middle).Direction + ReceiverFrom(index, middle).Direction;
+    return RateOf(piece.Instance, middle, piece.Along, 0.0, turn, 0.0, 0.0);
+}
+
 [numthreads(GLINT_GROUP, 1, 1)]
 void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
 {
@@ -187,7 +199,7 @@ void GLINT_KERNEL(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
     // Standard deviation of a border that is anywhere within its interval.
     bool isWhole = part.y - part.x == piece.Length;
     fringe.Error = isWhole ? 0.0 : 0.289 * piece.Length / (1u << EDGE_BISECTIONS) * MagnitudeOf(fringe);
-    AddTube(fringe, piece.Part);
+    AddTube(fringe, piece.Part, RateAt(piece, part, index));
 }
 
 #endif

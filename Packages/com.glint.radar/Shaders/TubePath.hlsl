@@ -17,6 +17,7 @@ struct TubePath
     float StartSection;             // where the field is 1, m2 a base cell
     uint Signature;                 // of the patches met, and who sees them
     bool HasMetTarget;              // anything but a sea with a diffuse echo
+    float3 Rate;                    // by the motion of what it was reflected by: see RateOf
 };
 
 // Of a ray that meets nothing.
@@ -33,6 +34,7 @@ struct SurfacePoint
     float Cosine;          // of the incidence angle on the patch; 0 where the patch looks away
     uint Patch;
     uint Surface;
+    uint Instance;         // index in the scene
     uint2 Triangle;        // see NumberOf
     uint Part;             // see _TubeParts
     bool IsSea;            // with a diffuse echo
@@ -110,6 +112,7 @@ SurfacePoint PointOf(TubePath tube, Hit hit, float3 facetNormal, float3 placeU, 
     uint2 facet = _Facets[first.x + identity.Triangle];
     at.Patch = first.y + facet.x;
     at.Surface = identity.Surface;
+    at.Instance = identity.Instance;
     at.Triangle = NumberOf(hit.Instance, hit.Row, hit.Second);
     at.Part = first.z + identity.Triangle;
     at.IsSea = first.w != 0;
@@ -229,6 +232,16 @@ float3 Mirrored(float3 v, float3 normal)
     return v - 2.0 * dot(v, normal) * normal;
 }
 
+// What a moving instance adds to the rate of a path at a place: by u and v, m/s a base cell, and itself, m/s. The rate
+// is that at which the path shortens: positive for what approaches. The velocity is that of the material at the place:
+// along a mirror a path is stationary, so that its shift over the surface does not count (Fermat).
+float3 RateOf(uint instance, float3 position, float3 placeU, float3 placeV, float3 turn, float3 turnU, float3 turnV)
+{
+    float3 turning = _Motions[2 * instance + 1].xyz, velocity = _Motions[2 * instance].xyz + cross(turning, position);
+    return float3(dot(cross(turning, placeU), turn) + dot(velocity, turnU),
+        dot(cross(turning, placeV), turn) + dot(velocity, turnV), dot(velocity, turn));
+}
+
 // Reflects a tube; false if it would dive into its facet.
 bool ScatterTube(inout TubePath tube, SurfacePoint at)
 {
@@ -244,10 +257,15 @@ bool ScatterTube(inout TubePath tube, SurfacePoint at)
     tube.FieldH = ReflectField(tube.FieldH, components, reflection);
     tube.V = Mirrored(tube.V, n);
     tube.H = Mirrored(tube.H, n);
-    tube.DirectionU = Mirrored(tube.DirectionU, n)
+    float3 directionU = Mirrored(tube.DirectionU, n)
         - 2.0 * (along * at.NormalU + dot(d, at.NormalU) * n);
-    tube.DirectionV = Mirrored(tube.DirectionV, n)
+    float3 directionV = Mirrored(tube.DirectionV, n)
         - 2.0 * (along * at.NormalV + dot(d, at.NormalV) * n);
+    if (_IsMoving != 0)
+        tube.Rate += RateOf(at.Instance, tube.Path.Ray.Origin, tube.PlaceU, tube.PlaceV, next - d,
+            directionU - tube.DirectionU, directionV - tube.DirectionV);
+    tube.DirectionU = directionU;
+    tube.DirectionV = directionV;
     Leave(tube.Path, next);
     return true;
 }

@@ -106,7 +106,7 @@ bool AddSquare(Bounce bounce, TubePath tube, SurfacePoint at, uint receivers, fl
             currents.Corners01.x = side;
             currents.Corners23 = strength > max(MIN_STRENGTH * mean, MIN_CURRENTS) ? bounce.Strength / strength
                 : float4(1.0, 0.0, 0.0, 0.0);
-            AddTube(currents, at.Part);
+            AddTube(currents, at.Part, RateTo(receiver, tube, at));
         }
     return true;
 }

@@ -116,18 +116,27 @@ float2 PolygonIntegral(float2 corners[5], uint count, float2 w)
     return sense * float2(sum.y, -sum.x) / size;
 }
 
-// S of a tube at a frequency, in units.
+// S of a tube at a frequency and time, in units.
 struct Radiation
 {
     float2 VV, HV, VH, HH;
     float Scale;           // units of S a unit of Tube.Error
 };
 
-Radiation RadiationOf(Tube tube, float4 waveNumber)
+Radiation RadiationOf(Tube tube, uint index, float4 waveNumber)
 {
     float k = waveNumber.x;
-    float turns = PartOfTurn(Mul(MakeDoubleFloat(waveNumber.y, waveNumber.z), tube.Phase));
+    DoubleFloat turnsPerMetre = MakeDoubleFloat(waveNumber.y, waveNumber.z), phase = Mul(turnsPerMetre, tube.Phase);
     float2 w = k * tube.Gradient;
+#ifndef GLINT_AMPLITUDE
+    if (_IsMoving != 0)
+    {
+        float3 rate = _TubeRates[index].xyz;
+        phase = Add(phase, Mul(Mul(turnsPerMetre, waveNumber.w), rate.z));
+        w += k * waveNumber.w * rate.xy;
+    }
+#endif
+    float turns = PartOfTurn(phase);
     uint count = tube.Tag >> 16;
     // - j k / sqrt(4 pi), which the coefficients of edges contain
     bool isEdge = count == EDGE_CORNERS;
@@ -206,7 +215,7 @@ void TubeSums(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
             Tube tube = _Tubes[i];
             if ((tube.Tag & 0xff) != slot)
                 continue;
-            Radiation radiation = RadiationOf(tube, waveNumber);
+            Radiation radiation = RadiationOf(tube, i, waveNumber);
             Accumulate(sums, radiation, overflow);
             // Errors of bent phases may add up or not.
             float2 vv = radiation.VV, hh = radiation.HH, bent = tube.Bent * (dot(vv, vv) > dot(hh, hh) ? vv : hh);
@@ -242,7 +251,7 @@ void TubeParts(uint3 group : SV_GroupID, uint thread : SV_GroupIndex)
         Sum sums[11];
         Clear(sums);
         uint overflow = 0;
-        Accumulate(sums, RadiationOf(tube, _WaveNumbers[_Parts.y]), overflow);
+        Accumulate(sums, RadiationOf(tube, i, _WaveNumbers[_Parts.y]), overflow);
         uint2 parts = uint2(_TubeParts[i], _Parts.w + (tube.Tag >> 8 & 0xff));
         for (uint sum = 0; sum < PART_WORDS / 2; sum++)
         {

@@ -58,6 +58,23 @@ namespace Glint.Tests
                     .Within(0.01 * largest));
         }
 
+        // With a choppiness of 1 the vertices are displaced as the water of linear waves is.
+        [Test]
+        public void Velocities_AreThoseOfTheMesh()
+        {
+            var settings = Waves(10, 64, 64);
+            (settings.ShortestWave, settings.Choppiness, settings.WindDirectionDegrees) = (16, 1, 33);
+            var surface = new SeaSurface(settings);
+            const double step = 0.05, time = 3;
+            var (before, after) = (surface.Mesh(time - step).Vertices, surface.Mesh(time + step).Vertices);
+            var found = surface.Velocities(time);
+            double largest = found.Max(velocity => math.length(velocity));
+            Assert.That(largest, Is.GreaterThan(0.5));
+            for (int i = 0; i < found.Length; i++)
+                Assert.That(math.distance(found[i], ((double3)after[i] - before[i]) / (2 * step)),
+                    Is.LessThan(0.005 * largest));
+        }
+
         // Mean squares over the facets of a mesh that is fine against its waves.
         [TestCase(0)]
         [TestCase(40)]

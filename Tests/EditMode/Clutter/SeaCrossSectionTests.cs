@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using System.Numerics;
 using Glint.Core;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -60,6 +61,55 @@ namespace Glint.Tests
             Assert.That(Sigma0.Decibels(scaled.Sigma0.HH),
                 Is.EqualTo(model.Decibels(Polarisation.HH, conditions)).Within(0.5));
             Assert.That(scaled.S.VV.Phase, Is.EqualTo(plain.S.VV.Phase).Within(1e-3));
+        }
+
+        // In double precision: each facet has its power, the speckle of the band's centre at the time, which turns as
+        // its Bragg waves do, and moves with the water.
+        [Test]
+        public void Trace_OfPulses_IsTheSumOverFacetsThatMoveWithTheWater()
+        {
+            const double start = 50, later = 3e-3, other = 0.99 * TenGigahertz;
+            var sea = new TestSea(8, 32, 16, 20, 0);
+            var clutter = sea.Clutter.At(start);
+            var pose = sea.Pose(35, 60, clutter);
+            (pose.Frequencies, pose.Times) = (new[] { other, TenGigahertz }, new[] { 0, later });
+            pose.BandCentre = TenGigahertz;
+            var echoes = Tracer.Trace(pose).Clutter;
+            for (int sample = 0; sample < 4; sample++)
+            {
+                var expected = FieldOf(sea, clutter, pose, pose.FrequencyOf(sample), pose.TimeOf(sample));
+                Assert.That((echoes[sample].S.VV - expected).Magnitude, Is.LessThan(0.01 * expected.Magnitude));
+            }
+            Assert.That((echoes[3].S.VV - echoes[1].S.VV).Magnitude, Is.GreaterThan(0.2 * echoes[1].S.VV.Magnitude));
+        }
+
+        static Complex FieldOf(TestSea sea, SeaClutter clutter, CrossSectionPose pose, double frequency, double time)
+        {
+            var velocities = clutter.FacetVelocities;
+            double3 toRadar = pose.Radar.ToRadar;
+            double k = 2 * Math.PI / Signal.Wavelength(frequency), centre = pose.BandCentre.Value,
+                now = clutter.Time + time;
+            double windCosine = math.dot(math.normalize(new double3(toRadar.x, 0, toRadar.z)), clutter.Wind),
+                share = ClutterMotion.ApproachingShare(windCosine, SeaClutter.ApproachingExponent),
+                bragg = ClutterMotion.AngularFrequency(4 * Math.PI / Signal.Wavelength(centre)
+                    * Math.Sqrt(1 - toRadar.y * toRadar.y));
+            var turn = Complex.FromPolarCoordinates(1, bragg * now);
+            var sum = Complex.Zero;
+            for (int i = 0; i < sea.Mesh.TriangleCount; i++)
+            {
+                sea.Mesh.GetTriangle(i, out var a, out var b, out var c);
+                var section = math.cross((double3)b - a, (double3)c - a) / 2;
+                section = section.y < 0 ? -section : section;
+                double area = math.length(section),
+                    sigma = clutter.TableAt(frequency).Read(section / area, toRadar, clutter.Wind).VV;
+                var speckle = Speckle.Between(new int2(i, 0), clutter.Seed, now / clutter.CoherenceTimeAt(centre));
+                var field = Math.Sqrt(share) * speckle.Approaching * turn
+                    + Math.Sqrt(1 - share) * speckle.Receding * Complex.Conjugate(turn);
+                double3 place = ((double3)a + b + c) / 3 + time * velocities[i];
+                sum += Math.Sqrt(area * sigma) * field
+                    * Complex.FromPolarCoordinates(1, 2 * k * math.dot(toRadar, place));
+            }
+            return sum;
         }
 
         [Test]

@@ -16,7 +16,7 @@ namespace Glint.Tests
             Assert.That(Marshal.SizeOf<Tube>(), Is.EqualTo(96));
             Assert.That(Marshal.SizeOf<TubeCell>(), Is.EqualTo(48));
             Assert.That(Marshal.SizeOf<TubeCorner>(), Is.EqualTo(64));
-            Assert.That(Marshal.SizeOf<EdgePiece>(), Is.EqualTo(48));
+            Assert.That(Marshal.SizeOf<EdgePiece>(), Is.EqualTo(64));
             Assert.That(Marshal.SizeOf<SeaFacet>(), Is.EqualTo(32));
             Assert.That(Marshal.SizeOf<SeaTileRecord>(), Is.EqualTo(96));
         }
@@ -38,7 +38,7 @@ namespace Glint.Tests
             var piece = new EdgePiece
             {
                 Centre = float3(37, 38, 39), Length = 40, Along = float3(41, 42, 43), OuterAngle = 44,
-                Into = float3(45, 46, 47), Part = 48
+                Into = float3(45, 46, 47), Part = 48, Instance = 81, Unused = uint3(82, 83, 84)
             };
             var facet = new SeaFacet { Centre = float3(49, 50, 51), IsBreaking = 52, Section = float3(53, 54, 55), Unused = 56 };
             var tile = new SeaTileRecord
@@ -49,12 +49,12 @@ namespace Glint.Tests
             };
             var corner = new TubeCorner
             {
-                Signature = 81, Bounces = 82, Strength = float2(83, 84), Place = float4(85, 86, 87, 88),
-                AlongU = float4(89, 90, 91, 92), AlongV = float4(93, 94, 95, 96)
+                Signature = 85, Bounces = 86, Strength = float2(87, 88), Place = float4(89, 90, 91, 92),
+                AlongU = float4(93, 94, 95, 96), AlongV = float4(97, 98, 99, 100)
             };
             bool IsWhole(int field) => field == 4 || field >= 25 && field <= 32 || field == 35 || field == 36
                 || field == 48 || field >= 52 && field <= 80 && field % 4 == 0 && (field < 57 || field > 68)
-                || field == 81 || field == 82;
+                || field >= 81 && field <= 86;
             using (var fields = new ShaderFields(TestKernels.TubeLayout))
             {
                 fields.Bind("_TubeIn", tube);
@@ -63,7 +63,7 @@ namespace Glint.Tests
                 fields.Bind("_SeaFacetIn", facet);
                 fields.Bind("_SeaTileIn", tile);
                 fields.Bind("_CornerIn", corner);
-                Assert.That(fields.Unpack(96), Is.EqualTo(Enumerable.Range(1, 96)
+                Assert.That(fields.Unpack(100), Is.EqualTo(Enumerable.Range(1, 100)
                     .Select(i => IsWhole(i) ? (uint)i : asuint((float)i))));
             }
         }

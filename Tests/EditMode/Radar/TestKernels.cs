@@ -38,6 +38,8 @@ namespace Glint.Tests
 
         public static ComputeShader Speckle => Load("Packages/com.glint.tests/EditMode/Shaders/Speckle.compute");
 
+        public static ComputeShader Backprojection => Load("Packages/com.glint.radar/Shaders/Backprojection.compute");
+
         public static ComputeShader SeaField => Load("Packages/com.glint.radar/Shaders/SeaField.compute");
 
         public static ComputeShader SeaFieldLayout =>

@@ -2,6 +2,8 @@
 import { byId, make, number, plural, seconds } from './text.js';
 import { chooseRow } from './rows.js';
 import { Contributions } from './contributions.js';
+import { Maps } from './doppler.js';
+import { IsarImage } from './image.js';
 import { HotSpots } from './hotspots.js';
 import { Polar } from './polar.js';
 import { Poses } from './poses.js';
@@ -44,6 +46,10 @@ export function showCrossSections(data) {
   errors();
   chooseRow(poses, 'others', row => `${present.map(name => `${name.toUpperCase()} ${number(row[`${name}_dbsm`], 4)}`).join(', ')} dBsm, error ${number(row.integration_error_db, 2)} dB`);
   charts = echo ? [new Profiles(echo, poses, maxSpan)] : [];
+  if (echo?.doppler) charts.push(new Maps(echo, poses, maxSpan));
+  else byId('doppler-section')?.remove();
+  if (echo?.image) charts.push(new IsarImage(echo, scene));
+  else byId('image-section')?.remove();
   if (echo) nameForEcho();
   if (echo && poses.rows.length === 1) byId('levels-section').remove();
   else charts.push(new Levels());

@@ -23,6 +23,7 @@ namespace Glint.Core
 
         readonly Dictionary<double, FacetTable> _tables;
         readonly Lazy<bool[]> _breakingFacets;
+        readonly Lazy<double3[]> _facetVelocities;
 
         /// <summary>The echo of a sea.</summary>
         /// <param name="longWaves">The waves of its mesh.</param>
@@ -50,6 +51,7 @@ namespace Glint.Core
             BreakingFraction = new WhitecapLaw(settings.WhitecapCoefficient).Fraction(ShortWaves.Wind);
             _tables = other?._tables ?? new Dictionary<double, FacetTable>();
             _breakingFacets = new Lazy<bool[]>(FindBreakingFacets);
+            _facetVelocities = new Lazy<double3[]>(FindFacetVelocities);
         }
 
         /// <summary>The waves of the mesh.</summary>
@@ -87,6 +89,12 @@ namespace Glint.Core
         /// of their cell, so that waves break on their forward faces.
         /// </summary>
         public IReadOnlyList<bool> BreakingFacets => _breakingFacets.Value;
+
+        /// <summary>
+        /// Velocity of the water of each triangle of the tile's mesh, in the order of its triangles, in the tile's
+        /// frame, m/s: the mean over its corners, of the linear waves.
+        /// </summary>
+        public IReadOnlyList<double3> FacetVelocities => _facetVelocities.Value;
 
         /// <summary>Level, wind, water, whitecaps and seed in one line.</summary>
         public override string ToString() => FormattableString.Invariant(
@@ -152,6 +160,17 @@ namespace Glint.Core
             double2 all = LongWaves.SlopeVariances(ShortWaves.Cut) + new double2(along, across);
             var (resolved, covariance) = LongWaves.FacetSlopeVariances();
             return new FacetTable(scattering, resolved, math.max(0, all - resolved), -covariance);
+        }
+
+        double3[] FindFacetVelocities()
+        {
+            var ofVertices = LongWaves.Velocities(Time);
+            var indices = LongWaves.Indices;
+            var velocities = new double3[indices.Count / 3];
+            for (int i = 0; i < velocities.Length; i++)
+                velocities[i] = (ofVertices[indices[3 * i]] + ofVertices[indices[3 * i + 1]]
+                    + ofVertices[indices[3 * i + 2]]) / 3;
+            return velocities;
         }
 
         bool[] FindBreakingFacets()

@@ -5,8 +5,8 @@ using System.Linq;
 namespace Glint.Core
 {
     /// <summary>
-    /// The rows of cross sections, in order: every receiver for each frequency, all these for each azimuth, and so on
-    /// for each elevation.
+    /// The rows of cross sections, in order: every receiver for each frequency, all these for each pulse if there are
+    /// pulses, these for each azimuth, and so on for each elevation.
     /// </summary>
     public sealed class CrossSectionPlan
     {
@@ -16,18 +16,23 @@ namespace Glint.Core
         readonly double[] _azimuths, _elevations, _frequencies, _receiverAzimuths;
         readonly double _receiverElevation;
 
+        // Of the identity.
+        const string PulsesName = "pulse_count", RepetitionName = "pulse_repetition_frequency_hz";
+
         /// <summary>A plan.</summary>
         /// <param name="azimuths">Of the radar, degrees.</param>
         /// <param name="elevations">Of the radar, degrees.</param>
         /// <param name="frequencies">Hertz; taken in ascending order.</param>
         /// <param name="receiverAzimuths">Of receivers apart from the radar, degrees; null: the radar receives.</param>
         /// <param name="receiverElevation">Of these receivers, degrees.</param>
+        /// <param name="pulses">Of each direction; null: the scene stands still.</param>
         /// <exception cref="UsageException">
         /// A frequency is given twice, or there are more than <see cref="Limit"/> rows.
         /// </exception>
         public CrossSectionPlan(double[] azimuths, double[] elevations, double[] frequencies,
-            double[] receiverAzimuths = null, double receiverElevation = 0)
+            double[] receiverAzimuths = null, double receiverElevation = 0, PulseTrain pulses = null)
         {
+            Pulses = pulses;
             (_azimuths, _elevations) = (azimuths, elevations);
             (_receiverAzimuths, _receiverElevation) = (receiverAzimuths, receiverElevation);
             _frequencies = frequencies.OrderBy(frequency => frequency).ToArray();
@@ -35,7 +40,7 @@ namespace Glint.Core
                 if (_frequencies[i] == _frequencies[i - 1])
                     throw new UsageException($"the frequency {Numbers.Format(_frequencies[i])} Hz is given twice: "
                         + "give each once");
-            double count = (double)azimuths.Length * elevations.Length * frequencies.Length * Receivers;
+            double count = (double)azimuths.Length * elevations.Length * PulseCount * frequencies.Length * Receivers;
             if (count > Limit)
                 throw new UsageException($"there are more than {Limit.ToString("N0", CultureInfo.InvariantCulture)} "
                     + "rows: shorten a list, or give its parts to several commands");
@@ -54,6 +59,12 @@ namespace Glint.Core
         /// <summary>Whether receivers are apart from the radar.</summary>
         public bool IsBistatic => _receiverAzimuths != null;
 
+        /// <summary>The pulses of each direction; null: the scene stands still.</summary>
+        public PulseTrain Pulses { get; }
+
+        /// <summary>Number of pulses of each direction; 1 where the scene stands still.</summary>
+        public int PulseCount => Pulses?.Count ?? 1;
+
         /// <summary>Hertz, in ascending order.</summary>
         public IReadOnlyList<double> Frequencies => _frequencies;
 
@@ -64,9 +75,11 @@ namespace Glint.Core
             get
             {
                 int receiver = row % Receivers, frequency = row / Receivers % _frequencies.Length;
-                int pose = row / Receivers / _frequencies.Length;
-                return new PlannedCrossSection(pose, frequency, receiver)
+                int pulse = row / Receivers / _frequencies.Length % PulseCount;
+                int pose = row / Receivers / _frequencies.Length / PulseCount;
+                return new PlannedCrossSection(pose, pulse, frequency, receiver)
                 {
+                    Time = Pulses?.TimeOf(pulse),
                     AzimuthDegrees = _azimuths[pose % _azimuths.Length],
                     ElevationDegrees = _elevations[pose / _azimuths.Length],
                     Frequency = _frequencies[frequency],
@@ -84,6 +97,11 @@ namespace Glint.Core
             Add(CrossSectionColumn.Azimuth, _azimuths);
             Add(CrossSectionColumn.Elevation, _elevations);
             Add(CrossSectionColumn.Frequency, _frequencies);
+            if (Pulses != null)
+            {
+                identity.Add(PulsesName, Numbers.Format(Pulses.Count));
+                identity.Add(RepetitionName, Numbers.Format(Pulses.RepetitionFrequency));
+            }
             if (!IsBistatic)
                 return;
             Add(CrossSectionColumn.ReceiverAzimuth, _receiverAzimuths);
@@ -94,24 +112,29 @@ namespace Glint.Core
         /// <exception cref="System.FormatException">It is not there, or damaged.</exception>
         public static CrossSectionPlan Of(SweepIdentity identity)
         {
-            double[] Find(ResultColumn column) => identity.Entries.FirstOrDefault(entry => entry.Key == column.Name)
+            double[] Find(string name) => identity.Entries.FirstOrDefault(entry => entry.Key == name)
                 .Value?.Split(',').Select(text => double.Parse(text, CultureInfo.InvariantCulture)).ToArray();
-            double[] Require(ResultColumn column) =>
-                Find(column) ?? throw new System.FormatException($"it has no {column.Name}");
-            return new CrossSectionPlan(Require(CrossSectionColumn.Azimuth), Require(CrossSectionColumn.Elevation),
-                Require(CrossSectionColumn.Frequency), Find(CrossSectionColumn.ReceiverAzimuth),
-                Find(CrossSectionColumn.ReceiverElevation)?[0] ?? 0);
+            double[] Require(string name) => Find(name) ?? throw new System.FormatException($"it has no {name}");
+            return new CrossSectionPlan(Require(CrossSectionColumn.Azimuth.Name),
+                Require(CrossSectionColumn.Elevation.Name), Require(CrossSectionColumn.Frequency.Name),
+                Find(CrossSectionColumn.ReceiverAzimuth.Name), Find(CrossSectionColumn.ReceiverElevation.Name)?[0] ?? 0,
+                Find(PulsesName) is double[] pulses
+                    ? new PulseTrain(Require(RepetitionName)[0], (int)pulses[0])
+                    : null);
         }
     }
 
     /// <summary>A row of a <see cref="CrossSectionPlan"/>: directions and frequency.</summary>
     public struct PlannedCrossSection
     {
-        internal PlannedCrossSection(int pose, int frequencyIndex, int receiver) : this() =>
-            (Pose, FrequencyIndex, Receiver) = (pose, frequencyIndex, receiver);
+        internal PlannedCrossSection(int pose, int pulse, int frequencyIndex, int receiver) : this() =>
+            (Pose, Pulse, FrequencyIndex, Receiver) = (pose, pulse, frequencyIndex, receiver);
 
         /// <summary>Number of the radar's direction, from 0.</summary>
         public int Pose { get; }
+
+        /// <summary>Number of the pulse of the direction, from 0.</summary>
+        public int Pulse { get; }
 
         /// <summary>Place of the frequency in the plan.</summary>
         public int FrequencyIndex { get; }
@@ -127,6 +150,9 @@ namespace Glint.Core
 
         /// <summary>Hertz.</summary>
         public double Frequency;
+
+        /// <summary>Of the pulse, seconds after the first; null without pulses.</summary>
+        public double? Time;
 
         /// <summary>Direction of the receiver, degrees; null: the radar receives.</summary>
         public double? ReceiverAzimuthDegrees;
@@ -149,7 +175,8 @@ namespace Glint.Core
                 ? $", received at {Numbers.Format(azimuth)} deg, {Numbers.Format(ReceiverElevationDegrees.Value)} deg"
                 : "";
             return $"azimuth {Numbers.Format(AzimuthDegrees)} deg, elevation {Numbers.Format(ElevationDegrees)} deg, "
-                + $"{Numbers.Format(Frequency)} Hz{receiver}";
+                + $"{Numbers.Format(Frequency)} Hz{receiver}"
+                + (Time is double time ? $", {Numbers.Format(time)} s" : "");
         }
     }
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Linq;
 using Unity.Mathematics;
 
 namespace Glint.Core
@@ -41,6 +42,33 @@ namespace Glint.Core
 
         /// <summary>Hertz, in ascending order.</summary>
         public double[] Frequencies { get; set; }
+
+        /// <summary>
+        /// Middle of the band that the frequencies are of, hertz: the speckle of a sea is the same over the band. Null:
+        /// each frequency has its own.
+        /// </summary>
+        public double? BandCentre { get; set; }
+
+        /// <summary>
+        /// Times of the pulses, seconds, 0 being the moment of the scene: each has all frequencies. What moves keeps
+        /// its velocities, and what the radar sees of it.
+        /// </summary>
+        public double[] Times { get; set; } = { 0 };
+
+        /// <summary>Number of <see cref="SampleOf">samples</see>.</summary>
+        public int Samples => Times.Length * Frequencies.Length;
+
+        /// <summary>Number of the sample of a pulse and a frequency.</summary>
+        public int SampleOf(int pulse, int frequency) => pulse * Frequencies.Length + frequency;
+
+        /// <summary>The frequency of a sample, hertz.</summary>
+        public double FrequencyOf(int sample) => Frequencies[sample % Frequencies.Length];
+
+        /// <summary>The time of a sample, seconds.</summary>
+        public double TimeOf(int sample) => Times[sample / Frequencies.Length];
+
+        /// <summary>Whether paths change their lengths from pulse to pulse.</summary>
+        public bool IsMoving => Scene.IsMoving && Times.Any(time => time != 0);
 
         /// <summary>Maximum number of bounces of a path, 1 to <see cref="RadarSettings.BounceLimit"/>.</summary>
         public int MaxBounces { get; set; } = RadarSettings.Default.MaxBounces;

@@ -5,16 +5,18 @@ namespace Glint.Core
     /// <summary>The cross section of a pose.</summary>
     public sealed class CrossSectionResult
     {
-        /// <summary>Receivers times frequencies.</summary>
-        public CrossSectionResult(int receivers, int frequencies)
+        /// <summary>Receivers times samples, which are frequencies of a pulse.</summary>
+        public CrossSectionResult(int receivers, int samples)
         {
-            S = new ScatteringMatrix[receivers, frequencies];
-            Sea = new ScatteringMatrix[receivers, frequencies];
-            Clutter = new ClutterEcho[frequencies];
-            Errors = new double[receivers, frequencies];
+            S = new ScatteringMatrix[receivers, samples];
+            Sea = new ScatteringMatrix[receivers, samples];
+            Clutter = new ClutterEcho[samples];
+            Errors = new double[receivers, samples];
         }
 
-        /// <summary>Scattering matrix of each receiver and frequency, metres.</summary>
+        /// <summary>
+        /// Scattering matrix of each receiver and <see cref="CrossSectionPose.SampleOf">sample</see>, metres.
+        /// </summary>
         public ScatteringMatrix[,] S { get; }
 
         /// <summary>
@@ -23,7 +25,7 @@ namespace Glint.Core
         /// </summary>
         public ScatteringMatrix[,] Sea { get; }
 
-        /// <summary>Diffuse echo of the seas at each frequency: included in <see cref="Sea"/>.</summary>
+        /// <summary>Diffuse echo of the seas at each sample: included in <see cref="Sea"/>.</summary>
         public ClutterEcho[] Clutter { get; }
 
         /// <summary>Standard error of the integration, of each complex amplitude, metres.</summary>
@@ -47,15 +49,15 @@ namespace Glint.Core
         /// </summary>
         public double CellError { get; set; }
 
-        /// <summary>Adds the diffuse echo of seas at each frequency, which returns to the only receiver.</summary>
+        /// <summary>Adds the diffuse echo of seas at each sample, which returns to the only receiver.</summary>
         /// <param name="clutter">Null: none.</param>
         public void Add(ClutterEcho[] clutter)
         {
-            for (int frequency = 0; clutter != null && frequency < clutter.Length; frequency++)
+            for (int sample = 0; clutter != null && sample < clutter.Length; sample++)
             {
-                Clutter[frequency] = clutter[frequency];
-                Sea[0, frequency] += clutter[frequency].S;
-                S[0, frequency] += clutter[frequency].S;
+                Clutter[sample] = clutter[sample];
+                Sea[0, sample] += clutter[sample].S;
+                S[0, sample] += clutter[sample].S;
             }
         }
 

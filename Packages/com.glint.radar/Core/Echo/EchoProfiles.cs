@@ -13,6 +13,7 @@ namespace Glint.Core
     {
         readonly IReadOnlyList<StoredRow> _rows;
         readonly ThermalNoise _noise;
+        readonly Func<IsarTransform, IReadOnlyList<Complex[]>, Complex[]> _backproject;
 
         /// <summary>The profiles of a run.</summary>
         /// <param name="rows">All rows of the plan.</param>
@@ -25,9 +26,11 @@ namespace Glint.Core
             Settings = EchoSettings.Of(info);
             Band = Settings.BandOf(Plan);
             Range = Settings.RangeOf(Plan);
+            Doppler = Settings.DopplerOf(Plan, Range);
             Polarisations = EchoSettings.PolarisationsOf(info);
             _noise = Settings.Radar?.NoiseOf(Band);
             _rows = rows;
+            _backproject = info.Backproject ?? ((transform, profiles) => transform.Image(profiles));
         }
 
         /// <summary>Directions and frequencies.</summary>
@@ -42,6 +45,9 @@ namespace Glint.Core
         /// <summary>Makes the profiles.</summary>
         public RangeTransform Range { get; }
 
+        /// <summary>Makes the range-Doppler maps; null without pulses.</summary>
+        public RangeDopplerTransform Doppler { get; }
+
         /// <summary>The elements of the scattering matrix that were asked for.</summary>
         public IReadOnlyList<Polarisation> Polarisations { get; }
 
@@ -54,33 +60,56 @@ namespace Glint.Core
 
         static int DirectionsOf(CrossSectionPlan plan) => plan.Poses * plan.Receivers;
 
-        /// <summary>The rows of a direction, in order of the frequencies.</summary>
-        public IReadOnlyList<StoredRow> RowsOf(int direction) => Enumerable.Range(0, Band.Count)
-            .Select(frequency => _rows[NumberOf(direction, frequency)]).ToArray();
+        /// <summary>The rows of a direction and pulse, in order of the frequencies.</summary>
+        public IReadOnlyList<StoredRow> RowsOf(int direction, int pulse = 0) => Enumerable.Range(0, Band.Count)
+            .Select(frequency => _rows[NumberOf(direction, pulse, frequency)]).ToArray();
 
         /// <summary>The direction, as planned for its first frequency.</summary>
-        public PlannedCrossSection Planned(int direction) => Plan[NumberOf(direction, 0)];
+        public PlannedCrossSection Planned(int direction) => Plan[NumberOf(direction, 0, 0)];
 
-        /// <summary>S in metres in order of the frequencies; null if it was not asked for.</summary>
-        public Complex[] Responses(int direction, Polarisation polarisation) => Polarisations.Contains(polarisation)
-            ? RowsOf(direction).Select(row => CrossSectionColumn.Amplitude(row, polarisation).Value).ToArray()
-            : null;
+        /// <summary>S of the first pulse in metres in order of the frequencies; null if it was not asked for.</summary>
+        public Complex[] Responses(int direction, Polarisation polarisation) => Responses(direction, polarisation, 0);
+
+        /// <inheritdoc cref="Received(int, Polarisation, int)"/>
+        public Complex[] Received(int direction, Polarisation polarisation) => Received(direction, polarisation, 0);
+
+        /// <summary>S of a pulse in metres in order of the frequencies; null if it was not asked for.</summary>
+        public Complex[] Responses(int direction, Polarisation polarisation, int pulse) =>
+            Polarisations.Contains(polarisation)
+                ? RowsOf(direction, pulse)
+                    .Select(row => CrossSectionColumn.Amplitude(row, polarisation).Value).ToArray()
+                : null;
 
         /// <summary>
-        /// Received amplitudes in the root of a watt, with noise; null if it was not asked for, or without a radar.
+        /// Received amplitudes of a pulse in the root of a watt, with noise; null if it was not asked for, or without a
+        /// radar.
         /// </summary>
-        public Complex[] Received(int direction, Polarisation polarisation)
+        public Complex[] Received(int direction, Polarisation polarisation, int pulse)
         {
-            if (Settings.Radar == null || !(Responses(direction, polarisation) is Complex[] responses))
+            if (Settings.Radar == null || !(Responses(direction, polarisation, pulse) is Complex[] responses))
                 return null;
             var received = Settings.Radar.Receive(Band, responses);
             // The same noise whatever other polarisations were asked for.
-            long pulse = 4L * direction + 2 * polarisation.Received + polarisation.Sent;
-            return _noise?.AddTo(received, pulse) ?? received;
+            long number = 4 * ((long)direction * Plan.PulseCount + pulse) + 2 * polarisation.Received
+                + polarisation.Sent;
+            return _noise?.AddTo(received, number) ?? received;
         }
 
         /// <summary>The range profile of responses or of received amplitudes; null of null.</summary>
         public Complex[] Profile(Complex[] responses) => responses == null ? null : Range.Profile(responses);
+
+        /// <summary>
+        /// The range-Doppler map of a direction, row by row: in metres, or with a radar in the root of a watt; null if
+        /// the polarisation was not asked for.
+        /// </summary>
+        /// <param name="transform"><see cref="Doppler"/>, or another one of the same plan.</param>
+        /// <param name="values"><see cref="Responses(int, Polarisation, int)"/> or
+        /// <see cref="Received(int, Polarisation, int)"/>.</param>
+        public Complex[] Map(RangeDopplerTransform transform, int direction, Polarisation polarisation,
+            Func<int, Polarisation, int, Complex[]> values) => values(direction, polarisation, 0) == null
+                ? null
+                : transform.Map(Enumerable.Range(0, Plan.PulseCount)
+                    .Select(pulse => values(direction, polarisation, pulse)).ToArray());
 
         /// <summary>From the profiles to the image; only with <see cref="EchoSettings.Image"/>.</summary>
         public IsarTransform NewImage() => NewImage(Settings.RangeOf(Plan, IsarTransform.Padding));
@@ -91,7 +120,7 @@ namespace Glint.Core
             if (!Polarisations.Contains(polarisation))
                 return null;
             var range = Settings.RangeOf(Plan, IsarTransform.Padding);
-            return NewImage(range).Image(Enumerable.Range(0, Directions).Select(direction =>
+            return _backproject(NewImage(range), Enumerable.Range(0, Directions).Select(direction =>
                 range.Profile(Responses(direction, polarisation))).ToArray());
         }
 
@@ -103,8 +132,9 @@ namespace Glint.Core
                 Window.Named(Settings.Window), Settings.Image.Side, Settings.Image.Pixels);
         }
 
-        int NumberOf(int direction, int frequency) =>
-            (direction / Plan.Receivers * Band.Count + frequency) * Plan.Receivers + direction % Plan.Receivers;
+        int NumberOf(int direction, int pulse, int frequency) =>
+            ((direction / Plan.Receivers * Plan.PulseCount + pulse) * Band.Count + frequency) * Plan.Receivers
+            + direction % Plan.Receivers;
     }
 
     /// <summary>The highest echo of a profile.</summary>

@@ -12,6 +12,8 @@ namespace Glint.Core
         const string RangeMeaning =
             "half of the path out and back, 0 at the phase centre, positive away from the radar";
 
+        const string SpeedMeaning = "half of the rate at which the path shortens: positive towards the radar";
+
         const string On = "on", Off = "off";
 
         /// <summary>Width of the band, hertz: the number of frequencies times their step.</summary>
@@ -22,6 +24,9 @@ namespace Glint.Core
 
         /// <summary>The radar, for received power; null: cross sections only.</summary>
         public EchoRadar Radar { get; set; }
+
+        /// <summary>How targets are detected; null: not at all.</summary>
+        public EchoDetection Detection { get; set; }
 
         /// <summary>Whether a MAT-file is written.</summary>
         public bool HasMatlab { get; set; }
@@ -44,6 +49,14 @@ namespace Glint.Core
             return new RangeTransform(band, Core.Window.Named(Window), padding, -0.5 * band.UnambiguousRange);
         }
 
+        /// <summary>From the responses of pulses to maps; null without pulses.</summary>
+        /// <param name="range">Makes the profile of each pulse.</param>
+        /// <param name="padding">Rows a bin of speed, at least.</param>
+        public RangeDopplerTransform DopplerOf(CrossSectionPlan plan, RangeTransform range, int padding = 2) =>
+            plan.Pulses == null
+                ? null
+                : new RangeDopplerTransform(range, BandOf(plan), plan.Pulses, Core.Window.Named(Window), padding);
+
         /// <summary>Adds the settings to those of results.json.</summary>
         public void AddTo(List<RunSetting> settings, CrossSectionPlan plan)
         {
@@ -55,6 +68,15 @@ namespace Glint.Core
             settings.Add(new RunSetting("unambiguous_range", band.UnambiguousRange, "m"));
             settings.Add(new RunSetting("window", Window));
             Radar?.AddTo(settings);
+            Detection?.AddTo(settings);
+            if (plan.Pulses != null)
+            {
+                settings.Add(new RunSetting("doppler_speed", SpeedMeaning));
+                settings.Add(new RunSetting("pulses", plan.Pulses.Count, "1"));
+                settings.Add(new RunSetting("prf", plan.Pulses.RepetitionFrequency, "Hz"));
+                settings.Add(new RunSetting("speed_resolution", plan.Pulses.SpeedResolution(band.Centre), "m/s"));
+                settings.Add(new RunSetting("blind_speed", plan.Pulses.BlindSpeed(band.Centre), "m/s"));
+            }
             Image?.AddTo(settings);
             settings.Add(new RunSetting("mat", HasMatlab ? On : Off));
             settings.Add(new RunSetting("sigmf", HasSigMf ? On : Off));
@@ -65,7 +87,8 @@ namespace Glint.Core
         public static EchoSettings Of(RunInfo info) => new EchoSettings
         {
             Bandwidth = Find(info, "bandwidth").Number, Window = Find(info, "window").Text,
-            Radar = EchoRadar.Of(info), Image = IsarSettings.Of(info), HasMatlab = Find(info, "mat").Text == On,
+            Radar = EchoRadar.Of(info), Detection = EchoDetection.Of(info), Image = IsarSettings.Of(info),
+            HasMatlab = Find(info, "mat").Text == On,
             HasSigMf = Find(info, "sigmf").Text == On
         };
 

@@ -64,30 +64,63 @@ namespace Glint.Core
         {
             Require.Equal("image", "profiles", profiles.Count, _looks.Count);
             var image = new Complex[Pixels * Pixels];
+            var looks = Enumerable.Range(0, _looks.Count).Select(LookOf).ToArray();
             Parallel.For(0, Pixels, row =>
             {
                 for (int column = 0; column < Pixels; column++)
                 {
-                    var place = PlaceOf(row) * _down + PlaceOf(column) * _cross;
+                    double down = row - 0.5 * (Pixels - 1), cross = column - 0.5 * (Pixels - 1);
                     var sum = Complex.Zero;
-                    for (int look = 0; look < _looks.Count; look++)
-                        sum += _weights[look] * At(profiles[look], -math.dot(_looks[look].ToRadar, place));
+                    for (int look = 0; look < looks.Length; look++)
+                        sum += looks[look].At(profiles[look], down, cross);
                     image[row * Pixels + column] = sum;
                 }
             });
             return image;
         }
 
-        // The profile at a range, turned back by the phase of the carrier; 0 outside the unambiguous range.
-        Complex At(Complex[] profile, double range)
+        /// <summary>How the place of a pixel leads to a look's profile.</summary>
+        public LookSteps LookOf(int look)
         {
-            double cell = (range - _range.StartRange) / _range.CellSize;
+            double turns = 2 * _centreFrequency / Signal.SpeedOfLight, cells = 1 / _range.CellSize,
+                down = -Pixel * math.dot(_looks[look].ToRadar, _down),
+                cross = -Pixel * math.dot(_looks[look].ToRadar, _cross);
+            return new LookSteps
+            {
+                TurnsDown = turns * down, TurnsCross = turns * cross, CellsDown = cells * down,
+                CellsCross = cells * cross, CentreCell = -cells * _range.StartRange, Weight = _weights[look]
+            };
+        }
+    }
+
+    /// <summary>
+    /// A look of an image: the turns of the carrier and the cell of the profile are linear in the pixels from the
+    /// image's middle.
+    /// </summary>
+    public struct LookSteps
+    {
+        /// <summary>Turns of the carrier a pixel down range and cross range.</summary>
+        public double TurnsDown, TurnsCross;
+
+        /// <summary>Cells of the profile a pixel down range and cross range, and that of the image's middle.</summary>
+        public double CellsDown, CellsCross, CentreCell;
+
+        /// <summary>Of the look; all add up to 1.</summary>
+        public double Weight;
+
+        /// <summary>
+        /// What the look adds to a pixel: its profile, turned back by the phase of the carrier; 0 outside the
+        /// unambiguous range.
+        /// </summary>
+        internal Complex At(Complex[] profile, double down, double cross)
+        {
+            double cell = down * CellsDown + cross * CellsCross + CentreCell;
             int first = (int)Math.Floor(cell);
             if (first < 0 || first + 1 >= profile.Length)
                 return Complex.Zero;
             double part = cell - first;
-            var (sine, cosine) = PortableMath.SinCos(2 * _centreFrequency * range / Signal.SpeedOfLight);
-            return ((1 - part) * profile[first] + part * profile[first + 1]) * new Complex(cosine, sine);
+            var (sine, cosine) = PortableMath.SinCos(down * TurnsDown + cross * TurnsCross);
+            return Weight * ((1 - part) * profile[first] + part * profile[first + 1]) * new Complex(cosine, sine);
         }
     }
 }

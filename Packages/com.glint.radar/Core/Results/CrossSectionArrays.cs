@@ -18,12 +18,14 @@ namespace Glint.Core
         /// <summary>
         /// Adds azimuth and elevation of each pose, frequency, receiver (azimuth and elevation; those of the pose, as
         /// NaN, where the radar receives), S by pose, frequency, receiver, received and sent polarisation (V, H; NaN
-        /// where it was not asked for), and error.
+        /// where it was not asked for), and error. With pulses S and error have an index more, of the pulse, after that
+        /// of the pose, and there is the time of each.
         /// </summary>
         public static void AddTo(IArrayFile arrays, RunInfo info, IReadOnlyList<StoredRow> rows)
         {
             var plan = CrossSectionPlan.Of(info.Sweep);
-            int frequencies = plan.Frequencies.Count, receivers = plan.Receivers, rowsOfPose = frequencies * receivers;
+            int frequencies = plan.Frequencies.Count, receivers = plan.Receivers,
+                rowsOfPose = plan.PulseCount * frequencies * receivers;
             var poses = Enumerable.Range(0, plan.Poses).Select(pose => plan[pose * rowsOfPose]).ToArray();
             var received = Enumerable.Range(0, receivers).Select(receiver => plan[receiver]);
             arrays.Add("azimuth", new[] { poses.Length }, poses.Select(pose => pose.AzimuthDegrees));
@@ -31,9 +33,14 @@ namespace Glint.Core
             arrays.Add("frequency", new[] { frequencies }, plan.Frequencies);
             arrays.Add("receiver", new[] { receivers, 2 }, received.SelectMany(planned => new[]
                 { planned.ReceiverAzimuthDegrees ?? double.NaN, planned.ReceiverElevationDegrees ?? double.NaN }));
-            arrays.Add("S", new[] { poses.Length, frequencies, receivers, 2, 2 }, rows.SelectMany(Matrix));
-            arrays.Add("error", new[] { poses.Length, frequencies, receivers },
-                rows.Select(row => row[CrossSectionColumn.Error].Value));
+            int[] sizes = plan.Pulses == null
+                ? new[] { poses.Length, frequencies, receivers }
+                : new[] { poses.Length, plan.PulseCount, frequencies, receivers };
+            if (plan.Pulses != null)
+                arrays.Add("time", new[] { plan.PulseCount },
+                    Enumerable.Range(0, plan.PulseCount).Select(plan.Pulses.TimeOf));
+            arrays.Add("S", sizes.Append(2).Append(2).ToArray(), rows.SelectMany(Matrix));
+            arrays.Add("error", sizes, rows.Select(row => row[CrossSectionColumn.Error].Value));
         }
 
         static IEnumerable<Complex> Matrix(StoredRow row) =>

@@ -44,6 +44,9 @@ namespace Glint.Core
         public static readonly ResultColumn OutsidePhysicalOptics =
             Flag("outside_physical_optics", "Outside physical optics", row => row.IsOutsidePhysicalOptics);
 
+        /// <summary>Time of a pulse after the first; only with pulses.</summary>
+        public static readonly ResultColumn Time = Optional(Of("time_s", "Time", "s", row => row.Planned.Time));
+
         static readonly (ResultColumn re, ResultColumn im)[] s_amplitudes =
             Polarisation.All.Select(polarisation => (Of(polarisation, "re", "real part", amplitude => amplitude.Real),
                 Of(polarisation, "im", "imaginary part", amplitude => amplitude.Imaginary))).ToArray();
@@ -57,7 +60,7 @@ namespace Glint.Core
                 {
                     ErrorDb, Error, ToleranceMet, OutsidePhysicalOptics,
                     Of("coarse_area_share", "Share of the area with coarse facets", "1", row => row.CoarseShare),
-                    Of("tubes", "Tubes", "1", row => row.Tubes), Of("rays", "Rays", "1", row => row.Rays)
+                    Of("tubes", "Tubes", "1", row => row.Tubes), Of("rays", "Rays", "1", row => row.Rays), Time
                 }).ToArray());
 
         /// <summary>The amplitude of a polarisation in a row, metres; null if it was not asked for.</summary>
@@ -88,6 +91,12 @@ namespace Glint.Core
             var column = Of(name, title, "1", row => value(row) ? 1 : 0);
             column.IsFlag = true;
             return column;
+        }
+
+        static ResultColumn Optional(ResultColumn column)
+        {
+            column.IsOptional = true;
+            return MayBeMissing(column);
         }
 
         static ResultColumn MayBeMissing(ResultColumn column)

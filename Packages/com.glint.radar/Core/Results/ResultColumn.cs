@@ -116,7 +116,7 @@ namespace Glint.Core
         public bool MayBeMissing { get; internal set; }
 
         /// <summary>Whether files whose rows have no such value are without the column.</summary>
-        public bool IsOptional { get; private set; }
+        public bool IsOptional { get; internal set; }
 
         /// <summary>Text in place of a missing value; null for none.</summary>
         public string Missing { get; private set; }

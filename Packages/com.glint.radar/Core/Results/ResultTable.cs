@@ -33,6 +33,10 @@ namespace Glint.Core
             WholeFiles = new[]
             {
                 new WholeFile("profile.csv", EchoFiles.WriteTable, (info, rows) => true),
+                new WholeFile("doppler.csv", EchoFiles.WriteMaps,
+                    (info, rows) => CrossSectionPlan.Of(info.Sweep).Pulses != null),
+                new WholeFile("detections.csv", EchoFiles.WriteDetections,
+                    (info, rows) => EchoSettings.Of(info).Detection != null),
                 new WholeFile("echo.npz", EchoFiles.WriteNumpy, (info, rows) => true),
                 new WholeFile("echo.mat", EchoFiles.WriteMatlab, (info, rows) => EchoSettings.Of(info).HasMatlab),
                 new WholeFile("echo.sigmf-data", EchoFiles.WriteSigMfData,

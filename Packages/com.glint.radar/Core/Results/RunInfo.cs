@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Numerics;
 
 namespace Glint.Core
 {
@@ -16,6 +17,9 @@ namespace Glint.Core
         /// null for a run that no command began.
         /// </summary>
         public IReadOnlyList<string> Command;
+
+        /// <summary>Makes images of range profiles; null: the processor does. Not written.</summary>
+        public Func<IsarTransform, IReadOnlyList<Complex[]>, Complex[]> Backproject;
 
         /// <summary>Object that was turned.</summary>
         public string TargetName;

@@ -84,11 +84,11 @@ namespace Glint.Core
                     surfaces.Add(material);
                 return surfaces.IndexOf(material);
             }).ToArray();
-            return new RadarScene(Array.ConvertAll(scene.Instances, instance => new MeshInstance
+            return new RadarScene(Array.ConvertAll(scene.Instances, instance =>
             {
-                Mesh = instance.Mesh, ToWorld = instance.ToWorld,
-                Ranges = Array.ConvertAll(instance.Ranges,
-                    range => new MeshRange(range.FirstTriangle, range.Object, places[range.Surface]))
+                instance.Ranges = Array.ConvertAll(instance.Ranges,
+                    range => new MeshRange(range.FirstTriangle, range.Object, places[range.Surface]));
+                return instance;
             }))
             { Origin = scene.Origin, Surfaces = surfaces, Seas = scene.Seas };
         }

@@ -15,6 +15,9 @@ namespace Glint.Core
         /// <summary>Transform from the mesh's frame to the scene's, metres.</summary>
         public Affine ToWorld;
 
+        /// <summary>How it moves, in the scene's frame.</summary>
+        public RigidMotion Motion;
+
         /// <summary>
         /// Objects and surfaces of the triangles, in the order of <see cref="MeshRange.FirstTriangle"/>, from 0.
         /// Null, or not set: one range of no known object, a perfect conductor.
@@ -30,9 +33,9 @@ namespace Glint.Core
             }
         }
 
-        /// <summary>Whether both are the same mesh at the same place, with equal ranges.</summary>
+        /// <summary>Whether both are the same mesh at the same place, with equal motions and ranges.</summary>
         public bool Equals(MeshInstance other) => Mesh == other.Mesh && ToWorld.Equals(other.ToWorld)
-            && Ranges.AsSpan().SequenceEqual(other.Ranges);
+            && Motion.Equals(other.Motion) && Ranges.AsSpan().SequenceEqual(other.Ranges);
 
         /// <inheritdoc/>
         public override bool Equals(object other) => other is MeshInstance instance && Equals(instance);

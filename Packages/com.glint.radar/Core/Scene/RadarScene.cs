@@ -39,7 +39,8 @@ namespace Glint.Core
         public double3 Origin { get; set; }
 
         /// <summary>
-        /// Whether both have the same meshes at the same places, with the same ranges, surfaces and seas.
+        /// Whether both have the same meshes at the same places, with the same motions, ranges, surfaces and
+        /// seas.
         /// </summary>
         public bool IsSame(RadarScene other) =>
             Instances.AsSpan().SequenceEqual(other.Instances) && Surfaces.SequenceEqual(other.Surfaces)
@@ -57,6 +58,9 @@ namespace Glint.Core
                 }
             return (boxMin, boxMax);
         }
+
+        /// <summary>Whether an instance moves.</summary>
+        public bool IsMoving => Instances.Any(instance => !instance.Motion.IsNone);
 
         /// <summary>Triangles of all instances.</summary>
         public long TriangleCount => Instances.Sum(instance => (long)instance.Mesh.TriangleCount);

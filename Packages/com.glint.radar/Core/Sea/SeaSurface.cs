@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Unity.Mathematics;
 
 namespace Glint.Core
@@ -185,7 +186,39 @@ namespace Glint.Core
                 waves.Real[at] *= factor;
                 waves.Imaginary[at] *= factor;
             }
-            double[] ofCells = _sum.Sum(waves);
+            return AtVertices(_sum.Sum(waves));
+        }
+
+        /// <summary>
+        /// Velocity in m/s of the water of the linear waves at the vertices of <see cref="Mesh"/>, in their order.
+        /// Water moves along a wave as fast as up and down: forward on crests.
+        /// </summary>
+        /// <exception cref="GlintException">The time is not finite, or too far from 0.</exception>
+        public double3[] Velocities(double timeSeconds)
+        {
+            var waves = At(timeSeconds);
+            double[] Part(Func<SeaMode, double> real, Func<SeaMode, double> imaginary)
+            {
+                var part = new WaveCoefficients(_reach);
+                foreach (var mode in _modes)
+                {
+                    int at = waves.IndexOf(mode.Column, mode.Row);
+                    double frequency = 2 * Math.PI * mode.Frequency, a = frequency * real(mode),
+                        b = frequency * imaginary(mode);
+                    part.Real[at] = a * waves.Real[at] - b * waves.Imaginary[at];
+                    part.Imaginary[at] = a * waves.Imaginary[at] + b * waves.Real[at];
+                }
+                return AtVertices(_sum.Sum(part));
+            }
+
+            // The height turns as e^(-i w t).
+            double[] x = Part(mode => mode.AlongX, _ => 0), y = Part(_ => 0, _ => -1),
+                z = Part(mode => mode.AlongZ, _ => 0);
+            return Enumerable.Range(0, x.Length).Select(i => new double3(x[i], y[i], z[i])).ToArray();
+        }
+
+        double[] AtVertices(double[] ofCells)
+        {
             int cells = _settings.Cells, side = cells + 1;
             var ofVertices = new double[side * side];
             for (int i = 0; i < ofVertices.Length; i++)

@@ -170,6 +170,9 @@ namespace Glint.Editor
                         + "frequencies, are folded into it.",
                     "With --power the files also have received power in dBW by the radar equation, with the receiver's "
                         + "noise if --noise-figure is given.",
+                    "With --pulses each direction has a range-Doppler map too, in doppler.csv. A mesh file moves by "
+                        + "--velocity and --turn-rate, an object of a scene by its component RadarMotion, a sea with "
+                        + "clutter by its waves. Speed is positive towards the radar.",
                     "Without --out the files go to Results/<name of the input>-echo beside the project's Assets."
                 },
             Handler = EchoCommand.Execute,
@@ -183,7 +186,10 @@ namespace Glint.Editor
                         "A profile a degree; glint report shows them as a waterfall."),
                     Example("echo boat.obj --frequency 9.41e9 --range 5000 --power 25000 --gain 30 --noise-figure 5 "
                             + "--mat --sigmf",
-                        "Received power at 5 km with noise, for MATLAB and as a SigMF recording too.")
+                        "Received power at 5 km with noise, for MATLAB and as a SigMF recording too."),
+                    Example("echo boat.obj --azimuth 30 --pulses 64 --prf 2000 --velocity 0,0,-6 --range 5000 "
+                            + "--power 25000 --gain 30 --noise-figure 5 --detect ca",
+                        "A range-Doppler map of a boat that moves, and what is detected in it.")
                 }
         };
 

@@ -149,20 +149,22 @@ namespace Glint.Editor
         };
 
         /// <summary>The plan of a command line.</summary>
+        /// <param name="pulses">Of each direction; null: the scene stands still.</param>
         /// <exception cref="UsageException">The lists do not go together.</exception>
-        public static CrossSectionPlan PlanOf(CommandLine line, double[] frequencies)
+        public static CrossSectionPlan PlanOf(CommandLine line, double[] frequencies, PulseTrain pulses = null)
         {
             double[] azimuths = line.Get(Azimuth), elevations = line.Get(Elevation);
             CrossSectionPlan plan;
             if (line.Get(Receivers) is double[] receivers)
                 plan = elevations.Length == 1
-                    ? new CrossSectionPlan(azimuths, elevations, frequencies, receivers, elevations[0])
+                    ? new CrossSectionPlan(azimuths, elevations, frequencies, receivers, elevations[0], pulses)
                     : throw new UsageException($"{Elevation.Flag}: has {elevations.Length} values: give one with "
                         + $"{Receivers.Flag}, whose receivers have the same elevation");
             else if (line.Get(Bistatic) is double2 receiver)
-                plan = new CrossSectionPlan(azimuths, elevations, frequencies, new[] { receiver.x }, receiver.y);
+                plan = new CrossSectionPlan(azimuths, elevations, frequencies, new[] { receiver.x }, receiver.y,
+                    pulses);
             else
-                plan = new CrossSectionPlan(azimuths, elevations, frequencies);
+                plan = new CrossSectionPlan(azimuths, elevations, frequencies, pulses: pulses);
             if (line.Get(Options.Shard) is SweepShard shard && shard.Count > plan.Count)
                 throw new UsageException($"{Options.Shard.Flag} {shard}: there are {plan.Count} rows: "
                     + "use at most as many parts");

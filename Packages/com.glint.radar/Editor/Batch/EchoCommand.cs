@@ -1,8 +1,9 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using System.Numerics;
+using Complex = System.Numerics.Complex;
 using Glint.Core;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Glint.Editor
@@ -17,16 +18,69 @@ namespace Glint.Editor
         {
             var settings = EchoOptions.SettingsOf(line);
             var opened = CrossSectionCommand.OpenScene(line);
+            if (line.InputKind == InputKind.MeshFile)
+                Move(opened.scene, EchoOptions.MotionOf(line, CrossSectionCommand.PhaseCentreOf(line, opened.scene)));
             var (min, max) = opened.scene.Bound();
             double reach = EchoBand.Reach(min, max, CrossSectionCommand.PhaseCentreOf(line, opened.scene));
             var plan = EchoOptions.PlanOf(line, reach);
             var setup = CrossSectionCommand.SetupOf(line, opened, plan);
             setup.Echo = settings;
+            if (settings.Detection != null && settings.Radar?.NoiseFigureDb == null && opened.scene.Seas.Count == 0)
+                throw new UsageException($"{EchoOptions.Detect.Flag}: there is nothing but echoes to detect in: give "
+                    + $"{EchoOptions.NoiseFigure.Flag}, or a scene with a Sea whose clutter is on");
             Describe(settings.BandOf(plan), reach, opened.name, progress);
-            if (line.Command == Commands.Isar)
-                settings.Image = ImageOf(line, setup, opened.name, progress);
-            return CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
-                progress);
+            if (plan.Pulses != null)
+                DescribePulses(settings.BandOf(plan), plan, opened.scene, opened.name, progress);
+            if (line.Command != Commands.Isar)
+                return CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
+                    progress);
+            settings.Image = ImageOf(line, setup, opened.name, progress);
+            using (var imager = new IsarImager(ProjectAssets.ImageKernel, opened.name))
+            {
+                setup.Backproject = imager.Image;
+                return CrossSectionCommand.Compute(line, setup, opened.name, ResultTable.Echo, new EchoTable(setup),
+                    progress);
+            }
+        }
+
+        static void Move(RadarScene scene, RigidMotion motion)
+        {
+            for (int i = 0; i < scene.Instances.Length; i++)
+                scene.Instances[i].Motion = motion;
+        }
+
+        static void DescribePulses(FrequencyBand band, CrossSectionPlan plan, RadarScene scene, string name,
+            IProgressSink progress)
+        {
+            var pulses = plan.Pulses;
+            double blind = pulses.BlindSpeed(band.Centre), fastest = FastestOf(plan, scene);
+            progress.Print(FormattableString.Invariant(
+                $"{pulses.Count} pulses at {pulses.RepetitionFrequency:g6} Hz, speed bin {pulses.SpeedResolution(band.Centre):g4} m/s, blind speed {blind:g4} m/s"));
+            if (!scene.IsMoving && scene.Seas.Count == 0)
+                progress.Print("note: nothing moves: all echoes have the speed 0");
+            if (fastest > blind / 2)
+                Debug.LogWarning(FormattableString.Invariant(
+                    $"{name}: up to {fastest:g4} m/s along the line of sight, and speeds above half of the blind speed, {blind / 2:g4} m/s, are folded; give a {EchoOptions.Repetition.Flag} of at least {pulses.RepetitionFrequency * 2 * fastest / blind:0}"));
+        }
+
+        // Largest speed towards or away from the radar, of corners of the boxes around what moves.
+        static double FastestOf(CrossSectionPlan plan, RadarScene scene)
+        {
+            double fastest = 0;
+            foreach (var instance in scene.Instances.Where(instance => !instance.Motion.IsNone))
+            {
+                var (min, max) = new RadarScene(instance).Bound();
+                for (int corner = 0; corner < 8; corner++)
+                {
+                    var velocity = instance.Motion.VelocityAt(math.select(min, max,
+                        new bool3((corner & 1) != 0, (corner & 2) != 0, (corner & 4) != 0)));
+                    for (int row = 0; row < plan.Count; row += plan.Count / plan.Poses)
+                        for (int receiver = 0; receiver < plan.Receivers; receiver++)
+                            fastest = Math.Max(fastest, Math.Abs(math.dot(velocity,
+                                plan[row].Radar.ToRadar + plan[row + receiver].ReceiverAspect.ToRadar)) / 2);
+                }
+            }
+            return fastest;
         }
 
         static IsarSettings ImageOf(CommandLine line, CrossSectionSetup setup, string name, IProgressSink progress)
@@ -58,21 +112,28 @@ namespace Glint.Editor
     {
         readonly CrossSectionSetup _setup;
         readonly RangeTransform _range;
+        readonly RangeDopplerTransform _doppler;
         readonly Dictionary<int, List<CrossSectionRow>> _rows = new Dictionary<int, List<CrossSectionRow>>();
 
-        public EchoTable(CrossSectionSetup setup) =>
+        public EchoTable(CrossSectionSetup setup)
+        {
             (_setup, _range) = (setup, setup.Echo.RangeOf(setup.Plan));
+            _doppler = setup.Echo.DopplerOf(setup.Plan, _range);
+        }
 
         public string Header => CrossSectionTable.HeaderOf(_setup, "") + string.Concat(_setup.Polarisations.Select(
-            polarisation => $"{polarisation.Name.ToUpperInvariant() + " dBsm",10}{"at m",10}")) + "  error dB";
+            polarisation => $"{polarisation.Name.ToUpperInvariant() + " dBsm",10}{"at m",10}"
+                + (_doppler == null ? "" : $"{"at m/s",10}"))) + "  error dB";
 
         public string Add(CrossSectionRow row)
         {
-            if (row.Planned.FrequencyIndex == 0 || !_rows.TryGetValue(row.Planned.Receiver, out var rows))
+            if (row.Planned.FrequencyIndex == 0 && row.Planned.Pulse == 0
+                || !_rows.TryGetValue(row.Planned.Receiver, out var rows))
                 _rows[row.Planned.Receiver] = rows = new List<CrossSectionRow>();
             rows.Add(row);
             // A resumed run or a part may begin within a direction.
-            if (rows.Count < _setup.Plan.Frequencies.Count || rows[0].Planned.Pose != row.Planned.Pose)
+            if (rows.Count < _setup.Plan.PulseCount * _setup.Plan.Frequencies.Count
+                || rows[0].Planned.Pose != row.Planned.Pose)
                 return null;
             return CrossSectionTable.DirectionOf(_setup, row, "")
                 + string.Concat(_setup.Polarisations.Select(polarisation =>
@@ -83,10 +144,18 @@ namespace Glint.Editor
 
         string Peak(Complex[] responses)
         {
-            var profile = _range.Profile(responses);
-            int cell = EchoPeak.Of(profile);
-            return $"{CrossSectionTable.Level(profile[cell]),10}"
-                + FormattableString.Invariant($"{_range.RangeOf(cell),10:0.000}");
+            int frequencies = _setup.Plan.Frequencies.Count;
+            var cells = _doppler == null
+                ? _range.Profile(responses)
+                : _doppler.Map(Enumerable.Range(0, _setup.Plan.PulseCount).Select(pulse =>
+                    (IReadOnlyList<Complex>)new ArraySegment<Complex>(responses, pulse * frequencies, frequencies))
+                        .ToArray());
+            int cell = EchoPeak.Of(cells);
+            return $"{CrossSectionTable.Level(cells[cell]),10}"
+                + FormattableString.Invariant($"{_range.RangeOf(cell % _range.Cells),10:0.000}")
+                + (_doppler == null
+                    ? ""
+                    : FormattableString.Invariant($"{_doppler.SpeedOf(cell / _range.Cells),10:0.000}"));
         }
     }
 }

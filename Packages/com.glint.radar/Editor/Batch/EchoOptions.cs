@@ -1,18 +1,22 @@
 using System;
 using System.Linq;
 using Glint.Core;
+using Unity.Mathematics;
 
 namespace Glint.Editor
 {
     /// <summary>The options of <c>glint echo</c> beside those of <c>glint rcs</c>.</summary>
     public static class EchoOptions
     {
-        const string Group = "Band and profile", RadarGroup = "Received power", ResultGroup = "Results",
-            ImageGroup = "Image";
+        const string Group = "Band and profile", PulseGroup = "Pulses and motion", RadarGroup = "Received power",
+            DetectionGroup = "Detection", ResultGroup = "Results", ImageGroup = "Image";
 
         static readonly Interval s_bandwidth = Interval.Closed(1, 1e12), s_count = Interval.Closed(2, 1 << 16),
             s_power = Interval.Closed(1e-12, 1e12), s_gain = Interval.Closed(-50, 100),
-            s_decibels = Interval.Closed(0, 100), s_seed = Interval.Closed(0, int.MaxValue);
+            s_decibels = Interval.Closed(0, 100), s_seed = Interval.Closed(0, int.MaxValue),
+            s_pulses = Interval.Closed(2, 1 << 16), s_repetition = Interval.Closed(1e-3, 1e9),
+            s_speed = Interval.Closed(-1e4, 1e4), s_turnRate = Interval.Closed(-3600, 3600),
+            s_falseAlarm = Interval.Closed(1e-12, 0.5);
 
         /// <summary>Middle of the band, hertz.</summary>
         public static readonly Option<double> Frequency = Options.Number("frequency", "HZ", "10e9",
@@ -42,6 +46,40 @@ namespace Glint.Editor
             Help = "Weights over the band, which lower the sidelobes of an echo and widen it. taylor has four near "
                 + "sidelobes of -35 dB."
         };
+
+        /// <summary>Number of pulses; null when not given.</summary>
+        public static readonly Option<int?> Pulses =
+            new Option<int?>("pulses", "M", text => Values.Whole(text, s_pulses))
+            {
+                Group = PulseGroup,
+                Range = s_pulses.ToString(),
+                Excludes = new (Option, string)[]
+                    { (CrossSectionOptions.Reference, "the reference tracer computes a scene that stands still") },
+                Help = "Number of pulses at the rate of --prf, for a range-Doppler map of each direction. One trace "
+                    + "gives all of them: objects keep their velocities, and what the radar sees of them."
+            };
+
+        /// <summary>Pulse repetition frequency, hertz.</summary>
+        public static readonly Option<double> Repetition = Needing(Pulses, Options.Number("prf", "HZ", "1000",
+            s_repetition, PulseGroup, InputKind.Any, "Pulse repetition frequency in hertz. Speeds are unambiguous up "
+                + "to half of the blind speed, lambda PRF / 2; a bin of speed is the blind speed over M."));
+
+        /// <summary>Velocity of the mesh, metres a second; null when not given.</summary>
+        public static readonly Option<double3?> Velocity = OfMovingMesh(
+            new Option<double3?>("velocity", "X,Y,Z", text => Values.Point(text, s_speed))
+            {
+                Range = "each " + s_speed,
+                Help = "Velocity of the mesh in m/s, in Unity's axes (after --up). Without it: 0."
+            });
+
+        /// <summary>Turn rate of the mesh, degrees a second; null when not given.</summary>
+        public static readonly Option<double?> TurnRate = OfMovingMesh(
+            new Option<double?>("turn-rate", "DEG/S", text => Values.Real(text, s_turnRate))
+            {
+                Range = s_turnRate.ToString(),
+                Help = "Turn rate of the mesh about the vertical through the phase centre in degrees a second, "
+                    + "positive as azimuths. Without it: 0."
+            });
 
         /// <summary>Transmit power, watts; null when not given.</summary>
         public static readonly Option<double?> Power =
@@ -75,6 +113,24 @@ namespace Glint.Editor
         public static readonly Option<int> Seed = Needing(NoiseFigure, Options.Whole("seed", "N", "0", s_seed,
             RadarGroup, "Seed of the noise: the same number gives the same noise."));
 
+        /// <summary>How targets are detected; null when not given.</summary>
+        public static readonly Option<string> Detect =
+            new Option<string>("detect", "CFAR", ReadDetection)
+            {
+                Group = DetectionGroup,
+                Choices = EchoDetection.Names,
+                Range = "one of " + string.Join(", ", EchoDetection.Names),
+                Help = "Also write detections.csv, the cells of profiles, or of maps with --pulses, above a threshold "
+                    + "of constant false-alarm rate: a multiple of the mean of the cells around (ca), or of the cell "
+                    + "at three quarters of their order (os), which other targets change little. It needs "
+                    + "--noise-figure, or a scene with a Sea whose clutter is on."
+            };
+
+        /// <summary>False alarms a cell.</summary>
+        public static readonly Option<double> FalseAlarm = Needing(Detect, Options.Number("false-alarm", "RATE", "1e-6",
+            s_falseAlarm, DetectionGroup, InputKind.Any,
+            "False alarms a cell in noise. In spiky clutter there are more."));
+
         /// <summary>Whether a MAT-file is written.</summary>
         public static readonly Option<bool> Matlab = Options.Switch("mat", ResultGroup,
             "Also write echo.mat, the arrays of echo.npz for MATLAB and Octave.");
@@ -84,8 +140,11 @@ namespace Glint.Editor
             "Also write echo.sigmf-data and echo.sigmf-meta, the complex profiles as a SigMF recording.");
 
         /// <summary>All options, in the order of the help.</summary>
-        public static readonly Option[] All = new Option[] { Frequency, Bandwidth, Frequencies, Window, Power, Gain,
-            Loss, NoiseFigure, Seed }.Concat(CrossSectionOptions.All.Where(option =>
+        public static readonly Option[] All = new Option[]
+            {
+                Frequency, Bandwidth, Frequencies, Window, Pulses, Repetition, Velocity, TurnRate, Power, Gain, Loss,
+                NoiseFigure, Seed, Detect, FalseAlarm
+            }.Concat(CrossSectionOptions.All.Where(option =>
                 option != CrossSectionOptions.Frequency && option != CrossSectionOptions.Contributions
                 && option != CrossSectionOptions.Out)).Concat(new Option[] { CrossSectionOptions.Out, Matlab, SigMf })
             .ToArray();
@@ -111,8 +170,8 @@ namespace Glint.Editor
 
         /// <summary>All options of <c>glint isar</c>, in the order of the help.</summary>
         public static readonly Option[] AllOfImage = All.Where(option => option != CrossSectionOptions.Bistatic
-            && option != CrossSectionOptions.Receivers && option != CrossSectionOptions.Range && option != Power
-            && option != Gain && option != Loss && option != NoiseFigure && option != Seed)
+            && option != CrossSectionOptions.Receivers && option != CrossSectionOptions.Range
+            && option.Group != PulseGroup && option.Group != RadarGroup && option.Group != DetectionGroup)
             .Concat(new Option[] { Side, Pixel }).ToArray();
 
         /// <summary>The image of a command line.</summary>
@@ -152,6 +211,9 @@ namespace Glint.Editor
             {
                 Bandwidth = bandwidth, Window = line.Get(Window), HasMatlab = line.Get(Matlab),
                 HasSigMf = line.Get(SigMf),
+                Detection = line.Get(Detect) is string detection
+                    ? new EchoDetection { Level = detection, FalseAlarmRate = line.Get(FalseAlarm) }
+                    : null,
                 Radar = line.Get(Power) is double power
                     ? new EchoRadar
                     {
@@ -174,13 +236,33 @@ namespace Glint.Editor
                 throw new UsageException(FormattableString.Invariant(
                     $"{Bandwidth.Flag} {Numbers.Format(bandwidth)}: the target takes {count:0} frequencies, at most {1 << 16} are possible: give a smaller band, or {Frequencies.Flag}, with echoes folded into the unambiguous range"));
             return CrossSectionOptions.PlanOf(line,
-                EchoBand.Frequencies(line.Get(Frequency), bandwidth, (int)count));
+                EchoBand.Frequencies(line.Get(Frequency), bandwidth, (int)count),
+                line.Get(Pulses) is int pulses ? new PulseTrain(line.Get(Repetition), pulses) : null);
         }
+
+        /// <summary>The motion of the mesh of a command line.</summary>
+        /// <param name="pivot">What it turns about, metres.</param>
+        public static RigidMotion MotionOf(CommandLine line, double3 pivot) => new RigidMotion
+        {
+            Velocity = line.Get(Velocity) ?? 0, Pivot = pivot,
+            AngularVelocity = new double3(0, math.radians(line.Get(TurnRate) ?? 0), 0)
+        };
 
         static string ReadWindow(string text)
         {
             Core.Window.Named(text);
             return text;
+        }
+
+        static string ReadDetection(string text) => EchoDetection.Names.Contains(text)
+            ? text
+            : throw new FormatException($"must be one of {string.Join(", ", EchoDetection.Names)}");
+
+        static Option<T> OfMovingMesh<T>(Option<T> option)
+        {
+            (option.Group, option.Inputs) = (PulseGroup, InputKind.MeshFile);
+            option.Refusal = "only for mesh files: objects of a scene have a RadarMotion or Rigidbody of their own";
+            return Needing(Pulses, option);
         }
 
         static Option<T> Needing<T>(Option needed, Option<T> option)

@@ -19,6 +19,9 @@ namespace Glint.Editor
         /// <summary>The kernels of cross sections; null if their import failed.</summary>
         public static ComputeShader TubesKernel => LoadShader("Tubes.compute");
 
+        /// <summary>The kernel of images; null if its import failed.</summary>
+        public static ComputeShader ImageKernel => LoadShader("Backprojection.compute");
+
         /// <summary>The kernels of radars with a tolerance; null if their import failed.</summary>
         public static ComputeShader TubeKernel => LoadShader("Amplitude.compute");
 

@@ -54,6 +54,7 @@ namespace Glint.Editor
             {
                 ["pose"] = _row < 0 ? null : (JToken)_row,
                 ["is_changed"] = isChanged,
+                ["centre"] = ReportModel.ToJson(_scene.Origin + model.Centre),
                 ["hot_spots"] = new JObject
                 {
                     ["names"] = names, ["corners"] = ReportModel.Base64(corners.ToArray(), sizeof(float))

@@ -51,27 +51,100 @@ namespace Glint.Editor
         /// </summary>
         public JObject ToJson()
         {
-            int group = 1, cells = _echo.Range.Cells, lines = _echo.Directions * _echo.Polarisations.Count;
-            while ((long)lines * (cells / group) > MaxLevels && group < cells)
-                group *= 2;
+            int group = GroupOf(1);
             var quantities = new JArray { Quantity("dBsm", _profiles, group) };
             if (_echo.Settings.Radar != null)
                 quantities.Add(Quantity("dBW", ProfilesOf(_echo.Received), group));
+            var json = RangesOf(group);
+            json["unambiguous"] = _echo.Band.UnambiguousRange;
+            json["window"] = _echo.Settings.Window;
+            json["polarisations"] = new JArray(_echo.Polarisations.Select(polarisation => polarisation.Name));
+            json["quantities"] = quantities;
+            json["doppler"] = _echo.Doppler == null ? null : MapsToJson();
+            json["image"] = _echo.Settings.Image == null ? null : ImageToJson();
+            json["detections"] = _echo.Settings.Detection == null
+                ? null
+                : new JArray(Enumerable.Range(0, _echo.Directions).Select(DetectionsToJson));
+            return json;
+        }
+
+        // The maps: levels by direction, polarisation, speed and range, as the profiles.
+        JObject MapsToJson()
+        {
+            int group = GroupOf(_echo.Doppler.Rows);
+            Complex[][][] Maps(Func<int, Polarisation, int, Complex[]> values) =>
+                OfAll((direction, polarisation) => _echo.Map(_echo.Doppler, direction, polarisation, values));
+            var quantities = new JArray { Quantity("dBsm", Maps(_echo.Responses), group) };
+            if (_echo.Settings.Radar != null)
+                quantities.Add(Quantity("dBW", Maps(_echo.Received), group));
+            var json = RangesOf(group);
+            json["speed_start"] = _echo.Doppler.SpeedOf(0);
+            json["speed_step"] = _echo.Doppler.SpeedOf(1) - _echo.Doppler.SpeedOf(0);
+            json["rows"] = _echo.Doppler.Rows;
+            json["blind_speed"] = _echo.Plan.Pulses.BlindSpeed(_echo.Band.Centre);
+            json["quantities"] = quantities;
+            return json;
+        }
+
+        // Levels by polarisation, row down range and column cross range, as the profiles.
+        JObject ImageToJson()
+        {
+            var transform = _echo.NewImage();
+            int group = 1;
+            while (Math.Pow(transform.Pixels / group, 2) * _echo.Polarisations.Count > MaxLevels)
+                group *= 2;
+            int pixels = transform.Pixels / group;
+            double[] azimuths = Enumerable.Range(0, _echo.Directions).Select(look =>
+                _echo.Planned(look).AzimuthDegrees).ToArray();
             return new JObject
             {
-                ["start"] = _echo.Range.RangeOf(0.5 * (group - 1)), ["step"] = group * _echo.Range.CellSize,
-                ["cells"] = cells / group, ["group"] = group, ["unambiguous"] = _echo.Band.UnambiguousRange,
-                ["window"] = _echo.Settings.Window,
-                ["polarisations"] = new JArray(_echo.Polarisations.Select(polarisation => polarisation.Name)),
-                ["quantities"] = quantities
+                ["pixels"] = pixels, ["group"] = group, ["start"] = transform.PlaceOf(0.5 * (group - 1)),
+                ["step"] = group * transform.Pixel, ["azimuth"] = 0.5 * (azimuths.First() + azimuths.Last()),
+                ["centre"] = new JArray("xyz".Select(axis =>
+                    _run.Info.Settings.First(setting => setting.Name == $"phase_centre_{axis}").Number)),
+                ["levels"] = ReportModel.Base64(_echo.Polarisations.SelectMany(polarisation =>
+                {
+                    var image = _echo.Image(polarisation);
+                    return Enumerable.Range(0, pixels * pixels).Select(pixel => LevelOf(
+                        Enumerable.Range(0, group * group).Max(part => ScatteringMatrix.Dbsm(image[
+                            (pixel / pixels * group + part / group) * transform.Pixels
+                            + pixel % pixels * group + part % group]))));
+                }).ToArray(), sizeof(short))
             };
         }
+
+        JArray DetectionsToJson(int direction) => new JArray(_echo.Polarisations.SelectMany(polarisation =>
+            _echo.Settings.Detection.Detect(_echo, direction, polarisation).Select(detected => new JObject
+            {
+                ["polarisation"] = polarisation.Name, ["range"] = detected.Range, ["speed"] = detected.Speed,
+                ["level"] = detected.Level
+            })));
+
+        // Neighbouring cells of range of which the highest is shown.
+        int GroupOf(int rows)
+        {
+            int group = 1, cells = _echo.Range.Cells;
+            long lines = (long)_echo.Directions * _echo.Polarisations.Count * rows;
+            while (lines * (cells / group) > MaxLevels && group < cells)
+                group *= 2;
+            return group;
+        }
+
+        JObject RangesOf(int group) => new JObject
+        {
+            ["start"] = _echo.Range.RangeOf(0.5 * (group - 1)), ["step"] = group * _echo.Range.CellSize,
+            ["cells"] = _echo.Range.Cells / group, ["group"] = group
+        };
 
         static string RangeColumn(Polarisation polarisation) => $"{polarisation}_range_m";
 
         Complex[][][] ProfilesOf(Func<int, Polarisation, Complex[]> responses) =>
-            Enumerable.Range(0, _echo.Directions).Select(direction => _echo.Polarisations.Select(polarisation =>
-                _echo.Profile(responses(direction, polarisation))).ToArray()).ToArray();
+            OfAll((direction, polarisation) => _echo.Profile(responses(direction, polarisation)));
+
+        Complex[][][] OfAll(Func<int, Polarisation, Complex[]> valuesOf) => Enumerable.Range(0, _echo.Directions)
+            .Select(direction => _echo.Polarisations
+                .Select(polarisation => valuesOf(direction, polarisation)).ToArray())
+            .ToArray();
 
         JObject RowToJson(int direction)
         {
@@ -109,8 +182,11 @@ namespace Glint.Editor
             for (int first = 0; first < profile.Length; first += group)
             {
                 double highest = Enumerable.Range(first, group).Max(cell => ScatteringMatrix.Dbsm(profile[cell]));
-                yield return (short)Math.Max(-short.MaxValue, Math.Min(short.MaxValue, Math.Round(100 * highest)));
+                yield return LevelOf(highest);
             }
         }
+
+        static short LevelOf(double decibels) =>
+            (short)Math.Max(-short.MaxValue, Math.Min(short.MaxValue, Math.Round(100 * decibels)));
     }
 }

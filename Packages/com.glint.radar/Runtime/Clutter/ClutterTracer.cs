@@ -44,7 +44,7 @@ namespace Glint
         {
             _scene.Set(pose.Scene, new TraceStatistics(), (mesh, layout) => MeshBvh.Build(mesh, layout, cancel));
             _scene.RequireOnePage(_owner, "clutter takes");
-            return _kernel.Sum(_scene, pose, frequency, grid ?? ClutterGrid.Whole, null, progress, cancel);
+            return _kernel.Sum(_scene, pose, frequency, 0, grid ?? ClutterGrid.Whole, null, progress, cancel);
         }
 
         /// <summary>Releases all buffers on the device.</summary>

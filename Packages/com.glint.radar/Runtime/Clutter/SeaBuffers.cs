@@ -11,10 +11,12 @@ namespace Glint
     {
         TriangleMesh _mesh;
         IReadOnlyList<bool> _breaking;
+        IReadOnlyList<double3> _velocities;
         FacetTable _table;
 
         public DeviceBuffer<SeaFacet> Facets { get; } = new DeviceBuffer<SeaFacet>("facets of a sea");
         public DeviceBuffer<SeaTileRecord> Tiles { get; } = new DeviceBuffer<SeaTileRecord>("tiles of a sea");
+        public DeviceBuffer<float4> Velocities { get; } = new DeviceBuffer<float4>("velocities of facets");
         public DeviceBuffer<float4> Table { get; } = new DeviceBuffer<float4>("elements of a table of facets");
 
         public DeviceBuffer<float4> Levels { get; } = new DeviceBuffer<float4>("levels of a sea");
@@ -26,12 +28,17 @@ namespace Glint
         /// <summary>Uploads what has changed.</summary>
         /// <param name="centre">Origin of the kernels' coordinates.</param>
         /// <param name="frequency">Of the table, hertz.</param>
-        public void Set(RadarScene scene, RadarSea sea, double3 centre, double frequency)
+        /// <param name="areMoving">Whether velocities are read.</param>
+        public void Set(RadarScene scene, RadarSea sea, double3 centre, double frequency, bool areMoving)
         {
             var mesh = scene.Instances[sea.Tiles[0].Instance].Mesh;
             var breaking = sea.Clutter.BreakingFacets;
             if (mesh != _mesh || breaking != _breaking)
                 Facets.Upload(FacetsOf(mesh, breaking));
+            var velocities = areMoving ? sea.Clutter.FacetVelocities : Array.Empty<double3>();
+            if (velocities != _velocities)
+                Velocities.Upload(velocities.Select(velocity => new float4((float3)velocity, 0)).ToArray());
+            _velocities = velocities;
             var table = sea.Clutter.TableAt(frequency);
             if (table != _table)
                 Table.Upload(Enumerable.Range(0, table.Values.Length / 4).Select(i => new float4(table.Values[4 * i],
@@ -47,9 +54,10 @@ namespace Glint
         {
             Facets.Dispose();
             Tiles.Dispose();
+            Velocities.Dispose();
             Table.Dispose();
             Levels.Dispose();
-            (_mesh, _breaking, _table) = (null, null, null);
+            (_mesh, _breaking, _velocities, _table) = (null, null, null, null);
         }
 
         // Facets look up, whichever way the triangles turn.

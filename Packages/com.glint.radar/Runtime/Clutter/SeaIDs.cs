@@ -6,6 +6,9 @@ namespace Glint
     static class SeaIDs
     {
         public static readonly int _SeaFacets = Shader.PropertyToID("_SeaFacets");
+        public static readonly int _SeaVelocities = Shader.PropertyToID("_SeaVelocities");
+        public static readonly int _SeaElapsed = Shader.PropertyToID("_SeaElapsed");
+        public static readonly int _SeaWaveNumber = Shader.PropertyToID("_SeaWaveNumber");
         public static readonly int _SeaTiles = Shader.PropertyToID("_SeaTiles");
         public static readonly int _FacetTable = Shader.PropertyToID("_FacetTable");
         public static readonly int _SeaRange = Shader.PropertyToID("_SeaRange");

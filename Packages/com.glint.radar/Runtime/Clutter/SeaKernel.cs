@@ -37,29 +37,31 @@ namespace Glint
 
         /// <summary>Sums the echo of all seas with clutter; see <see cref="ClutterTracer.Trace"/>.</summary>
         /// <param name="scene">Holds the pose's scene.</param>
+        /// <param name="time">Since the moment of the scene, seconds: facets move with the waves from there.</param>
         /// <param name="levelOf">Factors of the power of a sea; null, or null of a sea: none.</param>
-        public ClutterEcho[] Sum(DeviceScene scene, CrossSectionPose pose, double frequency, ClutterGrid grid,
-            Func<RadarSea, ClutterLevelTable> levelOf, IProgress<double> progress, CancellationToken cancel)
+        public ClutterEcho[] Sum(DeviceScene scene, CrossSectionPose pose, double frequency, double time,
+            ClutterGrid grid, Func<RadarSea, ClutterLevelTable> levelOf, IProgress<double> progress,
+            CancellationToken cancel)
         {
             _scene = scene;
             var echoes = new ClutterEcho[grid.Count];
             foreach (var sea in pose.Scene.Seas)
             {
                 SetLevel(levelOf?.Invoke(sea));
-                var part = Sum(pose, sea, frequency, grid, progress, cancel);
+                var part = Sum(pose, sea, frequency, time, grid, progress, cancel);
                 for (int cell = 0; cell < echoes.Length; cell++)
                     echoes[cell] += part[cell];
             }
             return echoes;
         }
 
-        ClutterEcho[] Sum(CrossSectionPose pose, RadarSea sea, double frequency, ClutterGrid grid,
+        ClutterEcho[] Sum(CrossSectionPose pose, RadarSea sea, double frequency, double time, ClutterGrid grid,
             IProgress<double> progress, CancellationToken cancel)
         {
-            _sea.Set(pose.Scene, sea, _scene.Centre, frequency);
+            _sea.Set(pose.Scene, sea, _scene.Centre, frequency, time != 0);
             var read = new uint[ClutterSums.CopyWords * grid.Count * ClutterSums.CopiesOf(grid.Count)];
             _output.Reserve(read.Length);
-            Bind(pose, sea.Clutter, frequency, grid);
+            Bind(pose, sea.Clutter, frequency, time, grid);
             _shader.SetInt(TubeIDs._ClearedWords, read.Length);
             _shader.DispatchThreads(_clear, read.Length);
             long total = (long)_sea.FacetCount * _sea.TileCount;
@@ -80,13 +82,14 @@ namespace Glint
             return ClutterSums.Echoes(read, grid.Count, PhaseOf(pose, frequency), _owner);
         }
 
-        void Bind(CrossSectionPose pose, SeaClutter clutter, double frequency, ClutterGrid grid)
+        void Bind(CrossSectionPose pose, SeaClutter clutter, double frequency, double time, ClutterGrid grid)
         {
             _shader.SetBvhs(_facets, _scene);
             _shader.SetBuffer(_clear, ShaderIDs._Sums, _output.Buffer);
             _shader.SetBuffer(_facets, ShaderIDs._Sums, _output.Buffer);
             _shader.SetBuffer(_facets, SeaIDs._SeaFacets, _sea.Facets.Buffer);
             _shader.SetBuffer(_facets, SeaIDs._SeaTiles, _sea.Tiles.Buffer);
+            _shader.SetBuffer(_facets, SeaIDs._SeaVelocities, _sea.Velocities.Buffer);
             _shader.SetBuffer(_facets, SeaIDs._FacetTable, _sea.Table.Buffer);
             TubeKernels.SetReceivers(_shader, pose, _scene.Centre);
             double extent = math.distance(_scene.Min, _scene.Max);
@@ -94,9 +97,13 @@ namespace Glint
             _shader.SetFloat(TubeIDs._WaveNumber, (float)(2 * Math.PI / Signal.Wavelength(frequency)));
             _shader.SetVector(SeaIDs._SeaWind, KernelCalls.ToVector(clutter.Wind, (float)(RelativeOffset * extent)));
             SetMirrorPoints(clutter.TableAt(frequency));
-            double times = clutter.Time / clutter.CoherenceTimeAt(frequency), whole = Math.Floor(times);
-            _shader.SetVector(SeaIDs._SeaTime, new Vector4((float)clutter.Time, (float)whole, (float)(times - whole),
+            // One speckle for all frequencies of a band: it is the sea's.
+            double centre = pose.BandCentre ?? frequency, now = clutter.Time + time,
+                times = now / clutter.CoherenceTimeAt(centre), whole = Math.Floor(times);
+            _shader.SetVector(SeaIDs._SeaTime, new Vector4((float)now, (float)whole, (float)(times - whole),
                 (float)SeaClutter.ApproachingExponent));
+            _shader.SetFloat(SeaIDs._SeaWaveNumber, (float)(2 * Math.PI / Signal.Wavelength(centre)));
+            _shader.SetFloat(SeaIDs._SeaElapsed, (float)time);
             SetFootprint(pose.Footprint);
             SetCells(grid);
         }

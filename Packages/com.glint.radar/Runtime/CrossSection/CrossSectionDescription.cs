@@ -42,6 +42,9 @@ namespace Glint
                 string.Join("; ", setup.UsedMaterials().Select(material => material.ToString()))));
             RunDescription.AddSeas(info, setup.Scene);
             setup.Echo?.AddTo(info.Settings, setup.Plan);
+            if (setup.Plan.Pulses != null)
+                info.Settings.Add(new RunSetting("motion", string.Join("; ",
+                    setup.Scene.Instances.Select(instance => instance.Motion.ToString()).Distinct())));
             AddMeshes(info, setup);
             return info;
         }

@@ -89,7 +89,8 @@ namespace Glint
             var pose = PoseOf(planned, frequency, receiver);
             if (!_traces.TryGetValue((frequency, receiver), out var trace))
                 _traces.Add((frequency, receiver), trace = _tracer.Trace(pose, progress, cancel));
-            var row = RowOf(planned, trace, planned.Receiver - receiver, planned.FrequencyIndex - frequency);
+            var row = RowOf(planned, trace, planned.Receiver - receiver,
+                pose.SampleOf(planned.Pulse, planned.FrequencyIndex - frequency));
             if (_setup.HasContributions)
                 row.Contributions = _tracer.Contributions(pose, trace, planned.Receiver - receiver,
                     planned.FrequencyIndex - frequency, _setup.Polarisations, progress, cancel);
@@ -131,10 +132,10 @@ namespace Glint
             return firsts;
         }
 
-        CrossSectionRow RowOf(in PlannedCrossSection planned, CrossSectionResult trace, int receiver, int frequency) =>
-            new CrossSectionRow(planned, trace.S[receiver, frequency], _setup.Polarisations)
+        CrossSectionRow RowOf(in PlannedCrossSection planned, CrossSectionResult trace, int receiver, int sample) =>
+            new CrossSectionRow(planned, trace.S[receiver, sample], _setup.Polarisations)
             {
-                Error = trace.Errors[receiver, frequency], FloorDbsm = _setup.FloorDbsm,
+                Error = trace.Errors[receiver, sample], FloorDbsm = _setup.FloorDbsm,
                 ToleranceDb = _setup.ToleranceDb, Radius = _setup.Radius,
                 CoarseShare = _setup.Quality.Share(Signal.Wavelength(planned.Frequency)),
                 Tubes = trace.Tubes, Rays = trace.Rays
@@ -146,6 +147,7 @@ namespace Glint
                 return;
             var info = CrossSectionDescription.Of(_setup);
             info.Sweep = _identity;
+            info.Backproject = _setup.Backproject;
             info.StartedUtc = _folder.StartedUtc ?? _startedUtc;
             info.ElapsedMs = (_startedUtc - info.StartedUtc).TotalMilliseconds + _watch.Elapsed.TotalMilliseconds;
             _folder.Finish(info);

@@ -89,6 +89,12 @@ namespace Glint
         /// <summary>What is made of the responses over a band; null for cross sections alone.</summary>
         public EchoSettings Echo { get; set; }
 
+        /// <inheritdoc cref="RunInfo.Backproject"/>
+        public Func<IsarTransform, IReadOnlyList<System.Numerics.Complex[]>, System.Numerics.Complex[]> Backproject
+        {
+            get; set;
+        }
+
         /// <summary>Names of the scene's objects, by their numbers, for results.json.</summary>
         public IReadOnlyList<string> ObjectNames { get; set; }
 
@@ -137,7 +143,9 @@ namespace Glint
             {
                 Scene = Scene, Radar = planned.Radar, Receivers = receivers, PhaseCentre = PhaseCentre, Range = Range,
                 Frequencies = frequencies, MaxBounces = MaxBounces, HasEdges = HasEdges,
-                CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb, FloorDbsm = FloorDbsm
+                CreaseDegrees = CreaseDegrees, ToleranceDb = ToleranceDb, FloorDbsm = FloorDbsm,
+                BandCentre = Echo?.BandOf(Plan).Centre,
+                Times = Enumerable.Range(0, Plan.PulseCount).Select(pulse => Plan.Pulses?.TimeOf(pulse) ?? 0).ToArray()
             };
 
         /// <summary>Refuses what cannot be computed, before any work on the device.</summary>

@@ -33,6 +33,7 @@ namespace Glint
         readonly DeviceBuffer<uint> _output = new DeviceBuffer<uint>("sums of tubes");
         readonly DeviceBuffer<Tube> _tubes = new DeviceBuffer<Tube>("tubes");
         readonly DeviceBuffer<uint> _tubeParts = new DeviceBuffer<uint>("parts of tubes");
+        readonly DeviceBuffer<float4> _tubeRates = new DeviceBuffer<float4>("rates of tubes");
         readonly DeviceBuffer<TubeCell> _cells = new DeviceBuffer<TubeCell>("cells of tubes");
         readonly DeviceBuffer<TubeCell> _borders = new DeviceBuffer<TubeCell>("border cells");
         readonly DeviceBuffer<TubeCorner> _corners = new DeviceBuffer<TubeCorner>("corners of cells");
@@ -85,7 +86,7 @@ namespace Glint
         {
             SetScene(pose, cancel);
             if (_scene.IsEmpty)
-                return new CrossSectionResult(pose.Receivers.Length, pose.Frequencies.Length) { IsMet = true };
+                return new CrossSectionResult(pose.Receivers.Length, pose.Samples) { IsMet = true };
             var grid = GridOf(pose);
             var edges = new TubeSums(pose, grid);
             // Before the tubes' buffers are bound: it clears sums of its own.
@@ -124,9 +125,9 @@ namespace Glint
             if (pose.Receivers.Length != 1 || !pose.Receivers[0].ToRadar.Equals(pose.Radar.ToRadar))
                 throw new GlintException($"{_owner}: the clutter of a sea is that which returns to the radar, and this "
                     + "pose has another receiver: switch the sea's clutter off, or leave the receiver out");
-            return Array.ConvertAll(pose.Frequencies,
-                frequency => _sea.Sum(_scene, pose, frequency, ClutterGrid.Whole,
-                    sea => _levels.Of(pose, sea, frequency, cancel), null, cancel)[0]);
+            return Enumerable.Range(0, pose.Samples).Select(sample => _sea.Sum(_scene, pose, pose.FrequencyOf(sample),
+                pose.TimeOf(sample), ClutterGrid.Whole,
+                sea => _levels.Of(pose, sea, pose.FrequencyOf(sample), cancel), null, cancel)[0]).ToArray();
         }
 
         // No echo need be known better than against the clutter that it is seen in, dBsm: in VV or HH, whichever is more.
@@ -197,15 +198,18 @@ namespace Glint
             _cells.Reserve(CellCapacity(pose));
             _corners.Reserve(_lists * CornerElements);
             _borders.Reserve(ListCapacity);
-            _waveNumbers.Upload(pose.Frequencies.Select(TubeRounds.WaveNumber).ToArray());
-            _kernels.SetLists(_output, _tubes, _tubeParts, _cells, _borders, _corners, _waveNumbers);
+            _tubeRates.Reserve(pose.IsMoving ? ListCapacity : 1);
+            _waveNumbers.Upload(Enumerable.Range(0, pose.Samples).Select(sample =>
+                TubeRounds.WaveNumber(pose.FrequencyOf(sample), pose.TimeOf(sample))).ToArray());
+            _kernels.SetLists(_output, _tubes, _tubeParts, _tubeRates, _cells, _borders, _corners,
+                _waveNumbers);
             _marks.Reserve(TubeKernels.MarkWordsOf(grid));
             _links.Reserve(Math.Max(1, TubeKernels.VertexLinks * _surfaces.VertexCount));
             _kernels.Mark(grid, _surfaces, _marks, _links);
         }
 
         static int OutputSize(CrossSectionPose pose) =>
-            TubeKernels.FirstSum + TubeKernels.SumWords * TubeSums.SlotsOf(pose) * pose.Frequencies.Length;
+            TubeKernels.FirstSum + TubeKernels.SumWords * TubeSums.SlotsOf(pose) * pose.Samples;
 
         // Traces all cells to an error of each, slice by slice, and hands each slice's output over.
         void TraceCells(double cellError, CrossSectionPose pose, TubeGrid grid, int outputSize, Action<uint[]> add,
@@ -292,6 +296,7 @@ namespace Glint
             _output.Dispose();
             _tubes.Dispose();
             _tubeParts.Dispose();
+            _tubeRates.Dispose();
             _cells.Dispose();
             _corners.Dispose();
             _borders.Dispose();

@@ -58,7 +58,8 @@ namespace Glint
                     Centre = (float3)(wedge.A + (i + 0.5) * step - centre), Length = (float)math.length(step),
                     Along = (float3)wedge.Direction, OuterAngle = (float)wedge.OuterAngle,
                     Into = (float3)wedge.First.Into,
-                    Part = (uint)parts.EdgesOf(wedge.First.Instance, wedge.First.Triangle)
+                    Part = (uint)parts.EdgesOf(wedge.First.Instance, wedge.First.Triangle),
+                    Instance = (uint)wedge.First.Instance
                 };
         }
     }

@@ -12,6 +12,7 @@ namespace Glint
         public float3 Along;
         public float OuterAngle;
         public float3 Into;
-        public uint Part;
+        public uint Part, Instance;
+        public uint3 Unused;
     }
 }

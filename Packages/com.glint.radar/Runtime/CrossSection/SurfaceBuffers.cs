@@ -25,6 +25,7 @@ namespace Glint
         public DeviceBuffer<uint2> Facets { get; } = new DeviceBuffer<uint2>("facets");
         public DeviceBuffer<float4> NormalFields { get; } = new DeviceBuffer<float4>("normals of curved facets");
         public DeviceBuffer<uint4> InstanceFacets { get; } = new DeviceBuffer<uint4>("instances");
+        public DeviceBuffer<float4> Motions { get; } = new DeviceBuffer<float4>("motions of instances");
         public DeviceBuffer<float4> Reflections { get; } = new DeviceBuffer<float4>("reflection coefficients");
 
         public DeviceBuffer<float4> Vertices { get; } = new DeviceBuffer<float4>("corners of patches");
@@ -42,7 +43,7 @@ namespace Glint
         public SceneParts Parts { get; private set; }
 
         public long Bytes => Vertices.Bytes + Spheres.Bytes + Facets.Bytes + NormalFields.Bytes + InstanceFacets.Bytes
-            + Reflections.Bytes;
+            + Motions.Bytes + Reflections.Bytes;
 
         /// <summary>Uploads what has changed.</summary>
         /// <param name="frequency">Of the reflection coefficients, hertz.</param>
@@ -63,6 +64,7 @@ namespace Glint
             Spheres.Dispose();
             NormalFields.Dispose();
             InstanceFacets.Dispose();
+            Motions.Dispose();
             Reflections.Dispose();
             _patches.Clear();
             _scene = null;
@@ -104,6 +106,11 @@ namespace Glint
             Facets.Upload(facets.ToArray());
             NormalFields.Upload(fields.ToArray());
             InstanceFacets.Upload(firsts.ToArray());
+            Motions.Upload(scene.Instances.SelectMany(instance => new[]
+            {
+                new float4((float3)instance.Motion.VelocityAt(centre), 0),
+                new float4((float3)instance.Motion.AngularVelocity, 0)
+            }).ToArray());
         }
 
         // A sphere about a triangle, relative to the scene's centre.

@@ -8,6 +8,9 @@ namespace Glint
         public static readonly int _Facets = Shader.PropertyToID("_Facets");
         public static readonly int _NormalFields = Shader.PropertyToID("_NormalFields");
         public static readonly int _InstanceFacets = Shader.PropertyToID("_InstanceFacets");
+        public static readonly int _Motions = Shader.PropertyToID("_Motions");
+        public static readonly int _IsMoving = Shader.PropertyToID("_IsMoving");
+        public static readonly int _TubeRates = Shader.PropertyToID("_TubeRates");
         public static readonly int _Reflections = Shader.PropertyToID("_Reflections");
         public static readonly int _SentV = Shader.PropertyToID("_SentV");
         public static readonly int _SentH = Shader.PropertyToID("_SentH");

@@ -56,6 +56,7 @@ namespace Glint
                 _shader.SetBuffer(kernel, TubeIDs._Facets, surfaces.Facets.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._NormalFields, surfaces.NormalFields.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._InstanceFacets, surfaces.InstanceFacets.Buffer);
+                _shader.SetBuffer(kernel, TubeIDs._Motions, surfaces.Motions.Buffer);
                 _shader.SetBuffer(kernel, TubeIDs._Reflections, surfaces.Reflections.Buffer);
             }
         }
@@ -79,12 +80,13 @@ namespace Glint
             _shader.SetInt(TubeIDs._IsMonostatic, isMonostatic ? 1 : 0);
             _shader.SetInt(TubeIDs._FadesShadows, pose.FadesShadows ? 1 : 0);
             _shader.SetInt(TubeIDs._OnlyBounce, pose.OnlyBounce);
-            _shader.SetInt(TubeIDs._FrequencyCount, pose.Frequencies.Length);
+            _shader.SetInt(TubeIDs._IsMoving, pose.IsMoving ? 1 : 0);
+            _shader.SetInt(TubeIDs._FrequencyCount, pose.Samples);
             int together = 1;
-            while (together < pose.Frequencies.Length && together < Group)
+            while (together < pose.Samples && together < Group)
                 together *= 2;
             _shader.SetInt(TubeIDs._FrequenciesAGroup, together);
-            _shader.SetInt(TubeIDs._FrequencyGroups, (pose.Frequencies.Length + together - 1) / together);
+            _shader.SetInt(TubeIDs._FrequencyGroups, (pose.Samples + together - 1) / together);
         }
 
         /// <summary>Sets the receivers, and behind them the radar.</summary>
@@ -133,12 +135,14 @@ namespace Glint
 
         /// <inheritdoc cref="TubeRounds.SetLists"/>
         public void SetLists(DeviceBuffer<uint> output, DeviceBuffer<Tube> tubes, DeviceBuffer<uint> tubeParts,
-            DeviceBuffer<TubeCell> cells, DeviceBuffer<TubeCell> borders, DeviceBuffer<TubeCorner> corners,
-            DeviceBuffer<float4> waveNumbers)
+            DeviceBuffer<float4> tubeRates, DeviceBuffer<TubeCell> cells, DeviceBuffer<TubeCell> borders,
+            DeviceBuffer<TubeCorner> corners, DeviceBuffer<float4> waveNumbers)
         {
             foreach (int kernel in new[] { _corners, _cells })
                 _shader.SetBuffer(kernel, TubeIDs._Corners, corners.Buffer);
             _rounds.SetLists(output, tubes, cells, borders, waveNumbers);
+            foreach (int kernel in _rounds.Tracing.Append(_rounds.Summing).Append(_fringes).Append(_parts))
+                _shader.SetBuffer(kernel, TubeIDs._TubeRates, tubeRates.Buffer);
             foreach (int kernel in new[] { _fringes, _parts })
             {
                 _shader.SetBuffer(kernel, ShaderIDs._Sums, output.Buffer);

@@ -48,14 +48,18 @@ namespace Glint
                 .ToArray();
         }
 
+        /// <summary>The kernel TubeSums.</summary>
+        public int Summing => _sums;
+
         /// <summary>The kernels that trace rays.</summary>
         public int[] Tracing { get; }
 
         /// <summary>An element of _WaveNumbers in Shaders/TubeBindings.hlsl.</summary>
-        public static float4 WaveNumber(double frequency)
+        /// <param name="time">Of the sample, seconds.</param>
+        public static float4 WaveNumber(double frequency, double time = 0)
         {
             double turns = 1 / Signal.Wavelength(frequency);
-            return new float4((float)(2 * Math.PI * turns), (float)turns, DoubleFloat.Lo(turns), 0);
+            return new float4((float)(2 * Math.PI * turns), (float)turns, DoubleFloat.Lo(turns), (float)time);
         }
 
         /// <summary>Sums tubes by another kernel; null: by TubeSums.</summary>

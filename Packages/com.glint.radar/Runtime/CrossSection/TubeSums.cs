@@ -11,7 +11,7 @@ namespace Glint
         /// <summary>Words of the output.</summary>
         public const int Count = 0, Overflow = 3, RayCount = 4;
 
-        /// <summary>Sums of a receiver and frequency, two words each, and the word after them.</summary>
+        /// <summary>Sums of a receiver and sample, two words each, and the word after them.</summary>
         public const int SumCount = 11, Bent = 8, Border = 10, TooLarge = 22;
 
         readonly CrossSectionPose _pose;
@@ -27,11 +27,11 @@ namespace Glint
             double tube = 2 * Math.Sqrt(Math.PI) * wavelength;
             UnitsPerMetre = Math.Pow(2, 24) / tube;
             UnitsPerSquareMetre = Math.Pow(2, 40) / (tube * tube);
-            _sums = new long[SlotsOf(pose) * pose.Frequencies.Length * SumCount];
+            _sums = new long[SlotsOf(pose) * pose.Samples * SumCount];
         }
 
         /// <summary>
-        /// Slots of sums at each frequency: the receivers, and again for paths that have met a sea alone.
+        /// Slots of sums at each sample: the receivers, and again for paths that have met a sea alone.
         /// </summary>
         public static int SlotsOf(CrossSectionPose pose) =>
             (pose.Scene.Seas.Count > 0 ? 2 : 1) * pose.Receivers.Length;
@@ -70,11 +70,11 @@ namespace Glint
         /// <summary>A sum of the output, of 64 bits.</summary>
         public static long At(uint[] output, int word) => (long)((ulong)output[word + 1] << 32 | output[word]);
 
-        /// <summary>The matrix of eight sums of a receiver and frequency.</summary>
-        public ScatteringMatrix MatrixOf(long[] sums, int first, int receiver, int frequency)
+        /// <summary>The matrix of eight sums of a receiver and sample.</summary>
+        public ScatteringMatrix MatrixOf(long[] sums, int first, int receiver, int sample)
         {
             Complex Amplitude(int sum) => new Complex(sums[first + sum], sums[first + sum + 1]) / UnitsPerMetre;
-            double k = 2 * Math.PI / Signal.Wavelength(_pose.Frequencies[frequency]);
+            double k = 2 * Math.PI / Signal.Wavelength(_pose.FrequencyOf(sample));
             var phase = Complex.FromPolarCoordinates(1, k * _grid.PhaseOf(_pose, _pose.Receivers[receiver]));
             return phase * new ScatteringMatrix
             {
@@ -93,22 +93,22 @@ namespace Glint
         /// <summary>The scattering matrices and their errors.</summary>
         public CrossSectionResult ToResult()
         {
-            var result = new CrossSectionResult(_pose.Receivers.Length, _pose.Frequencies.Length)
+            var result = new CrossSectionResult(_pose.Receivers.Length, _pose.Samples)
             {
                 Tubes = _tubes, Rays = Rays
             };
             int first = 0, receivers = _pose.Receivers.Length;
             for (int slot = 0; slot < SlotsOf(_pose); slot++)
-                for (int frequency = 0; frequency < _pose.Frequencies.Length; frequency++, first += SumCount)
+                for (int sample = 0; sample < _pose.Samples; sample++, first += SumCount)
                 {
                     int receiver = slot % receivers;
-                    var s = MatrixOf(_sums, first, receiver, frequency);
-                    result.S[receiver, frequency] += s;
+                    var s = MatrixOf(_sums, first, receiver, sample);
+                    result.S[receiver, sample] += s;
                     if (slot >= receivers)
-                        result.Sea[receiver, frequency] = s;
+                        result.Sea[receiver, sample] = s;
                     double bent =
                         new Complex(_sums[first + Bent], _sums[first + Bent + 1]).Magnitude / UnitsPerMetre;
-                    result.Errors[receiver, frequency] = Norm(result.Errors[receiver, frequency],
+                    result.Errors[receiver, sample] = Norm(result.Errors[receiver, sample],
                         Norm(Math.Sqrt(_sums[first + Border] / UnitsPerSquareMetre), bent));
                 }
             return result;

@@ -16,9 +16,9 @@ namespace Glint
     /// and all traced objects, whose own position does not matter; without one it is the world's origin. Objects that
     /// do not move relative to each other (a <see cref="RigidGroup"/>) are merged into one mesh, a <see
     /// cref="MergedMesh"/>, in a frame of their own. A transform moves if it differs from that of the last gather, or
-    /// if <see cref="ExpectMotion"/> announced it. Objects whose mesh changes, or is used many times, are instances of
-    /// their mesh, and so are the tiles of a sea with clutter. Vertices are rounded to float32 relative to such a frame,
-    /// never to the scene; frames are in double.
+    /// if <see cref="ExpectMotion"/> announced it, or if it has a Rigidbody or a <see cref="RadarMotion"/>. Objects
+    /// whose mesh changes, or is used many times, are instances of their mesh, and so are the tiles of a sea with
+    /// clutter. Vertices are rounded to float32 relative to such a frame, never to the scene; frames are in double.
     /// </remarks>
     public sealed class SceneGatherer
     {
@@ -91,8 +91,8 @@ namespace Glint
             _transforms.Compose(centre);
             _surfaces.Clear();
             _surfaces.Add(SurfaceMaterial.PerfectConductor);
-            var instances = MakeInstances();
             var origin = centre.ToWorld().Origin;
+            var instances = MakeInstances(origin);
             _transforms.End();
             _sources.End();
             _mergedMeshes.End();
@@ -237,7 +237,7 @@ namespace Glint
             return centre;
         }
 
-        MeshInstance[] MakeInstances()
+        MeshInstance[] MakeInstances(double3 origin)
         {
             FindGroups();
             _cells.Clear();
@@ -254,7 +254,10 @@ namespace Glint
                 var (merged, lone) = _pieces[i];
                 instances[i] =
                     merged != null ? merged.MakeInstance(_reader) : lone.Source.MakeInstance(lone.ToScene, _reader);
-                instances[i].Ranges = RangesOf(merged != null ? merged.Nodes : new[] { lone });
+                var nodes = merged != null ? merged.Nodes : new[] { lone };
+                instances[i].Ranges = RangesOf(nodes);
+                // Objects of a merged mesh move as one.
+                instances[i].Motion = nodes[0].MotionIn(origin);
             }
             return instances;
         }

@@ -59,6 +59,29 @@ namespace Glint
         /// </summary>
         RadarSurface _surface;
 
+        // Of the nearest transform at or above it that has one: what says how it moves.
+        RadarMotion _motion;
+        Rigidbody _rigidbody;
+        TransformNode _motionNode;
+
+        /// <summary>How it moves, in a scene with its origin at a point of the world.</summary>
+        public RigidMotion MotionIn(double3 origin)
+        {
+            if (_motion != null)
+                return new RigidMotion
+                {
+                    Velocity = (float3)_motion.Velocity, AngularVelocity = math.radians((float3)_motion.TurnRates),
+                    Pivot = _motionNode.ToWorld().Origin - origin
+                };
+            return _rigidbody == null
+                ? default
+                : new RigidMotion
+                {
+                    Velocity = (float3)_rigidbody.linearVelocity, AngularVelocity = (float3)_rigidbody.angularVelocity,
+                    Pivot = (float3)_rigidbody.worldCenterOfMass - origin
+                };
+        }
+
         /// <summary>The material of a submesh of its object.</summary>
         public SurfaceMaterial MaterialOf(int submesh)
         {
@@ -86,7 +109,12 @@ namespace Glint
             var scale = transform.localScale;
             // Compared exactly: == of Unity's vectors is approximate.
             bool isUnmoved = position.Equals(_position) && rotation.Equals(_rotation) && scale.Equals(_scale);
-            Moves |= moves || Parent == parent && !isUnmoved;
+            (_motion, _rigidbody, _motionNode) = (parent._motion, parent._rigidbody, parent._motionNode);
+            bool hasMotion = transform.TryGetComponent<RadarMotion>(out var motion)
+                | transform.TryGetComponent<Rigidbody>(out var body);
+            if (hasMotion)
+                (_motion, _rigidbody, _motionNode) = (motion, body, this);
+            Moves |= moves || hasMotion || Parent == parent && !isUnmoved;
             Mover = Moves ? this : parent.Mover;
             (Parent, _position, _rotation, _scale) = (parent, position, rotation, scale);
             _depth = parent._depth + 1;

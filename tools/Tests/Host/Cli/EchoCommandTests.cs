@@ -16,25 +16,8 @@ namespace Glint.Host.Tests;
 
 /// <summary>glint echo: profiles, received power, files, resumption, parts, report, refusals.</summary>
 [Category("Slow")]
-public sealed class EchoCommandTests
+public sealed class EchoCommandTests : EchoFixture
 {
-    // Metres and hertz.
-    const double C = 299792458, Width = 0.3, Height = 0.2, Frequency = 10e9, Wavelength = C / Frequency, Range = 2.5;
-
-    string _folder;
-
-    // A plate 2.5 m behind the origin as seen from azimuth 0.
-    [SetUp]
-    public void MakePlate()
-    {
-        _folder = Directory.CreateTempSubdirectory("glint-echo-").FullName;
-        File.WriteAllText(At("plate.obj"),
-            "v -0.15 -0.1 2.5\nv 0.15 -0.1 2.5\nv 0.15 0.1 2.5\nv -0.15 0.1 2.5\nf 1 2 3 4\n");
-    }
-
-    [TearDown]
-    public void RemovePlate() => Directory.Delete(_folder, true);
-
     /// <summary>4 pi A^2 / lambda^2 at 2.5 m in every file; the arrays are the sums of the page's formula.</summary>
     [Test]
     public void Plate_AtNormalIncidence_IsAPointOfItsCrossSection()
@@ -162,10 +145,7 @@ public sealed class EchoCommandTests
             "--polarisation", "vv,hh", "--out", At("echo"));
         var (code, _, error) = TestShell.Run("report", At("echo"));
         Assert.That(code, Is.Zero, error);
-        string page = File.ReadAllText(At("echo/report.html"));
-        const string start = "<script type=\"application/json\" id=\"data\">";
-        int from = page.IndexOf(start) + start.Length;
-        var data = JObject.Parse(page[from..page.IndexOf("</script>", from)]);
+        var data = DataOf("echo/report.html");
         var rows = data["run"]["rows"].ToArray();
         Assert.That(rows.Select(row => (double)row["azimuth_deg"]), Is.EqualTo(new[] { 0, 4, 8 }));
         Assert.That((double)rows[0]["hh_range_m"], Is.EqualTo(Range).Within(0.1));
@@ -238,6 +218,16 @@ public sealed class EchoCommandTests
             Is.EqualTo(Number(table[0], "vv_dbsm")).Within(1e-6));
         var (code, _, error) = TestShell.Run("report", At("image"));
         Assert.That(code, Is.Zero, error);
+        var data = DataOf("image/report.html");
+        byte[] shown = Convert.FromBase64String((string)data["echo"]["image"]["levels"]);
+        Assert.That((int)data["echo"]["image"]["pixels"], Is.EqualTo(pixels));
+        Assert.That(Enumerable.Range(0, levels.Length).Select(i => BitConverter.ToInt16(shown, 2 * i) / 100.0),
+            Is.EqualTo(levels).Within(0.02), "of the processor");
+        Assert.That((double)data["echo"]["image"]["azimuth"], Is.EqualTo(0).Within(1e-9));
+        Assert.That((double)data["echo"]["image"]["start"], Is.EqualTo(Number(table[0], "down_range_m")).Within(1e-9));
+        // The target's middle is between its corners, and the phase centre at the file's origin.
+        Assert.That(data["echo"]["image"]["centre"].Select(each => (double)each), Is.All.EqualTo(0).Within(1e-9));
+        Assert.That((double)data["scene"]["centre"][2], Is.EqualTo((1.2 - edge * Math.Sqrt(1.0 / 3)) / 2).Within(1e-3));
     }
 
     [TestCase("--azimuth is missing", "--out", "x")]
@@ -288,7 +278,7 @@ public sealed class EchoCommandTests
     public void PythonExample_OfThePage_ReadsAndPlotsTheFile()
     {
         Run(At("plate.obj"), "--azimuth", "-2,0,2", "--edges", "off", "--tolerance", "0.02", "--out", At("."));
-        string output = PythonExample.Run("echo.md", "/usr/bin/python3", _folder);
+        string output = PythonExample.Run("echo.md", "/usr/bin/python3", At("."));
         Assert.That(output, Does.Match(@"^highest: (17\.0|16\.9)\d dBsm at 2\.\d\d m, azimuth 0\.0 deg\n$"));
         Assert.That(File.ReadAllBytes(At("profile.png")).Take(4), Is.EqualTo(new byte[] { 0x89, 0x50, 0x4E, 0x47 }));
     }
@@ -303,18 +293,6 @@ public sealed class EchoCommandTests
                 name);
         Assert.That(Timeless.Json(At(folder)), Is.EqualTo(Timeless.Json(At("whole"))));
     }
-
-    List<Dictionary<string, string>> Table(string path)
-    {
-        var lines = File.ReadAllLines(At(path)).Select(line => line.Split(',')).ToArray();
-        return [.. lines.Skip(1).Select(cells =>
-            lines[0].Zip(cells).ToDictionary(cell => cell.First, cell => cell.Second))];
-    }
-
-    static double Number(Dictionary<string, string> row, string column) =>
-        double.Parse(row[column], CultureInfo.InvariantCulture);
-
-    string At(string name) => Path.Combine(_folder, name);
 
     // Of a square picture of grey levels without filters; the stream's sum is checked.
     static IEnumerable<byte> GreysOf(string path, int pixels)
@@ -347,14 +325,4 @@ public sealed class EchoCommandTests
             text.Append($"f {first} {first + 1 + i} {first + 1 + (i + 1) % 3}\n");
         return text.ToString();
     }
-
-    static string Run(params string[] arguments)
-    {
-        var (code, output, error) = Execute(arguments);
-        Assert.That(code, Is.Zero, error);
-        return output;
-    }
-
-    static (int code, string output, string error) Execute(params string[] arguments) =>
-        TestShell.Run(["echo", .. arguments]);
 }

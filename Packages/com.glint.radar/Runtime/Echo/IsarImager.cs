@@ -1,0 +1,89 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using System.Numerics;
+using System.Runtime.InteropServices;
+using Glint.Core;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Glint
+{
+    /// <summary>Backprojection on the device: the image of <see cref="IsarTransform"/> in float32.</summary>
+    public sealed class IsarImager : IDisposable
+    {
+        // Of a dispatch, which must end before the operating system's watchdog.
+        const int LooksADispatch = 64;
+
+        static readonly int s_looks = Shader.PropertyToID("_Looks"), s_profiles = Shader.PropertyToID("_Profiles"),
+            s_image = Shader.PropertyToID("_Image"), s_size = Shader.PropertyToID("_ImageSize");
+
+        readonly ComputeShader _shader;
+        readonly int _kernel;
+        readonly DeviceBuffer<IsarLook> _looks = new DeviceBuffer<IsarLook>("looks");
+        readonly DeviceBuffer<float2> _profiles = new DeviceBuffer<float2>("cells of range profiles");
+        readonly DeviceBuffer<float2> _image = new DeviceBuffer<float2>("pixels of an image");
+
+        /// <param name="shader">Shaders/Backprojection.compute.</param>
+        /// <param name="owner">Name of the owner, for messages.</param>
+        /// <exception cref="GlintException">The device runs no kernels, or it is another shader.</exception>
+        public IsarImager(ComputeShader shader, string owner = nameof(IsarImager))
+        {
+            DeviceCheck.Require(shader, "Backprojection", "Backproject", owner);
+            (_shader, _kernel) = (shader, shader.FindKernel("Backproject"));
+        }
+
+        /// <summary>The image, row by row: rows are down range, columns cross range.</summary>
+        /// <param name="profiles">Of each look of the transform.</param>
+        /// <exception cref="GlintException">The device cannot hold image or profiles.</exception>
+        public Complex[] Image(IsarTransform transform, IReadOnlyList<Complex[]> profiles)
+        {
+            int pixels = transform.Pixels, cells = profiles[0].Length;
+            _image.Reserve((long)pixels * pixels);
+            _shader.SetBuffer(_kernel, s_image, _image.Buffer);
+            for (int first = 0; first < profiles.Count; first += LooksADispatch)
+            {
+                int count = Math.Min(LooksADispatch, profiles.Count - first);
+                _looks.Upload(Enumerable.Range(first, count)
+                    .Select(look => new IsarLook(transform.LookOf(look))).ToArray());
+                _profiles.Upload(profiles.Skip(first).Take(count).SelectMany(profile => profile)
+                    .Select(cell => new float2((float)cell.Real, (float)cell.Imaginary)).ToArray());
+                _shader.SetBuffer(_kernel, s_looks, _looks.Buffer);
+                _shader.SetBuffer(_kernel, s_profiles, _profiles.Buffer);
+                _shader.SetInts(s_size, pixels, cells, count, first > 0 ? 1 : 0);
+                _shader.DispatchThreads(_kernel, (long)pixels * pixels);
+            }
+            var read = new float2[pixels * pixels];
+            _image.ReadBack(read, read.Length);
+            return Array.ConvertAll(read, value => new Complex(value.x, value.y));
+        }
+
+        /// <summary>Releases all buffers on the device.</summary>
+        public void Dispose()
+        {
+            _looks.Dispose();
+            _profiles.Dispose();
+            _image.Dispose();
+        }
+    }
+
+    // GLINT_LOOK: Shaders/Backprojection.hlsl, where the fields are explained.
+    [StructLayout(LayoutKind.Sequential)]
+    struct IsarLook
+    {
+        public float4 Turns, Cells;
+        public float2 CentreCell;
+        public float Weight;
+        public uint Unused;
+
+        public IsarLook(LookSteps steps) : this()
+        {
+            float4 Steps(double down, double cross) =>
+                new float4((float)down, DoubleFloat.Lo(down), (float)cross, DoubleFloat.Lo(cross));
+            Turns = Steps(steps.TurnsDown, steps.TurnsCross);
+            Cells = Steps(steps.CellsDown, steps.CellsCross);
+            CentreCell = new float2((float)steps.CentreCell, DoubleFloat.Lo(steps.CentreCell));
+            Weight = (float)steps.Weight;
+        }
+    }
+}
