@@ -47,6 +47,7 @@ namespace Glint.Core
             _pulseLength = Signal.SpeedOfLight / 2 * pulse;
             Pulse = Enumerable.Range(0, radar.Cells).Select(cell => 1 - cell * CellSize / _pulseLength)
                 .TakeWhile((weight, cell) => cell == 0 || weight > 0).Select(weight => (float)weight).ToArray();
+            NoiseGain = 1 / (1 + 2 * Pulse.Skip(1).Sum(weight => (double)weight * weight));
         }
 
         /// <summary>The settings.</summary>
@@ -77,7 +78,7 @@ namespace Glint.Core
         public int HalfBeam => Beam.Length - 1;
 
         /// <summary>Mean power of the noise of the sums before the pulse's weights, over that behind them.</summary>
-        public double NoiseGain => 1 / (Pulse[0] * Pulse[0] + 2 * Pulse.Skip(1).Sum(weight => (double)weight * weight));
+        public double NoiseGain { get; }
 
         /// <summary>
         /// Factor of the amplitude of echoes that fill their cells, as of sea and rain: the square of the pulse's
@@ -113,7 +114,7 @@ namespace Glint.Core
             & (Radar.Spokes - 1);
 
         /// <summary>
-        /// An echo as the sums take it. <see cref="ScreenPoint.Amplitude"/> is 0 behind the horizon and beyond the
+        /// An echo as the sums take it. <see cref="ScreenPoint.Amplitude"/> is 0 behind the horizon and outside the
         /// range scale.
         /// </summary>
         /// <param name="position">Of the reflector, metres: x to the east, y above the sea, z to the north.</param>

@@ -204,12 +204,12 @@ namespace Glint
                 (float)(1 / receiver.DynamicRangeDb), (float)(receiver.SensitivityTimeRange / Geometry.CellSize),
                 (float)Math.Sqrt(Geometry.NoiseGain)));
             _shader.SetVector(ScreenIDs._ReceiverFilters, new Vector4((float)receiver.RainFilter,
-                (float)receiver.ClutterFilter, Rest(receiver.PersistenceTurns), Rest(receiver.TrailTurns)));
+                (float)receiver.ClutterFilter, AfterATurn(receiver.PersistenceTurns), AfterATurn(receiver.TrailTurns)));
             _shader.SetInt(ScreenIDs._PulseCells, Geometry.Pulse.Length);
         }
 
         // What is left after a turn.
-        static float Rest(double turns) => turns > 0 ? (float)Math.Exp(-1 / turns) : 0;
+        static float AfterATurn(double turns) => turns > 0 ? (float)Math.Exp(-1 / turns) : 0;
 
         void Dispatch(int kernel, int across, int rows) => _shader.Dispatch(kernel, (across + Group - 1) / Group, rows, 1);
     }
