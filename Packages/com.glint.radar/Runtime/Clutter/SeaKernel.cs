@@ -93,22 +93,12 @@ namespace Glint
             _shader.SetVector(ShaderIDs._SceneCentreExtent, KernelCalls.ToVector(_scene.Centre, (float)extent));
             _shader.SetFloat(TubeIDs._WaveNumber, (float)(2 * Math.PI / Signal.Wavelength(frequency)));
             _shader.SetVector(SeaIDs._SeaWind, KernelCalls.ToVector(clutter.Wind, (float)(RelativeOffset * extent)));
-            SetMirrorPoints(clutter.TableAt(frequency));
+            SeaSigma.SetMirrorPoints(_shader, clutter.TableAt(frequency));
             double times = clutter.Time / clutter.CoherenceTimeAt(frequency), whole = Math.Floor(times);
             _shader.SetVector(SeaIDs._SeaTime, new Vector4((float)clutter.Time, (float)whole, (float)(times - whole),
                 (float)SeaClutter.ApproachingExponent));
             SetFootprint(pose.Footprint);
             SetCells(grid);
-        }
-
-        void SetMirrorPoints(FacetTable table)
-        {
-            double2 variance = table.Unresolved;
-            double determinant = variance.x * variance.y - table.Covariance * table.Covariance;
-            _shader.SetVector(SeaIDs._SeaMirror, !(variance.x > 0 && determinant > 0) ? Vector4.zero : new Vector4(
-                (float)(variance.y / (2 * determinant)), (float)(variance.x / (2 * determinant)),
-                (float)(-table.Covariance / (2 * determinant)),
-                (float)(table.MirrorPower / (2 * Math.Sqrt(determinant)))));
         }
 
         void SetLevel(ClutterLevelTable level)

@@ -9,7 +9,7 @@ namespace Glint
     /// <summary>
     /// A radar screen (PPI) that turns while the scene plays. The antenna is at this object's position and turns
     /// clockwise; <see cref="Picture"/> is a texture for UI Toolkit, uGUI and materials. It shows each enabled
-    /// <see cref="RadarReflector"/>, rain and noise. Everything runs on the device, and the main thread never waits
+    /// <see cref="RadarReflector"/>, the sea, rain and noise. Everything runs on the device, and the main thread never waits
     /// for it.
     /// </summary>
     [AddComponentMenu("Glint/Radar Screen")]
@@ -20,6 +20,10 @@ namespace Glint
     {
         [SerializeField, Tooltip("Own ship: its forward axis is the heading. Empty: this object.")]
         Transform _ownShip;
+
+        [SerializeField, Tooltip("Sea around the radar, with clutter. It is endless for the screen, whatever its extent. "
+            + "Empty: none.")]
+        Sea _sea;
 
         [SerializeField, Tooltip("Transmitter, antenna and range cells. A change starts the picture anew.")]
         ScreenRadar _radar = ScreenRadar.Default;
@@ -54,10 +58,15 @@ namespace Glint
         [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/Screen.compute.")]
         ComputeShader _kernel;
 
+        [SerializeField, Tooltip("Packages/com.glint.radar/Shaders/SeaField.compute.")]
+        ComputeShader _seaKernel;
+
         ScreenTracer _tracer;
         RenderTexture _picture;
         Compass _compass;
+        ScreenSea _waves;
         ScreenPoint[] _points = new ScreenPoint[16];
+        Vector3 _tileMiddle;
         double _turns, _headingTurns;
         bool _isStale, _hasFailed;
 
@@ -69,6 +78,16 @@ namespace Glint
 
         /// <summary>Own ship, whose forward axis is the heading; null: this object.</summary>
         public Transform OwnShip { get => _ownShip; set => _ownShip = value; }
+
+        /// <summary>
+        /// Sea around the radar; null: none. It is endless for the screen. A change of its settings is seen when the
+        /// picture starts anew, its time at once.
+        /// </summary>
+        public Sea Sea
+        {
+            get => _sea;
+            set => (_sea, _isStale) = (value, true);
+        }
 
         /// <summary>Transmitter, antenna and range cells. Another radar starts the picture anew.</summary>
         /// <exception cref="GlintException">A setting is out of its range.</exception>
@@ -109,6 +128,9 @@ namespace Glint
 
         /// <summary>Packages/com.glint.radar/Shaders/Screen.compute.</summary>
         public ComputeShader Kernel { get => _kernel; set => _kernel = value; }
+
+        /// <summary>Packages/com.glint.radar/Shaders/SeaField.compute; only with a sea.</summary>
+        public ComputeShader SeaKernel { get => _seaKernel; set => _seaKernel = value; }
 
         /// <summary>True bearing of the antenna in degrees from 0 to 360, clockwise from north.</summary>
         public double AntennaDegrees => 360 * (_turns - Math.Floor(_turns));
@@ -163,7 +185,8 @@ namespace Glint
             _headingTurns = Heading();
             _turns += seconds * _radar.TurnsAMinute / 60 + Math.IEEERemainder(_headingTurns - before, 1);
             _tracer.Begin(_turns);
-            _tracer.AddPoints(_points, GatherPoints());
+            AddSea();
+            _tracer.AddPoints(_points, GatherPoints(), _waves != null);
             _tracer.AddRain();
             _tracer.Finish(_receiver);
             if (_picture != null)
@@ -198,6 +221,7 @@ namespace Glint
             _compass = Compass.Find(Subject);
             _tracer = new ScreenTracer(_kernel, Subject, _radar);
             _turns = _headingTurns = Heading();
+            MakeSea();
             MakePicture();
         }
 
@@ -219,6 +243,27 @@ namespace Glint
             _picture.Create();
         }
 
+        void MakeSea()
+        {
+            if (_sea == null)
+                return;
+            // It refuses a sea that is tilted, too.
+            if (_sea.CurrentClutter() == null)
+                throw new GlintException($"{Subject}: its sea '{_sea.name}' has no clutter: turn Clutter on, or leave "
+                    + "Sea empty");
+            _tileMiddle = _sea.TileMiddle();
+            _waves = new ScreenSea(_seaKernel, Subject, _tracer.Geometry, _sea.ShownWaves, _sea.Clutter);
+        }
+
+        void AddSea()
+        {
+            if (_waves == null || _tracer.Slice.Traced == 0)
+                return;
+            _waves.Update(_sea.ShownTime);
+            _tracer.AddSea(_waves, (float3)(_sea.transform.InverseTransformPoint(transform.position) - _tileMiddle),
+                NorthTurns() - Compass.TurnsOf(_sea.transform.forward));
+        }
+
         // Positions of the world, with north as +Z and the sea at 0.
         int GatherPoints()
         {
@@ -235,9 +280,11 @@ namespace Glint
         double3 FromWorld(Vector3 position)
         {
             double north = NorthTurns() * 2 * Math.PI, cosine = Math.Cos(north), sine = Math.Sin(north);
-            return new double3(position.x * cosine - position.z * sine, position.y,
+            return new double3(position.x * cosine - position.z * sine, position.y - SeaLevel,
                 position.x * sine + position.z * cosine);
         }
+
+        double SeaLevel => _sea == null ? 0 : _sea.transform.position.y;
 
         double Heading() => Compass.TurnsOf((_ownShip == null ? transform : _ownShip).forward) - NorthTurns();
 
@@ -271,8 +318,9 @@ namespace Glint
 
         void Release()
         {
+            _waves?.Dispose();
             _tracer?.Dispose();
-            _tracer = null;
+            (_waves, _tracer) = (null, null);
         }
 
         static void Free(UnityEngine.Object made)

@@ -11,7 +11,7 @@ namespace Glint
     /// allocates nothing a frame, and knows no GameObjects.
     /// </summary>
     /// <remarks>
-    /// A frame calls <see cref="Begin"/>, then adds echoes (<see cref="AddPoints"/>, <see cref="AddRain"/>, and any
+    /// A frame calls <see cref="Begin"/>, then adds echoes (<see cref="AddSea"/>, <see cref="AddPoints"/>, <see cref="AddRain"/>, any
     /// kernel that adds to <see cref="Echo"/> in the spokes of the slice), then <see cref="Finish"/> and
     /// <see cref="Draw"/>.
     /// </remarks>
@@ -20,7 +20,7 @@ namespace Glint
         const int Group = 64, PictureGroup = 8;
 
         readonly ComputeShader _shader;
-        readonly int _clear, _points, _rain, _beam, _level, _video, _picture;
+        readonly int _clear, _points, _pointsOverSea, _sea, _rain, _beam, _level, _video, _picture;
         readonly ScreenSweep _sweep;
         readonly int[] _size = new int[4], _slice = new int[4];
         readonly Vector4[] _colours = new Vector4[7];
@@ -43,6 +43,8 @@ namespace Glint
             _shader = shader;
             _clear = shader.FindKernel("ScreenClear");
             _points = shader.FindKernel("ScreenPoints");
+            _pointsOverSea = shader.FindKernel("ScreenPointsOverSea");
+            _sea = shader.FindKernel("ScreenSea");
             _rain = shader.FindKernel("ScreenRain");
             _beam = shader.FindKernel("ScreenBeam");
             _level = shader.FindKernel("ScreenLevel");
@@ -109,18 +111,32 @@ namespace Glint
             SetSlice(shader, _current.FirstTraced, _current.Traced);
         }
 
+        /// <summary>Adds the echo of a sea, which was updated.</summary>
+        /// <inheritdoc cref="ScreenSea.Set"/>
+        public void AddSea(ScreenSea sea, double3 radar, double northTurns)
+        {
+            if (_current.Traced == 0)
+                return;
+            sea.Set(_shader, _sea, radar, northTurns);
+            sea.Set(_shader, _pointsOverSea, radar, northTurns);
+            _shader.SetBuffer(_sea, ScreenIDs._Echo, Echo.Buffer);
+            Dispatch(_sea, Geometry.Radar.Cells * sea.FacetsOfACell, _current.Traced);
+        }
+
         /// <summary>Adds the echoes of points.</summary>
         /// <param name="count">Of the points that are used.</param>
-        public void AddPoints(ScreenPoint[] points, int count)
+        /// <param name="isOverSea">Whether waves may hide them; after <see cref="AddSea"/>.</param>
+        public void AddPoints(ScreenPoint[] points, int count, bool isOverSea = false)
         {
             if (_current.Traced == 0 || count == 0)
                 return;
             _pointBuffer.Reserve(points.Length);
             _pointBuffer.Write(points, 0, 0, count);
-            _shader.SetBuffer(_points, ScreenIDs._ScreenPoints, _pointBuffer.Buffer);
-            _shader.SetBuffer(_points, ScreenIDs._Echo, Echo.Buffer);
+            int kernel = isOverSea ? _pointsOverSea : _points;
+            _shader.SetBuffer(kernel, ScreenIDs._ScreenPoints, _pointBuffer.Buffer);
+            _shader.SetBuffer(kernel, ScreenIDs._Echo, Echo.Buffer);
             _shader.SetInt(ScreenIDs._ScreenPointCount, count);
-            Dispatch(_points, count, 1);
+            Dispatch(kernel, count, 1);
         }
 
         /// <summary>Adds the echo of rain, if there is any.</summary>
